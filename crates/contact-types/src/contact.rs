@@ -1,0 +1,105 @@
+//! The question every model answers, and the shape of its answer.
+
+use crate::ModelError;
+
+/// Where a theory comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Citation {
+    /// Authors, for example "Bush, Gibson & Thomas".
+    pub authors: &'static str,
+    /// Year of publication.
+    pub year: u16,
+    /// Title of the paper.
+    pub title: &'static str,
+    /// Journal, volume and page.
+    pub journal: &'static str,
+    /// DOI without resolver; empty if the source has none.
+    pub doi: &'static str,
+}
+
+/// An answer was given, but something about it must be known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Caveat {
+    /// The formula reached its ceiling and the value was clipped to it.
+    Saturated {
+        /// Which quantity was clipped.
+        quantity: &'static str,
+    },
+    /// The value is what the formula says, but an assumption of the theory is strained.
+    BeyondModel {
+        /// The quantity that shows it.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Where the assumption is usually taken to end.
+        limit: f64,
+        /// What is strained.
+        reason: &'static str,
+    },
+    /// The value is too small for a double; the logarithmic interface still answers.
+    Underflow {
+        /// Which quantity underflowed.
+        quantity: &'static str,
+    },
+}
+
+impl std::fmt::Display for Caveat {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Saturated { quantity } => write!(f, "{quantity} reached its upper limit"),
+            Self::BeyondModel { quantity, value, limit, reason } => {
+                write!(f, "{quantity} = {value:.4} is beyond {limit}: {reason}")
+            }
+            Self::Underflow { quantity } => {
+                write!(f, "{quantity} is smaller than the smallest double")
+            }
+        }
+    }
+}
+
+/// One point of a contact curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactState {
+    /// Nominal pressure F / A_n [Pa].
+    pub mean_pressure: f64,
+    /// Real area fraction A_r / A_n [-].
+    pub area_fraction: f64,
+    /// Distance of the rigid flat from the mean plane of the undeformed heights [m]; `None` if
+    /// the theory has no such quantity.
+    pub separation: Option<f64>,
+    /// Mean gap after deformation [m]; `None` if the theory is silent.
+    pub mean_gap: Option<f64>,
+    /// What must be known about this answer.
+    pub caveat: Option<Caveat>,
+}
+
+impl ContactState {
+    /// Mean pressure on the real area, F / A_r [Pa]; `None` where nothing touches.
+    pub fn real_pressure(&self) -> Option<f64> {
+        let pressure = self.mean_pressure / self.area_fraction;
+        (self.area_fraction > 0.0 && pressure.is_finite()).then_some(pressure)
+    }
+}
+
+/// A closed-form or semi-analytic model of rough contact.
+pub trait ContactModel: Send + Sync {
+    /// The paper to cite.
+    fn citation(&self) -> Citation;
+
+    /// The contact at nominal pressure `mean_pressure` (Pa).
+    ///
+    /// # Errors
+    /// [`ModelError`] if the pressure is negative or not finite, or the theory has no meaning
+    /// there.
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError>;
+}
+
+/// A model whose natural variable is the separation of the mean planes.
+pub trait SeparationModel: ContactModel {
+    /// The contact at `separation` (m): rigid flat to mean plane of the undeformed heights.
+    ///
+    /// # Errors
+    /// [`ModelError`] if the separation is not finite or the theory has no meaning there.
+    fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError>;
+}

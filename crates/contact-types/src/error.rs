@@ -1,0 +1,129 @@
+//! What can be wrong with a surface or with the input of a model.
+
+use std::ops::RangeInclusive;
+
+/// A grid, a height map or a material that cannot be what it claims to be.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SurfaceError {
+    /// A grid needs at least one pixel along each axis.
+    #[error("a grid of {ny} x {nx} pixels is empty; both sides need at least 1 pixel")]
+    EmptyGrid {
+        /// Rows asked for.
+        ny: usize,
+        /// Columns asked for.
+        nx: usize,
+    },
+    /// The grid has more pixels than can be addressed.
+    #[error("a grid of {ny} x {nx} pixels has more pixels than this machine can address")]
+    GridTooLarge {
+        /// Rows asked for.
+        ny: usize,
+        /// Columns asked for.
+        nx: usize,
+    },
+    /// A pixel side must be a positive, finite, normal length.
+    #[error("pixel size d{axis} = {value:e} m must be finite and greater than 0")]
+    BadPixel {
+        /// `'x'` or `'y'`.
+        axis: char,
+        /// The value found [m].
+        value: f64,
+    },
+    /// The number of heights differs from the number of pixels.
+    #[error("the grid has {expected} pixels but {found} heights were given")]
+    Shape {
+        /// Pixels of the grid.
+        expected: usize,
+        /// Heights found.
+        found: usize,
+    },
+    /// A height is NaN or infinite.
+    #[error(
+        "height at row {iy}, column {ix} is {value}; a height map must be complete and finite \
+         ({count} such points): fill the missing points first"
+    )]
+    NotFinite {
+        /// Row of the first offending pixel.
+        iy: usize,
+        /// Column of the first offending pixel.
+        ix: usize,
+        /// Its value.
+        value: f64,
+        /// How many pixels are not finite.
+        count: usize,
+    },
+    /// A material constant is outside its physical range.
+    #[error("{quantity} = {value:e} {unit} is outside {} to {}", domain.start(), domain.end())]
+    Material {
+        /// Which constant.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// The range it must lie in.
+        domain: RangeInclusive<f64>,
+    },
+    /// Both bodies are rigid, so nothing deforms.
+    #[error("both bodies are rigid: a contact modulus needs at least one elastic body")]
+    NothingElastic,
+    /// A spectrum is unusable.
+    #[error("spectrum entry {index}: {what} = {value:e}, {limit}")]
+    Spectrum {
+        /// Position in the list given.
+        index: usize,
+        /// The quantity at fault.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// The rule it breaks.
+        limit: &'static str,
+    },
+}
+
+/// Why a model gives no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// The number itself is unusable: NaN, infinite, or of the wrong sign.
+    #[error("{model}: {quantity} = {value:e} is not usable: {requirement}")]
+    InvalidInput {
+        /// The model asked.
+        model: &'static str,
+        /// Which input.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be, for example "must be finite and greater than 0".
+        requirement: &'static str,
+    },
+    /// The number is sound but the theory has no meaning there.
+    #[error(
+        "{model}: {quantity} = {value} is outside its domain {} to {}: {reason}",
+        domain.start(),
+        domain.end()
+    )]
+    OutsideDomain {
+        /// The model asked.
+        model: &'static str,
+        /// Which input.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Where the theory holds.
+        domain: RangeInclusive<f64>,
+        /// Why it does not hold here.
+        reason: &'static str,
+    },
+    /// An iteration inside the model did not reach its tolerance.
+    #[error("{model}: not converged after {iterations} iterations (residual {residual:e})")]
+    NotConverged {
+        /// The model asked.
+        model: &'static str,
+        /// Relative residual reached.
+        residual: f64,
+        /// Iterations spent.
+        iterations: usize,
+    },
+}

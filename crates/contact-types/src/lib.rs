@@ -1,0 +1,26 @@
+//! The vocabulary every rough-contact crate shares. No input or output, no FFT, no numerics
+//! beyond what a definition needs.
+//!
+//! # Conventions
+//! - SI units in `f64`, everywhere.
+//! - Heights are positive out of the material; pressure is positive in compression;
+//!   displacement is positive into the body; a gap is never negative.
+//! - Fields are row-major: pixel (iy, ix) is at index `iy * nx + ix`.
+//! - `q` is angular wavenumber (rad/m); `f = 1 / wavelength` is not.
+//! - Spectral moments are those of a *profile* (Nayak 1971): `m2 = <|grad h|^2> / 2`.
+
+mod contact;
+mod error;
+mod grid;
+mod height_map;
+mod material;
+mod moments;
+mod spectrum;
+
+pub use contact::{Caveat, Citation, ContactModel, ContactState, SeparationModel};
+pub use error::{ModelError, SurfaceError};
+pub use grid::Grid;
+pub use height_map::HeightMap;
+pub use material::{ContactModulus, Elastic};
+pub use moments::{AsperityStatistics, FractalParameters, SpectralMoments};
+pub use spectrum::{AmplitudeSpectrum, RoughnessSpectrum, Shell, Wave};

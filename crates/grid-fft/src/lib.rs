@@ -1,0 +1,10 @@
+//! Real two-dimensional FFT on a grid: one convention for the PSD and for the solver.
+//!
+//! The forward transform is unnormalised with `exp(-i q x)`; the inverse divides by `ny nx`, so
+//! that `inverse(forward(field))` is `field`. Only the half spectrum `0..=nx/2` along x is kept.
+
+mod transform;
+
+pub use rustfft::FftNum;
+pub use rustfft::num_complex::Complex;
+pub use transform::GridFft;
