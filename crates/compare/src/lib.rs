@@ -1,0 +1,17 @@
+//! The study: surfaces and settings go in; statistics, the deterministic solution and every
+//! closed-form model over the loads come out, with errors and times, and a report to read them
+//! in. The command `rough-contact` is built from this package.
+//!
+//! Nothing here opens a file or prints: the report writes to any [`std::io::Write`].
+
+mod recipe;
+mod run_file;
+mod settings;
+mod surface;
+
+pub use recipe::{Recipe, RecipeError, parse_recipes};
+pub use run_file::{RunFile, RunFileError, RunSurface};
+pub use settings::{
+    LevelName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
+};
+pub use surface::{FileOrigin, Origin, Surface, sha256_hex};

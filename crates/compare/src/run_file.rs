@@ -1,0 +1,100 @@
+//! `run.toml`: all settings, versions and surfaces of a run, from which it can be repeated.
+
+use crate::{Origin, Settings};
+use serde::{Deserialize, Serialize};
+
+/// The content of `run.toml`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RunFile {
+    /// Version of the program that wrote it.
+    pub program: String,
+    /// Settings of the study.
+    pub settings: Settings,
+    /// The surfaces in order.
+    #[serde(rename = "surface")]
+    pub surfaces: Vec<RunSurface>,
+}
+
+/// One surface of `run.toml`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RunSurface {
+    /// Name in the report.
+    pub name: String,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+/// A `run.toml` that cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RunFileError {
+    /// It is not TOML, or a key is missing, unknown or of the wrong type.
+    #[error("this is no run file of this program: {0}")]
+    Syntax(#[from] toml::de::Error),
+    /// It lists no surface.
+    #[error("the run file lists no surface; it needs at least one [[surface]]")]
+    NoSurface,
+}
+
+impl RunFile {
+    /// Reads a run file.
+    ///
+    /// # Errors
+    /// [`RunFileError`].
+    pub fn parse(text: &str) -> Result<Self, RunFileError> {
+        let file: Self = toml::from_str(text)?;
+        if file.surfaces.is_empty() {
+            return Err(RunFileError::NoSurface);
+        }
+        Ok(file)
+    }
+
+    /// The file as text.
+    ///
+    /// # Errors
+    /// If a value has no TOML form, as an integer beyond 2^63 - 1 for a seed.
+    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        toml::to_string(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{FileOrigin, Recipe};
+
+    #[test]
+    fn a_run_file_reads_back_as_it_was_written() {
+        let recipe = Recipe {
+            name: "ground".into(),
+            description: String::new(),
+            shape: [8, 9],
+            pixel: [1e-6, 1.1e-6],
+            hurst: 0.8,
+            rolloff: 1e-4,
+            cutoff: 1e-5,
+            rms_height: Some(1e-7),
+            rms_gradient: None,
+            seed: 3,
+            quantise: None,
+        };
+        let file = FileOrigin {
+            path: "a \"b\".x3p".into(),
+            fill: "refuse".into(),
+            ..FileOrigin::default()
+        };
+        let run = RunFile {
+            program: "0.1.0".into(),
+            settings: Settings { pressures: Some(vec![1e6, 0.1e7 / 3.0]), ..Settings::default() },
+            surfaces: vec![
+                RunSurface { name: "a".into(), origin: Origin::File(file) },
+                RunSurface { name: "ground".into(), origin: Origin::Recipe(recipe) },
+            ],
+        };
+        let text = run.to_toml().unwrap();
+        assert_eq!(RunFile::parse(&text).unwrap(), run, "{text}");
+        assert!(RunFile::parse("program = 1").is_err());
+    }
+}

@@ -1,0 +1,159 @@
+//! Everything a user can choose about a study.
+
+use serde::{Deserialize, Serialize};
+
+/// Settings of a study. SI units.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Settings {
+    /// Contact modulus E* (Pa).
+    pub modulus: f64,
+    /// Nominal pressures (Pa); absent: chosen per surface, see [`default_pressures`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressures: Option<Vec<f64>>,
+    /// Pressure the headline and the maps are for (Pa), one of the pressures computed; absent:
+    /// the one whose contact is nearest to 2 % of the surface.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub headline: Option<f64>,
+    /// Form removed before everything else: `none`, `mean`, `plane` or `quadratic`.
+    pub level: LevelName,
+    /// Solver method: `auto`, `chord`, `polonsky-keer` or `stanley-kato`.
+    pub method: MethodName,
+    /// Floating-point precision of the solver: `f64` or `f32`.
+    pub precision: PrecisionName,
+    /// Relative rms pressure error at which the solver stops.
+    pub tolerance: f64,
+    /// Threads the solver may use.
+    pub threads: usize,
+    /// Wavelengths `[shortest, longest]` between which the fractal dimension is fitted (m);
+    /// absent: chosen from the spectrum.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fractal_range: Option<[f64; 2]>,
+}
+
+impl Default for Settings {
+    /// Steel on steel, plane removed, loads chosen from the surface.
+    fn default() -> Self {
+        Self {
+            modulus: STEEL_ON_STEEL,
+            pressures: None,
+            headline: None,
+            level: LevelName::Plane,
+            method: MethodName::Auto,
+            precision: PrecisionName::F64,
+            tolerance: 1e-4,
+            threads: 1,
+            fractal_range: None,
+        }
+    }
+}
+
+/// E* of two steel bodies, `E / (2 (1 - nu^2))` with E = 210 GPa and nu = 0.3 (Pa).
+pub const STEEL_ON_STEEL: f64 = 210e9 / (2.0 * (1.0 - 0.3 * 0.3));
+
+macro_rules! names {
+    ($(#[$doc:meta])* $name:ident { $($(#[$vdoc:meta])* $variant:ident = $text:literal),+ $(,)? }) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+        pub enum $name { $($(#[$vdoc])* #[serde(rename = $text)] $variant),+ }
+
+        impl $name {
+            /// Every choice, in the order in which help texts list them.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// The name as typed.
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$variant => $text),+ }
+            }
+        }
+
+        impl std::fmt::Display for $name {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(self.name())
+            }
+        }
+    };
+}
+
+names! {
+    /// Form to remove.
+    LevelName {
+        /// Nothing.
+        None = "none",
+        /// The mean height.
+        Mean = "mean",
+        /// The least-squares plane.
+        Plane = "plane",
+        /// The least-squares paraboloid.
+        Quadratic = "quadratic",
+    }
+}
+
+names! {
+    /// Method of the deterministic solver.
+    MethodName {
+        /// The fastest that applies.
+        Auto = "auto",
+        /// Extension-preconditioned chord iteration.
+        Chord = "chord",
+        /// Polonsky and Keer (1999).
+        PolonskyKeer = "polonsky-keer",
+        /// Stanley and Kato (1997).
+        StanleyKato = "stanley-kato",
+    }
+}
+
+names! {
+    /// Precision of the solver's kernels.
+    PrecisionName {
+        /// Double.
+        F64 = "f64",
+        /// Single.
+        F32 = "f32",
+    }
+}
+
+/// Nominal pressures for a surface nobody chose loads for, in Pa, rising.
+///
+/// The load that matters is `p / (E* h'_rms)`: the real area fraction is about twice it while
+/// contact is light. The loads run from 4e-4 (about 0.1 % of the surface touches) to 0.4 (about
+/// half of it), five to a decade, and are the preferred numbers 1, 1.6, 2.5, 4, 6.3 of ISO 3
+/// (series R5), so that a reader meets 10 MPa and not 9.73 MPa: 15 loads, log-spaced within 1 %.
+///
+/// A flat surface has no scale of its own; it is asked at one pressure, 1e-3 E*.
+pub fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {
+    const R5: [f64; 5] = [1.0, 1.6, 2.5, 4.0, 6.3];
+    let scale = modulus * rms_gradient;
+    if !(scale.is_finite() && scale > 0.0) {
+        return vec![1e-3 * modulus];
+    }
+    let first = (4e-4 * scale).log10().floor() as i32;
+    let last = (0.4 * scale).log10().ceil() as i32;
+    (first..=last)
+        .flat_map(|decade| R5.iter().map(move |&mantissa| scaled(mantissa, decade)))
+        .filter(|p| (4e-4 * scale..0.4 * scale).contains(p))
+        .collect()
+}
+
+/// `mantissa 10^decade`, correctly rounded for the decimal that a reader would type.
+fn scaled(mantissa: f64, decade: i32) -> f64 {
+    format!("{mantissa}e{decade}").parse().expect("a decimal literal parses")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn default_loads_are_round_rising_and_span_three_decades() {
+        for (modulus, gradient) in [(115e9, 0.1), (2e6, 0.3), (70e9, 1e-3), (1.0, 1.0)] {
+            let loads = default_pressures(modulus, gradient);
+            assert!(loads.len() == 15, "{} loads", loads.len());
+            assert!(loads.windows(2).all(|w| (1.5..1.61).contains(&(w[1] / w[0]))));
+            assert!(loads[0] / (modulus * gradient) < 6.4e-4);
+            assert!(loads[14] / (modulus * gradient) > 0.249);
+        }
+        assert!(default_pressures(115e9, 0.1).contains(&1e7));
+        assert_eq!(default_pressures(1e9, 0.0), [1e6]);
+    }
+}

@@ -1,0 +1,79 @@
+//! A height map with a name and where it came from.
+
+use crate::Recipe;
+use contact_types::HeightMap;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+
+/// One surface of a study.
+#[derive(Debug, Clone)]
+pub struct Surface {
+    /// What the report calls it: a file name without folder, or the name of a recipe.
+    pub name: String,
+    /// Where it came from, in enough detail to make it again.
+    pub origin: Origin,
+    /// The heights as read or made, before form is removed.
+    pub heights: HeightMap,
+}
+
+/// Where a surface came from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Origin {
+    /// A file that was read.
+    File(FileOrigin),
+    /// A random surface made from a recipe and a seed.
+    Recipe(Recipe),
+}
+
+/// How a file became a height map: every choice that changes a height.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FileOrigin {
+    /// Path as given.
+    pub path: String,
+    /// SHA-256 of the bytes, in hexadecimal.
+    pub sha256: String,
+    /// Name of the format found.
+    pub format: String,
+    /// Channel chosen, if one was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub channel: Option<String>,
+    /// Pixel `[dy, dx]` in metres, if given by the user and not by the file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pixel: Option<[f64; 2]>,
+    /// Metres per height unit of the file, if given by the user and not by the file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub height_unit: Option<f64>,
+    /// Crop `[y0, x0, ny, nx]` in pixels, if asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub crop: Option<[usize; 4]>,
+    /// How missing points were filled: `refuse`, `harmonic` or `nearest`.
+    pub fill: String,
+    /// Missing points that were filled, after the crop.
+    pub missing: usize,
+}
+
+/// SHA-256 of `bytes` in lower-case hexadecimal.
+pub fn sha256_hex(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().fold(String::with_capacity(64), |mut text, byte| {
+        // Writing to a String cannot fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hash_of_the_nist_example() {
+        // FIPS 180-4, appendix: "abc".
+        assert_eq!(
+            sha256_hex(b"abc"),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
+        );
+    }
+}
