@@ -1,6 +1,60 @@
-//! Developer tasks: `cargo xtask <task>`.
+//! Developer tasks: `cargo xtask <task>`. One `match`, one file per task.
 #![allow(clippy::print_stdout, reason = "a command-line tool prints")]
 
-fn main() {
-    println!("tasks: (being added)");
+mod bench;
+mod ci;
+mod compare;
+mod docs;
+mod figures;
+mod generated;
+mod shell;
+mod tidy;
+mod validate;
+
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+Usage: cargo xtask <task> [options]
+
+  compare [FILE.. OPTIONS]  the study: measured or built-in surfaces, every model, the
+                            deterministic solution; without arguments into target/compare/
+  validate [--check]        the solver against exact solutions; table into the book
+  figures [--check]         the figures that README and book show
+  docs [--check]            the tables of models and formats in the book
+  bench [ARGS]              the benchmarks; their table into the book
+  tidy                      layers, citations, pages, file lengths, dependency counts
+  ci [--slow]               everything a change must pass, as the CI runs it
+
+--check verifies that what is committed is current instead of writing it.";
+
+/// What a task returns; an error is one sentence for a person.
+type TaskResult = Result<(), String>;
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let (task, rest) = match args.split_first() {
+        Some((task, rest)) => (task.as_str(), rest),
+        None => ("help", &[][..]),
+    };
+    let result = match task {
+        "compare" => compare::run(rest),
+        "validate" => validate::run(rest),
+        "figures" => figures::run(rest),
+        "docs" => docs::run(rest),
+        "bench" => bench::run(rest),
+        "tidy" => tidy::run(rest),
+        "ci" => ci::run(rest),
+        "help" | "--help" | "-h" => {
+            println!("{USAGE}");
+            Ok(())
+        }
+        other => Err(format!("there is no task '{other}'\n\n{USAGE}")),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("xtask {task}: {message}");
+            ExitCode::FAILURE
+        }
+    }
 }

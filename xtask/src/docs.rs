@@ -1,0 +1,57 @@
+//! Tables of the book that repeat what the code knows: models and formats.
+
+use crate::TaskResult;
+use crate::generated::{check_flag, keep_section};
+use crate::shell::{output, rough_contact};
+use serde_json::Value;
+use std::fmt::Write;
+
+/// Writes the tables, or checks that they are current.
+pub(crate) fn run(args: &[String]) -> TaskResult {
+    let check = check_flag(args)?;
+    let models = list("model")?;
+    keep_section("docs/src/models.md", "models", &model_table(&models), check)?;
+    let formats = list("info")?;
+    keep_section("docs/src/formats.md", "formats", &format_table(&formats), check)
+}
+
+/// What `rough-contact COMMAND --list --json` prints.
+fn list(command: &str) -> Result<Value, String> {
+    let args = [command, "--list", "--json"].map(str::to_owned);
+    let text = output(&mut rough_contact(&args))?;
+    serde_json::from_str(&text).map_err(|e| format!("{command} --list is not JSON: {e}"))
+}
+
+fn model_table(list: &Value) -> String {
+    let mut table = String::from("| name | theory | inputs | domain |\n|---|---|---|---|\n");
+    for model in list["models"].as_array().into_iter().flatten() {
+        let text = |key: &str| model[key].as_str().unwrap_or_default().to_owned();
+        let name = text("name");
+        let citation = &model["citation"];
+        let authors = citation["authors"].as_str().unwrap_or_default();
+        let _ = writeln!(
+            table,
+            "| [`{name}`](models/{name}.md) | {authors} ({}) | {} | {} |",
+            citation["year"],
+            text("inputs"),
+            text("domain")
+        );
+    }
+    table
+}
+
+fn format_table(list: &Value) -> String {
+    let mut table = String::from("| format | usual endings | about |\n|---|---|---|\n");
+    for format in list["formats"].as_array().into_iter().flatten() {
+        let text = |key: &str| format[key].as_str().unwrap_or_default().to_owned();
+        let endings: Vec<String> = format["extensions"]
+            .as_array()
+            .into_iter()
+            .flatten()
+            .filter_map(Value::as_str)
+            .map(|ending| format!("`.{ending}`"))
+            .collect();
+        let _ = writeln!(table, "| {} | {} | {} |", text("name"), endings.join(" "), text("about"));
+    }
+    table
+}

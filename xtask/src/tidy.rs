@@ -1,0 +1,235 @@
+//! Checks of the architecture that no compiler makes. `docs/src/architecture.md` says why.
+
+use crate::TaskResult;
+use crate::shell::{cargo, files, output, root};
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// The layer picture: which crate of ours may depend on which, and how many crates from the
+/// registry it may pull in with its default features.
+const LAYERS: &[(&str, u8, &[&str], usize)] = &[
+    ("contact-types", 0, &[], 10),
+    ("grid-fft", 0, &["contact-types"], 20),
+    ("surface-io", 1, &["contact-types"], 40),
+    ("surface-stats", 1, &["contact-types", "grid-fft"], 60),
+    ("gw-closed-form", 1, &["contact-types"], 10),
+    // Bush-Gibson-Thomas is the Greenwood-Williamson integral averaged over curvatures.
+    ("asperity-models", 1, &["contact-types", "gw-closed-form"], 10),
+    ("multiscale-models", 1, &["contact-types"], 10),
+    ("fft-bem-solver", 1, &["contact-types", "grid-fft"], 30),
+    (
+        "compare",
+        2,
+        &[
+            "contact-types",
+            "grid-fft",
+            "surface-io",
+            "surface-stats",
+            "gw-closed-form",
+            "asperity-models",
+            "multiscale-models",
+            "fft-bem-solver",
+        ],
+        130,
+    ),
+    ("xtask", 3, &[], 10),
+];
+
+/// A file longer than this is reported: think again whether it is about one thing.
+const LONG_FILE: usize = 500;
+
+pub(crate) fn run(args: &[String]) -> TaskResult {
+    if !args.is_empty() {
+        return Err(format!("unknown arguments {args:?}; tidy takes none"));
+    }
+    let mut faults = Vec::new();
+    let packages = packages()?;
+    layers(&packages, &mut faults);
+    dependency_counts(&packages, &mut faults)?;
+    sources(&mut faults);
+    models(&mut faults);
+    book(&mut faults);
+    if faults.is_empty() {
+        println!("tidy: no faults");
+        return Ok(());
+    }
+    for fault in &faults {
+        println!("tidy: {fault}");
+    }
+    Err(format!("{} faults", faults.len()))
+}
+
+/// The packages of this workspace, by name.
+fn packages() -> Result<BTreeMap<String, Value>, String> {
+    let text =
+        output(cargo().args(["metadata", "--no-deps", "--locked", "--format-version", "1"]))?;
+    let metadata: Value =
+        serde_json::from_str(&text).map_err(|e| format!("cargo metadata is not JSON: {e}"))?;
+    let packages = metadata["packages"].as_array().ok_or("cargo metadata names no packages")?;
+    Ok(packages.iter().filter_map(|p| Some((p["name"].as_str()?.to_owned(), p.clone()))).collect())
+}
+
+/// Every edge between our crates is in the picture. Tests may look sideways and down, not up.
+fn layers(packages: &BTreeMap<String, Value>, faults: &mut Vec<String>) {
+    let layer = |name: &str| LAYERS.iter().find(|row| row.0 == name);
+    for (name, package) in packages {
+        let Some(&(_, level, allowed, _)) = layer(name) else {
+            faults.push(format!("crate {name} is not in the layer picture"));
+            continue;
+        };
+        for dependency in package["dependencies"].as_array().into_iter().flatten() {
+            let to = dependency["name"].as_str().unwrap_or_default();
+            if !packages.contains_key(to) {
+                continue;
+            }
+            if dependency["kind"] == "dev" {
+                if layer(to).is_some_and(|row| row.1 > level) {
+                    faults.push(format!("the tests of {name} use {to}, a layer above it"));
+                }
+            } else if !allowed.contains(&to) {
+                faults.push(format!("{name} depends on {to}: not in the layer picture"));
+            }
+        }
+    }
+}
+
+/// How many registry crates each of ours brings along, against its limit.
+fn dependency_counts(packages: &BTreeMap<String, Value>, faults: &mut Vec<String>) -> TaskResult {
+    println!("registry crates that each crate brings along (limit)");
+    for &(name, _, _, limit) in LAYERS.iter().filter(|row| packages.contains_key(row.0)) {
+        let tree = output(cargo().args([
+            "tree",
+            "--locked",
+            "--package",
+            name,
+            "--edges",
+            "normal",
+            "--prefix",
+            "none",
+            "--format",
+            "{p}",
+        ]))?;
+        let names: BTreeSet<&str> = tree
+            .lines()
+            .filter_map(|line| line.split_whitespace().next())
+            .filter(|dependency| !packages.contains_key(*dependency))
+            .collect();
+        println!("  {name:<18} {:>3} ({limit})", names.len());
+        if names.len() > limit {
+            faults.push(format!("{name} brings {} registry crates, limit {limit}", names.len()));
+        }
+    }
+    Ok(())
+}
+
+/// Long files, printing and file access in libraries, unfinished work.
+fn sources(faults: &mut Vec<String>) {
+    let mut long = Vec::new();
+    for path in
+        files(&root().join("crates"), "rs").iter().chain(&files(&root().join("xtask"), "rs"))
+    {
+        let Ok(text) = std::fs::read_to_string(path) else { continue };
+        let shown = relative(path);
+        let lines = text.lines().count();
+        if lines > LONG_FILE {
+            long.push((lines, shown.clone()));
+        }
+        for (number, line) in text.lines().enumerate() {
+            let at = format!("{shown}:{}", number + 1);
+            if line.contains(concat!("TO", "DO")) || line.contains(concat!("FIX", "ME")) {
+                faults.push(format!("{at}: unfinished work belongs in an issue"));
+            }
+        }
+        if is_library(&shown) {
+            library_source(&shown, &text, faults);
+        }
+    }
+    long.sort_by(|a, b| b.cmp(a));
+    println!("files over {LONG_FILE} lines: {}", long.len());
+    for (lines, path) in long {
+        println!("  {lines:>5}  {path}");
+    }
+}
+
+/// Only the binary prints; only `surface-io` and the binary touch files.
+fn library_source(shown: &str, text: &str, faults: &mut Vec<String>) {
+    let library = text.split("#[cfg(test)]").next().unwrap_or_default();
+    for (number, line) in library.lines().enumerate() {
+        let code = line.trim_start();
+        if code.starts_with("//") {
+            continue;
+        }
+        let at = format!("{shown}:{}", number + 1);
+        if ["println!", "print!", "eprintln!", "eprint!", "dbg!"].iter().any(|p| code.contains(p)) {
+            faults.push(format!("{at}: a library does not print"));
+        }
+        let touches = ["std::fs", "File::open", "File::create"].iter().any(|p| code.contains(p));
+        if touches && !shown.starts_with("crates/surface-io/") {
+            faults.push(format!("{at}: only surface-io and the binary touch files"));
+        }
+    }
+}
+
+fn is_library(shown: &str) -> bool {
+    shown.starts_with("crates/") && shown.contains("/src/") && !shown.contains("/src/bin/")
+}
+
+/// Every type that implements `ContactModel` has a DOI in its file and a page in the book that
+/// names it.
+fn models(faults: &mut Vec<String>) {
+    let pages: String = files(&root().join("docs/src/models"), "md")
+        .iter()
+        .filter_map(|page| std::fs::read_to_string(page).ok())
+        .collect();
+    let mut found = 0;
+    for krate in ["gw-closed-form", "asperity-models", "multiscale-models"] {
+        for path in files(&root().join("crates").join(krate).join("src"), "rs") {
+            let text = std::fs::read_to_string(&path).unwrap_or_default();
+            let shown = relative(&path);
+            for line in text.lines() {
+                let Some(rest) = line.trim().strip_prefix("impl ContactModel for ") else {
+                    continue;
+                };
+                let name = rest.trim_end_matches('{').trim();
+                found += 1;
+                if !text.contains("10.") || !text.to_lowercase().contains("doi") {
+                    faults.push(format!("{shown}: {name} gives no DOI"));
+                }
+                if !pages.contains(name) {
+                    faults.push(format!("{name} has no page in docs/src/models"));
+                }
+            }
+        }
+    }
+    println!("contact models: {found}");
+}
+
+/// Every page is in the table of contents, and every entry of it exists.
+fn book(faults: &mut Vec<String>) {
+    let source = root().join("docs/src");
+    let contents = std::fs::read_to_string(source.join("SUMMARY.md")).unwrap_or_default();
+    let listed: BTreeSet<&str> = contents
+        .split("](")
+        .skip(1)
+        .filter_map(|tail| tail.split(')').next())
+        .filter(|target| !target.is_empty())
+        .collect();
+    for target in &listed {
+        if !source.join(target).is_file() {
+            faults.push(format!("docs/src/SUMMARY.md lists {target}, which is missing"));
+        }
+    }
+    for page in files(&source, "md") {
+        let shown = relative(&page);
+        let name = shown.trim_start_matches("docs/src/");
+        if name != "SUMMARY.md" && !listed.contains(name) {
+            faults.push(format!("{shown} is not listed in docs/src/SUMMARY.md"));
+        }
+    }
+}
+
+fn relative(path: &Path) -> String {
+    let path = path.strip_prefix(root()).unwrap_or(path);
+    path.to_string_lossy().replace('\\', "/")
+}
