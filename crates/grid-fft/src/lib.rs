@@ -3,8 +3,11 @@
 //! The forward transform is unnormalised with `exp(-i q x)`; the inverse divides by `ny nx`, so
 //! that `inverse(forward(field))` is `field`. Only the half spectrum `0..=nx/2` along x is kept.
 
+mod convolution;
+pub mod parallel;
 mod transform;
 
+pub use convolution::Convolution;
 pub use rustfft::FftNum;
 pub use rustfft::num_complex::Complex;
 pub use transform::GridFft;
