@@ -1,0 +1,103 @@
+//! From a scaled state to the solution in SI units with its diagnostics.
+
+use crate::engine::{Engine, Run, gap_si, pressure_si};
+use crate::problem::Problem;
+use crate::{Boundary, Diagnostics, Load, Real, Residuals, Solution, certificate, fields};
+use contact_types::{ContactState, Grid};
+
+/// Yastrebov, Anciaux & Molinari (2017), doi:10.1016/j.triboint.2017.04.023: area by which a count
+/// of pixels is too large, in pixels per edge of the contact line, for edges of all directions.
+const AREA_PER_EDGE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
+
+impl<T: Real> Engine<T> {
+    pub(crate) fn solution(&mut self, problem: &Problem<T>, run: &Run, load: Load) -> Solution {
+        let mut transforms = run.outcome.transforms;
+        let energy_bound = match run.exact {
+            _ if !self.settings.certified => None,
+            Some(_) => Some(0.0),
+            None => {
+                let (operator, state) = self.parts();
+                let n = state.pressure.len();
+                let (mut gap, mut scratch) = (Vec::with_capacity(n), vec![T::zero(); n]);
+                let level = T::of(state.level);
+                let pairs = state.displacement.iter().zip(&problem.heights);
+                gap.extend(pairs.map(|(u, h)| *u - *h - level));
+                let error = certificate::energy_error(state, &gap, &mut scratch, operator);
+                transforms += error.transforms;
+                error.relative.is_finite().then_some(error.relative)
+            }
+        };
+        let (units, settings, state) = (problem.units, self.settings, &self.state);
+        let pressure = pressure_si(state, units.pressure);
+        let gap = gap_si(state, problem, state.level);
+        let n = pressure.len() as f64;
+        let load_sum = fields::sum(&pressure);
+        let lowest = fields::min(&gap);
+        let contact_pixels = fields::contact_count(&pressure);
+        let contact_perimeter = edges(problem.grid, &pressure, settings.boundary) as f64 / n;
+        let area_fraction = contact_pixels as f64 / n;
+        let complementarity = fields::sum_of(pressure.len(), |i| pressure[i] * gap[i].abs());
+        let work = fields::dot(&state.pressure, &state.displacement) / n;
+        let residuals = Residuals {
+            preconditioned: run.outcome.residual,
+            complementarity: if load_sum > 0.0 {
+                complementarity / load_sum / units.height
+            } else {
+                0.0
+            },
+            penetration: (-lowest / units.height).max(0.0),
+        };
+        let duality_gap = fields::sum_of(pressure.len(), |i| pressure[i] * (gap[i] - lowest)) / n;
+        let diagnostics = Diagnostics {
+            method: settings.method,
+            boundary: settings.boundary,
+            precision: settings.precision,
+            exact: run.exact,
+            iterations: run.outcome.iterations,
+            transforms,
+            residuals,
+            duality_gap,
+            energy_bound,
+            seconds: run.clock.elapsed().as_secs_f64(),
+            contact_pixels,
+            contact_perimeter,
+            area_fraction_corrected: (area_fraction - AREA_PER_EDGE * contact_perimeter).max(0.0),
+            max_pressure: fields::max(&pressure).max(0.0),
+            elastic_energy: 0.5 * work * units.pressure * units.height,
+        };
+        let mean_pressure = match load {
+            Load::MeanPressure(p) => p,
+            _ => load_sum / n,
+        };
+        let state = ContactState {
+            mean_pressure,
+            area_fraction,
+            separation: Some(-(problem.mean_height + state.level) * units.height),
+            mean_gap: Some(fields::sum(&gap) / n),
+            caveat: None,
+        };
+        let approach = self.state.level * units.height;
+        Solution { state, approach, pressure, gap, diagnostics }
+    }
+}
+
+/// Edges between a pixel in contact and a neighbour (of four) that is not. Across the edge of the
+/// map the neighbour is the opposite pixel, or, with a free boundary, empty.
+fn edges(grid: Grid, pressure: &[f64], boundary: Boundary) -> usize {
+    let [ny, nx] = grid.shape();
+    let on = |iy: usize, ix: usize| pressure[iy * nx + ix] > 0.0;
+    let wraps = boundary == Boundary::Periodic;
+    let mut count = 0;
+    for iy in 0..ny {
+        for ix in 0..nx {
+            let here = on(iy, ix);
+            let right = if ix + 1 < nx { on(iy, ix + 1) } else { wraps && on(iy, 0) };
+            let below = if iy + 1 < ny { on(iy + 1, ix) } else { wraps && on(0, ix) };
+            count += usize::from(here != right) + usize::from(here != below);
+            if !wraps {
+                count += usize::from(ix == 0 && here) + usize::from(iy == 0 && here);
+            }
+        }
+    }
+    count
+}

@@ -1,0 +1,124 @@
+//! How wrong an iterate can be at most.
+//!
+//! Let `g = K p - h - c` for any `c` and `p >= 0` of the right mean. For every `mu >= 0`
+//!
+//! ```math
+//! E(p) - E(p^*) \le \langle p, \mu\rangle + \tfrac12 \langle g-\mu, S(g-\mu)\rangle,
+//! \qquad \lVert p-p^*\rVert_K^2 \le 2\,(E(p) - E(p^*)),\qquad S = K^{-1}
+//! ```
+//!
+//! because `E(p) - E(q)` for a feasible `q` is `<p - q, g> - |p - q|_K^2 / 2`, and splitting
+//! `g = mu + (g - mu)` leaves `<p - q, mu> <= <p, mu>` and, by Young's inequality,
+//! `<p - q, g - mu> <= |p - q|_K^2 / 2 + |g - mu|_S^2 / 2`. With `mu = 0` in contact and `max(g, 0)`
+//! elsewhere only the second term is left: the residual in the norm of `S`.
+
+use crate::methods::{Compliance, State};
+use crate::{Real, fields};
+use std::f64::consts::FRAC_PI_2;
+
+/// `displacement - heights` in contact, averaged with the pressure as weight.
+pub(crate) fn level<T: Real>(state: &State<T>, heights: &[T]) -> f64 {
+    let (p, u) = (&state.pressure, &state.displacement);
+    let weight = fields::sum(p);
+    if weight <= 0.0 {
+        return 0.0;
+    }
+    fields::sum_of(p.len(), |i| p[i].wide() * (u[i].wide() - heights[i].wide())) / weight
+}
+
+/// A bound on the error in the energy norm.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EnergyError {
+    /// Upper bound of `|p - p*|_K / |p|_K`; infinite if the operator has no cheap inverse.
+    pub(crate) relative: f64,
+    /// Pairs spent.
+    pub(crate) transforms: f64,
+}
+
+/// The part of the gap that should not be there: all of it in contact, overlap elsewhere.
+fn violation<T: Real>(pressure: T, gap: T) -> T {
+    if pressure > T::zero() || gap < T::zero() { gap } else { T::zero() }
+}
+
+/// The bound of the module documentation with `mu = 0` in contact; one pair. `gap` is
+/// `displacement - heights` less any constant; `scratch` is overwritten.
+pub(crate) fn energy_error<T: Real>(
+    state: &State<T>,
+    gap: &[T],
+    scratch: &mut [T],
+    operator: &mut dyn Compliance<T>,
+) -> EnergyError {
+    let p = &state.pressure;
+    for (i, r) in scratch.iter_mut().enumerate() {
+        *r = violation(p[i], gap[i]);
+    }
+    if !operator.invert(scratch) {
+        return EnergyError { relative: f64::INFINITY, transforms: 0.0 };
+    }
+    let twice_bound =
+        fields::sum_of(p.len(), |i| violation(p[i], gap[i]).wide() * scratch[i].wide()).max(0.0);
+    let energy = fields::dot(p, &state.displacement).abs();
+    let relative = if twice_bound > 0.0 { (twice_bound / energy).sqrt() } else { 0.0 };
+    EnergyError { relative, transforms: 1.0 }
+}
+
+/// When a method without an error estimate of its own pays a pair for one.
+///
+/// The plain residual of every iteration is free: `|r| / |p|` times the largest stiffness on the
+/// grid, pi/2 per finer pixel, exceeds the relative pressure error the residual stands for. Where
+/// that could be small enough the bound is evaluated; while it is not, the wait for the next
+/// evaluation is set by how much is missing.
+pub(crate) struct Patience {
+    tolerance: f64,
+    worthwhile: f64,
+}
+
+/// What [`Patience::judge`] found.
+pub(crate) struct Verdict {
+    pub(crate) is_converged: bool,
+    pub(crate) residual: Option<f64>,
+    pub(crate) transforms: f64,
+}
+
+impl Patience {
+    pub(crate) fn new(tolerance: f64) -> Self {
+        Self { tolerance, worthwhile: 30.0 * tolerance }
+    }
+
+    /// Judges the state by its `gap`; `scratch` is overwritten.
+    pub(crate) fn judge<T: Real>(
+        &mut self,
+        state: &State<T>,
+        heights: &[T],
+        gap: &[T],
+        scratch: &mut [T],
+        operator: &mut dyn Compliance<T>,
+    ) -> Verdict {
+        let p = &state.pressure;
+        let square = |i: usize| violation(p[i], gap[i]).wide().powi(2);
+        let plain = FRAC_PI_2 * (fields::sum_of(p.len(), square) / fields::dot(p, p)).sqrt();
+        let is_rounding = is_rounding(state, heights, gap);
+        if plain > self.worthwhile && !is_rounding {
+            return Verdict { is_converged: false, residual: None, transforms: 0.0 };
+        }
+        let bound = energy_error(state, gap, scratch, operator);
+        let relative = if bound.relative.is_finite() { bound.relative } else { plain };
+        let is_converged = relative <= self.tolerance || is_rounding;
+        self.worthwhile = plain * (0.7 * self.tolerance / relative).clamp(0.01, 0.9);
+        Verdict { is_converged, residual: Some(relative), transforms: bound.transforms }
+    }
+}
+
+/// True if what is left of the gap in contact is rounding of the two fields it is made of.
+fn is_rounding<T: Real>(state: &State<T>, heights: &[T], gap: &[T]) -> bool {
+    let (p, u) = (&state.pressure, &state.displacement);
+    let (mut worst, mut size) = (0.0_f64, 0.0_f64);
+    for i in 0..p.len() {
+        let r = violation(p[i], gap[i]).wide();
+        worst = worst.max(r.abs());
+        if r.abs() > 0.0 || p[i] > T::zero() {
+            size = size.max(heights[i].wide().abs());
+        }
+    }
+    worst <= 2.0 * T::EPSILON * (size + fields::max(u).max(-fields::min(u)))
+}

@@ -1,0 +1,27 @@
+//! Many loads on one surface.
+
+use crate::{Load, Solution, Solver, SolverError};
+use contact_types::HeightMap;
+use std::ops::ControlFlow;
+
+impl Solver {
+    /// Solves for each of `mean_pressures` \[Pa\], given in any order, and hands each result over
+    /// as it comes, with its index in `mean_pressures`. Loads are visited in rising order, each
+    /// starting from the one before; an error of one load does not keep the others from being
+    /// solved. `Break` ends the curve.
+    pub fn curve(
+        &mut self,
+        surface: &HeightMap,
+        mean_pressures: &[f64],
+        mut each: impl FnMut(usize, Result<Solution, SolverError>) -> ControlFlow<()>,
+    ) {
+        let mut order: Vec<usize> = (0..mean_pressures.len()).collect();
+        order.sort_by(|&i, &j| mean_pressures[i].total_cmp(&mean_pressures[j]));
+        for index in order {
+            let result = self.solve(surface, Load::MeanPressure(mean_pressures[index]));
+            if each(index, result).is_break() {
+                return;
+            }
+        }
+    }
+}

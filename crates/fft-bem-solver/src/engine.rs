@@ -1,0 +1,273 @@
+//! From a surface and a load in SI units to a solution, through the scaled problem.
+
+use crate::methods::{
+    self, Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task,
+};
+use crate::problem::Problem;
+use crate::{
+    Boundary, HalfSpace, Iteration, Load, Method, Observer, Precision, Real, Solution, SolverError,
+    control, fields, special_cases,
+};
+use contact_types::{ContactModulus, Grid, HeightMap};
+use std::time::Instant;
+
+/// The settings of a solver, checked.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Settings {
+    pub(crate) method: Method,
+    pub(crate) boundary: Boundary,
+    pub(crate) precision: Precision,
+    pub(crate) tolerance: f64,
+    pub(crate) max_iterations: Option<usize>,
+    pub(crate) certified: bool,
+    pub(crate) modulus: ContactModulus,
+}
+
+/// Everything a solve needs, in the floating-point type of the solve.
+pub(crate) struct Engine<T> {
+    pub(crate) settings: Settings,
+    scaled: Grid,
+    method: Box<dyn ContactMethod<T>>,
+    operator: Box<dyn Compliance<T>>,
+    pub(crate) state: State<T>,
+    problem: Option<Problem<T>>,
+    is_warm: bool,
+}
+
+/// How a state came about.
+pub(crate) struct Run {
+    pub(crate) exact: Option<&'static str>,
+    pub(crate) outcome: Outcome,
+    pub(crate) clock: Instant,
+}
+
+impl<T: Real> Engine<T> {
+    pub(crate) fn new(settings: Settings, scaled: Grid) -> Result<Self, SolverError> {
+        if settings.boundary == Boundary::Free {
+            return Err(SolverError::Combination {
+                first: "the free boundary",
+                second: "this version",
+                way_out: "choose the periodic boundary",
+            });
+        }
+        let (method, iteration) = methods::build(settings.method, scaled)?;
+        let unit = ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus");
+        Ok(Self {
+            settings: Settings { method, ..settings },
+            scaled,
+            method: iteration,
+            operator: Box::new(HalfSpace::new(scaled, unit)),
+            state: State::new(scaled.len()),
+            problem: None,
+            is_warm: false,
+        })
+    }
+
+    pub(crate) fn forget(&mut self) {
+        self.is_warm = false;
+    }
+
+    pub(crate) fn solve(
+        &mut self,
+        surface: &HeightMap,
+        load: Load,
+        observer: &mut dyn Observer,
+    ) -> Result<Solution, SolverError> {
+        let clock = Instant::now();
+        let problem = Problem::new(surface, self.scaled, self.settings.modulus)?;
+        if self.problem.as_ref().is_none_or(|known| known.heights != problem.heights) {
+            self.is_warm = false;
+        }
+        let start = if self.is_warm { Start::Warm } else { Start::Cold };
+        self.is_warm = false; // until this solve has left a useful state behind
+        let found = match self.prescribed(&problem, load)? {
+            Prescribed::Apart(level) => self.apart(level, clock),
+            Prescribed::Closed => self.closed(&problem, clock),
+            Prescribed::Target(target) => self.target(&problem, target, start, observer, clock),
+        };
+        let end = found.outcome.end;
+        let solution = self.solution(&problem, &found, load);
+        self.is_warm = solution.diagnostics.contact_pixels > 0;
+        self.problem = Some(problem);
+        match end {
+            End::Converged => Ok(solution),
+            End::Exhausted => Err(SolverError::NotConverged(Box::new(solution))),
+            End::Stopped => Err(SolverError::Stopped(Box::new(solution))),
+        }
+    }
+
+    /// Checks the load and says what it means for this problem.
+    fn prescribed(&self, problem: &Problem<T>, load: Load) -> Result<Prescribed, SolverError> {
+        let (quantity, value, unit) = match load {
+            Load::MeanPressure(p) => ("mean pressure", p, "Pa"),
+            Load::MeanGap(g) => ("mean gap", g, "m"),
+            Load::Approach(d) => ("approach", d, "m"),
+        };
+        let bad = |limit| Err(SolverError::BadLoad { quantity, value, unit, limit });
+        if !value.is_finite() || value < 0.0 {
+            return bad("it must be a finite number, not negative");
+        }
+        let is_periodic = self.settings.boundary == Boundary::Periodic;
+        let most = -problem.mean_height; // the level at which every gap is closed
+        let level = match load {
+            Load::MeanPressure(pressure) => {
+                let scaled = pressure / problem.units.pressure;
+                if pressure > 0.0 && !(1e-30..1e30).contains(&scaled) {
+                    return Err(SolverError::Range {
+                        quantity: "mean pressure over E* times the slope of the surface",
+                        value: scaled,
+                        way_out: "such a load is no contact or plain compression: \
+                                  leave it out or scale it",
+                    });
+                }
+                return Ok(match scaled {
+                    s if s > 0.0 => Prescribed::Target(Target::Pressure(s)),
+                    _ => Prescribed::Apart(0.0),
+                });
+            }
+            Load::MeanGap(_) if !is_periodic => {
+                return Err(SolverError::Combination {
+                    first: "control by mean gap",
+                    second: "the free boundary",
+                    way_out: "prescribe the approach or the mean pressure",
+                });
+            }
+            Load::MeanGap(gap) => {
+                if gap <= 0.0 {
+                    return Ok(Prescribed::Closed);
+                }
+                most - gap / problem.units.height
+            }
+            Load::Approach(approach) => approach / problem.units.height,
+        };
+        if level <= 0.0 {
+            return Ok(Prescribed::Apart(level));
+        }
+        if is_periodic && level >= most {
+            return bad("it would take the flat deeper than where every gap is closed; \
+                        prescribe the mean pressure instead");
+        }
+        Ok(Prescribed::Target(Target::Level(level, first_guess(problem, level))))
+    }
+
+    /// Nothing carries load: the undeformed surface, its highest point at `-level` from the flat.
+    fn apart(&mut self, level: f64, clock: Instant) -> Run {
+        self.state.pressure.fill(T::zero());
+        self.state.displacement.fill(T::zero());
+        self.state.level = level;
+        exact("no load", 0.0, clock)
+    }
+
+    /// The least load that closes every gap.
+    fn closed(&mut self, problem: &Problem<T>, clock: Instant) -> Run {
+        special_cases::just_closed(problem, self.operator.as_mut(), &mut self.state);
+        exact("full contact", 1.0, clock)
+    }
+
+    fn target(
+        &mut self,
+        problem: &Problem<T>,
+        target: Target,
+        start: Start,
+        observer: &mut dyn Observer,
+        clock: Instant,
+    ) -> Run {
+        let mut spent = 0.0;
+        let mut start = start;
+        if let (Target::Pressure(load), Boundary::Periodic) = (target, self.settings.boundary) {
+            if problem.is_flat() {
+                self.state.pressure.fill(T::of(load));
+                self.state.displacement.fill(T::zero());
+                self.state.level = 0.0;
+                return exact("flat surface", 0.0, clock);
+            }
+            let (is_suspected, cost) = self.method.suspects_full_contact(problem, load);
+            spent += cost;
+            if is_suspected && start == Start::Cold {
+                spent += 1.0;
+                let (operator, state) = (self.operator.as_mut(), &mut self.state);
+                if special_cases::full_contact(problem, load, operator, state) {
+                    return exact("full contact", spent, clock);
+                }
+                start = Start::Cold;
+            }
+        }
+        let task = Task {
+            problem,
+            target,
+            tolerance: self.settings.tolerance,
+            max_iterations: self.settings.max_iterations.unwrap_or(match self.settings.method {
+                Method::Chord => 200,
+                _ => 20_000,
+            }),
+        };
+        let units = problem.units;
+        let mut watch = |step: &Step<'_, T>| {
+            let state = step.state;
+            observer.on_iteration(&Iteration {
+                number: step.iteration,
+                transforms: spent + step.transforms,
+                residual: step.residual,
+                tolerance: task.tolerance,
+                area: &|| {
+                    fields::contact_count(&state.pressure) as f64 / state.pressure.len() as f64
+                },
+                fields: &|| {
+                    let level = crate::certificate::level(state, &problem.heights);
+                    [pressure_si(state, units.pressure), gap_si(state, problem, level)]
+                },
+            })
+        };
+        let (operator, state) = (self.operator.as_mut(), &mut self.state);
+        let mut outcome = if self.method.controls_level() {
+            self.method.solve(&task, operator, start, state, &mut watch)
+        } else {
+            let method = self.method.as_mut();
+            control::solve_level(method, &task, operator, start, state, &mut watch)
+        };
+        outcome.transforms += spent;
+        Run { exact: None, outcome, clock }
+    }
+
+    /// The operator and the state, for the certificate.
+    pub(crate) fn parts(&mut self) -> (&mut dyn Compliance<T>, &State<T>) {
+        (self.operator.as_mut(), &self.state)
+    }
+}
+
+/// What a load means for a problem.
+enum Prescribed {
+    /// No contact; level of the flat.
+    Apart(f64),
+    /// Every gap just closed.
+    Closed,
+    Target(Target),
+}
+
+fn exact(reason: &'static str, transforms: f64, clock: Instant) -> Run {
+    let outcome = Outcome { end: End::Converged, iterations: 0, transforms, residual: 0.0 };
+    Run { exact: Some(reason), outcome, clock }
+}
+
+/// A rough mean pressure for a level: slope times the fraction of the surface above the flat.
+fn first_guess<T: Real>(problem: &Problem<T>, level: f64) -> f64 {
+    let [ny, nx] = problem.grid.shape();
+    let [dy, dx] = problem.grid.pixel();
+    let h = |iy: usize, ix: usize| problem.heights[(iy % ny) * nx + ix % nx].wide();
+    let slope2 = fields::sum_of(ny * nx, |i| {
+        let (iy, ix) = (i / nx, i % nx);
+        ((h(iy + 1, ix) - h(iy, ix)) / dy).powi(2) + ((h(iy, ix + 1) - h(iy, ix)) / dx).powi(2)
+    }) / (ny * nx) as f64;
+    let above = problem.heights.iter().filter(|h| h.wide() > -level).count().max(1);
+    0.25 * slope2.sqrt() * above as f64 / (ny * nx) as f64
+}
+
+pub(crate) fn pressure_si<T: Real>(state: &State<T>, unit: f64) -> Vec<f64> {
+    state.pressure.iter().map(|p| p.wide() * unit).collect()
+}
+
+pub(crate) fn gap_si<T: Real>(state: &State<T>, problem: &Problem<T>, level: f64) -> Vec<f64> {
+    let unit = problem.units.height;
+    let gap = |(u, h): (&T, &T)| (u.wide() - h.wide() - level) * unit;
+    state.displacement.iter().zip(&problem.heights).map(gap).collect()
+}

@@ -1,0 +1,108 @@
+//! Why there is no solution, or not the one asked for.
+
+use crate::{Residuals, Solution};
+
+/// Why a solve did not end with an answer to the tolerance asked for.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum SolverError {
+    /// A field or surface does not have the shape the solver was built for.
+    #[error(
+        "the solver was built for {expected} pixels but was given {found}; \
+         build a solver for this grid"
+    )]
+    Shape {
+        /// Pixels of the solver's grid.
+        expected: usize,
+        /// Pixels found.
+        found: usize,
+    },
+    /// The surface stands on another grid than the solver, though with as many pixels.
+    #[error(
+        "the solver was built for pixels of {expected:?} m ([ny, nx] = {expected_shape:?}) but the \
+         surface has pixels of {found:?} m ({found_shape:?}); build a solver for this grid"
+    )]
+    Grid {
+        /// `[ny, nx]` of the solver.
+        expected_shape: [usize; 2],
+        /// `[dy, dx]` of the solver \[m\].
+        expected: [f64; 2],
+        /// `[ny, nx]` of the surface.
+        found_shape: [usize; 2],
+        /// `[dy, dx]` of the surface \[m\].
+        found: [f64; 2],
+    },
+    /// A setting cannot be used.
+    #[error("{setting} = {value} cannot be used: {limit}")]
+    BadSetting {
+        /// Which setting.
+        setting: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        limit: &'static str,
+    },
+    /// Two settings do not go together.
+    #[error("{first} cannot be combined with {second}: {way_out}")]
+    Combination {
+        /// One setting.
+        first: &'static str,
+        /// The other.
+        second: &'static str,
+        /// What to do instead.
+        way_out: &'static str,
+    },
+    /// The load is no load this surface can carry.
+    #[error("{quantity} = {value:e} {unit} cannot be applied: {limit}")]
+    BadLoad {
+        /// Which load.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// What it must be.
+        limit: &'static str,
+    },
+    /// The numbers of the problem leave the range of the floating-point type.
+    #[error(
+        "{quantity} = {value:e} leaves the range in which the solver can compute; \
+         {way_out}"
+    )]
+    Range {
+        /// Which number.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// What to do instead.
+        way_out: &'static str,
+    },
+    /// The iteration limit was reached first. The best iterate is inside.
+    #[error(
+        "not converged after {} iterations: estimated relative pressure error {:.2e}; \
+         allow more iterations or a larger tolerance",
+        .0.diagnostics.iterations, residual(.0)
+    )]
+    NotConverged(Box<Solution>),
+    /// The observer stopped the run. The iterate reached is inside.
+    #[error(
+        "stopped after {} iterations at an estimated relative pressure error of {:.2e}",
+        .0.diagnostics.iterations, residual(.0)
+    )]
+    Stopped(Box<Solution>),
+}
+
+fn residual(solution: &Solution) -> f64 {
+    let Residuals { preconditioned, .. } = solution.diagnostics.residuals;
+    preconditioned
+}
+
+impl SolverError {
+    /// The iterate reached, if the run got that far.
+    pub fn solution(&self) -> Option<&Solution> {
+        match self {
+            Self::NotConverged(solution) | Self::Stopped(solution) => Some(solution),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! Deterministic elastic contact of a rough surface with a flat, by FFT-accelerated boundary
+//! elements.
+//!
+//! Of the pressures `p >= 0` that carry the load, the one that makes the elastic energy minus the
+//! work of the heights smallest leaves a gap that is nowhere negative and vanishes where the
+//! pressure does not. [`Solver`] finds it, on any grid, and says how accurate it is.
+//!
+//! ```
+//! use contact_types::{ContactModulus, Grid, HeightMap};
+//! use fft_bem_solver::{Load, Solver};
+//!
+//! let grid = Grid::new([32, 32], [1e-6, 1e-6])?; // 32 x 32 pixels of 1 um
+//! let q = std::f64::consts::TAU / 32e-6;
+//! let surface = HeightMap::from_fn(grid, |y, x| 1e-7 * (q * y).cos() * (q * x).cos())?;
+//! let modulus = ContactModulus::from_pascals(110e9)?;
+//!
+//! let mut solver = Solver::builder().tolerance(1e-6).build(grid, modulus)?;
+//! let solution = solver.solve(&surface, Load::MeanPressure(50e6))?;
+//! assert!(solution.state.area_fraction > 0.05 && solution.state.area_fraction < 0.5);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod assemble;
+mod certificate;
+mod control;
+mod curve;
+mod engine;
+mod error;
+mod fields;
+mod half_space;
+mod methods;
+mod observer;
+mod problem;
+mod real;
+mod settings;
+mod solution;
+mod solver;
+mod special_cases;
+
+pub use error::SolverError;
+pub use half_space::HalfSpace;
+pub use observer::{Iteration, Observer};
+pub use real::Real;
+pub use settings::{Boundary, Load, Method, Precision};
+pub use solution::{Diagnostics, Residuals, Solution};
+pub use solver::{Solver, SolverBuilder};

@@ -1,0 +1,162 @@
+//! Constrained conjugate gradients of Polonsky & Keer.
+//!
+//! # Source
+//! Polonsky & Keer (1999), *Wear* 231, 206–219, doi:10.1016/S0043-1648(99)00113-1, section 3.
+
+use super::{Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
+use crate::certificate::{self, Patience};
+use crate::{Boundary, Real, fields};
+
+/// The method and its fields: gap, direction, and what a transform gives back.
+pub(crate) struct PolonskyKeer<T> {
+    gap: Vec<T>,
+    direction: Vec<T>,
+    response: Vec<T>,
+}
+
+impl<T: Real> PolonskyKeer<T> {
+    pub(crate) fn new(n: usize) -> Self {
+        let zeros = || vec![T::zero(); n];
+        Self { gap: zeros(), direction: zeros(), response: zeros() }
+    }
+}
+
+impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
+    fn solve(
+        &mut self,
+        task: &Task<'_, T>,
+        operator: &mut dyn Compliance<T>,
+        start: Start,
+        state: &mut State<T>,
+        watch: &mut Watch<'_, T>,
+    ) -> Outcome {
+        let Target::Pressure(load) = task.target else {
+            unreachable!("a level is controlled from outside: controls_level() is false")
+        };
+        let heights = &task.problem.heights;
+        let n = heights.len();
+        let mut transforms = begin(load, operator, start, state);
+        let (gap, t, r) = (&mut self.gap, &mut self.direction, &mut self.response);
+        t.fill(T::zero());
+        let mut conjugate = false; // delta of the paper
+        let mut last_norm = 1.0; // G_old
+        let mut patience = Patience::new(task.tolerance);
+        let mut iterations = 0;
+        let mut residual = f64::INFINITY;
+        let mut end = loop {
+            // Gap, counted so that its mean over the contact is zero (eqs. 8, 9).
+            mean_gap_in_contact_to_zero(state, heights, gap);
+            let check = patience.judge(state, heights, gap, r, operator);
+            transforms += check.transforms;
+            residual = check.residual.unwrap_or(residual);
+            let step = Step { iteration: iterations, transforms, residual, state };
+            if watch(&step).is_break() {
+                break End::Stopped;
+            }
+            if check.is_converged {
+                break End::Converged;
+            }
+            if iterations >= task.max_iterations {
+                break End::Exhausted;
+            }
+            iterations += 1;
+
+            // Conjugate direction on the contact (eqs. 10, 11).
+            let p = &state.pressure;
+            let on = |i: usize| p[i] > T::zero();
+            let norm = fields::sum_of(n, |i| if on(i) { gap[i].wide().powi(2) } else { 0.0 });
+            let beta = T::of(if conjugate { norm / last_norm } else { 0.0 });
+            last_norm = norm;
+            for (i, t) in t.iter_mut().enumerate() {
+                *t = if on(i) { gap[i] + beta * *t } else { T::zero() };
+            }
+            // Its response, and the length of the step (eqs. 12-14).
+            operator.apply(t, r);
+            transforms += 1.0;
+            let contact = fields::contact_count(p) as f64;
+            let mean = fields::sum_of(n, |i| if on(i) { r[i].wide() } else { 0.0 }) / contact;
+            let descent =
+                fields::sum_of(n, |i| if on(i) { gap[i].wide() * t[i].wide() } else { 0.0 });
+            let curvature =
+                fields::sum_of(n, |i| if on(i) { (r[i].wide() - mean) * t[i].wide() } else { 0.0 });
+            if curvature <= 0.0 || curvature.is_nan() {
+                break End::Exhausted; // nothing left but rounding
+            }
+            let tau = T::of(descent / curvature);
+
+            // Step, truncate, and take in the pixels that overlap (eqs. 15-17).
+            let (mut truncated, mut taken_in) = (false, false);
+            for ((p, t), g) in state.pressure.iter_mut().zip(t.iter()).zip(gap.iter()) {
+                let trial = *p - tau * *t;
+                truncated |= trial < T::zero();
+                *p = trial.larger(T::zero());
+                if *p <= T::zero() && *g < T::zero() {
+                    taken_in = true;
+                    *p -= tau * *g;
+                }
+            }
+            conjugate = !taken_in;
+            // Restore the load (eq. 18). K is linear: unless a pixel changed sides, the response
+            // is known without a transform.
+            let scale = T::of(load * n as f64 / fields::sum(&state.pressure));
+            for p in &mut state.pressure {
+                *p *= scale;
+            }
+            if truncated || taken_in {
+                operator.apply(&state.pressure, &mut state.displacement);
+                transforms += 1.0;
+            } else {
+                for (u, r) in state.displacement.iter_mut().zip(r.iter()) {
+                    *u = (*u - tau * *r) * scale;
+                }
+            }
+        };
+        if end == End::Exhausted && residual.is_infinite() {
+            let check = certificate::energy_error(state, gap, r, operator);
+            transforms += check.transforms;
+            residual = check.relative;
+        }
+        if end == End::Exhausted && residual <= task.tolerance {
+            end = End::Converged;
+        }
+        state.level = certificate::level(state, heights);
+        Outcome { end, iterations, transforms, residual }
+    }
+}
+
+/// Brings the state to the load; returns the pairs spent.
+pub(super) fn begin<T: Real>(
+    load: f64,
+    operator: &mut dyn Compliance<T>,
+    start: Start,
+    state: &mut State<T>,
+) -> f64 {
+    let n = state.pressure.len() as f64;
+    let present = fields::sum(&state.pressure) / n;
+    if start == Start::Warm && present > 0.0 {
+        let scale = T::of(load / present);
+        for (p, u) in state.pressure.iter_mut().zip(&mut state.displacement) {
+            *p *= scale;
+            *u *= scale;
+        }
+        return 0.0;
+    }
+    state.pressure.fill(T::of(load));
+    if operator.boundary() == Boundary::Periodic {
+        state.displacement.fill(T::zero()); // K of a constant
+        return 0.0;
+    }
+    operator.apply(&state.pressure, &mut state.displacement);
+    1.0
+}
+
+/// `gap = displacement - heights`, less its plain mean over the contact.
+pub(super) fn mean_gap_in_contact_to_zero<T: Real>(state: &State<T>, heights: &[T], gap: &mut [T]) {
+    let (p, u) = (&state.pressure, &state.displacement);
+    let on = |i: usize| p[i] > T::zero();
+    let total = fields::sum_of(p.len(), |i| if on(i) { (u[i] - heights[i]).wide() } else { 0.0 });
+    let level = T::of(total / fields::contact_count(p).max(1) as f64);
+    for ((g, u), h) in gap.iter_mut().zip(u).zip(heights) {
+        *g = *u - *h - level;
+    }
+}

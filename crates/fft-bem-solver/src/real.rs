@@ -1,0 +1,41 @@
+//! The two floating-point types a solve can run in.
+
+use grid_fft::FftNum;
+use std::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
+
+/// `f64` or `f32`: the type in which the fields of a solve are stored. Sums are always `f64`.
+pub trait Real:
+    FftNum + PartialOrd + AddAssign + SubAssign + MulAssign + DivAssign + Default
+{
+    /// Distance from 1 to the next number.
+    const EPSILON: f64;
+    /// The nearest number of this type.
+    fn of(value: f64) -> Self;
+    /// The same number as `f64`, exactly.
+    fn wide(self) -> f64;
+    /// The larger of two numbers.
+    #[must_use]
+    fn larger(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+}
+
+impl Real for f64 {
+    const EPSILON: f64 = f64::EPSILON;
+    fn of(value: f64) -> Self {
+        value
+    }
+    fn wide(self) -> f64 {
+        self
+    }
+}
+
+impl Real for f32 {
+    const EPSILON: f64 = f32::EPSILON as f64;
+    fn of(value: f64) -> Self {
+        value as Self
+    }
+    fn wide(self) -> f64 {
+        f64::from(self)
+    }
+}

@@ -1,0 +1,252 @@
+//! The solver: settings checked once, transforms planned once, memory taken once.
+
+use crate::engine::{Engine, Settings};
+use crate::{
+    Boundary, Iteration, Load, Method, Observer, Precision, Solution, SolverError, problem,
+};
+use contact_types::{ContactModulus, Grid, HeightMap};
+use std::ops::ControlFlow;
+
+/// Settings of a [`Solver`], each with a default.
+#[derive(Debug, Clone)]
+pub struct SolverBuilder {
+    method: Method,
+    boundary: Boundary,
+    precision: Precision,
+    tolerance: f64,
+    max_iterations: Option<usize>,
+    threads: Option<usize>,
+    certified: bool,
+}
+
+impl Default for SolverBuilder {
+    fn default() -> Self {
+        Self {
+            method: Method::Auto,
+            boundary: Boundary::Periodic,
+            precision: Precision::Double,
+            tolerance: 1e-4,
+            max_iterations: None,
+            threads: None,
+            certified: false,
+        }
+    }
+}
+
+impl SolverBuilder {
+    /// How to solve; default [`Method::Auto`].
+    #[must_use]
+    pub fn method(mut self, method: Method) -> Self {
+        self.method = method;
+        self
+    }
+
+    /// What lies beyond the edges; default [`Boundary::Periodic`].
+    #[must_use]
+    pub fn boundary(mut self, boundary: Boundary) -> Self {
+        self.boundary = boundary;
+        self
+    }
+
+    /// Type of the fields during the iteration; default [`Precision::Double`].
+    #[must_use]
+    pub fn precision(mut self, precision: Precision) -> Self {
+        self.precision = precision;
+        self
+    }
+
+    /// Relative rms error of the pressure to reach, between 0 and 1 (excluded); default 1e-4. A
+    /// tolerance below rounding ends where rounding does.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// Iterations after which to give up, at least 1; the default depends on the method.
+    #[must_use]
+    pub fn max_iterations(mut self, max_iterations: usize) -> Self {
+        self.max_iterations = Some(max_iterations);
+        self
+    }
+
+    /// Threads to use, at least 1; default all there are. The results do not depend on it.
+    #[must_use]
+    pub fn threads(mut self, threads: usize) -> Self {
+        self.threads = Some(threads);
+        self
+    }
+
+    /// Whether each solution comes with a rigorous bound of its error
+    /// ([`Diagnostics::energy_bound`](crate::Diagnostics)), for one more FFT pair; default no.
+    #[must_use]
+    pub fn certified(mut self, certified: bool) -> Self {
+        self.certified = certified;
+        self
+    }
+
+    /// Checks the settings, plans the transforms and allocates: iterations allocate nothing.
+    ///
+    /// # Errors
+    /// [`SolverError::BadSetting`] or [`SolverError::Combination`].
+    pub fn build(self, grid: Grid, modulus: ContactModulus) -> Result<Solver, SolverError> {
+        let bad = |setting, value, limit| Err(SolverError::BadSetting { setting, value, limit });
+        if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
+            return bad("tolerance", self.tolerance, "it must lie between 0 and 1");
+        }
+        if self.max_iterations == Some(0) {
+            return bad("max_iterations", 0.0, "allow at least 1 iteration");
+        }
+        if self.threads == Some(0) {
+            return bad("threads", 0.0, "use at least 1 thread");
+        }
+        if !cfg!(feature = "parallel") && self.threads.is_some_and(|t| t > 1) {
+            let threads = self.threads.unwrap_or(1) as f64;
+            return bad("threads", threads, "enable the feature `parallel` or use 1 thread");
+        }
+        let settings = Settings {
+            method: self.method,
+            boundary: self.boundary,
+            precision: self.precision,
+            tolerance: self.tolerance,
+            max_iterations: self.max_iterations,
+            certified: self.certified,
+            modulus,
+        };
+        let scaled = problem::scaled_grid(grid)?;
+        let engine = match self.precision {
+            Precision::Double => Work::Double(Box::new(Engine::new(settings, scaled)?)),
+            Precision::Single => Work::Single(Box::new(Engine::new(settings, scaled)?)),
+        };
+        Ok(Solver { grid, modulus, engine, pool: Pool::new(self.threads)? })
+    }
+}
+
+enum Work {
+    Double(Box<Engine<f64>>),
+    Single(Box<Engine<f32>>),
+}
+
+/// Finds the contact of a rough surface with a flat, one of them rigid or both elastic.
+///
+/// Built for one grid and modulus. Solving again on the same surface starts from the last
+/// solution, which changes the answer only within the tolerance.
+pub struct Solver {
+    grid: Grid,
+    modulus: ContactModulus,
+    engine: Work,
+    pool: Pool,
+}
+
+impl std::fmt::Debug for Solver {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Solver")
+            .field("grid", &self.grid)
+            .field("modulus", &self.modulus)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Solver {
+    /// Default settings, to be changed and built.
+    pub fn builder() -> SolverBuilder {
+        SolverBuilder::default()
+    }
+
+    /// The grid this solver was built for.
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// The modulus this solver was built for.
+    pub fn modulus(&self) -> ContactModulus {
+        self.modulus
+    }
+
+    /// Forgets the last solution: the next solve starts from nothing.
+    pub fn forget(&mut self) {
+        match &mut self.engine {
+            Work::Double(engine) => engine.forget(),
+            Work::Single(engine) => engine.forget(),
+        }
+    }
+
+    /// Solves the contact under `load`.
+    ///
+    /// # Errors
+    /// [`SolverError::Shape`] or [`SolverError::Grid`] if the surface does not stand on the
+    /// solver's grid, [`SolverError::BadLoad`] if the load is no number or cannot be carried,
+    /// [`SolverError::NotConverged`], with the best iterate, if the iterations ran out.
+    pub fn solve(&mut self, surface: &HeightMap, load: Load) -> Result<Solution, SolverError> {
+        self.solve_observed(surface, load, &mut |_: &Iteration<'_>| ControlFlow::Continue(()))
+    }
+
+    /// Solves the contact under `load` while `observer` looks on.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve), and [`SolverError::Stopped`], with the iterate reached, if the
+    /// observer breaks.
+    pub fn solve_observed(
+        &mut self,
+        surface: &HeightMap,
+        load: Load,
+        observer: &mut dyn Observer,
+    ) -> Result<Solution, SolverError> {
+        self.check_grid(surface.grid())?;
+        let Self { engine, pool, .. } = self;
+        pool.run(|| match engine {
+            Work::Double(engine) => engine.solve(surface, load, observer),
+            Work::Single(engine) => engine.solve(surface, load, observer),
+        })
+    }
+
+    fn check_grid(&self, found: Grid) -> Result<(), SolverError> {
+        if found.len() != self.grid.len() {
+            return Err(SolverError::Shape { expected: self.grid.len(), found: found.len() });
+        }
+        if found != self.grid {
+            return Err(SolverError::Grid {
+                expected_shape: self.grid.shape(),
+                expected: self.grid.pixel(),
+                found_shape: found.shape(),
+                found: found.pixel(),
+            });
+        }
+        Ok(())
+    }
+}
+
+/// The threads of a solver: its own if their number was prescribed.
+struct Pool {
+    #[cfg(feature = "parallel")]
+    own: Option<rayon::ThreadPool>,
+}
+
+impl Pool {
+    #[cfg(feature = "parallel")]
+    fn new(threads: Option<usize>) -> Result<Self, SolverError> {
+        let build = |n: usize| {
+            rayon::ThreadPoolBuilder::new().num_threads(n).build().map_err(|_| {
+                SolverError::BadSetting {
+                    setting: "threads",
+                    value: n as f64,
+                    limit: "the system does not grant that many threads",
+                }
+            })
+        };
+        Ok(Self { own: threads.map(build).transpose()? })
+    }
+
+    #[cfg(not(feature = "parallel"))]
+    fn new(_threads: Option<usize>) -> Result<Self, SolverError> {
+        Ok(Self {})
+    }
+
+    fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        #[cfg(feature = "parallel")]
+        if let Some(pool) = &self.own {
+            return pool.install(work);
+        }
+        work()
+    }
+}
