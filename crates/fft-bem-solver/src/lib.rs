@@ -31,6 +31,7 @@ mod half_space;
 mod methods;
 mod observer;
 mod problem;
+mod projection;
 mod real;
 mod settings;
 mod solution;

@@ -19,6 +19,7 @@
 //!   [`control`](crate::control): a secant in the logarithm of the load.
 
 mod polonsky_keer;
+mod stanley_kato;
 
 use crate::problem::Problem;
 use crate::{Boundary, HalfSpace, Method, Real, SolverError};
@@ -26,6 +27,7 @@ use contact_types::Grid;
 use std::ops::ControlFlow;
 
 pub(crate) use polonsky_keer::PolonskyKeer;
+pub(crate) use stanley_kato::StanleyKato;
 
 /// `u = K p` and, where it is diagonal, its inverse.
 pub(crate) trait Compliance<T>: Send {
@@ -153,7 +155,8 @@ pub(crate) fn build<T: Real>(
         Method::Auto | Method::PolonskyKeer => {
             Ok((Method::PolonskyKeer, Box::new(PolonskyKeer::new(scaled.len()))))
         }
-        Method::Chord | Method::StanleyKato => Err(SolverError::Combination {
+        Method::StanleyKato => Ok((Method::StanleyKato, Box::new(StanleyKato::new(scaled.len())))),
+        Method::Chord => Err(SolverError::Combination {
             first: "this method",
             second: "this version",
             way_out: "choose the method polonsky-keer",

@@ -1,0 +1,69 @@
+//! The nearest pressure that is nowhere negative and carries the load.
+
+use crate::{Real, fields};
+
+/// Replaces `field` by `max(field + c, 0)` with the `c` that gives it the mean `load`: its
+/// projection on the admissible pressures.
+///
+/// The load carried is a convex, piecewise linear function of `c`; Newton's method from the side
+/// where too much is carried follows it to the end in a few passes.
+pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
+    let n = field.len();
+    let total = load * n as f64;
+    // Everything positive at this shift carries at least the total.
+    let mut shift = load - fields::sum(field) / n as f64;
+    for _ in 0..100 {
+        let carries = |i: usize| field[i].wide() + shift > 0.0;
+        let count = fields::sum_of(n, |i| f64::from(u8::from(carries(i))));
+        if count <= 0.0 {
+            break;
+        }
+        let excess = fields::sum_of(n, |i| (field[i].wide() + shift).max(0.0)) - total;
+        if excess.abs() <= 1e-15 * total {
+            break;
+        }
+        let step = excess / count;
+        if (shift - step).to_bits() == shift.to_bits() {
+            break;
+        }
+        shift -= step;
+    }
+    for p in field.iter_mut() {
+        *p = T::of((p.wide() + shift).max(0.0));
+    }
+    let carried = fields::sum(field);
+    if carried > 0.0 {
+        let scale = T::of(total / carried); // rounding
+        for p in field.iter_mut() {
+            *p *= scale;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// The conditions that single out a projection: admissible, and what was taken from the
+        /// carrying pixels is the same everywhere and at least what the others lacked.
+        #[test]
+        fn is_the_nearest_admissible_field(
+            field in prop::collection::vec(-1e3..1e3f64, 1..60), load in 1e-6..1e3f64,
+        ) {
+            let mut projected = field.clone();
+            onto_admissible(&mut projected, load);
+            let n = field.len() as f64;
+            let mean = projected.iter().sum::<f64>() / n;
+            prop_assert!((mean - load).abs() <= 1e-12 * load);
+            let size = 1e3 + load * n;
+            let shifts = || projected.iter().zip(&field).filter(|(p, _)| **p > 0.0).map(|(p, x)| p - x);
+            let shift = shifts().next().unwrap();
+            prop_assert!(shifts().all(|s| (s - shift).abs() < 1e-12 * size));
+            for (p, x) in projected.iter().zip(&field) {
+                prop_assert!(*p > 0.0 || x + shift <= 1e-12 * size);
+            }
+        }
+    }
+}
