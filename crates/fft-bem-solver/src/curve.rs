@@ -5,7 +5,7 @@ use contact_types::HeightMap;
 use std::ops::ControlFlow;
 
 impl Solver {
-    /// Solves for each of `mean_pressures` \[Pa\], given in any order, and hands each result over
+    /// Solves for each of `mean_pressures` (Pa), given in any order, and hands each result over
     /// as it comes, with its index in `mean_pressures`. Loads are visited in rising order, each
     /// starting from the one before; an error of one load does not keep the others from being
     /// solved. `Break` ends the curve.

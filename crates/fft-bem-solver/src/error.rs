@@ -25,11 +25,11 @@ pub enum SolverError {
     Grid {
         /// `[ny, nx]` of the solver.
         expected_shape: [usize; 2],
-        /// `[dy, dx]` of the solver \[m\].
+        /// `[dy, dx]` of the solver (m).
         expected: [f64; 2],
         /// `[ny, nx]` of the surface.
         found_shape: [usize; 2],
-        /// `[dy, dx]` of the surface \[m\].
+        /// `[dy, dx]` of the surface (m).
         found: [f64; 2],
     },
     /// A setting cannot be used.

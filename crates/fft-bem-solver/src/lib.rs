@@ -33,6 +33,7 @@ mod observer;
 mod problem;
 mod projection;
 mod real;
+pub mod reference;
 mod settings;
 mod solution;
 mod solver;

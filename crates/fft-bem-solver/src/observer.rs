@@ -24,7 +24,7 @@ impl Iteration<'_> {
         (self.area)()
     }
 
-    /// Pressure \[Pa\] and gap \[m\] of the present iterate, row-major. Made only when asked for.
+    /// Pressure (Pa) and gap (m) of the present iterate, row-major. Made only when asked for.
     pub fn pressure_and_gap(&self) -> [Vec<f64>; 2] {
         (self.fields)()
     }

@@ -11,9 +11,9 @@ use contact_types::{ContactModulus, Grid, HeightMap};
 /// What one unit of the scaled problem is in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Units {
-    /// Heights, displacements and gaps \[m\].
+    /// Heights, displacements and gaps (m).
     pub(crate) height: f64,
-    /// Pressures \[Pa\].
+    /// Pressures (Pa).
     pub(crate) pressure: f64,
 }
 
@@ -39,7 +39,7 @@ pub(crate) fn scaled_grid(grid: Grid) -> Result<Grid, SolverError> {
     })
 }
 
-/// Finer pixel side among the axes that have more than one pixel \[m\].
+/// Finer pixel side among the axes that have more than one pixel (m).
 pub(crate) fn fine_pixel(grid: Grid) -> f64 {
     let sides = grid.shape().into_iter().zip(grid.pixel());
     let fine = sides.filter(|&(n, _)| n > 1).map(|(_, d)| d).fold(f64::INFINITY, f64::min);

@@ -54,12 +54,12 @@ pub enum Precision {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Load {
-    /// Force over nominal area \[Pa\], at least 0.
+    /// Force over nominal area (Pa), at least 0.
     MeanPressure(f64),
-    /// Mean gap after deformation \[m\], at least 0; periodic boundary only. A gap wider than that
+    /// Mean gap after deformation (m), at least 0; periodic boundary only. A gap wider than that
     /// at first touch leaves the surfaces apart.
     MeanGap(f64),
-    /// How far the flat has moved towards the body since it touched the highest point \[m\]. In a
+    /// How far the flat has moved towards the body since it touched the highest point (m). In a
     /// periodic problem the distance is measured to the mean plane of the deformed surface, in a
     /// free one to points far away.
     Approach(f64),

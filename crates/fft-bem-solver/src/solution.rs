@@ -8,11 +8,11 @@ use contact_types::ContactState;
 pub struct Solution {
     /// Mean pressure, raw area fraction (pixels that carry pressure), mean gap.
     pub state: ContactState,
-    /// How far the flat has moved since first touch \[m\]; see [`Load::Approach`](crate::Load).
+    /// How far the flat has moved since first touch (m); see [`Load::Approach`](crate::Load).
     pub approach: f64,
-    /// Pressure \[Pa\], row-major, `ny * nx`; 0 outside the contact.
+    /// Pressure (Pa), row-major, `ny * nx`; 0 outside the contact.
     pub pressure: Vec<f64>,
-    /// Gap \[m\], row-major, `ny * nx`, counted so that its pressure-weighted mean is 0. What is
+    /// Gap (m), row-major, `ny * nx`, counted so that its pressure-weighted mean is 0. What is
     /// left of it in contact, and negative values, are the residual of the iteration.
     pub gap: Vec<f64>,
     /// How the answer was found and how accurate it is.
@@ -49,25 +49,25 @@ pub struct Diagnostics {
     pub transforms: f64,
     /// What is left of the residuals.
     pub residuals: Residuals,
-    /// Upper bound of the energy error per nominal area, `mean p (g - min g)` \[J/m²\]. Rigorous
+    /// Upper bound of the energy error per nominal area, `mean p (g - min g)` (J/m²). Rigorous
     /// but loose.
     pub duality_gap: f64,
     /// Rigorous and tight upper bound of the relative error in the energy norm; computed if the
     /// solver was built with [`certified`](crate::SolverBuilder::certified).
     pub energy_bound: Option<f64>,
-    /// Wall-clock time \[s\].
+    /// Wall-clock time (s).
     pub seconds: f64,
     /// Pixels that carry pressure.
     pub contact_pixels: usize,
-    /// Edges between contact and gap (4-neighbour) per pixel, S_d \[-\].
+    /// Edges between contact and gap (4-neighbour) per pixel, S_d (-).
     pub contact_perimeter: f64,
     /// Area fraction corrected for the pixels cut by the contact line,
     /// `A - (pi - 1 + ln 2)/24 S_d` (Yastrebov, Anciaux & Molinari 2017,
     /// doi:10.1016/j.triboint.2017.04.023). Not below 0.
     pub area_fraction_corrected: f64,
-    /// Highest pressure of a pixel \[Pa\]: a grid quantity.
+    /// Highest pressure of a pixel (Pa): a grid quantity.
     pub max_pressure: f64,
-    /// Elastic energy per nominal area, `mean p u / 2` \[J/m²\]; in a periodic problem without the
+    /// Elastic energy per nominal area, `mean p u / 2` (J/m²); in a periodic problem without the
     /// energy of the uniform compression.
     pub elastic_energy: f64,
 }

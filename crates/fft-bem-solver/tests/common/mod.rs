@@ -1,6 +1,7 @@
 //! Surfaces the tests share: made in memory from a seed.
 
 #![allow(dead_code, reason = "each test file uses some of these")]
+#![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
 
 use contact_types::{ContactModulus, Grid, HeightMap};
 use grid_fft::GridFft;

@@ -1,0 +1,212 @@
+//! A ridge pattern of two harmonics with one contact strip per period.
+
+use super::positive;
+use contact_types::{ContactModulus, ModelError};
+use std::f64::consts::{PI, TAU};
+
+/// The surface `z = amplitudes[0] cos t + amplitudes[1] cos 2t`, `t = 2 pi x / wavelength`.
+///
+/// With `P_n = pi E* n amplitude_n / wavelength`, `X = cos t` and the contact line at
+/// `X_a = cos t_a`,
+///
+/// ```math
+/// p=\sqrt{(1+X)(X-X_a)}\,Q(X),\qquad
+/// \frac{dg}{dx}=\frac{2}{E^*}\,\mathrm{sgn}(\sin t)\sqrt{(1+X)(X_a-X)}\,Q(X),
+/// ```
+/// ```math
+/// Q=q_0+q_1X,\quad q_1=2P_2,\quad q_0=P_1-P_2(1-X_a),\quad
+/// \bar p=\tfrac{q_0}{2}(1-X_a)+\tfrac{P_2}{2}\bigl(1-X_a+\tfrac12(1-X_a^2)\bigr)
+/// ```
+///
+/// One strip per period is assumed; where the formula gives tension or overlap there are more, and
+/// the answer is refused.
+///
+/// # Source
+/// After Manners (1998), *J. Mech. Phys. Solids* 46, 1; checked here by quadrature and against the
+/// solver.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TwoHarmonic {
+    amplitudes: [f64; 2],
+    wavelength: f64,
+    modulus: ContactModulus,
+}
+
+/// The contact for one position of the contact line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TwoHarmonicContact {
+    surface: TwoHarmonic,
+    half_angle: f64, // t_a
+    q: [f64; 2],     // Q = q[0] + q[1] X [Pa]
+}
+
+impl TwoHarmonic {
+    /// Amplitudes of the first (positive) and second (any sign) harmonic and the wavelength of the
+    /// first, in m.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`].
+    pub fn new(
+        amplitudes: [f64; 2],
+        wavelength: f64,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        positive("two harmonics", "first amplitude", amplitudes[0])?;
+        positive("two harmonics", "wavelength", wavelength)?;
+        if !amplitudes[1].is_finite() {
+            return Err(ModelError::InvalidInput {
+                model: "two harmonics",
+                quantity: "second amplitude",
+                value: amplitudes[1],
+                requirement: "it must be finite",
+            });
+        }
+        Ok(Self { amplitudes, wavelength, modulus })
+    }
+
+    /// Height (m) at `x` from the middle of the strip.
+    pub fn height(&self, x: f64) -> f64 {
+        let t = TAU * x / self.wavelength;
+        self.amplitudes[0] * t.cos() + self.amplitudes[1] * (2.0 * t).cos()
+    }
+
+    /// The contact whose strip covers `area_fraction` (between 0 and 1) of each period.
+    ///
+    /// # Errors
+    /// [`ModelError::OutsideDomain`] if one strip cannot cover that much: the formula would need
+    /// tension or overlap.
+    pub fn at_area_fraction(&self, area_fraction: f64) -> Result<TwoHarmonicContact, ModelError> {
+        let outside = |reason| {
+            Err(ModelError::OutsideDomain {
+                model: "two harmonics",
+                quantity: "area fraction",
+                value: area_fraction,
+                domain: 0.0..=1.0,
+                reason,
+            })
+        };
+        if !(area_fraction > 0.0 && area_fraction < 1.0) {
+            return outside("a strip covers more than nothing and less than everything");
+        }
+        let half_angle = PI * area_fraction;
+        let x_a = half_angle.cos();
+        let p = |n: usize| {
+            PI * self.modulus.pascals() * n as f64 * self.amplitudes[n - 1] / self.wavelength
+        };
+        let q = [p(1) - p(2) * (1.0 - x_a), 2.0 * p(2)];
+        let contact = TwoHarmonicContact { surface: *self, half_angle, q };
+        let polynomial = |x: f64| q[0] + q[1] * x;
+        if polynomial(1.0) < 0.0 || polynomial(x_a) < 0.0 {
+            return outside("the pressure would be negative in part of the strip");
+        }
+        // The gap rises from the contact line; if Q changes sign outside it may come down again.
+        let deepest = 200;
+        let lowest = (1..=deepest)
+            .map(|i| {
+                let t = half_angle + (PI - half_angle) * f64::from(i) / f64::from(deepest);
+                contact.gap(self.wavelength * t / TAU)
+            })
+            .fold(f64::INFINITY, f64::min);
+        if polynomial(-1.0) < 0.0 && lowest < 0.0 {
+            return outside("the surfaces would overlap outside the strip");
+        }
+        Ok(contact)
+    }
+}
+
+impl TwoHarmonicContact {
+    /// Fraction of the surface in contact.
+    pub fn area_fraction(&self) -> f64 {
+        self.half_angle / PI
+    }
+
+    /// Mean pressure (Pa): the integral of the pressure over the strip, over the wavelength.
+    pub fn mean_pressure(&self) -> f64 {
+        let x_a = self.half_angle.cos();
+        let p2 = 0.5 * self.q[1];
+        0.5 * self.q[0] * (1.0 - x_a) + 0.5 * p2 * (1.0 - x_a + 0.5 * (1.0 - x_a * x_a))
+    }
+
+    /// Pressure (Pa) at `x` (m) from the middle of the strip.
+    pub fn pressure(&self, x: f64) -> f64 {
+        let (cosine, x_a) = ((TAU * x / self.surface.wavelength).cos(), self.half_angle.cos());
+        let inside = (1.0 + cosine) * (cosine - x_a);
+        inside.max(0.0).sqrt() * (self.q[0] + self.q[1] * cosine)
+    }
+
+    /// Gap (m) at `x` (m) from the middle of the strip: the slope integrated from the contact line.
+    /// With `t = t_a + v^2` the integrand is smooth; Simpson's rule with 256 intervals.
+    pub fn gap(&self, x: f64) -> f64 {
+        let turns = (x / self.surface.wavelength).rem_euclid(1.0);
+        let t_end = TAU * turns.min(1.0 - turns);
+        if t_end <= self.half_angle {
+            return 0.0;
+        }
+        let x_a = self.half_angle.cos();
+        let slope = |v: f64| {
+            let cosine = (self.half_angle + v * v).cos();
+            let root = ((1.0 + cosine) * (x_a - cosine)).max(0.0).sqrt();
+            root * (self.q[0] + self.q[1] * cosine) * 2.0 * v // dt = 2 v dv
+        };
+        let intervals = 256;
+        let step = (t_end - self.half_angle).sqrt() / f64::from(intervals);
+        let sum: f64 = (0..=intervals)
+            .map(|i| {
+                let weight = match i {
+                    0 => 1.0,
+                    i if i == intervals => 1.0,
+                    i if i % 2 == 1 => 4.0,
+                    _ => 2.0,
+                };
+                weight * slope(f64::from(i) * step)
+            })
+            .sum();
+        let dx_dt = self.surface.wavelength / TAU;
+        2.0 / self.surface.modulus.pascals() * dx_dt * sum * step / 3.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::Westergaard;
+    use approx::assert_relative_eq;
+
+    fn modulus() -> ContactModulus {
+        ContactModulus::from_pascals(3.0).unwrap()
+    }
+
+    #[test]
+    fn one_harmonic_is_westergaard() {
+        let two = TwoHarmonic::new([0.2, 0.0], 4.0, modulus()).unwrap();
+        let one = Westergaard::new(0.2, 4.0, modulus()).unwrap();
+        let contact = two.at_area_fraction(0.4).unwrap();
+        let exact = one.at_pressure(contact.mean_pressure()).unwrap();
+        assert_relative_eq!(exact.area_fraction(), 0.4, max_relative = 1e-12);
+        for x in [0.0, 0.3, 0.7, 1.1, 1.7, 2.0] {
+            assert_relative_eq!(contact.pressure(x), exact.pressure(x), max_relative = 1e-12);
+            assert_relative_eq!(contact.gap(x), exact.gap(x), max_relative = 1e-8);
+        }
+    }
+
+    #[test]
+    fn mean_pressure_is_the_integral_of_the_pressure() {
+        let surface = TwoHarmonic::new([1.0, 0.1], TAU, modulus()).unwrap();
+        let contact = surface.at_area_fraction(0.55).unwrap();
+        // Midpoints of x = x_a sin s: the root at the contact line becomes smooth.
+        let (n, x_a) = (4000, 0.55 * PI);
+        let integral: f64 = (0..n)
+            .map(|i| {
+                let s = PI * ((f64::from(i) + 0.5) / f64::from(n) - 0.5);
+                contact.pressure(x_a * s.sin()) * x_a * s.cos() * PI / f64::from(n)
+            })
+            .sum();
+        assert_relative_eq!(integral / TAU, contact.mean_pressure(), max_relative = 1e-6);
+    }
+
+    #[test]
+    fn refuses_a_strip_that_would_need_overlap() {
+        let surface = TwoHarmonic::new([1.0, 0.2], TAU, modulus()).unwrap();
+        assert!(surface.at_area_fraction(2.6 / PI).is_err());
+        assert!(surface.at_area_fraction(0.3).is_ok());
+    }
+}
