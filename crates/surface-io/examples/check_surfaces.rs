@@ -1,0 +1,229 @@
+//! Checks every file of a folder against expected values and prints one line each.
+//!
+//! `cargo run --release -p surface-io --example check_surfaces -- --dir DIR --expected FILE`
+//!
+//! FILE is JSON: an object of entries by path (or `{"files": {...}}`), each with `expected`: an
+//! object with `rows`, `cols`, `n_undefined`, `min`, `max`, `mean`, `Sa`, `Sq`, slopes, `dx_m`,
+//! `dy_m` (SI units) for a map, with `n` and `Rq` for a profile, or a text for a file that must
+//! be refused. A `file_unit` of null or "" says that the expected values are the bare numbers of
+//! the file; it is then read with `--height-unit m` and the expected pixel.
+//!
+//! Exit status 1 if any line is wrong.
+#![allow(clippy::print_stdout, reason = "the table is the output")]
+
+use serde_json::Value;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::Instant;
+use surface_io::{Measurement, ReadError, ReadOptions, read};
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let value = |name: &str| {
+        arguments.iter().position(|a| a == name).and_then(|i| arguments.get(i + 1)).cloned()
+    };
+    let (Some(dir), Some(expected)) = (value("--dir"), value("--expected")) else {
+        println!("usage: check_surfaces --dir DIR --expected FILE");
+        return ExitCode::from(2);
+    };
+    let parsed = std::fs::read_to_string(&expected)
+        .map_err(|e| e.to_string())
+        .and_then(|text| serde_json::from_str::<Value>(&text).map_err(|e| e.to_string()));
+    let table = match &parsed {
+        Ok(json) => json.get("files").unwrap_or(json).as_object(),
+        Err(e) => {
+            println!("cannot read {expected}: {e}");
+            return ExitCode::from(2);
+        }
+    };
+    let Some(table) = table.filter(|t| !t.is_empty()) else {
+        println!("{expected} holds no entries");
+        return ExitCode::from(2);
+    };
+    let mut wrong = 0;
+    for (name, entry) in table {
+        let start = Instant::now();
+        let (verdict, text) = match check(Path::new(&dir), name, entry) {
+            Ok(text) => ("ok   ", text),
+            Err(text) => {
+                wrong += 1;
+                ("WRONG", text)
+            }
+        };
+        println!("{verdict} {name:44} {:7.1} ms  {text}", 1e3 * start.elapsed().as_secs_f64());
+    }
+    println!("{} files, {wrong} wrong", table.len());
+    ExitCode::from(u8::from(wrong > 0))
+}
+
+fn check(dir: &Path, name: &str, entry: &Value) -> Result<String, String> {
+    let (file, channel) = match name.split_once('#') {
+        Some((file, channel)) => (file, Some(channel.to_owned())),
+        None => (name, None),
+    };
+    let path = dir.join(file);
+    if !path.is_file() {
+        return Err("the file is not there".into());
+    }
+    let mut options = ReadOptions::default();
+    let mut given = String::new();
+    options.channel = channel
+        .or_else(|| entry.pointer("/expected/channel").and_then(Value::as_str).map(str::to_owned));
+    let first = read(&path, &options);
+    let expected = match &entry["expected"] {
+        Value::String(_) => {
+            return match first {
+                Ok(m) => Err(format!("read as {} although it must be refused", m.format())),
+                Err(e) => Ok(format!("refused: {e}")),
+            };
+        }
+        expected => expected,
+    };
+    let number = |key: &str| expected.get(key).and_then(Value::as_f64);
+    let is_bare = expected.get("file_unit").is_some_and(|u| u.as_str().is_none_or(str::is_empty));
+    let missing_scale = matches!(first, Err(ReadError::MissingScale { .. }));
+    if !is_bare && !missing_scale {
+        return compare(&first.map_err(|e| e.to_string())?, expected, "");
+    }
+    if missing_scale {
+        given += "the file gives no scale; ";
+    }
+    let dx = number("dx_m").unwrap_or(1.0);
+    options.pixel = Some([number("dy_m").unwrap_or(dx), dx]);
+    let mut result = Err(String::new());
+    for (unit, name) in [(1.0, "m"), (1e-6, "um"), (1e-9, "nm"), (1e-3, "mm")] {
+        options.height_unit = Some(unit);
+        let measurement = read(&path, &options).map_err(|e| e.to_string())?;
+        let note = format!("{given}with --pixel and --height-unit {name}; ");
+        result = compare(&measurement, expected, &note);
+        if result.is_ok() || is_bare {
+            break;
+        }
+    }
+    result
+}
+
+/// Compares everything the expected values hold; the first difference is the error.
+fn compare(m: &Measurement, expected: &Value, note: &str) -> Result<String, String> {
+    let number = |key: &str| expected.get(key).and_then(Value::as_f64);
+    let mut note = format!("{}: {note}", m.format());
+    let [ny, nx] = m.grid().shape();
+    let [dy, dx] = m.grid().pixel();
+    let found = Statistics::of(m);
+    for (key, value) in [("rows", ny), ("cols", nx), ("n", ny * nx), ("n_undefined", m.missing())] {
+        if let Some(wanted) = number(key)
+            && wanted as usize != value
+        {
+            return Err(format!("{note}{key} = {value}, expected {wanted}"));
+        }
+    }
+    let range = found.max - found.min;
+    // f64 rounding of the sums, on top of 1e-9 of the relief; f32 files say so in their note.
+    let rounding = 8.0 * f64::EPSILON * found.max.abs().max(found.min.abs());
+    let tolerance = (TOLERANCE * range).max(half_quantum(m)) + rounding;
+    let mut worst: f64 = 0.0;
+    for (key, value) in [
+        ("min", found.min),
+        ("max", found.max),
+        ("mean", found.mean),
+        ("Sa", found.mean_abs),
+        ("Sq", found.rms),
+        ("Rq", found.rms),
+    ] {
+        if let Some(wanted) = number(key) {
+            let error = (value - wanted).abs();
+            if error > tolerance {
+                return Err(format!("{note}{key} = {value:e}, expected {wanted:e}"));
+            }
+            worst = worst.max(if range > 0.0 { error / range } else { 0.0 });
+        }
+    }
+    let is_profile = expected.get("rows").is_none();
+    if is_profile != m.is_profile() {
+        return Err(format!("{note}profile: {}, expected {is_profile}", m.is_profile()));
+    }
+    for (key, value) in [("dx_m", dx), ("dy_m", dy)] {
+        let Some(wanted) = number(key) else { continue };
+        // Expected profiles list the range divided by N; the distance of points is range/(N - 1).
+        let n = nx as f64;
+        let by_range = is_profile && (value * (n - 1.0) / (wanted * n) - 1.0).abs() < 1e-9;
+        if by_range {
+            let _ = write!(note, "dx = range/(N-1) = {value:e} (listed: range/N); ");
+        } else if (value / wanted - 1.0).abs() > 1e-9 {
+            return Err(format!("{note}{key} = {value:e}, expected {wanted:e}"));
+        }
+    }
+    if !is_profile {
+        for (key, value) in [("rms_slope_x_fwd", found.slope_x), ("rms_slope_y_fwd", found.slope_y)]
+        {
+            if let Some(wanted) = number(key)
+                && (value - wanted).abs() > 1e-8 * wanted + 2.0 * tolerance / dx.min(dy)
+            {
+                return Err(format!("{note}{key} = {value:e}, expected {wanted:e}"));
+            }
+        }
+    }
+    if let Some(uneven) = m.uneven() {
+        let _ = write!(note, "uneven by {uneven:.2} steps; ");
+    }
+    let missing = m.missing();
+    Ok(format!("{note}{ny} x {nx}, {missing} missing, pixel {dx:e} x {dy:e} m, error {worst:.0e}"))
+}
+
+/// Of the range of heights: far below the quantum of any of the files.
+const TOLERANCE: f64 = 1e-9;
+
+/// Half the smallest step between printed heights: text is rounded. 0 for binary formats.
+fn half_quantum(m: &Measurement) -> f64 {
+    if m.format() != surface_io::Format::Text {
+        return 0.0;
+    }
+    let mut heights: Vec<f64> = m.heights().iter().copied().filter(|h| !h.is_nan()).collect();
+    heights.sort_by(f64::total_cmp);
+    let range = heights.last().zip(heights.first()).map_or(0.0, |(a, b)| a - b);
+    let steps = heights.windows(2).map(|p| p[1] - p[0]).filter(|step| *step > 1e-9 * range);
+    steps.fold(range, f64::min) / 2.0
+}
+
+struct Statistics {
+    min: f64,
+    max: f64,
+    mean: f64,
+    mean_abs: f64,
+    rms: f64,
+    slope_x: f64,
+    slope_y: f64,
+}
+
+impl Statistics {
+    fn of(m: &Measurement) -> Self {
+        let h = m.heights();
+        let [_, nx] = m.grid().shape();
+        let [dy, dx] = m.grid().pixel();
+        let (min, max, mean) = m.height_summary().unwrap_or((f64::NAN, f64::NAN, f64::NAN));
+        let valid = || h.iter().filter(|h| !h.is_nan()).map(|h| h - mean);
+        let n = valid().count() as f64;
+        // Forward differences over pairs of valid points.
+        let slope = |step: usize, pitch: f64| {
+            let (mut sum, mut count) = (0.0, 0.0);
+            for i in 0..h.len().saturating_sub(step) {
+                let difference = (h[i + step] - h[i]) / pitch;
+                if (step > 1 || (i + 1) % nx != 0) && !difference.is_nan() {
+                    sum += difference * difference;
+                    count += 1.0;
+                }
+            }
+            f64::sqrt(sum / count)
+        };
+        Self {
+            min,
+            max,
+            mean,
+            mean_abs: valid().map(f64::abs).sum::<f64>() / n,
+            rms: (valid().map(|h| h * h).sum::<f64>() / n).sqrt(),
+            slope_x: slope(1, dx),
+            slope_y: slope(nx, dy),
+        }
+    }
+}

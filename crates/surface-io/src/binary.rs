@@ -1,0 +1,164 @@
+//! Checked access to bytes: every read either lies inside the file or is an error with its offset.
+
+use crate::{Format, Place, ReadError};
+use std::borrow::Cow;
+
+/// Byte order of numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Order {
+    Little,
+    Big,
+}
+
+/// How one stored number is encoded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Sample {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    I64,
+    U64,
+    F32,
+    F64,
+}
+
+impl Sample {
+    /// Bytes per number.
+    pub(crate) fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::I64 | Self::U64 | Self::F64 => 8,
+        }
+    }
+
+    /// All numbers in `bytes`, as `f64`; a last incomplete one is left out.
+    pub(crate) fn decode(self, bytes: &[u8], order: Order) -> Vec<f64> {
+        macro_rules! numbers {
+            ($t:ty) => {
+                bytes
+                    .chunks_exact(size_of::<$t>())
+                    .map(|raw| {
+                        let raw = raw.try_into().expect("chunks_exact gives this length");
+                        (match order {
+                            Order::Little => <$t>::from_le_bytes(raw),
+                            Order::Big => <$t>::from_be_bytes(raw),
+                        }) as f64
+                    })
+                    .collect()
+            };
+        }
+        #[allow(clippy::cast_lossless, reason = "one macro serves types of all widths")]
+        match self {
+            Self::I8 => numbers!(i8),
+            Self::U8 => numbers!(u8),
+            Self::I16 => numbers!(i16),
+            Self::U16 => numbers!(u16),
+            Self::I32 => numbers!(i32),
+            Self::U32 => numbers!(u32),
+            Self::I64 => numbers!(i64),
+            Self::U64 => numbers!(u64),
+            Self::F32 => numbers!(f32),
+            Self::F64 => numbers!(f64),
+        }
+    }
+}
+
+/// A file in memory with its format (for messages) and byte order.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bytes<'a> {
+    pub(crate) data: &'a [u8],
+    pub(crate) format: Format,
+    pub(crate) order: Order,
+}
+
+macro_rules! getter {
+    ($($name:ident -> $t:ty),*) => {$(
+        #[allow(dead_code, reason = "one accessor per type, whichever formats are compiled in")]
+        pub(crate) fn $name(&self, at: usize) -> Result<$t, ReadError> {
+            let raw = self.slice(at, size_of::<$t>())?;
+            let raw = raw.try_into().expect("slice has this length");
+            Ok(match self.order {
+                Order::Little => <$t>::from_le_bytes(raw),
+                Order::Big => <$t>::from_be_bytes(raw),
+            })
+        }
+    )*};
+}
+
+impl<'a> Bytes<'a> {
+    pub(crate) fn little(data: &'a [u8], format: Format) -> Self {
+        Self { data, format, order: Order::Little }
+    }
+
+    #[allow(dead_code, reason = "whichever formats are compiled in")]
+    pub(crate) fn big(data: &'a [u8], format: Format) -> Self {
+        Self { data, format, order: Order::Big }
+    }
+
+    getter!(u8 -> u8, i16 -> i16, u16 -> u16, i32 -> i32, u32 -> u32, i64 -> i64, u64 -> u64,
+            f32 -> f32, f64 -> f64);
+
+    /// `length` bytes from `at`.
+    pub(crate) fn slice(&self, at: usize, length: usize) -> Result<&'a [u8], ReadError> {
+        at.checked_add(length).and_then(|end| self.data.get(at..end)).ok_or_else(|| {
+            let size = self.data.len();
+            self.fault(at, format!("{length} bytes expected here, the file ends at byte {size}"))
+        })
+    }
+
+    #[allow(dead_code, reason = "whichever formats are compiled in")]
+    /// Text of at most `length` bytes from `at`: up to the first NUL, UTF-8 or else Latin-1.
+    pub(crate) fn text(&self, at: usize, length: usize) -> Result<String, ReadError> {
+        Ok(text(self.slice(at, length)?))
+    }
+
+    /// `count` numbers from `at`.
+    pub(crate) fn samples(
+        &self,
+        at: usize,
+        count: usize,
+        sample: Sample,
+    ) -> Result<Vec<f64>, ReadError> {
+        let length = count
+            .checked_mul(sample.size())
+            .ok_or_else(|| self.fault(at, format!("{count} numbers cannot be addressed")))?;
+        Ok(sample.decode(self.slice(at, length)?, self.order))
+    }
+
+    /// A `Malformed` error at byte `at`.
+    pub(crate) fn fault(&self, at: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
+        ReadError::Malformed { format: self.format, place: Place::Byte(at), what: what.into() }
+    }
+
+    /// A `Malformed` error in a named field.
+    pub(crate) fn field(
+        &self,
+        name: impl Into<Cow<'static, str>>,
+        what: impl Into<Cow<'static, str>>,
+    ) -> ReadError {
+        let place = Place::Field(name.into());
+        ReadError::Malformed { format: self.format, place, what: what.into() }
+    }
+}
+
+/// Text up to the first NUL, trimmed: UTF-8, or Latin-1 where that fails.
+#[allow(dead_code, reason = "whichever formats are compiled in")]
+pub(crate) fn text(raw: &[u8]) -> String {
+    let end = raw.iter().position(|&b| b == 0).unwrap_or(raw.len());
+    let raw = &raw[..end];
+    match std::str::from_utf8(raw) {
+        Ok(s) => s.trim().to_owned(),
+        Err(_) => raw.iter().map(|&b| char::from(b)).collect::<String>().trim().to_owned(),
+    }
+}
+
+#[allow(dead_code, reason = "whichever formats are compiled in")]
+/// Position of `needle` in `hay`.
+pub(crate) fn find(hay: &[u8], needle: &[u8]) -> Option<usize> {
+    hay.windows(needle.len()).position(|w| w == needle)
+}

@@ -1,0 +1,166 @@
+//! From a measurement with missing points to a complete height map.
+
+use crate::harmonic;
+use crate::{FillError, Measurement};
+use contact_types::{Grid, HeightMap};
+
+/// What to do about missing points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Fill {
+    /// Nothing: missing points are an error that says where they are.
+    #[default]
+    Refuse,
+    /// The smoothest continuation of the points around each hole: the heights inside satisfy
+    /// Laplace's equation with the measured rim as boundary values, and no slope across the edge
+    /// of the map. It never exceeds the heights on the rim and adds no texture, so large holes
+    /// lower roughness and gradients.
+    Harmonic,
+    /// The height of the nearest measured point, in metres (not in pixels).
+    Nearest,
+}
+
+impl Measurement {
+    /// Makes a complete height map, the only thing models and solvers take.
+    ///
+    /// # Errors
+    /// [`FillError::Missing`] for [`Fill::Refuse`] if points are missing,
+    /// [`FillError::NothingValid`] if all are, [`FillError::Uneven`] for a profile whose points
+    /// are not evenly spaced.
+    pub fn fill(self, fill: Fill) -> Result<HeightMap, FillError> {
+        if let Some(deviation) = self.uneven {
+            return Err(FillError::Uneven { deviation });
+        }
+        let (grid, mut heights) = (self.grid, self.heights);
+        if self.missing == heights.len() {
+            return Err(FillError::NothingValid { points: heights.len() });
+        }
+        if self.missing > 0 {
+            match fill {
+                Fill::Refuse => {
+                    let first = heights.iter().position(|h| h.is_nan()).unwrap_or(0);
+                    let nx = grid.shape()[1];
+                    return Err(FillError::Missing {
+                        missing: self.missing,
+                        points: heights.len(),
+                        iy: first / nx,
+                        ix: first % nx,
+                    });
+                }
+                Fill::Harmonic => harmonic::fill(grid, &mut heights)?,
+                Fill::Nearest => nearest(grid, &mut heights),
+            }
+        }
+        // Every missing point was filled and none is infinite; were it not so, this says so.
+        HeightMap::new(grid, heights).map_err(FillError::Surface)
+    }
+}
+
+/// Gives every missing point the height of the nearest valid one, by the exact distance
+/// transform of Felzenszwalb & Huttenlocher (2012), doi:10.4086/toc.2012.v008a019: first along
+/// columns, then along rows as the lower envelope of parabolas. Linear in the number of points.
+fn nearest(grid: Grid, heights: &mut [f64]) {
+    const NONE: u32 = u32::MAX;
+    let [ny, nx] = grid.shape();
+    let [dy, dx] = grid.pixel();
+    // Row of the nearest valid point in the same column.
+    let mut row_of = vec![NONE; ny * nx];
+    for ix in 0..nx {
+        let mut last = NONE;
+        for iy in 0..ny {
+            if !heights[iy * nx + ix].is_nan() {
+                last = iy as u32;
+            }
+            row_of[iy * nx + ix] = last;
+        }
+        let mut next = NONE;
+        for iy in (0..ny).rev() {
+            let here = &mut row_of[iy * nx + ix];
+            if *here as usize == iy {
+                next = *here;
+            } else if next != NONE && (*here == NONE || next as usize - iy < iy - *here as usize) {
+                *here = next;
+            }
+        }
+    }
+    let (mut sites, mut starts) = (Vec::<usize>::new(), Vec::<f64>::new());
+    let mut filled = vec![0.0; nx];
+    for iy in 0..ny {
+        let row = iy * nx;
+        if heights[row..row + nx].iter().all(|h| !h.is_nan()) {
+            continue;
+        }
+        // Squared distance to the valid point of column ix, in units of dx^2.
+        let depth = |ix: usize| {
+            let distance = (f64::from(row_of[row + ix]) - iy as f64) * (dy / dx);
+            distance * distance
+        };
+        sites.clear();
+        starts.clear();
+        for ix in (0..nx).filter(|&ix| row_of[row + ix] != NONE) {
+            let mut start = f64::NEG_INFINITY;
+            while let (Some(&site), Some(&begin)) = (sites.last(), starts.last()) {
+                let (a, b) = (site as f64, ix as f64);
+                // Where the parabola of ix dips below that of site.
+                start = (a + b + (depth(ix) - depth(site)) / (b - a)) / 2.0;
+                if start > begin {
+                    break;
+                }
+                sites.pop();
+                starts.pop();
+                start = f64::NEG_INFINITY;
+            }
+            sites.push(ix);
+            starts.push(start);
+        }
+        let mut k = 0;
+        for (ix, filled) in filled.iter_mut().enumerate() {
+            while k + 1 < sites.len() && starts[k + 1] < ix as f64 {
+                k += 1;
+            }
+            let site = sites[k];
+            *filled = heights[row_of[row + site] as usize * nx + site];
+        }
+        // `row_of` points at valid points only, which are never overwritten.
+        for (height, filled) in heights[row..row + nx].iter_mut().zip(&filled) {
+            if height.is_nan() {
+                *height = *filled;
+            }
+        }
+        // Filled points must not serve as sources: `row_of` was computed before.
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_pcg::Pcg64Mcg;
+    use rand_pcg::rand_core::{Rng, SeedableRng};
+
+    /// Against the definition, on random masks with pixels of any shape.
+    #[test]
+    fn nearest_is_nearest() {
+        let mut random = Pcg64Mcg::seed_from_u64(7);
+        for case in 0..60 {
+            let (ny, nx) = (1 + case % 9, 2 + case % 7);
+            let grid = Grid::new([ny, nx], [1.0, [0.3, 1.0, 2.5][case % 3]]).unwrap();
+            let [dy, dx] = grid.pixel();
+            let mut heights: Vec<f64> = (0..ny * nx)
+                .map(|i| if random.next_u32() % 3 == 0 { i as f64 } else { f64::NAN })
+                .collect();
+            heights[(random.next_u32() as usize) % (ny * nx)] = -1.0;
+            let given = heights.clone();
+            nearest(grid, &mut heights);
+            for (i, &found) in heights.iter().enumerate() {
+                let distance = |j: usize| {
+                    let rows = (i / nx) as f64 - (j / nx) as f64;
+                    let columns = (i % nx) as f64 - (j % nx) as f64;
+                    (rows * dy).hypot(columns * dx)
+                };
+                let valid = (0..ny * nx).filter(|&j| !given[j].is_nan());
+                let least = valid.map(distance).fold(f64::INFINITY, f64::min);
+                let source = given.iter().position(|g| g.to_bits() == found.to_bits()).unwrap();
+                assert!(distance(source) <= least * (1.0 + 1e-12), "case {case}, point {i}");
+            }
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! ZIP containers: X3P and NPZ are archives, and users zip single files.
+//!
+//! Nothing is unpacked beyond [`Limits::unpacked_bytes`], whatever the archive claims.
+
+use crate::binary::Bytes;
+use crate::{Format, Limits, ReadError};
+use std::borrow::Cow;
+use std::io::{Cursor, Read};
+use zip::ZipArchive;
+
+pub(crate) const MAGIC: &[u8] = b"PK\x03\x04";
+
+/// An archive in memory.
+pub(crate) struct Archive<'a> {
+    bytes: &'a [u8],
+    zip: ZipArchive<Cursor<&'a [u8]>>,
+    format: Format,
+    /// Names of all members that are files, in the order of the directory.
+    pub(crate) names: Vec<String>,
+}
+
+impl<'a> Archive<'a> {
+    pub(crate) fn open(
+        bytes: &'a [u8],
+        format: Format,
+        limits: &Limits,
+    ) -> Result<Self, ReadError> {
+        let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|e| fault(bytes, format, &e))?;
+        limits.check_items(format, zip.len() as u64)?;
+        let names = zip
+            .file_names()
+            .filter_map(Result::ok)
+            .filter(|n| !n.ends_with('/') && !n.split('/').any(|part| part == "__MACOSX"))
+            .map(Cow::into_owned)
+            .collect();
+        Ok(Self { bytes, zip, format, names })
+    }
+
+    /// Unpacks a member.
+    pub(crate) fn unpack(&mut self, name: &str, limits: &Limits) -> Result<Vec<u8>, ReadError> {
+        let (format, bytes) = (self.format, self.bytes);
+        let member = self.zip.by_name(name).map_err(|e| fault(bytes, format, &e))?;
+        limits.check_unpacked(format, member.size())?;
+        // The size in the directory is a claim: read no more than the limit, and reserve no more
+        // than deflate can make of the packed bytes (1032 : 1).
+        let likely = member.size().min(member.compressed_size().saturating_mul(1032));
+        let mut unpacked = Vec::with_capacity(likely.min(bytes.len() as u64 * 1032) as usize);
+        member
+            .take(limits.unpacked_bytes.saturating_add(1))
+            .read_to_end(&mut unpacked)
+            .map_err(|e| Bytes::little(bytes, format).field(name.to_owned(), e.to_string()))?;
+        limits.check_unpacked(format, unpacked.len() as u64)?;
+        Ok(unpacked)
+    }
+}
+
+fn fault(bytes: &[u8], format: Format, e: &zip::result::ZipError) -> ReadError {
+    Bytes::little(bytes, format).field("archive", e.to_string())
+}
+
+/// The single file in an archive that is neither X3P nor NPZ; any other bytes as they are.
+pub(crate) fn unwrap_single<'a>(
+    bytes: &'a [u8],
+    limits: &Limits,
+) -> Result<Cow<'a, [u8]>, ReadError> {
+    if !bytes.starts_with(MAGIC) {
+        return Ok(Cow::Borrowed(bytes));
+    }
+    let Ok(mut archive) = Archive::open(bytes, Format::Zip, limits) else {
+        return Ok(Cow::Borrowed(bytes)); // the reader of the inner format names the fault
+    };
+    match &archive.names[..] {
+        [name] if !is_npy(name) && !is_main_xml(name) => {
+            let name = name.clone();
+            archive.unpack(&name, limits).map(Cow::Owned)
+        }
+        _ => Ok(Cow::Borrowed(bytes)),
+    }
+}
+
+pub(crate) fn is_npy(name: &str) -> bool {
+    name.to_ascii_lowercase().ends_with(".npy")
+}
+
+pub(crate) fn is_main_xml(name: &str) -> bool {
+    name.rsplit('/').next().is_some_and(|file| file.eq_ignore_ascii_case("main.xml"))
+}

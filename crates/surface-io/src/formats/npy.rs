@@ -1,0 +1,148 @@
+//! NPY, the array format of NumPy. Little is known about the surface: no unit, no pixel size.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 0–5 | `\x93NUMPY` |
+//! | 6, 7 | version: 1, 2 or 3; 0 |
+//! | 8–9 (version 1), 8–11 (2, 3) | u16 or u32 LE: length of the header |
+//! | then | Python dict: `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }` |
+//! | then | the numbers, C order (rows) or Fortran order (columns) |
+//!
+//! Source: numpy.lib.format, <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>.
+
+use crate::binary::{Bytes, Order, Sample};
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::{Format, Limits, ReadError};
+
+const MAGIC: &[u8] = b"\x93NUMPY";
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC)
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let array = Array::parse(bytes, Format::Npy, limits)?;
+    let channel =
+        Channel::new("array", None, array.shape, Pixel::Unknown, move || array.values(bytes));
+    Ok(Contents { channels: vec![channel], ..Contents::default() })
+}
+
+/// What the header of one array says. Also used for the members of NPZ.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Array {
+    pub(crate) shape: [usize; 2],
+    format: Format,
+    start: usize,
+    sample: Sample,
+    order: Order,
+    is_fortran: bool,
+}
+
+impl Array {
+    pub(crate) fn parse(bytes: &[u8], format: Format, limits: &Limits) -> Result<Self, ReadError> {
+        let b = Bytes::little(bytes, format);
+        if b.slice(0, 6)? != MAGIC {
+            return Err(b.fault(0, "not the start of an NPY array"));
+        }
+        let (at, length) = match b.u8(6)? {
+            1 => (10, usize::from(b.u16(8)?)),
+            2 | 3 => (12, b.u32(8)? as usize),
+            other => return Err(b.fault(6, format!("version {other}, known are 1, 2 and 3"))),
+        };
+        let header = std::str::from_utf8(b.slice(at, length)?)
+            .map_err(|e| b.fault(at + e.valid_up_to(), "the header is not text"))?;
+        let entry = |key: &str| {
+            let quoted = [format!("'{key}':"), format!("\"{key}\":")];
+            let found = quoted.iter().find_map(|q| header.find(q).map(|i| i + q.len()));
+            found
+                .map(|i| header[i..].trim_start())
+                .ok_or_else(|| b.field(key.to_owned(), "not in the header"))
+        };
+        let descr = entry("descr")?;
+        let (sample, order) = sample(descr).ok_or_else(|| ReadError::Unsupported {
+            format,
+            feature: format!(
+                "descr {} (real numbers and integers of 1 to 8 bytes are)",
+                descr.chars().take(24).collect::<String>()
+            )
+            .into(),
+        })?;
+        let is_fortran = match entry("fortran_order")? {
+            s if s.starts_with("True") => true,
+            s if s.starts_with("False") => false,
+            _ => return Err(b.field("fortran_order", "neither True nor False")),
+        };
+        let sides = entry("shape")?
+            .strip_prefix('(')
+            .and_then(|s| s.split_once(')'))
+            .ok_or_else(|| b.field("shape", "not a tuple"))?
+            .0
+            .split(',')
+            .map(str::trim)
+            .filter(|s| !s.is_empty())
+            .map(|s| s.parse::<usize>().map_err(|_| b.field("shape", format!("{s:?} is no size"))))
+            .collect::<Result<Vec<_>, _>>()?;
+        let shape = match sides[..] {
+            [nx] => [1, nx],
+            [ny, nx] => [ny, nx],
+            _ => {
+                let feature = format!("an array with {} axes (a map has 2)", sides.len());
+                return Err(ReadError::Unsupported { format, feature: feature.into() });
+            }
+        };
+        limits.check_points(format, shape)?;
+        Ok(Self { shape, format, start: at + length, sample, order, is_fortran })
+    }
+
+    pub(crate) fn values(&self, bytes: &[u8]) -> Result<Vec<f64>, ReadError> {
+        let b = Bytes { data: bytes, format: self.format, order: self.order };
+        let [ny, nx] = self.shape;
+        // The product was checked against the limits.
+        let values = b.samples(self.start, ny * nx, self.sample)?;
+        if !self.is_fortran {
+            return Ok(values);
+        }
+        Ok(transpose(&values, [nx, ny]))
+    }
+}
+
+/// Rows become columns; `shape` is `[ny, nx]` of the input.
+pub(crate) fn transpose(values: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
+    const BLOCK: usize = 32; // two blocks of this side fit the first-level cache
+    let mut turned = vec![0.0; values.len()];
+    for y0 in (0..ny).step_by(BLOCK) {
+        for x0 in (0..nx).step_by(BLOCK) {
+            for iy in y0..ny.min(y0 + BLOCK) {
+                for ix in x0..nx.min(x0 + BLOCK) {
+                    turned[ix * ny + iy] = values[iy * nx + ix];
+                }
+            }
+        }
+    }
+    turned
+}
+
+/// `'<f8'` and its like.
+fn sample(descr: &str) -> Option<(Sample, Order)> {
+    let quote = descr.chars().next().filter(|c| matches!(c, '\'' | '"'))?;
+    let code = descr[1..].split(quote).next()?;
+    let (order, kind) = match code.as_bytes().first()? {
+        b'>' => (Order::Big, &code[1..]),
+        b'<' | b'|' | b'=' => (Order::Little, &code[1..]),
+        _ => (Order::Little, code),
+    };
+    let sample = match kind {
+        "f4" => Sample::F32,
+        "f8" => Sample::F64,
+        "i1" => Sample::I8,
+        "i2" => Sample::I16,
+        "i4" => Sample::I32,
+        "i8" => Sample::I64,
+        "u1" => Sample::U8,
+        "u2" => Sample::U16,
+        "u4" => Sample::U32,
+        "u8" => Sample::U64,
+        _ => return None,
+    };
+    Some((sample, order))
+}

@@ -1,0 +1,174 @@
+//! Coordinates to a grid: lists of x y z and profiles x z.
+
+use crate::binary::Bytes;
+use crate::text::Digits;
+use crate::{Format, Limits, Place, ReadError};
+use std::collections::HashSet;
+
+/// Evenly spaced positions found in a column of coordinates.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Line {
+    /// (last - first) / (N - 1).
+    pub(crate) step: f64,
+    pub(crate) is_falling: bool,
+    /// Largest deviation in steps, if more than the printed digits explain.
+    pub(crate) uneven: Option<f64>,
+}
+
+impl Line {
+    /// Positions of a profile in the order of the file; `digits` is how precisely they are printed.
+    pub(crate) fn new(x: &[f64], digits: Digits) -> Result<Self, String> {
+        if let Some(i) = x.iter().position(|x| !x.is_finite()) {
+            return Err(format!("position {} is {}", i + 1, x[i]));
+        }
+        let (Some(&first), Some(&last)) = (x.first(), x.last()) else {
+            return Err("there are no positions".into());
+        };
+        if x.len() < 2 {
+            return Err("one point is no profile".into());
+        }
+        let is_falling = last < first;
+        let turn = x.windows(2).position(|p| if is_falling { p[1] >= p[0] } else { p[1] <= p[0] });
+        if let Some(i) = turn {
+            return Err(format!(
+                "position {} ({}) does not continue in the direction of the points before ({}): \
+                 two columns are read as a profile x, z",
+                i + 2,
+                x[i + 1],
+                x[i]
+            ));
+        }
+        let step = (last - first) / (x.len() - 1) as f64;
+        let deviation = x
+            .iter()
+            .enumerate()
+            .map(|(i, x)| (x - first - i as f64 * step).abs())
+            .fold(0.0, f64::max);
+        let step = step.abs();
+        let uneven = deviation > tolerance(step, digits, last.abs().max(first.abs()));
+        Ok(Self { step, is_falling, uneven: uneven.then_some(deviation / step) })
+    }
+}
+
+/// How far a coordinate may be from its place: one printed digit (half for the point, half for
+/// the ends of the line), but never half a step, and rounding of f64.
+fn tolerance(step: f64, digits: Digits, largest: f64) -> f64 {
+    (1.001 * digits.quantum(largest))
+        .min(0.7 * step)
+        .max(1e-6 * step)
+        .max(8.0 * f64::EPSILON * largest)
+}
+
+/// A map gridded from a list.
+pub(crate) struct Map {
+    pub(crate) shape: [usize; 2],
+    pub(crate) step: [f64; 2],
+    pub(crate) heights: Vec<f64>,
+}
+
+/// Puts a list of x y z (row-major, three columns) on the grid its coordinates form. Points of
+/// the grid that are not in the list are missing.
+pub(crate) fn grid(values: &[f64], digits: [Digits; 2], limits: &Limits) -> Result<Map, ReadError> {
+    let x = Axis::new(values, 0, digits[0])?;
+    let y = Axis::new(values, 1, digits[1])?;
+    let (nx, ny, n) = (x.count, y.count, values.len() / 3);
+    limits.check_points(Format::Text, [ny, nx])?;
+    if nx.saturating_mul(ny) > n.saturating_mul(2) {
+        return Err(unsupported(format!(
+            "a list of {n} points that fill less than half of their {ny} x {nx} grid; grid \
+             them first (a matrix of three columns needs a header `# Width: ...`, `# Height: \
+             ...`)"
+        )));
+    }
+    let mut heights = vec![f64::NAN; nx * ny];
+    let mut seen = vec![false; nx * ny];
+    for (i, row) in values.chunks_exact(3).enumerate() {
+        let at = y.index(row[1]) * nx + x.index(row[0]);
+        if std::mem::replace(&mut seen[at], true) {
+            return Err(ReadError::Malformed {
+                format: Format::Text,
+                place: Place::Field(format!("point {}", i + 1).into()),
+                what: format!("x = {}, y = {} is already in the list", row[0], row[1]).into(),
+            });
+        }
+        heights[at] = row[2];
+    }
+    let step = match (y.step, x.step) {
+        (Some(y), Some(x)) => [y, x],
+        (Some(step), None) | (None, Some(step)) => [step; 2],
+        (None, None) => return Err(unsupported("a single point".into())),
+    };
+    Ok(Map { shape: [ny, nx], step, heights })
+}
+
+fn unsupported(feature: String) -> ReadError {
+    ReadError::Unsupported { format: Format::Text, feature: feature.into() }
+}
+
+/// One coordinate of a list.
+struct Axis {
+    first: f64,
+    /// Distance of neighbouring grid lines; `None` if there is one line.
+    step: Option<f64>,
+    count: usize,
+}
+
+impl Axis {
+    fn new(values: &[f64], column: usize, digits: Digits) -> Result<Self, ReadError> {
+        let name = if column == 0 { "x" } else { "y" };
+        let mut distinct = HashSet::new();
+        let mut last = None;
+        for (i, row) in values.chunks_exact(3).enumerate() {
+            let value = row[column] + 0.0; // -0 becomes 0
+            if !value.is_finite() {
+                return Err(Bytes::little(&[], Format::Text)
+                    .field(format!("point {}", i + 1), format!("{name} is {value}")));
+            }
+            // Along a scan line one coordinate repeats: look up only what changes.
+            if last.replace(value.to_bits()) != Some(value.to_bits()) {
+                distinct.insert(value.to_bits());
+            }
+        }
+        let mut positions: Vec<f64> = distinct.into_iter().map(f64::from_bits).collect();
+        positions.sort_unstable_by(f64::total_cmp);
+        let (first, end) = (positions[0], positions[positions.len() - 1]);
+        let range = end - first;
+        // Values closer than a hundredth of the widest gap are one grid line.
+        let widest = positions.windows(2).map(|p| p[1] - p[0]).fold(0.0, f64::max);
+        positions.dedup_by(|b, a| *b - *a < 0.01 * widest);
+        if positions.len() == 1 {
+            return Ok(Self { first, step: None, count: 1 });
+        }
+        let smallest = positions.windows(2).map(|p| p[1] - p[0]).fold(f64::INFINITY, f64::min);
+        let all = positions.len();
+        let sparse = (range / smallest).round() + 1.0;
+        let largest = first.abs().max(end.abs());
+        // Either every grid line occurs in the list, or the smallest gap is one step.
+        for count in [all as f64, sparse] {
+            let step = range / (count - 1.0);
+            let deviation = positions
+                .iter()
+                .map(|p| {
+                    let at = (p - first) / step;
+                    (at - at.round()).abs() * step
+                })
+                .fold(0.0, f64::max);
+            let is_even = deviation <= tolerance(step, digits, largest).max(0.02 * step)
+                && deviation < 0.45 * step;
+            if is_even && count < 1e9 {
+                return Ok(Self { first, step: Some(step), count: count as usize });
+            }
+        }
+        Err(unsupported(format!(
+            "a list whose {all} different {name} are not evenly spaced; interpolate to a grid \
+             first"
+        )))
+    }
+
+    fn index(&self, value: f64) -> usize {
+        match self.step {
+            Some(step) => (((value - self.first) / step).round() as usize).min(self.count - 1),
+            None => 0,
+        }
+    }
+}

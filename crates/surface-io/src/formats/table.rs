@@ -1,0 +1,278 @@
+//! Text with numbers: a matrix of heights, a list of x y z, or a profile x z.
+//!
+//! | what | recognised by |
+//! |---|---|
+//! | separators | semicolon, tab, comma, blanks; empty cells, `NaN`, `NA`, `bad`, `---` are missing points |
+//! | decimal comma | where the comma is not the separator; both marks in one file are refused |
+//! | encodings | UTF-8, UTF-16 with byte order mark, Latin-1; `\n`, `\r\n`, `\r`, also mixed |
+//! | header | the lines before the first two lines with equally many numbers; lines starting with `#`, `%`, `!`, `//` |
+//! | `Width`, `Height` with unit | total size of a matrix: the pixel is size / N (Gwyddion's export) |
+//! | `Value units`, `z unit` | unit of the heights |
+//! | units in column titles | `X [mm]`, `X_(microns)`, `x in µm`, `µm µm` |
+//! | three columns | x y z on a grid in any order (row 0 = smallest y); `X;Y;valid` is a profile |
+//! | two columns | a profile, if x only rises or only falls |
+//!
+//! Coordinates fix the pixel size: (last − first) / (N − 1). Coordinates that are evenly spaced
+//! as far as their printed digits can tell count as evenly spaced.
+//!
+//! A matrix without a stated size, and columns without units, need `--pixel` and `--height-unit`.
+
+use super::scattered::{self, Line};
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::text::{self, Digits, Separator, Table};
+use crate::units::{length, metres_per};
+use crate::{Format, Limits, ReadError};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Text;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    text::is_text(bytes)
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let text = text::decode(bytes);
+    let mut table = Table::parse(&text, FORMAT)?;
+    limits.check_points(FORMAT, [table.values.len(), 1])?;
+    limits.check_items(FORMAT, table.header.len() as u64)?;
+    let header = Header::parse(&table);
+    let (columns, rows) = (table.columns, table.rows());
+    if rows == 0 {
+        let start: String = text.trim_start().chars().take(24).collect();
+        return Err(ReadError::UnknownFormat { start });
+    }
+    let mut values = std::mem::take(&mut table.values);
+    let mut digits = table.digits;
+    let mut kept = columns;
+    let mut titles = header.columns.clone();
+    // A running number in front is no coordinate.
+    if columns > 2 && header.columns.first().is_some_and(|c| is_index(&c.name)) {
+        let mut index = 0;
+        values.retain(|_| {
+            index += 1;
+            index % columns != 1
+        });
+        kept -= 1;
+        titles.remove(0);
+        digits = [digits[1], digits[2], digits[2]];
+    }
+    let unit = |column: usize| titles.get(column).and_then(|c| c.unit.clone());
+    let named = |column: usize, names: &[&str]| {
+        titles.get(column).is_some_and(|c| names.iter().any(|n| c.name.eq_ignore_ascii_case(n)))
+    };
+
+    let is_map = header.size.is_some() || header.pixel.is_some();
+    let channel = if is_map || kept > 3 {
+        matrix(&header, values, [rows, kept])
+    } else if kept == 3 && named(2, &["valid"]) {
+        let (x, mut z) = (column(&values, 0, 3), column(&values, 1, 3));
+        for (z, row) in z.iter_mut().zip(values.chunks_exact(3)) {
+            if row[2] == 0.0 {
+                *z = f64::NAN;
+            }
+        }
+        profile(&x, z, digits[0], [unit(0), unit(1)], &header)?
+    } else if kept == 3 {
+        let map = scattered::grid(&values, [digits[0], digits[1]], limits)?;
+        let z_unit = header.value_unit.clone().or_else(|| unit(2));
+        let scale = unit(0).as_deref().and_then(metres_per);
+        let scale_y = unit(1).as_deref().and_then(metres_per).or(scale);
+        let pixel = match (scale, scale_y) {
+            (Some(x), Some(y)) => Pixel::Metres([map.step[0] * y, map.step[1] * x]),
+            _ => Pixel::Steps(map.step),
+        };
+        let heights = map.heights;
+        Channel::new(header.name(), z_unit.as_deref(), map.shape, pixel, move || Ok(heights))
+    } else if kept == 2 {
+        let (x, z) = (column(&values, 0, 2), column(&values, 1, 2));
+        profile(&x, z, digits[0], [unit(0), unit(1)], &header)?
+    } else {
+        return Err(ReadError::Unsupported {
+            format: FORMAT,
+            feature: "a single column of numbers (a profile needs a column x before the heights, \
+                      a map needs rows)"
+                .into(),
+        });
+    };
+    Ok(Contents { channels: vec![channel], metadata: header.metadata })
+}
+
+fn is_index(name: &str) -> bool {
+    ["index", "no", "no.", "nr", "n", "i", "point"].iter().any(|n| name.eq_ignore_ascii_case(n))
+}
+
+fn column(values: &[f64], column: usize, columns: usize) -> Vec<f64> {
+    values.iter().skip(column).step_by(columns).copied().collect()
+}
+
+fn matrix(header: &Header, values: Vec<f64>, shape: [usize; 2]) -> Channel<'static> {
+    let pixel = match (header.pixel, header.size) {
+        (Some(pixel), _) => Pixel::Metres(pixel),
+        // Gwyddion's Width and Height are N pixels, not N - 1 intervals.
+        (None, Some([height, width])) => {
+            Pixel::Metres([height / shape[0] as f64, width / shape[1] as f64])
+        }
+        (None, None) => Pixel::Unknown,
+    };
+    let missing = header.missing_value;
+    Channel::new(header.name(), header.value_unit.as_deref(), shape, pixel, move || {
+        let mut values = values;
+        if let Some(missing) = missing {
+            for value in &mut values {
+                if value.to_bits() == missing.to_bits() {
+                    *value = f64::NAN;
+                }
+            }
+        }
+        Ok(values)
+    })
+}
+
+fn profile(
+    x: &[f64],
+    z: Vec<f64>,
+    digits: Digits,
+    [x_unit, z_unit]: [Option<String>; 2],
+    header: &Header,
+) -> Result<Channel<'static>, ReadError> {
+    let line = Line::new(x, digits).map_err(|what| ReadError::Malformed {
+        format: FORMAT,
+        place: crate::Place::Field("column 1".into()),
+        what: what.into(),
+    })?;
+    let z_unit = header.value_unit.clone().or(z_unit);
+    let pixel = match x_unit.as_deref().and_then(metres_per) {
+        Some(scale) => Pixel::Metres([line.step * scale; 2]),
+        None => Pixel::Steps([line.step; 2]),
+    };
+    let is_falling = line.is_falling;
+    let mut channel =
+        Channel::new(header.name(), z_unit.as_deref(), [1, x.len()], pixel, move || {
+            let mut z = z;
+            if is_falling {
+                z.reverse();
+            }
+            Ok(z)
+        });
+    channel.uneven = line.uneven;
+    Ok(channel)
+}
+
+/// Title of a column: "X [mm]" is x in mm.
+#[derive(Debug, Clone)]
+struct Title {
+    name: String,
+    unit: Option<String>,
+}
+
+/// What the lines before the numbers say.
+#[derive(Debug, Default)]
+struct Header {
+    channel: Option<String>,
+    /// `[height, width]` in metres.
+    size: Option<[f64; 2]>,
+    /// `[dy, dx]` in metres.
+    pixel: Option<[f64; 2]>,
+    value_unit: Option<String>,
+    missing_value: Option<f64>,
+    columns: Vec<Title>,
+    metadata: BTreeMap<String, String>,
+}
+
+impl Header {
+    fn name(&self) -> String {
+        self.channel.clone().unwrap_or_else(|| "default".into())
+    }
+
+    fn parse(table: &Table<'_>) -> Self {
+        let mut header = Self::default();
+        let (mut width, mut height) = (None, None);
+        let (mut dx, mut dy) = (None, None);
+        for (_, line) in &table.header {
+            let line = line.trim().trim_start_matches(['#', '%', '!', '/', ' ', '\t']).trim();
+            let Some((key, value)) = key_value(line) else { continue };
+            match key.to_lowercase().as_str() {
+                "channel" | "title" => header.channel = Some(value.to_owned()),
+                "width" | "x-length" | "x length" | "xlength" | "x size" => width = length(value),
+                "height" | "y-length" | "y length" | "ylength" | "y size" => height = length(value),
+                "pixel size" | "pixel" | "spacing" => (dx, dy) = (length(value), length(value)),
+                "dx" | "x step" | "x spacing" | "x pixel size" | "pixel size x" => {
+                    dx = length(value);
+                }
+                "dy" | "y step" | "y spacing" | "y pixel size" | "pixel size y" => {
+                    dy = length(value);
+                }
+                "value units" | "value unit" | "z unit" | "z units" | "z-unit" | "zunit"
+                | "height unit" | "height units" | "unit z" => {
+                    header.value_unit = Some(value.to_owned());
+                }
+                "nodata_value" | "nodata" | "missing value" | "missing" => {
+                    header.missing_value = value.parse().ok();
+                }
+                _ => {}
+            }
+            header.metadata.insert(key.to_owned(), value.to_owned());
+        }
+        header.size = height.zip(width).map(|(h, w)| [h, w]);
+        header.pixel = dy.zip(dx).map(|(y, x)| [y, x]);
+        header.titles(table);
+        header
+    }
+
+    /// Titles and units of the columns from the last two lines before the numbers.
+    fn titles(&mut self, table: &Table<'_>) {
+        let last = table.header.len().saturating_sub(2);
+        for (_, line) in &table.header[last..] {
+            let line = line.trim().trim_start_matches(['#', '%', '!', '/', ' ']);
+            // A unit in brackets belongs to the name before it, also behind a blank.
+            let line = line.replace(" [", "[").replace(" (", "(");
+            let cells = [table.separator, Separator::Semicolon, Separator::Blank]
+                .into_iter()
+                .map(|separator| {
+                    let mut cells: Vec<&str> = separator.cells(&line).collect();
+                    while cells.len() > table.columns && cells.last().is_some_and(|c| c.is_empty())
+                    {
+                        cells.pop();
+                    }
+                    cells
+                })
+                .find(|cells| cells.len() == table.columns || cells.len() == table.columns.min(2));
+            let Some(cells) = cells else { continue };
+            for (i, cell) in cells.into_iter().enumerate() {
+                let (name, unit) = title(cell);
+                if self.columns.len() <= i {
+                    self.columns.push(Title { name: String::new(), unit: None });
+                }
+                let title = &mut self.columns[i];
+                if title.name.is_empty() {
+                    title.name = name;
+                }
+                title.unit = unit.or(title.unit.take());
+            }
+        }
+    }
+}
+
+/// "key: value", "key = value", or "key value" for the two words of a grid file.
+fn key_value(line: &str) -> Option<(&str, &str)> {
+    let at = line.find([':', '=']);
+    let (key, value) = match at {
+        Some(at) => (&line[..at], &line[at + 1..]),
+        None => line.split_once([',', ' ', '\t'])?,
+    };
+    let (key, value) = (key.trim(), value.trim());
+    (!key.is_empty() && !value.is_empty() && key.len() <= 64).then_some((key, value))
+}
+
+/// Name and unit in a column title.
+fn title(cell: &str) -> (String, Option<String>) {
+    let cell = cell.trim().trim_matches('"');
+    let word = |c: char| c.is_whitespace() || matches!(c, '_' | '[' | ']' | '(' | ')' | '/');
+    let words: Vec<&str> = cell.split(word).filter(|w| !w.is_empty()).collect();
+    let unit = words.last().filter(|w| metres_per(w).is_some()).map(|w| (*w).to_owned());
+    let name = match (&unit, words.len()) {
+        (Some(_), 1) => String::new(),
+        _ => words.first().map(|w| (*w).to_owned()).unwrap_or_default(),
+    };
+    (name, unit)
+}

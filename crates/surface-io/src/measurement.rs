@@ -1,0 +1,209 @@
+//! What a file contains, before and after a channel is chosen.
+
+use crate::{Format, ReadError};
+use contact_types::Grid;
+use std::collections::BTreeMap;
+
+/// One channel of a file.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ChannelInfo {
+    /// Name as the file gives it.
+    pub name: String,
+    /// Unit as the file writes it; `None` if it gives none.
+    pub unit: Option<String>,
+    /// False if the unit says that the channel is not a height. A channel without a unit may be
+    /// one.
+    pub is_height: bool,
+    /// `[ny, nx]`.
+    pub shape: [usize; 2],
+    /// `[dy, dx]` in metres; `None` if the file does not give it.
+    pub pixel: Option<[f64; 2]>,
+}
+
+/// What a file says about the distance of its points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Pixel {
+    /// `[dy, dx]` in metres.
+    Metres([f64; 2]),
+    /// `[dy, dx]` in a unit that the file does not name.
+    Steps([f64; 2]),
+    /// Nothing.
+    Unknown,
+}
+
+/// Produces the heights of a channel in the unit of the file; NaN where a point is missing.
+pub(crate) type Decode<'a> = Box<dyn FnOnce() -> Result<Vec<f64>, ReadError> + 'a>;
+
+/// A channel as a reader hands it over.
+pub(crate) struct Channel<'a> {
+    pub(crate) name: String,
+    /// Unit as written, for people.
+    pub(crate) unit: Option<String>,
+    /// Metres per unit; `None` if the file does not say or it is no length.
+    pub(crate) scale: Option<f64>,
+    pub(crate) is_height: bool,
+    pub(crate) shape: [usize; 2],
+    pub(crate) pixel: Pixel,
+    /// A single line of points.
+    pub(crate) is_profile: bool,
+    /// Largest deviation from even spacing in steps, where it cannot be neglected.
+    pub(crate) uneven: Option<f64>,
+    pub(crate) decode: Decode<'a>,
+}
+
+impl<'a> Channel<'a> {
+    /// A height map in `unit`; whether that is a length decides [`ChannelInfo::is_height`].
+    pub(crate) fn new(
+        name: impl Into<String>,
+        unit: Option<&str>,
+        shape: [usize; 2],
+        pixel: Pixel,
+        decode: impl FnOnce() -> Result<Vec<f64>, ReadError> + 'a,
+    ) -> Self {
+        let unit = unit.map(str::trim).filter(|u| !u.is_empty());
+        let scale = unit.and_then(crate::metres_per);
+        Self {
+            name: name.into(),
+            unit: unit.map(str::to_owned),
+            scale,
+            is_height: unit.is_none() || scale.is_some(),
+            shape,
+            pixel,
+            is_profile: shape[0] == 1 && shape[1] > 1,
+            uneven: None,
+            decode: Box::new(decode),
+        }
+    }
+
+    pub(crate) fn info(&self) -> ChannelInfo {
+        let pixel = match self.pixel {
+            Pixel::Metres(pixel) => Some(pixel),
+            _ => None,
+        };
+        ChannelInfo {
+            name: self.name.clone(),
+            unit: self.unit.clone(),
+            is_height: self.is_height,
+            shape: self.shape,
+            pixel,
+        }
+    }
+}
+
+/// Everything a reader finds in a file.
+#[derive(Default)]
+pub(crate) struct Contents<'a> {
+    pub(crate) channels: Vec<Channel<'a>>,
+    pub(crate) metadata: BTreeMap<String, String>,
+}
+
+/// A measured surface: heights in metres, some of which may be missing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measurement {
+    pub(crate) grid: Grid,
+    pub(crate) heights: Vec<f64>,
+    pub(crate) missing: usize,
+    pub(crate) format: Format,
+    pub(crate) channel: String,
+    pub(crate) channels: Vec<ChannelInfo>,
+    pub(crate) metadata: BTreeMap<String, String>,
+    pub(crate) is_profile: bool,
+    pub(crate) uneven: Option<f64>,
+}
+
+impl Measurement {
+    /// The grid: `[ny, nx]` points, `[dy, dx]` metres. A profile has one row, and dy = dx.
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// Heights in metres, row-major; NaN where a point is missing. Row 0 is the first stored
+    /// line of an image format, and the smallest y of a coordinate list.
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Number of missing points.
+    pub fn missing(&self) -> usize {
+        self.missing
+    }
+
+    /// The format it was read from.
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
+    /// Name of the channel.
+    pub fn channel(&self) -> &str {
+        &self.channel
+    }
+
+    /// All channels of the file.
+    pub fn channels(&self) -> &[ChannelInfo] {
+        &self.channels
+    }
+
+    /// What the file says of instrument, date and settings.
+    pub fn metadata(&self) -> &BTreeMap<String, String> {
+        &self.metadata
+    }
+
+    /// True for a single line of points, which is not a surface.
+    pub fn is_profile(&self) -> bool {
+        self.is_profile
+    }
+
+    /// Largest deviation of a profile's points from even spacing, in steps; `None` if they are
+    /// evenly spaced as far as the digits of the file can tell.
+    pub fn uneven(&self) -> Option<f64> {
+        self.uneven
+    }
+
+    /// Lowest, highest and mean height of the points that are there, in metres; `None` if none is.
+    pub fn height_summary(&self) -> Option<(f64, f64, f64)> {
+        let mut valid = self.heights.iter().copied().filter(|h| !h.is_nan());
+        let origin = valid.next()?;
+        let (mut low, mut high, mut sum, mut count) = (origin, origin, 0.0, 1.0);
+        for h in valid {
+            low = h.min(low);
+            high = h.max(high);
+            sum += h - origin; // about one height: a common offset costs no digits
+            count += 1.0;
+        }
+        Some((low, high, origin + sum / count))
+    }
+
+    /// Cuts out `ny` by `nx` points from row `y0`, column `x0`.
+    ///
+    /// # Errors
+    /// [`ReadError::Crop`] unless the rectangle `[y0, x0, ny, nx]` has points and lies inside.
+    pub fn crop(&self, [y0, x0, ny, nx]: [usize; 4]) -> Result<Self, ReadError> {
+        let shape = self.grid.shape();
+        let inside = |start: usize, length: usize, size: usize| {
+            length > 0 && start.checked_add(length).is_some_and(|end| end <= size)
+        };
+        let fault = ReadError::Crop { y0, x0, ny, nx, shape };
+        if !inside(y0, ny, shape[0]) || !inside(x0, nx, shape[1]) {
+            return Err(fault);
+        }
+        let Ok(grid) = Grid::new([ny, nx], self.grid.pixel()) else { return Err(fault) };
+        let heights: Vec<f64> = (y0..y0 + ny)
+            .flat_map(|iy| &self.heights[iy * shape[1] + x0..iy * shape[1] + x0 + nx])
+            .copied()
+            .collect();
+        let mut metadata = self.metadata.clone();
+        metadata.insert("crop".into(), format!("{y0},{x0},{ny},{nx}"));
+        Ok(Self {
+            grid,
+            missing: heights.iter().filter(|h| h.is_nan()).count(),
+            heights,
+            format: self.format,
+            channel: self.channel.clone(),
+            channels: self.channels.clone(),
+            metadata,
+            is_profile: ny == 1 && nx > 1,
+            uneven: self.uneven,
+        })
+    }
+}

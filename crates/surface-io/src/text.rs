@@ -1,0 +1,411 @@
+//! Text files: encodings, line ends, separators, decimal marks, and the one table of numbers in
+//! them.
+
+use crate::binary::Bytes;
+use crate::{Format, ReadError};
+use std::borrow::Cow;
+
+/// The text of a file: UTF-8, UTF-16 with a byte order mark, or else Latin-1.
+pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    let wide = |order: fn([u8; 2]) -> u16| {
+        let units = bytes[2..].chunks_exact(2).map(|pair| order([pair[0], pair[1]]));
+        char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
+    };
+    match bytes {
+        [0xff, 0xfe, ..] => Cow::Owned(wide(u16::from_le_bytes)),
+        [0xfe, 0xff, ..] => Cow::Owned(wide(u16::from_be_bytes)),
+        _ => {
+            let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+            match std::str::from_utf8(bytes) {
+                Ok(text) => Cow::Borrowed(text),
+                Err(_) => Cow::Owned(bytes.iter().map(|&b| char::from(b)).collect()),
+            }
+        }
+    }
+}
+
+/// True if `bytes` can be the start of a text file: no control characters in the first 4 KiB.
+pub(crate) fn is_text(bytes: &[u8]) -> bool {
+    let start = &bytes[..bytes.len().min(4096)];
+    if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
+        return true;
+    }
+    start.iter().all(|&b| b >= 0x20 || matches!(b, b'\t' | b'\n' | b'\r' | 0x0c | 0x1a))
+}
+
+/// Lines with their numbers from 1. `\n`, `\r\n` and a lone `\r` end a line, also mixed.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let mut rest = Some(text);
+    let mut number = 0;
+    std::iter::from_fn(move || {
+        let text = rest?;
+        number += 1;
+        match text.bytes().position(|b| b == b'\n' || b == b'\r') {
+            None => {
+                rest = None;
+                Some((number, text))
+            }
+            Some(end) => {
+                let after = &text[end..];
+                let skip = if after.starts_with("\r\n") { 2 } else { 1 };
+                rest = Some(&after[skip..]);
+                Some((number, &text[..end]))
+            }
+        }
+    })
+}
+
+/// What stands between two numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Separator {
+    Tab,
+    Semicolon,
+    Comma,
+    Blank,
+}
+
+impl Separator {
+    fn char(self) -> char {
+        match self {
+            Self::Tab => '\t',
+            Self::Semicolon => ';',
+            Self::Comma => ',',
+            Self::Blank => ' ',
+        }
+    }
+
+    /// The cells of a line, trimmed. Blanks join; any other separator leaves empty cells.
+    pub(crate) fn cells<'a>(self, line: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
+        match self {
+            Self::Blank => Box::new(line.split_ascii_whitespace()),
+            _ => Box::new(line.split(self.char()).map(str::trim)),
+        }
+    }
+}
+
+/// A cell of a table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Cell {
+    Number(f64),
+    Missing,
+    Other,
+}
+
+/// Reads one cell; `decimal_comma` is updated when the cell shows which mark is used.
+fn cell(text: &str, separator: Separator, marks: &mut Marks) -> Cell {
+    let text = text.strip_prefix('"').and_then(|t| t.strip_suffix('"')).unwrap_or(text);
+    if separator != Separator::Comma && text.contains(',') {
+        if text.contains('.') || text.matches(',').count() > 1 {
+            return Cell::Other;
+        }
+        if let Ok(value) = text.replacen(',', ".", 1).parse::<f64>() {
+            marks.comma = true;
+            return Cell::Number(value);
+        }
+        return Cell::Other;
+    }
+    match text.parse::<f64>() {
+        Ok(value) if value.is_nan() => Cell::Missing,
+        Ok(value) => {
+            marks.point |= text.contains('.');
+            Cell::Number(value)
+        }
+        Err(_) if is_missing(text) => Cell::Missing,
+        Err(_) => Cell::Other,
+    }
+}
+
+fn is_missing(text: &str) -> bool {
+    const WORDS: [&str; 12] =
+        ["", "na", "n/a", "#n/a", "null", "bad", "*", "***", "-", "--", "---", "nan(ind)"];
+    text.len() <= 10 && WORDS.iter().any(|word| text.eq_ignore_ascii_case(word))
+}
+
+/// Decimal marks seen so far.
+#[derive(Debug, Clone, Copy, Default)]
+struct Marks {
+    point: bool,
+    comma: bool,
+}
+
+/// The numbers of a text file and the lines before them.
+#[derive(Debug)]
+pub(crate) struct Table<'a> {
+    pub(crate) header: Vec<(usize, &'a str)>,
+    pub(crate) separator: Separator,
+    pub(crate) columns: usize,
+    /// Row-major, NaN where a cell is missing.
+    pub(crate) values: Vec<f64>,
+    /// How precisely the numbers of the first three columns are printed.
+    pub(crate) digits: [Digits; 3],
+}
+
+/// How precisely a column is printed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Digits {
+    /// Finest decimal place, e.g. 0.01.
+    place: f64,
+    /// Most significant digits.
+    significant: i32,
+}
+
+impl Digits {
+    const NONE: Self = Self { place: f64::INFINITY, significant: 0 };
+
+    fn add(&mut self, text: &str) {
+        let (mantissa, exponent) = match text.find(['e', 'E']) {
+            Some(at) => (&text[..at], text[at + 1..].parse().unwrap_or(0)),
+            None => (text, 0i32),
+        };
+        let decimals = mantissa.find(['.', ',']).map_or(0, |at| mantissa.len() - at - 1);
+        let decimals = i32::try_from(decimals).unwrap_or(400);
+        let place = 10f64.powi(exponent.saturating_sub(decimals).clamp(-400, 400));
+        let digits = mantissa.trim_start_matches(['+', '-', '0', '.', ',']);
+        let significant = digits.bytes().filter(u8::is_ascii_digit).count();
+        let significant = i32::try_from(significant).unwrap_or(400);
+        self.place = self.place.min(place);
+        self.significant = self.significant.max(significant);
+    }
+
+    /// One unit in the last printed place of numbers up to `largest`, also where trailing zeros
+    /// are left out or all numbers have equally many significant digits.
+    pub(crate) fn quantum(&self, largest: f64) -> f64 {
+        let leading = largest.log10().floor().clamp(-400.0, 400.0) as i32;
+        let last = 10f64.powi(leading + 1 - self.significant.min(400));
+        if last.is_finite() { self.place.max(last) } else { self.place }
+    }
+}
+
+impl<'a> Table<'a> {
+    pub(crate) fn rows(&self) -> usize {
+        self.values.len() / self.columns.max(1)
+    }
+
+    /// Finds the table in `text` and reads it, in one pass over the numbers.
+    pub(crate) fn parse(text: &'a str, format: Format) -> Result<Self, ReadError> {
+        let mut table = Self {
+            header: Vec::new(),
+            separator: Separator::Blank,
+            columns: 0,
+            values: Vec::new(),
+            digits: [Digits::NONE; 3],
+        };
+        let mut marks = Marks::default();
+        // The line before, if it may be the first row: the next one decides.
+        let mut held: Option<(usize, &str, Separator, usize)> = None;
+        let mut started = false;
+        for (number, line) in lines(text) {
+            let line = line.trim_end_matches(['\u{1a}', '\0']);
+            if line.trim().is_empty() && !line.contains('\t') || is_comment(line) {
+                if !started && !line.trim().is_empty() {
+                    table.header.extend(held.take().map(|(n, l, _, _)| (n, l)));
+                    table.header.push((number, line));
+                }
+                continue;
+            }
+            if started {
+                table.push(number, line, &mut marks, format)?;
+                continue;
+            }
+            let shape = row_shape(line);
+            match (held.take(), shape) {
+                (Some((n, first, separator, columns)), Some((s, c)))
+                    if s == separator && c == columns =>
+                {
+                    (table.separator, table.columns, started) = (separator, columns, true);
+                    table.push(n, first, &mut marks, format)?;
+                    table.push(number, line, &mut marks, format)?;
+                }
+                (previous, Some((separator, columns))) => {
+                    table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
+                    held = Some((number, line, separator, columns));
+                }
+                (previous, None) => {
+                    table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
+                    table.header.push((number, line));
+                }
+            }
+        }
+        if let Some((n, line, separator, columns)) = held {
+            (table.separator, table.columns) = (separator, columns);
+            table.push(n, line, &mut marks, format)?;
+        }
+        if marks.comma && marks.point {
+            return Err(Bytes::little(&[], format).field(
+                "numbers",
+                "both decimal points and decimal commas occur: which of them is the decimal mark?",
+            ));
+        }
+        table.drop_trailing_separator();
+        Ok(table)
+    }
+
+    fn push(
+        &mut self,
+        number: usize,
+        line: &str,
+        marks: &mut Marks,
+        format: Format,
+    ) -> Result<(), ReadError> {
+        let fault = |what: String| ReadError::Malformed {
+            format,
+            place: crate::Place::Line(number),
+            what: what.into(),
+        };
+        let before = self.values.len();
+        for (column, text) in self.separator.cells(line).enumerate() {
+            self.values.push(match cell(text, self.separator, marks) {
+                Cell::Number(value) => {
+                    if let Some(digits) = self.digits.get_mut(column) {
+                        digits.add(text);
+                    }
+                    value
+                }
+                Cell::Missing => f64::NAN,
+                Cell::Other => {
+                    let text: String = text.chars().take(40).collect();
+                    return Err(fault(format!("{text:?} is no number")));
+                }
+            });
+        }
+        let found = self.values.len() - before;
+        if found != self.columns {
+            let expected = self.columns;
+            return Err(fault(format!("{found} values, the rows before have {expected}")));
+        }
+        Ok(())
+    }
+
+    /// A separator at the end of every row is no column, nor are empty columns behind a list of
+    /// coordinates; a border of missing points is.
+    fn drop_trailing_separator(&mut self) {
+        let columns = self.columns;
+        if self.separator == Separator::Blank || columns < 2 {
+            return;
+        }
+        let is_empty = |column: usize| self.values.chunks(columns).all(|row| row[column].is_nan());
+        let filled = (0..columns).rev().find(|&column| !is_empty(column)).map_or(0, |c| c + 1);
+        if filled + 1 == columns || (2..=3).contains(&filled) {
+            let mut index = 0;
+            self.values.retain(|_| {
+                index += 1;
+                (index - 1) % columns < filled
+            });
+            self.columns = filled;
+        }
+    }
+}
+
+fn is_comment(line: &str) -> bool {
+    let line = line.trim_start();
+    line.starts_with(['#', '%', '!']) && !line.starts_with("#N/A") || line.starts_with("//")
+}
+
+/// Separator and number of cells of a line that is a row of numbers or missing cells.
+fn row_shape(line: &str) -> Option<(Separator, usize)> {
+    let candidates: &[Separator] = if line.contains(';') {
+        &[Separator::Semicolon]
+    } else if line.contains('\t') {
+        &[Separator::Tab, Separator::Blank]
+    } else if line.contains(',') {
+        &[Separator::Comma, Separator::Blank]
+    } else {
+        &[Separator::Blank]
+    };
+    candidates.iter().copied().find_map(|separator| {
+        let (mut cells, mut is_row) = (0, true);
+        for text in separator.cells(line) {
+            cells += 1;
+            is_row &= cell(text, separator, &mut Marks::default()) != Cell::Other;
+            if !is_row {
+                return None;
+            }
+        }
+        (cells > 0).then_some((separator, cells))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(text: &str) -> Table<'_> {
+        Table::parse(text, Format::Text).unwrap()
+    }
+
+    #[test]
+    fn separators_and_decimal_marks() {
+        for text in [
+            "1.5 2\n3 4.25\n",
+            "1.5\t2\r\n3\t4.25",
+            "1.5,2\n3,4.25",
+            "1,5;2\n3;4,25",
+            "1,5 2\n3 4,25",
+            "  1.5,   2\n  3,   4.25\n",
+            "1.5;2;\n3;4.25;\n",
+            "1.5 2\r3 4.25\r\n\r\n",
+        ] {
+            let t = table(text);
+            assert_eq!((t.columns, &t.values[..]), (2, &[1.5, 2.0, 3.0, 4.25][..]), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn missing_cells_keep_their_place() {
+        let t = table(";;;\n1;;NaN;\n2;3;4;\n");
+        assert_eq!((t.rows(), t.columns), (3, 3)); // the last separator is no column
+        assert_eq!(t.values.iter().filter(|v| v.is_nan()).count(), 5);
+        assert_eq!(table("1\t\t3\n4\t5\t6\n").values.len(), 6);
+    }
+
+    #[test]
+    fn a_border_of_missing_points_is_kept() {
+        assert_eq!(table("1;;\n2;;\n").columns, 3);
+        assert_eq!(table("1;2;;\n2;3;;\n").columns, 2);
+    }
+
+    #[test]
+    fn header_ends_where_two_rows_agree() {
+        let t = table("Title 5\n23\num um\n1 2\n3 4\n");
+        assert_eq!(t.header.len(), 3);
+        assert_eq!(t.rows(), 2);
+    }
+
+    #[test]
+    fn wrong_rows_name_their_line() {
+        for (text, line) in [("1 2\n3 4\n5\n", "line 3"), ("1 2\n\n3 4\n5 x\n", "line 4")] {
+            let e = Table::parse(text, Format::Text).unwrap_err().to_string();
+            assert!(e.contains(line), "{e}");
+        }
+    }
+
+    #[test]
+    fn mixed_decimal_marks_are_refused() {
+        assert!(Table::parse("1,5;2.5\n1;2\n", Format::Text).is_err());
+    }
+
+    #[test]
+    fn encodings() {
+        let utf16: Vec<u8> =
+            "\u{feff}1 \u{b5}m".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        assert_eq!(decode(&utf16), "1 \u{b5}m");
+        assert_eq!(decode(b"1 \xb5m"), "1 \u{b5}m");
+        assert_eq!(decode("\u{feff}1 \u{b5}m".as_bytes()), "1 \u{b5}m");
+    }
+
+    #[test]
+    fn printed_precision() {
+        for (texts, largest, quantum) in [
+            (&["0.0", "0.2", "1499.8"][..], 1499.8, 0.1),
+            (&["4", "4.5", "9"], 9.0, 0.1),
+            (&["1.6655563e-08", "4.997e-05"], 4.997e-5, 1e-12),
+            (&["12", "7"], 12.0, 1.0),
+        ] {
+            let mut digits = Digits::NONE;
+            for text in texts {
+                digits.add(text);
+            }
+            assert!((digits.quantum(largest) / quantum - 1.0).abs() < 1e-9, "{texts:?}");
+        }
+    }
+}

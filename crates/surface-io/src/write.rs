@@ -1,0 +1,113 @@
+//! Files out: NPY and X3P.
+
+use contact_types::HeightMap;
+use std::io::{self, Write};
+
+/// Writes NPY: heights in metres, f64, shape `[ny, nx]`. The format has no place for the pixel
+/// size and the unit: reading it back needs `--pixel` and `--height-unit m`.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn npy(out: &mut impl Write, map: &HeightMap) -> io::Result<()> {
+    npy_array(out, map.grid().shape(), map.heights())
+}
+
+/// Writes any array of `shape = [ny, nx]` numbers as NPY, f64, little endian.
+///
+/// # Errors
+/// Whatever `out` reports; `InvalidInput` if the number of values is not `ny nx`.
+pub fn npy_array(out: &mut impl Write, [ny, nx]: [usize; 2], values: &[f64]) -> io::Result<()> {
+    if ny.checked_mul(nx) != Some(values.len()) {
+        let what = format!("{} values for {ny} x {nx} points", values.len());
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, what));
+    }
+    let mut header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({ny}, {nx}), }}");
+    // The data start at a multiple of 64 bytes.
+    while !(10 + header.len() + 1).is_multiple_of(64) {
+        header.push(' ');
+    }
+    header.push('\n');
+    let length = u16::try_from(header.len()).map_err(io::Error::other)?;
+    out.write_all(b"\x93NUMPY\x01\x00")?;
+    out.write_all(&length.to_le_bytes())?;
+    out.write_all(header.as_bytes())?;
+    numbers(out, values)
+}
+
+fn numbers(out: &mut impl Write, values: &[f64]) -> io::Result<()> {
+    let mut buffer = Vec::with_capacity(8 * 4096);
+    for chunk in values.chunks(4096) {
+        buffer.clear();
+        buffer.extend(chunk.iter().flat_map(|v| v.to_le_bytes()));
+        out.write_all(&buffer)?;
+    }
+    Ok(())
+}
+
+/// Writes X3P (ISO 25178-72): heights in metres as binary f64, increments in metres, checksums.
+/// Nothing is lost: reading it back gives the same bits.
+///
+/// `comment` goes into Record2. No date is written, so equal surfaces give equal files.
+///
+/// # Errors
+/// Whatever `out` reports.
+#[cfg(feature = "zip")]
+pub fn x3p(out: &mut (impl Write + io::Seek), map: &HeightMap, comment: &str) -> io::Result<()> {
+    use zip::write::SimpleFileOptions;
+
+    let mut data = Vec::with_capacity(8 * map.heights().len());
+    numbers(&mut data, map.heights())?;
+    let main = main_xml(map, comment, &format!("{:X}", md5::compute(&data)));
+    let checksum = format!("{:x} *main.xml\n", md5::compute(&main));
+
+    let mut archive = zip::ZipWriter::new(out);
+    let options = SimpleFileOptions::default()
+        .compression_method(zip::CompressionMethod::Deflated)
+        .large_file(data.len() > 1 << 31);
+    for (name, content) in [
+        ("main.xml", main.as_bytes()),
+        ("bindata/data.bin", &data),
+        ("md5checksum.hex", checksum.as_bytes()),
+    ] {
+        archive.start_file(name, options)?;
+        archive.write_all(content)?;
+    }
+    archive.finish()?;
+    Ok(())
+}
+
+#[cfg(feature = "zip")]
+fn main_xml(map: &HeightMap, comment: &str, checksum: &str) -> String {
+    let [ny, nx] = map.grid().shape();
+    let [dy, dx] = map.grid().pixel();
+    let comment = quick_xml::escape::escape(comment);
+    let version = env!("CARGO_PKG_VERSION");
+    // Increments: the shortest decimal that reads back to the same f64.
+    format!(
+        r#"<?xml version="1.0" encoding="UTF-8"?>
+<p:ISO5436_2 xmlns:p="http://www.opengps.eu/2008/ISO5436_2">
+  <Record1>
+    <Revision>ISO5436 - 2000</Revision>
+    <FeatureType>SUR</FeatureType>
+    <Axes>
+      <CX><AxisType>I</AxisType><DataType>D</DataType><Increment>{dx:e}</Increment><Offset>0</Offset></CX>
+      <CY><AxisType>I</AxisType><DataType>D</DataType><Increment>{dy:e}</Increment><Offset>0</Offset></CY>
+      <CZ><AxisType>A</AxisType><DataType>D</DataType><Increment>1</Increment><Offset>0</Offset></CZ>
+    </Axes>
+  </Record1>
+  <Record2>
+    <Date>1970-01-01T00:00:00</Date>
+    <Instrument><Manufacturer>rough-contact</Manufacturer><Model>surface-io</Model><Serial>not available</Serial><Version>{version}</Version></Instrument>
+    <CalibrationDate>1970-01-01T00:00:00</CalibrationDate>
+    <ProbingSystem><Type>Software</Type><Identification>not available</Identification></ProbingSystem>
+    <Comment>{comment}</Comment>
+  </Record2>
+  <Record3>
+    <MatrixDimension><SizeX>{nx}</SizeX><SizeY>{ny}</SizeY><SizeZ>1</SizeZ></MatrixDimension>
+    <DataLink><PointDataLink>bindata/data.bin</PointDataLink><MD5ChecksumPointData>{checksum}</MD5ChecksumPointData></DataLink>
+  </Record3>
+  <Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4>
+</p:ISO5436_2>
+"#
+    )
+}

@@ -1,0 +1,141 @@
+//! The sample surface of every format, made by code: 5 x 7 points, h = 1 nm ix + 100 nm iy, the
+//! point (1, 2) missing, pixel 2 um x 3 um. A flip, a transposition, a lost unit or a lost mask
+//! all show.
+#![allow(dead_code, unreachable_pub, reason = "every test file uses a part of it")]
+#![allow(clippy::unwrap_used, clippy::format_push_string, reason = "builds test input")]
+
+pub mod binary;
+
+use surface_io::{Measurement, ReadOptions};
+
+pub const NY: usize = 5;
+pub const NX: usize = 7;
+pub const DX: f64 = 2e-6;
+pub const DY: f64 = 3e-6;
+pub const MISSING: (usize, usize) = (1, 2);
+
+/// Height in nm.
+pub fn nanometres(iy: usize, ix: usize) -> f64 {
+    (ix + 100 * iy) as f64
+}
+
+/// All points, row-major; `missing` at the missing one.
+pub fn points(missing: f64) -> Vec<f64> {
+    let mut values = Vec::new();
+    for iy in 0..NY {
+        for ix in 0..NX {
+            values.push(if (iy, ix) == MISSING { missing } else { nanometres(iy, ix) });
+        }
+    }
+    values
+}
+
+/// One file of one format.
+pub struct Sample {
+    pub name: &'static str,
+    pub bytes: Vec<u8>,
+    pub options: ReadOptions,
+    /// The format has a mark for missing points.
+    pub can_miss: bool,
+    /// A prefix of a text file can be a sound smaller file.
+    pub is_text: bool,
+}
+
+impl Sample {
+    pub fn new(name: &'static str, bytes: Vec<u8>) -> Self {
+        let options = ReadOptions::default();
+        Self { name, bytes, options, can_miss: true, is_text: false }
+    }
+
+    pub fn text(name: &'static str, text: &str) -> Self {
+        Self { is_text: true, ..Self::new(name, text.as_bytes().to_vec()) }
+    }
+
+    pub fn complete(mut self) -> Self {
+        self.can_miss = false;
+        self
+    }
+
+    pub fn with_pixel(mut self) -> Self {
+        self.options.pixel = Some([DY, DX]);
+        self
+    }
+
+    pub fn with_unit(mut self, metres: f64) -> Self {
+        self.options.height_unit = Some(metres);
+        self
+    }
+}
+
+/// Panics unless `found` is the sample surface.
+pub fn assert_sample(name: &str, found: &Measurement, can_miss: bool) {
+    assert_eq!(found.grid().shape(), [NY, NX], "{name}: shape");
+    let [dy, dx] = found.grid().pixel();
+    assert!((dx / DX - 1.0).abs() < 1e-9, "{name}: dx = {dx:e}");
+    assert!((dy / DY - 1.0).abs() < 1e-9, "{name}: dy = {dy:e}");
+    assert_eq!(found.missing(), usize::from(can_miss), "{name}: missing");
+    let expected = points(if can_miss { f64::NAN } else { nanometres(1, 2) });
+    for (i, (h, e)) in found.heights().iter().zip(&expected).enumerate() {
+        let is_equal = (h.is_nan() && e.is_nan()) || (h - e * 1e-9).abs() < 1e-15;
+        assert!(is_equal, "{name}: row {}, column {}: {h:e}, not {e} nm", i / NX, i % NX);
+    }
+}
+
+/// Matrix in nm with a separator, decimal mark and mark for the missing point.
+fn matrix(separator: &str, comma: bool, missing: &str, end: &str) -> String {
+    let mut text = String::new();
+    for row in points(f64::NAN).chunks(NX) {
+        let cells: Vec<String> = row
+            .iter()
+            .map(|h| match (h.is_nan(), comma) {
+                (true, _) => missing.to_owned(),
+                (false, true) => format!("{h:.2}").replace('.', ","),
+                (false, false) => format!("{h:.2}"),
+            })
+            .collect();
+        text += &cells.join(separator);
+        text += end;
+    }
+    text
+}
+
+/// x y z in um, um, nm, with the missing point left out.
+fn list(order: fn(usize) -> (usize, usize)) -> String {
+    let mut text = String::from("X [um]\tY [um]\tZ [nm]\n");
+    for i in 0..NY * NX {
+        let (iy, ix) = order(i);
+        if (iy, ix) != MISSING {
+            let (x, y) = (10.0 + 2.0 * ix as f64, -4.0 + 3.0 * iy as f64);
+            text += &format!("{x}\t{y}\t{}\n", nanometres(iy, ix));
+        }
+    }
+    text
+}
+
+/// Every sample.
+pub fn samples() -> Vec<Sample> {
+    let header = "# Channel: Z\n# Width: 14 \u{b5}m\n# Height: 15 um\n# Value units: nm\n";
+    let mut latin1 = header.chars().map(|c| c as u8).collect::<Vec<u8>>();
+    latin1.extend(matrix("\t", false, "NaN", "\r\n").bytes());
+    let utf16: Vec<u8> = format!("\u{feff}{header}{}", matrix(";", true, "", "\n"))
+        .encode_utf16()
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    let mut samples = vec![
+        Sample::text("text, tabs", &format!("{header}{}", matrix("\t", false, "", "\n"))),
+        Sample::text("text, blanks", &format!("{header}{}", matrix("  ", false, "bad", "\r\n"))),
+        Sample::text("text, commas", &format!("{header}{}", matrix(",", false, "", ",\n"))),
+        Sample::text("text, semicolons", &matrix(";", true, "", "\n")).with_pixel().with_unit(1e-9),
+        Sample::text("text, decimal comma", &matrix(" ", true, "---", "\r"))
+            .with_pixel()
+            .with_unit(1e-9),
+        Sample { is_text: true, ..Sample::new("text, Latin-1", latin1) },
+        Sample { is_text: true, ..Sample::new("text, UTF-16", utf16) },
+        Sample::text("list, rows", &list(|i| (i / NX, i % NX))),
+        Sample::text("list, columns", &list(|i| (i % NY, i / NY))),
+        Sample::text("list, from the end", &list(|i| (NY - 1 - i / NX, NX - 1 - i % NX))),
+        Sample::text("list, any order", &list(|i| ((i * 12 % 35) / NX, (i * 12 % 35) % NX))),
+    ];
+    samples.extend(binary::samples());
+    samples
+}

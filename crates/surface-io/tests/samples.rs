@@ -1,0 +1,106 @@
+//! Every format gives the same surface, from bytes and from a file.
+
+mod common;
+
+use common::{assert_sample, samples};
+use surface_io::{Fill, FillError, ReadError, ReadOptions, read, read_bytes, read_channels_bytes};
+
+#[test]
+fn every_sample_is_read_right() {
+    for sample in samples() {
+        let found = read_bytes(&sample.bytes, &sample.options)
+            .unwrap_or_else(|e| panic!("{}: {e}", sample.name));
+        assert_sample(sample.name, &found, sample.can_miss);
+        let channels = read_channels_bytes(&sample.bytes, &sample.options.limits).unwrap();
+        assert_eq!(channels, found.channels(), "{}", sample.name);
+        assert!(!found.is_profile());
+    }
+}
+
+/// What the file does not say is asked for by name; what it says can be overridden.
+#[test]
+fn missing_scale_names_the_options() {
+    for sample in samples() {
+        let Err(error) = read_bytes(&sample.bytes, &ReadOptions::default()) else { continue };
+        assert!(matches!(error, ReadError::MissingScale { .. }), "{}: {error}", sample.name);
+        let text = error.to_string();
+        assert!(text.contains("--pixel DX[,DY]") && text.contains("--height-unit U"), "{text}");
+        assert!(text.contains("1001 points over 1 mm"), "{text}");
+    }
+    let text = b"# Width: 2 um\n# Height: 2 um\n# Value units: nm\n1 2\n3 4\n";
+    let mut options = ReadOptions::default();
+    options.height_unit = Some(1e-6);
+    let found = read_bytes(text, &options).unwrap();
+    assert_eq!(found.heights()[3].to_bits(), 4e-6f64.to_bits());
+    assert_eq!(found.metadata()["overridden height unit"], "nm");
+}
+
+#[test]
+fn fill_is_refused_with_the_way_out() {
+    let sample = &samples()[0];
+    let found = read_bytes(&sample.bytes, &sample.options).unwrap();
+    let error = found.clone().fill(Fill::Refuse).unwrap_err();
+    assert_eq!(error, FillError::Missing { missing: 1, points: 35, iy: 1, ix: 2 });
+    assert!(error.to_string().contains("--fill harmonic"));
+    // The surface is a plane, so the harmonic continuation is exact.
+    let filled = found.clone().fill(Fill::Harmonic).unwrap();
+    assert!((filled.at(1, 2) - 102e-9).abs() < 1e-18);
+    assert!((found.clone().fill(Fill::Nearest).unwrap().at(1, 2) - 101e-9).abs() < 1e-18);
+    // Away from the hole a crop is complete.
+    let part = found.crop([2, 1, 3, 4]).unwrap();
+    assert_eq!((part.missing(), part.grid().shape()), (0, [3, 4]));
+    assert!((part.fill(Fill::Refuse).unwrap().at(0, 0) - 201e-9).abs() < 1e-18);
+    for bad in [[0, 0, 0, 1], [0, 0, 6, 1], [4, 6, 1, 2], [usize::MAX, 0, 2, 2]] {
+        assert!(matches!(found.crop(bad), Err(ReadError::Crop { .. })));
+    }
+}
+
+#[test]
+fn profiles_know_their_spacing() {
+    let even = b"X_(microns),z [nm]\n0.0,1\n0.2,2\n0.3,3\n0.5,4\n0.6,5\n";
+    let found = read_bytes(even, &ReadOptions::default()).unwrap();
+    assert!(found.is_profile() && found.uneven().is_none());
+    assert!((found.grid().pixel()[1] - 0.15e-6).abs() < 1e-20); // range / (N - 1)
+    let uneven = b"x [um];z [nm];valid\n0.0;1;1\n1.0;2;0\n2.5;3;1\n3.0;4;1\n";
+    let found = read_bytes(uneven, &ReadOptions::default()).unwrap();
+    assert_eq!((found.missing(), found.grid().shape()), (1, [1, 4]));
+    assert!(matches!(found.fill(Fill::Nearest), Err(FillError::Uneven { .. })));
+    let falling = b"x [um]\tz [nm]\n3\t1\n2\t2\n1\t3\n";
+    let found = read_bytes(falling, &ReadOptions::default()).unwrap();
+    assert!((found.heights()[0] - 3e-9).abs() < 1e-20); // sorted by x
+}
+
+#[test]
+fn a_pixel_against_the_coordinates_is_refused() {
+    let list = b"0 0 1\n1 0 2\n0 2 3\n1 2 4\n0 4 5\n1 4 6\n";
+    let mut options = ReadOptions::default();
+    options.height_unit = Some(1.0);
+    options.pixel = Some([1e-6, 1e-6]);
+    let error = read_bytes(list, &options).unwrap_err();
+    assert!(matches!(error, ReadError::PixelContradicts { .. }), "{error}");
+    options.pixel = Some([2e-6, 1e-6]);
+    assert_eq!(read_bytes(list, &options).unwrap().grid().shape(), [3, 2]);
+}
+
+#[test]
+fn files_that_are_none() {
+    let options = ReadOptions::default();
+    assert!(matches!(read_bytes(b"", &options), Err(ReadError::Empty)));
+    assert!(matches!(read_bytes(b"\0\x01junk", &options), Err(ReadError::UnknownFormat { .. })));
+    assert!(matches!(read_bytes(b"no numbers", &options), Err(ReadError::UnknownFormat { .. })));
+    assert!(matches!(read_bytes(b"1\n2\n3\n", &options), Err(ReadError::Unsupported { .. })));
+    let here = env!("CARGO_MANIFEST_DIR");
+    let error = read(here, &options).unwrap_err().to_string();
+    assert!(error.contains("directory"), "{error}");
+    let error = read(format!("{here}/none.x3p"), &options).unwrap_err();
+    assert!(error.to_string().contains("none.x3p") && error.kind() == "io");
+    // Infinite heights are no marks for missing points in text.
+    let infinite = b"# Width: 2 um\n# Height: 2 um\n# Value units: nm\n1 inf\n3 4\n";
+    assert!(matches!(read_bytes(infinite, &options), Err(ReadError::Malformed { .. })));
+    for pixel in [[0.0, 1.0], [1.0, -1.0], [f64::NAN, 1.0], [f64::INFINITY, 1.0]] {
+        let mut options = ReadOptions::default();
+        options.pixel = Some(pixel);
+        let error = read_bytes(&samples()[0].bytes, &options).unwrap_err();
+        assert!(matches!(error, ReadError::BadOption { .. }), "{error}");
+    }
+}
