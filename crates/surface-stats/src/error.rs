@@ -1,0 +1,89 @@
+//! What can be wrong with a request for statistics.
+
+use contact_types::SurfaceError;
+use std::ops::RangeInclusive;
+
+/// Why there is no number.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StatsError {
+    /// The map has too few pixels along an axis for what was asked.
+    #[error(
+        "{what} needs at least {} x {} pixels; this map has {} x {}",
+        needed[0], needed[1], shape[0], shape[1]
+    )]
+    TooSmall {
+        /// What was asked for.
+        what: &'static str,
+        /// `[ny, nx]` of the map.
+        shape: [usize; 2],
+        /// The smallest `[ny, nx]` that has an answer.
+        needed: [usize; 2],
+    },
+    /// A length of the surface is so large or small that its moments leave the range of a double.
+    #[error(
+        "{quantity} = {value:e} m is outside {:e} to {:e} m, where moments can be computed: \
+         check the unit of heights and pixels",
+        domain.start(),
+        domain.end()
+    )]
+    OutOfRange {
+        /// Which length.
+        quantity: &'static str,
+        /// Its value (m).
+        value: f64,
+        /// What can be computed.
+        domain: RangeInclusive<f64>,
+    },
+    /// A setting makes no sense.
+    #[error("{setting} = {value:e}: {requirement}")]
+    BadSetting {
+        /// Its name.
+        setting: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        requirement: &'static str,
+    },
+    /// A range of wavelengths holds no, or too few, waves of the map.
+    #[error(
+        "{found} {what} between {:e} m and {:e} m, at least {needed} are needed: the map resolves \
+         wavelengths from {:e} m to {:e} m",
+        range[0], range[1], resolved[0], resolved[1]
+    )]
+    EmptyBand {
+        /// What was counted.
+        what: &'static str,
+        /// The wavelengths asked for (m).
+        range: [f64; 2],
+        /// The wavelengths the map has (m).
+        resolved: [f64; 2],
+        /// How many there are.
+        found: usize,
+        /// How many there must be.
+        needed: usize,
+    },
+    /// Two fields that belong together differ in size, or a field does not fit its grid.
+    #[error("{what}: expected {expected} values, found {found}")]
+    Shape {
+        /// Which fields.
+        what: &'static str,
+        /// Values needed.
+        expected: usize,
+        /// Values given.
+        found: usize,
+    },
+    /// Too few valid points to determine what was asked.
+    #[error("{what} needs at least {needed} valid points; {found} are valid")]
+    TooFewPoints {
+        /// What was asked for.
+        what: &'static str,
+        /// Points needed.
+        needed: usize,
+        /// Points found.
+        found: usize,
+    },
+    /// The surface itself cannot be built.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+}

@@ -1,0 +1,116 @@
+//! Height distribution.
+
+use contact_types::HeightMap;
+
+/// Parameters of the heights about their mean (ISO 25178-2:2021, 4.2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeightStatistics {
+    /// Mean height of the map (m), before anything is subtracted.
+    pub mean: f64,
+    /// Sq: root mean square height (m).
+    pub rms_height: f64,
+    /// Sa: mean absolute height (m).
+    pub mean_abs_height: f64,
+    /// Ssk: mean cube over Sq³ (-); 0 for a Gaussian. `None` for a flat map.
+    pub skewness: Option<f64>,
+    /// Sku: mean fourth power over Sq⁴ (-); 3 for a Gaussian. `None` for a flat map.
+    pub kurtosis: Option<f64>,
+    /// Sp: highest peak above the mean (m).
+    pub peak_height: f64,
+    /// Sv: deepest pit below the mean (m), as a positive number.
+    pub pit_depth: f64,
+}
+
+impl HeightStatistics {
+    /// Of all pixels, each with the same weight.
+    pub fn of(map: &HeightMap) -> Self {
+        let mean = map.mean();
+        let (low, high) = map.range();
+        let (peak_height, pit_depth) = ((high - mean).max(0.0), (mean - low).max(0.0));
+        let flat = Self {
+            mean,
+            rms_height: 0.0,
+            mean_abs_height: 0.0,
+            skewness: None,
+            kurtosis: None,
+            peak_height,
+            pit_depth,
+        };
+        let reach = peak_height.max(pit_depth);
+        if reach <= 0.0 {
+            return flat;
+        }
+        // In units of the largest deviation, so that fourth powers stay in range; row by row, so
+        // that a long sum loses no digits.
+        let nx = map.grid().shape()[1];
+        let mut sums = [0.0; 4];
+        let mut residue = 0.0;
+        for row in map.heights().chunks_exact(nx) {
+            let mut row_sums = [0.0; 5];
+            for h in row {
+                let z = (h - mean) / reach;
+                let square = z * z;
+                row_sums[0] += square;
+                row_sums[1] += z.abs();
+                row_sums[2] += square * z;
+                row_sums[3] += square * square;
+                row_sums[4] += z;
+            }
+            for (sum, row_sum) in sums.iter_mut().zip(row_sums) {
+                *sum += row_sum;
+            }
+            residue += row_sums[4];
+        }
+        let n = map.heights().len() as f64;
+        let [square, abs, cube, fourth] = sums.map(|s| s / n);
+        let residue = residue / n; // what rounding left of the mean
+        let variance = (square - residue * residue).max(0.0);
+        let rms = variance.sqrt();
+        Self {
+            rms_height: rms * reach,
+            mean_abs_height: abs * reach,
+            skewness: Some(cube / (variance * rms)),
+            kurtosis: Some(fourth / (variance * variance)),
+            ..flat
+        }
+    }
+
+    /// Sz = Sp + Sv: from the deepest pit to the highest peak (m).
+    pub fn peak_to_valley(&self) -> f64 {
+        self.peak_height + self.pit_depth
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use contact_types::Grid;
+
+    fn map(heights: Vec<f64>) -> HeightMap {
+        HeightMap::new(Grid::new([1, heights.len()], [1.0, 1.0]).unwrap(), heights).unwrap()
+    }
+
+    /// 0, 0, 0, 4: mean 1, variance 3, mean absolute deviation 3/2, third moment 6, fourth 21.
+    #[test]
+    fn four_points_by_hand_at_any_scale_and_offset() {
+        for (scale, offset) in [(1.0, 0.0), (1e-55, 0.0), (1e55, 0.0), (1.0, 1048576.0)] {
+            let s = HeightStatistics::of(&map([0.0, 0.0, 0.0, 4.0]
+                .iter()
+                .map(|h| offset + scale * h)
+                .collect()));
+            assert_relative_eq!(s.rms_height, scale * 3f64.sqrt(), max_relative = 1e-15);
+            assert_relative_eq!(s.mean_abs_height, scale * 1.5, max_relative = 1e-15);
+            let skewness = 6.0 / 3f64.powf(1.5);
+            assert_relative_eq!(s.skewness.unwrap(), skewness, max_relative = 1e-15);
+            assert_relative_eq!(s.kurtosis.unwrap(), 21.0 / 9.0, max_relative = 1e-15);
+            assert_relative_eq!(s.peak_to_valley(), 4.0 * scale, max_relative = 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_flat_map_has_no_shape() {
+        let s = HeightStatistics::of(&map(vec![1e6; 7]));
+        assert_eq!((s.rms_height, s.skewness, s.kurtosis), (0.0, None, None));
+    }
+}

@@ -1,0 +1,27 @@
+//! From a height map to the numbers that contact models need, and from a recipe to a height map.
+//!
+//! [`SurfaceStatistics::of`] answers most questions in one call; the parts are public beside it.
+//! Definitions, choices and their consequences are in the book, chapter "Surface statistics".
+
+mod differences;
+mod error;
+pub mod fractal;
+mod heights;
+mod level;
+pub mod polynomial;
+mod scale;
+pub mod spectrum;
+mod statistics;
+mod steps;
+mod summits;
+pub mod synthesis;
+mod warning;
+
+pub use differences::{Boundary, DirectionalMoments};
+pub use error::StatsError;
+pub use heights::HeightStatistics;
+pub use level::{Level, level};
+pub use statistics::{StatsOptions, SurfaceStatistics};
+pub use steps::height_step;
+pub use summits::Summits;
+pub use warning::Warning;

@@ -1,0 +1,339 @@
+//! The one call most users need.
+
+use crate::fractal::{self, PowerLaw};
+use crate::polynomial::Polynomial;
+use crate::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes};
+use crate::{
+    Boundary, DirectionalMoments, HeightStatistics, Level, StatsError, Summits, Warning, scale,
+    steps,
+};
+use contact_types::{AsperityStatistics, FractalParameters, HeightMap, SpectralMoments};
+
+/// How statistics are taken.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StatsOptions {
+    /// What is removed by least squares first. The mean is always taken off: `None` is the same
+    /// as `Mean` here.
+    pub level: Level,
+    /// What lies beyond the edges.
+    pub boundary: Boundary,
+    /// Shortest and longest wavelength of the fractal fit (m); by default from the cut-off to the
+    /// roll-off, as found.
+    pub fractal_range: Option<[f64; 2]>,
+    /// Points of the map that were filled in, as its reader counted; passed through.
+    pub missing: usize,
+}
+
+/// Everything a contact model can ask of a surface. SI units; absent where undefined.
+///
+/// ```
+/// use contact_types::Grid;
+/// use surface_stats::synthesis::{Scale, SelfAffine};
+/// use surface_stats::{Boundary, StatsOptions, SurfaceStatistics};
+///
+/// let map = SelfAffine {
+///     grid: Grid::new([256, 256], [1e-6, 1e-6])?,
+///     hurst: 0.8,
+///     rolloff: 32e-6,
+///     cutoff: 8e-6,
+///     scale: Scale::RmsHeight(0.5e-6),
+///     seed: 7,
+///     quantise: None,
+/// }
+/// .generate()?;
+/// let options = StatsOptions { boundary: Boundary::Periodic, ..StatsOptions::default() };
+/// let statistics = SurfaceStatistics::of(&map, &options)?;
+/// assert!((statistics.rms_height / 0.5e-6 - 1.0).abs() < 1e-12);
+/// assert!((statistics.hurst.unwrap() - 0.8).abs() < 0.1);
+/// assert!(statistics.warnings.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurfaceStatistics {
+    /// `[ny, nx]` of the map.
+    pub shape: [usize; 2],
+    /// `[dy, dx]` (m).
+    pub pixel: [f64; 2],
+    /// What was removed first.
+    pub level: Level,
+    /// What lies beyond the edges.
+    pub boundary: Boundary,
+    /// Points that were filled in.
+    pub missing: usize,
+    /// Sq (m).
+    pub rms_height: f64,
+    /// Sa (m).
+    pub mean_abs_height: f64,
+    /// Ssk (-); absent for a flat map.
+    pub skewness: Option<f64>,
+    /// Sku (-); absent for a flat map.
+    pub kurtosis: Option<f64>,
+    /// Sp, highest point above the mean (m).
+    pub peak_height: f64,
+    /// Sv, deepest point below the mean (m).
+    pub pit_depth: f64,
+    /// √(2 m2) by finite differences (-).
+    pub rms_gradient: f64,
+    /// Mean square height (m²).
+    pub m0: f64,
+    /// Mean of `m2_x` and `m2_y` (-).
+    pub m2: f64,
+    /// Mean of `m4_x` and `m4_y` (m⁻²).
+    pub m4: f64,
+    /// Mean square forward slope along x (-).
+    pub m2_x: f64,
+    /// Mean square forward slope along y (-).
+    pub m2_y: f64,
+    /// Mean square second difference along x (m⁻²).
+    pub m4_x: f64,
+    /// Mean square second difference along y (m⁻²).
+    pub m4_y: f64,
+    /// `Σ S` over the waves of the map as it repeats (m²).
+    pub m0_spectral: f64,
+    /// `½ Σ S q²` over the waves of the map as it repeats (-).
+    pub m2_spectral: f64,
+    /// `⅜ Σ S q⁴` over the waves of the map as it repeats (m⁻²).
+    pub m4_spectral: f64,
+    /// Nayak's αN = m0 m4 / m2² by finite differences (-); absent for a flat map.
+    pub bandwidth: Option<f64>,
+    /// Largest over smallest mean square slope over all directions (-); absent for a flat map
+    /// and where one direction has no slope at all.
+    pub anisotropy: Option<f64>,
+    /// Summits of an isotropic Gaussian surface with these m0, m2, m4.
+    pub asperities: Option<AsperityStatistics>,
+    /// Summits counted on the map.
+    pub summits: Summits,
+    /// Hurst exponent H from the slope -2 (1 + H) of the radial PSD over `fractal_range` (-).
+    pub hurst: Option<f64>,
+    /// Fractal dimension of a profile D = 2 - H (-).
+    pub dimension: Option<f64>,
+    /// Fractal roughness G of a profile, γ = 1.5 (see [`PowerLaw`]) (m); absent unless 1 < D < 2.
+    pub roughness: Option<f64>,
+    /// Wavelengths of the fractal fit, as used (m).
+    pub fractal_range: Option<[f64; 2]>,
+    /// Wavelength beyond which the PSD is flat (m); absent if the map shows none.
+    pub rolloff: Option<f64>,
+    /// 99.9 % of the gradient variance is at longer wavelengths (m); two pixels at least.
+    pub cutoff: Option<f64>,
+    /// B_max of the rows: largest mean amplitude over wavelength (-).
+    pub max_amplitude_ratio: f64,
+    /// Length of the rows, which B_max depends on (m).
+    pub record_length: f64,
+    /// Step of the heights given (m); absent if they are continuous.
+    pub height_step: Option<f64>,
+    /// What to know before using these numbers, worst first.
+    pub warnings: Vec<Warning>,
+}
+
+impl SurfaceStatistics {
+    /// Takes all statistics of a map. Needs the memory of two further copies of it.
+    ///
+    /// # Errors
+    /// [`StatsError::TooSmall`] below 3 x 3 pixels, [`StatsError::OutOfRange`] for heights or
+    /// pixels beyond what can be squared, [`StatsError::BadSetting`] for an empty fit range.
+    pub fn of(map: &HeightMap, options: &StatsOptions) -> Result<Self, StatsError> {
+        scale::check(map)?;
+        check_range(options.fractal_range)?;
+        let (grid, periodic) = (map.grid(), options.boundary == Boundary::Periodic);
+        let degree = options.level.degree().unwrap_or(0);
+        let form = Polynomial::fit(grid, map.heights(), degree.max(1))?;
+        let tilt = if degree == 0 && !periodic { form.explained(map.heights()) } else { 0.0 };
+        let form = if degree == 0 { Polynomial::fit(grid, map.heights(), 0)? } else { form };
+        let mut heights = map.heights().to_vec();
+        form.remove_from(&mut heights);
+        let surface = HeightMap::new(grid, heights)?;
+
+        let distribution = HeightStatistics::of(&surface);
+        let differences = DirectionalMoments::of(&surface, options.boundary)?;
+        let summits = Summits::of(&surface, options.boundary)?;
+        let amplitudes = amplitudes(&surface, Axis::X)?;
+        let edge_jump = edge_jump(&surface);
+
+        let power = PowerSpectrum::of_field(grid, surface.heights());
+        let (spectral, _) = power.moments();
+        let (rings, resolved) = if periodic {
+            (power.rings(), power.resolved_gradient())
+        } else {
+            drop(power);
+            let mut heights = surface.into_heights();
+            Window::Hann.apply(grid, &mut heights);
+            let power = PowerSpectrum::of_field(grid, &heights);
+            (power.rings(), power.resolved_gradient())
+        };
+
+        let [dy, dx] = grid.pixel();
+        let rms_height = distribution.rms_height;
+        let moments = differences.isotropic(rms_height * rms_height);
+        let (cutoff, rolloff) = scales(&rings, [dy, dx]);
+        let [ly, lx] = grid.size();
+        let range = options
+            .fractal_range
+            .or_else(|| cutoff.map(|short| [short, rolloff.unwrap_or(0.5 * ly.min(lx))]));
+        let radial = range.and_then(|r| fractal::fit_radial(&rings, r));
+        let fractal = radial.as_ref().map(PowerLaw::fractal_of_surface);
+
+        let mut statistics = Self {
+            shape: grid.shape(),
+            pixel: grid.pixel(),
+            level: options.level,
+            boundary: options.boundary,
+            missing: options.missing,
+            rms_height,
+            mean_abs_height: distribution.mean_abs_height,
+            skewness: distribution.skewness,
+            kurtosis: distribution.kurtosis,
+            peak_height: distribution.peak_height,
+            pit_depth: distribution.pit_depth,
+            rms_gradient: moments.rms_gradient(),
+            m0: moments.m0,
+            m2: moments.m2,
+            m4: moments.m4,
+            m2_x: differences.m2_x,
+            m2_y: differences.m2_y,
+            m4_x: differences.m4_x,
+            m4_y: differences.m4_y,
+            m0_spectral: spectral.m0,
+            m2_spectral: spectral.m2,
+            m4_spectral: spectral.m4,
+            bandwidth: Some(moments.bandwidth()).filter(|b| b.is_finite()),
+            anisotropy: differences.anisotropy().filter(|r| r.is_finite()),
+            asperities: AsperityStatistics::from_moments(moments),
+            summits,
+            hurst: radial.map(|fit| fit.hurst()),
+            dimension: fractal.map(|(dimension, _)| dimension),
+            roughness: fractal.and_then(|(_, g)| g).map(|g| g.roughness),
+            fractal_range: radial.and(range),
+            rolloff,
+            cutoff,
+            max_amplitude_ratio: amplitudes.max_amplitude_ratio(),
+            record_length: amplitudes.record_length(),
+            height_step: steps::height_step(map.heights()),
+            warnings: Vec::new(),
+        };
+        let (low, high) = map.range();
+        let spacing = f64::EPSILON * low.abs().max(high.abs());
+        let directional = differences.anisotropy();
+        statistics.warnings =
+            statistics.judge(tilt, spacing, edge_jump, directional, resolved.unwrap_or(1.0));
+        Ok(statistics)
+    }
+
+    /// m0, m2, m4 by finite differences.
+    pub fn moments(&self) -> SpectralMoments {
+        SpectralMoments { m0: self.m0, m2: self.m2, m4: self.m4 }
+    }
+
+    /// m0, m2, m4 by the spectrum of the map as it repeats.
+    pub fn moments_spectral(&self) -> SpectralMoments {
+        SpectralMoments { m0: self.m0_spectral, m2: self.m2_spectral, m4: self.m4_spectral }
+    }
+
+    /// D and G for the model of Majumdar and Bhushan; `None` unless 1 < D < 2.
+    pub fn fractal(&self) -> Option<FractalParameters> {
+        Some(FractalParameters { dimension: self.dimension?, roughness: self.roughness? })
+    }
+
+    /// Warnings, worst first. Limits after Nayak (1971) for the bandwidth; the others are choices
+    /// explained in the book, chapter "Surface statistics".
+    fn judge(
+        &self,
+        tilt: f64,
+        spacing: f64,
+        edge_jump: f64,
+        anisotropy: Option<f64>,
+        resolved: f64,
+    ) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        if self.rms_height <= 0.0 {
+            return vec![Warning::Flat];
+        }
+        if self.rms_height < 4.0 * spacing {
+            return vec![Warning::Rounding { rms_height: self.rms_height, spacing }];
+        }
+        if let Some(step) = self.height_step {
+            // Rounding to steps adds noise of variance Q²/12, of which forward slopes see
+            // 2/d² and second differences 6/d⁴ (white noise).
+            let noise = step * step / 12.0;
+            let [dy, dx] = self.pixel;
+            let m2_share = (noise * (1.0 / (dx * dx) + 1.0 / (dy * dy)) / self.m2).min(1.0);
+            let m4_share = (3.0 * noise * (dx.powi(-4) + dy.powi(-4)) / self.m4).min(1.0);
+            if m2_share > 1.0 / 12.0 || m4_share > 0.25 {
+                warnings.push(Warning::Stepped { step, m2_share, m4_share });
+            }
+        }
+        let Summits { plateaus, count: summits, .. } = self.summits;
+        if 10 * plateaus > summits {
+            warnings.push(Warning::FlatTops { plateaus, summits });
+        }
+        if tilt > 0.05 {
+            warnings.push(Warning::Tilted { explained: tilt });
+        }
+        if resolved < 0.94 {
+            warnings.push(Warning::Unresolved { ratio: resolved });
+        }
+        if let Some(ratio) = anisotropy.filter(|&r| r > 2.0) {
+            warnings.push(Warning::Anisotropic { ratio });
+        }
+        if let (Some(skewness), Some(kurtosis)) = (self.skewness, self.kurtosis)
+            && (skewness.abs() > 0.2 || (kurtosis - 3.0).abs() > 0.3)
+        {
+            warnings.push(Warning::NotGaussian { skewness, kurtosis });
+        }
+        if let Some(bandwidth) = self.bandwidth.filter(|&b| b < 1.5) {
+            warnings.push(Warning::NarrowBand { bandwidth });
+        }
+        if edge_jump > 3.0 {
+            warnings.push(Warning::EdgeJump { ratio: edge_jump });
+        }
+        let side = (self.shape[0] as f64 * self.pixel[0]).min(self.record_length);
+        match self.rolloff {
+            Some(rolloff) if side < 4.0 * rolloff => {
+                warnings.push(Warning::FewWaves { count: side / rolloff });
+            }
+            None if self.hurst.is_some() => warnings.push(Warning::NoRolloff),
+            _ => {}
+        }
+        if let Some(hurst) = self.hurst.filter(|h| !(0.0..=1.0).contains(h)) {
+            warnings.push(Warning::NotSelfAffine { hurst });
+        }
+        warnings
+    }
+}
+
+/// Cut-off and roll-off wavelength.
+fn scales(rings: &[Ring], [dy, dx]: [f64; 2]) -> (Option<f64>, Option<f64>) {
+    let cutoff = fractal::cutoff(rings, 2.0 * dy.min(dx));
+    let rolloff = cutoff.and_then(|short| fractal::rolloff(rings, short));
+    (cutoff, rolloff.map(|r| r.wavelength))
+}
+
+/// Rms difference across the seams between opposite edges over that of neighbours inside; 0 for
+/// a flat map.
+fn edge_jump(map: &HeightMap) -> f64 {
+    let [ny, nx] = map.grid().shape();
+    let across = |iy: usize, ix: usize, y: usize, x: usize| map.at(iy, ix) - map.at(y, x);
+    let (mut seam, mut inside) = (0.0, 0.0);
+    for iy in 0..ny {
+        seam += across(iy, 0, iy, nx - 1).powi(2);
+        inside += across(iy, nx / 2, iy, nx / 2 - 1).powi(2);
+    }
+    for ix in 0..nx {
+        seam += across(0, ix, ny - 1, ix).powi(2);
+        inside += across(ny / 2, ix, ny / 2 - 1, ix).powi(2);
+    }
+    if inside > 0.0 { (seam / inside).sqrt() } else { 0.0 }
+}
+
+fn check_range(range: Option<[f64; 2]>) -> Result<(), StatsError> {
+    let Some([short, long]) = range else { return Ok(()) };
+    let requirement = "wavelengths must be finite and greater than 0, the shorter one first";
+    for (setting, value, holds) in [
+        ("shortest wavelength of the fractal fit", short, short.is_finite() && short > 0.0),
+        ("longest wavelength of the fractal fit", long, long.is_finite() && long > short),
+    ] {
+        if !holds {
+            return Err(StatsError::BadSetting { setting, value, requirement });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,70 @@
+//! The height step of data stored as integers or in single precision.
+
+/// Heights looked at; enough to see a step, few enough to sort at no cost.
+const SAMPLE: usize = 100_000;
+
+/// The step that all heights are multiples of (from the lowest), or `None` if there is none.
+///
+/// Sorted distinct heights must lie whole multiples of their smallest distance apart, each to
+/// 5 % of it; with four heights or more, some of them repeated, or sixteen or more, this does not
+/// happen by chance. NaN is skipped.
+pub fn height_step(heights: &[f64]) -> Option<f64> {
+    let stride = heights.len().div_ceil(SAMPLE).max(1);
+    let mut sample: Vec<f64> =
+        heights.iter().step_by(stride).copied().filter(|h| h.is_finite()).collect();
+    sample.sort_unstable_by(f64::total_cmp);
+    let points = sample.len();
+    // Two computations of one integer may differ in the last bits.
+    let magnitude = sample.first()?.abs().max(sample.last()?.abs());
+    let rounding = 2.0 * f64::EPSILON * magnitude;
+    sample.dedup_by(|b, a| *b - *a <= rounding);
+    let distinct = sample.len();
+    if distinct < 4 || (distinct < 16 && 2 * distinct > points) {
+        return None;
+    }
+    let gaps = || sample.windows(2).map(|z| z[1] - z[0]);
+    let smallest = gaps().fold(f64::INFINITY, f64::min);
+    let whole = |gap: f64| {
+        let steps = gap / smallest;
+        ((steps - steps.round()).abs() <= 0.05 + 0.01 * steps).then(|| steps.round())
+    };
+    let steps: Option<f64> = gaps().map(whole).sum();
+    let step = (sample[distinct - 1] - sample[0]) / steps?;
+    // Once more with the average step, whose error no longer grows with the gap.
+    let fits = |gap: f64| (gap / step - (gap / step).round()).abs() <= 0.05;
+    (gaps().all(fits) && step > rounding).then_some(step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn wavy(n: usize) -> impl Iterator<Item = f64> {
+        (0..n).map(|i| 1e-6 * ((i as f64 * 0.37).sin() + 0.6 * (i as f64 * 0.011).cos()))
+    }
+
+    #[test]
+    fn finds_steps_with_and_without_offset() {
+        for offset in [0.0, 76e-3, -1.0] {
+            let stepped: Vec<f64> =
+                wavy(20_000).map(|h| offset + (h / 10e-9).round() * 10e-9).collect();
+            assert_relative_eq!(height_step(&stepped).unwrap(), 10e-9, max_relative = 1e-6);
+        }
+    }
+
+    #[test]
+    fn finds_the_spacing_of_single_precision() {
+        let stored: Vec<f64> = wavy(20_000).map(|h| f64::from((76e-3 + h) as f32)).collect();
+        assert_relative_eq!(height_step(&stored).unwrap(), 0.0625 / 8388608.0, max_relative = 1e-9);
+    }
+
+    #[test]
+    fn continuous_flat_and_tiny_maps_have_none() {
+        assert_eq!(height_step(&wavy(20_000).collect::<Vec<_>>()), None);
+        assert_eq!(height_step(&[0.5; 100]), None);
+        assert_eq!(height_step(&[0.0, 1.0, f64::NAN]), None);
+        assert_eq!(height_step(&[f64::NAN]), None);
+        assert_eq!(height_step(&[]), None);
+    }
+}

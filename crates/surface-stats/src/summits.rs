@@ -1,0 +1,210 @@
+//! Summits counted on the map.
+
+use crate::{Boundary, StatsError};
+use contact_types::HeightMap;
+
+/// Summits found pixel by pixel.
+///
+/// A *summit* is a pixel higher than all its eight neighbours. A *plateau* is a connected patch
+/// of two or more pixels of exactly equal height (eight neighbours) with nothing higher and
+/// something lower around it. On data stored in steps the flat tops are plateaus; they are
+/// counted apart, because neither their height nor their curvature is known to better than a
+/// step, and because their number depends on the step and not on the surface. On an open map the
+/// outermost pixels are never summits, and a plateau that reaches them is not counted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summits {
+    /// Number of summits.
+    pub count: usize,
+    /// Summits per area of the pixels that could be one (m⁻²).
+    pub density: f64,
+    /// Mean height of the summits above the mean plane (m); `None` without a summit.
+    pub height_mean: Option<f64>,
+    /// Standard deviation of the summit heights (of all, not of a sample) (m).
+    pub height_std: Option<f64>,
+    /// Mean of `-(d²z/dx² + d²z/dy²)/2` at the summits by second differences (m⁻¹).
+    pub curvature_mean: Option<f64>,
+    /// Number of flat tops, not contained in `count`.
+    pub plateaus: usize,
+}
+
+impl Summits {
+    /// Counts on a map whose heights are distances from its mean plane.
+    ///
+    /// # Errors
+    /// [`StatsError::TooSmall`] below 3 x 3 pixels.
+    pub fn of(map: &HeightMap, boundary: Boundary) -> Result<Self, StatsError> {
+        let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
+        if ny < 3 || nx < 3 {
+            let what = "a pixel with eight neighbours";
+            return Err(StatsError::TooSmall { what, shape: [ny, nx], needed: [3, 3] });
+        }
+        let around = Neighbours { map, boundary };
+        let rim = usize::from(boundary == Boundary::Open);
+        let (rows, columns) = (rim..ny - rim, rim..nx - rim);
+        let candidates = rows.len() * columns.len();
+        let mut found = Vec::new(); // (height, curvature)
+        let mut flat = Vec::new(); // pixels with an equal and no higher neighbour
+        for iy in rows {
+            for ix in columns.clone() {
+                match around.standing(iy, ix) {
+                    Standing::Highest => {
+                        let [z, left, right, up, down] = around.cross(iy, ix);
+                        let zxx = (right - z - (z - left)) / (dx * dx);
+                        let zyy = (down - z - (z - up)) / (dy * dy);
+                        found.push((z, -0.5 * (zxx + zyy)));
+                    }
+                    Standing::Level => flat.push(iy * nx + ix),
+                    Standing::Lower => {}
+                }
+            }
+        }
+        let n = found.len() as f64;
+        let mean = |f: &dyn Fn(&(f64, f64)) -> f64| {
+            (!found.is_empty()).then(|| found.iter().map(f).sum::<f64>() / n)
+        };
+        let height_mean = mean(&|s| s.0);
+        let height_std = height_mean.and_then(|m| mean(&|s| (s.0 - m) * (s.0 - m)).map(f64::sqrt));
+        Ok(Self {
+            count: found.len(),
+            density: n / (candidates as f64 * dy * dx),
+            height_mean,
+            height_std,
+            curvature_mean: mean(&|s| s.1),
+            plateaus: around.count_plateaus(&flat),
+        })
+    }
+}
+
+enum Standing {
+    /// Higher than all eight neighbours.
+    Highest,
+    /// None is higher, at least one is equal.
+    Level,
+    /// At least one is higher.
+    Lower,
+}
+
+struct Neighbours<'a> {
+    map: &'a HeightMap,
+    boundary: Boundary,
+}
+
+impl Neighbours<'_> {
+    /// Indices of the pixels around (iy, ix): eight, fewer on the rim of an open map.
+    fn around(&self, iy: usize, ix: usize) -> impl Iterator<Item = usize> {
+        let [ny, nx] = self.map.grid().shape();
+        let periodic = self.boundary == Boundary::Periodic;
+        let step = move |i: usize, d: usize, n: usize| match (i + d, periodic) {
+            (0, true) => Some(n - 1),
+            (0, false) => None,
+            (j, true) if j == n + 1 => Some(0),
+            (j, false) if j == n + 1 => None,
+            (j, _) => Some(j - 1),
+        };
+        (0..9)
+            .filter(|&k| k != 4)
+            .filter_map(move |k| Some(step(iy, k / 3, ny)? * nx + step(ix, k % 3, nx)?))
+    }
+
+    fn standing(&self, iy: usize, ix: usize) -> Standing {
+        let z = self.map.at(iy, ix);
+        let mut equal = false;
+        for other in self.around(iy, ix) {
+            let h = self.map.heights()[other];
+            if h > z {
+                return Standing::Lower;
+            }
+            equal |= h >= z;
+        }
+        if equal { Standing::Level } else { Standing::Highest }
+    }
+
+    /// Heights of the pixel and of its left, right, upper and lower neighbours.
+    fn cross(&self, iy: usize, ix: usize) -> [f64; 5] {
+        let [ny, nx] = self.map.grid().shape();
+        let at = |y: usize, x: usize| self.map.at(y % ny, x % nx);
+        [at(iy, ix), at(iy, ix + nx - 1), at(iy, ix + 1), at(iy + ny - 1, ix), at(iy + 1, ix)]
+    }
+
+    /// Plateaus among pixels that have an equal and no higher neighbour.
+    fn count_plateaus(&self, flat: &[usize]) -> usize {
+        if flat.is_empty() || self.map.is_flat() {
+            return 0;
+        }
+        let ([ny, nx], heights) = (self.map.grid().shape(), self.map.heights());
+        let mut seen = vec![false; heights.len()];
+        let mut pending = Vec::new();
+        let mut plateaus = 0;
+        for &start in flat {
+            if seen[start] {
+                continue;
+            }
+            seen[start] = true;
+            pending.push(start);
+            let mut is_top = true;
+            while let Some(pixel) = pending.pop() {
+                let (iy, ix) = (pixel / nx, pixel % nx);
+                let on_rim = iy == 0 || ix == 0 || iy + 1 == ny || ix + 1 == nx;
+                is_top &= self.boundary == Boundary::Periodic || !on_rim;
+                for other in self.around(iy, ix) {
+                    is_top &= heights[other] <= heights[pixel];
+                    #[expect(clippy::float_cmp, reason = "a plateau is of exactly equal heights")]
+                    let equal = heights[other] == heights[pixel];
+                    if equal && !seen[other] {
+                        seen[other] = true;
+                        pending.push(other);
+                    }
+                }
+            }
+            plateaus += usize::from(is_top);
+        }
+        plateaus
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use contact_types::Grid;
+
+    fn map(nx: usize, rows: &[&str]) -> HeightMap {
+        let heights =
+            rows.iter().flat_map(|r| r.bytes().map(|b| f64::from(b - b'0'))).collect::<Vec<_>>();
+        HeightMap::new(Grid::new([heights.len() / nx, nx], [2.0, 1.0]).unwrap(), heights).unwrap()
+    }
+
+    #[test]
+    fn peaks_plateaus_and_shoulders_by_hand() {
+        let m = map(
+            8,
+            &[
+                "90000000", // a rim pixel: no summit on an open map
+                "00300220", // a peak; a plateau of two
+                "00000000", //
+                "04400000", // equal pixels beside a higher one: a shoulder
+                "00500011", // a peak; a plateau that reaches the rim
+                "00000000",
+            ],
+        );
+        let open = Summits::of(&m, Boundary::Open).unwrap();
+        assert_eq!((open.count, open.plateaus), (2, 1));
+        assert_relative_eq!(open.density, 2.0 / (4.0 * 6.0 * 2.0));
+        assert_relative_eq!(open.height_mean.unwrap(), 4.0);
+        assert_relative_eq!(open.height_std.unwrap(), 1.0);
+        // Peak 3: zxx = -6, zyy = -6/4. Peak 5: zxx = -10, zyy = (4 + 0 - 10)/4.
+        assert_relative_eq!(open.curvature_mean.unwrap(), 4.75);
+        let periodic = Summits::of(&m, Boundary::Periodic).unwrap();
+        assert_eq!((periodic.count, periodic.plateaus), (3, 2));
+        assert_relative_eq!(periodic.density, 3.0 / 96.0);
+    }
+
+    #[test]
+    fn a_flat_map_has_neither() {
+        let flat = map(4, &["1111", "1111", "1111"]);
+        for boundary in [Boundary::Open, Boundary::Periodic] {
+            let s = Summits::of(&flat, boundary).unwrap();
+            assert_eq!((s.count, s.plateaus, s.height_mean, s.curvature_mean), (0, 0, None, None));
+        }
+    }
+}

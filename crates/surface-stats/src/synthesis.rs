@@ -1,0 +1,193 @@
+//! Random self-affine surfaces from a recipe and a seed.
+
+use crate::StatsError;
+use crate::spectrum::PowerSpectrum;
+use contact_types::{Grid, HeightMap};
+use grid_fft::GridFft;
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+use std::f64::consts::TAU;
+
+/// What fixes the height of the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Scale {
+    /// Rms height of the map (m).
+    RmsHeight(f64),
+    /// Rms gradient of the map by its spectrum (-).
+    RmsGradient(f64),
+}
+
+/// Recipe of a periodic Gaussian surface with the isotropic PSD
+///
+/// ```math
+/// C(q) \propto \begin{cases} 1 & q \le q_0 \\ (q/q_0)^{-2(1+H)} & q_0 < q \le q_1 \\
+/// 0 & q > q_1 \end{cases} \qquad q_0 = \frac{2\pi}{\text{rolloff}}, \quad
+/// q_1 = \frac{2\pi}{\text{cutoff}}
+/// ```
+///
+/// White Gaussian noise is filtered, so that phases and amplitudes of the waves are random; the
+/// map is then scaled to have exactly the rms height or gradient asked for. The same recipe
+/// gives the same map with every version and on every machine up to the last digits of `sin`,
+/// `cos` and `ln`.
+///
+/// ```
+/// use contact_types::Grid;
+/// use surface_stats::synthesis::{Scale, SelfAffine};
+///
+/// let recipe = SelfAffine {
+///     grid: Grid::new([128, 128], [1e-6, 1e-6])?,
+///     hurst: 0.8,
+///     rolloff: 32e-6,
+///     cutoff: 4e-6,
+///     scale: Scale::RmsHeight(0.5e-6),
+///     seed: 1,
+///     quantise: None,
+/// };
+/// let map = recipe.generate()?;
+/// let rms = (map.heights().iter().map(|h| h * h).sum::<f64>() / 128f64.powi(2)).sqrt();
+/// assert!((rms / 0.5e-6 - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SelfAffine {
+    /// Pixels of the map.
+    pub grid: Grid,
+    /// Hurst exponent H, 0 to 1 (-).
+    pub hurst: f64,
+    /// Wavelength beyond which the PSD is flat (m); longer than the map: a power law throughout.
+    pub rolloff: f64,
+    /// Shortest wavelength (m), at least two pixels.
+    pub cutoff: f64,
+    /// What fixes the height.
+    pub scale: Scale,
+    /// Another seed, another map.
+    pub seed: u64,
+    /// Step the heights are rounded to (m), as instruments do; rms height and gradient then
+    /// differ a little from those asked for.
+    pub quantise: Option<f64>,
+}
+
+impl SelfAffine {
+    /// Makes the map. Its mean is zero before rounding to steps.
+    ///
+    /// # Errors
+    /// [`StatsError::BadSetting`] for a setting out of its range, [`StatsError::EmptyBand`] if no
+    /// wave of the map is longer than the cut-off.
+    pub fn generate(&self) -> Result<HeightMap, StatsError> {
+        self.check()?;
+        let mut heights = self.white_noise();
+        let mut fft = GridFft::new(self.grid.shape());
+        let mut waves = fft.new_spectrum();
+        fft.forward(&heights, &mut waves);
+        let nq = fft.spectrum_shape()[1];
+        let mut kept = 0;
+        for (i, wave) in waves.iter_mut().enumerate() {
+            let filter = self.filter(self.grid.wavenumber(i / nq, i % nq));
+            *wave *= filter;
+            kept += usize::from(filter > 0.0);
+        }
+        if kept == 0 {
+            let [dy, dx] = self.grid.pixel();
+            let [ly, lx] = self.grid.size();
+            return Err(StatsError::EmptyBand {
+                what: "waves",
+                range: [self.cutoff, f64::INFINITY],
+                resolved: [2.0 * dy.min(dx), ly.max(lx)],
+                found: 0,
+                needed: 1,
+            });
+        }
+        fft.inverse(&mut waves, &mut heights);
+        drop(waves);
+
+        let (moments, _) = PowerSpectrum::of_field(self.grid, &heights).moments();
+        let factor = match self.scale {
+            Scale::RmsHeight(rms) => rms / moments.rms_height(),
+            Scale::RmsGradient(gradient) => gradient / moments.rms_gradient(),
+        };
+        for h in &mut heights {
+            *h *= factor;
+        }
+        if let Some(step) = self.quantise {
+            for h in &mut heights {
+                *h = (*h / step).round() * step;
+            }
+        }
+        Ok(HeightMap::new(self.grid, heights)?)
+    }
+
+    /// Square root of the PSD, 1 on its plateau.
+    fn filter(&self, q: f64) -> f64 {
+        let (q0, q1) = (TAU / self.rolloff, TAU / self.cutoff);
+        // A wave exactly at the cut-off belongs to the surface whatever its last digit says.
+        if q <= 0.0 || q > q1 * (1.0 + 1e-12) {
+            0.0
+        } else {
+            (q / q0).max(1.0).powf(-(1.0 + self.hurst))
+        }
+    }
+
+    /// Independent normal deviates by Box and Muller's transform of a PCG generator, whose stream
+    /// is fixed by its definition (O'Neill 2014) and not by a library's choice.
+    fn white_noise(&self) -> Vec<f64> {
+        let mut generator = Pcg64::new(u128::from(self.seed), 0x0073_7572_6661_6365);
+        // (0, 1]: the 53 leading bits, plus one so that the logarithm exists.
+        let mut uniform =
+            || ((generator.next_u64() >> 11) + 1) as f64 * (0.5 / (1u64 << 52) as f64);
+        let mut noise = Vec::with_capacity(self.grid.len() + 1);
+        while noise.len() < self.grid.len() {
+            let radius = (-2.0 * uniform().ln()).sqrt();
+            let (sin, cos) = (TAU * uniform()).sin_cos();
+            noise.push(radius * cos);
+            noise.push(radius * sin);
+        }
+        noise.truncate(self.grid.len());
+        noise
+    }
+
+    fn check(&self) -> Result<(), StatsError> {
+        let [dy, dx] = self.grid.pixel();
+        let (scale, value) = match self.scale {
+            Scale::RmsHeight(rms) => ("rms height", rms),
+            Scale::RmsGradient(gradient) => ("rms gradient", gradient),
+        };
+        let positive = "must be finite and greater than 0";
+        let usable = |x: f64| x.is_normal() && x > 0.0;
+        let rules = [
+            (
+                "Hurst exponent",
+                self.hurst,
+                (0.0..=1.0).contains(&self.hurst),
+                "must lie between 0 and 1",
+            ),
+            ("roll-off wavelength", self.rolloff, usable(self.rolloff), positive),
+            ("cut-off wavelength", self.cutoff, usable(self.cutoff), positive),
+            (
+                "cut-off wavelength",
+                self.cutoff,
+                self.cutoff >= 2.0 * dy.max(dx) * (1.0 - 1e-12),
+                "must be at least two pixels along both axes: take smaller pixels or a longer \
+                 cut-off",
+            ),
+            (
+                "roll-off wavelength",
+                self.rolloff,
+                self.rolloff >= self.cutoff,
+                "must not be shorter than the cut-off wavelength",
+            ),
+            (scale, value, usable(value), positive),
+            (
+                "height step",
+                self.quantise.unwrap_or(1.0),
+                self.quantise.is_none_or(usable),
+                positive,
+            ),
+        ];
+        match rules.into_iter().find(|(_, _, holds, _)| !holds) {
+            Some((setting, value, _, requirement)) => {
+                Err(StatsError::BadSetting { setting, value, requirement })
+            }
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! No map gives NaN: a typed error or finite values, at every extreme.
+#![allow(clippy::unwrap_used, reason = "a test that cannot set up its case must fail")]
+
+use contact_types::{Grid, HeightMap};
+use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, Warning};
+
+fn ripple(iy: usize, ix: usize) -> f64 {
+    (0.9 * iy as f64).sin() + (1.7 * ix as f64 + 0.3 * iy as f64).cos()
+}
+
+fn map(shape: [usize; 2], pixel: [f64; 2], height: impl Fn(usize, usize) -> f64) -> HeightMap {
+    let heights = (0..shape[0] * shape[1]).map(|i| height(i / shape[1], i % shape[1])).collect();
+    HeightMap::new(Grid::new(shape, pixel).unwrap(), heights).unwrap()
+}
+
+fn numbers(s: &SurfaceStatistics) -> Vec<f64> {
+    let a = s.asperities;
+    let optional = [
+        s.skewness,
+        s.kurtosis,
+        s.bandwidth,
+        s.anisotropy,
+        a.map(|a| a.density),
+        a.map(|a| a.radius),
+        a.map(|a| a.height_std),
+        a.map(|a| a.mean_offset),
+        s.summits.height_mean,
+        s.summits.height_std,
+        s.summits.curvature_mean,
+        s.hurst,
+        s.dimension,
+        s.roughness,
+        s.rolloff,
+        s.cutoff,
+        s.height_step,
+    ];
+    let mut all = vec![
+        s.rms_height,
+        s.mean_abs_height,
+        s.peak_height,
+        s.pit_depth,
+        s.rms_gradient,
+        s.m0,
+        s.m2,
+        s.m4,
+        s.m2_x,
+        s.m2_y,
+        s.m4_x,
+        s.m4_y,
+        s.m0_spectral,
+        s.m2_spectral,
+        s.m4_spectral,
+        s.summits.density,
+        s.max_amplitude_ratio,
+        s.record_length,
+    ];
+    all.extend(optional.into_iter().flatten());
+    all.extend(s.fractal_range.into_iter().flatten());
+    all
+}
+
+fn all_finite(m: &HeightMap) -> SurfaceStatistics {
+    let mut last = None;
+    for boundary in [Boundary::Open, Boundary::Periodic] {
+        for level in [Level::None, Level::Mean, Level::Plane, Level::Quadratic] {
+            let options = StatsOptions { level, boundary, ..StatsOptions::default() };
+            let s = SurfaceStatistics::of(m, &options).unwrap();
+            for (i, x) in numbers(&s).iter().enumerate() {
+                assert!(x.is_finite(), "number {i} is {x} ({boundary}, {level})");
+            }
+            for warning in &s.warnings {
+                let text = warning.to_string();
+                assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+            }
+            last = Some(s);
+        }
+    }
+    last.unwrap()
+}
+
+#[test]
+fn flat_surfaces_are_answered() {
+    for height in [0.0, 76e-3, -1e6, 1e300] {
+        for shape in [[3, 3], [3, 40], [17, 16]] {
+            let s = all_finite(&map(shape, [1e-6, 2e-6], |_, _| height));
+            assert_eq!((s.rms_height, s.m2, s.m4, s.bandwidth), (0.0, 0.0, 0.0, None));
+            assert_eq!(s.warnings, [Warning::Flat]);
+            assert!(s.asperities.is_none() && s.hurst.is_none() && s.cutoff.is_none());
+        }
+    }
+}
+
+/// A tilted plane is flat after levelling, and says that what is left is rounding.
+#[test]
+fn a_tilted_plane_is_flat_once_levelled() {
+    let m = map([33, 47], [1e-6, 1e-6], |iy, ix| 76e-3 + 1e-7 * iy as f64 + 3e-7 * ix as f64);
+    let options = StatsOptions { level: Level::Plane, ..StatsOptions::default() };
+    let s = SurfaceStatistics::of(&m, &options).unwrap();
+    assert!(matches!(s.warnings[..], [Warning::Rounding { .. } | Warning::Flat]));
+    all_finite(&m);
+}
+
+/// A million metres under a micrometre of relief: the relief that the doubles still hold.
+#[test]
+fn a_large_offset_costs_only_its_own_digits() {
+    let low = all_finite(&map([40, 50], [1e-6, 1e-6], |iy, ix| 1e-6 * ripple(iy, ix)));
+    let high = all_finite(&map([40, 50], [1e-6, 1e-6], |iy, ix| 1e6 + 1e-6 * ripple(iy, ix)));
+    assert!((high.rms_height / low.rms_height - 1.0).abs() < 1e-4);
+}
+
+/// Same numbers in any unit, from 1e-50 m to 1e50 m of height and pixel.
+#[test]
+fn scales_with_its_units() {
+    let base = all_finite(&map([24, 31], [1.5, 1.0], ripple));
+    for (z, l) in [(1e-50, 1.0), (1e50, 1.0), (1e-9, 1e-25), (1e-9, 1e25), (1e-20, 1e-20)] {
+        let s = all_finite(&map([24, 31], [1.5 * l, l], |iy, ix| z * ripple(iy, ix)));
+        let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a:e} {b:e}");
+        same(s.rms_height, z * base.rms_height);
+        same(s.rms_gradient, z / l * base.rms_gradient);
+        same(s.m4.sqrt(), z / l / l * base.m4.sqrt());
+        same(s.bandwidth.unwrap(), base.bandwidth.unwrap());
+        same(s.asperities.unwrap().radius, l / z * l * base.asperities.unwrap().radius);
+        assert_eq!(s.summits.count, base.summits.count);
+    }
+}
+
+#[test]
+fn what_cannot_be_answered_is_refused_with_the_limit() {
+    for shape in [[1, 100], [2, 100], [100, 1], [1, 1]] {
+        let error =
+            SurfaceStatistics::of(&map(shape, [1.0, 1.0], ripple), &StatsOptions::default());
+        assert!(matches!(error, Err(StatsError::TooSmall { needed: [3, 3], .. })), "{shape:?}");
+    }
+    for (z, l) in
+        [(1e-70, 1.0), (1e70, 1.0), (1e-300, 1.0), (1e307, 1.0), (1.0, 1e-40), (1.0, 1e40)]
+    {
+        let error = SurfaceStatistics::of(
+            &map([5, 5], [l, l], |iy, ix| z * ripple(iy, ix)),
+            &StatsOptions::default(),
+        );
+        assert!(matches!(error, Err(StatsError::OutOfRange { .. })), "{z:e} {l:e}");
+    }
+    for range in [[0.0, 1.0], [2.0, 1.0], [f64::NAN, 1.0], [1.0, f64::INFINITY]] {
+        let options = StatsOptions { fractal_range: Some(range), ..StatsOptions::default() };
+        let error = SurfaceStatistics::of(&map([5, 5], [1.0, 1.0], ripple), &options);
+        assert!(matches!(error, Err(StatsError::BadSetting { .. })), "{range:?}");
+    }
+}
