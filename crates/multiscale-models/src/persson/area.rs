@@ -1,0 +1,125 @@
+//! Real area by Persson's law, its inverse, and the area seen at a magnification.
+
+use super::{AreaLaw, MODEL, Persson, reduced_diffusion};
+use crate::require;
+use crate::special::{erf, erf_inv, erfc, erfc_inv};
+use crate::wide::Wide;
+use contact_types::ModelError;
+
+impl Persson {
+    /// Real area fraction `A/A_0 = erf(p / (E* sqrt(m2)))` \[-\] at nominal pressure `p` \[Pa\].
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the pressure is negative or not finite.
+    pub fn area_fraction(&self, pressure: f64) -> Result<f64, ModelError> {
+        Ok(erf(self.area_argument(pressure)?))
+    }
+
+    /// Fraction of the nominal area out of contact, `1 - A/A_0 = erfc(p / (E* sqrt(m2)))` \[-\].
+    /// Near full contact it has the digits that `1 - area_fraction` has lost.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the pressure is negative or not finite.
+    pub fn open_fraction(&self, pressure: f64) -> Result<f64, ModelError> {
+        Ok(erfc(self.area_argument(pressure)?))
+    }
+
+    /// The nominal pressure \[Pa\] at which the area fraction is `area_fraction`.
+    ///
+    /// ```math
+    /// p = E^* \sqrt{m_2}\, \operatorname{erf}^{-1}\frac{A}{A_0}
+    /// ```
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless `0 <= area_fraction <= 1`;
+    /// [`ModelError::OutsideDomain`] for an area of 1, which no finite pressure reaches, and for
+    /// any other area but 0 of a flat surface.
+    pub fn pressure_at_area(&self, area_fraction: f64) -> Result<f64, ModelError> {
+        require::fraction(MODEL, "area fraction", area_fraction)?;
+        self.pressure_at_argument(erf_inv(area_fraction), area_fraction)
+    }
+
+    /// The nominal pressure \[Pa\] at which the fraction out of contact, `1 - A/A_0`, is
+    /// `open_fraction`. Use it near full contact.
+    ///
+    /// # Errors
+    /// As [`pressure_at_area`](Self::pressure_at_area).
+    pub fn pressure_at_open_fraction(&self, open_fraction: f64) -> Result<f64, ModelError> {
+        require::fraction(MODEL, "open fraction", open_fraction)?;
+        self.pressure_at_argument(erfc_inv(open_fraction), 1.0 - open_fraction)
+    }
+
+    /// Area fraction seen when only roughness of wavenumbers up to `wavenumber` \[rad/m\] is
+    /// resolved: `A(q) = erf(p / (E* sqrt(m2(q))))`.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] for a pressure or wavenumber that is negative or not finite, or
+    /// if the model was made from moments, which do not say how roughness is distributed over
+    /// wavenumbers.
+    pub fn area_fraction_up_to(&self, pressure: f64, wavenumber: f64) -> Result<f64, ModelError> {
+        require::pressure(MODEL, pressure)?;
+        require::not_negative(MODEL, "wavenumber", wavenumber)?;
+        let part = self.spectrum()?.slope_fraction(wavenumber);
+        Ok(erf(self.argument_for(pressure, self.slope * part)))
+    }
+
+    /// Area fraction at magnification `zeta = q / q_0`, where `q_0` is the smallest wavenumber
+    /// of the spectrum.
+    ///
+    /// # Errors
+    /// As [`area_fraction_up_to`](Self::area_fraction_up_to).
+    pub fn area_fraction_at_magnification(
+        &self,
+        pressure: f64,
+        zeta: f64,
+    ) -> Result<f64, ModelError> {
+        require::not_negative(MODEL, "magnification", zeta)?;
+        let longest = self.spectrum()?.smallest_wavenumber();
+        self.area_fraction_up_to(pressure, (longest * zeta).min(f64::MAX))
+    }
+
+    fn area_argument(&self, pressure: f64) -> Result<f64, ModelError> {
+        require::pressure(MODEL, pressure)?;
+        Ok(self.argument_for(pressure, self.slope))
+    }
+
+    /// Argument of the error function for the roughness of rms profile slope `slope`.
+    fn argument_for(&self, pressure: f64, slope: Wide) -> f64 {
+        let stiffness = slope * self.modulus.pascals();
+        if stiffness.is_zero() {
+            return if pressure > 0.0 { f64::INFINITY } else { 0.0 }; // flat: all or nothing
+        }
+        let x = Wide::from(pressure) / stiffness;
+        match self.area_law {
+            AreaLaw::Diffusion => x.value(),
+            AreaLaw::ReducedDiffusion => reduced_diffusion::argument(x, self.gamma),
+        }
+    }
+
+    fn pressure_at_argument(&self, argument: f64, area_fraction: f64) -> Result<f64, ModelError> {
+        let unreachable = |reason| ModelError::OutsideDomain {
+            model: MODEL,
+            quantity: "area fraction",
+            value: area_fraction,
+            domain: 0.0..=1.0 - f64::EPSILON / 2.0,
+            reason,
+        };
+        if argument <= 0.0 {
+            return Ok(0.0);
+        }
+        if self.slope.is_zero() {
+            return Err(unreachable("a flat surface touches everywhere under any pressure"));
+        }
+        if argument.is_infinite() {
+            return Err(unreachable(
+                "full contact is reached only as the pressure grows to infinity",
+            ));
+        }
+        let x = match self.area_law {
+            AreaLaw::Diffusion => Wide::from(argument),
+            AreaLaw::ReducedDiffusion => reduced_diffusion::load(argument, self.gamma),
+        };
+        let pressure = x * self.slope * self.modulus.pascals();
+        require::representable(MODEL, "mean pressure", pressure.value())
+    }
+}

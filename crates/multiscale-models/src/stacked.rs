@@ -1,0 +1,131 @@
+//! The stacked multiscale model: complete contact at the steepest scale decides.
+
+use crate::require;
+use crate::wide::Wide;
+use contact_types::{
+    AmplitudeSpectrum, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
+};
+use std::f64::consts::PI;
+
+const MODEL: &str = "stacked multiscale";
+
+/// Stacked sinusoids: the real pressure is the pressure that flattens the steepest of them.
+///
+/// A bi-sinusoidal surface `Δ cos(2πx/λ) cos(2πy/λ)` is flattened completely by the mean
+/// pressure
+///
+/// ```math
+/// p^* = \sqrt2\,\pi E^* \frac{\Delta}{\lambda} = \sqrt2\,\pi E^* B,
+/// ```
+///
+/// and the scale with the largest `B = Δ/λ` needs most: `p_r = sqrt(2) pi E* B_max`, whatever
+/// the load, and `A/A_0 = min(1, p / p_r)`.
+///
+/// `B_max` is amplitude (not peak to valley) over wavelength \[-\]. It depends on the record
+/// length of the profiles and on the finest scale resolved, so it is not a material constant.
+///
+/// ```
+/// use contact_types::{ContactModel, ContactModulus};
+/// use multiscale_models::Stacked;
+/// let model = Stacked::new(0.01, ContactModulus::from_pascals(110e9)?)?;
+/// let state = model.at_pressure(50e6)?;
+/// assert!((state.area_fraction - 0.010231).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// Jackson, Wilson & Angadi (2008), STLE/ASME IJTC, Miami; Jackson & Green (2009),
+/// IJTC2009-15106, eqs (3)-(4); `p*`: Johnson, Greenwood & Higginson (1985),
+/// doi:10.1016/0020-7403(85)90029-3. In print the root is sometimes drawn over `2 pi E* Δ`;
+/// only `sqrt(2)` under it gives a pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stacked {
+    max_amplitude_ratio: f64,
+    modulus: ContactModulus,
+}
+
+impl Stacked {
+    /// From `B_max`, the largest amplitude over wavelength \[-\].
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if it is negative or not finite. 0, a flat surface, is
+    /// accepted.
+    pub fn new(max_amplitude_ratio: f64, modulus: ContactModulus) -> Result<Self, ModelError> {
+        require::not_negative(MODEL, "largest amplitude over wavelength", max_amplitude_ratio)?;
+        Ok(Self { max_amplitude_ratio, modulus })
+    }
+
+    /// From the amplitudes of a surface, of which only the largest `Δ f` counts.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if that product exceeds the largest double.
+    pub fn from_amplitudes(
+        amplitudes: &AmplitudeSpectrum,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        Self::new(amplitudes.max_amplitude_ratio(), modulus)
+    }
+
+    /// `p_r = sqrt(2) pi E* B_max` beyond the range of a double.
+    fn plateau(&self) -> Wide {
+        complete_contact_pressure(self.modulus, Wide::from(self.max_amplitude_ratio))
+    }
+
+    /// Real pressure `p_r = sqrt(2) pi E* B_max` \[Pa\], the same at every load below complete
+    /// contact.
+    ///
+    /// # Errors
+    /// [`ModelError::OutsideDomain`] if it exceeds the largest double.
+    pub fn real_pressure(&self) -> Result<f64, ModelError> {
+        require::representable(MODEL, "real pressure", self.plateau().value())
+    }
+
+    /// The nominal pressure \[Pa\] at which the area fraction is `area_fraction`; the smallest
+    /// such pressure for an area of 1.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless `0 <= area_fraction <= 1`;
+    /// [`ModelError::OutsideDomain`] if the pressure exceeds the largest double.
+    pub fn pressure_at_area(&self, area_fraction: f64) -> Result<f64, ModelError> {
+        require::fraction(MODEL, "area fraction", area_fraction)?;
+        require::representable(MODEL, "mean pressure", (self.plateau() * area_fraction).value())
+    }
+}
+
+/// Mean pressure that flattens a bi-sinusoid of amplitude over wavelength `ratio`.
+pub(crate) fn complete_contact_pressure(modulus: ContactModulus, ratio: Wide) -> Wide {
+    ratio * (std::f64::consts::SQRT_2 * PI) * modulus.pascals()
+}
+
+impl ContactModel for Stacked {
+    fn citation(&self) -> Citation {
+        Citation {
+            authors: "Jackson, Wilson & Angadi",
+            year: 2008,
+            title: "A study of the average real contact pressure between rough surfaces",
+            journal: "STLE/ASME International Joint Tribology Conference, Miami",
+            doi: "",
+        }
+    }
+
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        require::pressure(MODEL, mean_pressure)?;
+        let plateau = self.plateau();
+        let ratio = if mean_pressure <= 0.0 {
+            0.0
+        } else if plateau.is_zero() {
+            f64::INFINITY // flat
+        } else {
+            (Wide::from(mean_pressure) / plateau).value()
+        };
+        let caveat = if ratio >= 1.0 {
+            Some(Caveat::Saturated { quantity: "area fraction" })
+        } else if ratio <= 0.0 && mean_pressure > 0.0 {
+            Some(Caveat::Underflow { quantity: "area fraction" })
+        } else {
+            None
+        };
+        let area_fraction = ratio.min(1.0);
+        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+    }
+}

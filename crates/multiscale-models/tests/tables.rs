@@ -1,0 +1,131 @@
+//! Every model against tables of 18 to 22 digits. `cargo test -- --nocapture` prints the worst
+//! error of each.
+#![allow(clippy::float_cmp, reason = "a reference of exactly 0 is compared absolutely")]
+
+mod common;
+
+use common::{Table, Worst};
+use contact_types::{ContactModel, ContactModulus, FractalParameters, SpectralMoments};
+use multiscale_models::{MajumdarBhushan, Persson, SelfAffineSpectrum, Stacked};
+
+/// E* = 1 Pa: the tables are in units of E*.
+fn unit() -> ContactModulus {
+    ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus")
+}
+
+#[test]
+fn persson_area() {
+    // g_rms = 1: m2 = 1/2.
+    let moments = SpectralMoments { m0: 1.0, m2: 0.5, m4: 1.0 };
+    let model = Persson::from_moments(moments, unit()).unwrap();
+    let (mut area, mut open) = (Worst::of("Persson area"), Worst::of("Persson open fraction"));
+    let mut inverse = Worst::of("Persson pressure at area");
+    for row in Table::read("persson_area.csv").rows() {
+        let x = row.number("x");
+        area.compare(model.area_fraction(x).unwrap(), row.number("A"), || format!("x = {x}"));
+        // x = sqrt2 p/(E* g) has one rounding, which erfc multiplies by about 2 (sqrt2 x)^2.
+        open.compare(model.open_fraction(x).unwrap(), row.number("one_minus_A"), || {
+            format!("x = {x}")
+        });
+        let back = if row.number("A") < 0.5 {
+            model.pressure_at_area(row.number("A"))
+        } else {
+            model.pressure_at_open_fraction(row.number("one_minus_A"))
+        };
+        inverse.compare(back.unwrap(), x, || format!("x = {x}"));
+    }
+    area.at_most(1e-15);
+    open.at_most(1e-14);
+    inverse.at_most(1e-15);
+}
+
+#[test]
+fn persson_gap_and_stiffness() {
+    let (mut area, mut gap, mut stiff) =
+        (Worst::of("Persson area of a spectrum"), Worst::of("mean gap"), Worst::of("stiffness"));
+    for row in Table::read("persson_gap.csv").rows() {
+        let q = [row.number("qL"), row.number("qr"), row.number("qs")];
+        let spectrum =
+            SelfAffineSpectrum::from_wavenumbers(row.number("H"), q, row.number("m0")).unwrap();
+        let moments = spectrum.moments();
+        let place = || format!("H = {}, p/(E* g) = {}", row.text("H"), row.text("p_over_E_grms"));
+        area.compare(2.0 * moments.m2, row.number("grad2"), place);
+        area.compare(8.0 / 3.0 * moments.m4, row.number("lap2"), place);
+        let p = row.number("p_over_E");
+        for (gamma, gap_column, stiff_column) in [
+            (1.0, "gap_over_hrms_gamma1", "stiff_gamma1"),
+            (0.45, "gap_over_hrms_gamma0.45", "stiff_gamma0.45"),
+        ] {
+            let model =
+                Persson::from_self_affine(spectrum, unit()).unwrap().with_gamma(gamma).unwrap();
+            let state = model.at_pressure(p).unwrap();
+            area.compare(state.area_fraction, row.number("area"), place);
+            gap.compare(state.mean_gap.unwrap(), row.number(gap_column), place);
+            stiff.compare(model.stiffness(p).unwrap(), row.number(stiff_column), place);
+        }
+    }
+    area.at_most(1e-14);
+    gap.at_most(5e-14);
+    stiff.at_most(5e-14);
+}
+
+#[test]
+fn stacked() {
+    let mut worst = Worst::of("stacked area");
+    for row in Table::read("multiscale_areas.csv").rows() {
+        if row.text("model") == "stacked" {
+            let model = Stacked::new(row.number("B_max"), unit()).unwrap();
+            let area = model.at_pressure(row.number("p")).unwrap().area_fraction;
+            worst.compare(area, row.number("A"), || format!("p/E* = {}", row.text("p")));
+        }
+    }
+    worst.at_most(1e-15);
+}
+
+fn fractal(row: &common::Row<'_>) -> MajumdarBhushan {
+    let surface =
+        FractalParameters { dimension: row.number("D"), roughness: row.number("G_over_sqrtAn") };
+    MajumdarBhushan::new(surface, 1.0, unit()).expect("the table has valid surfaces")
+}
+
+#[test]
+fn majumdar_bhushan_without_critical_area() {
+    let (mut load, mut area) = (Worst::of("MB load"), Worst::of("MB area"));
+    // The load has the factor 1/(3 - 2D): at D = 1.4999 the rounding of the decimal D to a double
+    // (2^-53 at most) is worth 1e-12, and no evaluation can undo it.
+    let (mut near_load, mut near_area) =
+        (Worst::of("MB load at D = 1.4999"), Worst::of("MB area at D = 1.4999"));
+    for row in Table::read("majumdar_bhushan.csv").rows() {
+        let (model, a) = (fractal(&row), row.number("Ar_over_An"));
+        let place = || format!("D = {}, A = {a}", row.text("D"));
+        let (load, area) = if row.text("D") == "1.4999" {
+            (&mut near_load, &mut near_area)
+        } else {
+            (&mut load, &mut area)
+        };
+        load.compare(model.pressure_at_area(a).unwrap(), row.number("F_over_EAn"), place);
+        let state = model.at_pressure(row.number("F_over_EAn")).unwrap();
+        area.compare(state.area_fraction, a, place);
+    }
+    load.at_most(1e-14);
+    area.at_most(1e-14);
+    near_load.at_most(1e-12);
+    near_area.at_most(1e-12);
+}
+
+#[test]
+fn majumdar_bhushan_with_critical_area() {
+    let (mut load, mut area) = (Worst::of("MB load with a_c"), Worst::of("MB area with a_c"));
+    for row in Table::read("majumdar_bhushan_critical_area.csv").rows() {
+        let model = fractal(&row).with_critical_area(row.number("ac_over_An")).unwrap();
+        let a = row.number("Ar_over_An");
+        let place = || format!("D = {}, A = {a}, a_c = {}", row.text("D"), row.text("ac_over_An"));
+        load.compare(model.pressure_at_area(a).unwrap(), row.number("Fe_over_EAn"), place);
+        if row.number("Fe_over_EAn") > 0.0 {
+            let state = model.at_pressure(row.number("Fe_over_EAn")).unwrap();
+            area.compare(state.area_fraction, a, place);
+        }
+    }
+    load.at_most(3e-14);
+    area.at_most(3e-14);
+}
