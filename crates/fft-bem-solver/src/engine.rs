@@ -1,12 +1,12 @@
 //! From a surface and a load in SI units to a solution, through the scaled problem.
 
 use crate::methods::{
-    self, Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task,
+    self, Compliance, ContactMethod, End, Free, Outcome, Start, State, Step, Target, Task,
 };
 use crate::problem::Problem;
 use crate::{
-    Boundary, HalfSpace, Iteration, Load, Method, Observer, Precision, Real, Solution, SolverError,
-    control, fields, special_cases,
+    Boundary, FreeHalfSpace, HalfSpace, Iteration, Load, Method, Observer, Precision, Real,
+    Solution, SolverError, control, fields, special_cases,
 };
 use contact_types::{ContactModulus, Grid, HeightMap};
 use std::time::Instant;
@@ -43,20 +43,17 @@ pub(crate) struct Run {
 
 impl<T: Real> Engine<T> {
     pub(crate) fn new(settings: Settings, scaled: Grid) -> Result<Self, SolverError> {
-        if settings.boundary == Boundary::Free {
-            return Err(SolverError::Combination {
-                first: "the free boundary",
-                second: "this version",
-                way_out: "choose the periodic boundary",
-            });
-        }
-        let (method, iteration) = methods::build(settings.method, scaled)?;
+        let (method, iteration) = methods::build(settings.method, scaled, settings.boundary)?;
         let unit = ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus");
+        let operator: Box<dyn Compliance<T>> = match settings.boundary {
+            Boundary::Periodic => Box::new(HalfSpace::new(scaled, unit)),
+            Boundary::Free => Box::new(Free::new(FreeHalfSpace::new(scaled, unit), scaled.len())),
+        };
         Ok(Self {
             settings: Settings { method, ..settings },
             scaled,
             method: iteration,
-            operator: Box::new(HalfSpace::new(scaled, unit)),
+            operator,
             state: State::new(scaled.len()),
             problem: None,
             is_warm: false,

@@ -22,7 +22,7 @@ mod polonsky_keer;
 mod stanley_kato;
 
 use crate::problem::Problem;
-use crate::{Boundary, HalfSpace, Method, Real, SolverError};
+use crate::{Boundary, FreeHalfSpace, HalfSpace, Method, Real, SolverError};
 use contact_types::Grid;
 use std::ops::ControlFlow;
 
@@ -33,8 +33,8 @@ pub(crate) use stanley_kato::StanleyKato;
 pub(crate) trait Compliance<T>: Send {
     /// `displacement = K pressure`.
     fn apply(&mut self, pressure: &[T], displacement: &mut [T]);
-    /// Replaces a displacement by the pressure of mean zero that causes it; false, and nothing
-    /// done, if this operator has no cheap inverse.
+    /// Replaces `w` by `B w`, where `<w, B w> >= <w, K^-1 w>`; periodic: `B = K^-1` on fields of mean
+    /// zero. False, and nothing done, if there is no such `B` that costs one pair.
     fn invert(&mut self, field: &mut [T]) -> bool;
     /// Which kind of half space this is.
     fn boundary(&self) -> Boundary;
@@ -49,6 +49,30 @@ impl<T: Real> Compliance<T> for HalfSpace<T> {
     }
     fn boundary(&self) -> Boundary {
         Boundary::Periodic
+    }
+}
+
+/// A free half space and the memory its inverse needs.
+pub(crate) struct Free<T: Real> {
+    half_space: FreeHalfSpace<T>,
+    scratch: Vec<T>,
+}
+
+impl<T: Real> Free<T> {
+    pub(crate) fn new(half_space: FreeHalfSpace<T>, pixels: usize) -> Self {
+        Self { half_space, scratch: Vec::with_capacity(pixels) }
+    }
+}
+
+impl<T: Real> Compliance<T> for Free<T> {
+    fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
+        self.half_space.displacement(pressure, displacement);
+    }
+    fn invert(&mut self, field: &mut [T]) -> bool {
+        self.half_space.dominating_inverse(field, &mut self.scratch)
+    }
+    fn boundary(&self) -> Boundary {
+        Boundary::Free
     }
 }
 
@@ -150,7 +174,9 @@ pub(crate) trait ContactMethod<T>: Send {
 pub(crate) fn build<T: Real>(
     method: Method,
     scaled: Grid,
+    boundary: Boundary,
 ) -> Result<(Method, Box<dyn ContactMethod<T>>), SolverError> {
+    let _ = boundary;
     match method {
         Method::Auto | Method::PolonskyKeer => {
             Ok((Method::PolonskyKeer, Box::new(PolonskyKeer::new(scaled.len()))))

@@ -1,0 +1,222 @@
+//! Pressure to displacement on a half space that is loaded nowhere but on the map.
+
+use crate::{Real, SolverError};
+use contact_types::{ContactModulus, Grid};
+use grid_fft::{Convolution, GridFft};
+use std::f64::consts::PI;
+
+/// The surface of an elastic half space under the pixels of one map, each loaded uniformly:
+/// displacement at the centres of the pixels, zero far away.
+///
+/// The sum over all pixels is a convolution with [`love`]'s coefficients, evaluated without error
+/// on a grid padded with zeros to twice the size.
+pub struct FreeHalfSpace<T: Real> {
+    grid: Grid,
+    convolution: Convolution<T>,
+    /// Transform of the coefficients over E*, `ky` in `0..=py/2` running fastest.
+    compliance: Vec<T>,
+    rows: usize,
+    is_definite: bool,
+}
+
+impl<T: Real> FreeHalfSpace<T> {
+    /// Plans the transforms for `grid` and transforms the influence coefficients.
+    pub fn new(grid: Grid, modulus: ContactModulus) -> Self {
+        let [ny, nx] = grid.shape();
+        let [dy, dx] = grid.pixel();
+        let padded = [padded_length(ny), padded_length(nx)];
+        let [py, px] = padded;
+        let distance = |i: usize, p: usize| i.min(p - i) as f64;
+        let mut fft = GridFft::<f64>::new(padded);
+        let mut coefficients = vec![0.0; py * px];
+        for iy in 0..=py / 2 {
+            for ix in 0..=px / 2 {
+                let u = love([distance(iy, py) * dy, distance(ix, px) * dx], [dy, dx]);
+                for jy in [iy, (py - iy) % py] {
+                    coefficients[jy * px + ix] = u / modulus.pascals();
+                    coefficients[jy * px + (px - ix) % px] = u / modulus.pascals();
+                }
+            }
+        }
+        let mut spectrum = fft.new_spectrum();
+        fft.forward(&coefficients, &mut spectrum);
+        let (rows, columns) = (py / 2 + 1, px / 2 + 1);
+        let mut compliance = vec![T::zero(); rows * columns];
+        let mut is_definite = true;
+        for kx in 0..columns {
+            for ky in 0..rows {
+                let value = spectrum[ky * columns + kx].re; // an even field has a real transform
+                is_definite &= value > 0.0;
+                compliance[kx * rows + ky] = T::of(value);
+            }
+        }
+        let convolution = Convolution::padded([ny, nx], padded);
+        Self { grid, convolution, compliance, rows, is_definite }
+    }
+
+    /// Replaces a pressure field (Pa, row-major `ny * nx`) by the displacement (m) of the pixel
+    /// centres, positive into the body.
+    ///
+    /// # Errors
+    /// [`SolverError::Shape`] if `field` does not have `ny * nx` pixels; it is then untouched.
+    ///
+    /// # Source
+    /// Love (1929), *Phil. Trans. R. Soc. A* 228, 377; zero-padding: Liu, Wang & Liu (2000), *Wear*
+    /// 243, 101–111, doi:10.1016/S0043-1648(00)00427-0.
+    pub fn displace(&mut self, field: &mut [T]) -> Result<(), SolverError> {
+        let (expected, found) = (self.grid.len(), field.len());
+        if found != expected {
+            return Err(SolverError::Shape { expected, found });
+        }
+        let pressure = field.to_vec();
+        self.displacement(&pressure, field);
+        Ok(())
+    }
+
+    /// [`displace`](Self::displace) from one field into another.
+    pub(crate) fn displacement(&self, pressure: &[T], displacement: &mut [T]) {
+        let symbol = |kx: usize, column: &mut [T]| {
+            column.copy_from_slice(&self.compliance[kx * self.rows..][..self.rows]);
+        };
+        self.convolution.apply(pressure, symbol, displacement);
+    }
+
+    /// Replaces `w` by the part on the map of `C^-1 w`, with `C` the periodic operator on the padded
+    /// grid of which this half space is a part. For every `w`, `<w, K^-1 w> <= <w, C^-1 w>`: among
+    /// all fields on the padded grid that equal `w` on the map the one with the least `C^-1` norm
+    /// has that of `K^-1`, and `w` continued by zeros is one of them. False if `C` is not positive
+    /// definite, so that the inequality proves nothing.
+    pub(crate) fn dominating_inverse(&self, field: &mut [T], scratch: &mut Vec<T>) -> bool {
+        if !self.is_definite {
+            return false;
+        }
+        let symbol = |kx: usize, column: &mut [T]| {
+            for (s, c) in column.iter_mut().zip(&self.compliance[kx * self.rows..][..self.rows]) {
+                *s = T::one() / *c;
+            }
+        };
+        scratch.clear();
+        scratch.extend_from_slice(field);
+        self.convolution.apply(scratch, symbol, field);
+        true
+    }
+}
+
+/// Displacement, times E*, at `[y, x]` from the centre of a rectangle of sides `[dy, dx]` under
+/// unit pressure:
+///
+/// ```math
+/// u=\frac{1}{\pi E^*}\int_{x-d_x/2}^{x+d_x/2}\!\int_{y-d_y/2}^{y+d_y/2}
+///   \frac{d\xi\,d\eta}{\sqrt{\xi^2+\eta^2}},\qquad
+/// \iint\frac{d\xi\,d\eta}{\sqrt{\xi^2+\eta^2}}=\xi\,\mathrm{arsinh}\frac{\eta}{|\xi|}
+///   +\eta\,\mathrm{arsinh}\frac{\xi}{|\eta|}
+/// ```
+///
+/// The difference of the four corners loses digits with the square of the distance; beyond 40 of
+/// the longer sides the expansion in moments of the rectangle, to fourth order, is exact to
+/// rounding instead.
+///
+/// # Source
+/// Love (1929); Johnson (1985), *Contact Mechanics*, eq. (3.25).
+pub fn love([y, x]: [f64; 2], [dy, dx]: [f64; 2]) -> f64 {
+    let (a, b) = (0.5 * dx, 0.5 * dy);
+    let r2 = x * x + y * y;
+    if r2 > (40.0 * dx.max(dy)).powi(2) {
+        return far_field([y, x], [b, a]) / PI;
+    }
+    let corner = |x: f64, y: f64| {
+        let along = |x: f64, y: f64| if x.abs() > 0.0 { x * (y / x.abs()).asinh() } else { 0.0 };
+        along(x, y) + along(y, x)
+    };
+    let sum =
+        corner(x + a, y + b) - corner(x - a, y + b) - corner(x + a, y - b) + corner(x - a, y - b);
+    sum / PI
+}
+
+/// Integral of 1/r over a rectangle of half sides `[b, a]` at `[y, x]`, by its moments.
+fn far_field([y, x]: [f64; 2], [b, a]: [f64; 2]) -> f64 {
+    let (x2, y2) = (x * x, y * y);
+    let r2 = x2 + y2;
+    let (a2, b2) = (a * a / r2, b * b / r2);
+    let (cx, cy) = (x2 / r2, y2 / r2);
+    // Derivatives of 1/r times powers of r, weighted with the moments a^2/3, a^4/5, a^2 b^2/9.
+    let second = (a2 * (3.0 * cx - 1.0) + b2 * (3.0 * cy - 1.0)) / 6.0;
+    let pure = |c: f64| 105.0 * c * c - 90.0 * c + 9.0;
+    let mixed = 105.0 * cx * cy - 12.0;
+    let fourth =
+        (pure(cx) * a2 * a2 / 5.0 + pure(cy) * b2 * b2 / 5.0 + 6.0 * mixed * a2 * b2 / 9.0) / 24.0;
+    4.0 * a * b / r2.sqrt() * (1.0 + second + fourth)
+}
+
+/// The shortest even length with no prime factor above 5 that keeps `n` pixels from meeting
+/// themselves; 1 for a single pixel.
+fn padded_length(n: usize) -> usize {
+    if n == 1 {
+        return 1;
+    }
+    let is_smooth = |mut m: usize| {
+        for factor in [2, 3, 5] {
+            while m.is_multiple_of(factor) {
+                m /= factor;
+            }
+        }
+        m == 1
+    };
+    (2 * n - 1..=4 * n).find(|&m| m % 2 == 0 && is_smooth(m)).expect("a power of 2 is among them")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Middle of a uniformly loaded square of side s: u = 4 s p asinh(1) / (pi E*)
+    /// (Johnson 1985, §3.3).
+    #[test]
+    fn square_under_uniform_pressure() {
+        let exact = 4.0 * 1.0_f64.asinh() / PI;
+        assert_relative_eq!(love([0.0, 0.0], [1.0, 1.0]), exact, max_relative = 1e-15);
+        // Corner: half of the middle of the same square.
+        assert_relative_eq!(love([0.5, 0.5], [1.0, 1.0]), 0.5 * exact, max_relative = 1e-14);
+    }
+
+    /// Both branches where they meet, along several directions and for thin pixels.
+    #[test]
+    fn near_and_far_formulas_agree() {
+        for [dy, dx] in [[1.0, 1.0], [0.2, 1.0], [1.0, 0.01]] {
+            for angle in [0.0, 0.3, 0.7, 1.2, 1.57] {
+                let (sine, cosine) = f64::sin_cos(angle);
+                let near = love([39.999 * sine, 39.999 * cosine], [dy, dx]);
+                let far = far_field([39.999 * sine, 39.999 * cosine], [0.5 * dy, 0.5 * dx]) / PI;
+                // Area times rounding of the corner terms.
+                assert_relative_eq!(near, far, max_relative = 1e-12 / dx.min(dy));
+            }
+        }
+    }
+
+    /// Against the sum it stands for, on small grids of any shape.
+    #[test]
+    fn convolution_is_the_sum_over_pixels() {
+        for (shape, pixel) in [([5, 7], [1.0, 0.4]), ([8, 3], [2.0, 1.0]), ([1, 9], [1.0, 1.0])] {
+            let grid = Grid::new(shape, pixel).unwrap();
+            let e_star = 3.0;
+            let modulus = ContactModulus::from_pascals(e_star).unwrap();
+            let p: Vec<f64> = (0..grid.len()).map(|i| 1.0 + (i as f64 * 1.7).sin()).collect();
+            let mut u = p.clone();
+            FreeHalfSpace::new(grid, modulus).displace(&mut u).unwrap();
+            let nx = shape[1];
+            for (i, u) in u.iter().enumerate() {
+                let sum: f64 = p
+                    .iter()
+                    .enumerate()
+                    .map(|(j, p)| {
+                        let y = ((i / nx) as f64 - (j / nx) as f64) * pixel[0];
+                        let x = ((i % nx) as f64 - (j % nx) as f64) * pixel[1];
+                        p * love([y, x], pixel) / e_star
+                    })
+                    .sum();
+                assert_relative_eq!(*u, sum, max_relative = 1e-13);
+            }
+        }
+    }
+}

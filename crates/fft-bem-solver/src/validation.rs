@@ -1,0 +1,348 @@
+//! The solver against exact solutions, on this machine: what `rough-contact validate` prints.
+
+use crate::reference::{
+    BiSinusoid, FlatPunch, Hertz, TwoHarmonic, Westergaard, full_contact, wavy_2d,
+};
+use crate::{Boundary, Load, Method, Solution, Solver, SolverError};
+use contact_types::{ContactModulus, Grid, HeightMap, ModelError, SurfaceError};
+
+/// What to run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Method to validate; default [`Method::Auto`].
+    pub method: Method,
+    /// Tolerance of the solves, well below the discretisation errors; default 1e-7.
+    pub tolerance: f64,
+    /// Pixels per side of the finest square maps, at least 32; the coarser ones are halvings down
+    /// to 32. Profiles have 16 times as many. Default 256.
+    pub finest: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { method: Method::Auto, tolerance: 1e-7, finest: 256 }
+    }
+}
+
+/// One number of one case on one grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// The problem, for example "Hertz sphere, free boundary".
+    pub case: &'static str,
+    /// Where the exact solution comes from.
+    pub source: &'static str,
+    /// Which number.
+    pub quantity: &'static str,
+    /// `[ny, nx]`.
+    pub shape: [usize; 2],
+    /// What the solver found (SI units); for a field the rms of it.
+    pub computed: f64,
+    /// The exact value; for a field the rms of it.
+    pub exact: f64,
+    /// Relative error, signed; for a field the rms of the difference over the rms of the field.
+    pub error: f64,
+    /// Relative uncertainty of the exact value: 0 for closed forms.
+    pub uncertainty: f64,
+    /// Order of convergence observed so far: slope of log |error| over log pixel side through this
+    /// grid and all coarser ones; `None` on the first grid and where no order is expected.
+    pub observed_order: Option<f64>,
+    /// Order that theory and experience let expect; `None` where the answer is exact on any grid and
+    /// for areas, whose error depends on how pixels happen to lie on the contact line.
+    pub expected_order: Option<f64>,
+    /// FFT pairs of the solve.
+    pub transforms: f64,
+}
+
+/// Why a validation run broke off.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ValidationError {
+    /// An option is unusable.
+    #[error("finest = {0} is too small: use at least 32 pixels per side")]
+    TooCoarse(usize),
+    /// A solve failed.
+    #[error(transparent)]
+    Solver(#[from] SolverError),
+    /// An exact solution was asked for something it does not have.
+    #[error(transparent)]
+    Reference(#[from] ModelError),
+    /// A surface could not be made.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+}
+
+/// Runs every case on every grid and hands each row over as it comes.
+///
+/// # Errors
+/// [`ValidationError`].
+pub fn run(options: &Options, mut each: impl FnMut(&Row)) -> Result<Vec<Row>, ValidationError> {
+    if options.finest < 32 {
+        return Err(ValidationError::TooCoarse(options.finest));
+    }
+    let mut sizes: Vec<usize> = std::iter::successors(Some(options.finest), |n| Some(n / 2))
+        .take_while(|n| *n >= 32)
+        .collect();
+    sizes.reverse();
+    let mut rows: Vec<Row> = Vec::new();
+    for case in CASES {
+        let first = rows.len();
+        for &n in &sizes {
+            let n = if case.is_profile { 16 * n } else { n };
+            let (solution, found) = (case.solve)(options, n)?;
+            for number in found {
+                let shape = if case.is_profile { [1, n] } else { [n, n] };
+                let mut row = Row {
+                    case: case.name,
+                    source: case.source,
+                    quantity: number.quantity,
+                    shape,
+                    computed: number.computed,
+                    exact: number.exact,
+                    error: number.error,
+                    uncertainty: number.uncertainty,
+                    observed_order: None,
+                    expected_order: number.order,
+                    transforms: solution.diagnostics.transforms,
+                };
+                if row.expected_order.is_some() {
+                    row.observed_order = observed_order(&rows[first..], &row);
+                }
+                each(&row);
+                rows.push(row);
+            }
+        }
+    }
+    Ok(rows)
+}
+
+struct Case {
+    name: &'static str,
+    source: &'static str,
+    is_profile: bool,
+    solve: fn(&Options, usize) -> Solved,
+}
+
+const CASES: &[Case] = &[
+    Case {
+        name: "Hertz sphere, free boundary",
+        source: "Hertz 1882",
+        is_profile: false,
+        solve: |options, n| hertz(options, n, [0.012, 0.012]),
+    },
+    Case {
+        name: "Hertz ellipse, free boundary",
+        source: "Hertz 1882",
+        is_profile: false,
+        solve: |options, n| hertz(options, n, [0.004, 0.012]),
+    },
+    Case {
+        name: "flat punch, free boundary",
+        source: "Johnson 1985, section 3.4",
+        is_profile: false,
+        solve: flat_punch,
+    },
+    Case { name: "sinusoid", source: "Westergaard 1939", is_profile: true, solve: sinusoid },
+    Case { name: "two harmonics", source: "Manners 1998", is_profile: true, solve: two_harmonics },
+    Case {
+        name: "bi-sinusoid",
+        source: "converged table; Johnson, Greenwood & Higginson 1985",
+        is_profile: false,
+        solve: bi_sinusoid,
+    },
+    Case {
+        name: "full contact",
+        source: "Johnson 1985, section 13.2",
+        is_profile: false,
+        solve: closed,
+    },
+];
+
+/// A solution and the numbers to compare.
+type Solved = Result<(Solution, Vec<Number>), ValidationError>;
+
+struct Number {
+    quantity: &'static str,
+    computed: f64,
+    exact: f64,
+    error: f64,
+    uncertainty: f64,
+    order: Option<f64>,
+}
+
+fn number(quantity: &'static str, computed: f64, exact: f64, order: f64) -> Number {
+    let error = computed / exact - 1.0;
+    Number { quantity, computed, exact, error, uncertainty: 0.0, order: Some(order) }
+}
+
+fn area_number(quantity: &'static str, computed: f64, exact: f64) -> Number {
+    Number { order: None, ..number(quantity, computed, exact, 0.0) }
+}
+
+fn field(quantity: &'static str, computed: &[f64], exact: &[f64], order: f64) -> Number {
+    let rms = |values: &mut dyn Iterator<Item = f64>| {
+        (values.map(|v| v * v).sum::<f64>() / exact.len() as f64).sqrt()
+    };
+    let size = rms(&mut exact.iter().copied());
+    let error = rms(&mut exact.iter().zip(computed).map(|(e, c)| e - c)) / size;
+    let computed = rms(&mut computed.iter().copied());
+    Number { quantity, computed, exact: size, error, uncertainty: 0.0, order: Some(order) }
+}
+
+/// Slope of log |error| over log pixel side by least squares, through `new` and all earlier rows of
+/// its quantity.
+fn observed_order(earlier: &[Row], new: &Row) -> Option<f64> {
+    let points: Vec<(f64, f64)> = earlier
+        .iter()
+        .filter(|row| row.quantity == new.quantity)
+        .chain([new])
+        .map(|row| (-(row.shape[1] as f64).ln(), row.error.abs().ln()))
+        .collect();
+    let n = points.len() as f64;
+    let mean = |f: fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / n;
+    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
+    let covariance: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    let variance: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
+    let order = covariance / variance;
+    (points.len() > 1 && order.is_finite()).then_some(order)
+}
+
+/// Steel against glass or so.
+fn modulus() -> Result<ContactModulus, SurfaceError> {
+    ContactModulus::from_pascals(50e9)
+}
+
+fn solve(
+    options: &Options,
+    boundary: Boundary,
+    map: &HeightMap,
+    mean_pressure: f64,
+) -> Result<Solution, ValidationError> {
+    let mut solver = Solver::builder()
+        .method(options.method)
+        .boundary(boundary)
+        .tolerance(options.tolerance)
+        .build(map.grid(), modulus()?)?;
+    Ok(solver.solve(map, Load::MeanPressure(mean_pressure))?)
+}
+
+/// A paraboloid in the middle of a map of 1 mm, its summit between pixels; contact to about two
+/// thirds of the map.
+fn hertz(options: &Options, n: usize, radii: [f64; 2]) -> Solved {
+    let side = 1e-3;
+    let paraboloid = Hertz::new(radii, modulus()?)?;
+    let contact = paraboloid.at_approach(8e-6)?;
+    let d = side / n as f64;
+    let (y0, x0) = (0.5 * (side - d) + 0.31 * d, 0.5 * (side - d) + 0.17 * d);
+    let grid = Grid::new([n, n], [d, d])?;
+    let map = HeightMap::from_fn(grid, |y, x| paraboloid.height(y - y0, x - x0))?;
+    let solution = solve(options, Boundary::Free, &map, contact.force / grid.area())?;
+    let exact: Vec<f64> = (0..n * n)
+        .map(|i| contact.pressure((i / n) as f64 * d - y0, (i % n) as f64 * d - x0))
+        .collect();
+    // The approach is counted from the highest pixel, a little below the summit.
+    let approach = solution.approach - map.range().1;
+    let area = solution.diagnostics.area_fraction_corrected * grid.area();
+    let numbers = vec![
+        number("approach", approach, contact.approach, 2.0),
+        number("maximum pressure", solution.diagnostics.max_pressure, contact.max_pressure, 2.0),
+        field("pressure, rms", &solution.pressure, &exact, 1.0),
+        area_number("area, corrected", area, contact.area()),
+    ];
+    Ok((solution, numbers))
+}
+
+fn flat_punch(options: &Options, n: usize) -> Solved {
+    let (side, radius, force) = (1e-3, 0.41e-3, 1.0);
+    let punch = FlatPunch::new(radius, modulus()?)?;
+    let d = side / n as f64;
+    let centre = 0.5 * (side - d);
+    let grid = Grid::new([n, n], [d, d])?;
+    let height = |y: f64, x: f64| {
+        if (y - centre).hypot(x - centre) <= radius { 0.0 } else { -side }
+    };
+    let map = HeightMap::from_fn(grid, height)?;
+    let solution = solve(options, Boundary::Free, &map, force / grid.area())?;
+    let numbers = vec![number("approach", solution.approach, punch.approach(force)?, 1.0)];
+    Ok((solution, numbers))
+}
+
+fn sinusoid(options: &Options, n: usize) -> Solved {
+    let (wavelength, amplitude) = (1e-4, 1e-6);
+    let surface = Westergaard::new(amplitude, wavelength, modulus()?)?;
+    let mean_pressure = 0.3 * surface.closing_pressure();
+    let contact = surface.at_pressure(mean_pressure)?;
+    let d = wavelength / n as f64;
+    let x0 = 0.3 * d;
+    let map = HeightMap::from_fn(Grid::new([1, n], [d, d])?, |_, x| surface.height(x - x0))?;
+    let solution = solve(options, Boundary::Periodic, &map, mean_pressure)?;
+    let exact: Vec<f64> = (0..n).map(|i| contact.pressure(i as f64 * d - x0)).collect();
+    let mean_gap = solution.state.mean_gap.unwrap_or(f64::NAN);
+    let numbers = vec![
+        number("mean gap", mean_gap, contact.mean_gap(), 2.0),
+        field("pressure, rms", &solution.pressure, &exact, 1.0),
+        area_number("area fraction", solution.state.area_fraction, contact.area_fraction()),
+    ];
+    Ok((solution, numbers))
+}
+
+fn two_harmonics(options: &Options, n: usize) -> Solved {
+    let wavelength = 1e-4;
+    let surface = TwoHarmonic::new([1e-6, 1e-7], wavelength, modulus()?)?;
+    let contact = surface.at_area_fraction(0.37)?;
+    let d = wavelength / n as f64;
+    let x0 = 0.3 * d;
+    let map = HeightMap::from_fn(Grid::new([1, n], [d, d])?, |_, x| surface.height(x - x0))?;
+    let solution = solve(options, Boundary::Periodic, &map, contact.mean_pressure())?;
+    let x = |i: usize| i as f64 * d - x0;
+    let pressure: Vec<f64> = (0..n).map(|i| contact.pressure(x(i))).collect();
+    let gap: Vec<f64> = (0..n).map(|i| contact.gap(x(i))).collect();
+    let numbers = vec![
+        field("gap, rms", &solution.gap, &gap, 2.0),
+        field("pressure, rms", &solution.pressure, &pressure, 1.0),
+        area_number("area fraction", solution.state.area_fraction, contact.area_fraction()),
+    ];
+    Ok((solution, numbers))
+}
+
+fn bi_sinusoid(options: &Options, n: usize) -> Solved {
+    let (wavelength, amplitude) = (1e-4, 1e-6);
+    let surface = BiSinusoid::new(amplitude, wavelength, modulus()?)?;
+    let known = wavy_2d::ROWS[5];
+    let d = wavelength / n as f64;
+    let (y0, x0) = (0.31 * d, 0.17 * d);
+    let grid = Grid::new([n, n], [d, d])?;
+    let map = HeightMap::from_fn(grid, |y, x| surface.height(y - y0, x - x0))?;
+    let mean_pressure = known.pressure_ratio * surface.closing_pressure();
+    let solution = solve(options, Boundary::Periodic, &map, mean_pressure)?;
+    let gap = solution.state.mean_gap.unwrap_or(f64::NAN) / amplitude;
+    let area = solution.diagnostics.area_fraction_corrected;
+    let numbers = vec![
+        Number {
+            uncertainty: known.gap_uncertainty / known.mean_gap,
+            ..number("mean gap / amplitude", gap, known.mean_gap, 2.0)
+        },
+        Number {
+            uncertainty: known.area_uncertainty / known.area_fraction,
+            ..area_number("area fraction, corrected", area, known.area_fraction)
+        },
+    ];
+    Ok((solution, numbers))
+}
+
+fn closed(options: &Options, n: usize) -> Solved {
+    let (wavelength, amplitude) = (1e-4, 1e-6);
+    let surface = BiSinusoid::new(amplitude, wavelength, modulus()?)?;
+    let d = wavelength / n as f64;
+    let map = HeightMap::from_fn(Grid::new([n, n], [d, d])?, |y, x| surface.height(y, x))?;
+    let (mut exact, least) = full_contact::pressure(&map, modulus()?)?;
+    for p in &mut exact {
+        *p += 0.1 * least;
+    }
+    let solution = solve(options, Boundary::Periodic, &map, 1.1 * least)?;
+    let p_star = surface.closing_pressure();
+    let numbers = vec![
+        Number { order: None, ..number("closing pressure", least, p_star, 0.0) },
+        Number { order: None, ..field("pressure, rms", &solution.pressure, &exact, 0.0) },
+    ];
+    Ok((solution, numbers))
+}
