@@ -1,0 +1,105 @@
+//! Floating-point pieces that keep digits: none of them knows any physics.
+
+/// `exp(-α²/2) = outer * inner * outer`.
+///
+/// α²/2 rounded to a double would cost α²/2 units in the last place. Here α is cut after four
+/// binary places, `h`; h² is exact and the rest is `(α-h)(α+h)`.
+pub(crate) fn exp_half_square(alpha: f64) -> [f64; 2] {
+    let h = libm::trunc(16.0 * alpha) / 16.0;
+    let d = (alpha - h) * (alpha + h);
+    [libm::exp(-0.25 * h * h), libm::exp(-0.5 * d)]
+}
+
+/// x^{twice/2} as `(high + low) 2^exponent`, x > 0.
+pub(crate) fn half_power(twice: i32, x: f64) -> (f64, f64, i32) {
+    let (mantissa, exponent) = libm::frexp(x);
+    // An even exponent, so that its square root is a power of two.
+    let (m, e) =
+        if exponent % 2 == 0 { (mantissa, exponent) } else { (2.0 * mantissa, exponent - 1) };
+    let root = libm::sqrt(m);
+    let (square, error) = two_product(root, root);
+    let root_low = ((m - square) - error) / (2.0 * root);
+    let (mut high, mut low) = match twice % 2 {
+        0 => (1.0, 0.0),
+        1 => (root, root_low),
+        _ => {
+            // twice = -1
+            let inverse = 1.0 / root;
+            let (one, error) = two_product(inverse, root);
+            (inverse, inverse * (((1.0 - one) - error) - inverse * root_low))
+        }
+    };
+    for _ in 0..twice / 2 {
+        let (product, error) = two_product(high, m);
+        (high, low) = (product, error + low * m);
+    }
+    (high, low, e / 2 * twice)
+}
+
+/// `a * b` and its rounding error (Dekker 1971, doi:10.1007/BF01397083). Without fused
+/// multiply-add, which is a slow function call on the default x86-64 target.
+pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let (a_high, a_low) = split(a);
+    let (b_high, b_low) = split(b);
+    let product = a * b;
+    let error = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    (product, error)
+}
+
+/// Two halves of 26 bits.
+fn split(a: f64) -> (f64, f64) {
+    let c = 134_217_729.0 * a; // 2^27 + 1
+    let high = c - (c - a);
+    (high, a - high)
+}
+
+/// Infinity becomes the largest double of the same sign.
+pub(crate) fn clamp_to_finite(x: f64) -> f64 {
+    if x == f64::INFINITY {
+        f64::MAX
+    } else if x == f64::NEG_INFINITY {
+        -f64::MAX
+    } else {
+        x
+    }
+}
+
+/// Product of factors that are not negative, without overflow or underflow on the way. Rises
+/// with each factor to the last bit.
+pub(crate) fn product(factors: &[f64]) -> f64 {
+    let (mantissa, exponent) = wide_product(factors);
+    libm::scalbn(mantissa, exponent)
+}
+
+/// A quotient of positive numbers that may lie outside the range of doubles.
+#[derive(Clone, Copy)]
+pub(crate) struct Quotient {
+    /// 0, subnormal or infinite where a double cannot hold it.
+    pub(crate) value: f64,
+    /// Always finite.
+    pub(crate) logarithm: f64,
+}
+
+impl Quotient {
+    /// `numerator` over the product of `denominators`.
+    pub(crate) fn of(numerator: f64, denominators: &[f64]) -> Self {
+        let (n, n_exponent) = libm::frexp(numerator);
+        let (d, d_exponent) = wide_product(denominators);
+        let exponent = n_exponent - d_exponent;
+        Self {
+            value: libm::scalbn(n / d, exponent),
+            logarithm: libm::log(n / d) + f64::from(exponent) * core::f64::consts::LN_2,
+        }
+    }
+}
+
+fn wide_product(factors: &[f64]) -> (f64, i32) {
+    let (mut mantissa, mut exponent) = (1.0, 0);
+    for &factor in factors {
+        let (m, e) = libm::frexp(factor);
+        let (renormalised, shift) = libm::frexp(mantissa * m);
+        mantissa = renormalised;
+        exponent += e + shift;
+    }
+    (mantissa, exponent)
+}

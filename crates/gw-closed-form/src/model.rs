@@ -1,0 +1,326 @@
+//! The Greenwood-Williamson model with units.
+
+use crate::arithmetic::{Quotient, product};
+use crate::asperities::{MODEL, asperities_from_moments, bandwidth};
+use crate::integrals::{area_factors, load_factors, slope_factors};
+use crate::partial_moments::{self, Order};
+use crate::{integrals, inverse};
+use contact_types::{
+    AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
+    SeparationModel, SpectralMoments,
+};
+use core::f64::consts::PI;
+
+/// Spherical summits of one radius and Gaussian heights, each in Hertz contact on its own.
+///
+/// With `a = d - y_s` (flat to mean summit plane) and α = a/σ_s:
+///
+/// ```math
+/// \frac{p}{E^*} = \tfrac43\, \eta \sqrt R \int_a^\infty (z-a)^{3/2} \phi(z)\,dz, \qquad
+/// \frac{A_r}{A_n} = \pi \eta R \int_a^\infty (z-a)\, \phi(z)\,dz
+/// ```
+///
+/// Area and pressure are right to 2e-15 and fall with the separation to the last bit.
+///
+/// # Validity
+/// Summits must not feel each other: a [`Caveat::BeyondModel`] is attached above an area fraction
+/// of 0.1, and if the moments belong to no isotropic Gaussian surface (bandwidth below 3/2). The
+/// area fraction is not clipped and exceeds 1 at large overlap.
+///
+/// ```
+/// use contact_types::{AsperityStatistics, ContactModel, ContactModulus};
+/// use gw_closed_form::GreenwoodWilliamson;
+///
+/// // Typed in by hand: 3e10 summits per m², radius 8 µm, deviation 0.3 µm, mean height 0.2 µm.
+/// let asperities =
+///     AsperityStatistics { density: 3e10, radius: 8e-6, height_std: 0.3e-6, mean_offset: 0.2e-6 };
+/// let modulus = ContactModulus::from_pascals(110e9)?;
+/// let contact = GreenwoodWilliamson::new(asperities, modulus)?.at_pressure(50e6)?;
+/// assert!((contact.area_fraction - 0.006_581_328_111_413).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// Greenwood & Williamson (1966), doi:10.1098/rspa.1966.0242; Jackson & Green, IJTC2009-15106,
+/// eqs. (1) and (2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GreenwoodWilliamson {
+    asperities: AsperityStatistics,
+    modulus: ContactModulus,
+    /// Only known if the model was made from moments.
+    bandwidth: Option<f64>,
+}
+
+impl GreenwoodWilliamson {
+    /// From asperity statistics typed in or measured.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless density, radius and height deviation are finite and
+    /// positive and the mean offset is finite.
+    pub fn new(
+        asperities: AsperityStatistics,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        for (quantity, value) in [
+            ("asperity density", asperities.density),
+            ("asperity radius", asperities.radius),
+            ("asperity height deviation", asperities.height_std),
+        ] {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(invalid(quantity, value, "must be finite and greater than 0"));
+            }
+        }
+        if !asperities.mean_offset.is_finite() {
+            return Err(invalid("mean offset", asperities.mean_offset, "must be finite"));
+        }
+        Ok(Self { asperities, modulus, bandwidth: None })
+    }
+
+    /// From the moments of a surface, by [`asperities_from_moments`].
+    ///
+    /// # Errors
+    /// As [`asperities_from_moments`].
+    pub fn from_moments(
+        moments: SpectralMoments,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        let model = Self::new(asperities_from_moments(moments)?, modulus)?;
+        Ok(Self { bandwidth: Some(bandwidth(moments)), ..model })
+    }
+
+    /// The asperities of this model.
+    pub fn asperities(&self) -> AsperityStatistics {
+        self.asperities
+    }
+
+    /// Contacts per nominal area [m⁻²] at `separation` (m): η J_0(α).
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the separation is not finite.
+    pub fn contact_density(&self, separation: f64) -> Result<f64, ModelError> {
+        let a = self.height_above_summit_mean(separation)?;
+        let fraction = integrals::contact_fraction(a, self.asperities.height_std);
+        Ok(self.asperities.density * fraction)
+    }
+
+    /// Normal stiffness per nominal area, -dp/dd [Pa/m], at `separation` (m):
+    /// `2 E* η √R √σ_s J_1/2(α)`.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the separation is not finite,
+    /// [`ModelError::OutsideDomain`] if the result exceeds the largest double.
+    pub fn stiffness(&self, separation: f64) -> Result<f64, ModelError> {
+        let a = self.height_above_summit_mean(separation)?;
+        let [hertz, height, j] = slope_factors(a, self.asperities.height_std);
+        finite(self.pressure_of(&[hertz, height, j]), "separation", separation)
+    }
+
+    /// Of the summits in contact at `separation` (m), the fraction pressed in deeper than
+    /// `critical_interference` (m, not negative): `J_0(α + ω_c/σ_s) / J_0(α)`. With the
+    /// interference at which a summit yields, this tells how elastic the contact is.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`].
+    pub fn fraction_above(
+        &self,
+        separation: f64,
+        critical_interference: f64,
+    ) -> Result<f64, ModelError> {
+        if !(critical_interference.is_finite() && critical_interference >= 0.0) {
+            return Err(invalid(
+                "critical interference",
+                critical_interference,
+                "must be finite and not negative",
+            ));
+        }
+        let s = self.asperities.height_std;
+        let a = self.height_above_summit_mean(separation)?;
+        let (alpha, omega) = (a / s, critical_interference / s);
+        if alpha < 8.0 {
+            let deep = partial_moments::value(Order::Zero, (a + critical_interference) / s);
+            return Ok(deep / partial_moments::value(Order::Zero, alpha));
+        }
+        // Both fractions may underflow; their quotient does not: the Gaussians cancel.
+        let deep = partial_moments::scaled(Order::Zero, alpha + omega);
+        let scaled = deep / partial_moments::scaled(Order::Zero, alpha);
+        let gaussian = libm::exp(-omega * (alpha + 0.5 * omega));
+        Ok(if gaussian > 0.0 { scaled * gaussian } else { 0.0 })
+    }
+
+    /// ln of the mean pressure in Pa at `separation` (m), where the pressure itself may be below
+    /// the smallest double.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the separation is not finite.
+    pub fn ln_mean_pressure(&self, separation: f64) -> Result<f64, ModelError> {
+        let a = self.height_above_summit_mean(separation)?;
+        let AsperityStatistics { density, radius, height_std, .. } = self.asperities;
+        let scale = libm::log(4.0 / 3.0)
+            + libm::log(self.modulus.pascals())
+            + libm::log(density)
+            + 0.5 * libm::log(radius);
+        Ok((scale + integrals::ln_load(a, height_std)).max(-f64::MAX))
+    }
+
+    /// Separation in m at which the real area fraction is `area_fraction`.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless it is finite and positive,
+    /// [`ModelError::OutsideDomain`] if the separation exceeds the range of doubles.
+    pub fn separation_at_area(&self, area_fraction: f64) -> Result<f64, ModelError> {
+        if !(area_fraction.is_finite() && area_fraction > 0.0) {
+            let requirement = "must be finite and greater than 0";
+            return Err(invalid("area fraction", area_fraction, requirement));
+        }
+        let AsperityStatistics { density, radius, height_std, .. } = self.asperities;
+        let area = Quotient::of(area_fraction, &[PI, density, radius, height_std]);
+        let separation = self.separation_of(alpha_of(Order::One, area)?);
+        finite(separation, "area fraction", area_fraction)
+    }
+
+    /// a = d - y_s [m].
+    fn height_above_summit_mean(&self, separation: f64) -> Result<f64, ModelError> {
+        if separation.is_finite() {
+            Ok(separation - self.asperities.mean_offset)
+        } else {
+            Err(invalid("separation", separation, "must be finite"))
+        }
+    }
+
+    /// d = y_s + α σ_s [m].
+    fn separation_of(&self, alpha: f64) -> f64 {
+        self.asperities.mean_offset + alpha * self.asperities.height_std
+    }
+
+    /// (4/3) E* η √R times an integral given by its factors [Pa].
+    fn pressure_of(&self, integral: &[f64; 3]) -> f64 {
+        let AsperityStatistics { density, radius, .. } = self.asperities;
+        let hertz = 4.0 / 3.0; // Hertz: F = (4/3) E* R^(1/2) overlap^(3/2)
+        let [i, j, k] = *integral;
+        product(&[hertz, self.modulus.pascals(), density, libm::sqrt(radius), i, j, k])
+    }
+
+    /// π η R times an integral given by its factors [-].
+    fn area_of(&self, integral: &[f64; 2]) -> f64 {
+        let AsperityStatistics { density, radius, .. } = self.asperities;
+        product(&[PI, density, radius, integral[0], integral[1]])
+    }
+
+    fn state(&self, mean_pressure: f64, area_fraction: f64, separation: f64) -> ContactState {
+        let caveat = if mean_pressure < f64::MIN_POSITIVE {
+            Some(Caveat::Underflow { quantity: "mean pressure" })
+        } else if area_fraction < f64::MIN_POSITIVE {
+            Some(Caveat::Underflow { quantity: "area fraction" })
+        } else if let Some(value) = self.bandwidth.filter(|&b| b < 1.5 - 1e-12) {
+            Some(Caveat::BeyondModel {
+                quantity: "bandwidth",
+                value,
+                limit: 1.5,
+                reason: "no isotropic Gaussian surface has so narrow a spectrum",
+            })
+        } else if area_fraction > MAX_ISOLATED_AREA {
+            Some(Caveat::BeyondModel {
+                quantity: "area fraction",
+                value: area_fraction,
+                limit: MAX_ISOLATED_AREA,
+                reason: "contacts are no longer isolated",
+            })
+        } else {
+            None
+        };
+        ContactState {
+            mean_pressure,
+            area_fraction,
+            separation: Some(separation),
+            mean_gap: None,
+            caveat,
+        }
+    }
+}
+
+impl ContactModel for GreenwoodWilliamson {
+    fn citation(&self) -> Citation {
+        Citation {
+            authors: "Greenwood & Williamson",
+            year: 1966,
+            title: "Contact of nominally flat surfaces",
+            journal: "Proceedings of the Royal Society of London A 295, 300-319",
+            doi: "10.1098/rspa.1966.0242",
+        }
+    }
+
+    /// The contact at a mean pressure. At 0 nothing touches and there is no finite separation.
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        if !(mean_pressure.is_finite() && mean_pressure >= 0.0) {
+            return Err(invalid("mean pressure", mean_pressure, "must be finite and not negative"));
+        }
+        if mean_pressure <= 0.0 {
+            return Ok(ContactState {
+                mean_pressure: 0.0,
+                area_fraction: 0.0,
+                separation: None,
+                mean_gap: None,
+                caveat: None,
+            });
+        }
+        let AsperityStatistics { density, radius, height_std: s, .. } = self.asperities;
+        let hertz = 4.0 / 3.0;
+        let scale = [hertz, self.modulus.pascals(), density, libm::sqrt(radius), s, libm::sqrt(s)];
+        let load = Quotient::of(mean_pressure, &scale);
+        let alpha = alpha_of(Order::ThreeHalves, load)?;
+        let separation = finite(self.separation_of(alpha), "mean pressure", mean_pressure)?;
+        // α is a rounded number, and the area changes by α² times its rounding. What the load
+        // still lacks at this α is known, so the area is moved along with it.
+        let j = partial_moments::value(Order::ThreeHalves, alpha);
+        let representable = load.value.is_normal() && j.is_normal();
+        let missing = if representable { load.value / j - 1.0 } else { 0.0 };
+        let elasticity = partial_moments::ln_derivative(Order::One, alpha)
+            / partial_moments::ln_derivative(Order::ThreeHalves, alpha);
+        let j1 = partial_moments::value(Order::One, alpha) * (1.0 + missing * elasticity);
+        let area = finite(self.area_of(&[s, j1]), "mean pressure", mean_pressure)?;
+        Ok(self.state(mean_pressure, area, separation))
+    }
+}
+
+impl SeparationModel for GreenwoodWilliamson {
+    fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError> {
+        let a = self.height_above_summit_mean(separation)?;
+        let s = self.asperities.height_std;
+        let pressure = finite(self.pressure_of(&load_factors(a, s)), "separation", separation)?;
+        let area = finite(self.area_of(&area_factors(a, s)), "separation", separation)?;
+        Ok(self.state(pressure, area, separation))
+    }
+}
+
+/// Where contacts are usually taken to be isolated no longer (a choice, not a theorem).
+const MAX_ISOLATED_AREA: f64 = 0.1;
+
+/// α where J_n(α) is the quotient, also where no double can hold that.
+fn alpha_of(order: Order, quotient: Quotient) -> Result<f64, ModelError> {
+    let found = if quotient.value.is_normal() {
+        inverse::from_value(order, quotient.value)
+    } else {
+        inverse::from_logarithm(order, quotient.logarithm)
+    };
+    found.map_err(|_| {
+        invalid("ln of the dimensionless load or area", quotient.logarithm, "must be below 708")
+    })
+}
+
+fn invalid(quantity: &'static str, value: f64, requirement: &'static str) -> ModelError {
+    ModelError::InvalidInput { model: MODEL, quantity, value, requirement }
+}
+
+/// The result, or the input `quantity = value` that drove it out of the range of doubles.
+fn finite(result: f64, quantity: &'static str, value: f64) -> Result<f64, ModelError> {
+    if result.is_finite() {
+        return Ok(result);
+    }
+    Err(ModelError::OutsideDomain {
+        model: MODEL,
+        quantity,
+        value,
+        domain: -f64::MAX..=f64::MAX,
+        reason: "the answer exceeds the largest double",
+    })
+}
