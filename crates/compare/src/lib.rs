@@ -4,6 +4,7 @@
 //!
 //! Nothing here opens a file or prints: the report writes to any [`std::io::Write`].
 
+pub mod quantity;
 mod recipe;
 mod run_file;
 mod settings;
