@@ -61,21 +61,21 @@ impl std::fmt::Display for Caveat {
 /// One point of a contact curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactState {
-    /// Nominal pressure F / A_n [Pa].
+    /// Nominal pressure F / A_n \[Pa\].
     pub mean_pressure: f64,
-    /// Real area fraction A_r / A_n [-].
+    /// Real area fraction A_r / A_n \[-\].
     pub area_fraction: f64,
-    /// Distance of the rigid flat from the mean plane of the undeformed heights [m]; `None` if
+    /// Distance of the rigid flat from the mean plane of the undeformed heights \[m\]; `None` if
     /// the theory has no such quantity.
     pub separation: Option<f64>,
-    /// Mean gap after deformation [m]; `None` if the theory is silent.
+    /// Mean gap after deformation \[m\]; `None` if the theory is silent.
     pub mean_gap: Option<f64>,
     /// What must be known about this answer.
     pub caveat: Option<Caveat>,
 }
 
 impl ContactState {
-    /// Mean pressure on the real area, F / A_r [Pa]; `None` where nothing touches.
+    /// Mean pressure on the real area, F / A_r \[Pa\]; `None` where nothing touches.
     pub fn real_pressure(&self) -> Option<f64> {
         let pressure = self.mean_pressure / self.area_fraction;
         (self.area_fraction > 0.0 && pressure.is_finite()).then_some(pressure)

@@ -27,7 +27,7 @@ pub enum SurfaceError {
     BadPixel {
         /// `'x'` or `'y'`.
         axis: char,
-        /// The value found [m].
+        /// The value found \[m\].
         value: f64,
     },
     /// The number of heights differs from the number of pixels.

@@ -34,17 +34,17 @@ impl Elastic {
         Ok(Self { young, poisson })
     }
 
-    /// Young's modulus [Pa].
+    /// Young's modulus \[Pa\].
     pub fn young(&self) -> f64 {
         self.young
     }
 
-    /// Poisson's ratio [-].
+    /// Poisson's ratio \[-\].
     pub fn poisson(&self) -> f64 {
         self.poisson
     }
 
-    /// Plane-strain modulus `E / (1 - nu^2)` [Pa].
+    /// Plane-strain modulus `E / (1 - nu^2)` \[Pa\].
     pub fn plane_strain_modulus(&self) -> f64 {
         self.young / (1.0 - self.poisson * self.poisson)
     }
@@ -97,7 +97,7 @@ impl ContactModulus {
         Self::from_pascals(small / (1.0 + small / large))
     }
 
-    /// E* [Pa].
+    /// E* \[Pa\].
     pub fn pascals(self) -> f64 {
         self.0
     }

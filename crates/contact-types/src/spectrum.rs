@@ -5,9 +5,9 @@ use crate::{SpectralMoments, SurfaceError};
 /// All waves of one wavenumber.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shell {
-    /// Angular wavenumber |q| [rad/m].
+    /// Angular wavenumber |q| \[rad/m\].
     pub wavenumber: f64,
-    /// Height variance carried by these waves [m²].
+    /// Height variance carried by these waves \[m²\].
     pub variance: f64,
 }
 
@@ -61,9 +61,9 @@ impl RoughnessSpectrum {
 /// One sinusoid of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wave {
-    /// Frequency f = 1/wavelength [1/m].
+    /// Frequency f = 1/wavelength \[1/m\].
     pub frequency: f64,
-    /// Amplitude Δ of the sinusoid [m].
+    /// Amplitude Δ of the sinusoid \[m\].
     pub amplitude: f64,
 }
 
@@ -114,12 +114,12 @@ impl AmplitudeSpectrum {
         &self.waves
     }
 
-    /// Length of the profiles [m].
+    /// Length of the profiles \[m\].
     pub fn record_length(&self) -> f64 {
         self.record_length
     }
 
-    /// B_max = max Δ f, the largest ratio of amplitude to wavelength [-]; 0 if there is no wave.
+    /// B_max = max Δ f, the largest ratio of amplitude to wavelength \[-\]; 0 if there is no wave.
     pub fn max_amplitude_ratio(&self) -> f64 {
         self.waves.iter().map(|w| w.amplitude * w.frequency).fold(0.0, f64::max)
     }
