@@ -1,0 +1,105 @@
+//! `rough-contact info`: what a surface file holds.
+
+use crate::args::Common;
+use crate::input::Reading;
+use crate::outcome::{Failure, Reply};
+use crate::text::{self, Table};
+use clap::Args;
+use serde_json::{Value, json};
+use std::path::PathBuf;
+use surface_io::{FORMATS, Measurement};
+
+#[derive(Args)]
+pub(crate) struct Info {
+    /// Surface file; recognised by its content
+    #[arg(value_name = "FILE", required_unless_present = "list")]
+    file: Option<PathBuf>,
+    /// The formats that can be read
+    #[arg(long, conflicts_with = "file")]
+    list: bool,
+    #[command(flatten)]
+    reading: Reading,
+}
+
+impl Info {
+    pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
+        let Some(file) = &self.file else { return Ok(formats()) };
+        let measurement = self.reading.measurement(file)?;
+        Ok(Reply::new(describe(&measurement), object(&measurement)))
+    }
+}
+
+fn object(m: &Measurement) -> Value {
+    let summary = m.height_summary();
+    let channels: Vec<Value> = m
+        .channels()
+        .iter()
+        .map(|c| {
+            json!({
+                "name": c.name, "unit": c.unit, "is_height": c.is_height, "shape": c.shape,
+                "pixel": c.pixel,
+            })
+        })
+        .collect();
+    json!({
+        "format": m.format().name(),
+        "shape": m.grid().shape(),
+        "pixel": m.grid().pixel(),
+        "missing": m.missing(),
+        "height_min": summary.map(|s| s.0),
+        "height_max": summary.map(|s| s.1),
+        "height_mean": summary.map(|s| s.2),
+        "channel": m.channel(),
+        "channels": channels,
+        "is_profile": m.is_profile(),
+        "metadata": m.metadata(),
+    })
+}
+
+fn describe(m: &Measurement) -> String {
+    let [ny, nx] = m.grid().shape();
+    let [dy, dx] = m.grid().pixel();
+    let [ly, lx] = m.grid().size();
+    let points = (ny * nx) as f64;
+    let mut table = Table::default();
+    table.row("format", m.format().name());
+    table.row("points", format!("{ny} rows × {nx} columns"));
+    table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
+    table.row("size", format!("{} × {}", text::length(ly), text::length(lx)));
+    let percent = 100.0 * m.missing() as f64 / points;
+    table.row(
+        "missing points",
+        match m.missing() {
+            0 => "none".to_owned(),
+            n => format!("{n} ({percent:.2} %)"),
+        },
+    );
+    if let Some((low, high, mean)) = m.height_summary() {
+        table.row("heights", format!("{} to {}", text::length(low), text::length(high)));
+        table.row("mean height", text::length(mean));
+    }
+    if m.is_profile() {
+        table.row("note", "a single line of points: a profile, not a surface");
+    }
+    for channel in m.channels() {
+        let unit = channel.unit.as_deref().unwrap_or("no unit");
+        let used = if channel.name == m.channel() { ", read here" } else { "" };
+        let kind = if channel.is_height { "height" } else { "not a height" };
+        table.row("channel", format!("{} ({unit}, {kind}{used})", channel.name));
+    }
+    for (key, value) in m.metadata() {
+        table.row(key, value.trim());
+    }
+    table.to_string()
+}
+
+fn formats() -> Reply {
+    let mut table = Table::default();
+    let mut list = Vec::new();
+    for spec in FORMATS {
+        let name = spec.format.name();
+        table.row(name, format!(".{}", spec.extensions.join(" .")));
+        list.push(json!({ "name": name, "extensions": spec.extensions }));
+    }
+    Reply::new(table.to_string(), json!({ "formats": list }))
+}

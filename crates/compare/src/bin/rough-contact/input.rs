@@ -1,0 +1,101 @@
+//! A surface file and how to read it: the options every command with a FILE takes.
+
+use crate::args;
+use crate::outcome::Failure;
+use clap::{Args, ValueEnum};
+use compare::quantity;
+use contact_types::HeightMap;
+use std::path::{Path, PathBuf};
+use surface_io::{Measurement, ReadOptions};
+
+/// How missing points are filled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Fill {
+    /// Missing points are an error
+    #[default]
+    Refuse,
+    /// A smooth surface through the neighbours: the solution of Laplace's equation
+    Harmonic,
+    /// The height of the nearest point
+    Nearest,
+}
+
+impl Fill {
+    fn rule(self) -> surface_io::Fill {
+        match self {
+            Self::Refuse => surface_io::Fill::Refuse,
+            Self::Harmonic => surface_io::Fill::Harmonic,
+            Self::Nearest => surface_io::Fill::Nearest,
+        }
+    }
+}
+
+/// What the file does not say, and which part of it is wanted.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "File options")]
+pub(crate) struct Reading {
+    /// Channel to read [default: the first height channel]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) channel: Option<String>,
+    /// Distance of neighbouring points, if the file does not say
+    #[arg(long, value_name = "DX[,DY]", value_parser = args::pixel, allow_hyphen_values = true)]
+    pub(crate) pixel: Option<[f64; 2]>,
+    /// Unit of the heights, if the file does not say
+    #[arg(long, value_name = "U", value_parser = quantity::parse_length_unit)]
+    pub(crate) height_unit: Option<f64>,
+    /// What to do with missing points
+    #[arg(long, value_enum, default_value_t, value_name = "RULE")]
+    pub(crate) fill: Fill,
+    /// Cut out NY x NX points from row Y0, column X0
+    #[arg(long, value_name = "Y0,X0,NY,NX", value_parser = args::crop)]
+    pub(crate) crop: Option<[usize; 4]>,
+}
+
+impl Reading {
+    /// Reads and crops; missing points stay missing.
+    pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Failure> {
+        let mut options = ReadOptions::default();
+        options.channel.clone_from(&self.channel);
+        options.pixel = self.pixel;
+        options.height_unit = self.height_unit;
+        let measurement =
+            surface_io::read(path, &options).map_err(|e| Failure::in_file(path, &e))?;
+        match self.crop {
+            None => Ok(measurement),
+            Some(crop) => measurement.crop(crop).map_err(|e| Failure::in_file(path, &e)),
+        }
+    }
+
+    /// A complete surface, and how many of its points were missing.
+    pub(crate) fn surface(&self, path: &Path) -> Result<(HeightMap, usize), Failure> {
+        let measurement = self.measurement(path)?;
+        let missing = measurement.missing();
+        refuse_profile(path, &measurement)?;
+        let map = measurement.fill(self.fill.rule()).map_err(|e| Failure::in_file(path, &e))?;
+        Ok((map, missing))
+    }
+}
+
+/// A single line of points is a profile; contact of surfaces needs both directions.
+fn refuse_profile(path: &Path, measurement: &Measurement) -> Result<(), Failure> {
+    let [ny, nx] = measurement.grid().shape();
+    if ny > 1 && nx > 1 {
+        return Ok(());
+    }
+    let message = format!(
+        "{}: {ny} x {nx} points are a profile, not a surface; a surface needs at least 2 x 2 \
+         points (`rough-contact info` still reads it)",
+        path.display()
+    );
+    Err(Failure::refused("profile", message))
+}
+
+/// One file and how to read it.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Input {
+    /// Surface file; recognised by its content
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) reading: Reading,
+}

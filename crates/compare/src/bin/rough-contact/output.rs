@@ -1,0 +1,79 @@
+//! Files the command writes: never over an existing one unless --force.
+
+use crate::outcome::Failure;
+use std::fs::{self, File};
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// A folder that will receive files of known names.
+pub(crate) struct Folder {
+    path: PathBuf,
+}
+
+impl Folder {
+    /// Makes the folder and looks for what is in the way, before any work is done.
+    pub(crate) fn prepare(path: &Path, names: &[String], force: bool) -> Result<Self, Failure> {
+        if !force {
+            for name in names {
+                let file = path.join(name);
+                if file.symlink_metadata().is_ok() {
+                    return Err(Failure::exists(&file));
+                }
+            }
+        }
+        fs::create_dir_all(path).map_err(|e| Failure::unwritable(path, &e))?;
+        let probe = path.join(".rough-contact-probe");
+        File::create(&probe).map_err(|e| Failure::unwritable(path, &e))?;
+        // The probe has told what it was for; if it cannot be removed, writing will tell.
+        let _ = fs::remove_file(&probe);
+        Ok(Self { path: path.to_owned() })
+    }
+
+    /// Writes one file.
+    pub(crate) fn write(
+        &self,
+        name: &str,
+        content: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>,
+    ) -> Result<(), Failure> {
+        write(&self.path.join(name), content)
+    }
+}
+
+/// Looks whether `path` may be written, before any work is done.
+pub(crate) fn check(path: &Path, force: bool) -> Result<(), Failure> {
+    match path.symlink_metadata() {
+        Ok(there) if there.is_dir() => {
+            let error = std::io::Error::new(std::io::ErrorKind::IsADirectory, "it is a directory");
+            Err(Failure::unwritable(path, &error))
+        }
+        Ok(_) if !force => Err(Failure::exists(path)),
+        _ => Ok(()),
+    }
+}
+
+/// Writes `content` to `path`. A file that could not be finished is removed, so that no half
+/// file passes for a whole one.
+pub(crate) fn write(
+    path: &Path,
+    content: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    let partial = partial_name(path);
+    let result = File::create(&partial).and_then(|file| {
+        let mut writer = BufWriter::new(file);
+        content(&mut writer)?;
+        writer.flush()?;
+        fs::rename(&partial, path)
+    });
+    result.map_err(|error| {
+        // It may not exist; the error that matters is the first.
+        let _ = fs::remove_file(&partial);
+        Failure::unwritable(path, &error)
+    })
+}
+
+/// The name under which a file is written until it is complete.
+fn partial_name(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".{}.partial", std::process::id()));
+    path.with_file_name(name)
+}

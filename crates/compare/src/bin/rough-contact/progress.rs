@@ -1,0 +1,53 @@
+//! Progress on standard error: a bar on a terminal, one line per step elsewhere, nothing with
+//! --quiet.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+
+/// Steps of a long run.
+pub(crate) struct Progress {
+    bar: Option<ProgressBar>,
+    lines: bool,
+    total: usize,
+    done: usize,
+}
+
+impl Progress {
+    /// Expects `total` steps.
+    pub(crate) fn new(quiet: bool, total: usize) -> Self {
+        let terminal = std::io::stderr().is_terminal();
+        let bar = (!quiet && terminal).then(|| {
+            let style = ProgressStyle::with_template("{bar:24} {pos}/{len} {msg} [{elapsed}]")
+                .unwrap_or_else(|_| ProgressStyle::default_bar());
+            let target = ProgressDrawTarget::stderr_with_hz(10);
+            ProgressBar::with_draw_target(Some(total as u64), target).with_style(style)
+        });
+        Self { bar, lines: !quiet && !terminal, total, done: 0 }
+    }
+
+    /// What is being done now.
+    pub(crate) fn working_on(&mut self, what: &str) {
+        if let Some(bar) = &self.bar {
+            bar.set_message(what.to_owned());
+        }
+    }
+
+    /// One step is done.
+    pub(crate) fn step(&mut self, what: &str) {
+        self.done += 1;
+        if let Some(bar) = &self.bar {
+            bar.set_message(what.to_owned());
+            bar.inc(1);
+        } else if self.lines {
+            eprintln!("{}/{} {what}", self.done, self.total);
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

@@ -1,0 +1,280 @@
+//! `rough-contact solve`: the deterministic solution.
+
+use crate::args::{self, Bodies, Common, List};
+use crate::input::Input;
+use crate::outcome::{Failure, Reply, variant};
+use crate::output::Folder;
+use crate::progress::Progress;
+use crate::text::{self, Columns};
+use clap::Args;
+use compare::{MethodName, PrecisionName};
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::{Boundary, Load, Method, Precision, Solution, Solver, SolverError};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+#[derive(Args)]
+pub(crate) struct Solve {
+    #[command(flatten)]
+    input: Input,
+    #[command(flatten)]
+    bodies: Bodies,
+    /// Mean pressures to solve for
+    #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
+    #[arg(required_unless_present = "gap", conflicts_with = "gap")]
+    pressure: Option<List>,
+    /// Mean gaps to solve for, instead of --pressure
+    #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
+    gap: Option<List>,
+    /// What lies beyond the edges: the same map again, or nothing
+    #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
+    boundary: String,
+    /// How to solve
+    #[arg(long, value_parser = args::method(), default_value = "auto")]
+    method: MethodName,
+    /// Floating-point type of the iteration; results are always f64
+    #[arg(long, value_parser = args::precision(), default_value = "f64")]
+    precision: PrecisionName,
+    /// Relative rms error of the pressure to reach
+    #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
+    #[arg(default_value = "1e-4")]
+    tolerance: f64,
+    /// Folder for pressure-000.npy and gap-000.npy of each load
+    #[arg(long, value_name = "DIR")]
+    maps: Option<PathBuf>,
+}
+
+/// A load that was solved for.
+struct Point {
+    json: Value,
+    cells: Vec<String>,
+}
+
+impl Solve {
+    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+        let modulus = self.bodies.required()?;
+        let loads = self.loads()?;
+        let maps = match &self.maps {
+            None => None,
+            Some(path) => Some(Folder::prepare(path, &map_names(loads.len()), common.force)?),
+        };
+        let (surface, _) = self.input.reading.surface(&self.input.file)?;
+        let boundary = if self.boundary == "free" { Boundary::Free } else { Boundary::Periodic };
+        let precision = match self.precision {
+            PrecisionName::F64 => Precision::Double,
+            PrecisionName::F32 => Precision::Single,
+        };
+        let mut solver = Solver::builder()
+            .method(self.method())
+            .boundary(boundary)
+            .precision(precision)
+            .tolerance(self.tolerance)
+            .threads(common.threads())
+            .build(surface.grid(), modulus)
+            .map_err(|e| Failure::from_error(&e))?;
+
+        let mut work = Work {
+            maps,
+            trouble: None,
+            method: self.method.to_string(),
+            points: loads.iter().map(|_| None).collect(),
+            grid: surface.grid(),
+        };
+        let mut progress = Progress::new(common.quiet, loads.len());
+        // Rising load, each solution the start of the next.
+        for index in rising(&loads) {
+            progress.working_on(&shown(loads[index]));
+            work.take(index, loads[index], &solver.solve(&surface, loads[index]));
+            progress.step(&shown(loads[index]));
+        }
+        drop(progress);
+        Ok(self.reply(work, &surface, modulus.pascals()))
+    }
+
+    /// The loads in the order given; zero and negative ones are refused before any work.
+    fn loads(&self) -> Result<Vec<Load>, Failure> {
+        if let Some(List(pressures)) = &self.pressure {
+            for &p in pressures {
+                positive("mean pressure", p, "Pa", "at which something touches")?;
+            }
+            return Ok(pressures.iter().map(|&p| Load::MeanPressure(p)).collect());
+        }
+        let List(gaps) = self.gap.as_ref().expect("clap requires one of the two");
+        for &g in gaps {
+            positive("mean gap", g, "m", "or use --pressure for a closed gap")?;
+        }
+        Ok(gaps.iter().map(|&g| Load::MeanGap(g)).collect())
+    }
+
+    fn method(&self) -> Method {
+        match self.method {
+            MethodName::Auto => Method::Auto,
+            MethodName::Chord => Method::Chord,
+            MethodName::PolonskyKeer => Method::PolonskyKeer,
+            MethodName::StanleyKato => Method::StanleyKato,
+        }
+    }
+
+    fn reply(&self, work: Work, surface: &HeightMap, modulus: f64) -> Reply {
+        let mut columns = Columns::new(&[
+            "mean pressure",
+            "area",
+            "corrected",
+            "mean gap",
+            "real pressure",
+            "highest",
+            "FFT pairs",
+            "residual",
+            "time",
+        ]);
+        let mut points = Vec::new();
+        for point in work.points.into_iter().flatten() {
+            columns.row(point.cells);
+            points.push(point.json);
+        }
+        let json = json!({
+            "shape": surface.grid().shape(),
+            "pixel": surface.grid().pixel(),
+            "boundary": self.boundary,
+            "method": work.method,
+            "precision": self.precision.name(),
+            "modulus": modulus,
+            "tolerance": self.tolerance,
+            "points": points,
+        });
+        Reply { text: columns.to_string(), json, trouble: work.trouble }
+    }
+}
+
+/// What is collected while the loads are solved. Fields go to the map files and are dropped.
+struct Work {
+    maps: Option<Folder>,
+    trouble: Option<Failure>,
+    method: String,
+    points: Vec<Option<Point>>,
+    grid: Grid,
+}
+
+impl Work {
+    fn take(&mut self, index: usize, load: Load, result: &Result<Solution, SolverError>) {
+        let (solution, error) = match result {
+            Ok(solution) => (Some(solution), None),
+            Err(error) => (error.solution(), Some(error)),
+        };
+        self.points[index] = Some(point(load, solution, error));
+        if let Some(error) = error {
+            self.trouble = Some(match error {
+                SolverError::NotConverged(_) => {
+                    Failure::incomplete("not_converged", format!("{}: {error}", shown(load)))
+                }
+                _ => Failure::from_error(error),
+            });
+        }
+        let Some(solution) = solution else { return };
+        self.method = solution.diagnostics.method.to_string();
+        if let Some(Err(failure)) = self.maps.as_ref().map(|maps| self.write(maps, index, solution))
+        {
+            self.trouble = Some(failure);
+        }
+    }
+
+    fn write(&self, maps: &Folder, index: usize, solution: &Solution) -> Result<(), Failure> {
+        for (name, field) in [("pressure", &solution.pressure), ("gap", &solution.gap)] {
+            let name = map_name(name, index);
+            maps.write(&name, |out| surface_io::write::npy_array(out, self.grid.shape(), field))?;
+        }
+        Ok(())
+    }
+}
+
+fn map_name(field: &str, index: usize) -> String {
+    format!("{field}-{index:03}.npy")
+}
+
+fn map_names(loads: usize) -> Vec<String> {
+    (0..loads).flat_map(|i| [map_name("pressure", i), map_name("gap", i)]).collect()
+}
+
+fn positive(what: &str, value: f64, unit: &str, hint: &str) -> Result<(), Failure> {
+    if value > 0.0 {
+        return Ok(());
+    }
+    let message = format!("{what} {value} {unit} must be greater than 0; give a {what} {hint}");
+    Err(Failure::refused("bad_load", message))
+}
+
+/// Indices from the lightest load to the heaviest.
+fn rising(loads: &[Load]) -> Vec<usize> {
+    let weight = |load: &Load| match *load {
+        Load::MeanGap(gap) => -gap,
+        Load::MeanPressure(load) | Load::Approach(load) => load,
+        _ => 0.0,
+    };
+    let mut order: Vec<usize> = (0..loads.len()).collect();
+    order.sort_by(|&i, &j| weight(&loads[i]).total_cmp(&weight(&loads[j])));
+    order
+}
+
+fn shown(load: Load) -> String {
+    match load {
+        Load::MeanPressure(p) => text::pressure(p),
+        Load::MeanGap(g) => format!("gap {}", text::length(g)),
+        other => format!("{other:?}"),
+    }
+}
+
+fn point(load: Load, solution: Option<&Solution>, error: Option<&SolverError>) -> Point {
+    let error_json = error.map(|e| json!({ "kind": variant(e), "message": e.to_string() }));
+    let Some(solution) = solution else {
+        let asked = if let Load::MeanPressure(p) = load { Some(p) } else { None };
+        return Point {
+            json: json!({
+                "mean_pressure": asked, "area_fraction": null, "area_fraction_corrected": null,
+                "mean_gap": if let Load::MeanGap(g) = load { Some(g) } else { None },
+                "approach": null, "max_pressure": null, "real_pressure": null,
+                "converged": false, "iterations": null, "transforms": null, "seconds": null,
+                "residuals": null, "duality_gap": null, "error": error_json,
+            }),
+            cells: vec![shown(load), error.map(ToString::to_string).unwrap_or_default()],
+        };
+    };
+    let (state, d) = (&solution.state, &solution.diagnostics);
+    let real = state.real_pressure();
+    Point {
+        json: json!({
+            "mean_pressure": state.mean_pressure,
+            "area_fraction": state.area_fraction,
+            "area_fraction_corrected": d.area_fraction_corrected,
+            "mean_gap": state.mean_gap,
+            "approach": solution.approach,
+            "max_pressure": d.max_pressure,
+            "real_pressure": real,
+            "converged": error.is_none(),
+            "iterations": d.iterations,
+            "transforms": d.transforms,
+            "seconds": d.seconds,
+            "residuals": {
+                "preconditioned": d.residuals.preconditioned,
+                "complementarity": d.residuals.complementarity,
+                "penetration": d.residuals.penetration,
+            },
+            "duality_gap": d.duality_gap,
+            "energy_bound": d.energy_bound,
+            "contact_pixels": d.contact_pixels,
+            "contact_perimeter": d.contact_perimeter,
+            "exact": d.exact,
+            "error": error_json,
+        }),
+        cells: vec![
+            text::pressure(state.mean_pressure),
+            text::percent(state.area_fraction),
+            text::percent(d.area_fraction_corrected),
+            state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
+            real.map_or_else(|| "–".to_owned(), text::pressure),
+            text::pressure(d.max_pressure),
+            text::number(d.transforms),
+            format!("{:.1e}", d.residuals.preconditioned),
+            text::seconds(d.seconds),
+        ],
+    }
+}

@@ -1,0 +1,152 @@
+//! `rough-contact stats`: roughness statistics, each with its unit.
+
+use crate::args::{self, Common};
+use crate::input::Input;
+use crate::outcome::{Failure, Reply};
+use crate::text::{self, Table};
+use clap::{Args, ValueEnum};
+use compare::LevelName;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use surface_stats::{Boundary, StatsOptions, SurfaceStatistics};
+
+#[derive(Args)]
+pub(crate) struct Stats {
+    #[command(flatten)]
+    input: Input,
+    /// Form to remove by least squares first
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "mean")]
+    level: LevelName,
+    /// What lies beyond the edges: nothing, or the same map again
+    #[arg(long, value_enum, default_value_t = Edges::Open)]
+    boundary: Edges,
+}
+
+/// What lies beyond the edges when slopes and curvatures are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Edges {
+    Open,
+    Periodic,
+}
+
+impl Stats {
+    pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
+        let (map, missing) = self.input.reading.surface(&self.input.file)?;
+        let options = StatsOptions {
+            level: args::form(self.level),
+            boundary: match self.boundary {
+                Edges::Open => Boundary::Open,
+                Edges::Periodic => Boundary::Periodic,
+            },
+            missing,
+            ..StatsOptions::default()
+        };
+        let s = SurfaceStatistics::of(&map, &options)
+            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
+        Ok(Reply::new(self.describe(&s), self.object(&s)))
+    }
+
+    fn edges(&self) -> &'static str {
+        match self.boundary {
+            Edges::Open => "open",
+            Edges::Periodic => "periodic",
+        }
+    }
+
+    fn object(&self, s: &SurfaceStatistics) -> Value {
+        let asperities = s.asperities.map(|a| {
+            json!({
+                "density": a.density, "radius": a.radius,
+                "height_std": a.height_std, "mean_offset": a.mean_offset,
+            })
+        });
+        let warnings: Vec<Value> = s
+            .warnings
+            .iter()
+            .map(|w| json!({ "kind": w.kind(), "message": w.to_string() }))
+            .collect();
+        json!({
+            "shape": s.shape,
+            "pixel": s.pixel,
+            "level": self.level.name(),
+            "boundary": self.edges(),
+            "missing": s.missing,
+            "rms_height": s.rms_height,
+            "mean_abs_height": s.mean_abs_height,
+            "skewness": s.skewness,
+            "kurtosis": s.kurtosis,
+            "peak_height": s.peak_height,
+            "pit_depth": s.pit_depth,
+            "rms_gradient": s.rms_gradient,
+            "m0": s.m0, "m2": s.m2, "m4": s.m4,
+            "m2_x": s.m2_x, "m2_y": s.m2_y, "m4_x": s.m4_x, "m4_y": s.m4_y,
+            "m0_spectral": s.m0_spectral,
+            "m2_spectral": s.m2_spectral,
+            "m4_spectral": s.m4_spectral,
+            "bandwidth": s.bandwidth,
+            "anisotropy": s.anisotropy,
+            "asperities": asperities,
+            "summits": {
+                "count": s.summits.count,
+                "density": s.summits.density,
+                "height_mean": s.summits.height_mean,
+                "height_std": s.summits.height_std,
+                "curvature_mean": s.summits.curvature_mean,
+                "plateaus": s.summits.plateaus,
+            },
+            "hurst": s.hurst,
+            "dimension": s.dimension,
+            "roughness": s.roughness,
+            "fractal_range": s.fractal_range,
+            "rolloff": s.rolloff,
+            "cutoff": s.cutoff,
+            "max_amplitude_ratio": s.max_amplitude_ratio,
+            "record_length": s.record_length,
+            "height_step": s.height_step,
+            "warnings": warnings,
+        })
+    }
+
+    fn describe(&self, s: &SurfaceStatistics) -> String {
+        let absent = || "–".to_owned();
+        let length = |x: Option<f64>| x.map_or_else(absent, text::length);
+        let number = |x: Option<f64>| x.map_or_else(absent, text::number);
+        let [ny, nx] = s.shape;
+        let [dy, dx] = s.pixel;
+        let mut t = Table::default();
+        t.row("points", format!("{ny} rows × {nx} columns, {} filled in", s.missing));
+        t.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
+        t.row("level, edges", format!("{}, {}", self.level.name(), self.edges()));
+        t.row("rms height Sq", text::length(s.rms_height));
+        t.row("mean abs height Sa", text::length(s.mean_abs_height));
+        t.row("skewness Ssk", number(s.skewness));
+        t.row("kurtosis Sku", number(s.kurtosis));
+        t.row("rms gradient Sdq", text::number(s.rms_gradient));
+        t.row("m0", format!("{:.4e} m²", s.m0));
+        t.row("m2", format!("{:.4e} (x {:.4e}, y {:.4e})", s.m2, s.m2_x, s.m2_y));
+        t.row("m4", format!("{:.4e} m⁻² (x {:.4e}, y {:.4e})", s.m4, s.m4_x, s.m4_y));
+        let spectral =
+            format!("{:.4e} m², {:.4e}, {:.4e} m⁻²", s.m0_spectral, s.m2_spectral, s.m4_spectral);
+        t.row("m0, m2, m4 spectral", spectral);
+        t.row("bandwidth m0 m4/m2²", number(s.bandwidth));
+        if let Some(a) = s.asperities {
+            t.row("asperity density", format!("{:.4e} m⁻²", a.density));
+            t.row("asperity radius", text::length(a.radius));
+            t.row("asperity height std", text::length(a.height_std));
+            t.row("asperity mean offset", text::length(a.mean_offset));
+        }
+        let summits = format!("{}, {:.4e} m⁻²", s.summits.count, s.summits.density);
+        t.row("summits counted", summits);
+        t.row("Hurst exponent H", number(s.hurst));
+        t.row("profile dimension D", number(s.dimension));
+        t.row("fractal roughness G", length(s.roughness));
+        t.row("roll-off, cut-off", format!("{}, {}", length(s.rolloff), length(s.cutoff)));
+        let ratio = text::number(s.max_amplitude_ratio);
+        t.row("B_max", format!("{ratio} on records of {}", text::length(s.record_length)));
+        let mut out = t.to_string();
+        for warning in &s.warnings {
+            let _ = writeln!(out, "warning: {warning}"); // a String takes everything
+        }
+        out
+    }
+}

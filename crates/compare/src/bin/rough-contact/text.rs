@@ -1,0 +1,163 @@
+//! Numbers and tables as people read them on a terminal.
+
+use std::fmt;
+
+/// Two columns: a name and what it is.
+#[derive(Default)]
+pub(crate) struct Table {
+    rows: Vec<(String, String)>,
+}
+
+impl Table {
+    pub(crate) fn row(&mut self, name: impl Into<String>, value: impl Into<String>) {
+        self.rows.push((name.into(), value.into()));
+    }
+}
+
+impl fmt::Display for Table {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self.rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+        for (name, value) in &self.rows {
+            writeln!(f, "{name:<width$}  {value}")?;
+        }
+        Ok(())
+    }
+}
+
+/// Columns of equal width under a header, numbers right-aligned.
+pub(crate) struct Columns {
+    rows: Vec<Vec<String>>,
+}
+
+impl Columns {
+    pub(crate) fn new(header: &[&str]) -> Self {
+        Self { rows: vec![header.iter().map(|&h| h.to_owned()).collect()] }
+    }
+
+    pub(crate) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+        self.rows.push(cells.into_iter().collect());
+    }
+}
+
+impl fmt::Display for Columns {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = |column: usize| {
+            let cells = self.rows.iter().filter_map(|row| row.get(column));
+            cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+        };
+        for row in &self.rows {
+            let mut line = String::new();
+            for (column, cell) in row.iter().enumerate() {
+                let pad = width(column) - cell.chars().count();
+                // The first column is a name or the leading variable; the last may be a remark.
+                if column + 1 == row.len()
+                    && column > 0
+                    && !cell.starts_with(|c: char| c.is_ascii_digit())
+                {
+                    line.push_str(cell);
+                } else {
+                    line.push_str(&" ".repeat(pad));
+                    line.push_str(cell);
+                }
+                line.push_str("  ");
+            }
+            writeln!(f, "{}", line.trim_end())?;
+        }
+        Ok(())
+    }
+}
+
+/// SI prefixes that people use for these quantities.
+const PREFIXES: &[(f64, &str)] = &[
+    (1e12, "T"),
+    (1e9, "G"),
+    (1e6, "M"),
+    (1e3, "k"),
+    (1.0, ""),
+    (1e-3, "m"),
+    (1e-6, "µ"),
+    (1e-9, "n"),
+    (1e-12, "p"),
+];
+
+/// A length in metres, such as `1.50 µm`.
+pub(crate) fn length(metres: f64) -> String {
+    with_prefix(metres, "m", 1e3)
+}
+
+/// A pressure in pascals, such as `50.0 MPa`.
+pub(crate) fn pressure(pascals: f64) -> String {
+    with_prefix(pascals, "Pa", 1e13)
+}
+
+/// Seconds, such as `1.20 ms`.
+pub(crate) fn seconds(seconds: f64) -> String {
+    with_prefix(seconds, "s", 1e3)
+}
+
+/// A fraction in percent with three digits.
+pub(crate) fn percent(fraction: f64) -> String {
+    format!("{} %", digits(100.0 * fraction))
+}
+
+/// A pure number with four significant digits.
+pub(crate) fn number(value: f64) -> String {
+    significant(value, 4)
+}
+
+fn with_prefix(value: f64, unit: &str, largest: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return format!("0 {unit}");
+    }
+    let prefix = PREFIXES.iter().find(|(scale, _)| *scale <= largest && size >= 0.9999 * scale);
+    match prefix {
+        Some((scale, prefix)) if size < 1e4 * scale => {
+            format!("{} {prefix}{unit}", digits(value / scale))
+        }
+        _ => minus(format!("{value:.2e} {unit}")),
+    }
+}
+
+/// Three significant digits without a power of ten between 0.001 and 10 000.
+fn digits(value: f64) -> String {
+    significant(value, 3)
+}
+
+fn significant(value: f64, count: i32) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".to_owned();
+    }
+    if !(1e-3..1e5).contains(&size) {
+        return minus(format!("{value:.*e}", count as usize - 1));
+    }
+    let places = (count - 1 - size.log10().floor() as i32).max(0);
+    minus(format!("{value:.*}", places as usize))
+}
+
+/// The true minus sign in text for people.
+fn minus(text: String) -> String {
+    match text.strip_prefix('-') {
+        Some(rest) => format!("−{rest}"),
+        None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_as_people_write_them() {
+        assert_eq!(length(1.5e-6), "1.50 µm");
+        assert_eq!(length(-3.21e-8), "−32.1 nm");
+        assert_eq!(length(0.0), "0 m");
+        assert_eq!(length(1e-3), "1.00 mm");
+        assert_eq!(length(2e-15), "2.00e-15 m");
+        assert_eq!(pressure(5e7), "50.0 MPa");
+        assert_eq!(pressure(1.1e11), "110 GPa");
+        assert_eq!(percent(0.0196), "1.96 %");
+        assert_eq!(number(2.50663), "2.507");
+    }
+}

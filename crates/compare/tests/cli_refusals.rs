@@ -1,0 +1,122 @@
+//! Bad input is refused with exit status 2 (1 for outputs), one message, and nothing else.
+
+mod cli;
+
+use cli::{file, folder, matrix, refused, rough_contact};
+
+const SCALES: &str = "--pixel 1um --height-unit um";
+
+fn wavy(iy: usize, ix: usize) -> f64 {
+    (iy as f64).sin() * (ix as f64 * 1.3).cos()
+}
+
+#[test]
+fn files_that_are_no_surface() {
+    let dir = folder();
+    let at = dir.path();
+    file(at, "empty.txt", "");
+    file(at, "noise.bin", "\u{1}\u{2}\u{3}ZZZZ");
+    file(at, "nan.txt", "nan nan nan nan\nnan nan nan nan\nnan nan nan nan\n");
+    file(at, "inf.txt", "1 2 3 4\n5 inf 7 8\n9 1 2 3\n");
+    matrix(at, "row.txt", 1, 8, wavy);
+    for command in ["info", "stats", "solve --modulus 1GPa --pressure 1MPa"] {
+        refused(at, &format!("{command} missing.txt"), 2, &["missing.txt"]);
+        refused(at, &format!("{command} ."), 2, &["directory"]);
+        refused(at, &format!("{command} empty.txt"), 2, &["empty.txt", "empty"]);
+        refused(at, &format!("{command} noise.bin"), 2, &["noise.bin"]);
+        refused(at, &format!("{command} inf.txt {SCALES}"), 2, &["inf"]);
+    }
+    for command in ["stats", "solve --modulus 1GPa --pressure 1MPa"] {
+        refused(at, &format!("{command} nan.txt {SCALES}"), 2, &["missing"]);
+        refused(at, &format!("{command} nan.txt {SCALES} --fill harmonic"), 2, &["missing"]);
+        refused(at, &format!("{command} row.txt {SCALES}"), 2, &["row.txt", "1 x 8"]);
+    }
+}
+
+#[test]
+fn what_the_file_does_not_say_is_asked_for() {
+    let dir = folder();
+    let at = dir.path();
+    matrix(at, "bare.txt", 4, 5, wavy);
+    refused(at, "info bare.txt", 2, &["--pixel", "--height-unit"]);
+    refused(at, "info bare.txt --pixel 1um", 2, &["--height-unit"]);
+    refused(at, "info bare.txt --height-unit um", 2, &["--pixel"]);
+    refused(at, "info bare.txt --height-unit furlong --pixel 1um", 2, &["furlong", "um"]);
+    refused(at, "info bare.txt --height-unit um --pixel 1", 2, &["1um"]);
+    refused(at, "info bare.txt --height-unit um --pixel -1um", 2, &["greater than 0"]);
+    refused(at, &format!("info bare.txt {SCALES} --channel phase"), 2, &["phase"]);
+    refused(at, &format!("info bare.txt {SCALES} --crop 0,0,9,9"), 2, &["9", "4 x 5"]);
+    refused(at, &format!("info bare.txt {SCALES} --crop 0,0"), 2, &["Y0,X0,NY,NX"]);
+    file(at, "hole.txt", "1 2 3 4\n5 nan 7 8\n9 1 2 3\n");
+    refused(at, &format!("stats hole.txt {SCALES}"), 2, &["1 of 12", "--fill harmonic"]);
+    assert_eq!(rough_contact(at, &format!("stats hole.txt {SCALES} --fill nearest")).status, 0);
+}
+
+#[test]
+fn loads_and_moduli() {
+    let dir = folder();
+    let at = dir.path();
+    matrix(at, "map.txt", 8, 8, wavy);
+    let solve = format!("solve map.txt {SCALES}");
+    for (options, parts) in [
+        ("--modulus 1GPa", &["--pressure"][..]),
+        ("--pressure 1MPa", &["--modulus", "--young"]),
+        ("--modulus 110 --pressure 1MPa", &["110GPa"]),
+        ("--modulus 1GPa --pressure 5", &["5MPa"]),
+        ("--modulus 1GPa --pressure 0Pa", &["greater than 0"]),
+        ("--modulus 1GPa --pressure -1MPa", &["greater than 0"]),
+        ("--modulus 1GPa --pressure nanPa", &["not a finite number"]),
+        ("--modulus 1GPa --pressure infPa", &["not a finite number"]),
+        ("--modulus 1GPa --pressure 1MPa,-2MPa", &["greater than 0"]),
+        ("--modulus 1GPa --pressure 1kPa..1MPa", &["FIRST..LAST:COUNT"]),
+        ("--modulus 0Pa --pressure 1MPa", &["contact modulus"]),
+        ("--modulus -1GPa --pressure 1MPa", &["contact modulus"]),
+        ("--young 1GPa --pressure 1MPa", &["--poisson"]),
+        ("--young 1GPa --poisson 0.7 --pressure 1MPa", &["Poisson", "0.5"]),
+        ("--modulus 1GPa --pressure 1MPa --gap 1um", &["--gap"]),
+        ("--modulus 1GPa --gap 0um", &["greater than 0"]),
+        ("--modulus 1GPa --pressure 1MPa --tolerance 0", &["tolerance"]),
+        ("--modulus 1GPa --pressure 1MPa --tolerance 1um", &["pure number"]),
+        ("--modulus 1GPa --pressure 1MPa --method magic", &["polonsky-keer"]),
+        ("--modulus 1GPa --pressure 1MPa --threads 0", &["threads"]),
+    ] {
+        refused(at, &format!("{solve} {options}"), 2, parts);
+    }
+}
+
+#[test]
+fn outputs_are_not_overwritten_and_must_be_writable() {
+    let dir = folder();
+    let at = dir.path();
+    let synth = "synth --shape 16,16 --pixel 1um --hurst 0.8 --rolloff 16um --cutoff 4um \
+                 --rms-height 1um --seed 1 --out";
+    assert_eq!(rough_contact(at, &format!("{synth} a.npy")).status, 0);
+    refused(at, &format!("{synth} a.npy"), 2, &["a.npy", "--force"]);
+    assert_eq!(rough_contact(at, &format!("{synth} a.npy --force")).status, 0);
+    refused(at, &format!("{synth} a.docx"), 2, &["docx", ".npy"]);
+    refused(at, &format!("{synth} no/such/folder/a.npy"), 1, &["cannot be written"]);
+
+    file(at, "plain", "not a folder");
+    let solve = "solve a.npy --pixel 1um --height-unit m --modulus 1GPa --pressure 1MPa --quiet";
+    refused(at, &format!("{solve} --maps plain/maps"), 1, &["cannot be written"]);
+    assert_eq!(rough_contact(at, &format!("{solve} --maps maps")).status, 0);
+    refused(at, &format!("{solve} --maps maps"), 2, &["pressure-000.npy", "--force"]);
+    assert_eq!(rough_contact(at, &format!("{solve} --maps maps --force")).status, 0);
+}
+
+#[test]
+fn unknown_commands_and_options() {
+    let dir = folder();
+    refused(dir.path(), "frobnicate", 2, &["frobnicate"]);
+    refused(dir.path(), "info --frobnicate x", 2, &["--frobnicate"]);
+}
+
+#[test]
+fn help_and_version_are_answers() {
+    let dir = folder();
+    for line in ["--help", "--version", "help solve", "solve --help"] {
+        let said = rough_contact(dir.path(), line);
+        assert_eq!(said.status, 0, "{line}");
+        assert!(said.err.is_empty() && !said.out.is_empty(), "{line}");
+    }
+}
