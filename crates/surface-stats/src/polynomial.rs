@@ -65,95 +65,82 @@ impl Polynomial {
     /// If `heights` does not have the pixels of the grid that was fitted.
     pub fn remove_from(&self, heights: &mut [f64]) {
         assert_eq!(heights.len(), self.grid.len(), "heights of another grid");
-        self.for_each_row(|iy, rows, columns| {
-            let nx = columns[0].len();
-            for (ix, h) in heights[iy * nx..(iy + 1) * nx].iter_mut().enumerate() {
-                *h = (*h - self.origin) - self.value(rows, columns, ix);
+        let [ny, nx] = self.grid.shape();
+        let columns = columns(nx, self.degree);
+        for (iy, row) in heights.chunks_exact_mut(nx).enumerate() {
+            let along = self.along_row(&legendre(scaled(iy, ny)));
+            for (ix, h) in row.iter_mut().enumerate() {
+                *h = (*h - self.origin) - value(&along, &columns, ix);
             }
-        });
+        }
     }
 
-    /// Sum of squares of (polynomial - its mean) over sum of squares of (heights - their mean),
-    /// over the valid points: the share of the height variance that the form explains. 0 for a
-    /// flat map.
+    /// The share of the height variance that the form explains: 1 - (variance of the residual)/
+    /// (variance of the heights), over the valid points. 0 for a flat map.
     pub fn explained(&self, heights: &[f64]) -> f64 {
-        let mut residual = [0.0; 3];
-        let mut total = [0.0; 3];
-        let count = |sums: &mut [f64; 3], z: f64| {
-            sums[0] += 1.0;
-            sums[1] += z;
-            sums[2] += z * z;
-        };
-        self.for_each_row(|iy, rows, columns| {
-            let nx = columns[0].len();
-            for (ix, h) in heights[iy * nx..(iy + 1) * nx].iter().enumerate() {
-                if !h.is_nan() {
-                    let z = h - self.origin;
-                    count(&mut total, z);
-                    count(&mut residual, z - self.value(rows, columns, ix));
+        let [ny, nx] = self.grid.shape();
+        let columns = columns(nx, self.degree);
+        let (mut residual, mut total) = ([0.0; 3], [0.0; 3]);
+        for (iy, row) in heights.chunks_exact(nx).enumerate() {
+            let along = self.along_row(&legendre(scaled(iy, ny)));
+            for (ix, h) in row.iter().enumerate().filter(|(_, h)| !h.is_nan()) {
+                let z = h - self.origin;
+                for (sums, z) in [(&mut total, z), (&mut residual, z - value(&along, &columns, ix))]
+                {
+                    sums[0] += 1.0;
+                    sums[1] += z;
+                    sums[2] += z * z;
                 }
             }
-        });
+        }
         let variance = |s: [f64; 3]| s[2] - s[1] * s[1] / s[0];
         let (kept, all) = (variance(residual), variance(total));
         if all > 0.0 { (1.0 - kept / all).clamp(0.0, 1.0) } else { 0.0 }
     }
 
-    fn value(&self, rows: &[f64], columns: &[Vec<f64>], ix: usize) -> f64 {
-        terms(self.degree)
-            .zip(&self.coefficients)
-            .map(|([ky, kx], coefficient)| coefficient * rows[ky] * columns[kx][ix])
-            .sum()
-    }
-
-    /// Calls `visit(iy, P_k(v) for all k, P_k(u) for all k and columns)` row by row.
-    fn for_each_row(&self, mut visit: impl FnMut(usize, &[f64], &[Vec<f64>])) {
-        let [ny, nx] = self.grid.shape();
-        let mut columns = vec![vec![0.0; nx]; self.degree + 1];
-        for ix in 0..nx {
-            for (column, value) in columns.iter_mut().zip(legendre(scaled(ix, nx))) {
-                column[ix] = value;
-            }
+    /// Coefficients of the polynomial along the row where the Legendre polynomials of y have
+    /// these values: the form is `sum_k a_k P_k(u)` there.
+    fn along_row(&self, rows: &[f64]) -> Vec<f64> {
+        let mut along = vec![0.0; self.degree + 1];
+        for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
+            along[kx] += coefficient * rows[ky];
         }
-        for iy in 0..ny {
-            visit(iy, &legendre(scaled(iy, ny)), &columns);
-        }
+        along
     }
 
     /// Coefficients that fit what the present ones leave over: the normal equations, solved in
     /// the space of eigenvectors that the points determine.
     fn solve_for_residual(&self, heights: &[f64]) -> Vec<f64> {
+        let ([ny, nx], k) = (self.grid.shape(), self.degree + 1);
         let n = self.coefficients.len();
+        let columns = columns(nx, self.degree);
+        let complete = products(&columns, &(0..nx));
         let mut normal = Mat::<f64>::zeros(n, n);
         let mut right = vec![0.0; n];
-        let mut basis = vec![0.0; n];
-        self.for_each_row(|iy, rows, columns| {
-            let nx = columns[0].len();
-            // Sums of one row first: fewer digits lost than in one long sum.
-            let (mut row_normal, mut row_right) = (vec![0.0; n * n], vec![0.0; n]);
-            for (ix, h) in heights[iy * nx..(iy + 1) * nx].iter().enumerate() {
+        // Along a row only the polynomials of x vary: sum over it first, then over rows.
+        for (iy, row) in heights.chunks_exact(nx).enumerate() {
+            let rows = legendre(scaled(iy, ny));
+            let along = self.along_row(&rows);
+            let (mut sums, mut missing) = (vec![0.0; k], false);
+            for (ix, h) in row.iter().enumerate() {
                 if h.is_nan() {
+                    missing = true;
                     continue;
                 }
-                for (b, [ky, kx]) in basis.iter_mut().zip(terms(self.degree)) {
-                    *b = rows[ky] * columns[kx][ix];
-                }
-                let fitted: f64 = self.coefficients.iter().zip(&basis).map(|(c, b)| c * b).sum();
-                let residual = (h - self.origin) - fitted;
-                for i in 0..n {
-                    row_right[i] += basis[i] * residual;
-                    for j in 0..=i {
-                        row_normal[i * n + j] += basis[i] * basis[j];
-                    }
+                let residual = (h - self.origin) - value(&along, &columns, ix);
+                for (sum, column) in sums.iter_mut().zip(&columns) {
+                    *sum += column[ix] * residual;
                 }
             }
-            for i in 0..n {
-                right[i] += row_right[i];
-                for j in 0..=i {
-                    normal[(i, j)] += row_normal[i * n + j];
+            let own = missing.then(|| products(&columns, &(0..nx).filter(|&ix| !row[ix].is_nan())));
+            let gram = own.as_ref().unwrap_or(&complete);
+            for (i, [ky, kx]) in terms(self.degree).enumerate() {
+                right[i] += rows[ky] * sums[kx];
+                for (j, [my, mx]) in terms(self.degree).enumerate().take(i + 1) {
+                    normal[(i, j)] += rows[ky] * rows[my] * gram[kx * k + mx];
                 }
             }
-        });
+        }
         let eigen = normal
             .self_adjoint_eigen(Side::Lower)
             .expect("a symmetric matrix of finite numbers has eigenvectors");
@@ -168,6 +155,21 @@ impl Polynomial {
         }
         solution
     }
+}
+
+/// Legendre polynomials of x by degree and pixel.
+fn columns(nx: usize, degree: usize) -> Vec<Vec<f64>> {
+    (0..=degree).map(|k| (0..nx).map(|ix| legendre(scaled(ix, nx))[k]).collect()).collect()
+}
+
+/// `sum_ix P_i(u) P_j(u)` over the pixels given, as a square matrix.
+fn products(columns: &[Vec<f64>], pixels: &(impl Iterator<Item = usize> + Clone)) -> Vec<f64> {
+    let pairs = columns.iter().flat_map(|a| columns.iter().map(move |b| (a, b)));
+    pairs.map(|(a, b)| pixels.clone().map(|ix| a[ix] * b[ix]).sum()).collect()
+}
+
+fn value(along: &[f64], columns: &[Vec<f64>], ix: usize) -> f64 {
+    along.iter().zip(columns).map(|(a, column)| a * column[ix]).sum()
 }
 
 /// Exponent pairs `[ky, kx]` of all terms up to a total degree.

@@ -1,6 +1,7 @@
 //! The one call most users need.
 
 use crate::fractal::{self, PowerLaw};
+use crate::noise::{NoiseFloor, white_noise_moments};
 use crate::polynomial::Polynomial;
 use crate::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes};
 use crate::{
@@ -8,6 +9,7 @@ use crate::{
     steps,
 };
 use contact_types::{AsperityStatistics, FractalParameters, HeightMap, SpectralMoments};
+use std::f64::consts::TAU;
 
 /// How statistics are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -18,7 +20,7 @@ pub struct StatsOptions {
     /// What lies beyond the edges.
     pub boundary: Boundary,
     /// Shortest and longest wavelength of the fractal fit (m); by default from the cut-off to the
-    /// roll-off, as found.
+    /// roll-off, as found among the waves that stand out of the noise.
     pub fractal_range: Option<[f64; 2]>,
     /// Points of the map that were filled in, as its reader counted; passed through.
     pub missing: usize,
@@ -113,7 +115,8 @@ pub struct SurfaceStatistics {
     pub fractal_range: Option<[f64; 2]>,
     /// Wavelength beyond which the PSD is flat (m); absent if the map shows none.
     pub rolloff: Option<f64>,
-    /// 99.9 % of the gradient variance is at longer wavelengths (m); two pixels at least.
+    /// 99.9 % of the gradient variance that stands out of the noise is at longer wavelengths (m);
+    /// two pixels at least.
     pub cutoff: Option<f64>,
     /// B_max of the rows: largest mean amplitude over wavelength (-).
     pub max_amplitude_ratio: f64,
@@ -121,6 +124,12 @@ pub struct SurfaceStatistics {
     pub record_length: f64,
     /// Step of the heights given (m); absent if they are continuous.
     pub height_step: Option<f64>,
+    /// Rms of white noise at the level where the PSD stops falling (m); absent if it falls to the
+    /// end.
+    pub noise_rms: Option<f64>,
+    /// Waves shorter than this cannot be told from that noise (m); absent without noise, and if
+    /// nothing stands out of it.
+    pub reliable_wavelength: Option<f64>,
     /// What to know before using these numbers, worst first.
     pub warnings: Vec<Warning>,
 }
@@ -136,9 +145,12 @@ impl SurfaceStatistics {
         check_range(options.fractal_range)?;
         let (grid, periodic) = (map.grid(), options.boundary == Boundary::Periodic);
         let degree = options.level.degree().unwrap_or(0);
-        let form = Polynomial::fit(grid, map.heights(), degree.max(1))?;
-        let tilt = if degree == 0 && !periodic { form.explained(map.heights()) } else { 0.0 };
-        let form = if degree == 0 { Polynomial::fit(grid, map.heights(), 0)? } else { form };
+        let tilt = if degree == 0 && !periodic {
+            Polynomial::fit(grid, map.heights(), 1)?.explained(map.heights())
+        } else {
+            0.0
+        };
+        let form = Polynomial::fit(grid, map.heights(), degree)?;
         let mut heights = map.heights().to_vec();
         form.remove_from(&mut heights);
         let surface = HeightMap::new(grid, heights)?;
@@ -164,7 +176,11 @@ impl SurfaceStatistics {
         let [dy, dx] = grid.pixel();
         let rms_height = distribution.rms_height;
         let moments = differences.isotropic(rms_height * rms_height);
-        let (cutoff, rolloff) = scales(&rings, [dy, dx]);
+        // A floor at the rounding of the transform is no noise.
+        let noise =
+            NoiseFloor::of(&rings, [dy, dx]).filter(|n| n.rms > 1e-9 * distribution.rms_height);
+        let reliable = noise.and_then(|n| n.reliable);
+        let (cutoff, rolloff) = scales(&rings, 2.0 * dy.min(dx), reliable);
         let [ly, lx] = grid.size();
         let range = options
             .fractal_range
@@ -208,6 +224,8 @@ impl SurfaceStatistics {
             max_amplitude_ratio: amplitudes.max_amplitude_ratio(),
             record_length: amplitudes.record_length(),
             height_step: steps::height_step(map.heights()),
+            noise_rms: noise.map(|n| n.rms),
+            reliable_wavelength: reliable,
             warnings: Vec::new(),
         };
         let (low, high) = map.range();
@@ -233,6 +251,31 @@ impl SurfaceStatistics {
         Some(FractalParameters { dimension: self.dimension?, roughness: self.roughness? })
     }
 
+    /// Whether slopes and curvatures are those of the instrument: steps if they explain the noise,
+    /// else the noise.
+    fn judge_noise(&self) -> Option<Warning> {
+        let shares = |rms: f64| {
+            let noise = white_noise_moments(rms, self.pixel);
+            ((noise.m2 / self.m2).min(1.0), (noise.m4 / self.m4).min(1.0))
+        };
+        let matters = |(m2_share, m4_share)| m2_share > 1.0 / 12.0 || m4_share > 0.25;
+        let rounding = self.height_step.map_or(0.0, |step| step / 12f64.sqrt());
+        let rms = self.noise_rms.unwrap_or(0.0);
+        let (m2_share, m4_share) = shares(rounding);
+        if matters((m2_share, m4_share)) && rms < 2.0 * rounding {
+            let step = self.height_step?;
+            return Some(Warning::Stepped { step, m2_share, m4_share });
+        }
+        let (m2_share, m4_share) = shares(rms);
+        let reliable = self.reliable_wavelength;
+        matters((m2_share, m4_share)).then_some(Warning::Noisy {
+            rms,
+            m2_share,
+            m4_share,
+            reliable,
+        })
+    }
+
     /// Warnings, worst first. Limits after Nayak (1971) for the bandwidth; the others are choices
     /// explained in the book, chapter "Surface statistics".
     fn judge(
@@ -250,17 +293,7 @@ impl SurfaceStatistics {
         if self.rms_height < 4.0 * spacing {
             return vec![Warning::Rounding { rms_height: self.rms_height, spacing }];
         }
-        if let Some(step) = self.height_step {
-            // Rounding to steps adds noise of variance Q²/12, of which forward slopes see
-            // 2/d² and second differences 6/d⁴ (white noise).
-            let noise = step * step / 12.0;
-            let [dy, dx] = self.pixel;
-            let m2_share = (noise * (1.0 / (dx * dx) + 1.0 / (dy * dy)) / self.m2).min(1.0);
-            let m4_share = (3.0 * noise * (dx.powi(-4) + dy.powi(-4)) / self.m4).min(1.0);
-            if m2_share > 1.0 / 12.0 || m4_share > 0.25 {
-                warnings.push(Warning::Stepped { step, m2_share, m4_share });
-            }
-        }
+        warnings.extend(self.judge_noise());
         let Summits { plateaus, count: summits, .. } = self.summits;
         if 10 * plateaus > summits {
             warnings.push(Warning::FlatTops { plateaus, summits });
@@ -300,9 +333,11 @@ impl SurfaceStatistics {
     }
 }
 
-/// Cut-off and roll-off wavelength.
-fn scales(rings: &[Ring], [dy, dx]: [f64; 2]) -> (Option<f64>, Option<f64>) {
-    let cutoff = fractal::cutoff(rings, 2.0 * dy.min(dx));
+/// Cut-off and roll-off wavelength, from the waves that stand out of the noise.
+fn scales(rings: &[Ring], two_pixels: f64, reliable: Option<f64>) -> (Option<f64>, Option<f64>) {
+    let shortest = reliable.unwrap_or(0.0);
+    let end = rings.iter().rposition(|r| TAU / r.wavenumber >= shortest).map_or(0, |i| i + 1);
+    let cutoff = fractal::cutoff(&rings[..end], two_pixels);
     let rolloff = cutoff.and_then(|short| fractal::rolloff(rings, short));
     (cutoff, rolloff.map(|r| r.wavelength))
 }

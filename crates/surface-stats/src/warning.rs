@@ -51,6 +51,17 @@ pub enum Warning {
         /// Estimated share of the mean square curvature that the steps make (-).
         m4_share: f64,
     },
+    /// The spectrum ends in noise that shows in the slopes and curvatures.
+    Noisy {
+        /// Rms of white noise at the level of the floor (m).
+        rms: f64,
+        /// Share of the mean square slope that this noise makes (-).
+        m2_share: f64,
+        /// Share of the mean square curvature that this noise makes (-).
+        m4_share: f64,
+        /// Shortest wavelength that stands out of the noise (m); `None` if nothing does.
+        reliable: Option<f64>,
+    },
     /// Many flat tops, which are not counted as summits.
     FlatTops {
         /// Flat tops.
@@ -90,6 +101,7 @@ impl Warning {
             Self::NarrowBand { .. } => "narrow-band",
             Self::Unresolved { .. } => "unresolved",
             Self::Stepped { .. } => "stepped",
+            Self::Noisy { .. } => "noisy",
             Self::FlatTops { .. } => "flat-tops",
             Self::EdgeJump { .. } => "edge-jump",
             Self::NoRolloff => "no-rolloff",
@@ -150,6 +162,24 @@ impl fmt::Display for Warning {
                 100.0 * m2_share,
                 100.0 * m4_share
             ),
+            Self::Noisy { rms, m2_share, m4_share, reliable } => {
+                write!(
+                    f,
+                    "white noise of {:.2} nm rms makes about {:.0} % of m2 and {:.0} % of m4: ",
+                    1e9 * rms,
+                    100.0 * m2_share,
+                    100.0 * m4_share
+                )?;
+                match reliable {
+                    Some(wavelength) => write!(
+                        f,
+                        "waves shorter than {:.3} \u{b5}m cannot be told from it; filter them out \
+                         before using a model",
+                        1e6 * wavelength
+                    ),
+                    None => write!(f, "the spectrum is flat, nothing stands out of it"),
+                }
+            }
             Self::FlatTops { plateaus, summits } => write!(
                 f,
                 "{plateaus} flat tops beside {summits} summits: height steps hide summits, and the \

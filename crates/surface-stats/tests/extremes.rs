@@ -33,6 +33,8 @@ fn numbers(s: &SurfaceStatistics) -> Vec<f64> {
         s.rolloff,
         s.cutoff,
         s.height_step,
+        s.noise_rms,
+        s.reliable_wavelength,
     ];
     let mut all = vec![
         s.rms_height,

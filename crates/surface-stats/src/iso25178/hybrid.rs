@@ -1,0 +1,133 @@
+//! Gradient and developed area.
+
+use crate::StatsError;
+use contact_types::HeightMap;
+
+/// Hybrid parameters, from heights and spacings (ISO 25178-2:2021, 4.4).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hybrid {
+    /// Sdq by forward differences: `√(<(Δx z/dx)²> + <(Δy z/dy)²>)`, each mean over all pairs of
+    /// neighbours (-). The same number as `rms_gradient` of an open map.
+    pub rms_gradient: f64,
+    /// Sdq by seven-point central differences, error of order dx⁶, over the pixels that are three
+    /// or more from every edge (-). `None` below 7 x 7 pixels.
+    pub rms_gradient_seven_point: Option<f64>,
+    /// Sdr: area of the triangulated surface over its projected area, minus 1 (-). Mean of the
+    /// two ways to cut each cell of four pixels into triangles.
+    pub developed_area_ratio: f64,
+}
+
+impl Hybrid {
+    /// Of an open map.
+    ///
+    /// # Errors
+    /// [`StatsError::TooSmall`] below 2 x 2 pixels.
+    pub fn of(map: &HeightMap) -> Result<Self, StatsError> {
+        let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
+        if ny < 2 || nx < 2 {
+            let what = "a developed area";
+            return Err(StatsError::TooSmall { what, shape: [ny, nx], needed: [2, 2] });
+        }
+        let (mut slope_x, mut slope_y, mut excess) = (0.0, 0.0, 0.0);
+        for iy in 0..ny {
+            let row = &map.heights()[iy * nx..(iy + 1) * nx];
+            slope_x += row.windows(2).map(|z| ((z[1] - z[0]) / dx).powi(2)).sum::<f64>();
+            if iy + 1 < ny {
+                let next = &map.heights()[(iy + 1) * nx..(iy + 2) * nx];
+                slope_y += row.iter().zip(next).map(|(a, b)| ((b - a) / dy).powi(2)).sum::<f64>();
+                excess += row
+                    .windows(2)
+                    .zip(next.windows(2))
+                    .map(|(a, b)| cell_excess([a[0], a[1], b[0], b[1]], [dy, dx]))
+                    .sum::<f64>();
+            }
+        }
+        let (ny, nx) = (ny as f64, nx as f64);
+        let mean_square = slope_x / (ny * (nx - 1.0)) + slope_y / ((ny - 1.0) * nx);
+        Ok(Self {
+            rms_gradient: mean_square.sqrt(),
+            rms_gradient_seven_point: seven_point(map),
+            developed_area_ratio: excess / ((ny - 1.0) * (nx - 1.0)),
+        })
+    }
+}
+
+/// Area over projected area, minus 1, of a cell with corners 00, 01, 10, 11 (row, column): mean
+/// over the four triangles of the two triangulations.
+fn cell_excess([z00, z01, z10, z11]: [f64; 4], [dy, dx]: [f64; 2]) -> f64 {
+    let triangle = |along_x: f64, along_y: f64| {
+        let square = (along_x / dx).powi(2) + (along_y / dy).powi(2);
+        square / (1.0 + (1.0 + square).sqrt()) // sqrt(1 + s) - 1 without cancellation
+    };
+    let (top, bottom, left, right) = (z01 - z00, z11 - z10, z10 - z00, z11 - z01);
+    0.25 * (triangle(top, right)
+        + triangle(bottom, left)
+        + triangle(top, left)
+        + triangle(bottom, right))
+}
+
+fn seven_point(map: &HeightMap) -> Option<f64> {
+    let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
+    if ny < 7 || nx < 7 {
+        return None;
+    }
+    let slope = |at: &dyn Fn(usize) -> f64| {
+        (45.0 * (at(4) - at(2)) - 9.0 * (at(5) - at(1)) + (at(6) - at(0))) / 60.0
+    };
+    let mut sum = 0.0;
+    for iy in 3..ny - 3 {
+        let mut row_sum = 0.0;
+        for ix in 3..nx - 3 {
+            let along_x = slope(&|k| map.at(iy, ix + k - 3)) / dx;
+            let along_y = slope(&|k| map.at(iy + k - 3, ix)) / dy;
+            row_sum += along_x * along_x + along_y * along_y;
+        }
+        sum += row_sum;
+    }
+    Some((sum / ((ny - 6) * (nx - 6)) as f64).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use contact_types::Grid;
+
+    /// A plane of slopes a, b: gradient √(a² + b²), area √(1 + a² + b²), whatever the triangles.
+    #[test]
+    fn a_plane_is_exact() {
+        let grid = Grid::new([9, 8], [2e-6, 1e-6]).unwrap();
+        let map = HeightMap::from_fn(grid, |y, x| 0.3 * x - 0.4 * y).unwrap();
+        let h = Hybrid::of(&map).unwrap();
+        assert_relative_eq!(h.rms_gradient, 0.5, max_relative = 1e-13);
+        assert_relative_eq!(h.rms_gradient_seven_point.unwrap(), 0.5, max_relative = 1e-13);
+        assert_relative_eq!(h.developed_area_ratio, 1.25f64.sqrt() - 1.0, max_relative = 1e-13);
+    }
+
+    /// Slopes of 1e-9 leave an area excess of 5e-19 that `sqrt(1 + s) - 1` would lose.
+    #[test]
+    fn shallow_areas_keep_their_digits() {
+        let grid = Grid::new([4, 4], [1.0, 1.0]).unwrap();
+        let map = HeightMap::from_fn(grid, |_, x| 1e-9 * x).unwrap();
+        let ratio = Hybrid::of(&map).unwrap().developed_area_ratio;
+        assert_relative_eq!(ratio, 5e-19, max_relative = 1e-9);
+    }
+
+    /// Along a wave the seven-point slope converges with the sixth power of the pixel.
+    #[test]
+    fn seven_point_slope_is_of_sixth_order() {
+        let error = |n: usize| {
+            let grid = Grid::new([n, n], [1.0 / n as f64; 2]).unwrap();
+            let q = std::f64::consts::TAU;
+            let map = HeightMap::from_fn(grid, |_, x| (q * x).sin()).unwrap();
+            let slope = |i: usize| {
+                let z = |k: usize| map.at(8, i + k - 3);
+                45.0 * (z(4) - z(2)) - 9.0 * (z(5) - z(1)) + (z(6) - z(0))
+            };
+            let i = n / 2;
+            (slope(i) * n as f64 / 60.0 - q * (q * i as f64 / n as f64).cos()).abs()
+        };
+        let order = (error(32) / error(64)).log2();
+        assert_relative_eq!(order, 6.0, epsilon = 0.1);
+    }
+}

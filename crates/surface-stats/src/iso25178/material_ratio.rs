@@ -1,0 +1,245 @@
+//! The areal material ratio curve (Abbott–Firestone) and what is read off it.
+
+use crate::StatsError;
+use contact_types::HeightMap;
+
+/// Share of the points that the core line is fitted to (ISO 25178-2:2021, 4.5).
+const CORE_SHARE: f64 = 0.4;
+
+/// Height against the share of the surface that is higher.
+///
+/// All heights are sorted; the highest has material ratio 0, the lowest 1, with equal steps and
+/// straight lines between them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MaterialRatioCurve {
+    /// Heights about their mean in units of `scale`, highest first.
+    falling: Vec<f64>,
+    /// The largest distance from the mean (m), or 1 for a flat map.
+    scale: f64,
+}
+
+/// Parameters of the core line (ISO 25178-2:2021, 4.5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoreRoughness {
+    /// Sk: height of the core (m).
+    pub core_height: f64,
+    /// Spk: height of the triangle with the area of the peaks above the core (m).
+    pub reduced_peak_height: f64,
+    /// Svk: depth of the triangle with the area of the valleys below the core (m).
+    pub reduced_valley_depth: f64,
+    /// Smr1: share of the surface that is peaks (-).
+    pub peak_ratio: f64,
+    /// Smr2: share of the surface that is not valleys (-).
+    pub valley_ratio: f64,
+}
+
+/// Volumes per area between material ratios of 10 % and 80 % (ISO 25178-2:2021, 4.5); 1 m³/m² is
+/// 10⁶ ml/m².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Volumes {
+    /// Vmp: material above the height of ratio 10 % (m).
+    pub peak_material: f64,
+    /// Vmc: material between the heights of ratios 10 % and 80 % (m).
+    pub core_material: f64,
+    /// Vvc: void between the heights of ratios 10 % and 80 % (m).
+    pub core_void: f64,
+    /// Vvv: void below the height of ratio 80 % (m).
+    pub valley_void: f64,
+}
+
+impl MaterialRatioCurve {
+    /// Sorts the heights of a map.
+    ///
+    /// # Errors
+    /// [`StatsError::TooFewPoints`] below 10 points.
+    pub fn of(map: &HeightMap) -> Result<Self, StatsError> {
+        if map.heights().len() < 10 {
+            let (what, found) = ("a material ratio curve", map.heights().len());
+            return Err(StatsError::TooFewPoints { what, needed: 10, found });
+        }
+        let mean = map.mean();
+        let mut falling: Vec<f64> = map.heights().iter().map(|h| h - mean).collect();
+        falling.sort_unstable_by(|a, b| b.total_cmp(a));
+        let reach = falling[0].abs().max(falling[falling.len() - 1].abs());
+        let scale = if reach > 0.0 { reach } else { 1.0 };
+        for z in &mut falling {
+            *z /= scale;
+        }
+        Ok(Self { falling, scale })
+    }
+
+    /// Smc: height above the mean (m) that a share `ratio` (0 to 1, clamped) of the surface
+    /// exceeds.
+    pub fn height(&self, ratio: f64) -> f64 {
+        self.scale * self.scaled_height(ratio)
+    }
+
+    /// Smr: share of the surface higher than `height` (m above the mean).
+    pub fn ratio(&self, height: f64) -> f64 {
+        let (z, last) = (height / self.scale, self.falling.len() - 1);
+        let above = self.falling.partition_point(|&h| h > z);
+        if above == 0 || above > last {
+            return if above == 0 { 0.0 } else { 1.0 };
+        }
+        let (high, low) = (self.falling[above - 1], self.falling[above]);
+        ((above - 1) as f64 + (high - z) / (high - low)) / last as f64
+    }
+
+    /// Sxp: height of ratio 2.5 % above that of ratio 50 % (m).
+    pub fn peak_extreme_height(&self) -> f64 {
+        self.height(0.025) - self.height(0.5)
+    }
+
+    /// Material above the height of ratio `ratio`, per area (m): the area between the curve and
+    /// that height.
+    pub fn material_volume(&self, ratio: f64) -> f64 {
+        self.scale * self.area_above(ratio.clamp(0.0, 1.0), self.scaled_height(ratio))
+    }
+
+    /// Void below the height of ratio `ratio`, per area (m).
+    pub fn void_volume(&self, ratio: f64) -> f64 {
+        let (ratio, level) = (ratio.clamp(0.0, 1.0), self.scaled_height(ratio));
+        // Whole curve minus the part above, both counted from the level.
+        self.scale * (self.area_above(ratio, level) - self.area_above(1.0, level)).max(0.0)
+    }
+
+    /// Vmp, Vmc, Vvc, Vvv at ratios 10 % and 80 %.
+    pub fn volumes(&self) -> Volumes {
+        let material = [0.1, 0.8].map(|ratio| self.material_volume(ratio));
+        let void = [0.1, 0.8].map(|ratio| self.void_volume(ratio));
+        Volumes {
+            peak_material: material[0],
+            core_material: material[1] - material[0],
+            core_void: void[0] - void[1],
+            valley_void: void[1],
+        }
+    }
+
+    /// Sk, Spk, Svk, Smr1, Smr2.
+    ///
+    /// The core line is the least-squares line through those 40 % of the points over which the
+    /// secant is flattest (the first such window from the top if several are equally flat). It is
+    /// read at ratios 0 and 1; peaks and valleys are what lies above and below these heights,
+    /// turned into triangles of equal area on Smr1 and 1 - Smr2.
+    pub fn core(&self) -> CoreRoughness {
+        let n = self.falling.len();
+        let window = ((CORE_SHARE * (n - 1) as f64).round() as usize).max(1);
+        let start = (0..n - window)
+            .min_by(|&a, &b| {
+                let drop = |i: usize| self.falling[i] - self.falling[i + window];
+                drop(a).total_cmp(&drop(b))
+            })
+            .unwrap_or(0);
+        let core = &self.falling[start..=start + window];
+        // Least squares over equally spaced ratios, centred.
+        let (centre, last) = (window as f64 / 2.0, (n - 1) as f64);
+        let mean = core.iter().sum::<f64>() / core.len() as f64;
+        let (mut product, mut square) = (0.0, 0.0);
+        for (i, z) in core.iter().enumerate() {
+            let x = i as f64 - centre;
+            product += x * (z - mean);
+            square += x * x;
+        }
+        let slope = product / square; // per point, not positive
+        let top = mean - slope * (start as f64 + centre);
+        let bottom = top + slope * last;
+        let (peak_ratio, valley_ratio) =
+            (self.ratio(self.scale * top), self.ratio(self.scale * bottom));
+        let peaks = self.area_above(peak_ratio, top);
+        let valleys = self.area_above(valley_ratio, bottom) - self.area_above(1.0, bottom);
+        let triangle = |area: f64, base: f64| {
+            if base > 0.0 { self.scale * 2.0 * area.max(0.0) / base } else { 0.0 }
+        };
+        CoreRoughness {
+            core_height: self.scale * (top - bottom),
+            reduced_peak_height: triangle(peaks, peak_ratio),
+            reduced_valley_depth: triangle(valleys, 1.0 - valley_ratio),
+            peak_ratio,
+            valley_ratio,
+        }
+    }
+
+    fn scaled_height(&self, ratio: f64) -> f64 {
+        let last = self.falling.len() - 1;
+        let position = ratio.clamp(0.0, 1.0) * last as f64;
+        let i = (position.floor() as usize).min(last - 1);
+        self.falling[i] + (position - i as f64) * (self.falling[i + 1] - self.falling[i])
+    }
+
+    /// `∫_0^ratio (z - level) d(ratio)` along the piecewise straight curve.
+    fn area_above(&self, ratio: f64, level: f64) -> f64 {
+        let last = self.falling.len() - 1;
+        let position = ratio * last as f64;
+        let whole = (position.floor() as usize).min(last);
+        let trapezium = |a: f64, b: f64| 0.5 * (a + b) - level;
+        let full: f64 = self.falling[..=whole].windows(2).map(|z| trapezium(z[0], z[1])).sum();
+        let rest = position - whole as f64;
+        let part = rest * trapezium(self.falling[whole], self.scaled_height(ratio));
+        (full + part) / last as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use contact_types::Grid;
+
+    fn curve(z: impl Fn(f64) -> f64) -> MaterialRatioCurve {
+        let n = 40_001;
+        let heights = (0..n).map(|i| z(i as f64 / (n - 1) as f64)).collect();
+        let grid = Grid::new([1, n], [1e-6, 1e-6]).unwrap();
+        MaterialRatioCurve::of(&HeightMap::new(grid, heights).unwrap()).unwrap()
+    }
+
+    /// Heights spread evenly over 1 um: a straight curve, all core.
+    #[test]
+    fn a_straight_curve_is_all_core() {
+        let c = curve(|t| 1e-6 * t);
+        let core = c.core();
+        assert_relative_eq!(core.core_height, 1e-6, max_relative = 1e-9);
+        assert!(core.reduced_peak_height < 1e-12 && core.reduced_valley_depth < 1e-12);
+        assert_relative_eq!(c.height(0.1), 0.4e-6, max_relative = 1e-9);
+        assert_relative_eq!(c.ratio(0.25e-6), 0.25, max_relative = 1e-9);
+        assert_relative_eq!(c.peak_extreme_height(), 0.475e-6, max_relative = 1e-9);
+        let v = c.volumes();
+        assert_relative_eq!(v.peak_material, 0.005e-6, max_relative = 1e-6); // 0.1² / 2
+        assert_relative_eq!(v.core_material, 0.315e-6, max_relative = 1e-6); // 0.8²/2 - 0.1²/2
+        assert_relative_eq!(v.core_void, 0.385e-6, max_relative = 1e-6); // 0.9²/2 - 0.2²/2
+        assert_relative_eq!(v.valley_void, 0.02e-6, max_relative = 1e-6);
+    }
+
+    /// A core of slope 1 between peaks (10 %) of slope 5 and valleys (20 %) of slope 4: the line
+    /// reads the core exactly; peaks and valleys are triangles already.
+    #[test]
+    fn peaks_core_and_valleys_of_three_straight_lines() {
+        let z = |ratio: f64| {
+            let core = 1.0 - ratio;
+            core + 4.0 * (0.1 - ratio).max(0.0) - 3.0 * (ratio - 0.8).max(0.0)
+        };
+        let core = curve(|t| 1e-6 * z(t)).core();
+        // The line runs from 1 to 0 um; the curve passes 1 um at ratio 0.08 and 0 at 0.85.
+        assert_relative_eq!(core.core_height, 1e-6, max_relative = 1e-9);
+        assert_relative_eq!(core.peak_ratio, 0.08, max_relative = 1e-4);
+        assert_relative_eq!(core.valley_ratio, 0.85, max_relative = 1e-4);
+        assert_relative_eq!(core.reduced_peak_height, 0.4e-6, max_relative = 1e-3);
+        assert_relative_eq!(core.reduced_valley_depth, 0.6e-6, max_relative = 1e-3);
+    }
+
+    #[test]
+    fn a_flat_map_has_zeros() {
+        let grid = Grid::new([4, 5], [1.0, 1.0]).unwrap();
+        let c = MaterialRatioCurve::of(&HeightMap::new(grid, vec![3.0; 20]).unwrap()).unwrap();
+        let core = c.core();
+        for value in [
+            core.core_height,
+            core.reduced_peak_height,
+            core.reduced_valley_depth,
+            c.volumes().core_void,
+            c.peak_extreme_height(),
+        ] {
+            assert_relative_eq!(value, 0.0);
+        }
+        assert!(core.peak_ratio.is_finite() && core.valley_ratio.is_finite());
+    }
+}
