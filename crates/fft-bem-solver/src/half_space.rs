@@ -2,22 +2,23 @@
 
 use crate::{Real, SolverError};
 use contact_types::{ContactModulus, Grid};
-use grid_fft::{Complex, GridFft};
+use grid_fft::Convolution;
 
 /// The surface of a periodic elastic half space: turns pressure into displacement and back.
 pub struct HalfSpace<T: Real> {
     grid: Grid,
     modulus: ContactModulus,
-    fft: GridFft<T>,
-    spectrum: Vec<Complex<T>>,
+    transform: Convolution<T>,
+    /// Square of the wavenumber along y, `ky` in `0..=ny/2`.
+    qy2: Vec<f64>,
 }
 
 impl<T: Real> HalfSpace<T> {
     /// Plans the transforms for `grid`.
     pub fn new(grid: Grid, modulus: ContactModulus) -> Self {
-        let fft = GridFft::new(grid.shape());
-        let spectrum = fft.new_spectrum();
-        Self { grid, modulus, fft, spectrum }
+        let transform = Convolution::new(grid.shape());
+        let qy2 = (0..=grid.shape()[0] / 2).map(|ky| grid.wavenumber(ky, 0).powi(2)).collect();
+        Self { grid, modulus, transform, qy2 }
     }
 
     /// The grid of the fields.
@@ -48,10 +49,7 @@ impl<T: Real> HalfSpace<T> {
     /// Stanley & Kato (1997), doi:10.1115/1.2833523; Johnson (1985) *Contact Mechanics*, §13.2.
     pub fn displace(&mut self, field: &mut [T]) -> Result<(), SolverError> {
         self.check(field.len())?;
-        let e_star = self.modulus.pascals();
-        self.fft.forward(field, &mut self.spectrum);
-        self.scale_waves(|q| if q > 0.0 { 2.0 / (e_star * q) } else { 0.0 });
-        self.fft.inverse(&mut self.spectrum, field);
+        self.transform.apply_in_place(field, |kx, column| self.compliance(kx, column));
         Ok(())
     }
 
@@ -67,32 +65,40 @@ impl<T: Real> HalfSpace<T> {
     pub fn press(&mut self, field: &mut [T]) -> Result<(), SolverError> {
         self.check(field.len())?;
         let e_star = self.modulus.pascals();
-        self.fft.forward(field, &mut self.spectrum);
-        self.scale_waves(|q| 0.5 * e_star * q);
-        self.fft.inverse(&mut self.spectrum, field);
+        self.transform.apply_in_place(field, |kx, column| {
+            for (s, q) in column.iter_mut().zip(self.wavenumbers(kx)) {
+                *s = T::of(0.5 * e_star * q);
+            }
+        });
         Ok(())
     }
 
     /// [`displace`](Self::displace) from one field into another.
     pub(crate) fn displacement(&mut self, pressure: &[T], displacement: &mut [T]) {
-        let e_star = self.modulus.pascals();
-        self.fft.forward(pressure, &mut self.spectrum);
-        self.scale_waves(|q| if q > 0.0 { 2.0 / (e_star * q) } else { 0.0 });
-        self.fft.inverse(&mut self.spectrum, displacement);
+        let symbol = |kx: usize, column: &mut [T]| self.compliance(kx, column);
+        self.transform.apply(pressure, symbol, displacement);
+    }
+
+    /// Wavenumbers of the waves `(0..=ny/2, kx)`.
+    fn wavenumbers(&self, kx: usize) -> impl Iterator<Item = f64> {
+        let qx2 = self.grid.wavenumber(0, kx).powi(2);
+        self.qy2.iter().map(move |qy2| (qy2 + qx2).sqrt())
+    }
+
+    /// Compliance `2 / (E* |q|)` of these waves, 0 for the mean.
+    fn compliance(&self, kx: usize, column: &mut [T]) {
+        let factor = 2.0 / self.modulus.pascals();
+        for (s, q) in column.iter_mut().zip(self.wavenumbers(kx)) {
+            *s = T::of(factor / q);
+        }
+        if kx == 0 {
+            column[0] = T::zero();
+        }
     }
 
     fn check(&self, found: usize) -> Result<(), SolverError> {
         let expected = self.grid.len();
         if found == expected { Ok(()) } else { Err(SolverError::Shape { expected, found }) }
-    }
-
-    fn scale_waves(&mut self, factor: impl Fn(f64) -> f64) {
-        let [_, nq] = self.fft.spectrum_shape();
-        for (iy, row) in self.spectrum.chunks_exact_mut(nq).enumerate() {
-            for (ix, wave) in row.iter_mut().enumerate() {
-                *wave = *wave * T::of(factor(self.grid.wavenumber(iy, ix)));
-            }
-        }
     }
 }
 

@@ -114,11 +114,15 @@ impl SolverBuilder {
             modulus,
         };
         let scaled = problem::scaled_grid(grid)?;
-        let engine = match self.precision {
-            Precision::Double => Work::Double(Box::new(Engine::new(settings, scaled)?)),
-            Precision::Single => Work::Single(Box::new(Engine::new(settings, scaled)?)),
-        };
-        Ok(Solver { grid, modulus, engine, pool: Pool::new(self.threads)? })
+        // Transforms are planned for the threads of the pool they are planned in.
+        let pool = Pool::new(self.threads)?;
+        let engine = pool.run(|| {
+            Ok::<_, SolverError>(match self.precision {
+                Precision::Double => Work::Double(Box::new(Engine::new(settings, scaled)?)),
+                Precision::Single => Work::Single(Box::new(Engine::new(settings, scaled)?)),
+            })
+        })?;
+        Ok(Solver { grid, modulus, engine, pool })
     }
 }
 

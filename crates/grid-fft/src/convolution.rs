@@ -153,18 +153,43 @@ impl<T: FftNum> Convolution<T> {
         finish: impl Fn(usize, &mut [T]) -> R + Sync + Send,
         results: &mut [R],
     ) {
-        let [ny, nx] = self.shape;
-        assert!(input.len() == ny * nx && output.len() == ny * nx, "field length");
-        assert_eq!(results.len(), ny.div_ceil(TILE_ROWS), "one result per block of rows");
-        let block = TILE_ROWS * nx;
-        input.par_chunks(block).enumerate().for_each(|(b, rows)| self.analyse(b, rows));
+        assert_eq!(input.len(), output.len(), "field lengths");
+        self.analyse_all(input);
         for_each_index(self.groups(), |group| self.filter(group, &symbol));
-        output.par_chunks_mut(block).zip(results.par_iter_mut()).enumerate().for_each(
-            |(b, (rows, result))| {
-                self.synthesise(b, rows);
-                *result = finish(b * TILE_ROWS, rows);
-            },
-        );
+        self.synthesise_all(output, finish, results);
+    }
+
+    /// As [`apply`](Self::apply), in place.
+    ///
+    /// # Panics
+    /// If the field does not have the length planned for.
+    pub fn apply_in_place(&self, field: &mut [T], symbol: impl Fn(usize, &mut [T]) + Sync) {
+        let mut nothing = vec![(); self.shape[0].div_ceil(TILE_ROWS)];
+        self.analyse_all(field);
+        for_each_index(self.groups(), |group| self.filter(group, &symbol));
+        self.synthesise_all(field, |_, _| (), &mut nothing);
+    }
+
+    fn analyse_all(&self, input: &[T]) {
+        let [ny, nx] = self.shape;
+        assert_eq!(input.len(), ny * nx, "field length");
+        let blocks = input.par_chunks(TILE_ROWS * nx);
+        blocks.enumerate().for_each(|(block, rows)| self.analyse(block, rows));
+    }
+
+    fn synthesise_all<R: Send>(
+        &self,
+        output: &mut [T],
+        finish: impl Fn(usize, &mut [T]) -> R + Sync + Send,
+        results: &mut [R],
+    ) {
+        let [ny, nx] = self.shape;
+        assert_eq!(results.len(), ny.div_ceil(TILE_ROWS), "one result per block of rows");
+        let blocks = output.par_chunks_mut(TILE_ROWS * nx).zip(results.par_iter_mut());
+        blocks.enumerate().for_each(|(block, (rows, result))| {
+            self.synthesise(block, rows);
+            *result = finish(block * TILE_ROWS, rows);
+        });
     }
 
     /// Number of groups of columns.

@@ -18,14 +18,25 @@
 //! - A method that does not control the level itself (`controls_level`) is driven by
 //!   [`control`](crate::control): a secant in the logarithm of the load.
 
+mod chord;
+mod coarse_lead;
+mod extension;
+mod face_cg;
+mod level_control;
+mod passes;
 mod polonsky_keer;
+mod projection;
 mod stanley_kato;
+mod stiffness;
+mod sweep;
+mod transfer;
 
 use crate::problem::Problem;
 use crate::{Boundary, FreeHalfSpace, HalfSpace, Method, Real, SolverError};
 use contact_types::Grid;
 use std::ops::ControlFlow;
 
+pub(crate) use chord::Chord;
 pub(crate) use polonsky_keer::PolonskyKeer;
 pub(crate) use stanley_kato::StanleyKato;
 
@@ -176,16 +187,20 @@ pub(crate) fn build<T: Real>(
     scaled: Grid,
     boundary: Boundary,
 ) -> Result<(Method, Box<dyn ContactMethod<T>>), SolverError> {
-    let _ = boundary;
-    match method {
-        Method::Auto | Method::PolonskyKeer => {
-            Ok((Method::PolonskyKeer, Box::new(PolonskyKeer::new(scaled.len()))))
+    Ok(match (method, boundary) {
+        (Method::Auto | Method::Chord, Boundary::Periodic) => {
+            (Method::Chord, Box::new(Chord::new(scaled)))
         }
-        Method::StanleyKato => Ok((Method::StanleyKato, Box::new(StanleyKato::new(scaled.len())))),
-        Method::Chord => Err(SolverError::Combination {
-            first: "this method",
-            second: "this version",
-            way_out: "choose the method polonsky-keer",
-        }),
-    }
+        (Method::Chord, Boundary::Free) => {
+            return Err(SolverError::Combination {
+                first: "the method chord",
+                second: "the free boundary",
+                way_out: "choose the method auto or polonsky-keer",
+            });
+        }
+        (Method::Auto, Boundary::Free) | (Method::PolonskyKeer, _) => {
+            (Method::PolonskyKeer, Box::new(PolonskyKeer::new(scaled.len())))
+        }
+        (Method::StanleyKato, _) => (Method::StanleyKato, Box::new(StanleyKato::new(scaled.len()))),
+    })
 }

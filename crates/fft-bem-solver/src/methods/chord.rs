@@ -1,0 +1,460 @@
+//! Extension-preconditioned chord iteration: about one FFT pair per step and one digit per step.
+//!
+//! Each step asks for the pressure that would close the residual gap `g` on the contact set F,
+//! `z = E^T S E g`; subtracts it; sweeps the tension that results onto the nodes that stay
+//! ([`Sweep`]); computes the displacement of that trial with one FFT pair; and goes along the
+//! chord from the present pressure to the trial as far as the energy falls. A chord of a convex
+//! set stays in the set: pressures stay positive and carry the load without projection. The size
+//! of z estimates the error of the pressure.
+//!
+//! ```text
+//! loop
+//!   g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}
+//!   z = E^T S E g on F, less its mean;  |z on F, p off F| <= tolerance |p|: stop
+//!   trial = p - tau z on F, swept, clipped, scaled to the load;  K trial     (the one pair)
+//!   theta = -<g,s>/<s,Ks> along the chord s = trial - p
+//!   p += theta s, or all of s near theta = 1; better, the minimum over s and the step before
+//! ```
+//!
+//! Two fallbacks guarantee convergence: projected gradients where a chord does not descend or the
+//! estimate stalls, and conjugate gradients on the face where that does not help.
+
+use super::coarse_lead::CoarseLead;
+use super::extension::Pyramid;
+use super::passes::{self, Partial, Products};
+use super::stiffness::Stiffness;
+use super::sweep::Sweep;
+use super::{
+    Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch, face_cg,
+    level_control::LevelControl, projection,
+};
+use crate::problem::Problem;
+use crate::{Boundary, Real, certificate, fields};
+use contact_types::Grid;
+
+/// Below this chord length the step was a poor guess: take it as it is, and release nodes.
+const FULL: f64 = 0.7;
+/// After a poor step, nodes with less pressure than this times their gap are let go.
+const RELEASE: f64 = 0.1;
+/// Range of the length of the preconditioned step.
+const TAU: [f64; 2] = [0.3, 1.1];
+/// Iterations without halving the estimate before another kind of step is tried.
+const STALL: usize = 8;
+
+/// How the trial of a step is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Chord,
+    Gradient,
+    FaceCg,
+}
+
+/// The method with its memory: the trial and the iterate before (pressure and displacement each),
+/// two fields in single precision, the pyramid and the coarse grids.
+pub(crate) struct Chord<T: Real> {
+    pub(crate) shape: [usize; 2],
+    pub(crate) rows: usize,
+    pub(crate) mask: Vec<u8>,
+    pub(crate) residual: Vec<f32>,
+    pub(crate) extended: Vec<f32>,
+    pub(crate) pyramid: Pyramid,
+    pub(crate) stiffness: Stiffness,
+    pub(crate) sweep: Sweep,
+    pub(crate) trial: Vec<T>,
+    pub(crate) response: Vec<T>,
+    pub(crate) before: Vec<T>,
+    pub(crate) before_response: Vec<T>,
+    pub(crate) partial: Vec<Partial>,
+    lead: Option<Box<CoarseLead<T>>>,
+    /// Tests: make every step of this kind.
+    pub(crate) force: Option<Kind>,
+    /// Which fallbacks were taken, and at which iteration.
+    pub(crate) events: Vec<(usize, Kind)>,
+}
+
+/// What a step needs to know of the ones before.
+struct Memory {
+    /// Length of the next preconditioned step and of the next gradient step.
+    tau: f64,
+    alpha: f64,
+    /// Chord length of the last step.
+    a: f64,
+    /// Whether `before` holds the iterate before this one.
+    has_before: bool,
+    /// Smallest estimate that was a halving, and the iterations since.
+    best: f64,
+    since: usize,
+    kind: Kind,
+}
+
+impl<T: Real> Chord<T> {
+    /// Memory for a grid whose finer pixel side is 1.
+    pub(crate) fn new(scaled: Grid) -> Self {
+        let ([_, nx], n) = (scaled.shape(), scaled.len());
+        let pyramid = Pyramid::new(scaled.shape(), scaled.pixel());
+        let rows = passes::rows_per_task(&pyramid, scaled.shape());
+        Self {
+            shape: scaled.shape(),
+            rows,
+            mask: vec![0; n],
+            residual: vec![0.0; n],
+            extended: vec![0.0; n],
+            stiffness: Stiffness::new(scaled.shape(), scaled.pixel()),
+            sweep: Sweep::new(pyramid.levels.first()),
+            pyramid,
+            trial: vec![T::zero(); n],
+            response: vec![T::zero(); n],
+            before: vec![T::zero(); n],
+            before_response: vec![T::zero(); n],
+            partial: vec![Partial::default(); passes::tasks(n, rows, nx)],
+            lead: CoarseLead::new(scaled).map(Box::new),
+            force: None,
+            events: Vec::new(),
+        }
+    }
+
+    fn iterate(
+        &mut self,
+        task: &Task<'_, T>,
+        operator: &mut dyn Compliance<T>,
+        start: Start,
+        state: &mut State<T>,
+        watch: &mut Watch<'_, T>,
+    ) -> Outcome {
+        let h = &task.problem.heights[..];
+        let (mut load, mut control) = match task.target {
+            Target::Pressure(p) => (p, None),
+            Target::Level(level, guess) => (guess, Some(LevelControl::new(level, task.problem))),
+        };
+        self.events.clear();
+        let mut is_lead = false; // the trial fields hold a guess that is not feasible
+        let mut transforms = 0.0;
+        if start == Start::Warm {
+            load = rescale(control.as_ref().map_or(Some(load), |_| None), state);
+        } else {
+            if let Some(lead) = &mut self.lead {
+                let guess = (&mut self.trial[..], &mut self.response[..]);
+                let found = lead.find(task, load, guess);
+                transforms += found.transforms;
+                is_lead = found.load.is_some();
+                load = found.load.unwrap_or(load);
+            }
+            transforms += begin_constant(load, operator, state);
+        }
+        let is_guess = start == Start::Cold && !is_lead;
+        let mut now = Memory {
+            tau: 1.0,
+            alpha: 1.5,
+            a: if is_guess { 1.0 } else { 0.0 },
+            has_before: false,
+            best: f64::INFINITY,
+            since: 0,
+            kind: self.force.unwrap_or(Kind::Chord),
+        };
+        let (mut iteration, mut residual) = (0, f64::INFINITY);
+        let end = loop {
+            if let Some(control) =
+                control.as_mut().filter(|_| iteration > 0 || start == Start::Warm)
+            {
+                load = control.correct(residual, load, h, state, &mut self.partial);
+                is_lead = false;
+            }
+
+            // Residual gap, contact set, preconditioned residual.
+            let [nx, rows] = [self.shape[1], self.rows];
+            let (p, u) = if is_lead {
+                (&self.trial[..], &self.response[..])
+            } else {
+                (&state.pressure[..], &state.displacement[..])
+            };
+            let [sum, contact] = passes::level_sums(p, u, h, &mut self.partial);
+            let level = sum / contact.max(1.0);
+            let release = if now.a < FULL { RELEASE } else { 0.0 };
+            let found = passes::residual(
+                [p, u, h],
+                level,
+                release,
+                rows,
+                nx,
+                &mut self.mask,
+                &mut self.residual,
+                &mut self.pyramid,
+                &mut self.partial,
+            );
+            let mean = self.precondition(&found);
+            transforms += self.stiffness.cost;
+            let base = (!is_lead).then_some(&state.pressure[..]);
+            let [step2, p2] = passes::trial(
+                base,
+                &self.residual,
+                mean,
+                now.tau,
+                &self.mask,
+                rows,
+                nx,
+                &self.pyramid,
+                &mut self.trial,
+                &mut self.sweep,
+                &mut self.partial,
+            );
+            residual = (step2 / p2).sqrt();
+            let error = control.as_ref().map_or(0.0, |c| c.error.abs());
+            let step = Step { iteration, transforms, residual: residual.max(error), state };
+            if watch(&step).is_break() {
+                break End::Stopped;
+            }
+            let is_rounding = found.largest <= 2.0 * T::EPSILON * found.magnitude;
+            if !is_lead {
+                if residual.max(error) <= task.tolerance || is_rounding {
+                    break End::Converged;
+                }
+                if iteration >= task.max_iterations {
+                    break End::Exhausted;
+                }
+            }
+
+            // Another kind of step if the estimate has not been halved for long.
+            now.watch_progress(residual, iteration, self.force.is_some(), &mut self.events);
+            if now.kind == Kind::FaceCg && !is_lead {
+                let first = !now.has_before;
+                transforms += face_cg::step(self, operator, h, level, load, first, state);
+                now.has_before = true;
+                iteration += 1;
+                continue;
+            }
+
+            // Trial, its displacement, and how far to go along the chord.
+            let base_level = if is_lead {
+                let (p, u) = (&state.pressure, &state.displacement);
+                let [sum, contact] = passes::level_sums(p, u, h, &mut self.partial);
+                sum / contact
+            } else {
+                level
+            };
+            let mut kind = now.kind;
+            let products = loop {
+                let is_trial = match kind {
+                    Kind::Chord => self.sweep_trial(&found, load),
+                    Kind::Gradient | Kind::FaceCg => {
+                        self.gradient_trial(h, base_level, now.alpha, load, state);
+                        true
+                    }
+                };
+                if is_trial {
+                    operator.apply(&self.trial, &mut self.response);
+                    transforms += 1.0;
+                    let products = self.products(h, base_level, now.has_before, state);
+                    if products.theta() > 0.0 || kind != Kind::Chord {
+                        break products;
+                    }
+                }
+                kind = Kind::Gradient; // the chord does not descend: projected gradients always do
+                self.events.push((iteration, kind));
+            };
+            is_lead = false;
+            self.advance(kind, &products, &mut now, state);
+            iteration += 1;
+        };
+        state.level = certificate::level(state, h);
+        let error = control.map_or(0.0, |c| c.error.abs());
+        Outcome { end, iterations: iteration, transforms, residual: residual.max(error) }
+    }
+
+    /// `z = E^T S E r` on F, in place of the residual; returns its mean over F.
+    fn precondition(&mut self, found: &passes::Residual) -> f64 {
+        let [nx, rows] = [self.shape[1], self.rows];
+        self.pyramid.extend_above();
+        passes::push(&self.mask, &self.residual, &self.pyramid, rows, nx, &mut self.extended);
+        self.stiffness.apply(&self.extended, &mut self.residual);
+        let (pyramid, partial) = (&mut self.pyramid, &mut self.partial);
+        let sum = passes::transpose(&self.mask, &mut self.residual, pyramid, rows, nx, partial);
+        sum / found.active.max(1) as f64
+    }
+
+    /// Sweeps, clips and scales the trial; false if nothing is left of it.
+    fn sweep_trial(&mut self, found: &passes::Residual, load: f64) -> bool {
+        let total = load * self.trial.len() as f64;
+        self.sweep.run(
+            &mut self.pyramid,
+            &self.trial,
+            &mut self.mask,
+            found.active,
+            found.has_released,
+            total,
+        );
+        let sum = passes::finish_trial(
+            &self.mask,
+            &self.sweep,
+            &self.pyramid,
+            self.rows,
+            self.shape[1],
+            &mut self.trial,
+            &mut self.partial,
+        );
+        let is_usable = sum > 0.0 && sum.is_finite();
+        if is_usable {
+            passes::scale(total / sum, &mut self.trial);
+        }
+        is_usable
+    }
+
+    /// `trial = p - alpha g`, projected on the pressures that are positive and carry the load.
+    fn gradient_trial(&mut self, h: &[T], level: f64, alpha: f64, load: f64, state: &State<T>) {
+        let (p, u) = (&state.pressure, &state.displacement);
+        for (i, t) in self.trial.iter_mut().enumerate() {
+            *t = p[i] - T::of(alpha) * (u[i] - h[i] - T::of(level));
+        }
+        projection::to_load(&mut self.trial, load);
+    }
+
+    fn products(&mut self, h: &[T], level: f64, has_before: bool, state: &State<T>) -> Products {
+        passes::products(
+            [&state.pressure, &state.displacement, h],
+            level,
+            [&self.trial, &self.response],
+            has_before.then_some([&self.before[..], &self.before_response[..]]),
+            &mut self.partial,
+        )
+    }
+
+    /// Goes along the chord, or to the minimum over the chord and the step before.
+    fn advance(&mut self, kind: Kind, k: &Products, now: &mut Memory, state: &mut State<T>) {
+        let theta = k.theta();
+        if kind == Kind::Chord {
+            now.a = if theta < FULL { theta } else { 1.0 };
+            if theta > 1.0 && !k.has_dropped {
+                now.a = theta.min(k.feasible.max(1.0));
+            }
+            now.tau = (now.tau * theta.clamp(0.7, 1.4)).clamp(TAU[0], TAU[1]);
+        } else {
+            now.a = theta.clamp(0.0, 1.0);
+            if k.sks > 0.0 {
+                now.alpha = k.ss / k.sks; // Barzilai & Borwein (1988), doi:10.1093/imanum/8.1.141
+            }
+        }
+        let (p, u) = (&mut state.pressure, &mut state.displacement);
+        let plane = k.plane_minimum().filter(|_| now.has_before && kind == Kind::Chord);
+        let is_plane = plane.is_some_and(|b| {
+            passes::plane_point(p, &self.trial, b, &mut self.before, &mut self.partial)
+        });
+        if let (true, Some(b)) = (is_plane, plane) {
+            passes::combine(u, &self.response, b, &mut self.before_response);
+            now.a = 1.0;
+        } else if (now.a - 1.0).abs() < f64::EPSILON {
+            std::mem::swap(&mut self.before, &mut self.trial);
+            std::mem::swap(&mut self.before_response, &mut self.response);
+        } else {
+            passes::along_chord(p, &self.trial, now.a, &mut self.before);
+            passes::combine(u, &self.response, [now.a, 0.0], &mut self.before_response);
+        }
+        // `before` holds the new iterate: exchange it with the old one.
+        std::mem::swap(p, &mut self.before);
+        std::mem::swap(u, &mut self.before_response);
+        now.has_before = true;
+    }
+}
+
+impl Memory {
+    /// The ladder of fallbacks: chords, then gradients, then conjugate gradients on the face; back
+    /// to chords when the estimate has been halved.
+    fn watch_progress(
+        &mut self,
+        residual: f64,
+        iteration: usize,
+        is_forced: bool,
+        events: &mut Vec<(usize, Kind)>,
+    ) {
+        if residual <= 0.5 * self.best {
+            self.best = residual;
+            self.since = 0;
+        } else {
+            self.since += 1;
+        }
+        if is_forced {
+            return;
+        }
+        let kind = match self.since {
+            0 => Kind::Chord,
+            n if n < STALL => return,
+            _ => {
+                self.since = 0;
+                if self.kind == Kind::Chord { Kind::Gradient } else { Kind::FaceCg }
+            }
+        };
+        if kind != self.kind {
+            // Conjugate gradients keep their direction in the place of the step before.
+            self.has_before = self.has_before && kind == Kind::Gradient;
+            if kind != Kind::Chord {
+                events.push((iteration, kind));
+            }
+        }
+        self.kind = kind;
+    }
+}
+
+impl Products {
+    /// Where the energy is least along the chord.
+    fn theta(&self) -> f64 {
+        if self.sks > 0.0 { -self.gs / self.sks } else { 1.0 }
+    }
+
+    /// Where it is least over the plane of the chord and the step before, `[b1, b2]`.
+    fn plane_minimum(&self) -> Option<[f64; 2]> {
+        let determinant = self.sks * self.dkd - self.skd * self.skd;
+        let b1 = (self.gd * self.skd - self.gs * self.dkd) / determinant;
+        let b2 = (self.gs * self.skd - self.gd * self.sks) / determinant;
+        (determinant > 1e-6 * self.sks * self.dkd && b1 > 0.3).then_some([b1, b2])
+    }
+}
+
+/// The constant pressure; its displacement is zero on a periodic half space. Returns the pairs.
+fn begin_constant<T: Real>(
+    load: f64,
+    operator: &mut dyn Compliance<T>,
+    state: &mut State<T>,
+) -> f64 {
+    state.pressure.fill(T::of(load));
+    if operator.boundary() == Boundary::Periodic {
+        state.displacement.fill(T::zero());
+        return 0.0;
+    }
+    operator.apply(&state.pressure, &mut state.displacement);
+    1.0
+}
+
+/// Scales a solution to another load: K is linear. Without a load, leaves it. Returns the load.
+fn rescale<T: Real>(load: Option<f64>, state: &mut State<T>) -> f64 {
+    let present = fields::sum(&state.pressure) / state.pressure.len() as f64;
+    if let Some(load) = load {
+        passes::scale(load / present, &mut state.pressure);
+        passes::scale(load / present, &mut state.displacement);
+    }
+    load.unwrap_or(present)
+}
+
+impl<T: Real> ContactMethod<T> for Chord<T> {
+    fn solve(
+        &mut self,
+        task: &Task<'_, T>,
+        operator: &mut dyn Compliance<T>,
+        start: Start,
+        state: &mut State<T>,
+        watch: &mut Watch<'_, T>,
+    ) -> Outcome {
+        self.iterate(task, operator, start, state, watch)
+    }
+
+    fn controls_level(&self) -> bool {
+        true
+    }
+
+    /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive.
+    fn suspects_full_contact(&mut self, problem: &Problem<T>, mean_pressure: f64) -> (bool, f64) {
+        for (x, h) in self.extended.iter_mut().zip(&problem.heights) {
+            *x = (h.wide() - problem.mean_height) as f32;
+        }
+        self.stiffness.apply(&self.extended, &mut self.residual);
+        let least = self.residual.iter().fold(f32::INFINITY, |m, p| m.min(*p));
+        (mean_pressure + f64::from(least) >= -0.1 * mean_pressure, self.stiffness.cost)
+    }
+}

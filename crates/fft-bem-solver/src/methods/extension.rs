@@ -1,0 +1,274 @@
+//! Pull–push extension `E` of values on the contact set to the whole grid, and its transpose.
+//!
+//! On the contact set F the inverse of `u = K p` is close to `E^T S E`: `E` continues the field
+//! smoothly from the contact into the gap, as an elastic surface would, and `S = K^-1` acts on
+//! the whole grid, where it is cheap. `E` is a pyramid: *pull* averages what is known into ever
+//! coarser cells, *push* interpolates it back into the cells that know nothing,
+//!
+//! ```text
+//! w0 = 1 on F, else 0;     m = down(w_l);    d_(l+1) = 1/(m + 1e-3);    w_(l+1) = m (1 + b (1 - m))
+//! pull   v0 = r,           v_(l+1) = d_(l+1) down(w_l v_l)
+//! push   x_top = w_top v_top,      x_l = w_l v_l + (1 - w_l) up(x_(l+1))
+//! ```
+//!
+//! The weights are capacities, not area fractions: a cell partly in contact counts for more than
+//! its share, because the field outside an isolated contact falls off as 1/r and not at once;
+//! hence `b > 0`. Everything is single precision: the result is a step, corrected by the next one.
+
+use super::transfer::{Transfer, Weight};
+use grid_fft::parallel::prelude::*;
+
+/// Where a cell knows nothing, its value is 0 instead of 0/0.
+const EPSILON: f32 = 1e-3;
+/// Pixels that one task of a parallel loop handles, about.
+const TASK: usize = 1 << 14;
+
+/// From the filled fraction of a cell to its weight.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Capacity {
+    /// b of the module documentation.
+    gain: f32,
+}
+
+impl Capacity {
+    /// Weight and inverse of a cell of which a fraction `m` is filled.
+    pub(crate) fn of(self, m: f32) -> (f32, f32) {
+        (m * (1.0 + self.gain * (1.0 - m)), 1.0 / (m + EPSILON))
+    }
+}
+
+/// One grid of the pyramid above the finest.
+pub(crate) struct Level {
+    /// From the next finer grid to this one.
+    pub(crate) transfer: Transfer,
+    pub(crate) capacity: Capacity,
+    pub(crate) weight: Vec<f32>,
+    pub(crate) inverse: Vec<f32>,
+    pub(crate) value: Vec<f32>,
+}
+
+/// Some rows of a level, to be filled by one task.
+pub(crate) struct Rows<'a> {
+    pub(crate) weight: &'a mut [f32],
+    pub(crate) inverse: &'a mut [f32],
+    pub(crate) value: &'a mut [f32],
+}
+
+impl Level {
+    fn new(transfer: Transfer) -> Self {
+        let n = transfer.coarse[0] * transfer.coarse[1];
+        let capacity = Capacity { gain: if transfer.halved == [true, true] { 0.6 } else { 0.45 } };
+        let zeros = || vec![0.0; n];
+        Self { transfer, capacity, weight: zeros(), inverse: zeros(), value: zeros() }
+    }
+
+    /// Rows of this level that one task handles: about a fixed number of fine pixels.
+    pub(crate) fn rows_per_task(&self) -> usize {
+        (TASK / (self.transfer.fine[1] * self.transfer.rows_per_coarse_row())).max(1)
+    }
+
+    /// Pulls weights and values of the next finer level.
+    fn pull(&mut self, w: &[f32], v: &[f32]) {
+        let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
+        let (fine, coarse) = (rows * t.rows_per_coarse_row() * t.fine[1], rows * t.coarse[1]);
+        w.par_chunks(fine)
+            .zip(v.par_chunks(fine))
+            .zip(self.weight.par_chunks_mut(coarse))
+            .zip(self.inverse.par_chunks_mut(coarse))
+            .zip(self.value.par_chunks_mut(coarse))
+            .for_each(|((((w, v), weight), inverse), value)| {
+                pull_rows(&t, capacity, w, v, Rows { weight, inverse, value });
+            });
+    }
+
+    /// Pulls weights alone.
+    fn pull_weights(&mut self, w: &[f32]) {
+        let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
+        let (nx, mx) = (t.fine[1], t.coarse[1]);
+        let (fine, coarse) = (rows * t.rows_per_coarse_row() * nx, rows * mx);
+        w.par_chunks(fine)
+            .zip(self.weight.par_chunks_mut(coarse))
+            .zip(self.inverse.par_chunks_mut(coarse))
+            .for_each(|((w, weight), inverse)| {
+                let mut pairs = w.chunks(t.rows_per_coarse_row() * nx);
+                for (weight, inverse) in
+                    weight.chunks_exact_mut(mx).zip(inverse.chunks_exact_mut(mx))
+                {
+                    let pair = pairs.next().expect("a coarse row has children");
+                    t.down_weight_row([&pair[..nx], &pair[pair.len() - nx..]], weight);
+                    for (w, d) in weight.iter_mut().zip(inverse) {
+                        (*w, *d) = capacity.of(*w);
+                    }
+                }
+            });
+    }
+
+    /// `x_l = w_l v_l + (1 - w_l) up(x_(l+1))` in place.
+    fn push(&mut self, coarser: &Self) {
+        let t = coarser.transfer;
+        let nx = t.fine[1];
+        let rows = (TASK / nx).max(1);
+        self.value
+            .par_chunks_mut(rows * nx)
+            .zip(self.weight.par_chunks(rows * nx))
+            .enumerate()
+            .for_each(|(task, (value, weight))| {
+                let both = value.chunks_exact_mut(nx).zip(weight.chunks_exact(nx));
+                for (i, (value, weight)) in both.enumerate() {
+                    t.up_row(task * rows + i, &coarser.value, |ix, up| {
+                        let (value, weight) = (&mut value[ix..], &weight[ix..]);
+                        for ((x, w), up) in value.iter_mut().zip(weight).zip(up) {
+                            *x = w * *x + (1.0 - w) * up;
+                        }
+                    });
+                }
+            });
+    }
+
+    /// `x_(l+1) = up^T ((1 - w_l) x_l)`.
+    fn gather(&mut self, finer: &Self) {
+        let (t, rows) = (self.transfer, self.rows_per_task());
+        let mx = t.coarse[1];
+        self.value.par_chunks_mut(rows * mx).enumerate().for_each(|(task, value)| {
+            for (j, out) in value.chunks_exact_mut(mx).enumerate() {
+                gather_row(&t, task * rows + j, &finer.weight, &finer.value, out);
+            }
+        });
+    }
+
+    /// `v_l = w_l (x_l + down^T (d_(l+1) v_(l+1)))`, stored times `d_l`, in place.
+    fn scatter(&mut self, coarser: Option<&Self>) {
+        let Some(coarser) = coarser else {
+            for ((x, w), d) in self.value.iter_mut().zip(&self.weight).zip(&self.inverse) {
+                *x *= w * d;
+            }
+            return;
+        };
+        let t = coarser.transfer;
+        let (nx, mx) = (t.fine[1], t.coarse[1]);
+        let rows = (TASK / nx).max(1);
+        self.value
+            .par_chunks_mut(rows * nx)
+            .zip(self.weight.par_chunks(rows * nx))
+            .zip(self.inverse.par_chunks(rows * nx))
+            .enumerate()
+            .for_each(|(task, ((value, weight), inverse))| {
+                let lines = value
+                    .chunks_exact_mut(nx)
+                    .zip(weight.chunks_exact(nx))
+                    .zip(inverse.chunks_exact(nx));
+                for (i, ((value, weight), inverse)) in lines.enumerate() {
+                    let j = t.parent(task * rows + i);
+                    let above = &coarser.value[j * mx..(j + 1) * mx];
+                    t.down_transposed_row(task * rows + i, above, |ix, v| {
+                        value[ix] = inverse[ix] * weight[ix] * (value[ix] + v);
+                    });
+                }
+            });
+    }
+}
+
+/// Pulls the fine rows `w` and `v` into the coarse rows that cover them.
+pub(crate) fn pull_rows<W: Weight>(
+    t: &Transfer,
+    capacity: Capacity,
+    w: &[W],
+    v: &[f32],
+    Rows { weight, inverse, value }: Rows<'_>,
+) {
+    let (nx, mx) = (t.fine[1], t.coarse[1]);
+    let fine = t.rows_per_coarse_row() * nx;
+    let coarse = weight
+        .chunks_exact_mut(mx)
+        .zip(inverse.chunks_exact_mut(mx))
+        .zip(value.chunks_exact_mut(mx));
+    for ((w, v), ((weight, inverse), value)) in w.chunks(fine).zip(v.chunks(fine)).zip(coarse) {
+        // Two rows, or the single one twice.
+        let last = w.len() - nx;
+        t.down_row([&w[..nx], &w[last..]], [&v[..nx], &v[last..]], weight, value);
+        for ((w, d), v) in weight.iter_mut().zip(inverse).zip(value) {
+            (*w, *d) = capacity.of(*w);
+            *v *= *d;
+        }
+    }
+}
+
+/// Row `j` of `up^T ((1 - w) x)`.
+pub(crate) fn gather_row<W: Weight>(t: &Transfer, j: usize, w: &[W], x: &[f32], out: &mut [f32]) {
+    let nx = t.fine[1];
+    t.up_transposed_row(j, out, |iy, factor, ix, line| {
+        let first = iy * nx + ix;
+        let (w, x) = (&w[first..][..line.len()], &x[first..][..line.len()]);
+        for ((l, w), x) in line.iter_mut().zip(w).zip(x) {
+            *l += factor * (1.0 - w.value()) * x;
+        }
+    });
+}
+
+/// The levels above the finest grid, finest first; none on a grid of at most 4 x 4.
+pub(crate) struct Pyramid {
+    pub(crate) levels: Vec<Level>,
+}
+
+impl Pyramid {
+    /// For a grid of `shape` pixels of size `pixel`. At each level every axis is halved whose
+    /// pixel is below 1.5 times the finest of the axes that still have more than one cell, until
+    /// no axis has more than 4 cells.
+    pub(crate) fn new(shape: [usize; 2], pixel: [f64; 2]) -> Self {
+        let (mut n, mut d) = (shape, pixel);
+        let mut levels = Vec::new();
+        while n[0].max(n[1]) > 4 {
+            let divisible = |a: usize| if n[a] > 1 { d[a] } else { f64::INFINITY };
+            let finest = divisible(0).min(divisible(1));
+            let halved = [0, 1].map(|a| n[a] > 1 && d[a] < 1.5 * finest);
+            let transfer = Transfer::new(n, halved);
+            for axis in 0..2 {
+                if halved[axis] {
+                    d[axis] *= 2.0;
+                }
+            }
+            n = transfer.coarse;
+            levels.push(Level::new(transfer));
+        }
+        Self { levels }
+    }
+
+    /// Pulls and pushes: from weights and values of the first level to the extended field on it.
+    pub(crate) fn extend_above(&mut self) {
+        for l in 1..self.levels.len() {
+            let (finer, coarser) = self.levels.split_at_mut(l);
+            let finer = &finer[l - 1];
+            coarser[0].pull(&finer.weight, &finer.value);
+        }
+        if let Some(top) = self.levels.last_mut() {
+            for (x, w) in top.value.iter_mut().zip(&top.weight) {
+                *x *= w;
+            }
+        }
+        for l in (1..self.levels.len()).rev() {
+            let (finer, coarser) = self.levels.split_at_mut(l);
+            finer[l - 1].push(&coarser[0]);
+        }
+    }
+
+    /// The transpose: from the values gathered on the first level, to those that `down^T` hands
+    /// to the finest grid.
+    pub(crate) fn restrict_above(&mut self) {
+        for l in 1..self.levels.len() {
+            let (finer, coarser) = self.levels.split_at_mut(l);
+            coarser[0].gather(&finer[l - 1]);
+        }
+        for l in (0..self.levels.len()).rev() {
+            let (finer, coarser) = self.levels.split_at_mut(l + 1);
+            finer[l].scatter(coarser.first());
+        }
+    }
+
+    /// Brings the weights of all levels up to date with those of the first.
+    pub(crate) fn reweigh_above(&mut self) {
+        for l in 1..self.levels.len() {
+            let (finer, coarser) = self.levels.split_at_mut(l);
+            coarser[0].pull_weights(&finer[l - 1].weight);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Conjugate gradients on the face of the nodes in contact, preconditioned by the cheap `S`: the
+//! last resort of the chord iteration.
+
+use super::chord::Chord;
+use super::transfer::ON;
+use super::{Compliance, State, projection};
+use crate::{Real, fields};
+
+/// One step from `state`; returns the pairs spent. The direction and its displacement are kept in
+/// the place of the iterate before; `is_first` if there is none yet.
+pub(crate) fn step<T: Real>(
+    work: &mut Chord<T>,
+    operator: &mut dyn Compliance<T>,
+    h: &[T],
+    level: f64,
+    load: f64,
+    is_first: bool,
+    state: &mut State<T>,
+) -> f64 {
+    let n = h.len();
+    let (p, u) = (&mut state.pressure, &mut state.displacement);
+    let gap = |i: usize| (u[i] - h[i]).wide() - level;
+    let mask = &mut work.mask;
+    for i in 0..n {
+        work.extended[i] = if mask[i] == ON { gap(i) as f32 } else { 0.0 };
+    }
+    work.stiffness.apply(&work.extended, &mut work.residual);
+    let z = &mut work.residual;
+    centre(mask, z);
+    // A node without load that the step would pull on does not take part.
+    for i in 0..n {
+        if mask[i] == ON && p[i] <= T::zero() && z[i] > 0.0 {
+            mask[i] = 0;
+        }
+    }
+    centre(mask, z);
+
+    // Conjugate to the last direction, if that descends; else z; else the plain gradient.
+    let (t, kt) = (&mut work.before, &mut work.before_response);
+    let on = |i: usize| mask[i] == ON;
+    let mut direction = &mut work.trial;
+    let mut is_descent = false;
+    if !is_first {
+        let beta = fields::sum_of(n, |i| f64::from(z[i]) * kt[i].wide()) / fields::dot(t, kt);
+        let count = fields::sum_of(n, |i| if on(i) { 1.0 } else { 0.0 });
+        let mean = fields::sum_of(n, |i| if on(i) { t[i].wide() } else { 0.0 }) / count;
+        for i in 0..n {
+            let d = if on(i) { t[i].wide() - mean } else { 0.0 };
+            direction[i] = T::of(f64::from(z[i]) - beta * d);
+        }
+        is_descent = fields::sum_of(n, |i| direction[i].wide() * gap(i)) > 0.0;
+    }
+    if !is_descent {
+        for i in 0..n {
+            direction[i] = T::of(f64::from(z[i]));
+        }
+        is_descent = fields::sum_of(n, |i| direction[i].wide() * gap(i)) > 0.0;
+    }
+    if !is_descent {
+        let count = fields::sum_of(n, |i| if on(i) { 1.0 } else { 0.0 });
+        let mean = fields::sum_of(n, |i| if on(i) { gap(i) } else { 0.0 }) / count;
+        for i in 0..n {
+            direction[i] = T::of(if on(i) { gap(i) - mean } else { 0.0 });
+        }
+    }
+    std::mem::swap(direction, t);
+    direction = &mut work.trial;
+    operator.apply(t, kt);
+    let length = T::of(fields::sum_of(n, |i| t[i].wide() * gap(i)) / fields::dot(t, kt));
+    for i in 0..n {
+        direction[i] = p[i] - length * t[i];
+    }
+    if fields::min(direction) < 0.0 {
+        projection::to_load(direction, load);
+        operator.apply(direction, u);
+        std::mem::swap(p, direction);
+        return 2.0;
+    }
+    std::mem::swap(p, direction);
+    for (u, kt) in u.iter_mut().zip(kt.iter()) {
+        *u -= length * *kt;
+    }
+    1.0
+}
+
+/// Sets z to zero outside the contact and subtracts its mean inside.
+fn centre(mask: &[u8], z: &mut [f32]) {
+    let on = |i: usize| mask[i] == ON;
+    let count = fields::sum_of(z.len(), |i| if on(i) { 1.0 } else { 0.0 });
+    let mean = fields::sum_of(z.len(), |i| if on(i) { f64::from(z[i]) } else { 0.0 }) / count;
+    for (i, z) in z.iter_mut().enumerate() {
+        *z = if on(i) { *z - mean as f32 } else { 0.0 };
+    }
+}

@@ -1,0 +1,339 @@
+//! A cheap stand-in for `S = K^-1`, symbol `|q|/2`: a short stencil at full resolution, and a
+//! transform on a coarser grid for the smooth rest.
+//!
+//! ```text
+//! S x = stencil * x  +  replicate( IFFT_c[ s_res / B^2  FFT( mean x ) ] ),    s_res = |q|/2 - symbol of the stencil
+//! ```
+//!
+//! The kernel of `|q|/2` falls off as 1/r^3, so a 5 x 5 piece of it carries the short waves and
+//! the quarter-resolution grid the long ones, at 1/20 of the cost of a transform at full size.
+//! `B`, the response of the block mean, makes the long waves come out at full strength.
+
+use grid_fft::Convolution;
+use grid_fft::parallel::prelude::*;
+use std::f64::consts::{PI, TAU};
+
+/// Below this many pixels an axis is not coarsened.
+const SHORTEST: usize = 16;
+/// Pixels that one task of a parallel loop handles, about.
+const TASK: usize = 1 << 14;
+/// Columns handled at a time.
+const TILE: usize = 512;
+/// Largest radius of the stencil.
+const MAX_RADIUS: usize = 2;
+
+/// `S` for one grid.
+pub(crate) struct Stiffness {
+    shape: [usize; 2],
+    /// Pixels per coarse cell along each axis; [1, 1] if the coarse grid is the grid itself and
+    /// the transform does everything.
+    factor: [usize; 2],
+    radius: [usize; 2],
+    /// Stencil of `dy` in `0..=radius[0]`, `dx` in `0..=radius[1]`; it is even in both.
+    taps: [[f32; MAX_RADIUS + 1]; MAX_RADIUS + 1],
+    /// Weight of each row and column in the mean of its coarse cell.
+    shares: [Vec<f32>; 2],
+    transform: Convolution<f32>,
+    /// Symbol of the coarse part, `kx`-major, `ky` in `0..=cy/2`.
+    symbol: Vec<f32>,
+    mean: Vec<f32>,
+    smooth: Vec<f32>,
+    /// Cost of one application in FFT pairs.
+    pub(crate) cost: f64,
+}
+
+/// Cost of a transform of `small` in transforms of `large`.
+pub(crate) fn relative_cost(small: [usize; 2], large: [usize; 2]) -> f64 {
+    let (m, n) = ((small[0] * small[1]) as f64, (large[0] * large[1]) as f64);
+    m * m.max(2.0).log2() / (n * n.max(2.0).log2())
+}
+
+/// `|q|/2` of wave `(ky, kx)` on a grid of `n` pixels of side `d`.
+fn half_wavenumber(k: [usize; 2], n: [usize; 2], d: [f64; 2]) -> f64 {
+    let q = |a: usize| {
+        TAU * (if 2 * k[a] <= n[a] { k[a] as f64 } else { k[a] as f64 - n[a] as f64 })
+            / (n[a] as f64 * d[a])
+    };
+    0.5 * q(0).hypot(q(1))
+}
+
+impl Stiffness {
+    /// Coarse cells come out about square and four of the finer pixels wide; an axis with few
+    /// pixels is kept as it is.
+    pub(crate) fn new(shape: [usize; 2], pixel: [f64; 2]) -> Self {
+        let long = |a: usize| if shape[a] > 1 { pixel[a] } else { f64::INFINITY };
+        let fine = long(0).min(long(1));
+        let factor = [0, 1].map(|a| {
+            let octaves = ((4.0 * fine / pixel[a]).log2() + 0.42).floor();
+            if shape[a] < SHORTEST || octaves < 1.0 { 1 } else { 1 << octaves as u32 }
+        });
+        let radius =
+            [0, 1].map(|a| if shape[a] < SHORTEST { 2.min(shape[a] / 2) } else { factor[a] / 2 });
+        let coarse = [0, 1].map(|a| shape[a].div_ceil(factor[a]));
+        let transform = Convolution::new(coarse);
+        let is_exact = factor == [1, 1];
+        let taps = if is_exact { Default::default() } else { stencil(shape, pixel, radius) };
+        let size = coarse[0] * coarse[1];
+        let (sy, sx) = (coarse[0] / 2 + 1, coarse[1] / 2 + 1);
+        let coarse_pixel = [0, 1].map(|a| factor[a] as f64 * pixel[a]);
+        let mut symbol = vec![0.0; sy * sx];
+        for kx in 0..sx {
+            for ky in 0..sy {
+                let q = half_wavenumber([ky, kx], coarse, coarse_pixel);
+                symbol[kx * sy + ky] = if is_exact {
+                    q
+                } else {
+                    // Phases per pixel of the finest grid.
+                    let phase = [ky, kx].into_iter().zip(coarse).zip(factor);
+                    let mut phase = phase.map(|((k, c), f)| TAU * k as f64 / (c * f) as f64);
+                    let phase = [phase.next().unwrap_or(0.0), phase.next().unwrap_or(0.0)];
+                    let b = block_response(phase, factor).max(0.3);
+                    (q - stencil_symbol(&taps, radius, phase)) / (b * b)
+                } as f32;
+            }
+        }
+        Self {
+            shape,
+            factor,
+            radius,
+            taps: taps.map(|row| row.map(|t| t as f32)),
+            shares: [shares(shape[0], factor[0]), shares(shape[1], factor[1])],
+            transform,
+            symbol,
+            mean: vec![0.0; size],
+            smooth: vec![0.0; size],
+            cost: if is_exact { 1.0 } else { relative_cost(coarse, shape) },
+        }
+    }
+
+    /// `y = S x`.
+    pub(crate) fn apply(&mut self, x: &[f32], y: &mut [f32]) {
+        let sy = self.transform.shape()[0] / 2 + 1;
+        let symbol = &self.symbol;
+        let write = |kx: usize, column: &mut [f32]| {
+            column.copy_from_slice(&symbol[kx * sy..(kx + 1) * sy]);
+        };
+        if self.factor == [1, 1] {
+            self.transform.apply(x, write, y);
+            return;
+        }
+        self.average(x);
+        let symbol = &self.symbol;
+        let write = |kx: usize, column: &mut [f32]| {
+            column.copy_from_slice(&symbol[kx * sy..(kx + 1) * sy]);
+        };
+        self.transform.apply(&self.mean, write, &mut self.smooth);
+        self.stencil_and_smooth(x, y);
+    }
+
+    /// Means over the coarse cells.
+    fn average(&mut self, x: &[f32]) {
+        let ([_, nx], [fy, fx]) = (self.shape, self.factor);
+        let cx = self.transform.shape()[1];
+        let [share_y, share_x] = &self.shares;
+        let rows = (TASK / (fy * nx)).max(1);
+        self.mean.par_chunks_mut(rows * cx).zip(x.par_chunks(rows * fy * nx)).enumerate().for_each(
+            |(task, (mean, x))| {
+                for (r, (mean, x)) in mean.chunks_exact_mut(cx).zip(x.chunks(fy * nx)).enumerate() {
+                    mean.fill(0.0);
+                    let first = (task * rows + r) * fy;
+                    for (i, x) in x.chunks_exact(nx).enumerate() {
+                        let share = share_y[first + i];
+                        for ((m, x), w) in mean.iter_mut().zip(x.chunks(fx)).zip(share_x.chunks(fx))
+                        {
+                            let sum: f32 = x.iter().zip(w).map(|(x, w)| x * w).sum();
+                            *m += share * sum;
+                        }
+                    }
+                }
+            },
+        );
+    }
+
+    /// `y = stencil * x + replicate(smooth)`.
+    fn stencil_and_smooth(&self, x: &[f32], y: &mut [f32]) {
+        let ([ny, nx], [fy, fx], [ry, rx]) = (self.shape, self.factor, self.radius);
+        let cx = self.transform.shape()[1];
+        let row = |i: usize| &x[i * nx..(i + 1) * nx];
+        let rows = (TASK / nx).max(1);
+        y.par_chunks_mut(rows * nx).enumerate().for_each(|(task, y)| {
+            let mut line = [0.0_f32; TILE + 2 * MAX_RADIUS];
+            for (r, y) in y.chunks_exact_mut(nx).enumerate() {
+                let i = task * rows + r;
+                let smooth = &self.smooth[i / fy * cx..][..cx];
+                for (y, s) in y.chunks_mut(fx).zip(smooth) {
+                    y.fill(*s);
+                }
+                for dy in 0..=ry {
+                    let (above, below) = (row((i + ny - dy) % ny), row((i + dy) % ny));
+                    let factor = if dy == 0 { 0.5 } else { 1.0 }; // the row itself comes twice
+                    for (t, y) in y.chunks_mut(TILE).enumerate() {
+                        let (first, width) = (t * TILE, y.len());
+                        let line = &mut line[..width + 2 * rx];
+                        let inner = line[rx..rx + width].iter_mut();
+                        for ((l, a), b) in
+                            inner.zip(&above[first..][..width]).zip(&below[first..][..width])
+                        {
+                            *l = factor * (a + b);
+                        }
+                        for d in 1..=rx {
+                            let left = (first + nx * rx - d) % nx;
+                            line[rx - d] = factor * (above[left] + below[left]);
+                            let right = (first + width - 1 + d) % nx;
+                            line[rx + width - 1 + d] = factor * (above[right] + below[right]);
+                        }
+                        add_stencil_row(&self.taps[dy], rx, line, y);
+                    }
+                }
+            }
+        });
+    }
+}
+
+/// Adds one row of the stencil: `y(i) += taps(0) line(i) + sum taps(d) (line(i-d) + line(i+d))`.
+fn add_stencil_row(taps: &[f32; MAX_RADIUS + 1], radius: usize, line: &[f32], y: &mut [f32]) {
+    let n = y.len();
+    let shifted = |d: usize| &line[d..d + n];
+    match radius {
+        0 => {
+            for (y, c) in y.iter_mut().zip(shifted(0)) {
+                *y += taps[0] * c;
+            }
+        }
+        1 => {
+            let (l, c, r) = (shifted(0), shifted(1), shifted(2));
+            for i in 0..n {
+                y[i] += taps[0] * c[i] + taps[1] * (l[i] + r[i]);
+            }
+        }
+        _ => {
+            let (ll, l, c, r, rr) = (shifted(0), shifted(1), shifted(2), shifted(3), shifted(4));
+            for i in 0..n {
+                y[i] += taps[0] * c[i] + taps[1] * (l[i] + r[i]) + taps[2] * (ll[i] + rr[i]);
+            }
+        }
+    }
+}
+
+type Taps = [[f64; MAX_RADIUS + 1]; MAX_RADIUS + 1];
+
+/// The kernel of `|q|/2` near the origin, from a small grid of the same pixels.
+fn stencil(shape: [usize; 2], pixel: [f64; 2], radius: [usize; 2]) -> Taps {
+    let probe = [0, 1].map(|a| shape[a].min(64 * (radius[a] / 2).max(1)));
+    let [py, px] = probe;
+    let mut impulse = vec![0.0; py * px];
+    impulse[0] = 1.0;
+    let mut kernel = vec![0.0; py * px];
+    let write = |kx: usize, column: &mut [f64]| {
+        for (ky, s) in column.iter_mut().enumerate() {
+            *s = half_wavenumber([ky, kx], probe, pixel);
+        }
+    };
+    Convolution::new(probe).apply(&impulse, write, &mut kernel);
+    let mut taps = Taps::default();
+    for dy in 0..=radius[0] {
+        for dx in 0..=radius[1] {
+            // A distance of half the grid is reached from both sides: half for each.
+            let shared = |d: usize, n: usize| if 2 * d == n { 0.5 } else { 1.0 };
+            taps[dy][dx] = kernel[dy * px + dx] * shared(dy, shape[0]) * shared(dx, shape[1]);
+        }
+    }
+    taps
+}
+
+/// Fourier symbol of the stencil for a wave of these phases per pixel.
+fn stencil_symbol(taps: &Taps, radius: [usize; 2], phase: [f64; 2]) -> f64 {
+    let both_sides = |d: usize| if d == 0 { 1.0 } else { 2.0 };
+    let mut sum = 0.0;
+    for (dy, row) in taps.iter().enumerate().take(radius[0] + 1) {
+        for (dx, tap) in row.iter().enumerate().take(radius[1] + 1) {
+            let waves = (dy as f64 * phase[0]).cos() * (dx as f64 * phase[1]).cos();
+            sum += tap * both_sides(dy) * both_sides(dx) * waves;
+        }
+    }
+    sum
+}
+
+/// How much of a wave the mean over a coarse cell leaves: a product of cosines, one for each
+/// halving.
+fn block_response(phase: [f64; 2], factor: [usize; 2]) -> f64 {
+    let mut response = 1.0;
+    for axis in 0..2 {
+        for j in 0..factor[axis].ilog2() {
+            response *= (0.5 * phase[axis] * f64::from(1 << j)).cos();
+        }
+    }
+    debug_assert!(phase.iter().all(|p| p.abs() <= 1.001 * PI));
+    response
+}
+
+/// Weight of each of `n` pixels in its cell of `factor` pixels: repeated means of two, where the
+/// last may stand alone.
+fn shares(n: usize, factor: usize) -> Vec<f32> {
+    let mut shares = vec![1.0; n];
+    let (mut width, mut count) = (1, n); // pixels per entry and number of entries so far
+    while width < factor {
+        let singles = if count % 2 == 1 { count - 1 } else { count };
+        for (i, share) in shares.iter_mut().enumerate() {
+            if i / width < singles {
+                *share *= 0.5;
+            }
+        }
+        width *= 2;
+        count = count.div_ceil(2);
+    }
+    shares
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Long waves come out as `|q|/2` says, whatever the pixels; short ones within a factor.
+    #[test]
+    fn long_waves_have_the_right_stiffness() {
+        for (shape, pixel) in [
+            ([64, 64], [1.0, 1.0]),
+            ([96, 128], [1.0, 1.0]),
+            ([64, 128], [2.0, 1.0]),
+            ([32, 256], [8.0, 1.0]),
+            ([1, 256], [1.0, 1.0]),
+            ([12, 256], [1.0, 1.0]),
+        ] {
+            let mut s = Stiffness::new(shape, pixel);
+            let [ny, nx] = shape;
+            for k in [[0, 1], [0, 3], [1, 2], [2, 0]] {
+                if 8 * k[0] > ny || k == [0, 0] {
+                    continue;
+                }
+                let x: Vec<f32> = (0..ny * nx)
+                    .map(|i| {
+                        let y = (k[0] * (i / nx)) as f64 / ny as f64;
+                        let x = (k[1] * (i % nx)) as f64 / nx as f64;
+                        (TAU * (y + x)).cos() as f32
+                    })
+                    .collect();
+                let mut y = vec![0.0; x.len()];
+                s.apply(&x, &mut y);
+                let expected = half_wavenumber(k, shape, pixel);
+                let dot: f64 = x.iter().zip(&y).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum();
+                let found = 2.0 * dot / (ny * nx) as f64;
+                assert!(
+                    (found / expected - 1.0).abs() < 0.05,
+                    "{shape:?} {pixel:?} {k:?}: {found} for {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn shares_of_a_cell_sum_to_one() {
+        for n in 1..40 {
+            for factor in [1, 2, 4] {
+                for cell in shares(n, factor).chunks(factor) {
+                    assert!((cell.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{n} {factor}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,345 @@
+//! Transfer of fields between a grid and the grid with one or both axes halved, row by row.
+//!
+//! A coarse cell has two children along a halved axis, but for the last one of an odd axis, which
+//! has a single child. Four linear maps are needed: the mean of the children (`down`), cell-centred
+//! linear interpolation with periodic wrap (`up`), and the transposes of both.
+
+/// Columns of the coarse grid handled at a time, so that lines fit the stack.
+const TILE: usize = 256;
+
+/// A weight from 0 (gap) to 1 (contact): a byte on the finest grid, a number above.
+pub(crate) trait Weight: Copy + Send + Sync {
+    fn value(self) -> f32;
+}
+
+/// A node of the finest grid that is in the contact set; any other byte is outside.
+pub(crate) const ON: u8 = 1;
+
+impl Weight for u8 {
+    fn value(self) -> f32 {
+        if self == ON { 1.0 } else { 0.0 }
+    }
+}
+
+impl Weight for f32 {
+    fn value(self) -> f32 {
+        self
+    }
+}
+
+/// From a `fine` to a `coarse` shape.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Transfer {
+    pub(crate) fine: [usize; 2],
+    pub(crate) coarse: [usize; 2],
+    pub(crate) halved: [bool; 2],
+}
+
+impl Transfer {
+    pub(crate) fn new(fine: [usize; 2], halved: [bool; 2]) -> Self {
+        let half = |axis: usize| if halved[axis] { fine[axis].div_ceil(2) } else { fine[axis] };
+        Self { fine, coarse: [half(0), half(1)], halved }
+    }
+
+    /// Fine rows that make up one coarse row: a whole number of pairs.
+    pub(crate) fn rows_per_coarse_row(&self) -> usize {
+        if self.halved[0] { 2 } else { 1 }
+    }
+
+    /// The fine rows below coarse row `j`; the same row twice where there is only one.
+    pub(crate) fn children(&self, j: usize) -> [usize; 2] {
+        if self.halved[0] { [2 * j, (2 * j + 1).min(self.fine[0] - 1)] } else { [j, j] }
+    }
+
+    /// The coarse row above fine row `i`.
+    pub(crate) fn parent(&self, i: usize) -> usize {
+        if self.halved[0] { i / 2 } else { i }
+    }
+
+    /// Share of its parent that a fine row or column holds: a half, or all of it.
+    fn share(&self, axis: usize, i: usize) -> f32 {
+        let n = self.fine[axis];
+        let is_single = n % 2 == 1 && i + 1 == n;
+        if self.halved[axis] && !is_single { 0.5 } else { 1.0 }
+    }
+
+    /// Share of its cell that `down^T` hands to each node, but for the cells of
+    /// [`for_single_cells`](Self::for_single_cells).
+    pub(crate) fn node_share(&self) -> f32 {
+        self.halved.iter().map(|&h| if h { 0.5 } else { 1.0 }).product()
+    }
+
+    /// Calls `cell(index, factor)` for every cell with fewer children than the others: those of
+    /// the last row or column of an odd axis, whose nodes get `factor` times the usual share.
+    pub(crate) fn for_single_cells(&self, mut cell: impl FnMut(usize, f32)) {
+        let [my, mx] = self.coarse;
+        let single = |axis: usize| self.halved[axis] && self.fine[axis] % 2 == 1;
+        let factor = |axis: usize, j: usize| {
+            if single(axis) && j + 1 == self.coarse[axis] { 2.0 } else { 1.0 }
+        };
+        if single(1) {
+            (0..my).for_each(|j| cell(j * mx + mx - 1, 2.0 * factor(0, j)));
+        }
+        if single(0) {
+            let rest = if single(1) { mx - 1 } else { mx };
+            (0..rest).for_each(|c| cell((my - 1) * mx + c, 2.0));
+        }
+    }
+
+    /// One row of `down(w)` and of `down(w v)`: means over the children. `w` and `v` are the two
+    /// rows of [`children`](Self::children).
+    pub(crate) fn down_row<W: Weight>(
+        &self,
+        w: [&[W]; 2],
+        v: [&[f32]; 2],
+        mass: &mut [f32],
+        value: &mut [f32],
+    ) {
+        let cell = |i: usize| {
+            let (a, b) = (w[0][i].value(), w[1][i].value());
+            (0.5 * (a + b), 0.5 * (a * v[0][i] + b * v[1][i]))
+        };
+        if !self.halved[1] {
+            for (i, (m, s)) in mass.iter_mut().zip(value).enumerate() {
+                (*m, *s) = cell(i);
+            }
+            return;
+        }
+        let pairs = self.fine[1] / 2;
+        let (wa, wb) = (&w[0].as_chunks::<2>().0[..pairs], &w[1].as_chunks::<2>().0[..pairs]);
+        let (va, vb) = (&v[0].as_chunks::<2>().0[..pairs], &v[1].as_chunks::<2>().0[..pairs]);
+        let (inner_mass, inner_value) = (&mut mass[..pairs], &mut value[..pairs]);
+        for j in 0..pairs {
+            let (a, b) = (wa[j].map(Weight::value), wb[j].map(Weight::value));
+            inner_mass[j] = 0.25 * ((a[0] + a[1]) + (b[0] + b[1]));
+            inner_value[j] =
+                0.25 * ((a[0] * va[j][0] + a[1] * va[j][1]) + (b[0] * vb[j][0] + b[1] * vb[j][1]));
+        }
+        if self.fine[1] % 2 == 1 {
+            (mass[pairs], value[pairs]) = cell(2 * pairs);
+        }
+    }
+
+    /// One row of `down(w)`.
+    pub(crate) fn down_weight_row(&self, w: [&[f32]; 2], mass: &mut [f32]) {
+        let cell = |i: usize| 0.5 * (w[0][i] + w[1][i]);
+        if !self.halved[1] {
+            for (i, m) in mass.iter_mut().enumerate() {
+                *m = cell(i);
+            }
+            return;
+        }
+        let pairs = self.fine[1] / 2;
+        let (wa, wb) = (&w[0].as_chunks::<2>().0[..pairs], &w[1].as_chunks::<2>().0[..pairs]);
+        for ((m, a), b) in mass.iter_mut().zip(wa).zip(wb) {
+            *m = 0.25 * ((a[0] + a[1]) + (b[0] + b[1]));
+        }
+        if self.fine[1] % 2 == 1 {
+            mass[pairs] = cell(2 * pairs);
+        }
+    }
+
+    /// Fine row `i` of `up(coarse)`, handed over in pieces: `piece(first column, values)`.
+    pub(crate) fn up_row(&self, i: usize, coarse: &[f32], mut piece: impl FnMut(usize, &[f32])) {
+        let [my, mx] = self.coarse;
+        let row = |j: usize| &coarse[j * mx..(j + 1) * mx];
+        let (near, far) = if self.halved[0] {
+            let j = i / 2;
+            let other = if i.is_multiple_of(2) { (j + my - 1) % my } else { (j + 1) % my };
+            (row(j), row(other))
+        } else {
+            (row(i), row(i))
+        };
+        let mut between = [0.0_f32; TILE + 2]; // rows combined, with one cell beyond each end
+        let mut line = [[0.0_f32; 2]; TILE];
+        for first in (0..mx).step_by(TILE) {
+            let width = TILE.min(mx - first);
+            let at = |j: usize| 0.75 * near[j] + 0.25 * far[j];
+            let inner = &mut between[1..=width];
+            let (a, b) = (&near[first..][..width], &far[first..][..width]);
+            for ((t, a), b) in inner.iter_mut().zip(a).zip(b) {
+                *t = 0.75 * a + 0.25 * b;
+            }
+            if !self.halved[1] {
+                piece(first, inner);
+                continue;
+            }
+            between[0] = at((first + mx - 1) % mx);
+            between[width + 1] = at((first + width) % mx);
+            let (left, right) = (&between[..width], &between[2..width + 2]);
+            for (((x, l), c), r) in
+                line[..width].iter_mut().zip(left).zip(&between[1..=width]).zip(right)
+            {
+                *x = [0.75 * c + 0.25 * l, 0.75 * c + 0.25 * r];
+            }
+            let columns = (2 * width).min(self.fine[1] - 2 * first);
+            piece(2 * first, &line[..width].as_flattened()[..columns]);
+        }
+    }
+
+    /// Row `j` of the transpose of `up`. `add(iy, factor, first column, line)` must add `factor`
+    /// times the fine values from that column on to the line.
+    pub(crate) fn up_transposed_row(
+        &self,
+        j: usize,
+        out: &mut [f32],
+        mut add: impl FnMut(usize, f32, usize, &mut [f32]),
+    ) {
+        let ([ny, nx], [my, mx]) = (self.fine, self.coarse);
+        // The fine rows that interpolate from coarse row j, and how much they take from it.
+        let (below, above) = (2 * ((j + my - 1) % my) + 1, 2 * ((j + 1) % my));
+        let both = [(2 * j, 0.75), (2 * j + 1, 0.75), (above, 0.25), (below, 0.25)];
+        let rows: &[(usize, f32)] = if self.halved[0] { &both } else { &[(j, 1.0)] };
+        let mut line = [0.0_f32; 2 * TILE + 2];
+        for first in (0..mx).step_by(TILE) {
+            let width = TILE.min(mx - first);
+            let out = &mut out[first..first + width];
+            if !self.halved[1] {
+                out.fill(0.0);
+                for &(iy, factor) in rows.iter().filter(|r| r.0 < ny) {
+                    add(iy, factor, first, out);
+                }
+                continue;
+            }
+            // Fine columns 2 first - 1 ..= 2 (first + width), wrapped; an odd axis lacks its last.
+            let line = &mut line[..2 * width + 2];
+            line.fill(0.0);
+            let begin = (2 * first).saturating_sub(1);
+            let end = (2 * (first + width) + 1).min(nx);
+            let skip = usize::from(first == 0);
+            for &(iy, factor) in rows.iter().filter(|r| r.0 < ny) {
+                add(iy, factor, begin, &mut line[skip..skip + end - begin]);
+                if first == 0 && nx.is_multiple_of(2) {
+                    add(iy, factor, nx - 1, &mut line[..1]);
+                }
+                if first + width == mx {
+                    add(iy, factor, 0, &mut line[2 * width + 1..]);
+                }
+            }
+            for (o, window) in out.iter_mut().zip(line.windows(4).step_by(2)) {
+                *o = 0.25 * (window[0] + window[3]) + 0.75 * (window[1] + window[2]);
+            }
+        }
+    }
+
+    /// Fine row `i` of the transpose of `down`: `take(ix, value)` gets each value.
+    pub(crate) fn down_transposed_row(
+        &self,
+        i: usize,
+        coarse_row: &[f32],
+        mut take: impl FnMut(usize, f32),
+    ) {
+        let share = self.share(0, i);
+        if !self.halved[1] {
+            for (ix, c) in coarse_row.iter().enumerate() {
+                take(ix, share * c);
+            }
+            return;
+        }
+        let pairs = self.fine[1] / 2;
+        for (j, c) in coarse_row[..pairs].iter().enumerate() {
+            take(2 * j, 0.5 * share * c);
+            take(2 * j + 1, 0.5 * share * c);
+        }
+        if self.fine[1] % 2 == 1 {
+            take(2 * pairs, share * coarse_row[pairs]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn values(n: usize, seed: f32) -> Vec<f32> {
+        (0..n).map(|i| ((i as f32 + 1.3) * (seed + 0.7) * 12.9898).sin()).collect()
+    }
+
+    fn down(t: &Transfer, fine: &[f32]) -> Vec<f32> {
+        let nx = t.fine[1];
+        let ones = vec![1.0_f32; nx];
+        let mut out = Vec::new();
+        for j in 0..t.coarse[0] {
+            let rows = t.children(j).map(|i| &fine[i * nx..(i + 1) * nx]);
+            let (mut mass, mut value) = (vec![0.0; t.coarse[1]], vec![0.0; t.coarse[1]]);
+            t.down_row([&ones[..], &ones[..]], rows, &mut mass, &mut value);
+            assert!(mass.iter().all(|m| (m - 1.0).abs() < 1e-6));
+            out.extend(value);
+        }
+        out
+    }
+
+    fn down_transposed(t: &Transfer, coarse: &[f32]) -> Vec<f32> {
+        let ([ny, nx], mx) = (t.fine, t.coarse[1]);
+        let mut out = vec![0.0; ny * nx];
+        for i in 0..ny {
+            let j = t.parent(i);
+            t.down_transposed_row(i, &coarse[j * mx..(j + 1) * mx], |ix, v| out[i * nx + ix] = v);
+        }
+        out
+    }
+
+    fn up(t: &Transfer, coarse: &[f32]) -> Vec<f32> {
+        let [ny, nx] = t.fine;
+        let mut out = vec![0.0; ny * nx];
+        for i in 0..ny {
+            t.up_row(i, coarse, |ix, v| out[i * nx + ix..][..v.len()].copy_from_slice(v));
+        }
+        out
+    }
+
+    fn up_transposed(t: &Transfer, fine: &[f32]) -> Vec<f32> {
+        let (nx, [my, mx]) = (t.fine[1], t.coarse);
+        let mut out = vec![f32::NAN; my * mx];
+        for (j, row) in out.chunks_exact_mut(mx).enumerate() {
+            t.up_transposed_row(j, row, |iy, factor, ix, line| {
+                for (l, x) in line.iter_mut().zip(&fine[iy * nx + ix..]) {
+                    *l += factor * x;
+                }
+            });
+        }
+        out
+    }
+
+    fn dot(a: &[f32], b: &[f32]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum()
+    }
+
+    proptest! {
+        /// `<down x, y> = <x, down^T y>` and `<up y, x> = <y, up^T x>`; a constant stays a
+        /// constant under both. Odd and even sides, single rows, lines longer than a tile.
+        #[test]
+        fn transposes_are_transposes(
+            ny in 1usize..12, nx in prop_oneof![1usize..12, 500usize..1100],
+            hy: bool, hx: bool, seed in 0u8..100,
+        ) {
+            prop_assume!(hy || hx);
+            let t = Transfer::new([ny, nx], [hy, hx]);
+            let n = t.coarse[0] * t.coarse[1];
+            let (x, y) = (values(ny * nx, f32::from(seed)), values(n, f32::from(seed) + 0.5));
+            let size = 1e-6 * (ny * nx) as f64;
+            prop_assert!((dot(&down(&t, &x), &y) - dot(&x, &down_transposed(&t, &y))).abs() < size);
+            prop_assert!((dot(&up(&t, &y), &x) - dot(&y, &up_transposed(&t, &x))).abs() < size);
+            for v in up(&t, &vec![1.0; n]).iter().chain(&down(&t, &vec![1.0; ny * nx])) {
+                prop_assert!((v - 1.0).abs() < 1e-6);
+            }
+        }
+    }
+
+    /// Interpolation is exact for a linear field away from the wrap.
+    #[test]
+    fn interpolation_is_linear() {
+        let t = Transfer::new([16, 14], [true, true]);
+        let coarse: Vec<f32> =
+            (0..8 * 7).map(|i| 4.0 * (i / 7) as f32 + 2.0 * (i % 7) as f32).collect();
+        let fine = up(&t, &coarse);
+        // Coarse cell j is centred at fine position 2 j + 1/2.
+        for iy in 1..15 {
+            for ix in 1..13 {
+                let expected = 2.0 * (iy as f32 - 0.5) + (ix as f32 - 0.5);
+                assert!((fine[iy * 14 + ix] - expected).abs() < 1e-5);
+            }
+        }
+    }
+}
