@@ -13,6 +13,7 @@ mod solve;
 mod stats;
 mod synth;
 mod text;
+mod validate;
 
 use args::Common;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -50,6 +51,8 @@ enum Command {
     Solve(solve::Solve),
     /// Make a random self-affine surface
     Synth(synth::Synth),
+    /// The solver against exact solutions, on this machine
+    Validate(validate::Validate),
 }
 
 fn main() -> ExitCode {
@@ -73,10 +76,15 @@ fn main() -> ExitCode {
 
 fn run(cli: &Cli) -> Result<Reply, Failure> {
     let common = &cli.common;
+    if let Some(threads) = common.threads {
+        // Fails only if a pool exists already, which nothing before this line makes.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    }
     match &cli.command {
         Command::Info(info) => info.run(common),
         Command::Stats(stats) => stats.run(common),
         Command::Solve(solve) => solve.run(common),
         Command::Synth(synth) => synth.run(common),
+        Command::Validate(validate) => validate.run(common),
     }
 }

@@ -13,11 +13,15 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// Expects `total` steps.
+    /// Expects `total` steps; 0 if their number is not known.
     pub(crate) fn new(quiet: bool, total: usize) -> Self {
         let terminal = std::io::stderr().is_terminal();
         let bar = (!quiet && terminal).then(|| {
-            let style = ProgressStyle::with_template("{bar:24} {pos}/{len} {msg} [{elapsed}]")
+            let template = match total {
+                0 => "{spinner} {msg} [{elapsed}]",
+                _ => "{bar:24} {pos}/{len} {msg} [{elapsed}]",
+            };
+            let style = ProgressStyle::with_template(template)
                 .unwrap_or_else(|_| ProgressStyle::default_bar());
             let target = ProgressDrawTarget::stderr_with_hz(10);
             ProgressBar::with_draw_target(Some(total as u64), target).with_style(style)
@@ -29,6 +33,8 @@ impl Progress {
     pub(crate) fn working_on(&mut self, what: &str) {
         if let Some(bar) = &self.bar {
             bar.set_message(what.to_owned());
+        } else if self.lines && self.total == 0 {
+            eprintln!("{what}");
         }
     }
 

@@ -9,7 +9,7 @@ use crate::text::{self, Columns};
 use clap::Args;
 use compare::{MethodName, PrecisionName};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Boundary, Load, Method, Precision, Solution, Solver, SolverError};
+use fft_bem_solver::{Boundary, Load, Precision, Solution, Solver, SolverError};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -65,7 +65,7 @@ impl Solve {
             PrecisionName::F32 => Precision::Single,
         };
         let mut solver = Solver::builder()
-            .method(self.method())
+            .method(args::solver_method(self.method))
             .boundary(boundary)
             .precision(precision)
             .tolerance(self.tolerance)
@@ -104,15 +104,6 @@ impl Solve {
             positive("mean gap", g, "m", "or use --pressure for a closed gap")?;
         }
         Ok(gaps.iter().map(|&g| Load::MeanGap(g)).collect())
-    }
-
-    fn method(&self) -> Method {
-        match self.method {
-            MethodName::Auto => Method::Auto,
-            MethodName::Chord => Method::Chord,
-            MethodName::PolonskyKeer => Method::PolonskyKeer,
-            MethodName::StanleyKato => Method::StanleyKato,
-        }
     }
 
     fn reply(&self, work: Work, surface: &HeightMap, modulus: f64) -> Reply {

@@ -24,7 +24,7 @@ impl fmt::Display for Table {
     }
 }
 
-/// Columns of equal width under a header, numbers right-aligned.
+/// Columns of equal width under a header; the first is left-aligned, the others are not.
 pub(crate) struct Columns {
     rows: Vec<Vec<String>>,
 }
@@ -37,29 +37,27 @@ impl Columns {
     pub(crate) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         self.rows.push(cells.into_iter().collect());
     }
+
+    /// A line across all columns.
+    pub(crate) fn heading(&mut self, text: &str) {
+        self.rows.push(vec![text.to_owned()]);
+    }
 }
 
 impl fmt::Display for Columns {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let length = |cell: &String| cell.chars().count();
         let width = |column: usize| {
-            let cells = self.rows.iter().filter_map(|row| row.get(column));
-            cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+            let rows = self.rows.iter().filter(|row| row.len() > 1);
+            rows.filter_map(|row| row.get(column)).map(length).max().unwrap_or(0)
         };
         for row in &self.rows {
             let mut line = String::new();
             for (column, cell) in row.iter().enumerate() {
-                let pad = width(column) - cell.chars().count();
-                // The first column is a name or the leading variable; the last may be a remark.
-                if column + 1 == row.len()
-                    && column > 0
-                    && !cell.starts_with(|c: char| c.is_ascii_digit())
-                {
-                    line.push_str(cell);
-                } else {
-                    line.push_str(&" ".repeat(pad));
-                    line.push_str(cell);
-                }
-                line.push_str("  ");
+                let pad = " ".repeat(width(column).saturating_sub(length(cell)));
+                let aligned =
+                    if column == 0 { format!("{cell}{pad}") } else { format!("  {pad}{cell}") };
+                line.push_str(&aligned);
             }
             writeln!(f, "{}", line.trim_end())?;
         }
