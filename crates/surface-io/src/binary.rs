@@ -130,6 +130,34 @@ impl<'a> Bytes<'a> {
         Ok(sample.decode(self.slice(at, length)?, self.order))
     }
 
+    /// Bytes of a map of `shape` points, after checking that they lie inside the file.
+    pub(crate) fn map_length(
+        &self,
+        at: usize,
+        [ny, nx]: [usize; 2],
+        sample: Sample,
+    ) -> Result<usize, ReadError> {
+        let length = ny.checked_mul(nx).and_then(|n| n.checked_mul(sample.size()));
+        let length = length.ok_or_else(|| {
+            self.fault(at, format!("{ny} x {nx} points are more than can be addressed"))
+        })?;
+        self.slice(at, length).map_err(|_| {
+            let size = self.data.len();
+            let what = format!(
+                "{ny} x {nx} points need {length} bytes from here, the file ends at byte {size}"
+            );
+            self.fault(at, what)
+        })?;
+        Ok(length)
+    }
+
+    /// The rest from byte `at`, as a file of its own.
+    #[allow(dead_code, reason = "whichever formats are compiled in")]
+    pub(crate) fn from(&self, at: usize) -> Result<Self, ReadError> {
+        let data = self.data.get(at..).ok_or_else(|| self.fault(at, "the file ends before"))?;
+        Ok(Self { data, ..*self })
+    }
+
     /// A `Malformed` error at byte `at`.
     pub(crate) fn fault(&self, at: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
         ReadError::Malformed { format: self.format, place: Place::Byte(at), what: what.into() }

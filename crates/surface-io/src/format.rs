@@ -38,9 +38,27 @@ macro_rules! formats {
 formats! {
     #[cfg(feature = "zip")]
     X3p, "X3P (ISO 25178-72)", &["x3p"], formats::x3p::sniff, formats::x3p::parse;
+    #[cfg(feature = "zip")]
+    Npz, "NPZ", &["npz"], formats::npz::sniff, formats::npz::parse;
     Npy, "NPY", &["npy"], formats::npy::sniff, formats::npy::parse;
-    Text, "text", &["csv", "asc", "tsv", "txt", "xyz", "dat"],
-        formats::table::sniff, formats::table::parse;
+    Sur, "Digital Surf SUR", &["sur", "pro"], formats::sur::sniff, formats::sur::parse;
+    Sdf, "SDF (ISO 25178-71)", &["sdf"], formats::sdf::sniff, formats::sdf::parse;
+    Zygo, "Zygo MetroPro DAT", &["dat"], formats::zygo::sniff, formats::zygo::parse;
+    Opd, "Wyko OPD", &["opd"], formats::opd::sniff, formats::opd::parse;
+    Gwy, "Gwyddion GWY", &["gwy"], formats::gwy::sniff, formats::gwy::parse;
+    Nanoscope, "Nanoscope", &["spm", "001", "di"], formats::nanoscope::sniff, formats::nanoscope::parse;
+    Al3d, "Alicona AL3D", &["al3d"], formats::al3d::sniff, formats::al3d::parse;
+    Nms, "NanoFocus NMS", &["nms"], formats::nms::sniff, formats::nms::parse;
+    Tmd, "TrueMap TMD", &["tmd"], formats::tmd::sniff, formats::tmd::parse;
+    Bcrf, "BCR-STM, BCRF", &["bcr", "bcrf"], formats::bcrf::sniff, formats::bcrf::parse;
+    NetCdf, "NetCDF classic", &["nc"], formats::netcdf::sniff, formats::netcdf::parse;
+    Ibw, "Igor binary wave", &["ibw"], formats::ibw::sniff, formats::ibw::parse;
+    Frt, "FRT MicroProf", &["frt"], formats::frt::sniff, formats::frt::parse;
+    Mi, "Molecular Imaging MI", &["mi"], formats::mi::sniff, formats::mi::parse;
+    Nid, "Nanosurf NID", &["nid", "ezd"], formats::nid::sniff, formats::nid::parse;
+    Wsxm, "WSxM", &["stp", "top"], formats::wsxm::sniff, formats::wsxm::parse;
+    Plu, "Sensofar PLU", &["plu"], formats::plu::sniff, formats::plu::parse;
+    Text, "text", &["csv", "asc", "tsv", "txt", "xyz"], formats::table::sniff, formats::table::parse;
 }
 
 impl std::fmt::Display for Format {

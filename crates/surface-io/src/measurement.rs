@@ -1,5 +1,6 @@
 //! What a file contains, before and after a channel is chosen.
 
+use crate::binary::{Bytes, Sample};
 use crate::{Format, ReadError};
 use contact_types::Grid;
 use std::collections::BTreeMap;
@@ -76,6 +77,33 @@ impl<'a> Channel<'a> {
         }
     }
 
+    /// A map of stored numbers from byte `at`, in rows; `convert` brings one to `unit`, or to NaN
+    /// if it marks a missing point.
+    pub(crate) fn raster(
+        name: impl Into<String>,
+        unit: Option<&str>,
+        pixel: Pixel,
+        raster: Raster<'a>,
+        convert: impl Fn(f64) -> f64 + 'a,
+    ) -> Result<Self, ReadError> {
+        let Raster { bytes, at, shape, sample } = raster;
+        bytes.map_length(at, shape, sample)?;
+        Ok(Self::new(name, unit, shape, pixel, move || {
+            let mut values = bytes.samples(at, shape[0] * shape[1], sample)?;
+            for value in &mut values {
+                *value = convert(*value);
+            }
+            Ok(values)
+        }))
+    }
+
+    /// Turns the map upside down: for formats that store the bottom row first.
+    pub(crate) fn flipped(self) -> Self {
+        let [_, nx] = self.shape;
+        let decode = self.decode;
+        Self { decode: Box::new(move || Ok(flip_rows(decode()?, nx))), ..self }
+    }
+
     pub(crate) fn info(&self) -> ChannelInfo {
         let pixel = match self.pixel {
             Pixel::Metres(pixel) => Some(pixel),
@@ -89,6 +117,25 @@ impl<'a> Channel<'a> {
             pixel,
         }
     }
+}
+
+/// Where a map of stored numbers is.
+#[derive(Clone, Copy)]
+pub(crate) struct Raster<'a> {
+    pub(crate) bytes: Bytes<'a>,
+    pub(crate) at: usize,
+    /// `[ny, nx]`
+    pub(crate) shape: [usize; 2],
+    pub(crate) sample: Sample,
+}
+
+fn flip_rows(mut values: Vec<f64>, nx: usize) -> Vec<f64> {
+    let ny = values.len() / nx.max(1);
+    for iy in 0..ny / 2 {
+        let (top, bottom) = values.split_at_mut((ny - 1 - iy) * nx);
+        top[iy * nx..(iy + 1) * nx].swap_with_slice(&mut bottom[..nx]);
+    }
+    values
 }
 
 /// Everything a reader finds in a file.

@@ -150,7 +150,7 @@ pub(crate) struct Digits {
 }
 
 impl Digits {
-    const NONE: Self = Self { place: f64::INFINITY, significant: 0 };
+    pub(crate) const NONE: Self = Self { place: f64::INFINITY, significant: 0 };
 
     fn add(&mut self, text: &str) {
         let (mantissa, exponent) = match text.find(['e', 'E']) {

@@ -79,8 +79,7 @@ fn decompression_bomb() {
     let link = "<DataLink><PointDataLink>d</PointDataLink></DataLink>";
     let file = zip(&[("main.xml", x3p_main("D", "", link).as_bytes()), ("d", &zeros)]);
     assert!(file.len() < 1 << 17);
-    let mut options = ReadOptions::default();
-    options.limits = tight();
+    let options = ReadOptions { limits: tight(), ..ReadOptions::default() };
     let error = read_bytes(&file, &options).unwrap_err();
     assert!(matches!(error, ReadError::Limit { quantity: "unpacked bytes", .. }), "{error}");
     // The same bomb as a single zipped file.

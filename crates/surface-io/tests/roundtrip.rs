@@ -45,9 +45,11 @@ proptest! {
         prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
         let mut file = Vec::new();
         write::npy(&mut file, &map).unwrap();
-        let mut options = ReadOptions::default();
-        options.pixel = Some([dy, dx]);
-        options.height_unit = Some(1.0);
+        let options = ReadOptions {
+            pixel: Some([dy, dx]),
+            height_unit: Some(1.0),
+            ..ReadOptions::default()
+        };
         let back = read_bytes(&file, &options).unwrap();
         prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
     }

@@ -28,8 +28,7 @@ fn missing_scale_names_the_options() {
         assert!(text.contains("1001 points over 1 mm"), "{text}");
     }
     let text = b"# Width: 2 um\n# Height: 2 um\n# Value units: nm\n1 2\n3 4\n";
-    let mut options = ReadOptions::default();
-    options.height_unit = Some(1e-6);
+    let options = ReadOptions { height_unit: Some(1e-6), ..ReadOptions::default() };
     let found = read_bytes(text, &options).unwrap();
     assert_eq!(found.heights()[3].to_bits(), 4e-6f64.to_bits());
     assert_eq!(found.metadata()["overridden height unit"], "nm");
@@ -73,9 +72,8 @@ fn profiles_know_their_spacing() {
 #[test]
 fn a_pixel_against_the_coordinates_is_refused() {
     let list = b"0 0 1\n1 0 2\n0 2 3\n1 2 4\n0 4 5\n1 4 6\n";
-    let mut options = ReadOptions::default();
-    options.height_unit = Some(1.0);
-    options.pixel = Some([1e-6, 1e-6]);
+    let mut options =
+        ReadOptions { height_unit: Some(1.0), pixel: Some([1e-6, 1e-6]), ..ReadOptions::default() };
     let error = read_bytes(list, &options).unwrap_err();
     assert!(matches!(error, ReadError::PixelContradicts { .. }), "{error}");
     options.pixel = Some([2e-6, 1e-6]);
@@ -98,8 +96,7 @@ fn files_that_are_none() {
     let infinite = b"# Width: 2 um\n# Height: 2 um\n# Value units: nm\n1 inf\n3 4\n";
     assert!(matches!(read_bytes(infinite, &options), Err(ReadError::Malformed { .. })));
     for pixel in [[0.0, 1.0], [1.0, -1.0], [f64::NAN, 1.0], [f64::INFINITY, 1.0]] {
-        let mut options = ReadOptions::default();
-        options.pixel = Some(pixel);
+        let options = ReadOptions { pixel: Some(pixel), ..ReadOptions::default() };
         let error = read_bytes(&samples()[0].bytes, &options).unwrap_err();
         assert!(matches!(error, ReadError::BadOption { .. }), "{error}");
     }

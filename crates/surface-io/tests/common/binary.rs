@@ -55,7 +55,7 @@ pub fn x3p_main(kind: &str, z_axis: &str, record3: &str) -> String {
     )
 }
 
-fn doubles(values: &[f64]) -> Vec<u8> {
+pub fn doubles(values: &[f64]) -> Vec<u8> {
     values.iter().flat_map(|v| v.to_le_bytes()).collect()
 }
 
@@ -120,6 +120,10 @@ pub fn samples() -> Vec<Sample> {
             .complete(),
         Sample::new("zipped text", zip(&[("map.txt", b"# Width: 14 um\n# Height: 15 um\n# Value units: nm\n0 1 2 3 4 5 6\n100 101 NaN 103 104 105 106\n200 201 202 203 204 205 206\n300 301 302 303 304 305 306\n400 401 402 403 404 405 406")])),
     ];
+    let member = npy("<f8", false, "(5, 7)", &doubles(&values));
+    let text = npy("<U3", false, "()", b"abcdefghijkl");
+    let archive = zip(&[("note.npy", &text), ("height.npy", &member)]);
+    samples.push(Sample::new("npz", archive).with_pixel().with_unit(1e-9));
     samples.extend(x3p_samples());
     samples
 }

@@ -1,0 +1,92 @@
+//! AL3D of Alicona (Bruker) InfiniteFocus. Header as text, data little endian.
+//!
+//! | byte | type | content |
+//! |---|---|---|
+//! | 0 | 17 | `AliconaImaging`, NUL, CR LF |
+//! | 17 | 52 each | tags: key (20), value (30), CR LF; first `Version`, then `TagCount`, then that many |
+//!
+//! | tag | content |
+//! |---|---|
+//! | `Cols`, `Rows` | points along x, along y |
+//! | `PixelSizeXMeter`, `PixelSizeYMeter` | spacing in metres |
+//! | `DepthImageOffset` | where the heights (f32, metres) start |
+//! | `TextureImageOffset` | where the image starts, 0 if there is none |
+//! | `InvalidPixelValue` | a missing point |
+//!
+//! Rows are packed, or padded to 8 bytes or to 8 points: whatever fills the space to the image or
+//! to the end of the file exactly; 8 bytes if nothing does. NaN is a missing point as well.
+//!
+//! Source: Alicona, *Description of the AL3D file format*; the files.
+
+use crate::binary::{Bytes, Sample, text};
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::{Format, Limits, ReadError};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Al3d;
+const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
+const TAG: usize = 52;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC)
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let tag = |index: usize| {
+        let raw = b.slice(MAGIC.len() + TAG * index, TAG)?;
+        if &raw[50..] != b"\r\n" {
+            return Err(b.fault(MAGIC.len() + TAG * index + 50, "a tag does not end with CR LF"));
+        }
+        Ok((text(&raw[..20]), text(&raw[20..50])))
+    };
+    let (key, count) = tag(1)?;
+    let count = match count.parse::<usize>() {
+        Ok(count) if key == "TagCount" => count,
+        _ => return Err(b.field("TagCount", format!("{count:?} is no whole number"))),
+    };
+    limits.check_items(FORMAT, count as u64)?;
+    let metadata: BTreeMap<String, String> =
+        (2..2 + count).map(tag).collect::<Result<_, ReadError>>()?;
+    let number = |key: &'static str| {
+        let value = metadata.get(key).ok_or_else(|| b.field(key, "the tag is missing"))?;
+        value.parse::<f64>().map_err(|_| b.field(key, format!("{value:?} is no number")))
+    };
+    let whole = |key: &'static str| {
+        let value = number(key)?;
+        if (0.0..1e15).contains(&value) && value.fract() == 0.0 {
+            return Ok(value as usize);
+        }
+        Err(b.field(key, format!("{value} is no whole number")))
+    };
+    let (ny, nx, at) = (whole("Rows")?, whole("Cols")?, whole("DepthImageOffset")?);
+    limits.check_points(FORMAT, [ny, nx])?;
+    b.map_length(at, [ny, nx], Sample::F32)?;
+    let end = whole("TextureImageOffset").ok().filter(|&texture| texture > at);
+    let space = end.unwrap_or(bytes.len()).saturating_sub(at);
+    // Packed, padded to 8 bytes, or padded to 8 points: what fills the space exactly.
+    let paddings = [4 * nx, (4 * nx).next_multiple_of(8), (4 * nx).next_multiple_of(32)];
+    let fitting = paddings.into_iter().find(|stride| stride.checked_mul(ny) == Some(space));
+    let stride = fitting.unwrap_or(paddings[1]);
+    b.map_length(at, [ny, stride], Sample::U8)?;
+
+    let pixel = Pixel::Metres([number("PixelSizeYMeter")?, number("PixelSizeXMeter")?]);
+    // Printed with about 11 digits, stored as f32.
+    let invalid = number("InvalidPixelValue").ok().filter(|value| value.is_finite());
+    let is_invalid = move |value: f64| {
+        invalid.is_some_and(|invalid| (value - invalid).abs() <= 1.5e-7 * invalid.abs())
+    };
+    let channel = Channel::new("Depth", Some("m"), [ny, nx], pixel, move || {
+        let mut values = Vec::with_capacity(ny * nx);
+        for iy in 0..ny {
+            values.extend(b.samples(at + iy * stride, nx, Sample::F32)?);
+        }
+        for value in &mut values {
+            if is_invalid(*value) {
+                *value = f64::NAN;
+            }
+        }
+        Ok(values)
+    });
+    Ok(Contents { channels: vec![channel], metadata })
+}

@@ -1,0 +1,76 @@
+//! FRT of FormFactor FRT MicroProf. All numbers little endian.
+//!
+//! | byte | type | content |
+//! |---|---|---|
+//! | 0 | 16 | `FRTM_GLIDERV1.00` |
+//! | 16 | u16 | number of blocks |
+//! | 18 | | blocks: tag u16, length u32, content |
+//!
+//! | tag | content |
+//! |---|---|
+//! | 0x65, 0x77 | comment |
+//! | 0x66 | u32 u32 u32: points along x, along y, bits per point (16, 32) |
+//! | 0x67 | f64 f64: total size along x, along y in metres: N pixels |
+//! | 0x6C | u32, f64: range; metres per stored unit |
+//! | 0x0B | the heights, unsigned, in rows; 1 is a missing point |
+//!
+//! Source: the block list of several free readers, checked against files.
+
+use crate::binary::{Bytes, Sample};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::{Format, Limits, ReadError};
+
+const FORMAT: Format = Format::Frt;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"FRTM_GLIDERV")
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let mut contents = Contents::default();
+    let (mut grid, mut size, mut step, mut data) = (None, None, None, None);
+    let mut at = 18;
+    for _ in 0..b.u16(16)? {
+        if at == bytes.len() {
+            break;
+        }
+        let (tag, length) = (b.u16(at)?, b.u32(at + 2)? as usize);
+        at += 6;
+        b.slice(at, length)?;
+        match tag {
+            0x65 | 0x77 => {
+                let text = b.text(at, length)?;
+                if !text.is_empty() {
+                    contents.metadata.insert(format!("comment {tag:#x}"), text);
+                }
+            }
+            0x66 => {
+                let [nx, ny, bits] = [b.u32(at)?, b.u32(at + 4)?, b.u32(at + 8)?];
+                grid = Some([ny as usize, nx as usize, bits as usize]);
+            }
+            0x67 => size = Some([b.f64(at + 8)?, b.f64(at)?]),
+            0x6c => step = Some(b.f64(at + 4)?),
+            0x0b => data = Some(at),
+            _ => {}
+        }
+        at += length;
+    }
+    let missing = |name: &'static str| b.field(name, "the block is missing");
+    let [ny, nx, bits] = grid.ok_or_else(|| missing("0x66 (points)"))?;
+    let [ly, lx] = size.ok_or_else(|| missing("0x67 (size)"))?;
+    let step = step.ok_or_else(|| missing("0x6C (height scale)"))?;
+    let data = data.ok_or_else(|| missing("0x0B (heights)"))?;
+    let sample = match bits {
+        16 => Sample::U16,
+        32 => Sample::U32,
+        _ => return Err(b.field("0x66 (points)", format!("{bits} bits per point, not 16 or 32"))),
+    };
+    limits.check_points(FORMAT, [ny, nx])?;
+    let pixel = Pixel::Metres([ly / ny as f64, lx / nx as f64]);
+    let raster = Raster { bytes: b, at: data, shape: [ny, nx], sample };
+    let convert =
+        move |raw: f64| if raw.to_bits() == 1f64.to_bits() { f64::NAN } else { raw * step };
+    contents.channels.push(Channel::raster("Height", Some("m"), pixel, raster, convert)?);
+    Ok(contents)
+}

@@ -1,0 +1,252 @@
+//! GWY of Gwyddion. All numbers little endian.
+//!
+//! | what | content |
+//! |---|---|
+//! | file | `GWYP`, then one object, `GwyContainer` |
+//! | object | name, NUL; u32 length of its items; the items |
+//! | item | name, NUL; one character for the type; the value |
+//! | types | `b` u8, `c` u8, `i` i32, `q` i64, `d` f64, `s` text NUL, `o` object; in capitals: u32 count, then as many (`C I Q D S O`) |
+//! | `/0/data` | object `GwyDataField`: `xres`, `yres` (i), `xreal`, `yreal` (d, total size: N pixels), `si_unit_xy`, `si_unit_z` (objects with `unitstr`, base units), `data` (D) |
+//! | `/0/data/title` | name of channel 0; further channels have other numbers |
+//! | `/0/mask` | `GwyDataField` of the same size: points above 0 are masked |
+//!
+//! NaN is a missing point. A mask marks points for whatever its maker had in mind; where the
+//! data hold no NaN it is read as marking missing points, which is what importers use it for.
+//! The metadata say how many.
+//!
+//! Source: <https://gwyddion.net/documentation/user-guide-en/gwyfile-format.html>.
+
+use crate::binary::{Bytes, Sample, text};
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::{Format, Limits, ReadError, metres_per};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Gwy;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"GWYP")
+}
+
+/// A value in a container; arrays of numbers stay where they are in the file.
+enum Item<'a> {
+    Number(f64),
+    Text(String),
+    /// Name and items.
+    Object(String, BTreeMap<String, Item<'a>>),
+    /// Numbers of type f64.
+    Doubles(Bytes<'a>),
+    Other,
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let mut reader = Reader { b, at: 4, end: bytes.len(), count: 0, limits };
+    let Item::Object(name, items) = reader.object(0)? else {
+        return Err(b.fault(4, "there is no container"));
+    };
+    if name != "GwyContainer" {
+        return Err(b.fault(4, format!("the object is {name:?}, not \"GwyContainer\"")));
+    }
+    let mut contents = Contents::default();
+    let mut numbers: Vec<u64> = items
+        .keys()
+        .filter_map(|key| key.strip_prefix('/')?.strip_suffix("/data")?.parse().ok())
+        .collect();
+    numbers.sort_unstable();
+    for number in numbers {
+        let Some(Item::Object(kind, field)) = items.get(&format!("/{number}/data")) else {
+            continue;
+        };
+        if kind != "GwyDataField" {
+            continue;
+        }
+        let title = match items.get(&format!("/{number}/data/title")) {
+            Some(Item::Text(title)) => title.clone(),
+            _ => format!("channel {number}"),
+        };
+        let mask = match items.get(&format!("/{number}/mask")) {
+            Some(Item::Object(_, mask)) => match mask.get("data") {
+                Some(Item::Doubles(mask)) => Some(*mask),
+                _ => None,
+            },
+            _ => None,
+        };
+        contents.channels.push(channel(b, title, field, mask, limits)?);
+        if let Some(Item::Object(_, meta)) = items.get(&format!("/{number}/meta")) {
+            for (key, value) in meta {
+                if let Item::Text(value) = value {
+                    contents.metadata.entry(key.clone()).or_insert_with(|| value.clone());
+                }
+            }
+        }
+        if let Some(mask) = mask {
+            let marked =
+                Sample::F64.decode(mask.data, mask.order).iter().filter(|m| **m > 0.0).count();
+            let note = format!("{marked} points, read as missing where the data hold no NaN");
+            contents.metadata.insert(format!("mask of channel {number}"), note);
+        }
+    }
+    Ok(contents)
+}
+
+fn channel<'a>(
+    b: Bytes<'a>,
+    title: String,
+    field: &BTreeMap<String, Item<'a>>,
+    mask: Option<Bytes<'a>>,
+    limits: &Limits,
+) -> Result<Channel<'a>, ReadError> {
+    let number = |key: &'static str| match field.get(key) {
+        Some(Item::Number(value)) => Ok(*value),
+        _ => Err(b.field(key, "is missing in a data field")),
+    };
+    let side = |key: &'static str| {
+        let value = number(key)?;
+        if value >= 1.0 { Ok(value as usize) } else { Err(b.field(key, format!("is {value}"))) }
+    };
+    let unit = |key: &'static str| match field.get(key) {
+        Some(Item::Object(_, unit)) => match unit.get("unitstr") {
+            Some(Item::Text(unit)) => unit.clone(),
+            _ => String::new(),
+        },
+        _ => String::new(),
+    };
+    let (ny, nx) = (side("yres")?, side("xres")?);
+    limits.check_points(FORMAT, [ny, nx])?;
+    let size = [number("yreal")? / ny as f64, number("xreal")? / nx as f64];
+    let pixel = match metres_per(&unit("si_unit_xy")) {
+        Some(scale) => Pixel::Metres(size.map(|side| side * scale)),
+        None => Pixel::Steps(size),
+    };
+    let Some(Item::Doubles(data)) = field.get("data") else {
+        return Err(b.field("data", "is missing in a data field"));
+    };
+    let data = *data;
+    if data.data.len() != 8 * ny * nx {
+        let what = format!("{} heights for {ny} x {nx} points", data.data.len() / 8);
+        return Err(b.field("data", what));
+    }
+    Ok(Channel::new(title, Some(&unit("si_unit_z")), [ny, nx], pixel, move || {
+        let mut values = Sample::F64.decode(data.data, data.order);
+        if let Some(mask) = mask
+            && mask.data.len() == data.data.len()
+            && values.iter().all(|value| !value.is_nan())
+        {
+            for (value, mask) in values.iter_mut().zip(Sample::F64.decode(mask.data, mask.order)) {
+                if mask > 0.0 {
+                    *value = f64::NAN;
+                }
+            }
+        }
+        Ok(values)
+    }))
+}
+
+/// Walks through the items, never outside the object they are in.
+struct Reader<'a, 'l> {
+    b: Bytes<'a>,
+    at: usize,
+    end: usize,
+    count: u64,
+    limits: &'l Limits,
+}
+
+impl<'a> Reader<'a, '_> {
+    /// The next `length` bytes of the object.
+    fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
+        if length > self.end.saturating_sub(self.at) {
+            return Err(self.b.fault(self.at, "a value reaches beyond the end of its object"));
+        }
+        let raw = self.b.slice(self.at, length)?;
+        self.at += length;
+        Ok(raw)
+    }
+
+    fn text(&mut self) -> Result<String, ReadError> {
+        let rest = self.b.slice(self.at, self.end - self.at)?;
+        let length = rest
+            .iter()
+            .position(|&byte| byte == 0)
+            .ok_or_else(|| self.b.fault(self.at, "a text has no end"))?;
+        Ok(text(&self.take(length + 1)?[..length]))
+    }
+
+    fn length(&mut self) -> Result<usize, ReadError> {
+        let at = self.at;
+        self.take(4)?;
+        Ok(self.b.u32(at)? as usize)
+    }
+
+    fn object(&mut self, depth: usize) -> Result<Item<'a>, ReadError> {
+        if depth > 16 {
+            return Err(self.b.fault(self.at, "objects nested deeper than 16"));
+        }
+        let name = self.text()?;
+        let length = self.length()?;
+        let outer = self.end;
+        if length > outer - self.at {
+            return Err(self
+                .b
+                .fault(self.at, format!("object {name:?} reaches beyond its parent")));
+        }
+        self.end = self.at + length;
+        let mut items = BTreeMap::new();
+        while self.at < self.end {
+            self.count += 1;
+            self.limits.check_items(FORMAT, self.count)?;
+            let key = self.text()?;
+            let value = self.value(depth)?;
+            items.insert(key, value);
+        }
+        self.end = outer;
+        Ok(Item::Object(name, items))
+    }
+
+    fn value(&mut self, depth: usize) -> Result<Item<'a>, ReadError> {
+        let kind = self.take(1)?[0];
+        let at = self.at;
+        Ok(match kind {
+            b'b' | b'c' => Item::Number(self.take(1)?[0].into()),
+            b'i' => {
+                self.take(4)?;
+                Item::Number(self.b.i32(at)?.into())
+            }
+            b'q' => {
+                self.take(8)?;
+                Item::Number(self.b.i64(at)? as f64)
+            }
+            b'd' => {
+                self.take(8)?;
+                Item::Number(self.b.f64(at)?)
+            }
+            b's' => Item::Text(self.text()?),
+            b'o' => self.object(depth + 1)?,
+            b'C' | b'I' | b'Q' | b'D' => {
+                let size = match kind {
+                    b'C' => 1,
+                    b'I' => 4,
+                    _ => 8,
+                };
+                let length = self.length()?.saturating_mul(size);
+                let data = self.take(length)?;
+                if kind == b'D' { Item::Doubles(Bytes { data, ..self.b }) } else { Item::Other }
+            }
+            b'S' | b'O' => {
+                for _ in 0..self.length()? {
+                    self.count += 1;
+                    self.limits.check_items(FORMAT, self.count)?;
+                    if kind == b'S' {
+                        self.text()?;
+                    } else {
+                        self.object(depth + 1)?;
+                    }
+                }
+                Item::Other
+            }
+            other => {
+                let what = format!("an item of unknown type {:?}", char::from(other));
+                return Err(self.b.fault(at - 1, what));
+            }
+        })
+    }
+}

@@ -1,0 +1,142 @@
+//! Igor binary wave, version 5. The byte order is that of the machine that wrote it.
+//!
+//! | byte | type | content |
+//! |---|---|---|
+//! | 0 | i16 | version 5; read in the wrong order it is 1280 |
+//! | 2 | i16 | checksum: the sum of all i16 of the first 384 bytes is 0 |
+//! | 8, 12 | i32 | sizes of formula, note |
+//! | 16 | i32 | size of the extended data unit |
+//! | 20–35 | 4 × i32 | sizes of the extended units of the dimensions |
+//! | 36–51 | 4 × i32 | sizes of the labels of the dimensions |
+//! | 80 | i16 | type: 2 f32, 4 f64, 8 i8, 16 i16, 32 i32, +64 unsigned, +1 complex (refused) |
+//! | 92 | 32 | name |
+//! | 132–147 | 4 × i32 | points along x (fastest), y, layers |
+//! | 148–179 | 4 × f64 | spacing along each |
+//! | 212 | 4 | unit of the data |
+//! | 216–231 | 4 × 4 | units of the dimensions |
+//! | 384 | | data, then formula, note, extended units, labels (32 bytes each, the first for the dimension) |
+//!
+//! Every layer is a channel, named by its label. Spacing is stored, so the question of N or
+//! N − 1 intervals does not arise.
+//!
+//! Source: WaveMetrics, *Technical note 003, Igor binary format* (PTN003).
+
+use crate::binary::{Bytes, Order, Sample};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::text;
+use crate::{Format, Limits, ReadError, metres_per};
+
+const FORMAT: Format = Format::Ibw;
+const DATA: usize = 384;
+
+fn order(bytes: &[u8]) -> Option<Order> {
+    match bytes {
+        [5, 0, ..] => Some(Order::Little),
+        [0, 5, ..] => Some(Order::Big),
+        _ => None,
+    }
+}
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    let (Some(order), Some(header)) = (order(bytes), bytes.get(..DATA)) else { return false };
+    let sum = Sample::I16.decode(header, order).iter().sum::<f64>() as i64;
+    sum % 65536 == 0
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let order = order(bytes).unwrap_or(Order::Little);
+    let b = Bytes { data: bytes, format: FORMAT, order };
+    let size = |at: usize| {
+        let n = b.i32(at)?;
+        usize::try_from(n).map_err(|_| b.fault(at, format!("a size of {n}")))
+    };
+    let [nx, ny, layers, more] = [size(132)?, size(136)?, size(140)?, size(144)?];
+    // Dimensions that are not used have 0 points.
+    let (ny, layers) = (ny.max(1), layers.max(1));
+    if nx == 0 || more > 1 {
+        let feature = "a wave without points or with four dimensions".into();
+        return Err(ReadError::Unsupported { format: FORMAT, feature });
+    }
+    limits.check_points(FORMAT, [ny, nx])?;
+    limits.check_items(FORMAT, layers as u64)?;
+    let sample = match b.i16(80)? {
+        2 => Sample::F32,
+        4 => Sample::F64,
+        8 => Sample::I8,
+        16 => Sample::I16,
+        32 => Sample::I32,
+        72 => Sample::U8,
+        80 => Sample::U16,
+        96 => Sample::U32,
+        kind => {
+            let feature = format!("data of type {kind}");
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        }
+    };
+    let layer_size = b.map_length(DATA, [ny, nx], sample)?;
+    let behind = b.map_length(DATA, [layers, layer_size], Sample::U8)?;
+
+    // What follows the data, in this order.
+    let formula = size(8)?;
+    let (note, data_unit) = (size(12)?, size(16)?);
+    let units = [size(20)?, size(24)?, size(28)?, size(32)?];
+    let labels = [size(36)?, size(40)?, size(44)?, size(48)?];
+    let mut at = DATA + behind + formula;
+    let mut next = |length: usize| {
+        let start = at;
+        at = at.saturating_add(length);
+        b.slice(start, length)
+    };
+    let note = String::from_utf8_lossy(next(note)?).into_owned();
+    let extended = crate::binary::text(next(data_unit)?);
+    let unit = if extended.is_empty() { b.text(212, 4)? } else { extended };
+    let mut step_units = [b.text(216, 4)?, b.text(220, 4)?];
+    for (i, length) in units.into_iter().enumerate() {
+        let extended = crate::binary::text(next(length)?);
+        if i < 2 && !extended.is_empty() {
+            step_units[i] = extended;
+        }
+    }
+    next(labels[0])?;
+    next(labels[1])?;
+    let labels = next(labels[2])?;
+
+    let steps = [b.f64(156)?, b.f64(148)?];
+    let steps = [if ny == 1 { steps[1] } else { steps[0] }, steps[1]];
+    let pixel = match (metres_per(&step_units[1]), metres_per(&step_units[0])) {
+        (Some(y), Some(x)) => Pixel::Metres([steps[0] * y, steps[1] * x]),
+        (None, Some(x)) if ny == 1 => Pixel::Metres([steps[1] * x; 2]),
+        _ => Pixel::Steps(steps),
+    };
+    let mut contents = Contents::default();
+    let wave = b.text(92, 32)?;
+    for layer in 0..layers {
+        let label = labels.get(32 * (layer + 1)..32 * (layer + 2)).map(crate::binary::text);
+        let name =
+            label.filter(|l| !l.is_empty()).unwrap_or_else(|| format!("layer {}", layer + 1));
+        let raster = Raster { bytes: b, at: DATA + layer * layer_size, shape: [ny, nx], sample };
+        let unit = layer_unit(&name, &unit);
+        contents.channels.push(Channel::raster(name, Some(unit), pixel, raster, |raw| raw)?);
+    }
+    contents.metadata.insert("wave".into(), wave);
+    for (_, line) in text::lines(&note).take(1024) {
+        if let Some((key, value)) = line.split_once(':') {
+            contents.metadata.insert(key.trim().to_owned(), value.trim().to_owned());
+        }
+    }
+    Ok(contents)
+}
+
+/// A wave has one unit for all layers. Instruments (Asylum) put phases and voltages beside
+/// heights under the unit m; their labels tell.
+fn layer_unit<'a>(name: &str, unit: &'a str) -> &'a str {
+    let name = name.to_lowercase();
+    let is_other = |other: &str| name.contains(other);
+    if is_other("phase") {
+        "deg"
+    } else if ["current", "volt", "bias", "frequency", "lateral"].into_iter().any(is_other) {
+        "V"
+    } else {
+        unit
+    }
+}

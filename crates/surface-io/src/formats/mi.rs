@@ -1,0 +1,89 @@
+//! MI of Molecular Imaging, Agilent, Keysight (PicoView): a text header, then data.
+//!
+//! | what | content |
+//! |---|---|
+//! | header | lines; the first 14 characters are the key |
+//! | `fileType` | `Image`; `Spectroscopy` is refused |
+//! | `xPixels`, `yPixels` | points along x, along y |
+//! | `xLength`, `yLength` | total size in metres: N pixels |
+//! | `bufferLabel`, `bufferUnit`, `bufferRange` | one group per channel |
+//! | `data` | last line: `BINARY` (i16), `BINARY_32` (i32); little endian |
+//!
+//! The channels follow one after the other, rows from the bottom upwards.
+//! Height = value × `bufferRange` / 2^15 (2^31).
+//!
+//! Source: Molecular Imaging, *MI file format*, as implemented by several free readers.
+
+use crate::binary::{Bytes, Sample, find};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::text;
+use crate::{Format, Limits, ReadError};
+
+const FORMAT: Format = Format::Mi;
+const KEY: usize = 14;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"fileType      ")
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let last = find(bytes, b"\ndata ").ok_or_else(|| b.field("data", "the line is missing"))? + 1;
+    let rest = &bytes[last..];
+    let end = rest.iter().position(|&byte| byte == b'\n');
+    let end = last + end.ok_or_else(|| b.fault(last, "the header has no end"))? + 1;
+    let header = text::decode(&bytes[..end]);
+
+    let mut contents = Contents::default();
+    let mut buffers: Vec<[String; 3]> = Vec::new(); // label, unit, range
+    for (_, line) in text::lines(&header) {
+        let Some((key, value)) = line.split_at_checked(KEY.min(line.len())) else { continue };
+        let (key, value) = (key.trim(), value.trim().to_owned());
+        match (key, buffers.last_mut()) {
+            ("bufferLabel", _) => {
+                limits.check_items(FORMAT, buffers.len() as u64)?;
+                buffers.push([value, String::new(), String::new()]);
+            }
+            ("bufferUnit", Some(buffer)) => buffer[1] = value,
+            ("bufferRange", Some(buffer)) => buffer[2] = value,
+            ("", _) => {}
+            _ => {
+                limits.check_items(FORMAT, contents.metadata.len() as u64)?;
+                contents.metadata.insert(key.to_owned(), value);
+            }
+        }
+    }
+    let number = |key: &'static str| {
+        let text = contents.metadata.get(key).ok_or_else(|| b.field(key, "is missing"))?;
+        text.parse::<f64>().map_err(|_| b.field(key, format!("{text:?} is no number")))
+    };
+    if let Some(kind) = contents.metadata.get("fileType").filter(|kind| *kind != "Image") {
+        let feature = format!("a file of type {kind}");
+        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+    }
+    let (sample, full) = match contents.metadata.get("data").map_or("", String::as_str) {
+        "BINARY" | "" => (Sample::I16, 32768.0),
+        "BINARY_32" => (Sample::I32, 2147483648.0),
+        other => {
+            let feature = format!("data written as {other}");
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        }
+    };
+    let (nx, ny) = (number("xPixels")?, number("yPixels")?);
+    if !(1.0..=1e9).contains(&nx) || !(1.0..=1e9).contains(&ny) {
+        return Err(b.field("xPixels, yPixels", format!("{nx} x {ny}")));
+    }
+    let shape = [ny as usize, nx as usize];
+    limits.check_points(FORMAT, shape)?;
+    let pixel = Pixel::Metres([number("yLength")? / ny, number("xLength")? / nx]);
+    let mut at = end;
+    for [label, unit, range] in buffers {
+        let range: f64 = range.parse().map_err(|_| b.field("bufferRange", format!("{range:?}")))?;
+        let raster = Raster { bytes: b, at, shape, sample };
+        let convert = move |raw: f64| raw * (range / full);
+        let channel = Channel::raster(label, Some(&unit), pixel, raster, convert)?;
+        contents.channels.push(channel.flipped());
+        at += b.map_length(at, shape, sample)?;
+    }
+    Ok(contents)
+}

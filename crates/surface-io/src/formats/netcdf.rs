@@ -1,0 +1,283 @@
+//! NetCDF classic: CDF-1, CDF-2 (64-bit offsets), CDF-5 (64-bit data). All numbers big endian.
+//!
+//! | part | content |
+//! |---|---|
+//! | start | `CDF`, u8 version 1, 2 or 5; number of records |
+//! | dimensions | tag 10, count; each: name, length (0: record dimension) |
+//! | attributes | tag 12, count; each: name, type, count, values |
+//! | variables | tag 11, count; each: name, rank, dimension numbers, attributes, type, size, offset |
+//! | name | length, bytes, padded to 4 |
+//! | counts and lengths | u32, u64 in version 5; offsets u32 in version 1, else u64 |
+//! | types | 1 i8, 2 text, 3 i16, 4 i32, 5 f32, 6 f64, 7 u8, 8 u16, 9 u32, 10 i64, 11 u64 |
+//!
+//! Every variable of two dimensions is a channel. A dimension named `x` stored first is the
+//! slow one: the map is transposed so that rows run along x. Spacing: the values of the
+//! coordinate variable, (last − first) / (N − 1); for a single point its attribute `length`.
+//! Units: attribute `unit` or `units`. `_FillValue`, `missing_value`, NaN, and points where a
+//! variable `mask` on the same dimensions is not 0 are missing; `scale_factor` and `add_offset`
+//! apply.
+//!
+//! Source: Unidata, *NetCDF classic format specification*,
+//! <https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html>.
+//! NetCDF-4 files are HDF5 and not read.
+
+use super::npy::transpose;
+use super::scattered::Line;
+use crate::binary::{Bytes, Sample, text};
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::text::Digits;
+use crate::{Format, Limits, ReadError, metres_per};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::NetCdf;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    matches!(bytes, [b'C', b'D', b'F', 1 | 2 | 5, ..])
+}
+
+/// An attribute as text and, if it is numeric, its first number.
+struct Attribute {
+    text: String,
+    number: Option<f64>,
+}
+
+type Attributes = BTreeMap<String, Attribute>;
+
+struct Variable {
+    name: String,
+    dimensions: Vec<usize>,
+    attributes: Attributes,
+    sample: Option<Sample>,
+    at: usize,
+}
+
+impl Variable {
+    fn unit(&self) -> Option<&str> {
+        ["unit", "units"]
+            .iter()
+            .find_map(|key| self.attributes.get(*key))
+            .map(|attribute| attribute.text.as_str())
+    }
+
+    fn number(&self, key: &str) -> Option<f64> {
+        self.attributes.get(key)?.number
+    }
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::big(bytes, FORMAT);
+    let mut header = Header { b, at: 4, version: b.u8(3)?, limits };
+    header.count()?; // number of records
+    let mut dimensions = Vec::new();
+    for _ in 0..header.list(10)? {
+        dimensions.push((header.name()?, header.count()?));
+    }
+    let attributes = header.attributes()?;
+    let mut variables = Vec::new();
+    for _ in 0..header.list(11)? {
+        let name = header.name()?;
+        let rank = header.count()?;
+        limits.check_items(FORMAT, rank as u64)?;
+        let of = (0..rank).map(|_| header.count()).collect::<Result<Vec<_>, _>>()?;
+        if let Some(bad) = of.iter().find(|&&d| d >= dimensions.len()) {
+            return Err(b.fault(header.at, format!("dimension {bad} of {}", dimensions.len())));
+        }
+        let attributes = header.attributes()?;
+        let sample = sample(header.word()?);
+        header.count()?; // size of the variable, which follows from its shape
+        let at = header.offset()?;
+        variables.push(Variable { name, dimensions: of, attributes, sample, at });
+    }
+
+    let mut contents = Contents::default();
+    for (key, attribute) in attributes {
+        contents.metadata.insert(key, attribute.text);
+    }
+    let mask = variables.iter().find(|v| v.name == "mask" && v.sample == Some(Sample::I8));
+    for variable in &variables {
+        if mask.is_some_and(|mask| std::ptr::eq(mask, variable)) {
+            continue;
+        }
+        let ([slow, fast], Some(sample)) = (&variable.dimensions[..], variable.sample) else {
+            continue;
+        };
+        let axes = [&dimensions[*slow], &dimensions[*fast]];
+        if axes[0].1 == 0 {
+            continue; // records are interleaved with those of other variables
+        }
+        let stored = axes.map(|axis| axis.1);
+        limits.check_points(FORMAT, stored)?;
+        b.map_length(variable.at, stored, sample)?;
+        let spacing = axes.map(|(name, count)| spacing(b, &variables, name, *count));
+        let [slow, fast] = spacing;
+        let [slow, fast] = [slow.transpose()?, fast.transpose()?];
+        let pixel = match (slow, fast) {
+            (Some((slow, Some(slow_unit))), Some((fast, Some(fast_unit)))) => {
+                Some(Pixel::Metres([slow * slow_unit, fast * fast_unit]))
+            }
+            (Some((slow, _)), Some((fast, _))) => Some(Pixel::Steps([slow, fast])),
+            _ => None,
+        };
+        contents.channels.push({
+            let mask = mask.filter(|mask| mask.dimensions == variable.dimensions).map(|m| m.at);
+            channel(b, variable, axes[0].0 == "x", stored, (sample, mask), pixel)
+        });
+    }
+    Ok(contents)
+}
+
+fn channel<'a>(
+    b: Bytes<'a>,
+    variable: &Variable,
+    is_x_slow: bool,
+    stored: [usize; 2],
+    (sample, mask): (Sample, Option<usize>),
+    pixel: Option<Pixel>,
+) -> Channel<'a> {
+    let turned = |[slow, fast]: [f64; 2]| if is_x_slow { [fast, slow] } else { [slow, fast] };
+    let pixel = match pixel {
+        Some(Pixel::Metres(pixel)) => Pixel::Metres(turned(pixel)),
+        Some(Pixel::Steps(pixel)) => Pixel::Steps(turned(pixel)),
+        _ => Pixel::Unknown,
+    };
+    let shape = if is_x_slow { [stored[1], stored[0]] } else { stored };
+    let missing = ["_FillValue", "missing_value"].map(|key| variable.number(key));
+    let factor = variable.number("scale_factor").unwrap_or(1.0);
+    let offset = variable.number("add_offset").unwrap_or(0.0);
+    let at = variable.at;
+    Channel::new(variable.name.clone(), variable.unit(), shape, pixel, move || {
+        let mut values = b.samples(at, stored[0] * stored[1], sample)?;
+        for value in &mut values {
+            let is_missing = missing.iter().flatten().any(|m| m.to_bits() == value.to_bits());
+            *value = if is_missing { f64::NAN } else { *value * factor + offset };
+        }
+        if let Some(mask) = mask {
+            let mask = b.samples(mask, stored[0] * stored[1], Sample::I8)?;
+            for (value, mask) in values.iter_mut().zip(mask) {
+                if mask != 0.0 {
+                    *value = f64::NAN;
+                }
+            }
+        }
+        Ok(if is_x_slow { transpose(&values, stored) } else { values })
+    })
+}
+
+type Spacing = (f64, Option<f64>);
+
+/// Distance of the points along a dimension and metres per unit, from its coordinate variable.
+fn spacing(
+    b: Bytes<'_>,
+    variables: &[Variable],
+    name: &str,
+    count: usize,
+) -> Option<Result<Spacing, ReadError>> {
+    let variable = variables.iter().find(|v| v.name == name && v.dimensions.len() == 1)?;
+    let scale = variable.unit().and_then(metres_per);
+    let (true, Some(sample)) = (count > 1, variable.sample) else {
+        return variable.number("length").map(|length| Ok((length / count as f64, scale)));
+    };
+    let place = || format!("coordinate {name}");
+    let values = match b.samples(variable.at, count, sample) {
+        Ok(values) => values,
+        Err(e) => return Some(Err(e)),
+    };
+    match Line::new(&values, Digits::NONE) {
+        Ok(line) if line.uneven.is_none() => Some(Ok((line.step, scale))),
+        Ok(_) => Some(Err(b.field(place(), "the points are not evenly spaced"))),
+        Err(what) => Some(Err(b.field(place(), what))),
+    }
+}
+
+fn sample(code: u32) -> Option<Sample> {
+    Some(match code {
+        1 => Sample::I8,
+        3 => Sample::I16,
+        4 => Sample::I32,
+        5 => Sample::F32,
+        6 => Sample::F64,
+        7 => Sample::U8,
+        8 => Sample::U16,
+        9 => Sample::U32,
+        10 => Sample::I64,
+        11 => Sample::U64,
+        _ => return None,
+    })
+}
+
+/// Walks through the header.
+struct Header<'a, 'l> {
+    b: Bytes<'a>,
+    at: usize,
+    version: u8,
+    limits: &'l Limits,
+}
+
+impl Header<'_, '_> {
+    fn word(&mut self) -> Result<u32, ReadError> {
+        let word = self.b.u32(self.at)?;
+        self.at += 4;
+        Ok(word)
+    }
+
+    fn long(&mut self) -> Result<usize, ReadError> {
+        let long = self.b.u64(self.at)?;
+        self.at += 8;
+        usize::try_from(long).map_err(|_| self.b.fault(self.at - 8, format!("a size of {long}")))
+    }
+
+    fn count(&mut self) -> Result<usize, ReadError> {
+        if self.version == 5 { self.long() } else { Ok(self.word()? as usize) }
+    }
+
+    fn offset(&mut self) -> Result<usize, ReadError> {
+        if self.version == 1 { Ok(self.word()? as usize) } else { self.long() }
+    }
+
+    /// Number of elements of a list with this tag.
+    fn list(&mut self, tag: u32) -> Result<usize, ReadError> {
+        let at = self.at;
+        let found = self.word()?;
+        let count = self.count()?;
+        if found != tag && (found != 0 || count != 0) {
+            return Err(self.b.fault(at, format!("list tag {found}, expected {tag}")));
+        }
+        self.limits.check_items(FORMAT, count as u64)?;
+        Ok(count)
+    }
+
+    /// Bytes, padded to a multiple of 4.
+    fn padded(&mut self, length: usize) -> Result<Vec<u8>, ReadError> {
+        let raw = self.b.slice(self.at, length)?.to_vec();
+        self.at += length.next_multiple_of(4);
+        Ok(raw)
+    }
+
+    fn name(&mut self) -> Result<String, ReadError> {
+        let length = self.count()?;
+        Ok(text(&self.padded(length)?))
+    }
+
+    fn attributes(&mut self) -> Result<Attributes, ReadError> {
+        let mut attributes = Attributes::new();
+        for _ in 0..self.list(12)? {
+            let name = self.name()?;
+            let at = self.at;
+            let code = self.word()?;
+            let count = self.count()?;
+            let attribute = if let Some(sample) = sample(code) {
+                let length = count.checked_mul(sample.size());
+                let length = length.ok_or_else(|| self.b.fault(at, "an endless attribute"))?;
+                let numbers = sample.decode(&self.padded(length)?, self.b.order);
+                let shown: Vec<String> = numbers.iter().take(8).map(f64::to_string).collect();
+                Attribute { text: shown.join(" "), number: numbers.first().copied() }
+            } else if code == 2 {
+                Attribute { text: text(&self.padded(count)?), number: None }
+            } else {
+                return Err(self.b.fault(at, format!("an attribute of unknown type {code}")));
+            };
+            attributes.insert(name, attribute);
+        }
+        Ok(attributes)
+    }
+}

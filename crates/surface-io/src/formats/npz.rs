@@ -1,0 +1,48 @@
+//! NPZ: a ZIP archive of NPY arrays, as `numpy.savez` writes it. Every array of one or two axes
+//! is a channel; none has a unit or a pixel size.
+//!
+//! Source: <https://numpy.org/doc/stable/reference/generated/numpy.savez.html>.
+
+use super::archive::{Archive, MAGIC, is_npy};
+use super::npy::Array;
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::{Format, Limits, ReadError};
+
+const FORMAT: Format = Format::Npz;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC) && crate::binary::find(bytes, b".npy").is_some()
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let mut archive = Archive::open(bytes, FORMAT, limits)?;
+    let mut contents = Contents::default();
+    let mut first_error = None;
+    let mut total = 0;
+    for name in archive.names.clone() {
+        if !is_npy(&name) {
+            continue;
+        }
+        let member = archive.unpack(&name, limits)?;
+        total += member.len() as u64;
+        limits.check_unpacked(FORMAT, total)?;
+        match Array::parse(&member, FORMAT, limits) {
+            Ok(array) => {
+                let name = name[..name.len() - ".npy".len()].to_owned();
+                let channel = Channel::new(name, None, array.shape, Pixel::Unknown, move || {
+                    array.values(&member)
+                });
+                contents.channels.push(channel);
+            }
+            // Texts and single numbers beside a map are no reason to refuse it.
+            Err(e @ ReadError::Unsupported { .. }) => {
+                first_error.get_or_insert(e);
+            }
+            Err(e) => return Err(e),
+        }
+    }
+    match first_error {
+        Some(e) if contents.channels.is_empty() => Err(e),
+        _ => Ok(contents),
+    }
+}

@@ -1,0 +1,189 @@
+//! SDF, ISO 25178-71 (formerly BCR, EUR 15178): a text and a binary variant.
+//!
+//! Binary, little endian:
+//!
+//! | byte | type | field |
+//! |---|---|---|
+//! | 0 | 8 | `bISO-1.0` or `bBCR-1.0` |
+//! | 8, 18, 30 | 10, 12, 12 | ManufacID, CreateDate, ModDate |
+//! | 42, 44 | u16 | NumPoints (per profile, along x), NumProfiles |
+//! | 46, 54, 62, 70 | f64 | Xscale, Yscale (spacing, metres), Zscale (metres per unit), Zresolution |
+//! | 78, 79, 80 | u8 | Compression (0), DataType, CheckType |
+//! | 81 | | data, profile by profile, then a trailer |
+//!
+//! Text: `aISO-1.0` or `aBCR-1.0`, lines `Field = value`, a line `*`, the numbers, a line `*`,
+//! a trailer. `BAD` is a missing point.
+//!
+//! DataType: 0 u8, 1 u16, 2 u32, 3 f32, 4 i8, 5 i16, 6 i32, 7 f64. A missing point is the
+//! smallest value of a signed type, the largest of an unsigned one (16 and 32 bits), and NaN or
+//! a number beyond 10^300 of a floating type. Height = value × Zscale. Scales are spacings, so
+//! the question of N or N − 1 intervals does not arise.
+//!
+//! Source: ISO 25178-71:2017.
+
+use crate::binary::{Bytes, Sample};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::text;
+use crate::{Format, Limits, Place, ReadError};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Sdf;
+const HEADER: usize = 81;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    matches!(
+        bytes,
+        [b'a' | b'b', b'I', b'S', b'O', b'-', ..] | [b'a' | b'b', b'B', b'C', b'R', b'-', ..]
+    )
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    if bytes.starts_with(b"b") { binary(bytes, limits) } else { ascii(bytes, limits) }
+}
+
+/// What both variants say about the map.
+struct Header {
+    shape: [usize; 2],
+    pixel: [f64; 2],
+    z_scale: f64,
+    kind: Kind,
+}
+
+/// Encoding of DataType with its mark for a missing point.
+#[derive(Clone, Copy)]
+struct Kind {
+    sample: Sample,
+    missing: Option<f64>,
+}
+
+impl Kind {
+    fn new(code: u8) -> Option<Self> {
+        let (sample, missing) = match code {
+            0 => (Sample::U8, None),
+            1 => (Sample::U16, Some(f64::from(u16::MAX))),
+            2 => (Sample::U32, Some(f64::from(u32::MAX))),
+            3 => (Sample::F32, None),
+            4 => (Sample::I8, None),
+            5 => (Sample::I16, Some(f64::from(i16::MIN))),
+            6 => (Sample::I32, Some(f64::from(i32::MIN))),
+            7 => (Sample::F64, None),
+            _ => return None,
+        };
+        Some(Self { sample, missing })
+    }
+
+    fn is_missing(self, raw: f64) -> bool {
+        Some(raw.to_bits()) == self.missing.map(f64::to_bits) || raw.is_nan() || raw.abs() > 1e300
+    }
+}
+
+impl Header {
+    fn channel_pixel(&self) -> Pixel {
+        let [dy, dx] = self.pixel;
+        Pixel::Metres([if self.shape[0] == 1 && dy <= 0.0 { dx } else { dy }, dx])
+    }
+
+    fn scale(&self, b: Bytes<'_>) -> Result<f64, ReadError> {
+        let scale = self.z_scale;
+        if scale.is_finite() && scale > 0.0 {
+            return Ok(scale);
+        }
+        Err(b.field("Zscale", format!("{scale} must be finite and greater than 0")))
+    }
+}
+
+fn binary<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    refuse_compression(b.u8(78)?.into())?;
+    let code = b.u8(79)?;
+    let header = Header {
+        shape: [b.u16(44)?.into(), b.u16(42)?.into()],
+        pixel: [b.f64(54)?, b.f64(46)?],
+        z_scale: b.f64(62)?,
+        kind: Kind::new(code).ok_or_else(|| b.fault(79, format!("DataType {code}")))?,
+    };
+    limits.check_points(FORMAT, header.shape)?;
+    let (scale, kind) = (header.scale(b)?, header.kind);
+    let raster = Raster { bytes: b, at: HEADER, shape: header.shape, sample: kind.sample };
+    let convert = move |raw: f64| if kind.is_missing(raw) { f64::NAN } else { raw * scale };
+    let channel = Channel::raster("Z", Some("m"), header.channel_pixel(), raster, convert)?;
+    let metadata = [
+        ("ManufacID", b.text(8, 10)?),
+        ("CreateDate", b.text(18, 12)?),
+        ("ModDate", b.text(30, 12)?),
+        ("Zresolution", b.f64(70)?.to_string()),
+    ];
+    let metadata = metadata.map(|(key, value)| (key.to_owned(), value)).into();
+    Ok(Contents { channels: vec![channel], metadata })
+}
+
+fn refuse_compression(compression: u64) -> Result<(), ReadError> {
+    if compression == 0 {
+        return Ok(());
+    }
+    let feature = format!("Compression = {compression} (the standard defines none)");
+    Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() })
+}
+
+fn ascii<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let text = text::decode(bytes);
+    let mut lines = text::lines(&text).skip(1);
+    let mut metadata = BTreeMap::new();
+    for (_, line) in lines.by_ref() {
+        if line.trim_start().starts_with('*') {
+            break;
+        }
+        if let Some((key, value)) = line.split_once('=') {
+            limits.check_items(FORMAT, metadata.len() as u64)?;
+            metadata.insert(key.trim().to_owned(), value.trim().to_owned());
+        }
+    }
+    let get =
+        |key: &'static str| metadata.get(key).ok_or_else(|| b.field(key, "the field is missing"));
+    let number = |key: &'static str| {
+        let value = get(key)?;
+        value.parse::<f64>().map_err(|_| b.field(key, format!("{value:?} is no number")))
+    };
+    let whole = |key: &'static str| {
+        let value = get(key)?;
+        value.parse::<usize>().map_err(|_| b.field(key, format!("{value:?} is no whole number")))
+    };
+    refuse_compression(whole("Compression").unwrap_or(0) as u64)?;
+    let code = u8::try_from(whole("DataType")?).unwrap_or(u8::MAX);
+    let header = Header {
+        shape: [whole("NumProfiles")?, whole("NumPoints")?],
+        pixel: [number("Yscale")?, number("Xscale")?],
+        z_scale: number("Zscale")?,
+        kind: Kind::new(code).ok_or_else(|| b.field("DataType", format!("{code}")))?,
+    };
+    limits.check_points(FORMAT, header.shape)?;
+    let (scale, kind) = (header.scale(b)?, header.kind);
+    let [ny, nx] = header.shape;
+    let mut values = Vec::new(); // grows with the text, whatever the header claims
+    'data: for (line, text) in lines {
+        for word in text.split_ascii_whitespace() {
+            if word.starts_with('*') {
+                break 'data;
+            }
+            let raw = match word.parse::<f64>() {
+                Ok(raw) => raw,
+                Err(_) if word.eq_ignore_ascii_case("BAD") => f64::NAN,
+                Err(_) => {
+                    let what =
+                        format!("{:?} is no number", word.chars().take(40).collect::<String>());
+                    let place = Place::Line(line);
+                    return Err(ReadError::Malformed { format: FORMAT, place, what: what.into() });
+                }
+            };
+            values.push(if kind.is_missing(raw) { f64::NAN } else { raw * scale });
+        }
+    }
+    if values.len() != ny * nx {
+        let what = format!("{} numbers for {ny} profiles of {nx} points", values.len());
+        return Err(b.field("data", what));
+    }
+    let pixel = header.channel_pixel();
+    let channel = Channel::new("Z", Some("m"), header.shape, pixel, move || Ok(values));
+    Ok(Contents { channels: vec![channel], metadata })
+}

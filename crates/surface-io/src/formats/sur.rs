@@ -1,0 +1,177 @@
+//! SUR and PRO of Digital Surf (MountainsMap, NanoScope Analysis exports, many instruments).
+//!
+//! All numbers little endian. An object is a header of 512 bytes, a comment, a private zone and
+//! the data; a file may hold several objects.
+//!
+//! | byte | type | content |
+//! |---|---|---|
+//! | 0 | 12 | `DIGITAL SURF`, or `DSCOMPRESSED` |
+//! | 14 | i16 | number of objects |
+//! | 18 | i16 | kind: 1 profile, 2 surface, 8 and 11 surfaces of several layers, others are refused |
+//! | 20, 50 | 30, 30 | name, operator or instrument |
+//! | 86 | i16 | 1 if there are missing points |
+//! | 98 | i16 | bits per point, 16 or 32 (signed) |
+//! | 100, 104 | i32 | smallest and largest stored value; a missing point is the smallest − 2 |
+//! | 108, 112 | i32 | points per line, lines |
+//! | 120, 124, 128 | f32 | spacing along x, along y, height step |
+//! | 164 | 16 | name of the height axis |
+//! | 180, 196, 212 | 16 | units of these three, Latin-1 |
+//! | 306–316 | 6 × i16 | second, minute, hour, day, month, year |
+//! | 324 | u32 | packed size of compressed data |
+//! | 334, 336 | u16 | length of the comment and of the private zone |
+//! | 474 | f32 | height of stored value 0, in the unit of byte 212 |
+//!
+//! Compressed data: u32 number of streams; u32 unpacked and u32 packed size of each; the zlib
+//! streams. Spacing is stored, so the question of N or N − 1 intervals does not arise.
+//!
+//! Sources: Digital Surf, *Surf File Format* (2018), and the files of several writers.
+
+use crate::binary::{Bytes, Order, Sample};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::{Format, Limits, ReadError, metres_per};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Sur;
+const HEADER: usize = 512;
+const COMPRESSED: &[u8] = b"DSCOMPRESSED";
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"DIGITAL SURF") || bytes.starts_with(COMPRESSED)
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let mut contents = Contents::default();
+    let count = match b.i16(18)? {
+        1 | 2 => 1,
+        8 | 11 => b.i16(14)?.max(1),
+        kind => {
+            let feature =
+                format!("an object of kind {kind} (profiles 1 and surfaces 2, 8, 11 are)");
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        }
+    };
+    let mut at = 0;
+    for _ in 0..count {
+        let (channel, next) = object(b, at, limits)?;
+        if at == 0 {
+            contents.metadata = metadata(b)?;
+        }
+        contents.channels.push(channel);
+        at = next;
+    }
+    Ok(contents)
+}
+
+/// One object from byte `at`, and where the next one starts.
+fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, usize), ReadError> {
+    let o = b.from(at)?;
+    if !sniff(o.data) {
+        return Err(b.fault(at, "an object does not start with its name"));
+    }
+    let side = |place: usize| {
+        let n = o.i32(place)?;
+        usize::try_from(n)
+            .ok()
+            .filter(|&n| n > 0)
+            .ok_or_else(|| b.fault(at + place, format!("{n} points; at least 1 is needed")))
+    };
+    let shape = [side(112)?, side(108)?];
+    limits.check_points(FORMAT, shape)?;
+    let sample = match o.i16(98)? {
+        16 => Sample::I16,
+        32 => Sample::I32,
+        bits => return Err(b.fault(at + 98, format!("{bits} bits per point, not 16 or 32"))),
+    };
+    let data = HEADER + usize::from(o.u16(334)?) + usize::from(o.u16(336)?);
+
+    let pixel = match (metres_per(&o.text(196, 16)?), metres_per(&o.text(180, 16)?)) {
+        (Some(y), Some(x)) => {
+            let dx = f64::from(o.f32(120)?) * x;
+            let dy = f64::from(o.f32(124)?) * y;
+            // A profile has one line, whose spacing is often 0.
+            Pixel::Metres([if shape[0] == 1 && dy <= 0.0 { dx } else { dy }, dx])
+        }
+        _ => Pixel::Unknown,
+    };
+    let (step, offset) = (f64::from(o.f32(128)?), f64::from(o.f32(474)?));
+    let missing = f64::from(o.i32(100)?) - 2.0;
+    let convert = move |raw: f64| if raw <= missing { f64::NAN } else { raw * step + offset };
+    let (name, unit) = (o.text(164, 16)?, o.text(212, 16)?);
+    let name = if name.is_empty() { "Z".to_owned() } else { name };
+
+    if !o.data.starts_with(COMPRESSED) {
+        let raster = Raster { bytes: o, at: data, shape, sample };
+        let length = o.map_length(data, shape, sample)?;
+        let channel = Channel::raster(name, Some(&unit), pixel, raster, convert)?;
+        return Ok((channel, at + data + length));
+    }
+    let (unpacked, end) = unpack(o, data, limits)?;
+    let wanted = shape[0] * shape[1];
+    let channel = Channel::new(name, Some(&unit), shape, pixel, move || {
+        let mut values = sample.decode(&unpacked, Order::Little);
+        if values.len() != wanted {
+            let what = format!("{} points unpacked, {wanted} expected", values.len());
+            return Err(o.fault(data, what));
+        }
+        for value in &mut values {
+            *value = convert(*value);
+        }
+        Ok(values)
+    });
+    Ok((channel, at + end))
+}
+
+#[cfg(feature = "zip")]
+fn unpack(o: Bytes<'_>, at: usize, limits: &Limits) -> Result<(Vec<u8>, usize), ReadError> {
+    use flate2::read::ZlibDecoder;
+    use std::io::Read;
+
+    let streams = o.u32(at)? as usize;
+    limits.check_items(FORMAT, streams as u64)?;
+    let sizes = (0..streams)
+        .map(|i| Ok([o.u32(at + 4 + 8 * i)?, o.u32(at + 8 + 8 * i)?]))
+        .collect::<Result<Vec<_>, ReadError>>()?;
+    limits.check_unpacked(FORMAT, sizes.iter().map(|s| u64::from(s[0])).sum())?;
+    let mut at = at + 4 + 8 * streams;
+    let mut unpacked = Vec::new();
+    for [plain, packed] in sizes {
+        let stream = o.slice(at, packed as usize)?;
+        let before = unpacked.len();
+        ZlibDecoder::new(stream)
+            .take(u64::from(plain))
+            .read_to_end(&mut unpacked)
+            .map_err(|e| o.fault(at, format!("compressed data: {e}")))?;
+        if unpacked.len() - before != plain as usize {
+            return Err(o.fault(at, "the compressed data end too early"));
+        }
+        at += packed as usize;
+    }
+    Ok((unpacked, at))
+}
+
+#[cfg(not(feature = "zip"))]
+fn unpack(_: Bytes<'_>, _: usize, _: &Limits) -> Result<(Vec<u8>, usize), ReadError> {
+    let feature = "compressed data (this build lacks the feature `zip`)".into();
+    Err(ReadError::Unsupported { format: FORMAT, feature })
+}
+
+fn metadata(b: Bytes<'_>) -> Result<BTreeMap<String, String>, ReadError> {
+    let mut metadata = BTreeMap::new();
+    for (key, text) in [
+        ("name", b.text(20, 30)?),
+        ("operator", b.text(50, 30)?),
+        ("comment", b.text(HEADER, usize::from(b.u16(334)?))?),
+    ] {
+        if !text.is_empty() {
+            metadata.insert(key.into(), text);
+        }
+    }
+    let [second, minute, hour, day, month, year] =
+        [b.i16(306)?, b.i16(308)?, b.i16(310)?, b.i16(312)?, b.i16(314)?, b.i16(316)?];
+    if year > 0 {
+        let date = format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}");
+        metadata.insert("date".into(), date);
+    }
+    Ok(metadata)
+}

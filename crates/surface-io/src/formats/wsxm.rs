@@ -1,0 +1,100 @@
+//! WSxM (.stp, .top): a text header, then data, little endian.
+//!
+//! | what | content |
+//! |---|---|
+//! | line 1 | `WSxM file copyright ...` |
+//! | line 2 | `SxM Image file` |
+//! | line 3 | `Image header size: N`: where the data start |
+//! | `[Control]` | `X Amplitude`, `Y Amplitude`: total size with unit: N pixels |
+//! | `[General Info]` | `Number of columns`, `Number of rows`; `Image Data Type`: `short`, `integer` (i16; also if absent), `float`, `double`; `Z Amplitude` with unit: height of the whole range |
+//!
+//! The range of the stored values is stretched to `Z Amplitude`. The header prints it with about
+//! six digits: values whose range agrees with it to 10^-4 (as `float` and `double` do) are
+//! heights already and stay as they are.
+//!
+//! Source: Horcas et al. (2007), doi:10.1063/1.2432410, and files of WSxM 4 and 5.
+
+use crate::binary::{Bytes, Sample};
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::text;
+use crate::units::quantity;
+use crate::{Format, Limits, ReadError, metres_per};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Wsxm;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"WSxM file copyright")
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let start: String = bytes[..bytes.len().min(512)].iter().map(|&c| char::from(c)).collect();
+    let mut lines = text::lines(&start).skip(1).map(|(_, line)| line.trim());
+    let kind = lines.next().unwrap_or_default();
+    if kind != "SxM Image file" {
+        let feature = format!("{kind:?} (images are)");
+        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+    }
+    let at = lines
+        .next()
+        .and_then(|line| line.strip_prefix("Image header size:")?.trim().parse::<usize>().ok())
+        .filter(|&at| at <= bytes.len())
+        .ok_or_else(|| b.field("Image header size", "is missing or behind the end of the file"))?;
+
+    let mut metadata = BTreeMap::new();
+    let mut section = String::new();
+    for (_, line) in text::lines(&text::decode(&bytes[..at])) {
+        let line = line.trim();
+        if let Some(name) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) {
+            name.clone_into(&mut section);
+        } else if let Some((key, value)) = line.split_once(": ") {
+            limits.check_items(FORMAT, metadata.len() as u64)?;
+            metadata.insert(format!("{section}/{}", key.trim()), value.trim().to_owned());
+        }
+    }
+    let get = |key: &'static str| {
+        metadata.get(key).map(String::as_str).ok_or_else(|| b.field(key, "is missing"))
+    };
+    let measured = |key: &'static str| {
+        let text = get(key)?;
+        quantity(text).ok_or_else(|| b.field(key, format!("{text:?} is no quantity")))
+    };
+    let side = |key: &'static str| {
+        let text = get(key)?;
+        text.parse::<usize>().map_err(|_| b.field(key, format!("{text:?} is no size")))
+    };
+    let [ny, nx] = [side("General Info/Number of rows")?, side("General Info/Number of columns")?];
+    limits.check_points(FORMAT, [ny, nx])?;
+    let sample = match get("General Info/Image Data Type").unwrap_or("short") {
+        "short" | "integer" => Sample::I16,
+        "float" => Sample::F32,
+        "double" => Sample::F64,
+        other => {
+            let feature = format!("data of type {other:?}");
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        }
+    };
+    b.map_length(at, [ny, nx], sample)?;
+    let ((lx, x_unit), (ly, y_unit)) =
+        (measured("Control/X Amplitude")?, measured("Control/Y Amplitude")?);
+    let pixel = match (metres_per(y_unit), metres_per(x_unit)) {
+        (Some(y), Some(x)) => Pixel::Metres([ly * y / ny as f64, lx * x / nx as f64]),
+        _ => Pixel::Unknown,
+    };
+    let (amplitude, unit) = measured("General Info/Z Amplitude")?;
+    let name = get("General Info/Acquisition channel").unwrap_or("Topography").to_owned();
+    let channel = Channel::new(name, Some(unit), [ny, nx], pixel, move || {
+        let mut values = b.samples(at, ny * nx, sample)?;
+        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let range = values.iter().copied().fold(f64::NEG_INFINITY, f64::max) - low;
+        // A flat map has no range; any factor gives its single height.
+        let stretch = if range > 0.0 { amplitude / range } else { 1.0 };
+        let step = if (stretch - 1.0).abs() < 1e-4 { 1.0 } else { stretch };
+        for value in &mut values {
+            *value *= step;
+        }
+        Ok(values)
+    });
+    Ok(Contents { channels: vec![channel], metadata })
+}

@@ -1,0 +1,79 @@
+//! Zygo MetroPro DAT. All numbers big endian.
+//!
+//! | byte | type | field |
+//! |---|---|---|
+//! | 0 | u32 | 0x881B036F (header 834 bytes), 0x881B0370 (834), 0x881B0371 (4096) |
+//! | 6 | u32 | size of the header |
+//! | 12 | 30 | date of the software |
+//! | 48–56 | i16 i16 u16 u16 u16 | intensity: origin x, y; width, height, number of images |
+//! | 60 | u32 | bytes of intensity data (u16), which come first |
+//! | 64–70 | i16 i16 u16 u16 | phase: origin x, y; width, height |
+//! | 72 | u32 | bytes of phase data (i32), which follow |
+//! | 76, 80 | i32, 82 | time stamp, comment |
+//! | 164, 168, 176 | f32 | interferometric scale factor S, wavelength W (m), obliquity factor O |
+//! | 184 | f32 | lateral resolution (m per point, both directions; 0 if unknown) |
+//! | 218 | i16 | phase resolution: R = 4096, 32768 or 131072 for 0, 1, 2 |
+//! | 246, 258 | 12, 40 | objective, part name |
+//!
+//! Height = phase × S W O / R; a phase of 2147483640 or more is a missing point.
+//!
+//! Source: Zygo, *MetroPro Reference Guide* OMP-0347, appendix on the data format.
+
+use crate::binary::{Bytes, Sample};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::{Format, Limits, ReadError};
+
+const FORMAT: Format = Format::Zygo;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    matches!(bytes, [0x88, 0x1b, 0x03, 0x6f..=0x71, ..])
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::big(bytes, FORMAT);
+    let header = b.u32(6)? as usize;
+    if !matches!(header, 834 | 4096) {
+        return Err(b.fault(6, format!("a header of {header} bytes, not 834 or 4096")));
+    }
+    let shape = [b.u16(70)?.into(), b.u16(68)?.into()];
+    limits.check_points(FORMAT, shape)?;
+    let resolution = match b.i16(218)? {
+        0 => 4096.0,
+        1 => 32768.0,
+        2 => 131072.0,
+        code => return Err(b.fault(218, format!("phase resolution {code}, known are 0, 1, 2"))),
+    };
+    let [scale, wavelength, obliquity] = [b.f32(164)?, b.f32(168)?, b.f32(176)?].map(f64::from);
+    let lateral = f64::from(b.f32(184)?);
+    let pixel = if lateral == 0.0 { Pixel::Unknown } else { Pixel::Metres([lateral; 2]) };
+
+    let intensity_bytes = b.u32(60)? as usize;
+    let raster = Raster { bytes: b, at: header + intensity_bytes, shape, sample: Sample::I32 };
+    let step = scale * wavelength * obliquity / resolution;
+    let convert = move |raw| if raw >= 2147483640.0 { f64::NAN } else { raw * step };
+    let mut channels = vec![Channel::raster("Height", Some("m"), pixel, raster, convert)?];
+
+    let shape = [b.u16(54)?.into(), b.u16(52)?.into()];
+    let images = usize::from(b.u16(56)?);
+    for image in 0..images {
+        let at = header + image * 2 * shape[0] * shape[1];
+        let raster = Raster { bytes: b, at, shape, sample: Sample::U16 };
+        if shape[0] > 0 && shape[1] > 0 && at + 2 * shape[0] * shape[1] <= header + intensity_bytes
+        {
+            limits.check_items(FORMAT, image as u64)?;
+            let name = format!("Intensity {}", image + 1);
+            channels.push(Channel::raster(name, Some("counts"), pixel, raster, |raw| raw)?);
+        }
+    }
+    let metadata = [
+        ("software date", b.text(12, 30)?),
+        ("comment", b.text(80, 82)?),
+        ("objective", b.text(246, 12)?),
+        ("part", b.text(258, 40)?),
+        ("time stamp", format!("{} s since 1970-01-01", b.i32(76)?)),
+        ("wavelength", format!("{wavelength:e} m")),
+    ];
+    let metadata = metadata.map(|(key, value)| (key.to_owned(), value));
+    let metadata = metadata.into_iter().filter(|(_, value)| !value.is_empty()).collect();
+    Ok(Contents { channels, metadata })
+}
