@@ -24,7 +24,7 @@ pub(crate) fn solve_level<T: Real>(
     }
     let mut start = start;
     let (mut low, mut high) = (0.0_f64, f64::INFINITY); // loads known to be too small, too large
-    let mut last: Option<(f64, f64)> = None; // (ln load, level reached)
+    let mut last: Option<(f64, f64, f64)> = None; // ln load, level reached, relative accuracy
     let (mut iterations, mut transforms) = (0, 0.0);
     let mut accuracy: f64 = 0.1;
     loop {
@@ -50,10 +50,13 @@ pub(crate) fn solve_level<T: Real>(
         let work = fields::dot(&state.pressure, &state.displacement);
         let natural = 0.53 * (work / fields::sum(&state.pressure)).abs();
         let mut slope = natural.max(f64::MIN_POSITIVE);
-        if let Some((ln_load, reached)) = last {
-            let secant = (state.level - reached) / (load.ln() - ln_load);
-            if secant.is_finite() && secant > 0.0 {
-                slope = secant;
+        if let Some((ln_load, reached, accuracy)) = last {
+            // A secant between points closer than their errors would tell nothing.
+            let apart = load.ln() - ln_load;
+            let secant = (state.level - reached) / apart;
+            let is_telling = apart.abs() > 3.0 * (accuracy + outcome.residual);
+            if is_telling && secant.is_finite() && secant > 0.0 {
+                slope = secant.clamp(slope * 1e-6, 4.0 * slope);
             }
         }
         let missing = (level - state.level) / slope; // in ln load
@@ -62,7 +65,7 @@ pub(crate) fn solve_level<T: Real>(
             return Outcome { end: outcome.end, iterations, transforms, residual };
         }
         let is_exact = sub.tolerance <= task.tolerance;
-        if is_exact && missing.abs() <= task.tolerance {
+        if is_exact && missing.abs() <= 0.5 * task.tolerance {
             return Outcome { end: End::Converged, iterations, transforms, residual };
         }
         if iterations >= task.max_iterations {
@@ -74,7 +77,7 @@ pub(crate) fn solve_level<T: Real>(
         } else if missing < -2.0 * outcome.residual {
             high = high.min(load);
         }
-        last = Some((load.ln(), state.level));
+        last = Some((load.ln(), state.level, outcome.residual));
         let mut next = load * missing.clamp(-2.0, 2.0).exp();
         if next <= low || next >= high {
             next = if high.is_finite() && low > 0.0 { (low * high).sqrt() } else { next };

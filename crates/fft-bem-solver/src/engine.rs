@@ -31,6 +31,8 @@ pub(crate) struct Engine<T> {
     operator: Box<dyn Compliance<T>>,
     pub(crate) state: State<T>,
     problem: Option<Problem<T>>,
+    /// Mean pressure that closes every gap of the problem, once it is known.
+    closing_load: Option<f64>,
     is_warm: bool,
 }
 
@@ -56,6 +58,7 @@ impl<T: Real> Engine<T> {
             operator,
             state: State::new(scaled.len()),
             problem: None,
+            closing_load: None,
             is_warm: false,
         })
     }
@@ -71,21 +74,36 @@ impl<T: Real> Engine<T> {
         observer: &mut dyn Observer,
     ) -> Result<Solution, SolverError> {
         let clock = Instant::now();
-        let problem = Problem::new(surface, self.scaled, self.settings.modulus)?;
-        if self.problem.as_ref().is_none_or(|known| known.heights != problem.heights) {
+        let problem = if let Some(known) = self.problem.take().filter(|p| p.is_of(surface)) {
+            known
+        } else {
             self.is_warm = false;
-        }
+            self.closing_load = None;
+            Problem::new(surface, self.scaled, self.settings.modulus)?
+        };
+        let result = self.solve_problem(&problem, load, observer, clock);
+        self.problem = Some(problem);
+        result
+    }
+
+    fn solve_problem(
+        &mut self,
+        problem: &Problem<T>,
+        load: Load,
+        observer: &mut dyn Observer,
+        clock: Instant,
+    ) -> Result<Solution, SolverError> {
+        let prescribed = self.prescribed(problem, load)?;
         let start = if self.is_warm { Start::Warm } else { Start::Cold };
         self.is_warm = false; // until this solve has left a useful state behind
-        let found = match self.prescribed(&problem, load)? {
+        let found = match prescribed {
             Prescribed::Apart(level) => self.apart(level, clock),
-            Prescribed::Closed => self.closed(&problem, clock),
-            Prescribed::Target(target) => self.target(&problem, target, start, observer, clock),
+            Prescribed::Closed => self.closed(problem, clock),
+            Prescribed::Target(target) => self.target(problem, target, start, observer, clock),
         };
         let end = found.outcome.end;
-        let solution = self.solution(&problem, &found, load);
+        let solution = self.solution(problem, &found, load);
         self.is_warm = solution.diagnostics.contact_pixels > 0;
-        self.problem = Some(problem);
         match end {
             End::Converged => Ok(solution),
             End::Exhausted => Err(SolverError::NotConverged(Box::new(solution))),
@@ -157,7 +175,9 @@ impl<T: Real> Engine<T> {
 
     /// The least load that closes every gap.
     fn closed(&mut self, problem: &Problem<T>, clock: Instant) -> Run {
-        special_cases::just_closed(problem, self.operator.as_mut(), &mut self.state);
+        let (operator, state) = (self.operator.as_mut(), &mut self.state);
+        let least = special_cases::flattening_pressure(problem, operator, &mut state.pressure);
+        special_cases::full_contact(problem, least.unwrap_or(0.0), state);
         exact("full contact", 1.0, clock)
     }
 
@@ -171,22 +191,10 @@ impl<T: Real> Engine<T> {
     ) -> Run {
         let mut spent = 0.0;
         let mut start = start;
-        if let (Target::Pressure(load), Boundary::Periodic) = (target, self.settings.boundary) {
-            if problem.is_flat() {
-                self.state.pressure.fill(T::of(load));
-                self.state.displacement.fill(T::zero());
-                self.state.level = 0.0;
-                return exact("flat surface", 0.0, clock);
-            }
-            let (is_suspected, cost) = self.method.suspects_full_contact(problem, load);
-            spent += cost;
-            if is_suspected && start == Start::Cold {
-                spent += 1.0;
-                let (operator, state) = (self.operator.as_mut(), &mut self.state);
-                if special_cases::full_contact(problem, load, operator, state) {
-                    return exact("full contact", spent, clock);
-                }
-                start = Start::Cold;
+        if let Target::Pressure(load) = target {
+            match self.without_iterating(problem, load, &mut start) {
+                (Some(reason), pairs) => return exact(reason, pairs, clock),
+                (None, pairs) => spent += pairs,
             }
         }
         let task = Task {
@@ -224,6 +232,56 @@ impl<T: Real> Engine<T> {
         };
         outcome.transforms += spent;
         Run { exact: None, outcome, clock }
+    }
+
+    /// Tries the answers that need no iteration. Returns which it was, and the pairs spent.
+    fn without_iterating(
+        &mut self,
+        problem: &Problem<T>,
+        load: f64,
+        start: &mut Start,
+    ) -> (Option<&'static str>, f64) {
+        let mut spent = 0.0;
+        let (operator, state) = (self.operator.as_mut(), &mut self.state);
+        if let Some(summit) = special_cases::lonely_summit(problem, load) {
+            spent += 1.0;
+            if special_cases::single_pixel(problem, summit, load, operator, state) {
+                return (Some("single pixel in contact"), spent);
+            }
+            *start = Start::Cold;
+        }
+        if self.settings.boundary != Boundary::Periodic {
+            return (None, spent);
+        }
+        if problem.is_flat() {
+            state.pressure.fill(T::of(load));
+            state.displacement.fill(T::zero());
+            state.level = 0.0;
+            return (Some("flat surface"), spent);
+        }
+        if self.closing_load.is_some_and(|least| load < least) {
+            return (None, spent);
+        }
+        let (is_suspected, cost) = self.method.suspects_full_contact(problem, load);
+        spent += cost;
+        if is_suspected {
+            // A warm state is still needed if this fails.
+            let mut field = match start {
+                Start::Cold => std::mem::take(&mut state.pressure),
+                Start::Warm => Vec::new(),
+            };
+            spent += 1.0;
+            self.closing_load = special_cases::flattening_pressure(problem, operator, &mut field);
+            let closes = self.closing_load.is_some_and(|least| load >= least);
+            if closes || *start == Start::Cold {
+                state.pressure = field;
+            }
+            if closes {
+                special_cases::full_contact(problem, load, state);
+                return (Some("full contact"), spent);
+            }
+        }
+        (None, spent)
     }
 
     /// The operator and the state, for the certificate.

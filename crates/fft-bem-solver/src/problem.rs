@@ -11,10 +11,18 @@ use contact_types::{ContactModulus, Grid, HeightMap};
 /// What one unit of the scaled problem is in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Units {
+    /// Height of the highest point (m).
+    origin: f64,
     /// Heights, displacements and gaps (m).
     pub(crate) height: f64,
     /// Pressures (Pa).
     pub(crate) pressure: f64,
+}
+
+impl Units {
+    fn scaled<T: Real>(&self, height: f64) -> T {
+        T::of((height - self.origin) / self.height)
+    }
 }
 
 /// A surface pressed against a flat, scaled.
@@ -57,6 +65,7 @@ impl<T: Real> Problem<T> {
         let length = fine_pixel(surface.grid());
         let height = if flat { length } else { highest - lowest };
         let pressure = modulus.pascals() * (height / length);
+        let units = Units { origin: highest, height, pressure };
         let unusable = |x: f64| !x.is_normal();
         if unusable(height) || unusable(pressure) {
             return Err(SolverError::Range {
@@ -65,10 +74,15 @@ impl<T: Real> Problem<T> {
                 way_out: "state the heights in metres and the modulus in pascals",
             });
         }
-        let heights: Vec<T> =
-            surface.heights().iter().map(|h| T::of((h - highest) / height)).collect();
+        let heights: Vec<T> = surface.heights().iter().map(|h| units.scaled(*h)).collect();
         let mean_height = crate::fields::sum(&heights) / heights.len() as f64;
-        Ok(Self { grid: scaled, heights, mean_height, units: Units { height, pressure } })
+        Ok(Self { grid: scaled, heights, mean_height, units })
+    }
+
+    /// Whether `surface` is the one this problem was made from.
+    pub(crate) fn is_of(&self, surface: &HeightMap) -> bool {
+        let known = &self.heights;
+        surface.heights().iter().zip(known).all(|(h, k)| self.units.scaled::<T>(*h) == *k)
     }
 
     pub(crate) fn is_flat(&self) -> bool {

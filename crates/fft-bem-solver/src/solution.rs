@@ -4,7 +4,7 @@ use crate::{Boundary, Method, Precision};
 use contact_types::ContactState;
 
 /// A contact at one load.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Solution {
     /// Mean pressure, raw area fraction (pixels that carry pressure), mean gap.
     pub state: ContactState,
@@ -17,6 +17,18 @@ pub struct Solution {
     pub gap: Vec<f64>,
     /// How the answer was found and how accurate it is.
     pub diagnostics: Diagnostics,
+}
+
+impl std::fmt::Debug for Solution {
+    /// Everything but the maps, of which only the number of pixels is shown.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Solution")
+            .field("state", &self.state)
+            .field("approach", &self.approach)
+            .field("pixels", &self.pressure.len())
+            .field("diagnostics", &self.diagnostics)
+            .finish_non_exhaustive()
+    }
 }
 
 /// How far an iterate is from solving the problem; all are 0 for an exact solution.

@@ -40,6 +40,7 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
         t.fill(T::zero());
         let mut conjugate = false; // delta of the paper
         let mut last_norm = 1.0; // G_old
+        let mut length = 1.0; // tau, pressure per gap
         let mut patience = Patience::new(task.tolerance);
         let mut iterations = 0;
         let mut residual = f64::INFINITY;
@@ -79,10 +80,13 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
                 fields::sum_of(n, |i| if on(i) { gap[i].wide() * t[i].wide() } else { 0.0 });
             let curvature =
                 fields::sum_of(n, |i| if on(i) { (r[i].wide() - mean) * t[i].wide() } else { 0.0 });
-            if curvature <= 0.0 || curvature.is_nan() {
+            let overlaps = |i: usize| p[i] <= T::zero() && gap[i] < T::zero();
+            if curvature > 0.0 {
+                length = descent / curvature;
+            } else if !(0..n).any(overlaps) {
                 break End::Exhausted; // nothing left but rounding
-            }
-            let tau = T::of(descent / curvature);
+            } // else the contact is at rest, and the last length takes in what overlaps
+            let tau = T::of(length);
 
             // Step, truncate, and take in the pixels that overlap (eqs. 15-17).
             let (mut truncated, mut taken_in) = (false, false);

@@ -103,6 +103,12 @@ impl<T: Real> ContactMethod<T> for StanleyKato<T> {
                 *p = (*p + part * (*new - *p)).larger(T::zero());
                 *u += part * (*k - *u);
             }
+            // Beyond the end of the way rounding of the load would grow; K is linear.
+            let scale = T::of(load * n as f64 / fields::sum(&state.pressure));
+            for (p, u) in state.pressure.iter_mut().zip(&mut state.displacement) {
+                *p *= scale;
+                *u *= scale;
+            }
         };
         if end == End::Exhausted && residual.is_infinite() {
             let check = certificate::energy_error(state, gap, response, operator);
