@@ -12,7 +12,7 @@ use contact_types::{ContactModulus, Grid, HeightMap};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Units {
     /// Height of the highest point (m).
-    origin: f64,
+    pub(crate) origin: f64,
     /// Heights, displacements and gaps (m).
     pub(crate) height: f64,
     /// Pressures (Pa).

@@ -1,5 +1,7 @@
 //! What must hold for any surface and load, for every method.
 
+#![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
+
 mod common;
 
 use common::{Uniform, unit_modulus};

@@ -61,7 +61,7 @@ impl<T: Real> CoarseLead<T> {
             grid,
             heights: vec![T::zero(); n],
             mean_height: 0.0,
-            units: Units { height: 1.0, pressure: 1.0 },
+            units: Units { origin: 0.0, height: 1.0, pressure: 1.0 },
         };
         let modulus = ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus");
         Some(Self {
