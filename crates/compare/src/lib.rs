@@ -4,15 +4,26 @@
 //!
 //! Nothing here opens a file or prints: the report writes to any [`std::io::Write`].
 
+pub mod accuracy;
+pub mod models;
 pub mod quantity;
 mod recipe;
+pub mod report;
+mod result;
 mod run_file;
 mod settings;
+mod study;
 mod surface;
+mod verdict;
 
-pub use recipe::{Recipe, RecipeError, parse_recipes};
+pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
+pub use result::{
+    Applies, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,
+    SurfaceComparison, Verdict,
+};
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{
     LevelName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
 };
+pub use study::{Progress, StudyError};
 pub use surface::{FileOrigin, Origin, Surface, sha256_hex};

@@ -1,6 +1,13 @@
 //! Surfaces that are made, not stored: the recipes of `fixtures/surfaces.toml`.
 
+use crate::{Origin, Surface};
+use contact_types::Grid;
 use serde::{Deserialize, Serialize};
+use surface_stats::StatsError;
+use surface_stats::synthesis::{Scale, SelfAffine};
+
+/// The recipes of the built-in surfaces.
+const BUILT_IN: &str = include_str!("../../../fixtures/surfaces.toml");
 
 /// A random self-affine surface: everything its heights depend on. SI units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -34,6 +41,41 @@ pub struct Recipe {
     pub quantise: Option<f64>,
 }
 
+impl Recipe {
+    /// Makes the surface.
+    ///
+    /// # Errors
+    /// [`RecipeError::Scale`] unless exactly one of rms height and rms gradient is given;
+    /// [`RecipeError::Impossible`] if a value is out of its range.
+    pub fn make(&self) -> Result<Surface, RecipeError> {
+        let name = || self.name.clone();
+        let scale = match (self.rms_height, self.rms_gradient) {
+            (Some(height), None) => Scale::RmsHeight(height),
+            (None, Some(gradient)) => Scale::RmsGradient(gradient),
+            (height, _) => {
+                let found = if height.is_some() { 2 } else { 0 };
+                return Err(RecipeError::Scale { name: name(), found });
+            }
+        };
+        let impossible = |source| RecipeError::Impossible { name: name(), source };
+        let grid =
+            Grid::new(self.shape, self.pixel).map_err(|e| impossible(StatsError::from(e)))?;
+        let Self { hurst, rolloff, cutoff, seed, quantise, .. } = *self;
+        let heights = SelfAffine { grid, hurst, rolloff, cutoff, scale, seed, quantise }
+            .generate()
+            .map_err(impossible)?;
+        Ok(Surface { name: name(), origin: Origin::Recipe(self.clone()), heights })
+    }
+}
+
+/// The surfaces a study takes when none is given: three finishes of steel.
+///
+/// # Errors
+/// None for the recipes this program was built with; a test reads them.
+pub fn built_in_recipes() -> Result<Vec<Recipe>, RecipeError> {
+    parse_recipes(BUILT_IN)
+}
+
 /// What is wrong with a file of recipes.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -51,6 +93,14 @@ pub enum RecipeError {
         name: String,
         /// How many were given.
         found: usize,
+    },
+    /// A value is out of its range.
+    #[error("recipe {name:?}: {source}")]
+    Impossible {
+        /// Name of the recipe.
+        name: String,
+        /// Which value and why.
+        source: StatsError,
     },
     /// Two recipes share a name.
     #[error("two recipes are called {name:?}; names must be unique")]
@@ -101,6 +151,16 @@ mod tests {
         seed = 7
         quantise = 1e-8
     "#;
+
+    #[test]
+    fn built_in_recipes_can_be_made() {
+        for mut recipe in built_in_recipes().unwrap() {
+            recipe.shape = [96, 80];
+            assert_eq!(recipe.make().unwrap().heights.grid().shape(), [96, 80]);
+            recipe.hurst = -1.0;
+            assert!(matches!(recipe.make(), Err(RecipeError::Impossible { .. })));
+        }
+    }
 
     #[test]
     fn reads_a_recipe_and_refuses_what_is_ambiguous() {

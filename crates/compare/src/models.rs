@@ -1,0 +1,343 @@
+//! The only list of all models. Adding a model is one row here.
+
+use crate::report::{GW, Look, MAJUMDAR_BHUSHAN, Marker, PERSSON, STACKED};
+use contact_types::{
+    AmplitudeSpectrum, AsperityStatistics, Citation, ContactModel, ContactModulus,
+    FractalParameters, ModelError, RoughnessSpectrum, SpectralMoments, Wave,
+};
+use gw_closed_form::{GreenwoodWilliamson, asperities_from_moments};
+use multiscale_models::{MajumdarBhushan, Persson, Stacked};
+
+/// Everything a model may be made from. What a case does not have stays `None`.
+#[derive(Debug, Clone)]
+pub struct Inputs {
+    /// Contact modulus.
+    pub modulus: ContactModulus,
+    /// Profile spectral moments.
+    pub moments: Option<SpectralMoments>,
+    /// Where they come from.
+    pub source: MomentSource,
+    /// Rms gradient by finite differences over the one of `moments` \[-\].
+    pub resolved: f64,
+    /// Asperities, if they were given rather than derived from the moments.
+    pub asperities: Option<AsperityStatistics>,
+    /// Radial spectrum; only Persson's mean gap needs it.
+    pub spectrum: Option<RoughnessSpectrum>,
+    /// Amplitudes of the rows.
+    pub amplitudes: Option<AmplitudeSpectrum>,
+    /// Dimension and roughness of a fractal fit.
+    pub fractal: Option<FractalParameters>,
+    /// Fitted dimension, also where it is no dimension of a profile \[-\].
+    pub dimension: Option<f64>,
+    /// Nominal area (m²).
+    pub nominal_area: Option<f64>,
+    /// Critical area of the elastic-plastic transition (m²).
+    pub critical_area: Option<f64>,
+}
+
+/// Where moments come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MomentSource {
+    /// The spectrum of the map as it repeats periodically.
+    PeriodicSpectrum,
+    /// The spectrum under a Hann window, for a map that does not repeat.
+    WindowedSpectrum,
+    /// Numbers typed in.
+    Given,
+}
+
+impl MomentSource {
+    /// Short name for files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PeriodicSpectrum => "spectrum",
+            Self::WindowedSpectrum => "spectrum-hann",
+            Self::Given => "given",
+        }
+    }
+}
+
+impl Inputs {
+    /// Nothing but the modulus.
+    pub fn new(modulus: ContactModulus) -> Self {
+        Self {
+            modulus,
+            moments: None,
+            source: MomentSource::Given,
+            resolved: 1.0,
+            asperities: None,
+            spectrum: None,
+            amplitudes: None,
+            fractal: None,
+            dimension: None,
+            nominal_area: None,
+            critical_area: None,
+        }
+    }
+
+    /// Inputs that every model takes, to ask a model for what does not depend on them.
+    fn example() -> Self {
+        let wave = Wave { frequency: 1e4, amplitude: 1e-7 };
+        let steel = ContactModulus::from_pascals(1e11).expect("a positive modulus");
+        Self {
+            moments: Some(SpectralMoments { m0: 1e-14, m2: 1e-3, m4: 1e9 }),
+            amplitudes: AmplitudeSpectrum::new(vec![wave], 1e-3).ok(),
+            fractal: Some(FractalParameters { dimension: 1.3, roughness: 1e-10 }),
+            nominal_area: Some(1e-6),
+            ..Self::new(steel)
+        }
+    }
+
+    /// Rms gradient of the moments \[-\]; 0 without them.
+    pub fn rms_gradient(&self) -> f64 {
+        self.moments.map_or(0.0, |m| m.rms_gradient())
+    }
+
+    /// Asperities given, or those of the moments.
+    pub fn asperities(&self) -> Option<AsperityStatistics> {
+        self.asperities.or_else(|| asperities_from_moments(self.moments?).ok())
+    }
+
+    /// One sentence on where the moments come from, as HTML.
+    pub fn source_sentence(&self) -> &'static str {
+        match self.source {
+            MomentSource::PeriodicSpectrum => {
+                "All moments are spectral: the same <i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, \
+                 <i>m</i><sub>4</sub> for every model."
+            }
+            MomentSource::WindowedSpectrum => {
+                "All moments are spectral, under a Hann window because the map does not repeat: \
+                 the same <i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub> for \
+                 every model."
+            }
+            MomentSource::Given => "The same moments for every model.",
+        }
+    }
+
+    /// How the spectrum was taken.
+    pub fn window_words(&self) -> &'static str {
+        match self.source {
+            MomentSource::WindowedSpectrum => "under a Hann window",
+            _ => "of the map as it repeats",
+        }
+    }
+}
+
+/// Why a model could not be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BuildError {
+    /// An input it needs is absent.
+    #[error("{model} needs {needs}")]
+    Missing {
+        /// The model.
+        model: &'static str,
+        /// What is absent.
+        needs: &'static str,
+    },
+    /// The theory refuses it.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+}
+
+type Build = fn(&Inputs) -> Result<Box<dyn ContactModel>, BuildError>;
+
+/// One row of the list.
+#[derive(Debug)]
+pub struct ModelEntry {
+    /// Name for commands and files.
+    pub name: &'static str,
+    /// Short label in figures.
+    pub label: &'static str,
+    /// Name in full.
+    pub title: &'static str,
+    /// What it needs, in words.
+    pub inputs: &'static str,
+    /// The same, as HTML symbols.
+    pub inputs_html: &'static str,
+    /// Where the theory holds.
+    pub domain: &'static str,
+    /// How it is drawn.
+    pub look: Look,
+    /// True if a height map gives all it needs.
+    pub in_study: bool,
+    /// What its theory assumes, for the verdict on a surface.
+    pub assumes: Assumes,
+    build: Build,
+}
+
+/// What a theory assumes of a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Assumes {
+    /// Isotropic Gaussian surface, summits that do not feel each other: light contact only.
+    Summits,
+    /// Isotropic Gaussian surface, any load.
+    Gaussian,
+    /// One dominant amplitude over wavelength, from rows of a given length.
+    Amplitudes,
+    /// A fractal profile over the fit range.
+    Fractal,
+}
+
+impl ModelEntry {
+    /// Makes the model.
+    ///
+    /// # Errors
+    /// [`BuildError::Missing`] if an input is absent, [`BuildError::Model`] if the theory has no
+    /// meaning for it.
+    pub fn build(&self, inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
+        (self.build)(inputs)
+    }
+
+    /// The paper.
+    #[allow(clippy::missing_panics_doc, reason = "a test builds every row from these inputs")]
+    pub fn citation(&self) -> Citation {
+        self.build(&Inputs::example()).expect("every model takes the example").citation()
+    }
+}
+
+/// The row of a name.
+pub fn find(name: &str) -> Option<&'static ModelEntry> {
+    MODELS.iter().find(|m| m.name == name)
+}
+
+fn missing<T>(value: Option<T>, model: &'static str, needs: &'static str) -> Result<T, BuildError> {
+    value.ok_or(BuildError::Missing { model, needs })
+}
+
+fn moments(inputs: &Inputs, model: &'static str) -> Result<SpectralMoments, BuildError> {
+    missing(inputs.moments, model, "the spectral moments m0, m2 and m4")
+}
+
+/// Every model.
+pub static MODELS: &[ModelEntry] = &[
+    ModelEntry {
+        name: "gw",
+        label: "GW",
+        title: "Greenwood–Williamson, exact",
+        inputs: "m0, m2, m4, or density, radius, height deviation and mean offset of asperities",
+        inputs_html: "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
+        domain: "isotropic Gaussian surface, contact below about 10 % of it",
+        look: Look::model(GW, "6 2.5", Marker::Square, 1),
+        in_study: true,
+        assumes: Assumes::Summits,
+        build: |inputs| {
+            if let Some(asperities) = inputs.asperities {
+                return Ok(Box::new(GreenwoodWilliamson::new(asperities, inputs.modulus)?));
+            }
+            let moments = moments(inputs, "Greenwood-Williamson")?;
+            Ok(Box::new(GreenwoodWilliamson::from_moments(moments, inputs.modulus)?))
+        },
+    },
+    ModelEntry {
+        name: "persson",
+        label: "Persson",
+        title: "Persson",
+        inputs: "m2; a spectrum for the mean gap",
+        inputs_html: "<i>m</i><sub>2</sub>",
+        domain: "isotropic Gaussian surface, any load; reads low at light load",
+        look: Look::model(PERSSON, "8 2 1.5 2", Marker::TriangleDown, 0),
+        in_study: true,
+        assumes: Assumes::Gaussian,
+        build: |inputs| {
+            if let Some(spectrum) = &inputs.spectrum {
+                return Ok(Box::new(Persson::from_spectrum(spectrum, inputs.modulus)?));
+            }
+            let moments = missing(inputs.moments, "Persson", "a spectrum or the moment m2")?;
+            Ok(Box::new(Persson::from_moments(moments, inputs.modulus)?))
+        },
+    },
+    ModelEntry {
+        name: "stacked",
+        label: "Stacked",
+        title: "Stacked multiscale",
+        inputs: "amplitudes of the rows (B_max)",
+        inputs_html: "<i>B</i><sub>max</sub>",
+        domain: "depends on the record length and on the direction of the rows",
+        look: Look::model(STACKED, "4 2 1 2 1 2", Marker::Cross, 2),
+        in_study: true,
+        assumes: Assumes::Amplitudes,
+        build: |inputs| {
+            let amplitudes = missing(
+                inputs.amplitudes.as_ref(),
+                "Stacked multiscale",
+                "the amplitudes of profiles: a surface",
+            )?;
+            Ok(Box::new(Stacked::from_amplitudes(amplitudes, inputs.modulus)?))
+        },
+    },
+    ModelEntry {
+        name: "majumdar-bhushan",
+        label: "MB",
+        title: "Majumdar–Bhushan, elastic part",
+        inputs: "dimension D, roughness G, nominal area; a critical area for D of 1.5 and more",
+        inputs_html: "<i>D</i>, <i>G</i>",
+        domain: "1 < D < 1.5 without a critical area",
+        look: Look::model(MAJUMDAR_BHUSHAN, "1 2.5", Marker::Plus, 1),
+        in_study: true,
+        assumes: Assumes::Fractal,
+        build: |inputs| {
+            const MODEL: &str = "Majumdar-Bhushan";
+            let fractal = missing(
+                inputs.fractal,
+                MODEL,
+                "a fractal fit with 1 < D < 2 over at least an octave",
+            )?;
+            let area = missing(inputs.nominal_area, MODEL, "the nominal area")?;
+            let model = MajumdarBhushan::new(fractal, area, inputs.modulus)?;
+            Ok(match inputs.critical_area {
+                Some(critical) => Box::new(model.with_critical_area(critical)?),
+                None => Box::new(model),
+            })
+        },
+    },
+];
+
+/// The deterministic solution.
+pub const DETERMINISTIC: Citation = Citation {
+    authors: "Stanley & Kato",
+    year: 1997,
+    title: "An FFT-based method for rough surface contact",
+    journal: "J. Tribol. 119, 481",
+    doi: "10.1115/1.2833523",
+};
+
+/// The correction of counted areas.
+pub const AREA_CORRECTION: Citation = Citation {
+    authors: "Yastrebov, Anciaux & Molinari",
+    year: 2017,
+    title: "On the accurate computation of the true contact-area in mechanical contact of random \
+            rough surfaces",
+    journal: "Tribol. Int. 114, 161",
+    doi: "10.1016/j.triboint.2017.04.023",
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every row makes its model, which answers and cites its paper; names are unique.
+    #[test]
+    fn every_row_is_complete() {
+        for (i, entry) in MODELS.iter().enumerate() {
+            let model = entry.build(&Inputs::example()).unwrap();
+            assert!(entry.citation().year > 1950, "{}", entry.name);
+            let state = model.at_pressure(1e6).unwrap();
+            assert!(state.area_fraction > 0.0 && state.area_fraction < 1.0, "{}", entry.name);
+            assert!(MODELS[..i].iter().all(|m| m.name != entry.name && m.label != entry.label));
+            assert!(std::ptr::eq(find(entry.name).unwrap(), entry));
+        }
+        assert!(find("nothing").is_none());
+    }
+
+    #[test]
+    fn a_missing_input_is_named() {
+        let bare = Inputs::new(ContactModulus::from_pascals(1e11).unwrap());
+        for entry in MODELS {
+            assert!(
+                matches!(entry.build(&bare), Err(BuildError::Missing { .. })),
+                "{}",
+                entry.name
+            );
+        }
+    }
+}

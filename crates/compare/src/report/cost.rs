@@ -1,0 +1,182 @@
+//! Fig. 4: what accuracy costs, error against time.
+
+use super::axes::{Axis, Frame};
+use super::labels::place_near;
+use super::numbers::{SPACE, percent};
+use super::palette::{BAND, DETERMINISTIC_LOOK, INK2, LINE, Look};
+use super::svg::{COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
+
+/// One way to an answer.
+#[derive(Debug, Clone)]
+pub(super) struct Route {
+    /// Short name.
+    pub label: String,
+    /// How it is drawn.
+    pub look: Look,
+    /// Seconds per load.
+    pub seconds: f64,
+    /// Size of its relative error.
+    pub error: f64,
+    /// Bold label.
+    pub bold: bool,
+}
+
+/// The front of routes that no other beats in both time and error, from fast to accurate. It
+/// stops at the first route within `floor`, the reference's own uncertainty: below that errors
+/// cannot be ranked.
+pub(super) fn front(routes: &[Route], floor: f64) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..routes.len()).collect();
+    order.sort_by(|&a, &b| {
+        routes[a]
+            .seconds
+            .total_cmp(&routes[b].seconds)
+            .then(routes[a].error.total_cmp(&routes[b].error))
+    });
+    let mut front: Vec<usize> = Vec::new();
+    for i in order {
+        if front.last().is_none_or(|&last| routes[i].error < routes[last].error) {
+            front.push(i);
+            if routes[i].error <= floor {
+                break;
+            }
+        }
+    }
+    front
+}
+
+/// Error against time per load. `floor` is the uncertainty of the reference; `None` if it has
+/// no bar.
+pub(super) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) -> Figure {
+    const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 226.0];
+    let seconds: Vec<f64> = routes.iter().map(|r| r.seconds).collect();
+    let fastest = seconds.iter().copied().fold(f64::INFINITY, f64::min).max(1e-9);
+    let slowest = seconds.iter().copied().fold(0.0, f64::max).max(10.0 * fastest);
+    let errors = routes.iter().map(|r| 100.0 * r.error).chain(floor.map(|f| 100.0 * f));
+    let (mut lo, mut hi) = (f64::INFINITY, 0.0_f64);
+    for e in errors {
+        // An error of 0 has no place on a logarithmic axis; it is drawn at the lower edge.
+        lo = lo.min(e.max(1e-3));
+        hi = hi.max(e);
+    }
+    hi = hi.max(10.0 * lo);
+    let frame = Frame {
+        x: Axis::log([fastest / 3.0, slowest * 4.0], [FRAME[0], FRAME[2]]),
+        y: Axis::log([lo / 2.5, hi * 1.8], [FRAME[3], FRAME[1]]),
+        x_title: "Time per load".into(),
+        y_title: format!("|Error| in area at {at} (%)"),
+    };
+    let mut canvas = Canvas::default();
+    let mut taken: Vec<Rect> = Vec::new();
+    if let Some(floor) = floor {
+        canvas.rect([FRAME[0], frame.y.at(100.0 * floor), FRAME[2], FRAME[3]], BAND, 1.0);
+    }
+    let x_ticks: Vec<_> = frame.x.major().into_iter().map(|s| (s, time_tick(s))).collect();
+    let y_ticks: Vec<_> = frame.y.major().into_iter().map(|v| (v, frame.y.tick_text(v))).collect();
+    frame.draw_with(&mut canvas, &x_ticks, &y_ticks);
+    if let Some(floor) = floor {
+        let note = format!("within the reference’s own ±{}: not ranked", percent(floor));
+        let text =
+            Text { colour: INK2, size: 9.0, ..Text::new([FRAME[0] + 4.0, FRAME[3] - 5.0], &note) };
+        taken.push(text.bounds());
+        canvas.label(&text);
+    }
+    let place = |r: &Route| {
+        let y = frame.y.at((100.0 * r.error).max(lo / 2.5));
+        [frame.x.at(r.seconds.max(fastest / 3.0)), y]
+    };
+    let steps: Vec<[f64; 2]> = front(routes, floor.unwrap_or(0.0))
+        .windows(2)
+        .flat_map(|w| {
+            let (a, b) = (place(&routes[w[0]]), place(&routes[w[1]]));
+            [a, [b[0], a[1]], b]
+        })
+        .collect();
+    canvas.polyline(&steps, Stroke { colour: LINE, width: 1.1, dash: "3 2" });
+    for route in routes {
+        let [x, y] = place(route);
+        canvas.marker([x, y], 3.4, route.look);
+        taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
+    }
+    for route in routes {
+        let size = [text_width(&route.label, 10.0, route.bold), 10.0];
+        let inside = [FRAME[0], FRAME[1] - 8.0, COLUMN - 2.0, FRAME[3]];
+        if let Some(r) = place_near(place(route), size, &taken, inside) {
+            taken.push(r);
+            canvas.label(&Text {
+                colour: route.look.colour,
+                bold: route.bold,
+                halo: true,
+                ..Text::new([r[0], r[1] + 7.8], &route.label)
+            });
+        }
+    }
+    let listed: Vec<String> = routes
+        .iter()
+        .map(|r| {
+            format!("{} {} in {}", r.label, percent(r.error), super::numbers::duration(r.seconds))
+        })
+        .collect();
+    Figure {
+        key: key.into(),
+        title: "Error against time per load".into(),
+        description: format!(
+            "Log-log plot of the size of the error in area at {at} against computing time: {}.",
+            listed.join("; ")
+        ),
+        size: [COLUMN, 262.0],
+        canvas,
+    }
+}
+
+/// "10 ns", "1 µs", "0.1 ms", "1 s", "100 s".
+fn time_tick(seconds: f64) -> String {
+    let (scale, unit) = match seconds {
+        s if s < 0.5e-6 => (1e-9, "ns"),
+        s if s < 0.5e-4 => (1e-6, "µs"),
+        s if s < 0.5 => (1e-3, "ms"),
+        _ => (1.0, "s"),
+    };
+    format!("{}{SPACE}{unit}", super::numbers::significant(seconds / scale, 1))
+}
+
+/// The deterministic solution as a route: its error is its own uncertainty.
+pub(super) fn deterministic(seconds: f64, uncertainty: f64) -> Route {
+    Route {
+        label: "Deterministic".into(),
+        look: DETERMINISTIC_LOOK,
+        seconds,
+        error: uncertainty,
+        bold: true,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn route(seconds: f64, error: f64) -> Route {
+        Route { seconds, error, ..deterministic(1.0, 1.0) }
+    }
+
+    #[test]
+    fn front_is_not_beaten_and_stops_at_the_floor() {
+        let routes = [
+            route(1e-8, 3.0),
+            route(1e-6, 0.2),
+            route(1e-5, 0.3),
+            route(1e-3, 0.008),
+            route(1.0, 0.001),
+        ];
+        assert_eq!(front(&routes, 0.0), [0, 1, 3, 4]);
+        assert_eq!(front(&routes, 0.01), [0, 1, 3]);
+    }
+
+    #[test]
+    fn time_ticks_read_well() {
+        let texts: Vec<String> = [1e-8, 1e-6, 1e-4, 1e-2, 1.0].into_iter().map(time_tick).collect();
+        assert_eq!(
+            texts,
+            ["10\u{202F}ns", "1\u{202F}µs", "0.1\u{202F}ms", "10\u{202F}ms", "1\u{202F}s"]
+        );
+    }
+}

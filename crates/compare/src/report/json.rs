@@ -1,0 +1,204 @@
+//! `results.json`: everything, in SI units, for other programs. Absent numbers are `null`.
+
+use super::{Provenance, ReportError};
+use crate::result::{
+    Comparison, DeterministicPoint, ModelComparison, ModelCurve, SurfaceComparison,
+};
+use contact_types::{ContactState, ModelError};
+use serde_json::{Value, json};
+use std::io::Write;
+use surface_stats::SurfaceStatistics;
+
+/// Writes the results.
+///
+/// # Errors
+/// [`ReportError::Io`] or [`ReportError::Json`].
+pub fn write(
+    comparison: &Comparison,
+    provenance: &Provenance,
+    out: &mut impl Write,
+) -> Result<(), ReportError> {
+    serde_json::to_writer_pretty(&mut *out, &self::comparison(comparison, provenance))?;
+    writeln!(out)?;
+    Ok(())
+}
+
+/// The results as one object.
+pub fn comparison(comparison: &Comparison, provenance: &Provenance) -> Value {
+    json!({
+        "surfaces": comparison.surfaces.iter().map(|s| surface(s, comparison)).collect::<Vec<_>>(),
+        "settings": comparison.settings,
+        "versions": { "rough-contact": provenance.version, "platform": provenance.platform },
+        "seconds": comparison.seconds,
+    })
+}
+
+fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
+    let grid = s.surface.grid();
+    let method = s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.method.clone()));
+    json!({
+        "name": s.name,
+        "origin": s.origin,
+        "statistics": statistics(&s.statistics),
+        "inputs": {
+            "moments": s.inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })),
+            "source": s.inputs.source.name(),
+        },
+        "headline_pressure": s.headline_pressure(),
+        "setup_seconds": s.setup_seconds,
+        "deterministic": {
+            "shape": grid.shape(),
+            "pixel": grid.pixel(),
+            "boundary": "periodic",
+            "method": method,
+            "precision": comparison.settings.precision,
+            "modulus": comparison.settings.modulus,
+            "tolerance": comparison.settings.tolerance,
+            "points": s.deterministic.iter().map(point).collect::<Vec<_>>(),
+        },
+        "models": s.models.iter().map(|m| model(m, s)).collect::<Vec<_>>(),
+    })
+}
+
+/// One load of the deterministic curve, with the keys of `solve --json`.
+fn point(p: &DeterministicPoint) -> Value {
+    let Some(a) = &p.answer else {
+        return json!({
+            "mean_pressure": p.mean_pressure,
+            "area_fraction": null,
+            "area_fraction_corrected": null,
+            "converged": false,
+            "trouble": p.trouble,
+        });
+    };
+    let real = |area: f64| (area > 0.0).then(|| p.mean_pressure / area);
+    json!({
+        "mean_pressure": p.mean_pressure,
+        "area_fraction": a.area_fraction,
+        "area_fraction_corrected": a.area_fraction_corrected,
+        "area_interval": a.interval(),
+        "area_interval_covers": "grid and iteration",
+        "no_interval_because": a.half_width.err().map(|r| r.to_string()),
+        "mean_gap": a.mean_gap,
+        "approach": a.approach,
+        "max_pressure": a.max_pressure,
+        "real_pressure": real(a.area_fraction),
+        "real_pressure_corrected": real(a.area_fraction_corrected),
+        "converged": a.converged,
+        "trouble": p.trouble,
+        "iterations": a.iterations,
+        "transforms": a.transforms,
+        "seconds": a.seconds,
+        "residuals": {
+            "preconditioned": a.residuals.preconditioned,
+            "complementarity": a.residuals.complementarity,
+            "penetration": a.residuals.penetration,
+        },
+        "duality_gap": a.duality_gap,
+        "contact_pixels": a.contact_pixels,
+        "contact_perimeter": a.contact_perimeter,
+    })
+}
+
+fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
+    let curve = m.outcome.as_ref().ok();
+    json!({
+        "model": m.entry.name,
+        "citation": citation(m),
+        "applicable": m.outcome.is_ok(),
+        "verdict": m.verdict.answer.word(),
+        "reason": m.verdict.reason,
+        "seconds": curve.map(|c| c.seconds),
+        "area_error": curve.map(|c| area_error(c, surface)),
+        "points": curve.map_or(Vec::new(), |c| {
+            c.points.iter().zip(&surface.deterministic).map(|(r, p)| answer(p.mean_pressure, r)).collect()
+        }),
+    })
+}
+
+fn citation(m: &ModelComparison) -> Value {
+    let c = m.entry.citation();
+    json!({ "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi })
+}
+
+fn area_error(curve: &ModelCurve, surface: &SurfaceComparison) -> Value {
+    let summary = curve.worst_and_mean();
+    json!({
+        "signed": curve.errors,
+        "headline": curve.errors.get(surface.headline),
+        "worst": summary.map(|(worst, _)| worst),
+        "mean_absolute": summary.map(|(_, mean)| mean),
+    })
+}
+
+fn answer(mean_pressure: f64, result: &Result<ContactState, ModelError>) -> Value {
+    match result {
+        Ok(s) => json!({
+            "mean_pressure": mean_pressure,
+            "area_fraction": s.area_fraction,
+            "real_pressure": s.real_pressure(),
+            "separation": s.separation,
+            "mean_gap": s.mean_gap,
+            "caveat": s.caveat.map(|c| c.to_string()),
+            "error": null,
+        }),
+        Err(e) => json!({
+            "mean_pressure": mean_pressure,
+            "area_fraction": null,
+            "error": { "message": e.to_string() },
+        }),
+    }
+}
+
+/// Statistics with the keys of `stats --json`.
+pub fn statistics(s: &SurfaceStatistics) -> Value {
+    let warnings: Vec<Value> =
+        s.warnings.iter().map(|w| json!({ "kind": w.kind(), "message": w.to_string() })).collect();
+    json!({
+        "shape": s.shape,
+        "pixel": s.pixel,
+        "level": format!("{:?}", s.level).to_lowercase(),
+        "boundary": format!("{:?}", s.boundary).to_lowercase(),
+        "missing": s.missing,
+        "rms_height": s.rms_height,
+        "mean_abs_height": s.mean_abs_height,
+        "skewness": s.skewness,
+        "kurtosis": s.kurtosis,
+        "rms_gradient": s.rms_gradient,
+        "m0": s.m0,
+        "m2": s.m2,
+        "m4": s.m4,
+        "m2_x": s.m2_x,
+        "m2_y": s.m2_y,
+        "m4_x": s.m4_x,
+        "m4_y": s.m4_y,
+        "m0_spectral": s.m0_spectral,
+        "m2_spectral": s.m2_spectral,
+        "m4_spectral": s.m4_spectral,
+        "bandwidth": s.bandwidth,
+        "anisotropy": s.anisotropy,
+        "asperities": s.asperities.map(|a| json!({
+            "density": a.density,
+            "radius": a.radius,
+            "height_std": a.height_std,
+            "mean_offset": a.mean_offset,
+        })),
+        "summits": {
+            "count": s.summits.count,
+            "density": s.summits.density,
+            "height_mean": s.summits.height_mean,
+            "height_std": s.summits.height_std,
+            "curvature_mean": s.summits.curvature_mean,
+        },
+        "hurst": s.hurst,
+        "dimension": s.dimension,
+        "roughness": s.roughness,
+        "fractal_range": s.fractal_range,
+        "rolloff": s.rolloff,
+        "cutoff": s.cutoff,
+        "max_amplitude_ratio": s.max_amplitude_ratio,
+        "record_length": s.record_length,
+        "height_step": s.height_step,
+        "warnings": warnings,
+    })
+}

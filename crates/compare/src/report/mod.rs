@@ -1,0 +1,89 @@
+//! What a study looks like: one page to read, figures as files, and tables for other programs.
+//! Everything writes to [`std::io::Write`]; nothing here opens a file.
+
+#![allow(
+    clippy::format_collect,
+    clippy::format_push_string,
+    reason = "a page is text put together from pieces, once"
+)]
+
+mod axes;
+mod cost;
+mod csv;
+mod curves;
+mod html;
+mod json;
+mod labels;
+mod maps;
+mod notes;
+mod numbers;
+mod overview;
+mod palette;
+mod panels;
+mod png;
+mod sections;
+mod surface_figures;
+mod svg;
+mod tables;
+mod words;
+
+pub use csv::write as write_csv;
+pub use html::write as write_html;
+pub use json::{comparison as comparison_json, statistics as statistics_json, write as write_json};
+pub use palette::{
+    BGT, Colour, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
+};
+pub use panels::{write_area_svg, write_pressure_svg};
+
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// A pressure as the report writes it, "10 MPa".
+pub(crate) fn pressure(pascals: f64) -> String {
+    numbers::chosen(pascals, numbers::PASCALS)
+}
+
+/// A length as the report writes it, "28 µm".
+pub(crate) fn length(metres: f64) -> String {
+    numbers::quantity(metres, numbers::METRES, 2)
+}
+
+/// Circumstances of a run that are not part of its result.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Provenance {
+    /// Version of this package.
+    pub version: String,
+    /// Operating system and processor.
+    pub platform: String,
+    /// Seconds since 1970 (UTC).
+    pub unix_time: u64,
+    /// The command that repeats the run.
+    pub repeat: String,
+}
+
+impl Provenance {
+    /// This version on this machine now.
+    pub fn here(repeat: impl Into<String>) -> Self {
+        let now = SystemTime::now().duration_since(UNIX_EPOCH);
+        Self {
+            version: env!("CARGO_PKG_VERSION").into(),
+            platform: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
+            unix_time: now.map_or(0, |d| d.as_secs()),
+            repeat: repeat.into(),
+        }
+    }
+}
+
+/// Why a report could not be written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// The writer failed.
+    #[error("the report could not be written: {0}")]
+    Io(#[from] std::io::Error),
+    /// A picture could not be encoded.
+    #[error("a picture of the report could not be encoded: {0}")]
+    Picture(#[from] ::png::EncodingError),
+    /// A value has no JSON form.
+    #[error("the results could not be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}

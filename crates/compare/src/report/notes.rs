@@ -1,0 +1,227 @@
+//! "Read before use": what may change a conclusion, worst first, then what was tested and is fine.
+
+use super::numbers::{METRES, SPACE, percent, quantity, significant};
+use super::svg::escape;
+use crate::Origin;
+use crate::accuracy::NoBar;
+use crate::result::SurfaceComparison;
+use surface_stats::Warning;
+
+/// How much a note matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Weight {
+    /// May change a conclusion.
+    Check,
+    /// Good to know.
+    Note,
+    /// Tested and fine.
+    Passed,
+}
+
+/// One entry: a claim with its number, then its effect and what to do. Both are HTML.
+#[derive(Debug, Clone)]
+pub(super) struct Note {
+    /// How much it matters.
+    pub weight: Weight,
+    /// Bold part.
+    pub claim: String,
+    /// The rest.
+    pub text: String,
+}
+
+/// At most this many notes are shown.
+const MOST: usize = 5;
+
+fn note(weight: Weight, claim: impl Into<String>, text: impl Into<String>) -> Note {
+    Note { weight, claim: claim.into(), text: text.into() }
+}
+
+/// The notes for a surface, worst first.
+pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
+    let mut notes: Vec<Note> = Vec::new();
+    let unsolved = surface
+        .deterministic
+        .iter()
+        .filter(|p| p.answer.as_ref().is_none_or(|a| !a.converged))
+        .count();
+    if unsolved > 0 {
+        notes.push(note(
+            Weight::Check,
+            format!("{unsolved} of {} loads did not converge.", surface.deterministic.len()),
+            "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
+             the tolerance.",
+        ));
+    }
+    let flat = surface.statistics.rms_height <= 0.0;
+    if let Err(reason) = surface.gate
+        && !flat
+    {
+        notes.push(note(Weight::Check, "The area carries no ±.", no_bar(reason)));
+    } else if let Some(Err(reason)) = surface.headline_answer().map(|a| a.half_width)
+        && !flat
+        && unsolved == 0
+    {
+        notes.push(note(Weight::Check, "The area at this load carries no ±.", no_bar(reason)));
+    }
+    notes.extend(surface.statistics.warnings.iter().map(warning));
+    if let Origin::File(file) = &surface.origin
+        && file.missing > 0
+    {
+        let share = file.missing as f64 / surface.surface.grid().len() as f64;
+        notes.push(note(
+            if share > 0.05 { Weight::Check } else { Weight::Note },
+            format!("{} of the points were missing.", percent(share)),
+            format!(
+                "They were filled ({}) from their neighbours, which makes them smoother than the \
+                 surface; contact there is a guess.",
+                escape(&file.fill)
+            ),
+        ));
+    }
+    notes.sort_by_key(|n| n.weight);
+    if let Some(passed) = passed(surface) {
+        notes.truncate(MOST - 1);
+        notes.push(passed);
+    }
+    notes.truncate(MOST);
+    notes
+}
+
+fn no_bar(reason: NoBar) -> String {
+    let mut text = escape(&reason.to_string());
+    if let Some(first) = text.get(..1).map(str::to_uppercase) {
+        text.replace_range(..1, &first);
+    }
+    format!("{text}. Outside this limit the error of the area has reached tens of per cent.")
+}
+
+fn warning(warning: &Warning) -> Note {
+    use Weight::{Check, Note as Info};
+    let ratio = |x: f64| significant(x, 2);
+    match *warning {
+        Warning::Flat => note(
+            Check,
+            "The map is flat.",
+            "There is no roughness: any load closes the contact, and the models have no input.",
+        ),
+        Warning::Tilted { explained } => note(
+            Check,
+            format!("A plane explains {} of the height variance.", percent(explained)),
+            "A tilt left in moves the gap by 3 to 14\u{202F}% and the summit models by −7 to \
+             −11\u{202F}%. Level the map, unless the tilt belongs to the contact.",
+        ),
+        Warning::Anisotropic { ratio: r } => note(
+            Check,
+            format!("The surface has a lay: mean square slopes differ {} times.", ratio(r)),
+            "The closed forms assume an isotropic surface; beyond 2 none of them is safe.",
+        ),
+        Warning::NotGaussian { skewness, kurtosis } => note(
+            Check,
+            format!(
+                "Heights are not normal: skewness {}, kurtosis {}.",
+                significant(skewness, 2).replace('-', "\u{2212}"),
+                ratio(kurtosis)
+            ),
+            "The closed forms assume 0 and 3; beyond ±0.2 and ±0.3 none of them is safe.",
+        ),
+        Warning::NarrowBand { bandwidth } => note(
+            Check,
+            format!("Bandwidth α = {} is below 1.5.", ratio(bandwidth)),
+            "No isotropic Gaussian surface has that; the summit models do not apply.",
+        ),
+        Warning::Unresolved { ratio: r } => note(
+            Check,
+            format!("Finite differences see {} of the rms gradient.", percent(r)),
+            "The shortest waves are near two points, so <i>m</i><sub>2</sub>, \
+             <i>m</i><sub>4</sub> and every area depend on the point spacing. Measure finer, or \
+             remove short wavelengths and quote the cut-off.",
+        ),
+        Warning::Stepped { step, m2_share, m4_share } => note(
+            Check,
+            format!(
+                "Height steps of {} make {} of <i>m</i><sub>2</sub> and {} of \
+                 <i>m</i><sub>4</sub>.",
+                quantity(step, METRES, 2),
+                percent(m2_share),
+                percent(m4_share)
+            ),
+            "Models made of them describe the instrument. Measure with finer steps, or remove \
+             short wavelengths.",
+        ),
+        Warning::FlatTops { plateaus, summits } => note(
+            Info,
+            format!("{plateaus} flat tops beside {summits} summits."),
+            "Height steps hide summits; the count depends on the step.",
+        ),
+        Warning::EdgeJump { ratio: r } => note(
+            Info,
+            format!("Edges do not match: they jump {} times the inner step.", ratio(r)),
+            "The solver repeats the map periodically, so the seam adds contact of its own; up to \
+             3\u{202F}% of the area, more at the lightest loads.",
+        ),
+        Warning::NoRolloff => note(
+            Info,
+            "No roll-off within the map.",
+            "Its longest waves are not sampled: rms height and everything made of it grow with \
+             the size of the map.",
+        ),
+        Warning::FewWaves { count } => note(
+            Info,
+            format!("Only {} of the longest waves fit the map.", ratio(count)),
+            "Another map of the same surface will give other numbers: the ± here does not cover \
+             that.",
+        ),
+        Warning::NotSelfAffine { hurst } => note(
+            Info,
+            format!("The spectrum fits H = {}.", significant(hurst, 2)),
+            "That is not between 0 and 1: not a self-affine surface over this range, and fractal \
+             parameters have no meaning.",
+        ),
+        ref other => note(Info, String::new(), escape(&other.to_string())),
+    }
+}
+
+/// What was tested and is fine, in one entry.
+fn passed(surface: &SurfaceComparison) -> Option<Note> {
+    let warned = |test: fn(&Warning) -> bool| surface.statistics.warnings.iter().any(test);
+    let s = &surface.statistics;
+    if s.rms_height <= 0.0 {
+        return None;
+    }
+    let mut claims: Vec<&str> = Vec::new();
+    let mut texts: Vec<String> = Vec::new();
+    if let Some(bandwidth) = s.bandwidth.filter(|b| *b >= 1.5) {
+        claims.push("bandwidth");
+        texts.push(format!("α = {} (≥{SPACE}1.5 needed)", significant(bandwidth, 3)));
+    }
+    if let (Some(skewness), Some(kurtosis)) = (s.skewness, s.kurtosis)
+        && !warned(|w| matches!(w, Warning::NotGaussian { .. }))
+    {
+        claims.push("height distribution");
+        texts.push(format!(
+            "skewness {}, kurtosis {}",
+            super::numbers::fixed(skewness, 2),
+            significant(kurtosis, 3)
+        ));
+    }
+    if let Some(anisotropy) = s.anisotropy.filter(|a| *a <= 2.0) {
+        claims.push("isotropy");
+        texts
+            .push(format!("slopes differ {} times between directions", significant(anisotropy, 3)));
+    }
+    if surface.gate.is_ok() {
+        claims.push("resolution");
+        texts.push(format!(
+            "finite differences see {} of the rms gradient",
+            percent(surface.inputs.resolved)
+        ));
+    }
+    let mut claim = claims.join(", ");
+    let first = claim.get(..1)?.to_uppercase();
+    claim.replace_range(..1, &first);
+    let mut text = texts.join("; ");
+    if let Some(first) = text.get(..1).map(str::to_uppercase) {
+        text.replace_range(..1, &first);
+    }
+    Some(note(Weight::Passed, format!("{claim}."), format!("{text}.")))
+}

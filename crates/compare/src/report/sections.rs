@@ -1,0 +1,576 @@
+//! The sections of one surface, in the order of the report.
+
+use super::curves::{self, Lines, Use};
+use super::html::Page;
+use super::notes::{Weight, notes};
+use super::numbers::{
+    METRES, NEWTONS, PASCALS, SPACE, chosen, duration, percent, power_of_ten, quantity,
+    signed_percent, significant,
+};
+use super::svg::escape;
+use super::{ReportError, cost, maps, surface_figures, tables, words};
+use crate::accuracy::BOUNDARY_CORRECTION;
+use crate::models;
+use crate::result::{DeterministicAnswer, SurfaceComparison};
+use crate::{FileOrigin, Origin, Recipe};
+use serde_json::json;
+
+/// A figure with its caption; the caption is HTML and opens with a bold subject.
+pub(super) fn figure(svg: &str, caption: &str) -> String {
+    format!("<figure>{svg}<figcaption>{caption}</figcaption></figure>\n")
+}
+
+/// Key numbers beside "Read before use".
+pub(super) fn key_and_notes(surface: &SurfaceComparison, id: &str) -> String {
+    let items: String = notes(surface)
+        .iter()
+        .map(|n| {
+            let (class, word) = match n.weight {
+                Weight::Check => ("check", "Check"),
+                Weight::Note => ("note", "Note"),
+                Weight::Passed => ("passed", "Passed"),
+            };
+            format!(
+                "<li><span class=\"tag {class}\">{word}</span><b>{}</b> {}</li>\n",
+                n.claim, n.text
+            )
+        })
+        .collect();
+    format!(
+        "<div class=\"two\">\n{}<section aria-labelledby=\"{id}-w\"><p class=\"cap\" id=\"{id}-w\">\
+         Read before use</p><ul class=\"warns\">\n{items}</ul></section>\n</div>\n",
+        tables::key_numbers(surface)
+    )
+}
+
+/// Figs. 1 to 4: area, real pressure, error, cost.
+pub(super) fn over_load(
+    page: &mut Page<'_>,
+    surface: &SurfaceComparison,
+    lines: &Lines,
+    id: &str,
+) -> String {
+    let h = page.heading();
+    let p = chosen(surface.headline_pressure(), PASCALS);
+    let has_band = lines.interval.iter().any(Option::is_some);
+    let band = if has_band { " Grey band: ± from grid and iteration." } else { "" };
+    let one = page.next_figure();
+    let area = figure(
+        &curves::area(lines, &format!("{id}-f{one}"), Use::Page).inline(),
+        &format!(
+            "<b>Fig. {one}. Real contact area.</b> Dots: deterministic solutions.{band} Dotted \
+             vertical: load read off."
+        ),
+    );
+    let two = page.next_figure();
+    let pressure = figure(
+        &curves::pressure(lines, &format!("{id}-f{two}"), Use::Page).inline(),
+        &format!(
+            "<b>Fig. {two}. Mean real pressure</b>, load divided by real area.{}",
+            rise(surface)
+        ),
+    );
+    let three = page.next_figure();
+    let error = figure(
+        &curves::error(lines, &format!("{id}-f{three}")).inline(),
+        &format!(
+            "<b>Fig. {three}. Error of each closed form</b> against the deterministic solution of \
+             the same map.{} Sampling does not enter: both sides see the same map.",
+            if has_band { " Dark band: numerical uncertainty of that solution alone." } else { "" }
+        ),
+    );
+    let mut out = format!(
+        "<{h}>Area and pressure against load</{h}>\n<p>{}</p>\n{}<div class=\"two page1\">\n{area}\
+         {pressure}</div>\n<div class=\"two\">\n{error}",
+        words::curves_lead(surface),
+        dial(surface, id)
+    );
+    if let Some(routes) = cost_routes(surface) {
+        let four = page.next_figure();
+        let floor = relative_uncertainty(surface);
+        let caption = format!(
+            "<b>Fig. {four}. What accuracy costs</b>, at {p}. Dashed: Pareto front; a point above \
+             or right of it is beaten on both counts. Set-up, once per map: statistics and \
+             spectra {}.",
+            duration(surface.setup_seconds)
+        );
+        let svg = cost::figure(&routes, floor, &p, &format!("{id}-f{four}")).inline();
+        out.push_str(&figure(&svg, &caption));
+    }
+    out.push_str("</div>\n");
+    out
+}
+
+/// " It rises from 0.49 to 0.61 GPa while load rises 1000 times."
+fn rise(surface: &SurfaceComparison) -> String {
+    let real: Vec<f64> = surface
+        .deterministic
+        .iter()
+        .filter_map(|p| {
+            let area = p.answer.as_ref()?.area_fraction_corrected;
+            (area > 0.0).then(|| p.mean_pressure / area)
+        })
+        .collect();
+    let (Some(lo), Some(hi)) =
+        (real.iter().copied().min_by(f64::total_cmp), real.iter().copied().max_by(f64::total_cmp))
+    else {
+        return String::new();
+    };
+    let loads = &surface.deterministic;
+    let unit = super::numbers::unit_for(hi, PASCALS);
+    let spread = loads[loads.len() - 1].mean_pressure / loads[0].mean_pressure;
+    if spread <= 1.0 {
+        return String::new();
+    }
+    format!(
+        " It lies between {} and {}{SPACE}{} while load rises {} times.",
+        significant(lo / unit.scale, 2),
+        significant(hi / unit.scale, 2),
+        unit.name,
+        super::numbers::times(spread)
+    )
+}
+
+fn relative_uncertainty(surface: &SurfaceComparison) -> Option<f64> {
+    let answer = surface.headline_answer()?;
+    let u = answer.uncertainty()? / answer.area_fraction_corrected;
+    (u > 0.0 && u.is_finite()).then_some(u)
+}
+
+fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<cost::Route>> {
+    let answer = surface.headline_answer()?;
+    let mut routes: Vec<cost::Route> = words::ranked(surface)
+        .into_iter()
+        .map(|r| cost::Route {
+            label: r.model.entry.label.into(),
+            look: r.model.entry.look,
+            seconds: r.seconds,
+            error: r.error.abs(),
+            bold: false,
+        })
+        .collect();
+    if routes.is_empty() {
+        return None;
+    }
+    // Without a bar the reference has no error to be drawn at.
+    if let Some(u) = relative_uncertainty(surface) {
+        routes.push(cost::deterministic(answer.seconds, u));
+    }
+    Some(routes)
+}
+
+/// What the read-out says at each load.
+fn read_out(surface: &SurfaceComparison) -> Vec<String> {
+    surface
+        .deterministic
+        .iter()
+        .map(|point| {
+            let p = chosen(point.mean_pressure, PASCALS);
+            point.answer.as_ref().map_or_else(
+                || format!("{p}: no answer"),
+                |a| {
+                    format!(
+                        "{p}: area {}, real pressure {}",
+                        words::area(a),
+                        words::real_pressure(point.mean_pressure, a)
+                    )
+                },
+            )
+        })
+        .collect()
+}
+
+fn dial(surface: &SurfaceComparison, id: &str) -> String {
+    let n = surface.deterministic.len();
+    if n < 2 {
+        return String::new();
+    }
+    let read = read_out(surface);
+    format!(
+        "<div class=\"dial\"><label for=\"{id}-load\">Read off at</label><input type=\"range\" \
+         id=\"{id}-load\" min=\"0\" max=\"{}\" step=\"1\" value=\"{}\"><output \
+         for=\"{id}-load\">{}</output><button type=\"button\">back to {}</button></div>\n",
+        n - 1,
+        surface.headline,
+        read[surface.headline],
+        chosen(surface.headline_pressure(), PASCALS)
+    )
+}
+
+/// The numbers the slider shows, written here so that script and page agree to the last digit.
+pub(super) fn slider_data(surface: &SurfaceComparison) -> String {
+    if surface.deterministic.len() < 2 {
+        return String::new();
+    }
+    let mut cells = serde_json::Map::new();
+    let loads: Vec<String> =
+        surface.deterministic.iter().map(|p| chosen(p.mean_pressure, PASCALS)).collect();
+    cells.insert("load".into(), json!(loads));
+    let area: Vec<String> = surface
+        .deterministic
+        .iter()
+        .map(|p| p.answer.as_ref().map_or("–".into(), words::area))
+        .collect();
+    cells.insert("a-det".into(), json!(area));
+    for model in &surface.models {
+        let Ok(curve) = &model.outcome else { continue };
+        let area: Vec<String> = curve.points.iter().map(tables::model_area).collect();
+        let error: Vec<String> =
+            curve.errors.iter().map(|e| e.map_or("–".into(), signed_percent)).collect();
+        cells.insert(format!("a-{}", model.entry.name), json!(area));
+        cells.insert(format!("e-{}", model.entry.name), json!(error));
+    }
+    let data = json!({ "read": read_out(surface), "cells": cells }).to_string();
+    // "</script>" cannot end the element early.
+    format!("<script type=\"application/json\">{}</script>\n", data.replace('<', "\\u003c"))
+}
+
+/// The model table with its reading aid.
+pub(super) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
+    let h = page.heading();
+    let table = tables::models(page, surface);
+    format!(
+        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{} {}</p>\n",
+        surface.inputs.source_sentence(),
+        words::within_ten(surface)
+    )
+}
+
+/// The contact map and an enlargement.
+pub(super) fn where_it_touches(
+    page: &mut Page<'_>,
+    surface: &SurfaceComparison,
+    id: &str,
+) -> Result<String, ReportError> {
+    let grid = surface.surface.grid();
+    if surface.pressure.len() != grid.len() || grid.shape().contains(&1) {
+        return Ok(String::new());
+    }
+    let h = page.heading();
+    let p = chosen(surface.headline_pressure(), PASCALS);
+    let heights = surface.surface.heights();
+    let window = maps::busiest_window(&surface.pressure, grid.shape());
+    let n = page.next_figure();
+    let key = format!("{id}-f{n}");
+    let map = maps::contact(&surface.pressure, heights, grid, window, page.map_limit, &key)?;
+    let mut out = format!(
+        "<{h}>Where it touches at {p}</{h}>\n<div class=\"two maps\">\n{}",
+        figure(
+            &map.inline(),
+            &format!(
+                "<b>Fig. {n}. Contact map.</b> Colour: pressure. Grey relief: the surface under \
+                 it.{}",
+                reduced_words(grid.shape(), page.map_limit, "the highest pressure")
+            )
+        )
+    );
+    if let Some(window) = window {
+        let key = format!("{key}b");
+        let zoom = maps::enlarged(&surface.pressure, heights, grid, window, &key)?;
+        let [dy, dx] = grid.pixel();
+        let spacing = if (dy - dx).abs() < 1e-9 * dx {
+            chosen(dx, METRES)
+        } else {
+            format!("{} × {}", chosen(dx, METRES), chosen(dy, METRES))
+        };
+        out.push_str(&figure(
+            &zoom.inline(),
+            &format!(
+                "<b>Boxed area</b>, enlarged {} times. One square is one point of the map, \
+                 {spacing}.",
+                significant(grid.shape()[1] as f64 / window[3] as f64, 2)
+            ),
+        ));
+    }
+    out.push_str("</div>\n");
+    Ok(out)
+}
+
+/// " Drawn at 640 × 640; each dot the … of the points it covers."
+fn reduced_words([ny, nx]: [usize; 2], limit: usize, what: &str) -> String {
+    if ny.max(nx) <= limit {
+        return String::new();
+    }
+    let factor = ny.max(nx) as f64 / limit as f64;
+    let side = |n: usize| (n as f64 / factor).round().max(1.0);
+    format!(" Drawn with {} × {} dots, each {what} of the points it covers.", side(nx), side(ny))
+}
+
+/// Height map, statistics, distribution, spectrum.
+pub(super) fn the_surface(
+    page: &mut Page<'_>,
+    surface: &SurfaceComparison,
+    id: &str,
+) -> Result<String, ReportError> {
+    let h = page.heading();
+    let grid = surface.surface.grid();
+    let p = chosen(surface.headline_pressure(), PASCALS);
+    let heights = surface.surface.heights();
+    let mut out = format!("<{h}>The surface</{h}>\n<div class=\"two maps\">\n");
+    if grid.shape().contains(&1) {
+        out.push_str("<p>A single profile: no map is drawn.</p>\n");
+    } else {
+        let n = page.next_figure();
+        let map = maps::heights(heights, grid, page.map_limit, &format!("{id}-f{n}"))?;
+        out.push_str(&figure(
+            &map.inline(),
+            &format!(
+                "<b>Fig. {n}. Height</b>, {}, lit from the upper left.{}",
+                levelled(surface),
+                reduced_words(grid.shape(), page.map_limit, "the mean height")
+            ),
+        ));
+    }
+    out.push_str(&tables::statistics(surface));
+    out.push_str("</div>\n<div class=\"two\">\n");
+    if let Some(histogram) = surface_figures::histogram(heights, &surface.pressure) {
+        let n = page.next_figure();
+        let svg = surface_figures::heights(&histogram, &p, &format!("{id}-f{n}")).inline();
+        let lowest = histogram.touching.iter().position(|v| *v > 0.0);
+        let words = lowest.map_or(String::new(), |k| {
+            format!(
+                " At {p} only heights above {}{SPACE}Sq touch.",
+                super::numbers::fixed(histogram.start + histogram.step * k as f64, 1)
+            )
+        });
+        out.push_str(&figure(
+            &svg,
+            &format!("<b>Fig. {n}. Height distribution.</b> Line: normal distribution.{words}"),
+        ));
+    }
+    let fit = surface.statistics.hurst.zip(surface.statistics.fractal_range);
+    let spectrum = surface_figures::Spectrum { points: surface.psd.clone(), fit };
+    let n = page.next_figure();
+    if let Some(svg) = surface_figures::spectrum(&spectrum, &format!("{id}-f{n}")) {
+        let fitted = if fit.is_some() {
+            " Dashed red: power-law fit over the grey band, drawn 2.2 times high to stay visible."
+        } else {
+            ""
+        };
+        out.push_str(&figure(
+            &svg.inline(),
+            &format!(
+                "<b>Fig. {n}. Radial power spectrum</b>, {}.{fitted}",
+                surface.inputs.window_words()
+            ),
+        ));
+    }
+    out.push_str("</div>\n");
+    Ok(out)
+}
+
+fn levelled(surface: &SurfaceComparison) -> &'static str {
+    match surface.statistics.level {
+        surface_stats::Level::Plane => "least-squares plane removed",
+        surface_stats::Level::Quadratic => "least-squares paraboloid removed",
+        surface_stats::Level::Mean => "mean removed",
+        surface_stats::Level::None => "as given",
+    }
+}
+
+/// Error budget of the deterministic area, and what it does not cover.
+pub(super) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
+    let Some(answer) = surface.headline_answer() else { return String::new() };
+    let h = page.heading();
+    let p = chosen(surface.headline_pressure(), PASCALS);
+    let correction = page.source(models::AREA_CORRECTION);
+    let raw = answer.area_fraction / answer.area_fraction_corrected - 1.0;
+    let cutoff = surface
+        .statistics
+        .cutoff
+        .map_or(String::new(), |l| format!(", shortest wavelength {}", quantity(l, METRES, 2)));
+    let [dy, dx] = surface.surface.grid().pixel();
+    let spacing = chosen(dx.max(dy), METRES);
+    let conditions = format!(
+        "An area means nothing without its short-wavelength limit: here the point spacing is \
+         {spacing}{cutoff}, rms gradient {}.",
+        significant(surface.inputs.rms_gradient(), 3)
+    );
+    let counted = if raw.is_finite() {
+        format!(
+            "The plain count of touching points would read {} ({}); the area above is corrected \
+             for the contact line, {} edges per point [<a href=\"#r{correction}\">{correction}</a>].",
+            area_percent(answer.area_fraction),
+            signed_percent(raw),
+            significant(answer.contact_perimeter, 2)
+        )
+    } else {
+        String::new()
+    };
+    let budget = match answer.half_width {
+        Ok(parts) => tables::budget(answer, parts, surface, &p),
+        Err(reason) => format!(
+            "<p class=\"keep\"><b>The area carries no ±:</b> {}. Outside this limit no bar that \
+             is free of further solving holds.</p>\n",
+            escape(&reason.to_string())
+        ),
+    };
+    format!(
+        "<{h}>How accurate the deterministic answer is</{h}>\n<div class=\"two\">\n<div>{budget}\
+         </div>\n<div><p style=\"margin-top:0\">{conditions}</p><p>{counted}</p></div></div>\n\
+         <p class=\"why\">Not covered: the finite sample (another map of the same surface), \
+         plastic flow, friction, adhesion, and the instrument’s own calibration and transfer \
+         function.</p>\n"
+    )
+}
+
+fn area_percent(fraction: f64) -> String {
+    format!("{}{SPACE}%", significant(100.0 * fraction, 3))
+}
+
+/// Provenance: program, inputs, settings, the command that repeats it.
+pub(super) fn how_made(page: &Page<'_>) -> String {
+    let settings = &page.comparison.settings;
+    let made = page.provenance;
+    let mut rows = vec![(
+        "Program".to_owned(),
+        format!(
+            "rough-contact {}, {}, {} {}, {}",
+            escape(&made.version),
+            escape(&made.platform),
+            settings.threads,
+            if settings.threads == 1 { "thread" } else { "threads" },
+            duration(page.comparison.seconds)
+        ),
+    )];
+    for surface in &page.comparison.surfaces {
+        rows.push((
+            if page.several() { escape(&surface.name) } else { "Input".into() },
+            format!("{}. {}", origin_words(&surface.origin), map_words(surface)),
+        ));
+    }
+    rows.push((
+        "Material".into(),
+        format!(
+            "<i>E</i>* = {}, elastic half space against a rigid flat",
+            chosen(settings.modulus, PASCALS)
+        ),
+    ));
+    rows.push(("Solver".into(), solver_words(page)));
+    let list: String =
+        rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();
+    format!(
+        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<p>Repeat with</p><pre>{}</pre>\n\
+         <p class=\"why\">The numbers behind the figures are in <code>curves.csv</code>, all \
+         results in <code>results.json</code>, every setting in <code>run.toml</code>.</p>\n",
+        escape(&made.repeat)
+    )
+}
+
+fn origin_words(origin: &Origin) -> String {
+    match origin {
+        Origin::File(FileOrigin { path, sha256, format, fill, missing, crop, channel, .. }) => {
+            let mut text = format!("{} ({})", escape(path), escape(format));
+            if let Some(channel) = channel {
+                text.push_str(&format!(", channel {}", escape(channel)));
+            }
+            if let Some([y0, x0, ny, nx]) = crop {
+                text.push_str(&format!(", cut to {nx} × {ny} points from column {x0}, row {y0}"));
+            }
+            if *missing > 0 {
+                text.push_str(&format!(", {missing} missing points filled ({})", escape(fill)));
+            }
+            text.push_str(&format!(", SHA-256 <code>{}</code>", escape(sha256)));
+            text
+        }
+        Origin::Recipe(Recipe { description, hurst, rolloff, cutoff, seed, quantise, .. }) => {
+            let about = if description.is_empty() {
+                String::new()
+            } else {
+                format!("{}. ", escape(description))
+            };
+            format!(
+                "{about}Made from a recipe: self-affine, H = {hurst}, roll-off {}, cut-off {}{}, \
+                 seed {seed}",
+                chosen(*rolloff, METRES),
+                chosen(*cutoff, METRES),
+                quantise.map_or(String::new(), |q| format!(", height steps {}", chosen(q, METRES)))
+            )
+        }
+    }
+}
+
+fn map_words(surface: &SurfaceComparison) -> String {
+    let grid = surface.surface.grid();
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
+    format!(
+        "{nx} × {ny} points of {} × {}; {}",
+        chosen(dx, METRES),
+        chosen(dy, METRES),
+        levelled(surface)
+    )
+}
+
+fn solver_words(page: &Page<'_>) -> String {
+    let settings = &page.comparison.settings;
+    let answers = || {
+        page.comparison
+            .surfaces
+            .iter()
+            .flat_map(|s| &s.deterministic)
+            .filter_map(|p| p.answer.as_ref())
+    };
+    let methods: std::collections::BTreeSet<&str> = answers().map(|a| a.method.as_str()).collect();
+    let pairs: f64 = answers().map(|a: &DeterministicAnswer| a.transforms).sum();
+    let seconds: f64 = answers().map(|a| a.seconds).sum();
+    format!(
+        "periodic half space, FFT; {}, {}; stop at a relative rms pressure error of {}; {} loads, \
+         {} FFT pairs, {}; area corrected for the contact line, c = {}",
+        methods.into_iter().collect::<Vec<_>>().join(", "),
+        settings.precision,
+        tolerance_words(settings.tolerance),
+        answers().count(),
+        significant(pairs, 3),
+        duration(seconds),
+        significant(BOUNDARY_CORRECTION, 4)
+    )
+}
+
+pub(super) fn tolerance_words(tolerance: f64) -> String {
+    let e = tolerance.log10();
+    if (e - e.round()).abs() < 1e-9 {
+        power_of_ten(e.round() as i32)
+    } else {
+        significant(tolerance, 2)
+    }
+}
+
+/// Load on the whole map (N), "10 MPa × 0.262 mm²".
+pub(super) fn load_words(surface: &SurfaceComparison) -> (String, String) {
+    let area = surface.surface.grid().area();
+    let force = surface.headline_pressure() * area;
+    let side = super::numbers::unit_for(area.sqrt(), METRES);
+    (
+        quantity(force, NEWTONS, 3),
+        format!(
+            "{} × {}{SPACE}{}²",
+            chosen(surface.headline_pressure(), PASCALS),
+            significant(area / side.scale.powi(2), 3),
+            side.name
+        ),
+    )
+}
+
+/// "± 0.12 %" of the area, for tables.
+pub(super) fn spread_words(surface: &SurfaceComparison) -> String {
+    let relative: Vec<f64> = surface
+        .deterministic
+        .iter()
+        .filter_map(|p| {
+            let a = p.answer.as_ref()?;
+            Some(a.uncertainty()? / a.area_fraction_corrected).filter(|u| u.is_finite())
+        })
+        .collect();
+    let (Some(lo), Some(hi)) = (
+        relative.iter().copied().min_by(f64::total_cmp),
+        relative.iter().copied().max_by(f64::total_cmp),
+    ) else {
+        return "no ±".into();
+    };
+    let (a, b) = (percent(lo), percent(hi));
+    if a == b {
+        format!("±{a}")
+    } else {
+        format!("±{} to ±{b}", a.trim_end_matches(['%', SPACE]))
+    }
+}

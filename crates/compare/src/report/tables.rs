@@ -1,0 +1,446 @@
+//! Tables: key numbers, models, statistics, error budget.
+
+use super::html::Page;
+use super::numbers::{
+    METRES, PASCALS, SPACE, Unit, chosen, duration, fixed, percent, quantity, signed_percent,
+    signed_range, significant, unit_for,
+};
+use super::palette::{DETERMINISTIC_LOOK, Look};
+use super::sections::{load_words, spread_words, tolerance_words};
+use super::svg::{Canvas, Stroke, escape};
+use super::words;
+use crate::models;
+use crate::result::{Applies, DeterministicAnswer, ModelComparison, SurfaceComparison};
+use contact_types::{ContactState, ModelError};
+
+/// Value, and what its ± covers, of the numbers people came for.
+pub(super) fn key_numbers(surface: &SurfaceComparison) -> String {
+    let p = chosen(surface.headline_pressure(), PASCALS);
+    let mut rows: Vec<(String, String, String)> = Vec::new();
+    if let Some(a) = surface.headline_answer() {
+        let covers = match a.half_width {
+            Ok(_) => "grid and iteration; not another map of the same surface".to_owned(),
+            Err(reason) => format!("no ±: {}", escape(&reason.to_string())),
+        };
+        rows.push((
+            "Real contact area <i>A</i><sub>r</sub>/<i>A</i><sub>n</sub>".into(),
+            words::area(a),
+            covers,
+        ));
+        rows.push((
+            "Mean real pressure".into(),
+            words::real_pressure(surface.headline_pressure(), a),
+            "load over that area; same ±".into(),
+        ));
+        rows.push((
+            "Highest local pressure".into(),
+            quantity(a.max_pressure, PASCALS, 2),
+            "one point of the map; grows with a finer grid".into(),
+        ));
+        if let Some(gap) = a.mean_gap {
+            let sq = surface.statistics.rms_height;
+            let relative = if sq > 0.0 {
+                format!(" = {}{SPACE}Sq", significant(gap / sq, 3))
+            } else {
+                String::new()
+            };
+            rows.push((
+                "Mean gap".into(),
+                format!("{}{relative}", quantity(gap, METRES, 3)),
+                "average over the whole map".into(),
+            ));
+        }
+        rows.push((
+            "Touching points".into(),
+            fixed(a.contact_pixels as f64, 0),
+            format!("of {}", fixed(surface.surface.grid().len() as f64, 0)),
+        ));
+    }
+    let (force, product) = load_words(surface);
+    rows.push(("Load on this area".into(), force, product));
+    let body: String = rows
+        .iter()
+        .map(|(name, value, why)| {
+            format!(
+                "<tr><th scope=\"row\">{name}</th><td class=\"n\">{value}</td>\
+                 <td class=\"why\">{why}</td></tr>\n"
+            )
+        })
+        .collect();
+    format!(
+        "<table class=\"key\"><caption>Key numbers at {p}</caption><tbody>\n{body}</tbody></table>\n"
+    )
+}
+
+/// A model's area at one load, "1.67 %".
+pub(super) fn model_area(point: &Result<ContactState, ModelError>) -> String {
+    point
+        .as_ref()
+        .map_or("–".into(), |s| format!("{}{SPACE}%", significant(100.0 * s.area_fraction, 3)))
+}
+
+/// A short piece of a series' line with its marker.
+pub(super) fn swatch(look: Look) -> String {
+    let mut canvas = Canvas::default();
+    let stroke = Stroke { colour: look.colour, width: 1.2 * look.width, dash: look.dash };
+    canvas.line([1.0, 6.0], [33.0, 6.0], stroke);
+    canvas.marker([17.0, 6.0], 3.0, look);
+    format!(
+        "<svg viewBox=\"0 0 34 12\" width=\"34\" height=\"12\" aria-hidden=\"true\">{}</svg>",
+        canvas.body()
+    )
+}
+
+fn applies(answer: Applies, reason: &str) -> String {
+    format!("<b class=\"{0}\">{0}</b> {1}", answer.word(), escape(reason))
+}
+
+/// Every model: number, error, cost, domain with its reason, source.
+pub(super) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
+    let p = chosen(surface.headline_pressure(), PASCALS);
+    let loads = &surface.deterministic;
+    let range = format!(
+        "{} to {}",
+        chosen(loads[0].mean_pressure, PASCALS),
+        chosen(loads[loads.len() - 1].mean_pressure, PASCALS)
+    );
+    let mut rows = deterministic_row(page, surface);
+    let mut order: Vec<&ModelComparison> = surface.models.iter().collect();
+    let size = |m: &ModelComparison| {
+        let error = m.outcome.as_ref().ok().and_then(|c| c.errors[surface.headline]);
+        error.map_or(f64::INFINITY, f64::abs)
+    };
+    order.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    for model in order {
+        rows.push_str(&model_row(page, surface, model));
+    }
+    let k = if loads.len() > 1 { " data-k=\"load\"" } else { "" };
+    format!(
+        "<table class=\"models\"><thead><tr><th scope=\"col\">Model</th><th scope=\"col\" \
+         class=\"n\">Area at <span{k}>{p}</span></th><th scope=\"col\" class=\"n\">Error</th>\
+         <th scope=\"col\" class=\"n\">Error,<br>{range}</th><th scope=\"col\" class=\"n\">Mean \
+         |error|</th><th scope=\"col\" class=\"n\">Time<br>per load</th><th scope=\"col\">Applies \
+         to this surface?</th><th scope=\"col\" class=\"n\">Ref.</th></tr></thead><tbody>\n{rows}\
+         </tbody></table>\n"
+    )
+}
+
+fn reference(page: &mut Page<'_>, citation: contact_types::Citation) -> String {
+    let n = page.source(citation);
+    format!("<td data-l=\"Ref.\" class=\"n src\"><a href=\"#r{n}\">{n}</a></td>")
+}
+
+fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
+    let answer = surface.headline_answer();
+    let source = reference(page, models::DETERMINISTIC);
+    let k = if surface.deterministic.len() > 1 { " data-k=\"a-det\"" } else { "" };
+    format!(
+        "<tr class=\"ref\"><th scope=\"row\"><div>{}<span>Deterministic, <span style=\"white-space:nowrap\">FFT-BEM</span><small>height \
+         map</small></span></div></th><td data-l=\"Area\" class=\"n\"{k}>{}</td>\
+         <td data-l=\"Error at load\" class=\"n\">reference</td><td data-l=\"Error, all loads\" \
+         class=\"n\">{}</td><td data-l=\"Mean |error|\" class=\"n\">–</td><td data-l=\"Time per \
+         load\" class=\"n\">{}</td><td data-l=\"Applies\" class=\"dom\">{}</td>{source}</tr>\n",
+        swatch(DETERMINISTIC_LOOK),
+        answer.map_or("–".into(), words::area),
+        spread_words(surface),
+        answer.map_or("–".into(), |a| duration(a.seconds)),
+        match (answer, &surface.gate) {
+            (None, _) => applies(Applies::No, "no solution at this load"),
+            (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),
+            (_, Err(reason)) => applies(Applies::Caution, &reason.to_string()),
+            _ => applies(Applies::Yes, "full map, elastic, periodic cell"),
+        }
+    )
+}
+
+fn model_row(page: &mut Page<'_>, surface: &SurfaceComparison, model: &ModelComparison) -> String {
+    let entry = model.entry;
+    let source = reference(page, entry.citation());
+    let several = surface.deterministic.len() > 1;
+    let name = format!(
+        "<th scope=\"row\"><div>{}<span>{}<small>{}</small></span></div></th>",
+        swatch(entry.look),
+        escape(entry.title),
+        entry.inputs_html
+    );
+    let domain = format!(
+        "<td data-l=\"Applies\" class=\"dom\">{}</td>",
+        applies(model.verdict.answer, &model.verdict.reason)
+    );
+    let Ok(curve) = &model.outcome else {
+        let dash = |l: &str| format!("<td data-l=\"{l}\" class=\"n\">–</td>");
+        return format!(
+            "<tr class=\"na\">{name}{}{}{}{}{}{domain}{source}</tr>\n",
+            dash("Area"),
+            dash("Error at load"),
+            dash("Error, all loads"),
+            dash("Mean |error|"),
+            dash("Time per load")
+        );
+    };
+    let key = |prefix: &str| {
+        if several { format!(" data-k=\"{prefix}-{}\"", entry.name) } else { String::new() }
+    };
+    let error = curve.errors[surface.headline].map_or("–".into(), signed_percent);
+    let range = curve.range().map_or("–".into(), |(lo, hi)| signed_range(lo, hi));
+    let mean = curve.worst_and_mean().map_or("–".into(), |(_, mean)| percent(mean));
+    format!(
+        "<tr>{name}<td data-l=\"Area\" class=\"n\"{}>{}</td><td data-l=\"Error at load\" \
+         class=\"n\"{}>{error}</td><td data-l=\"Error, all loads\" class=\"n\">{range}</td>\
+         <td data-l=\"Mean |error|\" class=\"n\">{mean}</td><td data-l=\"Time per load\" \
+         class=\"n\">{}</td>{domain}{source}</tr>\n",
+        key("a"),
+        model_area(&curve.points[surface.headline]),
+        key("e"),
+        duration(curve.seconds)
+    )
+}
+
+/// One row of the statistics table.
+struct Statistic {
+    symbol: &'static str,
+    definition: &'static str,
+    name: String,
+    used: String,
+    differences: String,
+}
+
+/// A power of ten times a unit that brings all of `values` near 1, as scale and text.
+fn scaled(values: [f64; 2], base: Unit, power: i32) -> (f64, String) {
+    let size = values.into_iter().map(f64::abs).fold(0.0, f64::max);
+    let unit = if power == 0 { 1.0 } else { base.scale.powi(power) };
+    let mut e = if size > 0.0 { (size / unit).log10().floor() as i32 } else { 0 };
+    if (-1..4).contains(&e) {
+        e = 0;
+    }
+    let factor = if e == 0 { String::new() } else { super::numbers::power_of_ten(e) };
+    let name = match power {
+        0 => String::new(),
+        1 => base.name.into(),
+        2 => format!("{}²", base.name),
+        -2 => format!("{}⁻²", base.name),
+        _ => format!("{}^{power}", base.name),
+    };
+    let text = [factor, name].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join(" ");
+    (unit * 10f64.powi(e), text)
+}
+
+fn named(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.into() } else { format!("{name}, {unit}") }
+}
+
+/// Statistics of the levelled map; beside each spectral moment the one by finite differences.
+pub(super) fn statistics(surface: &SurfaceComparison) -> String {
+    let s = &surface.statistics;
+    let used = surface.inputs.moments;
+    let mut rows = Vec::new();
+    let mut row = |symbol, definition, name: String, used: String, differences: String| {
+        rows.push(Statistic { symbol, definition, name, used, differences });
+    };
+    let three = |v: f64| significant(v, 3);
+    let none = String::new;
+    let length = |name: &str, value: f64| {
+        let unit = unit_for(value, METRES);
+        (named(name, unit.name), three(value / unit.scale))
+    };
+    let option = |v: Option<f64>| v.map_or("–".into(), three);
+
+    let (name, value) = length("RMS height", s.rms_height);
+    row("<i>Sq</i>", "Root mean square height about the mean (ISO 25178-2)", name, value, none());
+    let (name, value) = length("Mean absolute height", s.mean_abs_height);
+    row("<i>Sa</i>", "Mean absolute height about the mean (ISO 25178-2)", name, value, none());
+    let signed = |v: Option<f64>| {
+        v.map_or("–".into(), |v| {
+            let text = fixed(v, 2);
+            if v > 0.005 { format!("+{text}") } else { text }
+        })
+    };
+    row(
+        "<i>Ssk</i>",
+        "Third moment / Sq³; 0 for a normal surface",
+        "Skewness".into(),
+        signed(s.skewness),
+        none(),
+    );
+    row(
+        "<i>Sku</i>",
+        "Fourth moment / Sq⁴; 3 for a normal surface",
+        "Kurtosis".into(),
+        option(s.kurtosis),
+        none(),
+    );
+    let gradient = used.map_or(0.0, |m| m.rms_gradient());
+    row(
+        "<i>Sdq</i>",
+        "Root mean square of |∇z|, equal to √(2 m₂)",
+        "RMS gradient".into(),
+        three(gradient),
+        three(s.rms_gradient),
+    );
+    if let Some(m) = used {
+        let height = unit_for(s.rms_height, METRES);
+        let (scale, unit) = scaled([m.m0, s.m0], height, 2);
+        row(
+            "<i>m</i><sub>0</sub>",
+            "Mean square height",
+            named("Height variance", &unit),
+            three(m.m0 / scale),
+            three(s.m0 / scale),
+        );
+        let (scale, unit) = scaled([m.m2, s.m2], height, 0);
+        row(
+            "<i>m</i><sub>2</sub>",
+            "Mean square slope of a profile",
+            named("Slope variance", &unit),
+            three(m.m2 / scale),
+            three(s.m2 / scale),
+        );
+        let pixel = unit_for(surface.surface.grid().pixel()[1], METRES);
+        let (scale, unit) = scaled([m.m4, s.m4], pixel, -2);
+        row(
+            "<i>m</i><sub>4</sub>",
+            "Mean square second derivative of a profile",
+            named("Curvature variance", &unit),
+            three(m.m4 / scale),
+            three(s.m4 / scale),
+        );
+        row(
+            "<i>α</i>",
+            "m₀ m₄ / m₂²; at least 1.5 for any isotropic Gaussian surface",
+            "Nayak bandwidth".into(),
+            three(m.bandwidth()),
+            option(s.bandwidth),
+        );
+    }
+    if let Some(a) = surface.inputs.asperities() {
+        let side = if a.density >= 1e6 { METRES[4] } else { METRES[5] }; // mm or m
+        let differences = s.asperities;
+        let (scale, unit) = scaled([a.density, a.density], side, -2);
+        row(
+            "<i>η</i>",
+            "(m₄/m₂)/(6π√3)",
+            named("Summit density", &unit),
+            three(a.density / scale),
+            differences.map_or_else(none, |d| three(d.density / scale)),
+        );
+        let unit = unit_for(a.radius, METRES);
+        row(
+            "<i>R</i>",
+            "(3/8)√(π/m₄)",
+            named("Summit radius", unit.name),
+            three(a.radius / unit.scale),
+            differences.map_or_else(none, |d| three(d.radius / unit.scale)),
+        );
+        let unit = unit_for(a.height_std, METRES);
+        row(
+            "<i>σ</i><sub>s</sub>",
+            "√((1 − 0.8968/α) m₀)",
+            named("Summit deviation", unit.name),
+            three(a.height_std / unit.scale),
+            differences.map_or_else(none, |d| three(d.height_std / unit.scale)),
+        );
+    }
+    if let Some(anisotropy) = s.anisotropy {
+        row(
+            "<i>Str</i><sub>m</sub>",
+            "Largest over smallest mean square slope over all directions; 1 if isotropic",
+            "Anisotropy of slopes".into(),
+            none(),
+            three(anisotropy),
+        );
+    }
+    if let (Some(hurst), Some([short, long])) = (s.hurst, s.fractal_range) {
+        row(
+            "<i>H</i>",
+            "From the slope −2 − 2H of the radial PSD over the fit range",
+            format!(
+                "Hurst exponent, {} to {}",
+                quantity(short, METRES, 2),
+                quantity(long, METRES, 2)
+            ),
+            significant(hurst, 2),
+            none(),
+        );
+    }
+    if let Some(dimension) = s.dimension {
+        row(
+            "<i>D</i>",
+            "Fractal dimension of a profile, from profile PSDs over the fit range",
+            "Fractal dimension".into(),
+            three(dimension),
+            none(),
+        );
+    }
+    row(
+        "<i>B</i><sub>max</sub>",
+        "Largest mean amplitude over wavelength of the rows; depends on their length",
+        format!("Amplitude ratio, rows of {}", chosen(s.record_length, METRES)),
+        significant(s.max_amplitude_ratio, 3),
+        none(),
+    );
+    let body: String = rows
+        .iter()
+        .map(|r| {
+            format!(
+                "<tr><th scope=\"row\"><abbr tabindex=\"0\" title=\"{}\">{}</abbr></th><td>{}</td>\
+                 <td class=\"n\">{}</td><td class=\"n alt\">{}</td></tr>\n",
+                escape(r.definition),
+                r.symbol,
+                r.name,
+                if r.used.is_empty() { "–" } else { &r.used },
+                if r.differences.is_empty() { "–" } else { &r.differences }
+            )
+        })
+        .collect();
+    let definitions: Vec<String> =
+        rows.iter().map(|r| format!("{}: {}", r.symbol, escape(r.definition))).collect();
+    format!(
+        "<div><table class=\"stat\"><caption>Statistics of the levelled map</caption><thead><tr>\
+         <th scope=\"col\" colspan=\"2\">Hover or tap a symbol for its definition</th><th \
+         scope=\"col\" class=\"n\">For the models</th><th scope=\"col\" class=\"n\">Finite \
+         differences</th></tr></thead><tbody>\n{body}</tbody></table>\n<p class=\"why \
+         printonly\">Definitions. {}.</p></div>\n",
+        definitions.join("; ")
+    )
+}
+
+/// The parts of the ± at the headline load, as shares of the area.
+pub(super) fn budget(
+    answer: &DeterministicAnswer,
+    [grid, iteration]: [f64; 2],
+    surface: &SurfaceComparison,
+    at: &str,
+) -> String {
+    let area = answer.area_fraction_corrected.max(f64::MIN_POSITIVE);
+    let total = grid + iteration;
+    let row = |class: &str, name: &str, part: f64, why: String| {
+        format!(
+            "<tr{class}><th scope=\"row\">{name}</th><td class=\"n\">{}</td><td class=\"bar\"><i \
+             style=\"width:{}%\"></i></td><td class=\"why\">{why}</td></tr>\n",
+            percent(part / area),
+            if total > 0.0 { fixed((100.0 * part / total).max(1.0), 0) } else { "1".into() }
+        )
+    };
+    let settings_tolerance = tolerance_words(answer.residuals.preconditioned.max(1e-16));
+    format!(
+        "<table class=\"bud\"><caption>Error budget of the area at {at}, share of the \
+         area</caption><tbody>\n{}{}{}</tbody></table>\n",
+        row(
+            "",
+            "Grid",
+            grid,
+            format!(
+                "0.3 of the contact-line correction, which held in 95 to 100 of 100 maps whose \
+                 finite differences see 94{SPACE}% of the gradient (here {})",
+                percent(surface.inputs.resolved)
+            )
+        ),
+        row(
+            "",
+            "Iteration stopped early",
+            iteration,
+            format!("9 × the relative rms pressure error left, {settings_tolerance}")
+        ),
+        row(" class=\"sum\"", "Both", total, "their sum; the ± of the headline".into())
+    )
+}

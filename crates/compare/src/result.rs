@@ -1,0 +1,216 @@
+//! What a study finds, as plain data.
+
+use crate::accuracy::NoBar;
+use crate::models::{BuildError, Inputs, ModelEntry};
+use crate::{Origin, Settings};
+use contact_types::{ContactState, HeightMap, ModelError};
+use fft_bem_solver::{Residuals, Solution};
+use surface_stats::SurfaceStatistics;
+
+/// A finished study.
+#[derive(Debug)]
+pub struct Comparison {
+    /// What was asked for.
+    pub settings: Settings,
+    /// The surfaces in the order given.
+    pub surfaces: Vec<SurfaceComparison>,
+    /// Wall-clock time of all of it (s).
+    pub seconds: f64,
+}
+
+/// One surface: its numbers, the deterministic curve, every model beside it.
+#[derive(Debug)]
+pub struct SurfaceComparison {
+    /// What the report calls it.
+    pub name: String,
+    /// Where it came from.
+    pub origin: Origin,
+    /// The heights after form removal.
+    pub surface: HeightMap,
+    /// Statistics of those heights.
+    pub statistics: SurfaceStatistics,
+    /// What the models were given.
+    pub inputs: Inputs,
+    /// Radial PSD for the figure, `[wavelength (m), C (m⁴)]`, long to short.
+    pub psd: Vec<[f64; 2]>,
+    /// Seconds spent on statistics and spectra, once per map.
+    pub setup_seconds: f64,
+    /// The deterministic solution at each load, by rising pressure.
+    pub deterministic: Vec<DeterministicPoint>,
+    /// Why the whole map has no error bar, if it has none.
+    pub gate: Result<(), NoBar>,
+    /// Index of the load of headline and maps.
+    pub headline: usize,
+    /// Pressure field at that load (Pa); empty if there is no solution.
+    pub pressure: Vec<f64>,
+    /// Every model of the list.
+    pub models: Vec<ModelComparison>,
+}
+
+/// The deterministic solution at one load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeterministicPoint {
+    /// Nominal pressure (Pa).
+    pub mean_pressure: f64,
+    /// The numbers, if the solver came to any.
+    pub answer: Option<DeterministicAnswer>,
+    /// Why not, or why not to tolerance.
+    pub trouble: Option<String>,
+}
+
+/// Numbers of one deterministic solution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeterministicAnswer {
+    /// Points that carry pressure over all points.
+    pub area_fraction: f64,
+    /// That corrected for the contact line.
+    pub area_fraction_corrected: f64,
+    /// Half width of the interval around the corrected area: grid, iteration; or why none.
+    pub half_width: Result<[f64; 2], NoBar>,
+    /// Mean gap (m).
+    pub mean_gap: Option<f64>,
+    /// Approach since first touch (m).
+    pub approach: f64,
+    /// Highest pressure of a point (Pa).
+    pub max_pressure: f64,
+    /// Points that carry pressure.
+    pub contact_pixels: usize,
+    /// Contact-line edges per point.
+    pub contact_perimeter: f64,
+    /// Iterations.
+    pub iterations: usize,
+    /// FFT pairs.
+    pub transforms: f64,
+    /// Wall-clock time (s).
+    pub seconds: f64,
+    /// What is left of the residuals.
+    pub residuals: Residuals,
+    /// Energy bound (J/m²).
+    pub duality_gap: f64,
+    /// Name of the method that found it.
+    pub method: String,
+    /// True if the tolerance was reached.
+    pub converged: bool,
+}
+
+impl DeterministicAnswer {
+    /// From a solution; `gate` is what the map allows.
+    pub fn of(solution: &Solution, converged: bool, gate: Result<(), NoBar>) -> Self {
+        let d = &solution.diagnostics;
+        let half_width = if converged {
+            gate.and_then(|()| crate::accuracy::half_width(solution.state.area_fraction, d))
+        } else {
+            Err(NoBar::NotConverged)
+        };
+        Self {
+            area_fraction: solution.state.area_fraction,
+            area_fraction_corrected: d.area_fraction_corrected,
+            half_width,
+            mean_gap: solution.state.mean_gap,
+            approach: solution.approach,
+            max_pressure: d.max_pressure,
+            contact_pixels: d.contact_pixels,
+            contact_perimeter: d.contact_perimeter,
+            iterations: d.iterations,
+            transforms: d.transforms,
+            seconds: d.seconds,
+            residuals: d.residuals,
+            duality_gap: d.duality_gap,
+            method: d.method.to_string(),
+            converged,
+        }
+    }
+
+    /// Half width of the interval, all parts.
+    pub fn uncertainty(&self) -> Option<f64> {
+        self.half_width.ok().map(|[grid, iteration]| grid + iteration)
+    }
+
+    /// `[low, high]` around the corrected area.
+    pub fn interval(&self) -> Option<[f64; 2]> {
+        let half = self.uncertainty()?;
+        let area = self.area_fraction_corrected;
+        Some([(area - half).max(0.0), (area + half).min(1.0)])
+    }
+}
+
+/// One model beside the deterministic curve.
+#[derive(Debug)]
+pub struct ModelComparison {
+    /// Its row of the model list.
+    pub entry: &'static ModelEntry,
+    /// Its answers at the loads, or why it has none on this surface.
+    pub outcome: Result<ModelCurve, BuildError>,
+    /// Whether its theory covers this surface.
+    pub verdict: Verdict,
+}
+
+/// A model's answers.
+#[derive(Debug)]
+pub struct ModelCurve {
+    /// One answer per load.
+    pub points: Vec<Result<ContactState, ModelError>>,
+    /// Seconds per load, the median of repeated runs.
+    pub seconds: f64,
+    /// Signed relative error of the area at each load, where both sides answer.
+    pub errors: Vec<Option<f64>>,
+}
+
+impl ModelCurve {
+    /// Signed relative error of largest size, and mean size, over the loads.
+    pub fn worst_and_mean(&self) -> Option<(f64, f64)> {
+        let present: Vec<f64> = self.errors.iter().flatten().copied().collect();
+        let worst = present.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+        let mean = present.iter().map(|e| e.abs()).sum::<f64>() / present.len() as f64;
+        Some((worst, mean))
+    }
+
+    /// Smallest and largest signed error.
+    pub fn range(&self) -> Option<(f64, f64)> {
+        let present = || self.errors.iter().flatten().copied();
+        Some((present().min_by(f64::total_cmp)?, present().max_by(f64::total_cmp)?))
+    }
+}
+
+/// Whether a theory covers a surface. This judges the domain, not the error.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Verdict {
+    /// Yes, caution or no.
+    pub answer: Applies,
+    /// Why, with the measured number.
+    pub reason: String,
+}
+
+/// The answer of a [`Verdict`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Applies {
+    /// Within the assumptions.
+    Yes,
+    /// It answers, but an assumption is strained.
+    Caution,
+    /// No meaning here.
+    No,
+}
+
+impl Applies {
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Yes => "yes",
+            Self::Caution => "caution",
+            Self::No => "no",
+        }
+    }
+}
+
+impl SurfaceComparison {
+    /// The deterministic answer at the headline load.
+    pub fn headline_answer(&self) -> Option<&DeterministicAnswer> {
+        self.deterministic.get(self.headline)?.answer.as_ref()
+    }
+
+    /// Pressure of the headline (Pa).
+    pub fn headline_pressure(&self) -> f64 {
+        self.deterministic.get(self.headline).map_or(0.0, |p| p.mean_pressure)
+    }
+}
