@@ -5,18 +5,34 @@
 //! |---|---|---|
 //! | [`Persson`] | moments, or a spectrum | area; with a spectrum also mean gap, stiffness, energy |
 //! | [`Stacked`] | largest amplitude over wavelength | area |
-//! | [`MajumdarBhushan`] | fractal dimension and roughness | area |
+//! | [`JacksonStreator`] | amplitude by frequency | area |
+//! | [`Archard`] | spheres on spheres | area |
+//! | [`MajumdarBhushan`] | profile dimension and roughness | area |
+//! | [`YanKomvopoulos`] | surface dimension and roughness | area |
+//! | [`MoragEtsion`] | profile dimension and roughness | one asperity |
 //!
 //! Every model answers for any finite input with a number, a number and a
 //! [`Caveat`](contact_types::Caveat), or a typed error: never NaN, never infinity.
 
+mod archard;
+pub mod fractal;
+mod jackson_streator;
 mod majumdar_bhushan;
+mod morag_etsion;
 mod persson;
 mod require;
+mod sinusoid;
 pub mod special;
+mod spots;
 mod stacked;
 mod wide;
+mod yan_komvopoulos;
 
+pub use archard::{Archard, SphereLevel};
+pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::{MajumdarBhushan, critical_area};
+pub use morag_etsion::{AsperityContact, MoragEtsion};
 pub use persson::{AreaLaw, Persson, PressureDistribution, SelfAffineSpectrum};
+pub use sinusoid::SinusoidLaw;
 pub use stacked::Stacked;
+pub use yan_komvopoulos::YanKomvopoulos;

@@ -1,6 +1,7 @@
 //! Majumdar and Bhushan's fractal model, elastic part.
 
 use crate::require;
+use crate::spots::{Critical, Spots};
 use crate::wide::Wide;
 use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError,
@@ -132,110 +133,31 @@ impl MajumdarBhushan {
         if largest.is_zero() {
             return Ok(0.0);
         }
-        let load = if self.critical_area > 0.0 {
-            self.load_with_critical_area(largest).total()
-        } else {
-            self.load_without_critical_area(largest)
+        let load = match self.critical() {
+            Some(critical) => self.spots().load_with(critical, largest),
+            None => self.spots().load(largest),
         };
         require::representable(MODEL, "mean pressure", (load / self.nominal_area).value())
     }
 
-    /// `(4 sqrt(pi)/3) E* G^(D-1) a^((3-D)/2)`: elastic load of one spot of area `a`.
-    fn spot_load(&self, area: Wide) -> Wide {
+    /// `n(a) = (D/2) a_l^(D/2) a^(-D/2-1)`, `F(a) = (4 sqrt(pi)/3) E* G^(D-1) a^((3-D)/2)`.
+    fn spots(&self) -> Spots {
         let d = self.surface.dimension;
-        Wide::from(self.surface.roughness).powf(d - 1.0)
-            * area.powf((3.0 - d) / 2.0)
-            * self.modulus.pascals()
-            * (4.0 * PI.sqrt() / 3.0)
+        Spots {
+            size_exponent: d / 2.0,
+            load_exponent: (3.0 - d) / 2.0,
+            epsilon: 1.5 - d, // exact for every double near D = 3/2
+            coefficient: Wide::from(self.surface.roughness).powf(d - 1.0)
+                * self.modulus.pascals()
+                * (4.0 * PI.sqrt() / 3.0),
+        }
     }
 
-    /// `F_e = F(a_l) D/(3 - 2D)`, for D < 3/2.
-    fn load_without_critical_area(&self, largest: Wide) -> Wide {
-        let d = self.surface.dimension;
-        self.spot_load(largest) * (d / (3.0 - 2.0 * d))
-    }
-
-    /// With `L = ln(a_l/a_c)`:
-    ///
-    /// ```math
-    /// F_e = F(a_l)\,\frac D2\,\frac{1 - e^{-\varepsilon L}}{\varepsilon}, \qquad
-    /// F_p = H\,\frac{D}{2-D}\,a_l^{D/2} a_c^{1-D/2}
-    /// ```
-    fn load_with_critical_area(&self, largest: Wide) -> SplitLoad {
-        let d = self.surface.dimension;
-        let ratio = largest / self.critical_area;
-        let log_ratio = ratio.ln();
-        let share = d / (2.0 - d);
-        let hardness = Wide::from(self.hardness.unwrap_or(0.0));
-        if log_ratio <= 0.0 {
-            // Every spot is plastic; without a hardness those are not counted.
-            let plastic = hardness * share * largest;
-            return SplitLoad { elastic: Wide::from(0.0), plastic, slope: 1.0 };
-        }
-        let epsilon = 1.5 - d; // exact for every double near D = 3/2
-        // (1 - e^{-|eps| L}) / |eps| -> L at D = 3/2
-        let decay = epsilon.abs() * log_ratio;
-        let bracket = if decay > 1e-300 { -(-decay).exp_m1() / epsilon.abs() } else { log_ratio };
-        let growth = if epsilon < 0.0 { ratio.powf(-epsilon) } else { Wide::from(1.0) };
-        let elastic = self.spot_load(largest) * growth * (0.5 * d * bracket);
-        let plastic = hardness * share * self.critical_area * ratio.powf(0.5 * d);
-        // d ln F / d ln a_l
-        let elastic_slope = 0.5 * d + 1.0 / bracket + epsilon.min(0.0);
-        let weight = 1.0 / (1.0 + (plastic / elastic).value());
-        let slope = 0.5 * d + weight * (elastic_slope - 0.5 * d);
-        SplitLoad { elastic, plastic, slope }
-    }
-
-    /// Largest spot that carries `load` (N), without critical area.
-    fn spot_without_critical_area(&self, load: Wide) -> Wide {
-        let d = self.surface.dimension;
-        let unit = self.load_without_critical_area(Wide::from(1.0));
-        (load / unit).powf(2.0 / (3.0 - d))
-    }
-
-    /// Largest spot that carries `load` (N), with critical area: Newton for `ln F` in
-    /// `v = ln L`, kept inside a bracket.
-    fn spot_with_critical_area(&self, load: Wide) -> Wide {
-        let critical = Wide::from(self.critical_area);
-        let threshold = self.load_with_critical_area(critical).plastic;
-        if !threshold.is_zero() && (load / threshold).value() <= 1.0 {
-            // All spots plastic: load is hardness times area.
-            return critical * (load / threshold);
-        }
-        let (mut lo, mut hi) = ((-740.0_f64), 8.0_f64); // L from 1e-321 to 2981
-        let mut v = 1.0_f64;
-        for _ in 0..200 {
-            let log_ratio = v.exp();
-            let split = self.load_with_critical_area(critical * Wide::exp(log_ratio));
-            let mismatch = if split.total().is_zero() {
-                f64::NEG_INFINITY
-            } else {
-                (split.total() / load).ln()
-            };
-            if mismatch > 0.0 {
-                hi = v;
-            } else {
-                lo = v;
-            }
-            let newton = v - mismatch / (split.slope * log_ratio);
-            let next = if newton > lo && newton < hi { newton } else { 0.5 * (lo + hi) };
-            let step = (next - v).abs();
-            v = next;
-            // An error in v matters only by its effect on the area, L dv.
-            if step <= 1e-9 * v.abs().max(1.0) || step * v.exp() < 1e-17 {
-                break;
-            }
-        }
-        let mut spot = critical * Wide::exp(v.exp());
-        // Two more steps on the spot itself, where its logarithm has lost digits.
-        for _ in 0..2 {
-            let split = self.load_with_critical_area(spot);
-            if v > 0.0 {
-                let mismatch = (split.total() / load).ln();
-                spot = spot * (-mismatch / split.slope).exp();
-            }
-        }
-        spot
+    fn critical(&self) -> Option<Critical> {
+        (self.critical_area > 0.0).then(|| Critical {
+            area: Wide::from(self.critical_area),
+            hardness: Wide::from(self.hardness.unwrap_or(0.0)),
+        })
     }
 
     /// Refuses a load integral that has no value.
@@ -252,19 +174,6 @@ impl MajumdarBhushan {
                      critical area below which spots are plastic (with_critical_area or \
                      with_hardness)",
         })
-    }
-}
-
-/// Load by kind, and `d ln F / d ln a_l` of their sum.
-struct SplitLoad {
-    elastic: Wide,
-    plastic: Wide,
-    slope: f64,
-}
-
-impl SplitLoad {
-    fn total(&self) -> Wide {
-        self.elastic + self.plastic
     }
 }
 
@@ -335,16 +244,13 @@ impl ContactModel for MajumdarBhushan {
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
         self.check_convergence()?;
-        let d = self.surface.dimension;
         let load = Wide::from(mean_pressure) * self.nominal_area;
-        let spot = if load.is_zero() {
-            load
-        } else if self.critical_area > 0.0 {
-            self.spot_with_critical_area(load)
-        } else {
-            self.spot_without_critical_area(load)
+        let spot = match self.critical() {
+            _ if load.is_zero() => load,
+            Some(critical) => self.spots().largest_with(critical, load),
+            None => self.spots().largest(load),
         };
-        let area = (spot * (d / (2.0 - d)) / self.nominal_area).value();
+        let area = (spot * self.spots().area_share() / self.nominal_area).value();
         let area_fraction = require::representable(MODEL, "area fraction", area)?;
         let largest_fraction = (spot / self.nominal_area).value();
         let beyond = |quantity, value, reason| {

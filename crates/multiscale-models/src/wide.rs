@@ -45,6 +45,14 @@ impl Wide {
         Self::new(mantissa.sqrt(), (self.exponent - odd) / 2)
     }
 
+    /// Cube root. Powers such as 2/3 are taken with it: 2/3 is no double, and its rounding times
+    /// the logarithm of a very small number would show.
+    pub(crate) fn cbrt(self) -> Self {
+        let rest = self.exponent.rem_euclid(3);
+        let mantissa = self.mantissa * f64::from(1_u8 << rest);
+        Self::new(mantissa.cbrt(), (self.exponent - rest) / 3)
+    }
+
     /// `self^power`. The exponent's share is split exactly into an integer and a remainder, so
     /// the relative error stays at a few units in the last place times `max(1, |power|)`.
     pub(crate) fn powf(self, power: f64) -> Self {
@@ -159,6 +167,7 @@ mod tests {
                 assert_relative_eq!(Wide::from(x).powf(y).value(), expected, max_relative = 5e-16);
             }
             assert_relative_eq!(Wide::from(x).sqrt().value(), x.sqrt(), max_relative = 3e-16);
+            assert_relative_eq!(Wide::from(x).cbrt().value(), x.cbrt(), max_relative = 3e-16);
         }
         // (1 + 2^-20)^(2^30): by 30 squarings of the exactly known base, as a logarithm.
         let base = 1.0 + (-20.0_f64).exp2();

@@ -1,12 +1,20 @@
 //! Every model against tables of 18 to 22 digits. `cargo test -- --nocapture` prints the worst
 //! error of each.
-#![allow(clippy::float_cmp, reason = "a reference of exactly 0 is compared absolutely")]
+#![allow(
+    clippy::float_cmp,
+    clippy::print_stdout,
+    reason = "a reference of exactly 0 is compared absolutely; the worst errors are printed"
+)]
 
 mod common;
 
 use common::{Table, Worst};
-use contact_types::{ContactModel, ContactModulus, FractalParameters, SpectralMoments};
-use multiscale_models::{MajumdarBhushan, Persson, SelfAffineSpectrum, Stacked};
+use contact_types::{
+    AmplitudeSpectrum, ContactModel, ContactModulus, FractalParameters, SpectralMoments, Wave,
+};
+use multiscale_models::{
+    Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SinusoidLaw, Stacked,
+};
 
 /// E* = 1 Pa: the tables are in units of E*.
 fn unit() -> ContactModulus {
@@ -128,4 +136,95 @@ fn majumdar_bhushan_with_critical_area() {
     }
     load.at_most(3e-14);
     area.at_most(3e-14);
+}
+
+#[test]
+fn jackson_streator_recursion() {
+    let mut worst = Worst::of("Jackson-Streator area");
+    for row in Table::read("multiscale_areas.csv").rows() {
+        if row.text("model") != "multiscale" {
+            continue;
+        }
+        let amplitudes = Table::read("multiscale_amplitudes.csv");
+        let waves: Vec<_> = amplitudes
+            .rows()
+            .filter(|w| w.text("surface") == row.text("surface"))
+            .map(|w| Wave {
+                frequency: w.number("k") / w.number("length"),
+                amplitude: w.number("amplitude"),
+            })
+            .collect();
+        let spectrum = AmplitudeSpectrum::new(waves, 1.0).unwrap();
+        let area = JacksonStreator::new(spectrum, unit())
+            .unwrap()
+            .at_pressure(row.number("p"))
+            .unwrap()
+            .area_fraction;
+        worst.compare(area, row.number("A"), || format!("p/E* = {}", row.text("p")));
+    }
+    worst.at_most(1e-14);
+}
+
+#[test]
+fn published_fit_of_the_sinusoid() {
+    let mut worst = Worst::of("published sinusoid fit");
+    for row in Table::read("sinusoid_fit.csv").rows() {
+        let x = row.number("x");
+        let area = SinusoidLaw::PublishedFit.area_fraction(x);
+        worst.compare(area, row.number("g"), || format!("x = {x}"));
+    }
+    worst.at_most(1e-15);
+}
+
+#[test]
+fn archard() {
+    let mut worst = Worst::of("Archard area");
+    for row in Table::read("archard.csv").rows() {
+        let list = |column| -> Vec<f64> {
+            row.text(column)
+                .split(';')
+                .filter(|s| !s.is_empty())
+                .map(|s| s.parse().unwrap())
+                .collect()
+        };
+        let densities: Vec<f64> = std::iter::once(1.0).chain(list("m")).collect();
+        let model = Archard::from_constants(list("k"), densities).unwrap();
+        let place = || format!("k = {}, m = {}", row.text("k"), row.text("m"));
+        worst.compare(model.exponent(), row.number("exponent"), place);
+        worst.compare(model.coefficient().unwrap(), row.number("C"), place);
+        let load = row.number("W");
+        worst.compare(model.area(load).unwrap(), row.number("A"), place);
+        // One coarse sphere per square metre: pressure is load, area fraction is area.
+        worst.compare(model.at_pressure(load).unwrap().area_fraction, row.number("A"), place);
+    }
+    worst.at_most(2e-15);
+}
+
+/// The interpolated solution against another one, made with another way of finding the boundary.
+#[test]
+fn numerical_table_of_the_sinusoid() {
+    let (mut table, mut fit) = (0.0_f64, 0.0_f64);
+    for row in Table::read("sinusoid_numerical.csv").rows() {
+        let (x, area) = (row.number("p_over_pstar"), row.number("area_fraction"));
+        let error = (SinusoidLaw::NumericalTable.area_fraction(x) - area).abs();
+        assert!(error < 5e-5 + row.number("area_unc"), "x = {x}: {error:.1e}");
+        table = table.max(error);
+        fit = fit.max((SinusoidLaw::PublishedFit.area_fraction(x) - area).abs());
+    }
+    println!("worst sinusoid area, absolute: table {table:.1e}, published fit {fit:.1e}");
+    assert!(fit > 0.03, "the published fit is known to be off by 0.04");
+}
+
+#[test]
+fn numerical_table_is_monotone_and_closes() {
+    let area = |x: f64| SinusoidLaw::NumericalTable.area_fraction(x);
+    let mut last = 0.0;
+    for i in 0..200_000 {
+        let next = area((f64::from(i) / 200_000.0).powi(3));
+        assert!(next >= last, "falls at {i}");
+        last = next;
+    }
+    // The last valleys: 1 - g -> 3/(2 pi) (1 - x).
+    let slope = (1.0 - area(1.0 - 1e-7)) / 1e-7;
+    assert!((slope - 1.5 / std::f64::consts::PI).abs() < 1e-4, "{slope}");
 }

@@ -99,12 +99,13 @@ impl Persson {
     /// wavenumber), given or lent.
     ///
     /// # Errors
-    /// None for a valid spectrum; the `Result` leaves room for limits of the theory.
+    /// [`ModelError::OutsideDomain`] if the shells that carry roughness span more than 18 decades
+    /// of wavenumber.
     pub fn from_spectrum(
         spectrum: impl Borrow<RoughnessSpectrum>,
         modulus: ContactModulus,
     ) -> Result<Self, ModelError> {
-        let (slope, scales) = Scales::from_shells(spectrum.borrow().shells());
+        let (slope, scales) = Scales::from_shells(spectrum.borrow().shells())?;
         Ok(Self::with_scales(modulus, slope, Some(scales)))
     }
 

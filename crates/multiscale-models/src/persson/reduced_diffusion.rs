@@ -23,6 +23,9 @@ pub(super) fn argument(x: Wide, gamma: f64) -> f64 {
         return (x / gamma.sqrt()).value();
     }
     let x = x.value();
+    if x > 6.0 {
+        return x; // full contact to rounding
+    }
     let mut big_x = x;
     // T X^2 is between 1 and 1/gamma and falls with X: Newton in ln X rises monotonically.
     for _ in 0..30 {

@@ -8,10 +8,11 @@
 //! \int_0^1 f\!\left(\tfrac{x}{\rho}\right) \frac{q_0}{q(\rho)}\, d\rho
 //! ```
 
+use super::MODEL;
 use super::self_affine::SelfAffineSpectrum;
 use crate::special::gauss_legendre;
 use crate::wide::Wide;
-use contact_types::Shell;
+use contact_types::{ModelError, Shell};
 
 /// The two kinds of spectrum.
 #[derive(Debug)]
@@ -39,8 +40,13 @@ pub(super) enum Decay {
 }
 
 impl Scales {
-    /// `sqrt(m2)` and the scales of a measured spectrum.
-    pub(super) fn from_shells(shells: &[Shell]) -> (Wide, Self) {
+    /// `sqrt(m2)` and the scales of a measured spectrum. Shells that carry nothing do not count.
+    pub(super) fn from_shells(shells: &[Shell]) -> Result<(Wide, Self), ModelError> {
+        let shells: Vec<Shell> = shells.iter().filter(|s| s.variance > 0.0).copied().collect();
+        if let [first, .., last] = shells[..] {
+            let span = (Wide::from(last.wavenumber) / first.wavenumber).value().min(f64::MAX);
+            check_span(MODEL, "largest over smallest wavenumber", span)?;
+        }
         // sqrt(S/2) q, the rms profile slope of one shell, scaled by the largest: no overflow.
         let slopes: Vec<Wide> =
             shells.iter().map(|s| (Wide::from(s.variance) / 2.0).sqrt() * s.wavenumber).collect();
@@ -50,7 +56,7 @@ impl Scales {
             .copied()
             .reduce(|a, b| if (a / b).value() < 1.0 { b } else { a });
         let Some(largest) = largest else {
-            return (Wide::from(0.0), Self::Shells(Vec::new()));
+            return Ok((Wide::from(0.0), Self::Shells(Vec::new())));
         };
         let mut total = CompensatedSum::default();
         let mut steps: Vec<Step> = Vec::new();
@@ -65,7 +71,7 @@ impl Scales {
         for step in &mut steps {
             step.rho /= all;
         }
-        (largest * all, Self::Shells(steps))
+        Ok((largest * all, Self::Shells(steps)))
     }
 
     /// `q_0` \[rad/m\]; 1 for an empty spectrum, where it multiplies 0.
@@ -157,6 +163,20 @@ impl Range {
         }
         sum
     }
+}
+
+/// The integrals resolve wavelengths over 18 decades.
+pub(super) fn check_span(
+    model: &'static str,
+    quantity: &'static str,
+    span: f64,
+) -> Result<(), ModelError> {
+    let domain = 1.0..=1e18;
+    if domain.contains(&span) {
+        return Ok(());
+    }
+    let reason = "a spectrum of more than 18 decades is none of a surface";
+    Err(ModelError::OutsideDomain { model, quantity, value: span, domain, reason })
 }
 
 /// Neumaier's sum: rounding does not grow with the number of terms.

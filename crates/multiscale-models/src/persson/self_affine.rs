@@ -1,6 +1,6 @@
 //! A continuous self-affine spectrum with a plateau.
 
-use super::scales::Range;
+use super::scales::{Range, check_span};
 use crate::require;
 use crate::special::gauss_legendre;
 use crate::wide::Wide;
@@ -73,11 +73,12 @@ impl SelfAffineSpectrum {
             return Err(outside("roll-off wavenumber", rolloff, lower..=cutoff, reason));
         }
         let span = (Wide::from(cutoff) / Wide::from(lower)).value().min(f64::MAX);
-        if cutoff <= lower || span > 1e18 {
-            let reason = "a continuous spectrum needs a band, at most 18 decades wide; a single \
-                          wavenumber is a RoughnessSpectrum of one shell";
+        if cutoff <= lower {
+            let reason = "a continuous spectrum needs a band; a single wavenumber is a \
+                          RoughnessSpectrum of one shell";
             return Err(outside("cut-off over lower end", span, 1.0..=1e18, reason));
         }
+        check_span(MODEL, "cut-off over lower end", span)?;
         Ok(Self {
             hurst,
             wavenumbers,

@@ -1,0 +1,215 @@
+//! Archard's spheres on spheres on spheres.
+
+use crate::require;
+use crate::wide::Wide;
+use contact_types::{Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError};
+use std::f64::consts::PI;
+
+const MODEL: &str = "Archard";
+
+/// Spheres of one size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SphereLevel {
+    /// Radius of the spheres \[m\].
+    pub radius: f64,
+    /// Spheres per area of the surface that carries them \[m⁻²\]; for the coarsest level that is
+    /// the nominal area.
+    pub density: f64,
+}
+
+/// Spheres covered with smaller spheres, covered with smaller spheres still.
+///
+/// A smooth sphere touches over `A = k W^(2/3)` with `k = pi (3R/4E*)^(2/3)`. If its surface
+/// carries `m` features per area, each with the law `A = C w^e`, and the load spreads over them
+/// as the smooth Hertz pressure, then
+///
+/// ```math
+/// A = m^{1-e}\,C\left(\tfrac32\right)^{e}\frac{2}{2+e}\;k^{1-e}\;W^{(2+e)/3}:
+/// ```
+///
+/// the exponents go 2/3, 8/9, 26/27, … and area becomes proportional to load.
+///
+/// ```
+/// use contact_types::{ContactModel, ContactModulus};
+/// use multiscale_models::{Archard, SphereLevel};
+/// let levels = [
+///     SphereLevel { radius: 1e-3, density: 1e5 },
+///     SphereLevel { radius: 1e-6, density: 1e11 },
+/// ];
+/// let model = Archard::new(&levels, ContactModulus::from_pascals(110e9)?)?;
+/// assert!((model.exponent() - 8.0 / 9.0).abs() < 1e-15);
+/// assert!(model.at_pressure(1e6)?.area_fraction > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// Archard (1957), doi:10.1098/rspa.1957.0214.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Archard {
+    /// `k` of each level, coarse to fine \[m² N^(-2/3)\].
+    constants: Vec<f64>,
+    /// Density of each level, coarse to fine \[m⁻²\].
+    densities: Vec<f64>,
+}
+
+/// Fewer features than this in a Hertz spot are not a continuous cover.
+const MANY: f64 = 10.0;
+
+/// Spots that cover more than this fraction of their carrier are not independent.
+const SPARSE: f64 = 0.1;
+
+impl Archard {
+    /// From the spheres of each level, coarse to fine.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] without levels, or for a radius or density that is not
+    /// finite and positive; [`ModelError::OutsideDomain`] if `k` is beyond the range of a double.
+    pub fn new(levels: &[SphereLevel], modulus: ContactModulus) -> Result<Self, ModelError> {
+        let mut constants = Vec::with_capacity(levels.len());
+        let mut densities = Vec::with_capacity(levels.len());
+        for level in levels {
+            let radius = require::positive(MODEL, "sphere radius", level.radius)?;
+            // k = pi (3R/(4E*))^(2/3)
+            let root = (Wide::from(radius) * 0.75 / modulus.pascals()).cbrt();
+            constants.push((root * root * PI).value());
+            densities.push(level.density);
+        }
+        Self::from_constants(constants, densities)
+    }
+
+    /// From the constants `k` of `A = k W^(2/3)` \[m² N^(-2/3)\] and the densities \[m⁻²\] of each
+    /// level, coarse to fine.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] without levels, with lists of different length, or for a
+    /// value that is not finite and positive.
+    pub fn from_constants(constants: Vec<f64>, densities: Vec<f64>) -> Result<Self, ModelError> {
+        if constants.is_empty() || constants.len() != densities.len() {
+            return Err(ModelError::InvalidInput {
+                model: MODEL,
+                quantity: "number of levels",
+                value: constants.len().min(densities.len()) as f64,
+                requirement: "needs at least one level, each with a constant and a density",
+            });
+        }
+        for &constant in &constants {
+            require::positive(MODEL, "contact constant k", constant)?;
+        }
+        for &density in &densities {
+            require::positive(MODEL, "sphere density", density)?;
+        }
+        Ok(Self { constants, densities })
+    }
+
+    /// Exponent of the area of one coarse sphere, `1 - 3^-n` for n levels.
+    pub fn exponent(&self) -> f64 {
+        1.0 - lack(self.constants.len())
+    }
+
+    /// Coefficient `C` of `A = C W^e` \[m² N^-e\] for one coarse sphere.
+    ///
+    /// # Errors
+    /// [`ModelError::OutsideDomain`] if it exceeds the largest double.
+    pub fn coefficient(&self) -> Result<f64, ModelError> {
+        require::representable(MODEL, "coefficient", self.wide_coefficient().value())
+    }
+
+    /// Real area \[m²\] of one coarse sphere under load \[N\].
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the load is negative or not finite;
+    /// [`ModelError::OutsideDomain`] if the area exceeds the largest double.
+    pub fn area(&self, load: f64) -> Result<f64, ModelError> {
+        require::not_negative(MODEL, "load", load)?;
+        require::representable(MODEL, "area", self.wide_area(Wide::from(load)).value())
+    }
+
+    /// `C W^e`, with `W^e = W / W^(1/3^n)`.
+    fn wide_area(&self, load: Wide) -> Wide {
+        if load.is_zero() {
+            return load;
+        }
+        self.wide_coefficient() * (load / repeated_cbrt(load, self.constants.len()))
+    }
+
+    /// `C`, built up from the finest level. Below a level, `e = 1 - 3^-n` with n finer levels.
+    fn wide_coefficient(&self) -> Wide {
+        let last = self.constants.len() - 1;
+        let mut coefficient = Wide::from(self.constants[last]);
+        for level in (0..last).rev() {
+            let (k, m) = (self.constants[level], self.densities[level + 1]);
+            let finer = last - level;
+            let e = 1.0 - lack(finer);
+            // m^(1-e) k^(1-e) C (3/2)^e 2/(2+e)
+            coefficient = repeated_cbrt(Wide::from(m) * k, finer)
+                * coefficient
+                * (1.5_f64.powf(e) * 2.0 / (2.0 + e));
+        }
+        coefficient
+    }
+
+    /// The first assumption that is strained at nominal pressure `pressure`, judged by mean
+    /// loads from coarse to fine.
+    fn strain(&self, pressure: f64) -> Option<Caveat> {
+        let beyond = |quantity, value: Wide, limit, reason| {
+            let value = value.value().min(f64::MAX);
+            Some(Caveat::BeyondModel { quantity, value, limit, reason })
+        };
+        let mut stress = Wide::from(pressure); // load per area of the carrier
+        for (level, (&k, &density)) in self.constants.iter().zip(&self.densities).enumerate() {
+            let load = stress / density;
+            let spot = load / load.cbrt() * k;
+            let cover = spot * density;
+            if cover.value() > SPARSE {
+                let reason = "Hertz spots of one level cover much of what carries them";
+                return beyond("cover of a level", cover, SPARSE, reason);
+            }
+            if let Some(&finer) = self.densities.get(level + 1) {
+                let features = spot * finer;
+                if features.value() < MANY {
+                    let reason = "too few features in a Hertz spot to carry its pressure";
+                    return beyond("features per Hertz spot", features, MANY, reason);
+                }
+            }
+            stress = load / spot;
+        }
+        None
+    }
+}
+
+/// What the exponent of n levels lacks to 1, `3^-n`.
+fn lack(levels: usize) -> f64 {
+    (0..levels).fold(1.0, |lack, _| lack / 3.0)
+}
+
+/// `x^(3^-n)`.
+fn repeated_cbrt(x: Wide, times: usize) -> Wide {
+    (0..times).fold(x, |root, _| root.cbrt())
+}
+
+impl ContactModel for Archard {
+    fn citation(&self) -> Citation {
+        Citation {
+            authors: "Archard",
+            year: 1957,
+            title: "Elastic deformation and the laws of friction",
+            journal: "Proc. R. Soc. A 243, 190",
+            doi: "10.1098/rspa.1957.0214",
+        }
+    }
+
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        require::pressure(MODEL, mean_pressure)?;
+        let density = self.densities[0];
+        let area = self.wide_area(Wide::from(mean_pressure) / density) * density;
+        let area_fraction = require::representable(MODEL, "area fraction", area.value())?;
+        let caveat = if mean_pressure > 0.0 && area_fraction <= 0.0 {
+            Some(Caveat::Underflow { quantity: "area fraction" })
+        } else if mean_pressure > 0.0 {
+            self.strain(mean_pressure)
+        } else {
+            None
+        };
+        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+    }
+}

@@ -1,0 +1,139 @@
+//! Contact spots of all sizes below a largest one, in power-law numbers.
+//!
+//! The fractal theories share one structure:
+//!
+//! ```math
+//! n(a) = s\,a_l^{s}\,a^{-s-1}, \qquad F(a) = c\,a^{t}, \qquad
+//! \int_0^{a_l} n\,a\,da = \frac{s}{1-s}\,a_l, \qquad
+//! \int_{a_c}^{a_l} n\,F\,da = s\,F(a_l)\,\frac{1 - (a_c/a_l)^{\varepsilon}}{\varepsilon},
+//! \qquad \varepsilon = t - s
+//! ```
+
+use crate::wide::Wide;
+
+/// A population of spots.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Spots {
+    /// Exponent of the size distribution, 0 < s < 1.
+    pub(crate) size_exponent: f64,
+    /// Exponent of the elastic load of a spot.
+    pub(crate) load_exponent: f64,
+    /// `load_exponent - size_exponent`, without rounding where it vanishes.
+    pub(crate) epsilon: f64,
+    /// `c` of the elastic load of a spot.
+    pub(crate) coefficient: Wide,
+}
+
+/// Below `area` a spot is plastic; `hardness` (Pa) is what it then carries, 0 to leave it out.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Critical {
+    pub(crate) area: Wide,
+    pub(crate) hardness: Wide,
+}
+
+/// Load by kind, and `d ln F / d ln a_l` of their sum.
+struct SplitLoad {
+    elastic: Wide,
+    plastic: Wide,
+    slope: f64,
+}
+
+impl SplitLoad {
+    fn total(&self) -> Wide {
+        self.elastic + self.plastic
+    }
+}
+
+impl Spots {
+    /// Area of all spots over that of the largest, `s/(1 - s)`.
+    pub(crate) fn area_share(&self) -> f64 {
+        self.size_exponent / (1.0 - self.size_exponent)
+    }
+
+    /// Elastic load of one spot.
+    pub(crate) fn spot_load(&self, area: Wide) -> Wide {
+        self.coefficient * area.powf(self.load_exponent)
+    }
+
+    /// Load of all spots without critical area, `F(a_l) s / epsilon`; needs `epsilon > 0`.
+    pub(crate) fn load(&self, largest: Wide) -> Wide {
+        self.spot_load(largest) * (self.size_exponent / self.epsilon)
+    }
+
+    /// Largest spot that carries `load` without critical area: the inverse of [`Self::load`].
+    pub(crate) fn largest(&self, load: Wide) -> Wide {
+        (load * (self.epsilon / self.size_exponent) / self.coefficient)
+            .powf(1.0 / self.load_exponent)
+    }
+
+    /// Load of all spots with a critical area.
+    pub(crate) fn load_with(&self, critical: Critical, largest: Wide) -> Wide {
+        self.split_load(critical, largest).total()
+    }
+
+    fn split_load(&self, critical: Critical, largest: Wide) -> SplitLoad {
+        let (s, epsilon) = (self.size_exponent, self.epsilon);
+        let ratio = largest / critical.area;
+        let log_ratio = ratio.ln();
+        let share = self.area_share();
+        if log_ratio <= 0.0 {
+            // Every spot is plastic; without a hardness those carry nothing here.
+            let plastic = critical.hardness * share * largest;
+            return SplitLoad { elastic: Wide::from(0.0), plastic, slope: 1.0 };
+        }
+        // (1 - e^{-|eps| L}) / |eps|, L = ln(a_l/a_c); -> L as epsilon -> 0
+        let decay = epsilon.abs() * log_ratio;
+        let bracket = if decay > 1e-300 { -(-decay).exp_m1() / epsilon.abs() } else { log_ratio };
+        let growth = if epsilon < 0.0 { ratio.powf(-epsilon) } else { Wide::from(1.0) };
+        let elastic = self.spot_load(largest) * growth * (s * bracket);
+        let plastic = critical.hardness * share * critical.area * ratio.powf(s);
+        let elastic_slope = s + 1.0 / bracket + epsilon.min(0.0);
+        let elastic_weight = 1.0 / (1.0 + (plastic / elastic).value());
+        let slope = s + elastic_weight * (elastic_slope - s);
+        SplitLoad { elastic, plastic, slope }
+    }
+
+    /// Largest spot that carries `load` with a critical area: Newton for `ln F` in
+    /// `v = ln ln(a_l/a_c)`, kept inside a bracket.
+    pub(crate) fn largest_with(&self, critical: Critical, load: Wide) -> Wide {
+        let threshold = self.load_with(critical, critical.area);
+        if !threshold.is_zero() && (load / threshold).value() <= 1.0 {
+            // All spots plastic: load is hardness times area.
+            return critical.area * (load / threshold);
+        }
+        let (mut lo, mut hi) = ((-740.0_f64), 8.0_f64); // ln(a_l/a_c) from 1e-321 to 2981
+        let mut v = 1.0_f64;
+        for _ in 0..200 {
+            let log_ratio = v.exp();
+            let split = self.split_load(critical, critical.area * Wide::exp(log_ratio));
+            let mismatch = if split.total().is_zero() {
+                f64::NEG_INFINITY
+            } else {
+                (split.total() / load).ln()
+            };
+            if mismatch > 0.0 {
+                hi = v;
+            } else {
+                lo = v;
+            }
+            let newton = v - mismatch / (split.slope * log_ratio);
+            let next = if newton > lo && newton < hi { newton } else { 0.5 * (lo + hi) };
+            let step = (next - v).abs();
+            v = next;
+            // An error in v matters only by its effect on the area, dv ln(a_l/a_c).
+            if step <= 1e-9 * v.abs().max(1.0) || step * v.exp() < 1e-17 {
+                break;
+            }
+        }
+        let mut spot = critical.area * Wide::exp(v.exp());
+        // Two more steps on the spot itself, whose logarithm has lost digits.
+        if v > 0.0 {
+            for _ in 0..2 {
+                let split = self.split_load(critical, spot);
+                let mismatch = (split.total() / load).ln();
+                spot = spot * (-mismatch / split.slope).exp();
+            }
+        }
+        spot
+    }
+}

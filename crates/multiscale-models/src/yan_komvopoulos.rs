@@ -1,0 +1,253 @@
+//! Yan and Komvopoulos' fractal surface in three dimensions.
+
+use crate::require;
+use crate::spots::{Critical, Spots};
+use crate::wide::Wide;
+use contact_types::{Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError};
+use std::f64::consts::PI;
+
+const MODEL: &str = "Yan-Komvopoulos";
+
+/// Contact of an isotropic fractal *surface* of dimension 2 < D < 3.
+///
+/// Spots are counted by their truncated area `a'`, the cut of the undeformed surface at the
+/// height of the flat, with the density `n = (D-1)/2 a'_L^((D-1)/2) a'^(-(D+1)/2)`. An elastic
+/// spot really touches over `a'/2` (Hertz) and carries
+///
+/// ```math
+/// \Delta F = \frac{2^{(11-2D)/2}}{3\pi^{(4-D)/2}}\,(\ln\gamma)^{1/2} G^{D-2} E^*\,a'^{(4-D)/2},
+/// ```
+///
+/// a plastic one touches over `a'` and carries `H a'`. Hence
+///
+/// ```math
+/// F_e = \frac{2^{(11-2D)/2}}{3\pi^{(4-D)/2}}\,\frac{D-1}{5-2D}\,(\ln\gamma)^{1/2} G^{D-2} E^*
+///   a_L'^{(4-D)/2}\left[1 - \left(\frac{a'_c}{a'_L}\right)^{(5-2D)/2}\right],
+/// ```
+///
+/// with a logarithm at D = 5/2, evaluated without loss through it. Without a critical area the
+/// load exists for D < 5/2 only.
+///
+/// - `D`: dimension of the surface \[-\]; `G`: fractal roughness \[m\]; `gamma`: ratio of successive
+///   frequencies \[-\]; `a'_L`, `a'_c`: largest and critical truncated area \[m²\].
+///
+/// # Source
+/// Yan & Komvopoulos (1998), doi:10.1063/1.368536.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct YanKomvopoulos {
+    dimension: f64,
+    roughness: f64,
+    frequency_ratio: f64,
+    nominal_area: f64,
+    modulus: ContactModulus,
+    critical_area: f64,
+    hardness: Option<f64>,
+}
+
+impl YanKomvopoulos {
+    /// A surface of dimension `2 < dimension < 3` and roughness `G` (m) on a nominal area (m²),
+    /// with the frequency ratio 1.5 and no critical area.
+    ///
+    /// # Errors
+    /// [`ModelError::OutsideDomain`] unless `2 < dimension < 3`; [`ModelError::InvalidInput`] for
+    /// a roughness or area that is not finite and positive.
+    pub fn new(
+        dimension: f64,
+        roughness: f64,
+        nominal_area: f64,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        if !(dimension > 2.0 && dimension < 3.0) {
+            return Err(ModelError::OutsideDomain {
+                model: MODEL,
+                quantity: "D",
+                value: dimension,
+                domain: 2.0..=3.0,
+                reason: "the dimension of a fractal surface lies strictly between 2 and 3",
+            });
+        }
+        require::positive(MODEL, "fractal roughness", roughness)?;
+        require::positive(MODEL, "nominal area", nominal_area)?;
+        let frequency_ratio = crate::fractal::FREQUENCY_RATIO;
+        let (critical_area, hardness) = (0.0, None);
+        let model = Self {
+            dimension,
+            roughness,
+            frequency_ratio,
+            nominal_area,
+            modulus,
+            critical_area,
+            hardness,
+        };
+        Ok(model)
+    }
+
+    /// Sets the ratio `gamma` of successive frequencies of the surface (1.5 by default). Set it
+    /// before a hardness, whose critical area depends on it.
+    ///
+    /// # Errors
+    /// [`ModelError::OutsideDomain`] unless it is finite and greater than 1.
+    pub fn with_frequency_ratio(mut self, ratio: f64) -> Result<Self, ModelError> {
+        self.frequency_ratio = crate::fractal::check_ratio(MODEL, ratio)?;
+        match self.hardness {
+            Some(hardness) => self.with_hardness(hardness),
+            None => Ok(self),
+        }
+    }
+
+    /// Counts as elastic only spots of truncated area above `critical_area` (m²). Load is the
+    /// elastic load; area is that of all spots.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless it is finite and positive.
+    pub fn with_critical_area(mut self, critical_area: f64) -> Result<Self, ModelError> {
+        self.critical_area = require::positive(MODEL, "critical area", critical_area)?;
+        self.hardness = None;
+        Ok(self)
+    }
+
+    /// Takes the critical area from the hardness `H` (Pa), where `Delta F = H a'`,
+    ///
+    /// ```math
+    /// a'_c = \left[\frac{2^{11-2D}}{9\pi^{4-D}}\,G^{2D-4}\left(\frac{E^*}{H}\right)^2
+    ///   \ln\gamma\right]^{1/(D-2)}
+    /// ```
+    ///
+    /// and adds what the smaller, plastic spots carry.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] for a hardness that is not finite and positive;
+    /// [`ModelError::OutsideDomain`] if `a'_c` is beyond the range of a double.
+    pub fn with_hardness(mut self, hardness: f64) -> Result<Self, ModelError> {
+        let hardness = require::positive(MODEL, "hardness", hardness)?;
+        // c a^((4-D)/2) = H a  =>  a = (c/H)^(2/(D-2))
+        let ratio = self.spots().coefficient / hardness;
+        let area = ratio.powf(2.0 / (self.dimension - 2.0)).value();
+        if !(area > 0.0 && area.is_finite()) {
+            return Err(ModelError::OutsideDomain {
+                model: MODEL,
+                quantity: "critical area",
+                value: area.min(f64::MAX),
+                domain: f64::MIN_POSITIVE..=f64::MAX,
+                reason: "it is beyond the range of a double: D is too close to 2",
+            });
+        }
+        self.critical_area = area;
+        self.hardness = Some(hardness);
+        Ok(self)
+    }
+
+    /// Truncated area below which a spot is plastic \[m²\]; 0 if none was set.
+    pub fn critical_area(&self) -> f64 {
+        self.critical_area
+    }
+
+    /// The nominal pressure \[Pa\] at which the largest truncated spot is `largest` (m²).
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless `largest` is finite and not negative;
+    /// [`ModelError::OutsideDomain`] without a critical area for D >= 2.5, and where the pressure
+    /// exceeds the largest double.
+    pub fn pressure_at_largest_spot(&self, largest: f64) -> Result<f64, ModelError> {
+        let largest = Wide::from(require::not_negative(MODEL, "largest spot", largest)?);
+        self.check_convergence()?;
+        if largest.is_zero() {
+            return Ok(0.0);
+        }
+        let load = match self.critical() {
+            Some(critical) => self.spots().load_with(critical, largest),
+            None => self.spots().load(largest),
+        };
+        require::representable(MODEL, "mean pressure", (load / self.nominal_area).value())
+    }
+
+    fn spots(&self) -> Spots {
+        let d = self.dimension;
+        Spots {
+            size_exponent: (d - 1.0) / 2.0,
+            load_exponent: (4.0 - d) / 2.0,
+            epsilon: 2.5 - d, // exact for every double near D = 5/2
+            coefficient: Wide::from(self.roughness).powf(d - 2.0)
+                * self.modulus.pascals()
+                * (((11.0 - 2.0 * d) / 2.0).exp2() / (3.0 * PI.powf((4.0 - d) / 2.0)))
+                * self.frequency_ratio.ln().sqrt(),
+        }
+    }
+
+    fn critical(&self) -> Option<Critical> {
+        (self.critical_area > 0.0).then(|| Critical {
+            area: Wide::from(self.critical_area),
+            hardness: Wide::from(self.hardness.unwrap_or(0.0)),
+        })
+    }
+
+    /// Real area of all spots: half the truncated area of the elastic ones, all of the plastic.
+    fn real_area(&self, largest: Wide) -> Wide {
+        let truncated = largest * self.spots().area_share();
+        let Some(critical) = self.critical() else {
+            return truncated / 2.0;
+        };
+        let ratio = largest / critical.area;
+        if ratio.value() <= 1.0 {
+            return truncated;
+        }
+        // int_0^{a_c} n a' da' = s/(1-s) a_L (a_c/a_L)^(1-s)
+        let plastic = truncated / ratio.powf(1.0 - self.spots().size_exponent);
+        (truncated + plastic) / 2.0
+    }
+
+    fn check_convergence(&self) -> Result<(), ModelError> {
+        if self.critical_area > 0.0 || self.dimension < 2.5 {
+            return Ok(());
+        }
+        Err(ModelError::OutsideDomain {
+            model: MODEL,
+            quantity: "D",
+            value: self.dimension,
+            domain: 2.0..=2.5,
+            reason: "the load of ever smaller elastic spots diverges for D >= 2.5; give a \
+                     critical area below which spots are plastic (with_critical_area or \
+                     with_hardness)",
+        })
+    }
+}
+
+impl ContactModel for YanKomvopoulos {
+    fn citation(&self) -> Citation {
+        Citation {
+            authors: "Yan & Komvopoulos",
+            year: 1998,
+            title: "Contact analysis of elastic-plastic fractal surfaces",
+            journal: "J. Appl. Phys. 84, 3617",
+            doi: "10.1063/1.368536",
+        }
+    }
+
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        require::pressure(MODEL, mean_pressure)?;
+        self.check_convergence()?;
+        let load = Wide::from(mean_pressure) * self.nominal_area;
+        let largest = match self.critical() {
+            _ if load.is_zero() => load,
+            Some(critical) => self.spots().largest_with(critical, load),
+            None => self.spots().largest(load),
+        };
+        let area = if load.is_zero() { load } else { self.real_area(largest) };
+        let area_fraction = (area / self.nominal_area).value();
+        require::representable(MODEL, "area fraction", area_fraction)?;
+        let largest_fraction = (largest / self.nominal_area).value().min(f64::MAX);
+        let beyond = |quantity, value, reason| {
+            Some(Caveat::BeyondModel { quantity, value, limit: 1.0, reason })
+        };
+        let caveat = if area_fraction <= 0.0 && mean_pressure > 0.0 {
+            Some(Caveat::Underflow { quantity: "area fraction" })
+        } else if area_fraction > 1.0 {
+            beyond("area fraction", area_fraction, "the spots cover more than the nominal area")
+        } else if largest_fraction > 1.0 {
+            beyond("largest spot", largest_fraction, "one spot is larger than the nominal area")
+        } else {
+            None
+        };
+        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+    }
+}

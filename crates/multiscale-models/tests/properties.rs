@@ -1,0 +1,241 @@
+//! No finite input makes a NaN, an infinity or a panic; area never falls as pressure rises.
+
+use contact_types::{
+    AmplitudeSpectrum, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError,
+    RoughnessSpectrum, Shell, SpectralMoments, Wave,
+};
+use multiscale_models::fractal::WeierstrassMandelbrot;
+use multiscale_models::{
+    Archard, AreaLaw, JacksonStreator, MajumdarBhushan, MoragEtsion, Persson, SelfAffineSpectrum,
+    SinusoidLaw, SphereLevel, Stacked, YanKomvopoulos,
+};
+use proptest::prelude::*;
+
+/// Any finite double, of either sign, subnormal ones and zero included.
+fn any_finite() -> impl Strategy<Value = f64> {
+    any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
+}
+
+/// Any finite double that is not negative, evenly over the exponents.
+fn magnitude() -> impl Strategy<Value = f64> {
+    any_finite().prop_map(f64::abs)
+}
+
+fn modulus() -> impl Strategy<Value = ContactModulus> {
+    magnitude()
+        .prop_filter("normal", |x| x.is_normal())
+        .prop_map(|e| ContactModulus::from_pascals(e).expect("a positive normal number"))
+}
+
+fn shells() -> impl Strategy<Value = Vec<Shell>> {
+    prop::collection::vec((magnitude(), magnitude()), 0..6).prop_map(|mut pairs| {
+        pairs.retain(|p| p.0 > 0.0);
+        pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+        pairs.dedup_by(|a, b| a.0.to_bits() == b.0.to_bits());
+        pairs.into_iter().map(|(wavenumber, variance)| Shell { wavenumber, variance }).collect()
+    })
+}
+
+/// The same within the 18 decades that Persson's integrals resolve.
+fn band() -> impl Strategy<Value = Vec<Shell>> {
+    let steps = prop::collection::vec((1.0..1e3, magnitude()), 0..6);
+    (magnitude(), steps).prop_map(|(first, steps)| {
+        let mut wavenumber = first.clamp(f64::MIN_POSITIVE, 1e290);
+        let shell = |(ratio, variance): (f64, f64)| {
+            wavenumber *= 1.0 + ratio;
+            Shell { wavenumber, variance }
+        };
+        steps.into_iter().map(shell).collect()
+    })
+}
+
+/// An answer, if there is one, must be a number.
+fn is_sound(answer: &Result<ContactState, ModelError>) -> bool {
+    let Ok(state) = answer else { return true };
+    let gap = state.mean_gap.unwrap_or(0.0);
+    state.area_fraction.is_finite()
+        && state.area_fraction >= 0.0
+        && gap.is_finite()
+        && gap >= 0.0
+        && state.real_pressure().is_none_or(f64::is_finite)
+}
+
+/// A number, if there is one, must be finite.
+fn is_number(answer: &Result<f64, ModelError>) -> bool {
+    answer.as_ref().map_or(true, |x| x.is_finite())
+}
+
+/// Area at two pressures must not fall.
+fn is_monotone(model: &dyn ContactModel, p: f64, q: f64) -> bool {
+    let (lo, hi) = (p.min(q), p.max(q));
+    match (model.at_pressure(lo), model.at_pressure(hi)) {
+        (Ok(a), Ok(b)) => a.area_fraction <= b.area_fraction,
+        (Err(_), Ok(_)) => lo < 0.0,
+        _ => true,
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn persson_from_moments(m2 in any_finite(), e in modulus(), p in any_finite(), q in magnitude(), a in any_finite()) {
+        let moments = SpectralMoments { m0: 1.0, m2, m4: 1.0 };
+        if let Ok(model) = Persson::from_moments(moments, e) {
+            for law in [AreaLaw::Diffusion, AreaLaw::ReducedDiffusion] {
+                let model = model.clone().with_gamma(0.45).unwrap().with_area_law(law);
+                prop_assert!(is_sound(&model.at_pressure(p)));
+                prop_assert!(is_monotone(&model, p.abs(), q));
+                prop_assert!(is_number(&model.open_fraction(p)));
+                prop_assert!(is_number(&model.pressure_at_area(a)));
+                prop_assert!(is_number(&model.pressure_at_open_fraction(a)));
+                prop_assert!(is_number(&model.pressure_at_area(a.abs().fract())));
+            }
+            if let Ok(distribution) = model.pressure_distribution(p) {
+                prop_assert!(distribution.density(q).is_finite());
+                prop_assert!(distribution.mean_square().is_none_or(f64::is_finite));
+            }
+        } else {
+            prop_assert!(m2 < 0.0);
+        }
+    }
+
+    #[test]
+    fn persson_from_spectrum(shells in prop_oneof![band(), shells()], e in modulus(), p in any_finite(), q in magnitude(), gamma in 0.01..=1.0) {
+        let spectrum = RoughnessSpectrum::new(shells).unwrap();
+        let Ok(model) = Persson::from_spectrum(&spectrum, e) else {
+            // More than 18 decades.
+            let carrying = || spectrum.shells().iter().filter(|s| s.variance > 0.0);
+            let span = carrying().next_back().unwrap().wavenumber / carrying().next().unwrap().wavenumber;
+            prop_assert!(span > 0.99e18);
+            return Ok(());
+        };
+        let model = model.with_gamma(gamma).unwrap();
+        prop_assert!(is_sound(&model.at_pressure(p)));
+        prop_assert!(is_monotone(&model, p.abs(), q));
+        prop_assert!(is_number(&model.mean_gap(p)));
+        prop_assert!(is_number(&model.stiffness(p)));
+        prop_assert!(is_number(&model.elastic_energy(p)));
+        prop_assert!(is_number(&model.area_fraction_up_to(p.abs(), q)));
+        prop_assert!(is_number(&model.area_fraction_at_magnification(p.abs(), q)));
+        if let Ok([u0, b]) = model.light_load() {
+            prop_assert!(!u0.is_nan() && !b.is_nan());
+        }
+    }
+
+    #[test]
+    fn persson_self_affine(
+        hurst in 0.0..=1.0, q in [1e-300..1e300, 1.0..1e3, 1.0..1e15], m0 in magnitude(), e in modulus(), p in magnitude(), r in magnitude(),
+    ) {
+        let wavenumbers = [q[0], q[0] * q[1], q[0] * q[1] * q[2]];
+        if let Ok(spectrum) = SelfAffineSpectrum::from_wavenumbers(hurst, wavenumbers, m0) {
+            let model = Persson::from_self_affine(spectrum, e).unwrap().with_gamma(0.45).unwrap();
+            prop_assert!(is_sound(&model.at_pressure(p)));
+            prop_assert!(is_monotone(&model, p, r));
+            prop_assert!(is_number(&model.stiffness(p)));
+            prop_assert!(is_number(&model.elastic_energy(p)));
+        }
+    }
+
+    #[test]
+    fn self_affine_takes_any_input(h in any_finite(), a in any_finite(), b in any_finite(), c in any_finite(), m0 in any_finite()) {
+        // Whether it is accepted or refused, it must not panic.
+        let _ = SelfAffineSpectrum::from_wavenumbers(h, [a, b, c], m0);
+        let _ = SelfAffineSpectrum::from_wavelengths(h, a, b, m0);
+    }
+
+    #[test]
+    fn stacked(b in any_finite(), e in modulus(), p in any_finite(), q in magnitude(), a in any_finite()) {
+        if let Ok(model) = Stacked::new(b, e) {
+            prop_assert!(is_sound(&model.at_pressure(p)));
+            prop_assert!(is_monotone(&model, p.abs(), q));
+            prop_assert!(is_number(&model.real_pressure()));
+            prop_assert!(is_number(&model.pressure_at_area(a)));
+        } else {
+            prop_assert!(b < 0.0);
+        }
+    }
+
+    #[test]
+    fn jackson_streator(shells in shells(), e in modulus(), p in any_finite(), q in magnitude()) {
+        let waves = shells.iter().map(|s| Wave { frequency: s.wavenumber, amplitude: s.variance });
+        let spectrum = AmplitudeSpectrum::new(waves.collect(), 1.0).unwrap();
+        let model = JacksonStreator::new(spectrum, e).unwrap();
+        prop_assert!(is_sound(&model.at_pressure(p)));
+        let accurate = model.with_law(SinusoidLaw::NumericalTable);
+        prop_assert!(is_sound(&accurate.at_pressure(p)));
+        prop_assert!(is_monotone(&accurate, p.abs(), q));
+    }
+
+    #[test]
+    fn archard(levels in prop::collection::vec((any_finite(), any_finite()), 0..5), e in modulus(), p in any_finite(), q in magnitude()) {
+        let levels: Vec<_> =
+            levels.into_iter().map(|(radius, density)| SphereLevel { radius, density }).collect();
+        if let Ok(model) = Archard::new(&levels, e) {
+            prop_assert!(is_sound(&model.at_pressure(p)));
+            prop_assert!(is_monotone(&model, p.abs(), q));
+            prop_assert!(is_number(&model.area(p)));
+            prop_assert!(is_number(&model.coefficient()));
+        }
+    }
+
+    #[test]
+    fn majumdar_bhushan(
+        dimension in prop_oneof![1.0..2.0, any_finite(), Just(1.5), Just(1.0 + f64::EPSILON), Just(2.0 - f64::EPSILON)],
+        roughness in magnitude(), area in magnitude(), critical in any_finite(), e in modulus(), p in any_finite(), q in magnitude(),
+    ) {
+        let surface = FractalParameters { dimension, roughness };
+        if let Ok(model) = MajumdarBhushan::new(surface, area, e) {
+            let mut all = vec![model];
+            all.extend(model.with_critical_area(critical));
+            all.extend(model.with_hardness(critical));
+            for model in all {
+                prop_assert!(is_sound(&model.at_pressure(p)));
+                prop_assert!(is_number(&model.pressure_at_area(p)));
+            }
+            prop_assert!(is_monotone(&model, p.abs(), q));
+        }
+    }
+
+    #[test]
+    fn yan_komvopoulos(
+        dimension in prop_oneof![2.0..3.0, any_finite(), Just(2.5)], roughness in magnitude(), area in magnitude(),
+        critical in any_finite(), e in modulus(), p in any_finite(),
+    ) {
+        if let Ok(model) = YanKomvopoulos::new(dimension, roughness, area, e) {
+            let mut all = vec![model];
+            all.extend(model.with_critical_area(critical));
+            all.extend(model.with_hardness(critical));
+            all.extend(model.with_frequency_ratio(critical));
+            for model in all {
+                prop_assert!(is_sound(&model.at_pressure(p)));
+                prop_assert!(is_number(&model.pressure_at_largest_spot(p)));
+            }
+        }
+    }
+
+    #[test]
+    fn one_asperity_and_the_profile(
+        dimension in prop_oneof![1.0..2.0, any_finite()], roughness in any_finite(), length in any_finite(), e in modulus(),
+        w in any_finite(), slope in prop_oneof![-4.0..4.0, any_finite()],
+    ) {
+        let surface = FractalParameters { dimension, roughness };
+        if let Ok(asperity) = MoragEtsion::new(surface, length, e) {
+            prop_assert!(is_number(&asperity.critical_interference(w)));
+            let _ = asperity.can_yield(w);
+            if let Ok(contact) = asperity.at_interference(w.abs() % asperity.amplitude()) {
+                prop_assert!(contact.load.is_finite() && contact.area.is_finite());
+            }
+        }
+        if let Ok(profile) = WeierstrassMandelbrot::new(surface) {
+            prop_assert!(is_number(&profile.psd(w)));
+            prop_assert!(is_number(&profile.structure_function(w)));
+        }
+        for profile in [
+            WeierstrassMandelbrot::from_psd(slope, length, w),
+            WeierstrassMandelbrot::from_structure_function(slope, length, w),
+        ].into_iter().flatten() {
+            prop_assert!(profile.surface().roughness.is_normal());
+        }
+    }
+}
