@@ -167,11 +167,17 @@ pub fn ln_derivative(order: Order, alpha: f64) -> f64 {
 
 /// The standard normal density φ(α).
 pub fn density(alpha: f64) -> f64 {
-    if alpha.abs() > 39.0 {
+    times_gaussian(FRAC_1_SQRT_2PI, alpha)
+}
+
+/// `factor` times exp(-α²/2), with no digit lost in α² and no underflow before the result itself
+/// underflows.
+pub fn times_gaussian(factor: f64, alpha: f64) -> f64 {
+    if alpha.abs() > 1e3 {
         return 0.0;
     }
     let [outer, inner] = exp_half_square(alpha);
-    (FRAC_1_SQRT_2PI * outer * inner) * outer
+    (factor * outer * inner) * outer
 }
 
 /// 1/√(2π).
@@ -240,11 +246,7 @@ static FIVE_HALVES: Function = Function {
 impl Function {
     fn value(&self, alpha: f64) -> f64 {
         if alpha >= FAR {
-            if alpha > 39.0 {
-                return 0.0;
-            }
-            let [outer, inner] = exp_half_square(alpha);
-            (outer * inner * self.far_scaled(alpha)) * outer
+            if alpha > 39.0 { 0.0 } else { times_gaussian(self.far_scaled(alpha), alpha) }
         } else if alpha <= NEAR {
             self.overlap(-alpha)
         } else {

@@ -1,0 +1,28 @@
+//! Contact of isotropic Gaussian surfaces by their summits, from three spectral moments.
+//!
+//! Each summit is an elliptic paraboloid with its own height and two curvatures, distributed as
+//! Nayak's random-process theory says. The models differ in how one summit answers:
+//!
+//! - [`BushGibsonThomas`]: exactly, as an elliptic Hertz contact.
+//! - [`GreenwoodElliptical`]: as a sphere of the geometric mean curvature.
+//! - [`MeanCurvature`]: as a sphere of the arithmetic mean curvature.
+//!
+//! All three are one integral over the curvature ([`SummitModel`]), and all take the height of the
+//! flat above the *mean plane of the surface*, not above the mean summit.
+//!
+//! [`nayak`] has the density of summit heights itself.
+
+mod bgt;
+mod gauss_legendre;
+mod greenwood_elliptical;
+mod kernel_tables;
+mod kernels;
+mod mean_curvature;
+pub mod nayak;
+mod quadrature;
+mod summit_model;
+
+pub use bgt::{BushGibsonThomas, EllipticHertz};
+pub use greenwood_elliptical::{GeometricMeanSphere, GreenwoodElliptical};
+pub use mean_curvature::{ArithmeticMeanSphere, MeanCurvature};
+pub use summit_model::{SummitLaw, SummitModel};

@@ -1,0 +1,213 @@
+//! The one integral of these models, over the summit curvature t:
+//!
+//! ```math
+//! \int_0^\infty f(t)\, \varphi(t)\, s^n J_n\!\left(\frac{h - \rho t}{s}\right) dt
+//! ```
+//!
+//! For h > 0 everything is measured in units of exp(-h²/2), which is where the answer lies: with
+//! z = (h - ρt)/s and u = (t - ρh)/s,
+//!
+//! ```math
+//! \varphi(t)\, J_n(z) = \tfrac{1}{\sqrt{2\pi}}\, e^{-h^2/2}\, e^{-u^2/2} \left[e^{z^2/2} J_n(z)\right]
+//!                     = \tfrac{1}{\sqrt{2\pi}}\, e^{-h^2/2}\, e^{(h-t)(h+t)/2} J_n(z)
+//! ```
+//!
+//! The first form serves summits below the flat on average (z large), the second the others.
+//! Nothing underflows, whatever h.
+
+use crate::gauss_legendre::GAUSS_32;
+use gw_closed_form::partial_moments::{self, Order};
+
+/// How summit height and curvature hang together: given the curvature t, heights (in units of σ)
+/// have mean ρt and deviation s, ρ² + s² = 1, ρ² = 3/(2 bandwidth).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Correlation {
+    pub(crate) rho: f64,
+    pub(crate) s: f64,
+}
+
+/// One node of the rule: summits of curvature t and the overlap of their heights with the flat.
+pub(crate) struct Summit {
+    pub(crate) t: f64,
+    s: f64,
+    z: f64,
+    /// Mean height above the flat, ρt - h.
+    depth: f64,
+    /// The Gaussian exp(-z²/2) is in the weight already.
+    scaled: bool,
+}
+
+impl Summit {
+    /// s^n J_n(z): mean n-th power of the overlap.
+    pub(crate) fn overlap(&self, order: Order) -> f64 {
+        let (width, z) = if self.z < SHARP {
+            (self.depth, -1.0) // heights are as good as equal: (ρt - h)^n
+        } else {
+            (self.s, self.z)
+        };
+        let power = match order {
+            Order::Zero => 1.0,
+            Order::Half => width.sqrt(),
+            Order::One => width,
+            Order::ThreeHalves => width * width.sqrt(),
+            Order::FiveHalves => width * width * width.sqrt(),
+        };
+        if self.z < SHARP {
+            power
+        } else if self.scaled {
+            power * partial_moments::scaled(order, z)
+        } else {
+            power * partial_moments::value(order, z)
+        }
+    }
+}
+
+/// Below this z the spread of heights changes the overlap by less than rounding.
+const SHARP: f64 = -1e9;
+/// Half-width of the window in standard deviations: exp(-50) of the peak is left out.
+const REACH: f64 = 10.0;
+/// Widest panel in t; two standard deviations and a half, for 32 nodes.
+const WIDEST: f64 = 2.5;
+
+/// Where t is measured from, so that z and u come without cancellation.
+enum Frame {
+    /// From ρh, in units of s: few summits reach the flat.
+    Tail { h: f64 },
+    /// From c = h/ρ, where the mean summit of that curvature touches the flat.
+    Touch { h: f64, c: f64 },
+    /// From 0.
+    Plain { h: f64 },
+}
+
+impl Correlation {
+    /// Sums `f` over the rule. The result is in units of exp(-h²/2) for h > 0.
+    pub(crate) fn integrate<const N: usize>(
+        self,
+        h: f64,
+        f: impl Fn(&Summit) -> [f64; N],
+    ) -> [f64; N] {
+        let Self { rho, s } = self;
+        let frame = if h > 0.0 && h * s >= REACH * rho {
+            Frame::Tail { h }
+        } else if h > 0.0 && rho >= 0.5 {
+            Frame::Touch { h, c: h / rho }
+        } else {
+            Frame::Plain { h }
+        };
+        let mut sum = [0.0; N];
+        let breaks = self.breaks(&frame);
+        for pair in breaks.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let (root, low, high) = self.substitution(&frame, from, to);
+            let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+            for &[x, w] in &GAUSS_32 {
+                for x in [-x, x] {
+                    let y = middle + half * x;
+                    // Around an end where powers are fractional the variable is its square root.
+                    let (at, jacobian) = if root { (from + y * y, 2.0 * y) } else { (y, 1.0) };
+                    let (summit, weight) = self.summit(&frame, at);
+                    let values = f(&summit);
+                    let weight = weight * w * half * jacobian;
+                    for (total, value) in sum.iter_mut().zip(values) {
+                        *total += weight * value;
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// Whether to substitute a square about `from`, and the limits of the variable.
+    fn substitution(self, frame: &Frame, from: f64, to: f64) -> (bool, f64, f64) {
+        let origin = match *frame {
+            Frame::Tail { h } => -self.rho * h / self.s,
+            Frame::Touch { c, .. } => {
+                if self.s > 0.0 {
+                    -c
+                } else {
+                    0.0 // one height per curvature: contact begins at c
+                }
+            }
+            Frame::Plain { .. } => 0.0,
+        };
+        if from <= origin { (true, 0.0, (to - from).sqrt()) } else { (false, from, to) }
+    }
+
+    /// Node at frame coordinate `y`, with its Gaussian weight.
+    fn summit(self, frame: &Frame, y: f64) -> (Summit, f64) {
+        let Self { rho, s } = self;
+        let (t, z, u, depth, above, step) = match *frame {
+            Frame::Tail { h } => {
+                let t = (rho * h + s * y).max(0.0);
+                (t, h * s - rho * y, y, 0.0, 0.0, s)
+            }
+            Frame::Touch { h, c } => {
+                let t = (c + y).max(0.0);
+                // t - h without cancellation: c - h = h (1 - ρ)/ρ and 1 - ρ = s²/(1 + ρ)
+                let above = h * (s / rho) * (s / (1.0 + rho)) + y;
+                (t, -rho * y / s, h * s / rho + y / s, rho * y, above, 1.0)
+            }
+            Frame::Plain { h } => {
+                let depth = rho * y - h;
+                (y, -depth / s, (y - rho * h) / s, depth, y - h, 1.0)
+            }
+        };
+        let (h, tail) = match *frame {
+            Frame::Tail { h } => (h, true),
+            Frame::Touch { h, .. } | Frame::Plain { h } => (h, false),
+        };
+        let scaled = tail || h > 0.0 && z >= 8.0;
+        let exponent = if scaled {
+            -0.5 * u * u
+        } else if h > 0.0 {
+            -0.5 * above * (h + t)
+        } else {
+            -0.5 * t * t
+        };
+        let summit = Summit { t, s, z, depth, scaled };
+        (summit, exponent.exp() * step * FRAC_1_SQRT_2PI)
+    }
+
+    /// Panel ends, in frame coordinates.
+    fn breaks(self, frame: &Frame) -> Vec<f64> {
+        let Self { rho, s } = self;
+        let (low, high, touch) = match *frame {
+            Frame::Tail { h } => ((-rho * h / s).max(-REACH), REACH, None),
+            Frame::Touch { h, c } => {
+                let low = if s > 0.0 { (-h * s * s / rho - REACH * s).max(-c) } else { 0.0 };
+                let lag = h * s / rho;
+                let to_tail = (REACH * REACH - lag * lag) / ((h * h + REACH * REACH).sqrt() + c);
+                (low, to_tail.max(REACH * s - h * s * s / rho), Some(0.0))
+            }
+            Frame::Plain { h } if h > 0.0 => {
+                let low = (rho * h - REACH * s).max(0.0);
+                (low, (h * h + REACH * REACH).sqrt(), Some(h / rho))
+            }
+            Frame::Plain { .. } => (0.0, REACH, None),
+        };
+        let mut breaks = vec![low, high];
+        if let Some(touch) = touch {
+            // Overlap powers have their bend at `touch`, as sharp as w: panels grow away from it.
+            let mut offset = 4.0 * s / rho;
+            while offset > 0.0 && offset < high - low {
+                breaks.extend(
+                    [touch - offset, touch + offset].iter().filter(|b| low < **b && **b < high),
+                );
+                offset *= 8.0;
+            }
+        }
+        breaks.sort_by(f64::total_cmp);
+        let widest = WIDEST.min(0.25 * (high - low));
+        let mut fine = vec![low];
+        for pair in breaks.windows(2) {
+            let parts = ((pair[1] - pair[0]) / widest).ceil().max(1.0);
+            for k in 1..parts as u32 {
+                fine.push(pair[0] + (pair[1] - pair[0]) * f64::from(k) / parts);
+            }
+            fine.push(pair[1]);
+        }
+        fine
+    }
+}
+
+const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
