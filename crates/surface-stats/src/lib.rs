@@ -3,14 +3,17 @@
 //! [`SurfaceStatistics::of`] answers most questions in one call; the parts are public beside it.
 //! Definitions, choices and their consequences are in the book, chapter "Surface statistics".
 
+pub mod clean;
 mod differences;
 mod error;
 pub mod fractal;
 mod heights;
 pub mod iso25178;
 mod level;
+mod linear;
 pub mod noise;
 pub mod polynomial;
+pub mod sampling;
 mod scale;
 pub mod spectrum;
 mod statistics;

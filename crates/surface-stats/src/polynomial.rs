@@ -5,15 +5,11 @@
 //! million times higher than the roughness leaves no trace of its own rounding.
 
 use crate::StatsError;
+use crate::linear::NormalEquations;
 use contact_types::Grid;
-use faer::{Mat, Side};
 
 /// Highest total degree offered.
 pub const MAX_DEGREE: usize = 12;
-
-/// Eigenvalues of the normal matrix below this fraction of the largest belong to combinations
-/// of terms that the points cannot tell apart; those combinations are left out.
-const RANK_TOLERANCE: f64 = 1e-12;
 
 /// A polynomial in x and y of limited total degree.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,15 +104,12 @@ impl Polynomial {
         along
     }
 
-    /// Coefficients that fit what the present ones leave over: the normal equations, solved in
-    /// the space of eigenvectors that the points determine.
+    /// Coefficients that fit what the present ones leave over.
     fn solve_for_residual(&self, heights: &[f64]) -> Vec<f64> {
         let ([ny, nx], k) = (self.grid.shape(), self.degree + 1);
-        let n = self.coefficients.len();
         let columns = columns(nx, self.degree);
         let complete = products(&columns, &(0..nx));
-        let mut normal = Mat::<f64>::zeros(n, n);
-        let mut right = vec![0.0; n];
+        let mut equations = NormalEquations::new(self.coefficients.len());
         // Along a row only the polynomials of x vary: sum over it first, then over rows.
         for (iy, row) in heights.chunks_exact(nx).enumerate() {
             let rows = legendre(scaled(iy, ny));
@@ -135,25 +128,13 @@ impl Polynomial {
             let own = missing.then(|| products(&columns, &(0..nx).filter(|&ix| !row[ix].is_nan())));
             let gram = own.as_ref().unwrap_or(&complete);
             for (i, [ky, kx]) in terms(self.degree).enumerate() {
-                right[i] += rows[ky] * sums[kx];
+                equations.add_right(i, rows[ky] * sums[kx]);
                 for (j, [my, mx]) in terms(self.degree).enumerate().take(i + 1) {
-                    normal[(i, j)] += rows[ky] * rows[my] * gram[kx * k + mx];
+                    equations.add_product(i, j, rows[ky] * rows[my] * gram[kx * k + mx]);
                 }
             }
         }
-        let eigen = normal
-            .self_adjoint_eigen(Side::Lower)
-            .expect("a symmetric matrix of finite numbers has eigenvectors");
-        let (vectors, values) = (eigen.U(), eigen.S().column_vector());
-        let largest = (0..n).map(|k| values[k]).fold(0.0, f64::max);
-        let mut solution = vec![0.0; n];
-        for k in (0..n).filter(|&k| values[k] > RANK_TOLERANCE * largest) {
-            let projection: f64 = (0..n).map(|i| vectors[(i, k)] * right[i]).sum();
-            for (i, s) in solution.iter_mut().enumerate() {
-                *s += vectors[(i, k)] * projection / values[k];
-            }
-        }
-        solution
+        equations.solve()
     }
 }
 

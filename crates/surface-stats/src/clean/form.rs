@@ -1,0 +1,402 @@
+//! Removal of nominal form: polynomial, sphere, cylinder.
+
+use crate::StatsError;
+use crate::linear::NormalEquations;
+use crate::polynomial::Polynomial;
+use contact_types::Grid;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Iterations a sphere or cylinder may take; ten are common for half a sphere, three for a cap.
+const MAX_ITERATIONS: usize = 60;
+
+/// A step that improves the sum of squares by less than this fraction is the last.
+const SETTLED: f64 = 1e-9;
+
+/// Nominal form of a measured part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// All terms up to a total degree: 0 mean, 1 plane, 2 quadratic, up to 12.
+    Polynomial(usize),
+    /// A sphere in any position, convex or concave.
+    Sphere,
+    /// A circular cylinder in any direction of the plane, convex or concave, with a tilt along
+    /// its axis.
+    Cylinder,
+}
+
+/// What was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FormParameters {
+    /// Nothing but the degree is worth naming.
+    Polynomial {
+        /// Total degree.
+        degree: usize,
+    },
+    /// Of the sphere.
+    Sphere {
+        /// Signed radius (m): positive if convex (the centre lies below). Infinite for a plane.
+        radius: f64,
+        /// Position of the highest (convex) or lowest point, `[y, x]` (m); the middle of the map
+        /// for a plane.
+        apex: [f64; 2],
+    },
+    /// Of the cylinder.
+    Cylinder {
+        /// Signed radius (m): positive if convex. Infinite for a plane.
+        radius: f64,
+        /// Direction of the axis in the plane (rad), from x towards y.
+        direction: f64,
+        /// Slope along the axis (-).
+        tilt: f64,
+    },
+}
+
+/// A form fitted to the valid points of a map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FittedForm {
+    grid: Grid,
+    shape: Shape,
+    points: usize,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Shape {
+    Polynomial(Polynomial, usize),
+    Round(Round),
+}
+
+/// Fits `form` to the points of `heights` (m, row-major) that are not NaN, by least squares of
+/// the vertical distances.
+///
+/// # Errors
+/// [`StatsError::Shape`], [`StatsError::TooFewPoints`], [`StatsError::BadSetting`] for a degree
+/// above 12, [`StatsError::NotConverged`] if no sphere or cylinder comes near the points.
+pub fn fit_form(grid: Grid, heights: &[f64], form: Form) -> Result<FittedForm, StatsError> {
+    if heights.len() != grid.len() {
+        let (expected, found) = (grid.len(), heights.len());
+        return Err(StatsError::Shape { what: "heights", expected, found });
+    }
+    let points = heights.iter().filter(|h| !h.is_nan()).count();
+    let needed = match form {
+        Form::Polynomial(degree) => (degree + 1) * (degree + 2) / 2,
+        Form::Sphere => 4,
+        Form::Cylinder => 5,
+    };
+    if points < needed {
+        return Err(StatsError::TooFewPoints { what: "this form", needed, found: points });
+    }
+    let shape = match form {
+        Form::Polynomial(degree) => {
+            Shape::Polynomial(Polynomial::fit(grid, heights, degree)?, degree)
+        }
+        Form::Sphere => Shape::Round(Round::fit(grid, heights, None)?),
+        Form::Cylinder => {
+            let across = Round::direction_across(grid, heights);
+            Shape::Round(Round::fit(grid, heights, Some(across))?)
+        }
+    };
+    Ok(FittedForm { grid, shape, points })
+}
+
+impl FittedForm {
+    /// Replaces every valid height by its distance above the form; missing points stay missing.
+    ///
+    /// # Panics
+    /// If `heights` does not have the pixels of the grid that was fitted.
+    pub fn remove_from(&self, heights: &mut [f64]) {
+        assert_eq!(heights.len(), self.grid.len(), "heights of another grid");
+        match &self.shape {
+            Shape::Polynomial(polynomial, _) => polynomial.remove_from(heights),
+            Shape::Round(round) => {
+                let frame = Frame::of(self.grid);
+                for (i, h) in heights.iter_mut().enumerate() {
+                    let (x, y) = frame.position(i);
+                    // A missing point may lie beyond the sphere; NaN stays NaN.
+                    let form = round.height(x, y).unwrap_or(f64::NAN);
+                    *h = (*h - round.origin) - form * frame.unit;
+                }
+            }
+        }
+    }
+
+    /// Valid points that were fitted.
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
+    /// Radius, position, direction.
+    pub fn parameters(&self) -> FormParameters {
+        match &self.shape {
+            Shape::Polynomial(_, degree) => FormParameters::Polynomial { degree: *degree },
+            Shape::Round(round) => round.parameters(&Frame::of(self.grid)),
+        }
+    }
+}
+
+/// Lengths in units of half the longer side, positions from the middle of the map.
+struct Frame {
+    grid: Grid,
+    unit: f64,
+}
+
+impl Frame {
+    fn of(grid: Grid) -> Self {
+        let [ly, lx] = grid.size();
+        Self { grid, unit: 0.5 * ly.max(lx) }
+    }
+
+    fn position(&self, index: usize) -> (f64, f64) {
+        let ([ny, nx], [dy, dx]) = (self.grid.shape(), self.grid.pixel());
+        let middle = |i: usize, n: usize| i as f64 - 0.5 * (n - 1) as f64;
+        (middle(index % nx, nx) * dx / self.unit, middle(index / nx, ny) * dy / self.unit)
+    }
+}
+
+/// A sphere or cylinder as the root of `A (u² + z²) - z + B u + C w + E = 0` that stays finite as
+/// A goes to 0, where it becomes a plane. For a sphere u² is x² + y², B u is B x and C w is C y.
+/// For a cylinder u runs across the axis and `C w`, the tilt along it, is added to z outside the
+/// root.
+#[derive(Debug, Clone, PartialEq)]
+struct Round {
+    origin: f64,
+    /// A, B, C, E; for a cylinder also the direction of u.
+    p: [f64; 4],
+    across: Option<f64>,
+}
+
+impl Round {
+    fn fit(grid: Grid, heights: &[f64], across: Option<f64>) -> Result<Self, StatsError> {
+        let origin = heights.iter().copied().find(|h| !h.is_nan()).unwrap_or(0.0);
+        let frame = Frame::of(grid);
+        let mut fit = Self { origin, p: [0.0; 4], across };
+        let mut error = fit.misfit(&frame, heights).unwrap_or(f64::INFINITY);
+        let valid = || heights.iter().filter(|h| !h.is_nan()).map(|h| (h - origin) / frame.unit);
+        let magnitude = valid().fold(1e-6 + origin.abs() / frame.unit, |m, z| m.max(z.abs()));
+        let rounding = 4.0 * f64::EPSILON * magnitude;
+        let floor = valid().count() as f64 * rounding * rounding;
+        for _ in 0..MAX_ITERATIONS {
+            let step = fit.gauss_newton(&frame, heights);
+            // Shorten the step until every point lies below the equator and the fit is better.
+            let (mut fraction, mut beyond_equator) = (1.0, false);
+            let next = loop {
+                let trial = fit.moved(&step, fraction);
+                let misfit = trial.misfit(&frame, heights);
+                match misfit {
+                    Some(e) if e <= error => break Some((trial, e)),
+                    _ if fraction < 1e-6 => break None,
+                    _ => fraction *= 0.5,
+                }
+                beyond_equator |= misfit.is_none();
+            };
+            let Some((trial, e)) = next else {
+                if beyond_equator {
+                    break;
+                }
+                return Ok(fit); // no better point in the best direction
+            };
+            let settled = e <= floor || (!beyond_equator && error - e <= SETTLED * error);
+            (fit, error) = (trial, e);
+            if settled {
+                return Ok(fit);
+            }
+        }
+        let form = if across.is_some() { "cylinder" } else { "sphere" };
+        Err(StatsError::NotConverged { form, iterations: MAX_ITERATIONS })
+    }
+
+    /// Coordinates across and along the axis: for a sphere simply x and y.
+    fn turned(&self, x: f64, y: f64) -> (f64, f64) {
+        let (sin, cos) = self.across.unwrap_or(0.0).sin_cos();
+        (x * cos + y * sin, y * cos - x * sin)
+    }
+
+    /// Height over the frame's unit; `None` beyond the equator.
+    fn height(&self, x: f64, y: f64) -> Option<f64> {
+        let [a, b, c, e] = self.p;
+        let (u, w) = self.turned(x, y);
+        let (bent, tilt) = if self.across.is_some() { (0.0, c * w) } else { (w * w, 0.0) };
+        let inner = if self.across.is_some() { 0.0 } else { c * w };
+        let q = a * (u * u + bent) + b * u + inner + e;
+        let root = 1.0 - 4.0 * a * q;
+        (root > 0.0).then(|| 2.0 * q / (1.0 + root.sqrt()) + tilt)
+    }
+
+    fn misfit(&self, frame: &Frame, heights: &[f64]) -> Option<f64> {
+        let mut sum = 0.0;
+        for (i, h) in heights.iter().enumerate().filter(|(_, h)| !h.is_nan()) {
+            let (x, y) = frame.position(i);
+            sum += ((h - self.origin) / frame.unit - self.height(x, y)?).powi(2);
+        }
+        Some(sum)
+    }
+
+    /// Step of all parameters that fits the residual to first order.
+    fn gauss_newton(&self, frame: &Frame, heights: &[f64]) -> Vec<f64> {
+        let [a, b, c, _] = self.p;
+        let terms = if self.across.is_some() { 5 } else { 4 };
+        let mut equations = NormalEquations::new(terms);
+        for (i, h) in heights.iter().enumerate().filter(|(_, h)| !h.is_nan()) {
+            let (x, y) = frame.position(i);
+            let Some(z) = self.height(x, y) else { continue };
+            let residual = (h - self.origin) / frame.unit - z;
+            let (u, w) = self.turned(x, y);
+            if self.across.is_some() {
+                let g = z - c * w;
+                let s = 1.0 - 2.0 * a * g;
+                // Turning the axis by one radian moves u by w and w by -u.
+                let turn = w * (2.0 * a * u + b) / s - c * u;
+                equations.add_point(&[(g * g + u * u) / s, u / s, w, 1.0 / s, turn], residual);
+            } else {
+                let s = 1.0 - 2.0 * a * z;
+                let square = z * z + u * u + w * w;
+                equations.add_point(&[square / s, u / s, w / s, 1.0 / s], residual);
+            }
+        }
+        equations.solve()
+    }
+
+    fn moved(&self, step: &[f64], fraction: f64) -> Self {
+        let mut moved = self.clone();
+        for (p, d) in moved.p.iter_mut().zip(step) {
+            *p += fraction * d;
+        }
+        moved.across = self.across.map(|angle| angle + fraction * step[4]);
+        moved
+    }
+
+    /// Direction of the strongest curvature of the least-squares quadratic.
+    fn direction_across(grid: Grid, heights: &[f64]) -> f64 {
+        let origin = heights.iter().copied().find(|h| !h.is_nan()).unwrap_or(0.0);
+        let frame = Frame::of(grid);
+        let mut equations = NormalEquations::new(6);
+        for (i, h) in heights.iter().enumerate().filter(|(_, h)| !h.is_nan()) {
+            let (x, y) = frame.position(i);
+            let z = (h - origin) / frame.unit;
+            equations.add_point(&[x * x, x * y, y * y, x, y, 1.0], z);
+        }
+        let q = equations.solve();
+        // Eigenvector of [[q0, q1/2], [q1/2, q2]] with the eigenvalue of larger modulus.
+        let angle = 0.5 * q[1].atan2(q[0] - q[2]);
+        if q[0] + q[2] >= 0.0 { angle } else { angle + FRAC_PI_2 }
+    }
+
+    fn parameters(&self, frame: &Frame) -> FormParameters {
+        let [a, b, c, e] = self.p;
+        // Centre (-B/2A, -C/2A, 1/2A); R² = (1 + B² + C²)/4A² - E/A. A < 0 is convex.
+        let slope_square = if self.across.is_some() { b * b } else { b * b + c * c };
+        let radius = -0.5 * (1.0 + slope_square - 4.0 * a * e).sqrt() / a * frame.unit;
+        let radius = if radius.is_finite() { radius } else { f64::INFINITY };
+        if let Some(across) = self.across {
+            // The axis has no sense of direction: report 0 to pi and the slope that goes with it.
+            let half_turns = ((across + FRAC_PI_2) / PI).floor();
+            let direction = across + FRAC_PI_2 - half_turns * PI;
+            let tilt = if half_turns.rem_euclid(2.0) < 0.5 { c } else { -c };
+            return FormParameters::Cylinder { radius, direction, tilt };
+        }
+        let ([ny, nx], [dy, dx]) = (frame.grid.shape(), frame.grid.pixel());
+        let middle = [0.5 * (ny - 1) as f64 * dy, 0.5 * (nx - 1) as f64 * dx];
+        let from_middle = |slope: f64| {
+            let distance = -0.5 * slope / a * frame.unit;
+            if distance.is_finite() { distance } else { 0.0 } // a plane has no apex
+        };
+        let apex = [middle[0] + from_middle(c), middle[1] + from_middle(b)];
+        FormParameters::Sphere { radius, apex }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
+
+    fn grid() -> Grid {
+        Grid::new([60, 80], [2e-6, 1e-6]).unwrap()
+    }
+
+    fn heights(z: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+        (0..grid().len()).map(|i| z((i / 80) as f64 * 2e-6, (i % 80) as f64 * 1e-6)).collect()
+    }
+
+    /// Ball and bowl, off centre, deep and shallow, with a missing corner: radius and apex come
+    /// back and nothing is left.
+    #[test]
+    fn spheres_of_all_depths() {
+        for radius in [120e-6, -120e-6, 5e-3, -1.0] {
+            let apex = [50e-6, 30e-6];
+            let z = |y: f64, x: f64| {
+                let r2 = (x - apex[1]).powi(2) + (y - apex[0]).powi(2);
+                let r: f64 = radius;
+                76e-3 - r2 / (r + r.signum() * (r * r - r2).sqrt())
+            };
+            let mut h = heights(z);
+            h[..500].fill(f64::NAN);
+            let fit = fit_form(grid(), &h, Form::Sphere).unwrap();
+            let FormParameters::Sphere { radius: found, apex: at } = fit.parameters() else {
+                panic!("not a sphere")
+            };
+            assert_relative_eq!(found, radius, max_relative = 1e-6);
+            assert_abs_diff_eq!(at[0], apex[0], epsilon = 1e-9 * (1.0 + radius.abs() / 1e-3));
+            assert_abs_diff_eq!(at[1], apex[1], epsilon = 1e-9 * (1.0 + radius.abs() / 1e-3));
+            fit.remove_from(&mut h);
+            assert_eq!(h.iter().filter(|h| h.is_nan()).count(), 500);
+            assert!(h.iter().all(|h| h.is_nan() || h.abs() < 1e-15));
+        }
+    }
+
+    #[test]
+    fn cylinders_in_any_direction() {
+        for (radius, direction, tilt) in
+            [(200e-6, 0.4, 0.0), (-200e-6, 2.0, 0.05), (3e-3, 1.57, -0.01), (1e-3, 0.0, 0.0)]
+        {
+            let z = |y: f64, x: f64| {
+                let (sin, cos) = f64::sin_cos(direction);
+                let (along, across) = (x * cos + y * sin, y * cos - x * sin - 20e-6);
+                let r: f64 = radius;
+                tilt * along - across * across / (r + r.signum() * (r * r - across * across).sqrt())
+            };
+            let mut h = heights(z);
+            let fit = fit_form(grid(), &h, Form::Cylinder).unwrap();
+            let FormParameters::Cylinder { radius: found, direction: angle, tilt: slope } =
+                fit.parameters()
+            else {
+                panic!("not a cylinder")
+            };
+            assert_relative_eq!(found, radius, max_relative = 1e-6);
+            assert_abs_diff_eq!((angle - direction).sin(), 0.0, epsilon = 1e-8);
+            let sign = (angle - direction).cos().signum();
+            assert_abs_diff_eq!(sign * slope, tilt, epsilon = 1e-9);
+            fit.remove_from(&mut h);
+            assert!(h.iter().all(|h| h.abs() < 1e-13), "{radius} {direction}");
+        }
+    }
+
+    /// A plane is a sphere of infinite radius, and a rough plane does not trap the fit.
+    #[test]
+    fn flat_and_rough_planes() {
+        let mut h = heights(|y, x| 0.1 * x - 0.2 * y);
+        fit_form(grid(), &h, Form::Sphere).unwrap().remove_from(&mut h);
+        assert!(h.iter().all(|h| h.abs() < 1e-15));
+        for form in [Form::Sphere, Form::Cylinder] {
+            let mut h = heights(|y, x| 1e-7 * ((1e6 * x).sin() * (2.3e6 * y).cos() + 1e4 * y));
+            fit_form(grid(), &h, form).unwrap().remove_from(&mut h);
+            assert!(h.iter().all(|h| h.is_finite()));
+        }
+        let flat = vec![5.0; 60 * 80];
+        for form in [Form::Sphere, Form::Cylinder, Form::Polynomial(4)] {
+            let mut h = flat.clone();
+            fit_form(grid(), &h, form).unwrap().remove_from(&mut h);
+            assert!(h.iter().all(|h| h.abs() < 1e-15), "{form:?}");
+        }
+    }
+
+    #[test]
+    fn too_few_points_are_refused() {
+        let mut h = vec![f64::NAN; 60 * 80];
+        h[7] = 1.0;
+        for form in [Form::Sphere, Form::Cylinder, Form::Polynomial(1)] {
+            let error = fit_form(grid(), &h, form);
+            assert!(matches!(error, Err(StatsError::TooFewPoints { found: 1, .. })), "{form:?}");
+        }
+        assert!(matches!(fit_form(grid(), &h[1..], Form::Sphere), Err(StatsError::Shape { .. })));
+    }
+}

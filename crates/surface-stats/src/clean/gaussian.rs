@@ -1,0 +1,267 @@
+//! Gaussian S- and L-filters.
+
+use crate::{Boundary, StatsError};
+use contact_types::{Grid, HeightMap};
+use grid_fft::GridFft;
+use std::f64::consts::{LN_2, PI};
+
+/// Weights are cut where they fall below 10⁻¹⁴ of the largest: 1.5 cut-off wavelengths.
+const REACH: f64 = 1.5;
+
+/// The long waves of `heights` (m, row-major, NaN = missing): at the cut-off wavelength half of
+/// an amplitude passes.
+///
+/// ```math
+/// s(x, y) = \frac{1}{\alpha^2\lambda_c^2}
+///           \exp\Big(-\pi\frac{x^2+y^2}{\alpha^2\lambda_c^2}\Big), \quad
+/// \alpha = \sqrt{\frac{\ln 2}{\pi}}, \qquad
+/// \frac{a_1}{a_0} = 2^{-(\lambda_c/\lambda)^2}
+/// ```
+///
+/// - Open maps: near edges and missing points the weights that fall on valid points are scaled to
+///   sum 1. A constant passes unchanged everywhere; within one cut-off of an edge a tilt does not,
+///   so remove the form first.
+/// - Periodic maps: the transmission above, exactly, by FFT. Missing points are refused.
+///
+/// Missing points stay missing.
+///
+/// # Errors
+/// [`StatsError::BadSetting`] for a cut-off that is not finite or shorter than two pixels,
+/// [`StatsError::Shape`], [`StatsError::Surface`] for missing points in a periodic map.
+///
+/// # Source
+/// ISO 16610-61:2015 (areal Gaussian filter).
+pub fn gaussian_filter(
+    grid: Grid,
+    heights: &[f64],
+    cutoff: f64,
+    boundary: Boundary,
+) -> Result<Vec<f64>, StatsError> {
+    let [dy, dx] = grid.pixel();
+    if !(cutoff.is_finite() && cutoff >= 2.0 * dy.max(dx)) {
+        return Err(StatsError::BadSetting {
+            setting: "cut-off wavelength of the filter",
+            value: cutoff,
+            requirement: "must be finite and at least two pixels",
+        });
+    }
+    if heights.len() != grid.len() {
+        let (expected, found) = (grid.len(), heights.len());
+        return Err(StatsError::Shape { what: "heights", expected, found });
+    }
+    match boundary {
+        Boundary::Periodic => Ok(periodic(HeightMap::new(grid, heights.to_vec())?, cutoff)),
+        Boundary::Open => Ok(open(grid, heights, cutoff)),
+    }
+}
+
+/// S-filter: takes waves shorter than `nesting_index` (m) off a map.
+///
+/// # Errors
+/// As [`gaussian_filter`].
+pub fn s_filter(
+    map: &HeightMap,
+    nesting_index: f64,
+    boundary: Boundary,
+) -> Result<HeightMap, StatsError> {
+    let long = gaussian_filter(map.grid(), map.heights(), nesting_index, boundary)?;
+    Ok(HeightMap::new(map.grid(), long)?)
+}
+
+/// L-filter: takes waves longer than `nesting_index` (m) off a map, and its mean with them.
+///
+/// # Errors
+/// As [`gaussian_filter`].
+pub fn l_filter(
+    map: &HeightMap,
+    nesting_index: f64,
+    boundary: Boundary,
+) -> Result<HeightMap, StatsError> {
+    let mut short = gaussian_filter(map.grid(), map.heights(), nesting_index, boundary)?;
+    for (s, h) in short.iter_mut().zip(map.heights()) {
+        *s = h - *s;
+    }
+    Ok(HeightMap::new(map.grid(), short)?)
+}
+
+fn periodic(map: HeightMap, cutoff: f64) -> Vec<f64> {
+    let grid = map.grid();
+    let mean = map.mean();
+    let mut field = map.into_heights();
+    for z in &mut field {
+        *z -= mean;
+    }
+    let mut fft = GridFft::new(grid.shape());
+    let mut waves = fft.new_spectrum();
+    fft.forward(&field, &mut waves);
+    let nq = fft.spectrum_shape()[1];
+    for (i, wave) in waves.iter_mut().enumerate() {
+        let ratio = cutoff * grid.wavenumber(i / nq, i % nq) / (2.0 * PI); // cutoff / wavelength
+        *wave *= (-LN_2 * ratio * ratio).exp();
+    }
+    fft.inverse(&mut waves, &mut field);
+    for z in &mut field {
+        *z += mean;
+    }
+    field
+}
+
+/// Half of the symmetric weights along one axis, from the middle outwards.
+fn weights(cutoff: f64, pixel: f64, n: usize) -> Vec<f64> {
+    let reach = ((REACH * cutoff / pixel).ceil() as usize).min(n - 1);
+    let alpha_square = LN_2 / PI;
+    let weight = |k: usize| {
+        let x = k as f64 * pixel / cutoff;
+        (-PI * x * x / alpha_square).exp()
+    };
+    (0..=reach).map(weight).collect()
+}
+
+fn open(grid: Grid, heights: &[f64], cutoff: f64) -> Vec<f64> {
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
+    let Some(origin) = heights.iter().copied().find(|h| !h.is_nan()) else {
+        return heights.to_vec();
+    };
+    let kernel = [weights(cutoff, dy, ny), weights(cutoff, dx, nx)];
+    let valid = |h: f64| if h.is_nan() { 0.0 } else { 1.0 };
+    let complete = heights.iter().all(|h| !h.is_nan());
+
+    let raised: Vec<f64> =
+        heights.iter().map(|h| if h.is_nan() { 0.0 } else { h - origin }).collect();
+    let mut filtered = weighted_sums(grid, raised, &kernel);
+    // Sums of the weights that fell on valid points: a product of two profiles if none is missing.
+    if complete {
+        let sums = |n: usize, kernel: &[f64]| {
+            let line = Grid::new([1, n], [dx, dx]).expect("a line of at least one valid pixel");
+            weighted_sums(line, vec![1.0; n], &[vec![1.0], kernel.to_vec()])
+        };
+        let (sum_y, sum_x) = (sums(ny, &kernel[0]), sums(nx, &kernel[1]));
+        for (i, z) in filtered.iter_mut().enumerate() {
+            *z = origin + *z / (sum_y[i / nx] * sum_x[i % nx]);
+        }
+    } else {
+        let sums = weighted_sums(grid, heights.iter().map(|&h| valid(h)).collect(), &kernel);
+        for ((z, sum), h) in filtered.iter_mut().zip(sums).zip(heights) {
+            *z = if h.is_nan() { f64::NAN } else { origin + *z / sum };
+        }
+    }
+    filtered
+}
+
+/// Separable convolution with the two half kernels `[along y, along x]`; nothing lies beyond the
+/// edges.
+fn weighted_sums(grid: Grid, mut field: Vec<f64>, kernel: &[Vec<f64>; 2]) -> Vec<f64> {
+    let [ny, nx] = grid.shape();
+    let mut line = vec![0.0; nx];
+    for row in field.chunks_exact_mut(nx) {
+        line.fill(0.0);
+        for (k, weight) in kernel[1].iter().enumerate() {
+            add_scaled(&mut line[..nx - k], &row[k..], *weight);
+            if k > 0 {
+                add_scaled(&mut line[k..], &row[..nx - k], *weight);
+            }
+        }
+        row.copy_from_slice(&line);
+    }
+    let mut out = vec![0.0; field.len()];
+    for (iy, row) in out.chunks_exact_mut(nx).enumerate() {
+        for (k, weight) in kernel[0].iter().enumerate() {
+            if iy + k < ny {
+                add_scaled(row, &field[(iy + k) * nx..(iy + k + 1) * nx], *weight);
+            }
+            if k > 0 && iy >= k {
+                add_scaled(row, &field[(iy - k) * nx..(iy - k + 1) * nx], *weight);
+            }
+        }
+    }
+    out
+}
+
+fn add_scaled(sum: &mut [f64], terms: &[f64], weight: f64) {
+    for (s, t) in sum.iter_mut().zip(terms) {
+        *s += weight * t;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
+    use std::f64::consts::TAU;
+
+    /// Transmission 2^-(λc/λ)² of an oblique wave: exact for periodic maps, and to the sampling of
+    /// the weights away from the edges of open ones.
+    #[test]
+    fn transmission_of_a_wave() {
+        let grid = Grid::new([160, 240], [1.5, 1.0]).unwrap();
+        for (ky, kx) in [(10, 10), (6, 8), (20, 0), (0, 3)] {
+            let q = [TAU * f64::from(ky) / 240.0, TAU * f64::from(kx) / 240.0];
+            let wave = |y: f64, x: f64| (q[0] * y + q[1] * x).cos();
+            let map = HeightMap::from_fn(grid, |y, x| 3.0 + wave(y, x)).unwrap();
+            for cutoff in [8.0, 17.0] {
+                let ratio = cutoff * q[0].hypot(q[1]) / TAU;
+                let transmission = 2f64.powf(-ratio * ratio);
+                // What sampled weights let through of the first alias, on the coarser side.
+                let sampling = 4.0 * 2f64.powf(-(cutoff / 1.5 - ratio).powi(2)) + 1e-12;
+                let periodic = s_filter(&map, cutoff, Boundary::Periodic).unwrap();
+                let open = s_filter(&map, cutoff, Boundary::Open).unwrap();
+                for iy in 0..160 {
+                    for ix in 0..240 {
+                        let expected = 3.0 + transmission * wave(1.5 * iy as f64, ix as f64);
+                        assert_abs_diff_eq!(periodic.at(iy, ix), expected, epsilon = 1e-13);
+                        let inside = (25..135).contains(&iy) && (30..210).contains(&ix);
+                        if inside {
+                            assert_abs_diff_eq!(open.at(iy, ix), expected, epsilon = sampling);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// A constant passes unchanged to the very corner, beside and despite missing points.
+    #[test]
+    fn a_constant_passes_everywhere() {
+        let grid = Grid::new([30, 20], [1.0, 2.0]).unwrap();
+        let mut heights = vec![76e-3; 600];
+        for range in [0..50, 100..103, 400..401] {
+            heights[range].fill(f64::NAN);
+        }
+        let filtered = gaussian_filter(grid, &heights, 9.0, Boundary::Open).unwrap();
+        for (f, h) in filtered.iter().zip(&heights) {
+            assert_eq!(f.is_nan(), h.is_nan());
+            assert!(f.is_nan() || (f - 76e-3).abs() < 1e-16);
+        }
+    }
+
+    /// Missing points far away change nothing, and S + L is the map.
+    #[test]
+    fn filters_are_local_and_add_up() {
+        let grid = Grid::new([64, 64], [1.0, 1.0]).unwrap();
+        let map = HeightMap::from_fn(grid, |y, x| (0.3 * x).sin() + (0.7 * y + 0.1 * x).cos());
+        let map = map.unwrap();
+        let long = s_filter(&map, 6.0, Boundary::Open).unwrap();
+        let short = l_filter(&map, 6.0, Boundary::Open).unwrap();
+        for i in 0..grid.len() {
+            let sum = long.heights()[i] + short.heights()[i];
+            assert_relative_eq!(sum, map.heights()[i], epsilon = 1e-14);
+        }
+        let mut heights = map.heights().to_vec();
+        heights[64 * 60 + 60] = f64::NAN;
+        let holed = gaussian_filter(grid, &heights, 6.0, Boundary::Open).unwrap();
+        assert_relative_eq!(holed[64 * 20 + 20], long.at(20, 20), epsilon = 1e-14);
+    }
+
+    #[test]
+    fn senseless_cutoffs_are_refused() {
+        let grid = Grid::new([4, 4], [1.0, 2.0]).unwrap();
+        for cutoff in [0.0, 3.9, f64::NAN, f64::INFINITY] {
+            let error = gaussian_filter(grid, &[0.0; 16], cutoff, Boundary::Open);
+            assert!(matches!(error, Err(StatsError::BadSetting { .. })), "{cutoff}");
+        }
+        let holed = [f64::NAN; 16];
+        let error = gaussian_filter(grid, &holed, 4.0, Boundary::Periodic);
+        assert!(matches!(error, Err(StatsError::Surface(_))));
+        assert!(gaussian_filter(grid, &holed, 4.0, Boundary::Open).is_ok());
+    }
+}

@@ -1,0 +1,14 @@
+//! Honest cleaning of measured maps: every step is asked for, and every step says what it did.
+//!
+//! Functions here take heights as slices in which NaN marks a missing point, so that they work
+//! before anything is filled in. Missing points stay missing; none becomes a height.
+
+mod form;
+mod gaussian;
+mod outliers;
+mod transform;
+
+pub use form::{FittedForm, Form, FormParameters, fit_form};
+pub use gaussian::{gaussian_filter, l_filter, s_filter};
+pub use outliers::{OutlierRule, Outliers, find_outliers};
+pub use transform::{Facing, combine, equivalent, flip, resample};
