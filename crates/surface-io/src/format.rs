@@ -53,6 +53,7 @@ formats! {
     Bcrf, "BCR-STM, BCRF", &["bcr", "bcrf"], formats::bcrf::sniff, formats::bcrf::parse;
     NetCdf, "NetCDF classic", &["nc"], formats::netcdf::sniff, formats::netcdf::parse;
     Ibw, "Igor binary wave", &["ibw"], formats::ibw::sniff, formats::ibw::parse;
+    Opdx, "Dektak OPDx", &["opdx"], formats::opdx::sniff, formats::opdx::parse;
     Frt, "FRT MicroProf", &["frt"], formats::frt::sniff, formats::frt::parse;
     Mi, "Molecular Imaging MI", &["mi"], formats::mi::sniff, formats::mi::parse;
     Nid, "Nanosurf NID", &["nid", "ezd"], formats::nid::sniff, formats::nid::parse;

@@ -17,6 +17,7 @@ pub(crate) mod npy;
 #[cfg(feature = "zip")]
 pub(crate) mod npz;
 pub(crate) mod opd;
+pub(crate) mod opdx;
 pub(crate) mod plu;
 pub(crate) mod scattered;
 pub(crate) mod sdf;

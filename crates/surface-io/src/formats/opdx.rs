@@ -1,0 +1,283 @@
+//! OPDx of Bruker Dektak and Contour (Vision64). All numbers little endian.
+//!
+//! | what | content |
+//! |---|---|
+//! | start | `VCA DATA`, bytes 1 0 0 85; then items |
+//! | item | u32 length and text: name; u8 type; value |
+//! | length L | u8 w (1, 2 or 4), then as many bytes |
+//! | type 1, 4–7, 10–13 | u8, i16, u16, i32, u32, i64, u64, f32, f64 |
+//! | type 18 text | L, text |
+//! | type 19 quantity | L, f64 value, name, symbol (u32 length and text each), more |
+//! | type 21 time | 9 bytes |
+//! | type 24 units | L, bytes |
+//! | type 14, 64, 66 | type name, L, bytes: type id; array (5 bytes, then f64); list of texts |
+//! | type 0, 69 matrix | type name (type 0: u32, text); L; u32 rows, u32 columns, f32 data |
+//! | type 70, 71, 125 container | L; items inside it; ended by an item of type 127 and two bytes |
+//! | type 124 positions | type name, L, bytes |
+//!
+//! | path | content |
+//! |---|---|
+//! | `/2D_Data/NAME/` | `Matrix`, `Dimension1Extent` (y), `Dimension2Extent` (x), `DataScale`, `DataKind` |
+//! | `/1D_Data/NAME/` | `Array`, `Extent`, `DataScale`, `DataKind` |
+//! | `/MetaData/` | instrument, date, settings |
+//!
+//! An extent is the distance from the first to the last point: N − 1 intervals (the positions
+//! stored beside profiles show it). NaN is a missing point.
+//!
+//! Source: the item list of several free readers, checked against files.
+
+use crate::binary::{Bytes, Sample, text};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::{Format, Limits, ReadError, metres_per};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Opdx;
+const MAGIC: &[u8] = b"VCA DATA\x01\0\0\x55";
+const ARRAY_HEAD: usize = 5;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC)
+}
+
+enum Value {
+    Number(f64),
+    Text(String),
+    Quantity { value: f64, symbol: String },
+    /// Where an array of f64 starts and how many bytes it has.
+    Array { at: usize, length: usize },
+    /// Where a matrix of f32 starts, `[ny, nx]`.
+    Matrix { at: usize, shape: [usize; 2] },
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let mut reader = Reader { b, at: MAGIC.len(), count: 0, limits, items: BTreeMap::new() };
+    while reader.at < bytes.len() && reader.item("", 0)? {}
+    let items = reader.items;
+
+    let mut contents = Contents::default();
+    for (path, value) in &items {
+        let channel = match value {
+            Value::Matrix { at, shape } => matrix(b, &items, path, *at, *shape, limits)?,
+            Value::Array { at, length } => profile(b, &items, path, *at, *length)?,
+            Value::Number(_) | Value::Text(_) | Value::Quantity { .. } => None,
+        };
+        contents.channels.extend(channel);
+        let Some(key) = path.strip_prefix("/MetaData/") else { continue };
+        let shown = match value {
+            Value::Number(value) => value.to_string(),
+            Value::Text(text) => text.clone(),
+            Value::Quantity { value, symbol } => format!("{value} {symbol}"),
+            Value::Array { .. } | Value::Matrix { .. } => continue,
+        };
+        contents.metadata.insert(key.to_owned(), shown);
+    }
+    Ok(contents)
+}
+
+type Items = BTreeMap<String, Value>;
+
+/// Metres of a quantity; `None` if it is not there or no length.
+fn metres(items: &Items, path: &str) -> Option<f64> {
+    match items.get(path)? {
+        Value::Quantity { value, symbol } => Some(value * metres_per(symbol)?),
+        _ => None,
+    }
+}
+
+/// Factor and unit of the data.
+fn scale(items: &Items, folder: &str) -> (f64, String) {
+    match items.get(&format!("{folder}/DataScale")) {
+        Some(Value::Quantity { value, symbol }) => (*value, symbol.clone()),
+        _ => (1.0, String::new()),
+    }
+}
+
+fn name(items: &Items, folder: &str) -> String {
+    match items.get(&format!("{folder}/DataKind")) {
+        Some(Value::Text(kind)) if !kind.is_empty() => kind.clone(),
+        _ => folder.rsplit('/').next().unwrap_or_default().to_owned(),
+    }
+}
+
+fn matrix<'a>(
+    b: Bytes<'a>,
+    items: &Items,
+    path: &str,
+    at: usize,
+    shape: [usize; 2],
+    limits: &Limits,
+) -> Result<Option<Channel<'a>>, ReadError> {
+    let Some(folder) = path.strip_suffix("/Matrix").filter(|p| p.starts_with("/2D_Data/")) else {
+        return Ok(None);
+    };
+    limits.check_points(FORMAT, shape)?;
+    let step = |extent: &str, n: usize| {
+        let extent = metres(items, &format!("{folder}/{extent}"))?;
+        (n > 1).then(|| extent / (n - 1) as f64)
+    };
+    let [dy, dx] = [step("Dimension1Extent", shape[0]), step("Dimension2Extent", shape[1])];
+    let pixel = match (dy.or(if shape[0] == 1 { dx } else { None }), dx) {
+        (Some(dy), Some(dx)) => Pixel::Metres([dy, dx]),
+        _ => Pixel::Unknown,
+    };
+    let (factor, unit) = scale(items, folder);
+    let raster = Raster { bytes: b, at, shape, sample: Sample::F32 };
+    let name = name(items, folder);
+    Channel::raster(name, Some(&unit), pixel, raster, move |raw| raw * factor).map(Some)
+}
+
+fn profile<'a>(
+    b: Bytes<'a>,
+    items: &Items,
+    path: &str,
+    at: usize,
+    length: usize,
+) -> Result<Option<Channel<'a>>, ReadError> {
+    let Some(folder) = path.strip_suffix("/Array").filter(|p| p.starts_with("/1D_Data/")) else {
+        return Ok(None);
+    };
+    let n = length.saturating_sub(ARRAY_HEAD) / 8;
+    if n < 2 {
+        return Ok(None);
+    }
+    let pixel = match metres(items, &format!("{folder}/Extent")) {
+        Some(extent) => Pixel::Metres([extent / (n - 1) as f64; 2]),
+        None => Pixel::Unknown,
+    };
+    let (factor, unit) = scale(items, folder);
+    let raster = Raster { bytes: b, at: at + ARRAY_HEAD, shape: [1, n], sample: Sample::F64 };
+    let name = name(items, folder);
+    Channel::raster(name, Some(&unit), pixel, raster, move |raw| raw * factor).map(Some)
+}
+
+/// Walks through the items.
+struct Reader<'a, 'l> {
+    b: Bytes<'a>,
+    at: usize,
+    count: u64,
+    limits: &'l Limits,
+    items: Items,
+}
+
+impl<'a> Reader<'a, '_> {
+    fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
+        let raw = self.b.slice(self.at, length)?;
+        self.at += length;
+        Ok(raw)
+    }
+
+    fn number(&mut self, sample: Sample) -> Result<f64, ReadError> {
+        let raw = self.take(sample.size())?;
+        Ok(sample.decode(raw, self.b.order)[0])
+    }
+
+    fn word(&mut self) -> Result<usize, ReadError> {
+        let at = self.at;
+        self.take(4)?;
+        Ok(self.b.u32(at)? as usize)
+    }
+
+    fn name(&mut self) -> Result<String, ReadError> {
+        let length = self.word()?;
+        Ok(text(self.take(length)?))
+    }
+
+    /// A length of its own width.
+    fn length(&mut self) -> Result<usize, ReadError> {
+        let at = self.at;
+        match self.take(1)?[0] {
+            1 => Ok(usize::from(self.take(1)?[0])),
+            2 => {
+                self.take(2)?;
+                Ok(usize::from(self.b.u16(at + 1)?))
+            }
+            4 => self.word(),
+            width => Err(self.b.fault(at, format!("a length of {width} bytes, not 1, 2 or 4"))),
+        }
+    }
+
+    /// Reads one item; false at the end of a container.
+    fn item(&mut self, folder: &str, depth: usize) -> Result<bool, ReadError> {
+        self.count += 1;
+        self.limits.check_items(FORMAT, self.count)?;
+        if depth > 32 {
+            return Err(self.b.fault(self.at, "containers nested deeper than 32"));
+        }
+        let path = format!("{folder}/{}", self.name()?);
+        let at = self.at;
+        let value = match self.take(1)?[0] {
+            1 => Some(Value::Number(self.number(Sample::U8)?)),
+            4 => Some(Value::Number(self.number(Sample::I16)?)),
+            5 => Some(Value::Number(self.number(Sample::U16)?)),
+            6 => Some(Value::Number(self.number(Sample::I32)?)),
+            7 => Some(Value::Number(self.number(Sample::U32)?)),
+            10 => Some(Value::Number(self.number(Sample::I64)?)),
+            11 => Some(Value::Number(self.number(Sample::U64)?)),
+            12 => Some(Value::Number(self.number(Sample::F32)?)),
+            13 => Some(Value::Number(self.number(Sample::F64)?)),
+            18 => {
+                let length = self.length()?;
+                Some(Value::Text(text(self.take(length)?)))
+            }
+            19 => {
+                let length = self.length()?;
+                let end = self.at.saturating_add(length);
+                let value = self.number(Sample::F64)?;
+                self.name()?;
+                let symbol = self.name()?;
+                self.skip_to(end)?;
+                Some(Value::Quantity { value, symbol })
+            }
+            21 => {
+                self.take(9)?;
+                None
+            }
+            24 => {
+                let length = self.length()?;
+                self.take(length)?;
+                None
+            }
+            kind @ (14 | 64 | 66 | 124) => {
+                self.name()?;
+                let length = self.length()?;
+                let at = self.at;
+                self.take(length)?;
+                (kind == 64).then_some(Value::Array { at, length })
+            }
+            kind @ (0 | 69) => {
+                self.name()?;
+                if kind == 0 {
+                    self.word()?;
+                    self.name()?;
+                }
+                let length = self.length()?;
+                let end = self.at.saturating_add(length);
+                let shape = [self.word()?, self.word()?];
+                let at = self.at;
+                self.skip_to(end)?;
+                Some(Value::Matrix { at, shape })
+            }
+            70 | 71 | 125 => {
+                let length = self.length()?;
+                let end = self.at.saturating_add(length);
+                while self.item(&path, depth + 1)? {}
+                self.skip_to(end)?;
+                None
+            }
+            127 => return Ok(false),
+            kind => return Err(self.b.fault(at, format!("an item of unknown type {kind}"))),
+        };
+        if let Some(value) = value {
+            self.items.insert(path, value);
+        }
+        Ok(true)
+    }
+
+    fn skip_to(&mut self, end: usize) -> Result<(), ReadError> {
+        let length = end
+            .checked_sub(self.at)
+            .ok_or_else(|| self.b.fault(self.at, "an item reaches beyond its end"))?;
+        self.take(length).map(|_| ())
+    }
+}
