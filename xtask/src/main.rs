@@ -8,6 +8,7 @@ mod docs;
 mod figures;
 mod generated;
 mod shell;
+mod surfaces;
 mod tidy;
 mod validate;
 
@@ -22,6 +23,8 @@ Usage: cargo xtask <task> [options]
   figures [--check]         the figures that README and book show
   docs [--check]            the tables of models and formats in the book
   bench [ARGS]              the benchmarks; their table into the book
+  surfaces --dir DIR --expected FILE
+                            files of instruments against expected values, one line each
   tidy                      layers, citations, pages, file lengths, dependency counts
   ci [--slow]               everything a change must pass, as the CI runs it
 
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
         "figures" => figures::run(rest),
         "docs" => docs::run(rest),
         "bench" => bench::run(rest),
+        "surfaces" => surfaces::run(rest),
         "tidy" => tidy::run(rest),
         "ci" => ci::run(rest),
         "help" | "--help" | "-h" => {

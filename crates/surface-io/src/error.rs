@@ -52,7 +52,7 @@ pub enum ReadError {
     /// None of the known formats.
     #[error(
         "the content is none of the known formats (first bytes: {start}); \
-         `docs/src/formats.md` lists them"
+         `rough-contact info --list` lists them"
     )]
     UnknownFormat {
         /// The first bytes, printable.

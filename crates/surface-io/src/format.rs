@@ -6,7 +6,8 @@ use crate::limits::Limits;
 use crate::measurement::Contents;
 
 macro_rules! formats {
-    ($($(#[$cfg:meta])? $variant:ident, $name:literal, $extensions:expr, $sniff:path, $parse:path;)*) => {
+    ($($(#[$cfg:meta])? $variant:ident, $module:ident, $name:literal, [$($extension:literal),*],
+       $about:literal;)*) => {
         /// A file format.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[non_exhaustive]
@@ -23,13 +24,14 @@ macro_rules! formats {
             }
         }
 
-        /// Every format this build reads, in the order in which they are tried.
+        /// Every format this build knows, in the order in which they are tried.
         pub const FORMATS: &[FormatSpec] = &[
             $($(#[$cfg])? FormatSpec {
                 format: Format::$variant,
-                extensions: $extensions,
-                sniff: $sniff,
-                parse: $parse,
+                extensions: &[$($extension),*],
+                about: $about,
+                sniff: formats::$module::sniff,
+                parse: formats::$module::parse,
             },)*
         ];
     };
@@ -37,29 +39,53 @@ macro_rules! formats {
 
 formats! {
     #[cfg(feature = "zip")]
-    X3p, "X3P (ISO 25178-72)", &["x3p"], formats::x3p::sniff, formats::x3p::parse;
+    X3p, x3p, "X3P (ISO 25178-72)", ["x3p"],
+        "binary and XML data, masks, layers; unit and pixel in the file";
     #[cfg(feature = "zip")]
-    Npz, "NPZ", &["npz"], formats::npz::sniff, formats::npz::parse;
-    Npy, "NPY", &["npy"], formats::npy::sniff, formats::npy::parse;
-    Sur, "Digital Surf SUR", &["sur", "pro"], formats::sur::sniff, formats::sur::parse;
-    Sdf, "SDF (ISO 25178-71)", &["sdf"], formats::sdf::sniff, formats::sdf::parse;
-    Zygo, "Zygo MetroPro DAT", &["dat"], formats::zygo::sniff, formats::zygo::parse;
-    Opd, "Wyko OPD", &["opd"], formats::opd::sniff, formats::opd::parse;
-    Gwy, "Gwyddion GWY", &["gwy"], formats::gwy::sniff, formats::gwy::parse;
-    Nanoscope, "Nanoscope", &["spm", "001", "di"], formats::nanoscope::sniff, formats::nanoscope::parse;
-    Al3d, "Alicona AL3D", &["al3d"], formats::al3d::sniff, formats::al3d::parse;
-    Nms, "NanoFocus NMS", &["nms"], formats::nms::sniff, formats::nms::parse;
-    Tmd, "TrueMap TMD", &["tmd"], formats::tmd::sniff, formats::tmd::parse;
-    Bcrf, "BCR-STM, BCRF", &["bcr", "bcrf"], formats::bcrf::sniff, formats::bcrf::parse;
-    NetCdf, "NetCDF classic", &["nc"], formats::netcdf::sniff, formats::netcdf::parse;
-    Ibw, "Igor binary wave", &["ibw"], formats::ibw::sniff, formats::ibw::parse;
-    Opdx, "Dektak OPDx", &["opdx"], formats::opdx::sniff, formats::opdx::parse;
-    Frt, "FRT MicroProf", &["frt"], formats::frt::sniff, formats::frt::parse;
-    Mi, "Molecular Imaging MI", &["mi"], formats::mi::sniff, formats::mi::parse;
-    Nid, "Nanosurf NID", &["nid", "ezd"], formats::nid::sniff, formats::nid::parse;
-    Wsxm, "WSxM", &["stp", "top"], formats::wsxm::sniff, formats::wsxm::parse;
-    Plu, "Sensofar PLU", &["plu"], formats::plu::sniff, formats::plu::parse;
-    Text, "text", &["csv", "asc", "tsv", "txt", "xyz"], formats::table::sniff, formats::table::parse;
+    Npz, npz, "NPZ", ["npz"],
+        "every array is a channel; needs --pixel and --height-unit";
+    Npy, npy, "NPY", ["npy"],
+        "real numbers of any type and order; needs --pixel and --height-unit";
+    Sur, sur, "Digital Surf SUR", ["sur", "pro"],
+        "surfaces and profiles, plain and compressed, several layers";
+    Sdf, sdf, "SDF (ISO 25178-71)", ["sdf"],
+        "text and binary, also BCR-1.0";
+    Zygo, zygo, "Zygo MetroPro DAT", ["dat"],
+        "phase data; intensity is listed";
+    Opd, opd, "Wyko OPD", ["opd"],
+        "all raw data blocks";
+    Gwy, gwy, "Gwyddion GWY", ["gwy"],
+        "all data fields with units; masks are missing points";
+    Nanoscope, nanoscope, "Nanoscope", ["spm", "001", "di"],
+        "all channels, 2 and 4 bytes per point";
+    Al3d, al3d, "Alicona AL3D", ["al3d"],
+        "depth image with missing points";
+    Nms, nms, "NanoFocus NMS", ["nms"],
+        "height; intensity is listed";
+    Tmd, tmd, "TrueMap TMD", ["tmd"],
+        "GelSight height maps";
+    Bcrf, bcrf, "BCR-STM, BCRF", ["bcr", "bcrf"],
+        "Latin-1 and UTF-16 headers, missing points";
+    NetCdf, netcdf, "NetCDF classic", ["nc"],
+        "CDF-1, 2 and 5: every variable of two dimensions";
+    Ibw, ibw, "Igor binary wave", ["ibw"],
+        "version 5: every layer is a channel";
+    Opdx, opdx, "Dektak OPDx", ["opdx"],
+        "maps and profiles of Vision64";
+    Frt, frt, "FRT MicroProf", ["frt"],
+        "height with missing points";
+    Mi, mi, "Molecular Imaging MI", ["mi"],
+        "all channels of images";
+    Nid, nid, "Nanosurf NID", ["nid", "ezd"],
+        "all channels of all groups";
+    Wsxm, wsxm, "WSxM", ["stp", "top"],
+        "images";
+    Plu, plu, "Sensofar PLU", ["plu"],
+        "topographies, all layers";
+    Hdf5, hdf5, "HDF5", ["h5", "datx"],
+        "recognised and refused with the way out; also NetCDF-4 and DATX";
+    Text, table, "text", ["csv", "asc", "tsv", "txt", "xyz"],
+        "matrices, lists of x y z, profiles; any separator, decimal comma, missing cells";
 }
 
 impl std::fmt::Display for Format {
@@ -77,6 +103,8 @@ pub struct FormatSpec {
     pub format: Format,
     /// Usual file name extensions; information only, files are recognised by content.
     pub extensions: &'static [&'static str],
+    /// What is read, in a few words.
+    pub about: &'static str,
     pub(crate) sniff: fn(&[u8]) -> bool,
     pub(crate) parse: Parse,
 }

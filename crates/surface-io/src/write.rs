@@ -1,4 +1,4 @@
-//! Files out: NPY and X3P.
+//! Files out: NPY, X3P and SDF.
 
 use contact_types::HeightMap;
 use std::io::{self, Write};
@@ -42,6 +42,33 @@ fn numbers(out: &mut impl Write, values: &[f64]) -> io::Result<()> {
         out.write_all(&buffer)?;
     }
     Ok(())
+}
+
+/// Writes SDF (ISO 25178-71), binary: heights in metres as f64, spacings in metres. Nothing is
+/// lost: reading it back gives the same bits. No date is written, so equal surfaces give equal
+/// files.
+///
+/// # Errors
+/// Whatever `out` reports; `InvalidInput` if a side has more than the 65535 points the format
+/// can count.
+pub fn sdf(out: &mut impl Write, map: &HeightMap) -> io::Result<()> {
+    let [ny, nx] = map.grid().shape();
+    let [dy, dx] = map.grid().pixel();
+    let side = |n: usize| {
+        u16::try_from(n).map_err(|_| {
+            let what = format!("SDF counts at most 65535 points along a side, this map has {n}");
+            io::Error::new(io::ErrorKind::InvalidInput, what)
+        })
+    };
+    let mut header = b"bISO-1.0roughc-io 000000000000000000000000".to_vec();
+    header.extend(side(nx)?.to_le_bytes());
+    header.extend(side(ny)?.to_le_bytes());
+    for number in [dx, dy, 1.0, 0.0] {
+        header.extend(number.to_le_bytes()); // Xscale, Yscale, Zscale, Zresolution (unknown)
+    }
+    header.extend([0, 7, 0]); // not compressed, f64, no checksum
+    out.write_all(&header)?;
+    numbers(out, map.heights())
 }
 
 /// Writes X3P (ISO 25178-72): heights in metres as binary f64, increments in metres, checksums.

@@ -30,6 +30,14 @@ fn npy_data_start_is_aligned() {
     assert!(write::npy_array(&mut file, [2, 3], &[0.0; 5]).is_err());
 }
 
+#[test]
+fn sdf_refuses_more_points_than_it_can_count() {
+    let grid = Grid::new([1, 65536], [1e-6, 1e-6]).unwrap();
+    let map = HeightMap::new(grid, vec![0.0; 65536]).unwrap();
+    let error = write::sdf(&mut Vec::new(), &map).unwrap_err();
+    assert!(error.to_string().contains("65535"), "{error}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
 
@@ -44,6 +52,10 @@ proptest! {
         let back = read_bytes(&x3p(&map), &ReadOptions::default()).unwrap();
         prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
         let mut file = Vec::new();
+        write::sdf(&mut file, &map).unwrap();
+        let back = read_bytes(&file, &ReadOptions::default()).unwrap();
+        prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
+        file.clear();
         write::npy(&mut file, &map).unwrap();
         let options = ReadOptions {
             pixel: Some([dy, dx]),

@@ -87,6 +87,8 @@ fn files_that_are_none() {
     assert!(matches!(read_bytes(b"\0\x01junk", &options), Err(ReadError::UnknownFormat { .. })));
     assert!(matches!(read_bytes(b"no numbers", &options), Err(ReadError::UnknownFormat { .. })));
     assert!(matches!(read_bytes(b"1\n2\n3\n", &options), Err(ReadError::Unsupported { .. })));
+    let error = read_bytes(b"\x89HDF\r\n\x1a\n\0\0\0\0", &options).unwrap_err();
+    assert!(error.to_string().contains("export to X3P"), "{error}");
     let here = env!("CARGO_MANIFEST_DIR");
     let error = read(here, &options).unwrap_err().to_string();
     assert!(error.contains("directory"), "{error}");

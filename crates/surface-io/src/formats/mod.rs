@@ -7,6 +7,7 @@ pub(crate) mod archive;
 pub(crate) mod bcrf;
 pub(crate) mod frt;
 pub(crate) mod gwy;
+pub(crate) mod hdf5;
 pub(crate) mod ibw;
 pub(crate) mod mi;
 pub(crate) mod nanoscope;

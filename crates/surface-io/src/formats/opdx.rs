@@ -42,11 +42,20 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 enum Value {
     Number(f64),
     Text(String),
-    Quantity { value: f64, symbol: String },
+    Quantity {
+        value: f64,
+        symbol: String,
+    },
     /// Where an array of f64 starts and how many bytes it has.
-    Array { at: usize, length: usize },
+    Array {
+        at: usize,
+        length: usize,
+    },
     /// Where a matrix of f32 starts, `[ny, nx]`.
-    Matrix { at: usize, shape: [usize; 2] },
+    Matrix {
+        at: usize,
+        shape: [usize; 2],
+    },
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {

@@ -398,6 +398,45 @@ fn wsxm() -> Vec<u8> {
     w.0
 }
 
+fn opdx() -> Vec<u8> {
+    let text = |text: &str| [&(text.len() as u32).to_le_bytes()[..], text.as_bytes()].concat();
+    let item = |name: &str, kind: u8, value: Vec<u8>| [text(name), vec![kind], value].concat();
+    // The three widths of a length, all of them.
+    let sized = |value: Vec<u8>| match value.len() {
+        n @ 0..100 => [vec![1, n as u8], value].concat(),
+        n @ 100..200 => [vec![2], (n as u16).to_le_bytes().to_vec(), value].concat(),
+        n => [vec![4], (n as u32).to_le_bytes().to_vec(), value].concat(),
+    };
+    let quantity = |value: f64, symbol: &str| {
+        let value = value.to_le_bytes().to_vec();
+        sized([value, text("unit"), text(symbol), vec![0; 12]].concat())
+    };
+    let container = |items: Vec<Vec<u8>>| {
+        sized([items.concat(), item("", 127, vec![]), vec![0xff, 0xff]].concat())
+    };
+    let sides = [NY as u32, NX as u32].map(u32::to_le_bytes).concat();
+    let matrix = [text("Matrix<float>"), sized([sides, floats(&points(f64::NAN))].concat())];
+    let raw = container(vec![
+        item("Matrix", 69, matrix.concat()),
+        item("Dimension1Extent", 19, quantity(12.0, "\u{b5}m")),
+        item("Dimension2Extent", 19, quantity(0.012, "mm")),
+        item("DataScale", 19, quantity(1.0, "nm")),
+        item("DataKind", 18, sized(b"Height".to_vec())),
+    ]);
+    let names = [text("List"), sized([text("Raw")].concat())].concat();
+    let about = container(vec![
+        item("Date", 18, sized(b"2026".to_vec())),
+        item("Count", 7, 5u32.to_le_bytes().to_vec()),
+        item("Channels", 66, names),
+        item("Time", 21, vec![0; 9]),
+    ]);
+    let data = container(vec![item("Raw", 71, raw)]);
+    let items = [item("MetaData", 125, about), item("2D_Data", 125, data)];
+    let mut w = Writer::default();
+    w.put(b"VCA DATA\x01\0\0\x55").put(items.concat()).put(item("", 127, vec![]));
+    w.0
+}
+
 pub fn samples() -> Vec<Sample> {
     let bytes: Vec<u8> = points(f64::NAN)
         .iter()
@@ -426,6 +465,7 @@ pub fn samples() -> Vec<Sample> {
         Sample::new("netcdf 2, x slow", netcdf(2, true)),
         Sample::new("netcdf 5", netcdf(5, false)),
         Sample::new("ibw", ibw()),
+        Sample::new("opdx", opdx()),
         Sample::new("frt", frt()),
         Sample::new("mi", mi()).complete(),
         Sample::new("nid", nid()).complete(),

@@ -99,7 +99,7 @@ fn formats() -> Reply {
     for spec in FORMATS {
         let name = spec.format.name();
         table.row(name, format!(".{}", spec.extensions.join(" .")));
-        list.push(json!({ "name": name, "extensions": spec.extensions }));
+        list.push(json!({ "name": name, "extensions": spec.extensions, "about": spec.about }));
     }
     Reply::new(table.to_string(), json!({ "formats": list }))
 }
