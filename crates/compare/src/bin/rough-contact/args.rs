@@ -121,6 +121,14 @@ pub(crate) fn pixel(text: &str) -> Result<[f64; 2], String> {
     }
 }
 
+/// `SHORT,LONG`: two wavelengths in metres.
+pub(crate) fn range(text: &str) -> Result<[f64; 2], String> {
+    match quantity::parse_list(text, Dimension::Length).map_err(|e| e.to_string())?[..] {
+        [short, long] => Ok([short, long]),
+        _ => Err(format!("'{text}' is not two wavelengths; write for example 4um,100um")),
+    }
+}
+
 /// `NY,NX`: two counts.
 pub(crate) fn shape(text: &str) -> Result<[usize; 2], String> {
     counts(text).ok_or_else(|| format!("'{text}' is not NY,NX; write for example 512,512"))

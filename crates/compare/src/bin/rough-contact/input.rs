@@ -21,6 +21,18 @@ pub(crate) enum Fill {
 }
 
 impl Fill {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Refuse => "refuse",
+            Self::Harmonic => "harmonic",
+            Self::Nearest => "nearest",
+        }
+    }
+
+    pub(crate) fn of_name(name: &str) -> Option<Self> {
+        Self::value_variants().iter().copied().find(|fill| fill.name() == name)
+    }
+
     fn rule(self) -> surface_io::Fill {
         match self {
             Self::Refuse => surface_io::Fill::Refuse,
@@ -69,6 +81,15 @@ impl Reading {
     /// A complete surface, and how many of its points were missing.
     pub(crate) fn surface(&self, path: &Path) -> Result<(HeightMap, usize), Failure> {
         let measurement = self.measurement(path)?;
+        self.surface_of(path, measurement)
+    }
+
+    /// The same from what was read.
+    pub(crate) fn surface_of(
+        &self,
+        path: &Path,
+        measurement: Measurement,
+    ) -> Result<(HeightMap, usize), Failure> {
         let missing = measurement.missing();
         refuse_profile(path, &measurement)?;
         let map = measurement.fill(self.fill.rule()).map_err(|e| Failure::in_file(path, &e))?;

@@ -4,6 +4,7 @@
 #![allow(clippy::print_stdout, reason = "a command-line tool prints")]
 
 mod args;
+mod compare;
 mod info;
 mod input;
 mod outcome;
@@ -49,6 +50,8 @@ enum Command {
     Stats(stats::Stats),
     /// The deterministic solution for a surface
     Solve(solve::Solve),
+    /// The study: every model beside the deterministic solution, as a report
+    Compare(compare::Compare),
     /// Make a random self-affine surface
     Synth(synth::Synth),
     /// The solver against exact solutions, on this machine
@@ -84,6 +87,7 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::Info(info) => info.run(common),
         Command::Stats(stats) => stats.run(common),
         Command::Solve(solve) => solve.run(common),
+        Command::Compare(compare) => compare.run(common),
         Command::Synth(synth) => synth.run(common),
         Command::Validate(validate) => validate.run(common),
     }

@@ -29,6 +29,10 @@ impl Folder {
         Ok(Self { path: path.to_owned() })
     }
 
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Writes one file.
     pub(crate) fn write(
         &self,

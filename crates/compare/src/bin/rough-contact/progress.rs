@@ -17,16 +17,21 @@ impl Progress {
     pub(crate) fn new(quiet: bool, total: usize) -> Self {
         let terminal = std::io::stderr().is_terminal();
         let bar = (!quiet && terminal).then(|| {
-            let template = match total {
-                0 => "{spinner} {msg} [{elapsed}]",
-                _ => "{bar:24} {pos}/{len} {msg} [{elapsed}]",
-            };
-            let style = ProgressStyle::with_template(template)
-                .unwrap_or_else(|_| ProgressStyle::default_bar());
             let target = ProgressDrawTarget::stderr_with_hz(10);
-            ProgressBar::with_draw_target(Some(total as u64), target).with_style(style)
+            ProgressBar::with_draw_target(Some(total as u64), target).with_style(style(total))
         });
         Self { bar, lines: !quiet && !terminal, total, done: 0 }
+    }
+
+    /// Expects `total` further steps.
+    pub(crate) fn restart(&mut self, total: usize) {
+        self.total = total;
+        self.done = 0;
+        if let Some(bar) = &self.bar {
+            bar.set_style(style(total));
+            bar.set_length(total as u64);
+            bar.set_position(0);
+        }
     }
 
     /// What is being done now.
@@ -56,4 +61,12 @@ impl Drop for Progress {
             bar.finish_and_clear();
         }
     }
+}
+
+fn style(total: usize) -> ProgressStyle {
+    let template = match total {
+        0 => "{spinner} {msg} [{elapsed}]",
+        _ => "{bar:24} {pos}/{len} {msg} [{elapsed}]",
+    };
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }

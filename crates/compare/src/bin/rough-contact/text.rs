@@ -98,6 +98,18 @@ pub(crate) fn percent(fraction: f64) -> String {
     format!("{} %", digits(100.0 * fraction))
 }
 
+/// A value with its uncertainty to one digit (two if it starts with 1), such as `1.96 ± 0.12 %`.
+pub(crate) fn plus_minus(value: f64, uncertainty: f64, unit: &str) -> String {
+    if !(uncertainty.is_normal() && uncertainty > 0.0) {
+        return format!("{} {unit}", digits(value));
+    }
+    let exponent = uncertainty.log10().floor();
+    let leading = (uncertainty / 10f64.powf(exponent)).round();
+    let extra = if leading < 2.0 { 1.0 } else { 0.0 };
+    let places = (extra - exponent).max(0.0) as usize;
+    minus(format!("{value:.places$} ± {uncertainty:.places$} {unit}"))
+}
+
 /// A pure number with four significant digits.
 pub(crate) fn number(value: f64) -> String {
     significant(value, 4)
@@ -118,7 +130,7 @@ fn with_prefix(value: f64, unit: &str, largest: f64) -> String {
 }
 
 /// Three significant digits without a power of ten between 0.001 and 10 000.
-fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     significant(value, 3)
 }
 
@@ -157,5 +169,8 @@ mod tests {
         assert_eq!(pressure(1.1e11), "110 GPa");
         assert_eq!(percent(0.0196), "1.96 %");
         assert_eq!(number(2.50663), "2.507");
+        assert_eq!(plus_minus(1.5012, 0.0551, "%"), "1.50 ± 0.06 %");
+        assert_eq!(plus_minus(1.9632, 0.1234, "%"), "1.96 ± 0.12 %");
+        assert_eq!(plus_minus(53.4, 3.2, "%"), "53 ± 3 %");
     }
 }

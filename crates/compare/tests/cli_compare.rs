@@ -1,0 +1,95 @@
+//! compare writes a complete report, repeats itself from run.toml, and overwrites nothing.
+
+mod cli;
+
+use cli::{folder, number, refused, rough_contact};
+use serde_json::Value;
+
+const OUTPUTS: [&str; 6] =
+    ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg", "run.toml"];
+
+/// results.json without what differs between two runs of the same study.
+fn without_times(value: &Value) -> Value {
+    match value {
+        Value::Object(map) => {
+            let is_time = |key: &str| key.contains("second") || key.contains("time");
+            let kept = map.iter().filter(|(key, _)| !is_time(key) && *key != "repeat");
+            kept.map(|(key, value)| (key.clone(), without_times(value))).collect()
+        }
+        Value::Array(items) => items.iter().map(without_times).collect(),
+        other => other.clone(),
+    }
+}
+
+#[test]
+fn a_report_from_files_and_its_repetition() {
+    let dir = folder();
+    let at = dir.path();
+    for (name, seed) in [("a.x3p", 1), ("b.x3p", 2)] {
+        let synth = format!(
+            "synth --shape 64,80 --pixel 1um --hurst 0.8 --rolloff 32um --cutoff 6um \
+             --rms-height 0.3um --seed {seed} --out {name}"
+        );
+        assert_eq!(rough_contact(at, &synth).status, 0);
+    }
+    let line = "compare a.x3p b.x3p --modulus 110GPa --pressure 20MPa..500MPa:3 --out report";
+    let said = rough_contact(at, line);
+    assert_eq!(said.status, 0, "{}", said.err);
+    assert!(said.out.contains("Persson") && said.out.contains("report.html"), "{}", said.out);
+    assert!(!said.err.is_empty(), "no progress");
+    for name in OUTPUTS {
+        assert!(std::fs::metadata(at.join("report").join(name)).unwrap().len() > 100, "{name}");
+    }
+    let read = |folder: &str| -> Value {
+        let text = std::fs::read_to_string(at.join(folder).join("results.json")).unwrap();
+        serde_json::from_str(&text).unwrap()
+    };
+    let results = read("report");
+    let surfaces = results["surfaces"].as_array().unwrap();
+    assert_eq!(surfaces.len(), 2);
+    assert!(results.get("settings").is_some() && results.get("versions").is_some());
+    for surface in surfaces {
+        let points = surface["deterministic"]["points"].as_array().unwrap();
+        assert_eq!(points.len(), 3);
+        for model in surface["models"].as_array().unwrap() {
+            for key in ["model", "points", "seconds", "area_error", "applicable", "reason"] {
+                assert!(model.get(key).is_some(), "{key} is missing in {model}");
+            }
+        }
+        assert!(number(&surface["statistics"]["rms_height"]) > 0.0);
+    }
+
+    // Nothing is overwritten; the run file repeats the study to the last digit.
+    refused(at, line, 2, &["report.html", "--force"]);
+    let again = "compare --from report/run.toml --out again --quiet --json";
+    let said = rough_contact(at, again);
+    let printed = said.answered();
+    assert!(said.err.is_empty(), "{}", said.err);
+    assert_eq!(without_times(&read("again")), without_times(&results));
+    assert_eq!(without_times(&printed)["surfaces"], without_times(&results)["surfaces"]);
+
+    // A surface that has changed since is not the same study.
+    std::fs::copy(at.join("a.x3p"), at.join("b.x3p")).unwrap();
+    refused(at, "compare --from report/run.toml --out third", 2, &["b.x3p", "changed"]);
+    refused(at, "compare --from nothing.toml --out third", 2, &["nothing.toml"]);
+    refused(at, "compare --from report/run.toml --pressure 1MPa --out third", 2, &["--pressure"]);
+}
+
+#[test]
+fn what_a_study_refuses() {
+    let dir = folder();
+    let at = dir.path();
+    let synth = "synth --shape 16,16 --pixel 1um --hurst 0.8 --rolloff 16um --cutoff 4um \
+                 --rms-height 1um --seed 1 --out a.npy";
+    assert_eq!(rough_contact(at, synth).status, 0);
+    let read = "--pixel 1um --height-unit m";
+    refused(at, "compare a.npy --modulus 1GPa --out r", 2, &["--pixel"]);
+    refused(at, &format!("compare a.npy {read} --out r"), 2, &["--modulus"]);
+    refused(at, &format!("compare a.npy {read} --modulus 1GPa"), 2, &["--out"]);
+    let study = format!("compare a.npy {read} --modulus 1GPa --out r");
+    refused(at, &format!("{study} --pressure 0Pa"), 2, &["greater than 0"]);
+    refused(at, &format!("{study} --pressure 1MPa --headline 2MPa"), 2, &["headline"]);
+    std::fs::write(at.join("plain"), "not a folder").unwrap();
+    let unwritable = format!("compare a.npy {read} --modulus 1GPa --pressure 1MPa --out plain/r");
+    refused(at, &unwritable, 1, &["cannot be written"]);
+}
