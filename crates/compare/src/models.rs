@@ -1,6 +1,7 @@
 //! The only list of all models. Adding a model is one row here.
 
-use crate::report::{GW, Look, MAJUMDAR_BHUSHAN, Marker, PERSSON, STACKED};
+use crate::report::{BGT, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, Marker, PERSSON, STACKED};
+use asperity_models::{BushGibsonThomas, GreenwoodElliptical};
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, Citation, ContactModel, ContactModulus,
     FractalParameters, ModelError, RoughnessSpectrum, SpectralMoments, Wave,
@@ -17,8 +18,6 @@ pub struct Inputs {
     pub moments: Option<SpectralMoments>,
     /// Where they come from.
     pub source: MomentSource,
-    /// Rms gradient by finite differences over the one of `moments` \[-\].
-    pub resolved: f64,
     /// Asperities, if they were given rather than derived from the moments.
     pub asperities: Option<AsperityStatistics>,
     /// Radial spectrum; only Persson's mean gap needs it.
@@ -38,10 +37,8 @@ pub struct Inputs {
 /// Where moments come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MomentSource {
-    /// The spectrum of the map as it repeats periodically.
-    PeriodicSpectrum,
-    /// The spectrum under a Hann window, for a map that does not repeat.
-    WindowedSpectrum,
+    /// Finite differences of a map.
+    FiniteDifferences,
     /// Numbers typed in.
     Given,
 }
@@ -50,8 +47,7 @@ impl MomentSource {
     /// Short name for files.
     pub fn name(self) -> &'static str {
         match self {
-            Self::PeriodicSpectrum => "spectrum",
-            Self::WindowedSpectrum => "spectrum-hann",
+            Self::FiniteDifferences => "finite-differences",
             Self::Given => "given",
         }
     }
@@ -64,7 +60,6 @@ impl Inputs {
             modulus,
             moments: None,
             source: MomentSource::Given,
-            resolved: 1.0,
             asperities: None,
             spectrum: None,
             amplitudes: None,
@@ -101,24 +96,11 @@ impl Inputs {
     /// One sentence on where the moments come from, as HTML.
     pub fn source_sentence(&self) -> &'static str {
         match self.source {
-            MomentSource::PeriodicSpectrum => {
-                "All moments are spectral: the same <i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, \
-                 <i>m</i><sub>4</sub> for every model."
-            }
-            MomentSource::WindowedSpectrum => {
-                "All moments are spectral, under a Hann window because the map does not repeat: \
-                 the same <i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub> for \
-                 every model."
+            MomentSource::FiniteDifferences => {
+                "All moments are by finite differences: the same <i>m</i><sub>0</sub>, \
+                 <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub> for every model."
             }
             MomentSource::Given => "The same moments for every model.",
-        }
-    }
-
-    /// How the spectrum was taken.
-    pub fn window_words(&self) -> &'static str {
-        match self.source {
-            MomentSource::WindowedSpectrum => "under a Hann window",
-            _ => "of the map as it repeats",
         }
     }
 }
@@ -226,6 +208,36 @@ pub static MODELS: &[ModelEntry] = &[
             }
             let moments = moments(inputs, "Greenwood-Williamson")?;
             Ok(Box::new(GreenwoodWilliamson::from_moments(moments, inputs.modulus)?))
+        },
+    },
+    ModelEntry {
+        name: "bgt",
+        label: "BGT",
+        title: "Bush–Gibson–Thomas",
+        inputs: "m0, m2, m4",
+        inputs_html: "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
+        domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
+        look: Look::model(BGT, "2 2", Marker::TriangleUp, 2),
+        in_study: true,
+        assumes: Assumes::Summits,
+        build: |inputs| {
+            let moments = moments(inputs, "Bush-Gibson-Thomas")?;
+            Ok(Box::new(BushGibsonThomas::new(moments, inputs.modulus)?))
+        },
+    },
+    ModelEntry {
+        name: "greenwood-elliptical",
+        label: "Elliptical",
+        title: "Greenwood simplified elliptical",
+        inputs: "m0, m2, m4",
+        inputs_html: "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
+        domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
+        look: Look::model(ELLIPTICAL, "", Marker::Diamond, 3),
+        in_study: true,
+        assumes: Assumes::Summits,
+        build: |inputs| {
+            let moments = moments(inputs, "Greenwood simplified elliptical")?;
+            Ok(Box::new(GreenwoodElliptical::new(moments, inputs.modulus)?))
         },
     },
     ModelEntry {

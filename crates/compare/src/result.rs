@@ -3,7 +3,7 @@
 use crate::accuracy::NoBar;
 use crate::models::{BuildError, Inputs, ModelEntry};
 use crate::{Origin, Settings};
-use contact_types::{ContactState, HeightMap, ModelError};
+use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{Residuals, Solution};
 use surface_stats::SurfaceStatistics;
 
@@ -31,8 +31,8 @@ pub struct SurfaceComparison {
     pub statistics: SurfaceStatistics,
     /// What the models were given.
     pub inputs: Inputs,
-    /// Radial PSD for the figure, `[wavelength (m), C (m⁴)]`, long to short.
-    pub psd: Vec<[f64; 2]>,
+    /// The same by the spectrum.
+    pub spectral: Spectral,
     /// Seconds spent on statistics and spectra, once per map.
     pub setup_seconds: f64,
     /// The deterministic solution at each load, by rising pressure.
@@ -45,6 +45,26 @@ pub struct SurfaceComparison {
     pub pressure: Vec<f64>,
     /// Every model of the list.
     pub models: Vec<ModelComparison>,
+}
+
+/// What the spectrum of a map says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectral {
+    /// Moments.
+    pub moments: SpectralMoments,
+    /// True if a Hann window was applied, because the map does not repeat.
+    pub windowed: bool,
+    /// Radial PSD for the figure, `[wavelength (m), C (m⁴)]`, long to short.
+    pub psd: Vec<[f64; 2]>,
+}
+
+impl Spectral {
+    /// A rms gradient by finite differences over the one by the spectrum \[-\]; 1 for a flat
+    /// map.
+    pub fn resolved(&self, by_differences: f64) -> f64 {
+        let gradient = self.moments.rms_gradient();
+        if gradient > 0.0 { by_differences / gradient } else { 1.0 }
+    }
 }
 
 /// The deterministic solution at one load.
@@ -207,6 +227,11 @@ impl SurfaceComparison {
     /// The deterministic answer at the headline load.
     pub fn headline_answer(&self) -> Option<&DeterministicAnswer> {
         self.deterministic.get(self.headline)?.answer.as_ref()
+    }
+
+    /// Rms gradient by finite differences over the one by the spectrum \[-\].
+    pub fn resolved(&self) -> f64 {
+        self.spectral.resolved(self.statistics.rms_gradient)
     }
 
     /// Pressure of the headline (Pa).

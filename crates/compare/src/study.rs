@@ -3,7 +3,7 @@
 use crate::accuracy::{NoBar, map_gate};
 use crate::models::{BuildError, Inputs, MODELS, ModelEntry, MomentSource};
 use crate::result::{
-    Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,
+    Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve, Spectral,
     SurfaceComparison,
 };
 use crate::settings::{LevelName, MethodName, PrecisionName};
@@ -146,12 +146,13 @@ fn compare(
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
     let setup = Instant::now();
     let (map, statistics) = describe(&heights, &origin, settings).map_err(refused)?;
-    let (inputs, psd) = model_inputs(&map, &statistics, modulus, &origin).map_err(refused)?;
+    let inputs = model_inputs(&map, &statistics, modulus).map_err(refused)?;
+    let spectral = spectral(&map, &statistics, &origin).map_err(refused)?;
     let setup_seconds = setup.elapsed().as_secs_f64();
 
     let gradient = inputs.rms_gradient();
     let [dy, dx] = map.grid().pixel();
-    let gate = map_gate(inputs.resolved, statistics.height_step, dy.min(dx), gradient);
+    let gate = map_gate(spectral.resolved(gradient), statistics.height_step, dy.min(dx), gradient);
     let pressures = loads(settings, modulus, gradient);
     let mut tell = |p: Progress<'_>| match progress(p) {
         ControlFlow::Continue(()) => Ok(()),
@@ -192,7 +193,7 @@ fn compare(
         surface: map,
         statistics,
         inputs,
-        psd,
+        spectral,
         setup_seconds,
         deterministic,
         gate,
@@ -221,35 +222,42 @@ fn describe(
     Ok((level(heights, form)?, statistics))
 }
 
-/// One set of moments for all models: spectral, because the solver sees the map as its waves; a
-/// map that does not repeat is windowed, or the jump at its edges would count as roughness.
+/// One set of moments for all models, by finite differences: they stay inside the map, so that a
+/// map that does not repeat brings no jump at its edges, and they see less of the noise near two
+/// points than the spectrum does.
 fn model_inputs(
     map: &HeightMap,
     statistics: &SurfaceStatistics,
     modulus: ContactModulus,
-    origin: &Origin,
-) -> Result<(Inputs, Vec<[f64; 2]>), StatsError> {
-    let (window, source) = match origin {
-        Origin::Recipe(_) => (Window::None, MomentSource::PeriodicSpectrum),
-        Origin::File(_) => (Window::Hann, MomentSource::WindowedSpectrum),
-    };
-    let rings = radial_psd(map, window)?;
-    let moments = match source {
-        MomentSource::PeriodicSpectrum => statistics.moments_spectral(),
-        _ => spectrum_of(&rings)?.moments(),
-    };
-    let gradient = moments.rms_gradient();
-    let inputs = Inputs {
-        moments: Some(moments).filter(|m| m.m2 > 0.0 && m.m4 > 0.0),
-        source,
-        resolved: if gradient > 0.0 { statistics.rms_gradient / gradient } else { 1.0 },
+) -> Result<Inputs, StatsError> {
+    Ok(Inputs {
+        moments: Some(statistics.moments()).filter(|m| m.m2 > 0.0 && m.m4 > 0.0),
+        source: MomentSource::FiniteDifferences,
         amplitudes: Some(amplitudes(map, Axis::X)?),
         fractal: statistics.fractal(),
         dimension: statistics.dimension,
         nominal_area: Some(map.grid().area()),
         ..Inputs::new(modulus)
+    })
+}
+
+/// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann
+/// window otherwise, or the jump at the edges would count as roughness.
+fn spectral(
+    map: &HeightMap,
+    statistics: &SurfaceStatistics,
+    origin: &Origin,
+) -> Result<Spectral, StatsError> {
+    let window = match origin {
+        Origin::Recipe(_) => Window::None,
+        Origin::File(_) => Window::Hann,
     };
-    Ok((inputs, thinned(&rings)))
+    let rings = radial_psd(map, window)?;
+    let moments = match window {
+        Window::None => statistics.moments_spectral(),
+        Window::Hann => spectrum_of(&rings)?.moments(),
+    };
+    Ok(Spectral { moments, windowed: window != Window::None, psd: thinned(&rings) })
 }
 
 fn spectrum_of(rings: &[Ring]) -> Result<RoughnessSpectrum, StatsError> {

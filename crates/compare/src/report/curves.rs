@@ -184,13 +184,13 @@ impl Plot<'_> {
     fn draw(self) -> Figure {
         let lines = self.lines;
         let unit = lines.pressure_unit();
-        let [lo, hi] = self.limits();
-        let outside: Vec<&ModelLine> = lines
-            .models
-            .iter()
-            .zip(&self.models)
-            .filter(|(_, v)| v.iter().flatten().any(|v| *v < lo || *v > hi * (1.0 + 1e-9)))
-            .map(|(m, _)| m)
+        let mut reference = self.reference.clone();
+        // The band belongs to the reference.
+        reference.extend(self.band.iter().flatten().flatten().map(|v| Some(*v)));
+        let [lo, hi] = log_limits(&reference, &self.models, self.ceiling);
+        let off = |v: f64| v < lo || v > hi * (1.0 + 1e-9);
+        let outside: Vec<usize> = (0..self.models.len())
+            .filter(|&k| self.models[k].iter().flatten().any(|v| off(*v)))
             .collect();
         let top = TOP + if outside.is_empty() { 0.0 } else { NOTE * outside.len() as f64 - 2.0 };
         let bottom = top - TOP + HEIGHT - BOTTOM_MARGIN;
@@ -202,7 +202,7 @@ impl Plot<'_> {
         };
         let mut canvas = Canvas::default();
         frame.draw(&mut canvas);
-        off_scale_notes(&mut canvas, lines, &outside);
+        self.off_scale_notes(&mut canvas, &outside, [lo, hi]);
         if self.usage == Use::Page {
             cursor(&mut canvas, lines, &frame);
         }
@@ -232,37 +232,63 @@ impl Plot<'_> {
         }
     }
 
-    /// Limits of the vertical axis: all of the reference, and every model that stays within a
-    /// factor of 12 of it; one bad model does not flatten the rest.
-    fn limits(&self) -> [f64; 2] {
-        let mut lo = f64::INFINITY;
-        let mut hi = 0.0_f64;
-        let mut take = |v: f64| {
-            if v > 0.0 && v.is_finite() {
-                lo = lo.min(v);
-                hi = hi.max(v);
-            }
-        };
-        self.reference.iter().flatten().for_each(|v| take(*v));
-        self.band.iter().flatten().flatten().for_each(|v| take(*v));
-        let has_reference = self.reference.iter().flatten().any(|v| *v > 0.0);
-        for values in &self.models {
-            for (v, r) in values.iter().zip(&self.reference) {
-                match (v, r) {
-                    (Some(v), Some(r)) if *r > 0.0 && (1.0 / 12.0..12.0).contains(&(v / r)) => {
-                        take(*v);
-                    }
-                    (Some(v), _) if !has_reference => take(*v),
-                    _ => {}
-                }
-            }
+    /// "▲ MB off scale from 400 MPa", one line per model, above the frame.
+    fn off_scale_notes(&self, canvas: &mut Canvas, outside: &[usize], [lo, hi]: [f64; 2]) {
+        let lines = self.lines;
+        for (row, &k) in outside.iter().enumerate() {
+            let off =
+                |i: &usize| self.models[k][*i].is_some_and(|v| v < lo || v > hi * (1.0 + 1e-9));
+            let loads: Vec<usize> = (0..lines.pressures.len()).filter(off).collect();
+            let (Some(&first), Some(&last)) = (loads.first(), loads.last()) else { continue };
+            let high = self.models[k][first].is_some_and(|v| v > hi);
+            let at = |i: usize| super::pressure(lines.pressures[i]);
+            let whole = loads.len() == lines.pressures.len();
+            let range = match (first, last + 1 == lines.pressures.len()) {
+                _ if whole => "at every load".into(),
+                (0, _) => format!("up to {}", at(last)),
+                (_, true) => format!("from {}", at(first)),
+                _ => format!("between {} and {}", at(first), at(last)),
+            };
+            let sign = if high { '▲' } else { '▼' };
+            let note = format!("{sign} {} off scale {range}", lines.models[k].label);
+            canvas.label(&Text {
+                colour: lines.models[k].look.colour,
+                size: 9.0,
+                ..Text::new([LEFT + 4.0, 10.0 + NOTE * row as f64], &note)
+            });
         }
-        if hi <= 0.0 {
-            return [0.1, 1.0];
-        }
-        let room = (hi / lo).powf(0.04).max(1.1);
-        [lo / room, (hi * room).min(self.ceiling.max(hi))]
     }
+}
+
+/// Limits of a logarithmic axis: all of the reference, and every model value within a factor of
+/// 12 of it; one bad model does not flatten the rest. `models` align with `reference`.
+pub(super) fn log_limits(
+    reference: &[Option<f64>],
+    models: &[Vec<Option<f64>>],
+    ceiling: f64,
+) -> [f64; 2] {
+    let mut lo = f64::INFINITY;
+    let mut hi = 0.0_f64;
+    let mut take = |v: f64| {
+        if v > 0.0 && v.is_finite() {
+            lo = lo.min(v);
+            hi = hi.max(v);
+        }
+    };
+    reference.iter().flatten().for_each(|v| take(*v));
+    let has_reference = reference.iter().flatten().any(|v| *v > 0.0);
+    for (v, r) in models.iter().flat_map(|values| values.iter().zip(reference)) {
+        match (v, r) {
+            (Some(v), Some(r)) if *r > 0.0 && (1.0 / 12.0..12.0).contains(&(v / r)) => take(*v),
+            (Some(v), _) if !has_reference => take(*v),
+            _ => {}
+        }
+    }
+    if hi <= 0.0 {
+        return [0.1, 1.0];
+    }
+    let room = (hi / lo).powf(0.04).max(1.1);
+    [lo / room, (hi * room).min(ceiling).max(1.01 * lo)]
 }
 
 /// Fig. 3: signed error of the area of each closed form against the deterministic solution.

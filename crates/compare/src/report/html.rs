@@ -150,15 +150,21 @@ fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
             .trim_end_matches('.')
             .to_owned()
     };
+    let (before, after) = if page.several() {
+        (String::new(), String::new())
+    } else {
+        (
+            format!("rough-contact report · <b>{}</b> · ", escape(&surface.name)),
+            format!(" · {}", words::date(page.provenance.unix_time)),
+        )
+    };
     let line = format!(
-        "<p class=\"file\">rough-contact report · <b>{}</b> · {} × {}{SPACE}{}, {nx} × {ny} points \
-         · <i>E</i>* = {} · {}</p>\n",
-        escape(&surface.name),
+        "<p class=\"file\">{before}{} × {}{SPACE}{}, {nx} × {ny} points · <i>E</i>* = \
+         {}{after}</p>\n",
         side(lx),
         side(ly),
         unit.name,
-        chosen(page.comparison.settings.modulus, PASCALS),
-        words::date(page.provenance.unix_time)
+        chosen(page.comparison.settings.modulus, PASCALS)
     );
     let say = words::headline(surface);
     let first = if page.several() {

@@ -45,6 +45,7 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "source": s.inputs.source.name(),
         },
         "headline_pressure": s.headline_pressure(),
+        "resolved": s.resolved(),
         "setup_seconds": s.setup_seconds,
         "deterministic": {
             "shape": grid.shape(),

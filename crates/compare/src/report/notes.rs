@@ -213,7 +213,7 @@ fn passed(surface: &SurfaceComparison) -> Option<Note> {
         claims.push("resolution");
         texts.push(format!(
             "finite differences see {} of the rms gradient",
-            percent(surface.inputs.resolved)
+            percent(surface.resolved())
         ));
     }
     let mut claim = claims.join(", ");

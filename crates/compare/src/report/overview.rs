@@ -1,16 +1,12 @@
 //! Several surfaces at once: does the ranking of the models hold on all of them?
 
-use super::axes::{Axis, Frame};
-use super::curves::Lines;
 use super::html::Page;
-use super::labels::{EndLabel, draw_end_labels};
+use super::multiples::{self, Quantity};
 use super::numbers::{
     METRES, PASCALS, SPACE, chosen, duration, quantity, signed_percent, significant,
 };
-use super::palette::{BAND, DETERMINISTIC, INK2};
-use super::svg::{Anchor, Canvas, Figure, Stroke, Text, escape, num};
+use super::svg::escape;
 use super::words::{self, WANTED};
-use crate::models::MODELS;
 use crate::result::{ModelCurve, SurfaceComparison};
 
 /// The opening of a report on several surfaces.
@@ -22,18 +18,46 @@ pub(super) fn section(page: &mut Page<'_>) -> String {
         chosen(page.comparison.settings.modulus, PASCALS),
         words::date(page.provenance.unix_time)
     );
-    let table = table(surfaces);
-    let n = page.next_figure();
-    let svg = panels(surfaces, &format!("o-f{n}")).inline();
-    format!(
-        "<header>{line}<h1>{}</h1>\n<p>{}</p></header>\n{table}<figure class=\"wide scroll\">{svg}\
-         <figcaption><b>Fig. {n}. Does the ranking hold?</b> Error of each closed form over the \
-         load, on a scale that makes surfaces comparable. Grey: within 10{SPACE}%. What lies \
-         beyond the axis is listed above each panel.</figcaption></figure>\n<div \
-         class=\"page1\"></div>\n",
+    let mut out = format!(
+        "<header>{line}<h1>{}</h1>\n<p>{}</p></header>\n{}",
         headline(surfaces),
-        ranking(surfaces)
-    )
+        ranking(surfaces),
+        table(surfaces)
+    );
+    let surfaces = &page.comparison.surfaces;
+    let names: Vec<&str> = surfaces.iter().map(|s| s.name.as_str()).collect();
+    for (quantity, title, caption) in [
+        (
+            Quantity::Area,
+            "Real contact area on each surface",
+            "Real contact area</b> over the load. Dots: deterministic solutions.".to_owned(),
+        ),
+        (
+            Quantity::Pressure,
+            "Mean real pressure on each surface",
+            "Mean real pressure</b>, load over real area, in units of E* times the rms gradient g."
+                .to_owned(),
+        ),
+        (
+            Quantity::Error,
+            "Error of the closed forms on each surface",
+            format!(
+                "Does the ranking hold?</b> Error of each closed form. Grey: within 10{SPACE}%. \
+                 What lies beyond an axis is listed above its panel."
+            ),
+        ),
+    ] {
+        let n = page.next_figure();
+        let description = format!("{title}: {}. {}", names.join(", "), ranking(surfaces));
+        let svg =
+            multiples::figure(surfaces, quantity, title, description, &format!("o-f{n}")).inline();
+        out.push_str(&format!(
+            "<figure class=\"wide scroll\">{svg}<figcaption><b>Fig. {n}. {caption}</figcaption>\
+             </figure>\n"
+        ));
+    }
+    out.push_str("<div class=\"page1\"></div>\n");
+    out
 }
 
 /// Mean size of the error of each model over all loads of a surface, by the order of the list.
@@ -72,28 +96,33 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
     }
 }
 
-/// Whether the order of the models is the same on every surface.
+/// Whether the order of the models is the same on every surface, among those that answer on all.
 fn ranking(surfaces: &[SurfaceComparison]) -> String {
-    let order = |s: &SurfaceComparison| -> Vec<&'static str> {
-        let mut list: Vec<(f64, &'static str)> = mean_errors(s)
-            .into_iter()
-            .zip(&s.models)
-            .filter_map(|(e, m)| Some((e?, m.entry.label)))
+    let all: Vec<Vec<Option<f64>>> = surfaces.iter().map(mean_errors).collect();
+    let order = |errors: &[Option<f64>], s: &SurfaceComparison| -> Vec<&'static str> {
+        let mut list: Vec<(f64, &'static str)> = errors
+            .iter()
+            .enumerate()
+            .filter(|(k, _)| all.iter().all(|e| e[*k].is_some()))
+            .filter_map(|(k, e)| Some(((*e)?, s.models[k].entry.label)))
             .collect();
         list.sort_by(|a, b| a.0.total_cmp(&b.0));
         list.into_iter().map(|(_, label)| label).collect()
     };
-    let orders: Vec<Vec<&str>> = surfaces.iter().map(order).collect();
-    let Some(first) = orders.first() else { return String::new() };
+    let orders: Vec<Vec<&str>> = all.iter().zip(surfaces).map(|(e, s)| order(e, s)).collect();
+    let Some(first) = orders.first().filter(|o| !o.is_empty()) else { return String::new() };
     if orders.iter().all(|o| o == first) {
-        return format!("The ranking by mean error holds on all of them: {}.", first.join(", "));
+        return format!(
+            "The ranking by mean error is the same on all of them, nearest first: {}.",
+            first.join(", ")
+        );
     }
     let each: Vec<String> = surfaces
         .iter()
         .zip(&orders)
         .map(|(s, o)| format!("{}: {}", escape(&s.name), o.join(", ")))
         .collect();
-    format!("The ranking by mean error, nearest first, differs. {}.", each.join(". "))
+    format!("The ranking by mean error, nearest first, differs. {}.", each.join("; "))
 }
 
 fn table(surfaces: &[SurfaceComparison]) -> String {
@@ -130,174 +159,4 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
          scope=\"col\">Nearest closed form</th><th scope=\"col\" class=\"n\">Solver, per \
          load</th></tr></thead><tbody>\n{rows}</tbody></table>\n"
     )
-}
-
-/// Small multiples of the signed error over p / (E* g), three to a row, axes shared.
-fn panels(surfaces: &[SurfaceComparison], key: &str) -> Figure {
-    const WIDTH: f64 = 700.0;
-    const PANEL: [f64; 2] = [180.0, 130.0];
-    const LEFT: f64 = 44.0;
-    const GAP: f64 = 23.0;
-    let lines: Vec<Lines> = surfaces.iter().map(Lines::of).collect();
-    let scale: Vec<f64> =
-        surfaces.iter().map(|s| s.inputs.modulus.pascals() * s.inputs.rms_gradient()).collect();
-    let percent = |l: &Lines, k: usize| -> Vec<Option<f64>> {
-        l.errors(&l.models[k]).into_iter().map(|e| e.map(|e| 100.0 * e)).collect()
-    };
-    let (mut x_lo, mut x_hi) = (f64::INFINITY, 0.0_f64);
-    let (mut y_lo, mut y_hi) = (-15.0_f64, 15.0_f64);
-    for (l, s) in lines.iter().zip(&scale) {
-        if *s > 0.0 {
-            for p in &l.pressures {
-                x_lo = x_lo.min(p / s);
-                x_hi = x_hi.max(p / s);
-            }
-        }
-        for k in 0..l.models.len() {
-            for e in percent(l, k).into_iter().flatten().filter(|e| e.abs() <= 80.0) {
-                y_lo = y_lo.min(e);
-                y_hi = y_hi.max(e);
-            }
-        }
-    }
-    if x_hi <= x_lo {
-        (x_lo, x_hi) = (1e-4, 1.0);
-    }
-    let mut canvas = Canvas::default();
-    let per_row = 3;
-    // Room for the name and up to three lines of what is off scale.
-    let head = 60.0;
-    let row_height = head + PANEL[1] + 42.0;
-    for (i, (l, s)) in lines.iter().zip(surfaces).enumerate() {
-        let left = LEFT + (i % per_row) as f64 * (PANEL[0] + GAP);
-        let top = (i / per_row) as f64 * row_height + head;
-        let frame = Frame {
-            x: Axis::log([x_lo, x_hi], [left, left + PANEL[0]]),
-            y: Axis::linear([1.05 * y_lo, 1.05 * y_hi], [top + PANEL[1], top]),
-            x_title: String::new(),
-            y_title: if i % per_row == 0 { "Error in area (%)".into() } else { String::new() },
-        };
-        canvas.rect([left, frame.y.at(10.0), left + PANEL[0], frame.y.at(-10.0)], BAND, 1.0);
-        let x_ticks: Vec<_> =
-            frame.x.major().into_iter().map(|v| (v, frame.x.tick_text(v))).collect();
-        let y_ticks: Vec<_> = frame
-            .y
-            .major()
-            .into_iter()
-            .map(|v| {
-                let text = if i % per_row > 0 {
-                    String::new()
-                } else if v > 0.0 {
-                    format!("+{}", frame.y.tick_text(v))
-                } else {
-                    frame.y.tick_text(v)
-                };
-                (v, text)
-            })
-            .collect();
-        frame.draw_with(&mut canvas, &x_ticks, &y_ticks);
-        canvas.line(
-            [left, frame.y.at(0.0)],
-            [left + PANEL[0], frame.y.at(0.0)],
-            Stroke::solid(DETERMINISTIC, 1.4),
-        );
-        let name = shortened(&s.name, 30);
-        canvas.text(&Text { bold: true, ..Text::new([left, top - head + 12.0], &name) });
-        let mut ends = Vec::new();
-        let mut notes = Vec::new();
-        canvas.raw(&format!(
-            "<clipPath id=\"{key}-c{i}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" \
-             height=\"{}\"/></clipPath><g clip-path=\"url(#{key}-c{i})\">",
-            num(left - 3.0),
-            num(top),
-            num(PANEL[0] + 6.0),
-            num(PANEL[1])
-        ));
-        for (k, model) in l.models.iter().enumerate() {
-            let errors = percent(l, k);
-            let points: Vec<[f64; 2]> = errors
-                .iter()
-                .zip(&l.pressures)
-                .filter_map(|(e, p)| Some(frame.at([p / scale[i], (*e)?])))
-                .collect();
-            let stroke = Stroke {
-                colour: model.look.colour,
-                width: model.look.width,
-                dash: model.look.dash,
-            };
-            canvas.polyline(&points, stroke);
-            for (j, point) in points.iter().enumerate() {
-                if j % 4 == model.look.marker_offset {
-                    canvas.marker(*point, 2.3, model.look);
-                }
-            }
-            let present: Vec<f64> = errors.into_iter().flatten().collect();
-            let lo = present.iter().copied().fold(f64::INFINITY, f64::min);
-            let hi = present.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            if hi > 1.05 * y_hi || lo < 1.05 * y_lo {
-                notes.push((model, lo, hi));
-            }
-            if let Some(last) = present.last().filter(|e| frame.y.holds(**e)) {
-                ends.push(EndLabel {
-                    y: frame.y.at(*last),
-                    text: model.label.into(),
-                    colour: model.look.colour,
-                    bold: false,
-                });
-            }
-        }
-        canvas.raw("</g>");
-        for (row, (model, lo, hi)) in notes.iter().take(3).enumerate() {
-            let text = format!(
-                "{} {} {}",
-                if *hi > 1.05 * y_hi { '▲' } else { '▼' },
-                model.label,
-                super::numbers::signed_range(lo / 100.0, hi / 100.0)
-            );
-            canvas.label(&Text {
-                colour: model.look.colour,
-                size: 9.0,
-                ..Text::new([left, top - head + 25.0 + 11.5 * row as f64], &text)
-            });
-        }
-        if i % per_row == per_row - 1 || i + 1 == lines.len() {
-            draw_end_labels(&mut canvas, left + PANEL[0], [top, top + PANEL[1]], &ends);
-        }
-    }
-    let rows = lines.len().div_ceil(per_row).max(1);
-    let height = rows as f64 * row_height;
-    canvas.text(&Text {
-        colour: INK2,
-        anchor: Anchor::Middle,
-        ..Text::new(
-            [LEFT + 1.5 * PANEL[0] + GAP, height - 2.0],
-            "Nominal pressure / (E* · rms gradient)",
-        )
-    });
-    let drawn: Vec<&str> = MODELS
-        .iter()
-        .filter(|m| lines.iter().any(|l| l.models.iter().any(|k| k.name == m.name)))
-        .map(|m| m.label)
-        .collect();
-    Figure {
-        key: key.into(),
-        title: "Error of the closed forms on each surface".into(),
-        description: format!(
-            "Small multiples of signed per cent error against load for {}: {}. {}",
-            surfaces.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", "),
-            drawn.join(", "),
-            ranking(surfaces)
-        ),
-        size: [WIDTH, height + 4.0],
-        canvas,
-    }
-}
-
-/// The name, or its beginning with an ellipsis.
-fn shortened(name: &str, most: usize) -> String {
-    if name.chars().count() <= most {
-        name.into()
-    } else {
-        name.chars().take(most - 1).chain(['…']).collect()
-    }
 }

@@ -8,7 +8,7 @@ use super::numbers::{
     signed_percent, significant,
 };
 use super::svg::escape;
-use super::{ReportError, cost, maps, surface_figures, tables, words};
+use super::{ReportError, cost, maps, statistics, surface_figures, tables, words};
 use crate::accuracy::BOUNDARY_CORRECTION;
 use crate::models;
 use crate::result::{DeterministicAnswer, SurfaceComparison};
@@ -321,7 +321,7 @@ pub(super) fn the_surface(
             ),
         ));
     }
-    out.push_str(&tables::statistics(surface));
+    out.push_str(&statistics::table(surface));
     out.push_str("</div>\n<div class=\"two\">\n");
     if let Some(histogram) = surface_figures::histogram(heights, &surface.pressure) {
         let n = page.next_figure();
@@ -339,7 +339,7 @@ pub(super) fn the_surface(
         ));
     }
     let fit = surface.statistics.hurst.zip(surface.statistics.fractal_range);
-    let spectrum = surface_figures::Spectrum { points: surface.psd.clone(), fit };
+    let spectrum = surface_figures::Spectrum { points: surface.spectral.psd.clone(), fit };
     let n = page.next_figure();
     if let Some(svg) = surface_figures::spectrum(&spectrum, &format!("{id}-f{n}")) {
         let fitted = if fit.is_some() {
@@ -351,7 +351,11 @@ pub(super) fn the_surface(
             &svg.inline(),
             &format!(
                 "<b>Fig. {n}. Radial power spectrum</b>, {}.{fitted}",
-                surface.inputs.window_words()
+                if surface.spectral.windowed {
+                    "under a Hann window"
+                } else {
+                    "of the map as it repeats"
+                }
             ),
         ));
     }

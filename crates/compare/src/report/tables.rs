@@ -2,8 +2,8 @@
 
 use super::html::Page;
 use super::numbers::{
-    METRES, PASCALS, SPACE, Unit, chosen, duration, fixed, percent, quantity, signed_percent,
-    signed_range, significant, unit_for,
+    METRES, PASCALS, SPACE, chosen, duration, fixed, percent, quantity, signed_percent,
+    signed_range, significant,
 };
 use super::palette::{DETERMINISTIC_LOOK, Look};
 use super::sections::{load_words, spread_words, tolerance_words};
@@ -196,214 +196,6 @@ fn model_row(page: &mut Page<'_>, surface: &SurfaceComparison, model: &ModelComp
     )
 }
 
-/// One row of the statistics table.
-struct Statistic {
-    symbol: &'static str,
-    definition: &'static str,
-    name: String,
-    used: String,
-    differences: String,
-}
-
-/// A power of ten times a unit that brings all of `values` near 1, as scale and text.
-fn scaled(values: [f64; 2], base: Unit, power: i32) -> (f64, String) {
-    let size = values.into_iter().map(f64::abs).fold(0.0, f64::max);
-    let unit = if power == 0 { 1.0 } else { base.scale.powi(power) };
-    let mut e = if size > 0.0 { (size / unit).log10().floor() as i32 } else { 0 };
-    if (-1..4).contains(&e) {
-        e = 0;
-    }
-    let factor = if e == 0 { String::new() } else { super::numbers::power_of_ten(e) };
-    let name = match power {
-        0 => String::new(),
-        1 => base.name.into(),
-        2 => format!("{}²", base.name),
-        -2 => format!("{}⁻²", base.name),
-        _ => format!("{}^{power}", base.name),
-    };
-    let text = [factor, name].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join(" ");
-    (unit * 10f64.powi(e), text)
-}
-
-fn named(name: &str, unit: &str) -> String {
-    if unit.is_empty() { name.into() } else { format!("{name}, {unit}") }
-}
-
-/// Statistics of the levelled map; beside each spectral moment the one by finite differences.
-pub(super) fn statistics(surface: &SurfaceComparison) -> String {
-    let s = &surface.statistics;
-    let used = surface.inputs.moments;
-    let mut rows = Vec::new();
-    let mut row = |symbol, definition, name: String, used: String, differences: String| {
-        rows.push(Statistic { symbol, definition, name, used, differences });
-    };
-    let three = |v: f64| significant(v, 3);
-    let none = String::new;
-    let length = |name: &str, value: f64| {
-        let unit = unit_for(value, METRES);
-        (named(name, unit.name), three(value / unit.scale))
-    };
-    let option = |v: Option<f64>| v.map_or("–".into(), three);
-
-    let (name, value) = length("RMS height", s.rms_height);
-    row("<i>Sq</i>", "Root mean square height about the mean (ISO 25178-2)", name, value, none());
-    let (name, value) = length("Mean absolute height", s.mean_abs_height);
-    row("<i>Sa</i>", "Mean absolute height about the mean (ISO 25178-2)", name, value, none());
-    let signed = |v: Option<f64>| {
-        v.map_or("–".into(), |v| {
-            let text = fixed(v, 2);
-            if v > 0.005 { format!("+{text}") } else { text }
-        })
-    };
-    row(
-        "<i>Ssk</i>",
-        "Third moment / Sq³; 0 for a normal surface",
-        "Skewness".into(),
-        signed(s.skewness),
-        none(),
-    );
-    row(
-        "<i>Sku</i>",
-        "Fourth moment / Sq⁴; 3 for a normal surface",
-        "Kurtosis".into(),
-        option(s.kurtosis),
-        none(),
-    );
-    let gradient = used.map_or(0.0, |m| m.rms_gradient());
-    row(
-        "<i>Sdq</i>",
-        "Root mean square of |∇z|, equal to √(2 m₂)",
-        "RMS gradient".into(),
-        three(gradient),
-        three(s.rms_gradient),
-    );
-    if let Some(m) = used {
-        let height = unit_for(s.rms_height, METRES);
-        let (scale, unit) = scaled([m.m0, s.m0], height, 2);
-        row(
-            "<i>m</i><sub>0</sub>",
-            "Mean square height",
-            named("Height variance", &unit),
-            three(m.m0 / scale),
-            three(s.m0 / scale),
-        );
-        let (scale, unit) = scaled([m.m2, s.m2], height, 0);
-        row(
-            "<i>m</i><sub>2</sub>",
-            "Mean square slope of a profile",
-            named("Slope variance", &unit),
-            three(m.m2 / scale),
-            three(s.m2 / scale),
-        );
-        let pixel = unit_for(surface.surface.grid().pixel()[1], METRES);
-        let (scale, unit) = scaled([m.m4, s.m4], pixel, -2);
-        row(
-            "<i>m</i><sub>4</sub>",
-            "Mean square second derivative of a profile",
-            named("Curvature variance", &unit),
-            three(m.m4 / scale),
-            three(s.m4 / scale),
-        );
-        row(
-            "<i>α</i>",
-            "m₀ m₄ / m₂²; at least 1.5 for any isotropic Gaussian surface",
-            "Nayak bandwidth".into(),
-            three(m.bandwidth()),
-            option(s.bandwidth),
-        );
-    }
-    if let Some(a) = surface.inputs.asperities() {
-        let side = if a.density >= 1e6 { METRES[4] } else { METRES[5] }; // mm or m
-        let differences = s.asperities;
-        let (scale, unit) = scaled([a.density, a.density], side, -2);
-        row(
-            "<i>η</i>",
-            "(m₄/m₂)/(6π√3)",
-            named("Summit density", &unit),
-            three(a.density / scale),
-            differences.map_or_else(none, |d| three(d.density / scale)),
-        );
-        let unit = unit_for(a.radius, METRES);
-        row(
-            "<i>R</i>",
-            "(3/8)√(π/m₄)",
-            named("Summit radius", unit.name),
-            three(a.radius / unit.scale),
-            differences.map_or_else(none, |d| three(d.radius / unit.scale)),
-        );
-        let unit = unit_for(a.height_std, METRES);
-        row(
-            "<i>σ</i><sub>s</sub>",
-            "√((1 − 0.8968/α) m₀)",
-            named("Summit deviation", unit.name),
-            three(a.height_std / unit.scale),
-            differences.map_or_else(none, |d| three(d.height_std / unit.scale)),
-        );
-    }
-    if let Some(anisotropy) = s.anisotropy {
-        row(
-            "<i>Str</i><sub>m</sub>",
-            "Largest over smallest mean square slope over all directions; 1 if isotropic",
-            "Anisotropy of slopes".into(),
-            none(),
-            three(anisotropy),
-        );
-    }
-    if let (Some(hurst), Some([short, long])) = (s.hurst, s.fractal_range) {
-        row(
-            "<i>H</i>",
-            "From the slope −2 − 2H of the radial PSD over the fit range",
-            format!(
-                "Hurst exponent, {} to {}",
-                quantity(short, METRES, 2),
-                quantity(long, METRES, 2)
-            ),
-            significant(hurst, 2),
-            none(),
-        );
-    }
-    if let Some(dimension) = s.dimension {
-        row(
-            "<i>D</i>",
-            "Fractal dimension of a profile, from profile PSDs over the fit range",
-            "Fractal dimension".into(),
-            three(dimension),
-            none(),
-        );
-    }
-    row(
-        "<i>B</i><sub>max</sub>",
-        "Largest mean amplitude over wavelength of the rows; depends on their length",
-        format!("Amplitude ratio, rows of {}", chosen(s.record_length, METRES)),
-        significant(s.max_amplitude_ratio, 3),
-        none(),
-    );
-    let body: String = rows
-        .iter()
-        .map(|r| {
-            format!(
-                "<tr><th scope=\"row\"><abbr tabindex=\"0\" title=\"{}\">{}</abbr></th><td>{}</td>\
-                 <td class=\"n\">{}</td><td class=\"n alt\">{}</td></tr>\n",
-                escape(r.definition),
-                r.symbol,
-                r.name,
-                if r.used.is_empty() { "–" } else { &r.used },
-                if r.differences.is_empty() { "–" } else { &r.differences }
-            )
-        })
-        .collect();
-    let definitions: Vec<String> =
-        rows.iter().map(|r| format!("{}: {}", r.symbol, escape(r.definition))).collect();
-    format!(
-        "<div><table class=\"stat\"><caption>Statistics of the levelled map</caption><thead><tr>\
-         <th scope=\"col\" colspan=\"2\">Hover or tap a symbol for its definition</th><th \
-         scope=\"col\" class=\"n\">For the models</th><th scope=\"col\" class=\"n\">Finite \
-         differences</th></tr></thead><tbody>\n{body}</tbody></table>\n<p class=\"why \
-         printonly\">Definitions. {}.</p></div>\n",
-        definitions.join("; ")
-    )
-}
-
 /// The parts of the ± at the headline load, as shares of the area.
 pub(super) fn budget(
     answer: &DeterministicAnswer,
@@ -432,7 +224,7 @@ pub(super) fn budget(
             format!(
                 "0.3 of the contact-line correction, which held in 95 to 100 of 100 maps whose \
                  finite differences see 94{SPACE}% of the gradient (here {})",
-                percent(surface.inputs.resolved)
+                percent(surface.resolved())
             )
         ),
         row(
