@@ -4,10 +4,16 @@
 use crate::methods::{
     Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch,
 };
-use crate::{Real, fields};
+use crate::{Boundary, Real, fields};
 
-/// Solves `task`, whose target is a level, by solving for loads.
-pub(crate) fn solve_level<T: Real>(
+/// Iterations a method may try to control the level itself before the secant takes over.
+const NATIVE_ITERATIONS: usize = 60;
+
+/// Loads to try before giving up; a few are enough but for rounding.
+const MAX_LOADS: usize = 100;
+
+/// Solves `task`: by the method alone where it can, by loads where it cannot or does not succeed.
+pub(crate) fn solve<T: Real>(
     method: &mut dyn ContactMethod<T>,
     task: &Task<'_, T>,
     operator: &mut dyn Compliance<T>,
@@ -18,6 +24,35 @@ pub(crate) fn solve_level<T: Real>(
     let Target::Level(level, guess) = task.target else {
         return method.solve(task, operator, start, state, watch);
     };
+    let nothing =
+        Outcome { end: End::Exhausted, iterations: 0, transforms: 0.0, residual: f64::INFINITY };
+    if !method.controls_level() {
+        return by_loads(method, task, (level, guess), operator, start, state, watch, nothing);
+    }
+    let native = Task { max_iterations: task.max_iterations.min(NATIVE_ITERATIONS), ..*task };
+    let tried = method.solve(&native, operator, start, state, watch);
+    if tried.end != End::Exhausted || tried.iterations >= task.max_iterations {
+        return tried;
+    }
+    // An iterate that lost its numbers is no start.
+    let is_sound =
+        fields::sum(&state.pressure) > 0.0 && fields::sum(&state.displacement).is_finite();
+    let start = if is_sound { Start::Warm } else { Start::Cold };
+    by_loads(method, task, (level, guess), operator, start, state, watch, tried)
+}
+
+/// Solves for loads until the level is right. `before` is what has been spent already.
+#[expect(clippy::too_many_arguments, reason = "those of a method, and what came before")]
+fn by_loads<T: Real>(
+    method: &mut dyn ContactMethod<T>,
+    task: &Task<'_, T>,
+    (level, guess): (f64, f64),
+    operator: &mut dyn Compliance<T>,
+    start: Start,
+    state: &mut State<T>,
+    watch: &mut Watch<'_, T>,
+    before: Outcome,
+) -> Outcome {
     let mut load = guess;
     if start == Start::Warm {
         load = fields::sum(&state.pressure) / state.pressure.len() as f64;
@@ -25,13 +60,18 @@ pub(crate) fn solve_level<T: Real>(
     let mut start = start;
     let (mut low, mut high) = (0.0_f64, f64::INFINITY); // loads known to be too small, too large
     let mut last: Option<(f64, f64, f64)> = None; // ln load, level reached, relative accuracy
-    let (mut iterations, mut transforms) = (0, 0.0);
+    let (mut iterations, mut transforms) = (before.iterations, before.transforms);
     let mut accuracy: f64 = 0.1;
+    let finest = 0.25 * task.tolerance; // so that the level is known better than it is asked for
+    let mut last_slope = None;
+    let (mut damping, mut last_missing) = (1.0, 0.0);
+    let mut loads = 0;
     loop {
+        loads += 1;
         let sub = Task {
             problem: task.problem,
             target: Target::Pressure(load),
-            tolerance: accuracy.max(task.tolerance),
+            tolerance: accuracy.max(finest),
             max_iterations: task.max_iterations - iterations,
         };
         let mut shifted = |step: &Step<'_, T>| {
@@ -48,15 +88,21 @@ pub(crate) fn solve_level<T: Real>(
         transforms += outcome.transforms;
         // The level rises with the logarithm of the load about as the mean indentation does.
         let work = fields::dot(&state.pressure, &state.displacement);
-        let natural = 0.53 * (work / fields::sum(&state.pressure)).abs();
-        let mut slope = natural.max(f64::MIN_POSITIVE);
+        let mut natural = 0.53 * (work / fields::sum(&state.pressure)).abs();
+        if operator.boundary() == Boundary::Periodic {
+            // Near full contact it levels off with the gap that is left.
+            natural = natural.min(1.5 * (-level - task.problem.mean_height));
+        }
+        let mut slope = last_slope.unwrap_or(natural).max(f64::MIN_POSITIVE);
         if let Some((ln_load, reached, accuracy)) = last {
             // A secant between points closer than their errors would tell nothing.
             let apart = load.ln() - ln_load;
             let secant = (state.level - reached) / apart;
             let is_telling = apart.abs() > 3.0 * (accuracy + outcome.residual);
             if is_telling && secant.is_finite() && secant > 0.0 {
-                slope = secant.clamp(slope * 1e-6, 4.0 * slope);
+                slope = secant.clamp(1e-6 * natural, 4.0 * natural);
+                last_slope = Some(slope);
+                damping = 1.0;
             }
         }
         let missing = (level - state.level) / slope; // in ln load
@@ -64,21 +110,29 @@ pub(crate) fn solve_level<T: Real>(
         if outcome.end != End::Converged {
             return Outcome { end: outcome.end, iterations, transforms, residual };
         }
-        let is_exact = sub.tolerance <= task.tolerance;
-        if is_exact && missing.abs() <= 0.5 * task.tolerance {
+        let is_exact = sub.tolerance <= finest;
+        if is_exact && missing.abs() <= task.tolerance {
             return Outcome { end: End::Converged, iterations, transforms, residual };
         }
-        if iterations >= task.max_iterations {
+        if iterations >= task.max_iterations || loads >= MAX_LOADS {
             return Outcome { end: End::Exhausted, iterations, transforms, residual };
         }
-        // Only an answer clearly on one side of the target may narrow the bracket.
+        // Only an answer clearly on one side of the target may narrow the bracket; one that leaves
+        // no room for the target was a mistake.
         if missing > 2.0 * outcome.residual {
             low = low.max(load);
         } else if missing < -2.0 * outcome.residual {
             high = high.min(load);
         }
+        if (high / low).ln() < 0.5 * missing.abs() {
+            (low, high) = (0.0, f64::INFINITY);
+        }
+        // A change of sides means that the slope was underestimated.
+        let is_overshoot = last_missing * missing < 0.0;
+        damping = if is_overshoot { 0.7 * damping } else { damping };
+        last_missing = missing;
         last = Some((load.ln(), state.level, outcome.residual));
-        let mut next = load * missing.clamp(-2.0, 2.0).exp();
+        let mut next = load * (damping * missing).clamp(-2.0, 2.0).exp();
         if next <= low || next >= high {
             next = if high.is_finite() && low > 0.0 { (low * high).sqrt() } else { next };
         }

@@ -224,12 +224,8 @@ impl<T: Real> Engine<T> {
             })
         };
         let (operator, state) = (self.operator.as_mut(), &mut self.state);
-        let mut outcome = if self.method.controls_level() {
-            self.method.solve(&task, operator, start, state, &mut watch)
-        } else {
-            let method = self.method.as_mut();
-            control::solve_level(method, &task, operator, start, state, &mut watch)
-        };
+        let method = self.method.as_mut();
+        let mut outcome = control::solve(method, &task, operator, start, state, &mut watch);
         outcome.transforms += spent;
         Run { exact: None, outcome, clock }
     }

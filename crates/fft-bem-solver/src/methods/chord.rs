@@ -205,7 +205,8 @@ impl<T: Real> Chord<T> {
             }
             let is_rounding = found.largest <= 2.0 * T::EPSILON * found.magnitude;
             if !is_lead {
-                if residual.max(error) <= task.tolerance || is_rounding {
+                // A single pixel leaves no residual at any level: the level must be right as well.
+                if error <= task.tolerance && (residual <= task.tolerance || is_rounding) {
                     break End::Converged;
                 }
                 if iteration >= task.max_iterations {

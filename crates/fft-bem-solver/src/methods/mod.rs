@@ -98,6 +98,7 @@ pub(crate) enum Target {
 }
 
 /// One problem to solve.
+#[derive(Clone, Copy)]
 pub(crate) struct Task<'a, T> {
     pub(crate) problem: &'a Problem<T>,
     pub(crate) target: Target,

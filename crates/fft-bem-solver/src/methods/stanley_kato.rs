@@ -84,8 +84,9 @@ impl<T: Real> ContactMethod<T> for StanleyKato<T> {
             }
             let theta = descent / curvature;
             length *= theta.clamp(0.2, 5.0);
-            // Beyond the end of the way only as far as no pressure turns negative.
-            let mut part = theta;
+            // Beyond the end of the way only as far as no pressure turns negative, and little, since
+            // the error of u grows by the factor 1 - part; the next step will be longer.
+            let mut part = theta.min(1.5);
             if theta > 1.0 {
                 for i in 0..n {
                     if trial[i] < p[i] {
