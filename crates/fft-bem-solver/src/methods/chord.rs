@@ -23,7 +23,7 @@ use super::coarse_lead::CoarseLead;
 use super::extension::Pyramid;
 use super::passes::{self, Partial, Products};
 use super::stiffness::Stiffness;
-use super::sweep::Sweep;
+use super::sweep::{self, Sweep};
 use super::{
     Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch, face_cg,
     level_control::LevelControl, projection,
@@ -293,7 +293,10 @@ impl<T: Real> Chord<T> {
             &mut self.partial,
         );
         let is_usable = sum > 0.0 && sum.is_finite();
-        if is_usable {
+        if is_usable && sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total {
+            // Much was clipped: the contact is far from settled, and small loads do not belong.
+            projection::to_load(&mut self.trial, load);
+        } else if is_usable {
             passes::scale(total / sum, &mut self.trial);
         }
         is_usable

@@ -16,7 +16,7 @@ use grid_fft::parallel::prelude::*;
 /// Most rounds of sweeping.
 pub(crate) const ROUNDS: u8 = 12;
 /// Tension, as a part of the load, that may be clipped.
-const NEGLIGIBLE: f64 = 1e-3;
+pub(crate) const NEGLIGIBLE: f64 = 1e-3;
 /// Mark of a node that carries load but was released before the trial.
 pub(crate) const RELEASED: u8 = 2;
 /// Mark of the nodes dropped in round k: this plus k.
