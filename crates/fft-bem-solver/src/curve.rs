@@ -6,9 +6,10 @@ use std::ops::ControlFlow;
 
 impl Solver {
     /// Solves for each of `mean_pressures` (Pa), given in any order, and hands each result over
-    /// as it comes, with its index in `mean_pressures`. Loads are visited in rising order, each
-    /// starting from the one before; an error of one load does not keep the others from being
-    /// solved. `Break` ends the curve.
+    /// as it comes, with its index in `mean_pressures`. Loads are visited in rising order. Each
+    /// starts from the one before, scaled, and with [`Method::Chord`](crate::Method) from the last
+    /// two, extrapolated; the answers are those of cold starts, to the tolerance. An error of one
+    /// load does not keep the others from being solved. `Break` ends the curve.
     pub fn curve(
         &mut self,
         surface: &HeightMap,
@@ -17,11 +18,13 @@ impl Solver {
     ) {
         let mut order: Vec<usize> = (0..mean_pressures.len()).collect();
         order.sort_by(|&i, &j| mean_pressures[i].total_cmp(&mean_pressures[j]));
+        self.extrapolate(true);
         for index in order {
             let result = self.solve(surface, Load::MeanPressure(mean_pressures[index]));
             if each(index, result).is_break() {
-                return;
+                break;
             }
         }
+        self.extrapolate(false);
     }
 }

@@ -204,6 +204,13 @@ impl Solver {
         })
     }
 
+    pub(crate) fn extrapolate(&mut self, is_on: bool) {
+        match &mut self.engine {
+            Work::Double(engine) => engine.extrapolate(is_on),
+            Work::Single(engine) => engine.extrapolate(is_on),
+        }
+    }
+
     fn check_grid(&self, found: Grid) -> Result<(), SolverError> {
         if found.len() != self.grid.len() {
             return Err(SolverError::Shape { expected: self.grid.len(), found: found.len() });

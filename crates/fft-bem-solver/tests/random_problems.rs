@@ -104,7 +104,7 @@ fn survey(count: u64, longest: f64) -> ([Vec<f64>; 3], f64) {
     (pairs, optimism)
 }
 
-/// Median and worst, a tenth of a pair above what the method needs.
+/// Median and worst, a little above what the method needs.
 fn check(pairs: &[Vec<f64>; 3], most: [[f64; 2]; 3]) {
     for (pairs, [median, worst]) in pairs.iter().zip(most) {
         let (m, w) = (pairs[pairs.len() / 2], pairs[pairs.len() - 1]);
@@ -115,8 +115,8 @@ fn check(pairs: &[Vec<f64>; 3], most: [[f64; 2]; 3]) {
 #[test]
 fn forty_random_problems_converge() {
     let (pairs, optimism) = survey(40, 100.0);
-    eprintln!("optimism {optimism}");
-    check(&pairs, [[4.0, 9.0], [6.0, 15.0], [8.0, 18.0]]);
+    assert!(optimism < 1.5, "the estimate was {optimism:.2} times too small");
+    check(&pairs, [[4.3, 7.0], [5.4, 10.0], [7.5, 12.0]]);
 }
 
 #[test]
@@ -129,5 +129,5 @@ fn five_hundred_random_problems_converge() {
         println!("{:>4.0} %: {:.2?}", 100.0 * q, pairs.each_ref().map(at));
     }
     println!("largest true error / estimate: {optimism:.2}");
-    check(&pairs, [[4.0, 9.0], [5.5, 15.0], [7.5, 18.0]]);
+    check(&pairs, [[4.1, 7.0], [5.4, 10.6], [7.3, 13.0]]);
 }

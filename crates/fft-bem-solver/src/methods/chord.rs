@@ -21,6 +21,7 @@
 
 use super::coarse_lead::CoarseLead;
 use super::extension::Pyramid;
+use super::extrapolation::Earlier;
 use super::passes::{self, Partial, Products};
 use super::stiffness::Stiffness;
 use super::sweep::{self, Sweep};
@@ -66,6 +67,8 @@ pub(crate) struct Chord<T: Real> {
     pub(crate) before_response: Vec<T>,
     pub(crate) partial: Vec<Partial>,
     lead: Option<Box<CoarseLead<T>>>,
+    /// On a load curve.
+    earlier: Option<Box<Earlier<T>>>,
     /// Tests: make every step of this kind.
     pub(crate) force: Option<Kind>,
     /// Which fallbacks were taken, and at which iteration.
@@ -108,6 +111,7 @@ impl<T: Real> Chord<T> {
             before_response: vec![T::zero(); n],
             partial: vec![Partial::default(); passes::tasks(n, rows, nx)],
             lead: CoarseLead::new(scaled).map(Box::new),
+            earlier: None,
             force: None,
             events: Vec::new(),
         }
@@ -130,8 +134,15 @@ impl<T: Real> Chord<T> {
         let mut is_lead = false; // the trial fields hold a guess that is not feasible
         let mut transforms = 0.0;
         if start == Start::Warm {
+            let guess = (&mut self.trial[..], &mut self.response[..]);
+            if let (Some(earlier), Target::Pressure(load)) = (&mut self.earlier, task.target) {
+                is_lead = earlier.guess(load, state, guess);
+            }
             load = rescale(control.as_ref().map_or(Some(load), |_| None), state);
         } else {
+            if let Some(earlier) = &mut self.earlier {
+                earlier.forget();
+            }
             if let Some(lead) = &mut self.lead {
                 let guess = (&mut self.trial[..], &mut self.response[..]);
                 let found = lead.find(task, load, guess);
@@ -156,7 +167,11 @@ impl<T: Real> Chord<T> {
             if let Some(control) =
                 control.as_mut().filter(|_| iteration > 0 || start == Start::Warm)
             {
-                load = control.correct(residual, load, h, state, &mut self.partial);
+                let factor = control.correct(residual, load, h, state, &mut self.partial);
+                load *= factor;
+                // The step before must stay one that changes no load.
+                passes::scale(factor, &mut self.before);
+                passes::scale(factor, &mut self.before_response);
                 is_lead = false;
             }
 
@@ -446,6 +461,11 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
         watch: &mut Watch<'_, T>,
     ) -> Outcome {
         self.iterate(task, operator, start, state, watch)
+    }
+
+    fn extrapolate(&mut self, is_on: bool) {
+        let n = self.trial.len();
+        self.earlier = is_on.then(|| Box::new(Earlier::new(n)));
     }
 
     fn controls_level(&self) -> bool {

@@ -24,7 +24,7 @@ impl LevelControl {
     }
 
     /// Scales the state to a load that should bring the level nearer to its target; returns the
-    /// load. `residual` is the estimate of the last iteration.
+    /// factor. `residual` is the estimate of the last iteration.
     pub(crate) fn correct<T: Real>(
         &mut self,
         residual: f64,
@@ -56,6 +56,6 @@ impl LevelControl {
         let factor = (-self.error).clamp(-1.0, 1.0).exp();
         passes::scale(factor, p);
         passes::scale(factor, u);
-        factor * load
+        factor
     }
 }

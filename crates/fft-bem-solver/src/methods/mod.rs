@@ -21,6 +21,7 @@
 mod chord;
 mod coarse_lead;
 mod extension;
+mod extrapolation;
 mod face_cg;
 mod level_control;
 mod passes;
@@ -172,6 +173,12 @@ pub(crate) trait ContactMethod<T>: Send {
     /// Whether [`Target::Level`] is understood.
     fn controls_level(&self) -> bool {
         false
+    }
+
+    /// From now on (or no longer), each warm start extrapolates from the last two solutions. Costs
+    /// memory for one more of them. A method without extrapolation ignores it.
+    fn extrapolate(&mut self, is_on: bool) {
+        let _ = is_on;
     }
 
     /// Whether it is worth one pair to see if `mean_pressure` closes every gap, and what finding
