@@ -39,7 +39,7 @@ fn a_curve_equals_cold_starts_in_any_order() {
             ControlFlow::Continue(())
         });
         assert_eq!(seen, 12);
-        assert!(pairs < 0.9 * cold_pairs, "{pairs} pairs, cold {cold_pairs}");
+        assert!(pairs < cold_pairs - 5.0, "{pairs} pairs, cold {cold_pairs}");
     }
     // One solver asked for loads one by one, up and down, warm-starts and agrees as well.
     let mut solver = build();
