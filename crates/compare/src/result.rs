@@ -199,6 +199,8 @@ pub struct Verdict {
     pub answer: Applies,
     /// Why, with the measured number.
     pub reason: String,
+    /// True if the surface itself is the reason, and not the height of some loads.
+    pub at_every_load: bool,
 }
 
 /// The answer of a [`Verdict`].

@@ -14,18 +14,20 @@ pub(crate) fn verdict(
     loads: &[DeterministicPoint],
     statistics: &SurfaceStatistics,
 ) -> Verdict {
-    let (answer, reason) = match outcome {
-        Err(error) => (Applies::No, refusal(error, inputs)),
+    let (answer, reason, at_every_load) = match outcome {
+        Err(error) => (Applies::No, refusal(error, inputs), true),
         Ok(curve) => {
             let reasons = strains(entry, inputs, curve, loads, statistics);
+            let general = reasons.iter().any(|r| !r.by_load);
             if reasons.is_empty() {
-                (Applies::Yes, within(entry).into())
+                (Applies::Yes, within(entry).into(), true)
             } else {
-                (Applies::Caution, reasons.join("; "))
+                let texts: Vec<String> = reasons.into_iter().map(|r| r.text).collect();
+                (Applies::Caution, texts.join("; "), general)
             }
         }
     };
-    Verdict { answer, reason }
+    Verdict { answer, reason, at_every_load }
 }
 
 fn refusal(error: &BuildError, inputs: &Inputs) -> String {
@@ -62,6 +64,23 @@ fn within(entry: &ModelEntry) -> &'static str {
     }
 }
 
+/// An assumption that is strained.
+struct Strain {
+    text: String,
+    /// Only some loads strain it.
+    by_load: bool,
+}
+
+impl Strain {
+    fn of_surface(text: String) -> Self {
+        Self { text, by_load: false }
+    }
+
+    fn of_load(text: String) -> Self {
+        Self { text, by_load: true }
+    }
+}
+
 /// Assumptions that this surface or these loads strain, with the numbers.
 fn strains(
     entry: &ModelEntry,
@@ -69,16 +88,18 @@ fn strains(
     curve: &ModelCurve,
     loads: &[DeterministicPoint],
     statistics: &SurfaceStatistics,
-) -> Vec<String> {
+) -> Vec<Strain> {
     let mut reasons = Vec::new();
     if matches!(entry.assumes, Assumes::Summits | Assumes::Gaussian) {
         if let Some(ratio) = statistics.anisotropy.filter(|r| *r > 2.0) {
-            reasons.push(format!("the surface has a lay (slopes {ratio:.1} : 1)"));
+            let text = format!("the surface has a lay (slopes {ratio:.1} : 1)");
+            reasons.push(Strain::of_surface(text));
         }
         if let (Some(skewness), Some(kurtosis)) = (statistics.skewness, statistics.kurtosis)
             && (skewness.abs() > 0.2 || (kurtosis - 3.0).abs() > 0.3)
         {
-            reasons.push(format!("skewness {}, kurtosis {}", plain(skewness), plain(kurtosis)));
+            let text = format!("skewness {}, kurtosis {}", plain(skewness), plain(kurtosis));
+            reasons.push(Strain::of_surface(text));
         }
     }
     match entry.assumes {
@@ -90,10 +111,10 @@ fn strains(
                 .zip(loads)
                 .find(|(m, _)| m.as_ref().is_ok_and(|s| s.area_fraction > 0.05));
             if let Some((_, load)) = crowded {
-                reasons.push(format!(
-                    "area exceeds 5 % from {}, where summits no longer act alone",
+                reasons.push(Strain::of_load(format!(
+                    "area exceeds 5\u{202F}% from {}, where summits no longer act alone",
                     pressure(load.mean_pressure)
-                ));
+                )));
             }
         }
         Assumes::Amplitudes => {
@@ -101,29 +122,30 @@ fn strains(
                 let steepest = amplitudes.waves().iter().max_by(|a, b| {
                     (a.amplitude * a.frequency).total_cmp(&(b.amplitude * b.frequency))
                 });
-                reasons.push(format!(
+                reasons.push(Strain::of_surface(format!(
                     "its input sits at λ = {} and depends on the record length ({})",
                     steepest.map_or("–".into(), |w| length(1.0 / w.frequency)),
                     length(amplitudes.record_length())
-                ));
+                )));
             }
         }
         Assumes::Fractal => {
             if let (Some(d), Some([short, long])) = (inputs.dimension, statistics.fractal_range) {
-                reasons.push(format!(
+                reasons.push(Strain::of_surface(format!(
                     "D = {} from the fit between {} and {}; another range gives another D",
                     plain(d),
                     length(short),
                     length(long)
-                ));
+                )));
             }
         }
         Assumes::Gaussian => {}
     }
-    reasons.extend(caveat(curve, loads));
+    reasons.extend(caveat(curve, loads).map(Strain::of_load));
     let failed = curve.points.iter().filter(|p| p.is_err()).count();
     if failed > 0 {
-        reasons.push(format!("no answer at {failed} of {} loads", curve.points.len()));
+        let text = format!("no answer at {failed} of {} loads", curve.points.len());
+        reasons.push(Strain::of_load(text));
     }
     reasons
 }

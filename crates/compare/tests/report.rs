@@ -1,6 +1,8 @@
 //! The report as a reader, a printer and a program meet it: the checks of its contract on real
 //! studies of small surfaces.
 
+#![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
+
 use compare::report::{
     Provenance, write_area_svg, write_csv, write_html, write_json, write_pressure_svg,
 };

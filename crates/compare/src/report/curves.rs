@@ -39,7 +39,7 @@ pub(super) struct Lines {
 const LEFT: f64 = 44.0;
 const RIGHT: f64 = COLUMN - 78.0;
 const TOP: f64 = 12.0;
-/// Height of a figure below its notes, and of its plot box.
+/// Height of a figure, whatever notes it carries, so that neighbours stay level.
 const HEIGHT: f64 = 262.0;
 const BOTTOM_MARGIN: f64 = 36.0;
 /// Height of one line of notes above the frame.
@@ -193,7 +193,7 @@ impl Plot<'_> {
             .filter(|&k| self.models[k].iter().flatten().any(|v| off(*v)))
             .collect();
         let top = TOP + if outside.is_empty() { 0.0 } else { NOTE * outside.len() as f64 - 2.0 };
-        let bottom = top - TOP + HEIGHT - BOTTOM_MARGIN;
+        let bottom = HEIGHT - BOTTOM_MARGIN;
         let frame = Frame {
             x: lines.x_axis(unit),
             y: Axis::log([lo, hi], [bottom, top]),
@@ -227,7 +227,7 @@ impl Plot<'_> {
             key: self.key.into(),
             title: self.title.into(),
             description: self.description,
-            size: [COLUMN, bottom + BOTTOM_MARGIN],
+            size: [COLUMN, HEIGHT],
             canvas,
         }
     }
@@ -328,7 +328,7 @@ pub(super) fn error(lines: &Lines, key: &str) -> Figure {
         .collect();
 
     let top = TOP + if outside.is_empty() { 0.0 } else { NOTE * outside.len() as f64 };
-    let bottom = HEIGHT - BOTTOM_MARGIN + (top - TOP - NOTE).max(0.0);
+    let bottom = HEIGHT - BOTTOM_MARGIN;
     let frame = Frame {
         x: lines.x_axis(unit),
         y: Axis::linear([lo, hi], [bottom, top]),
@@ -386,7 +386,7 @@ pub(super) fn error(lines: &Lines, key: &str) -> Figure {
             "Per cent error of the area relative to the deterministic solution of the same map. {}",
             compared(lines)
         ),
-        size: [COLUMN, bottom + BOTTOM_MARGIN],
+        size: [COLUMN, HEIGHT],
         canvas,
     }
 }

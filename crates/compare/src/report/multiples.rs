@@ -9,9 +9,9 @@ use super::svg::{Anchor, Canvas, Figure, Stroke, Text, num};
 use crate::result::SurfaceComparison;
 
 const WIDTH: f64 = 700.0;
-const PANEL: [f64; 2] = [180.0, 138.0];
+const PANEL: [f64; 2] = [176.0, 138.0];
 const LEFT: f64 = 44.0;
-const GAP: f64 = 23.0;
+const GAP: f64 = 22.0;
 const PER_ROW: usize = 3;
 /// Line height of the notes above a panel.
 const NOTE: f64 = 11.5;

@@ -128,7 +128,7 @@ pub(super) fn recommendation(surface: &SurfaceComparison) -> String {
         ));
     }
     let best = cheapest.unwrap_or(nearest);
-    if best.model.verdict.answer == Applies::Caution {
+    if best.model.verdict.answer == Applies::Caution && best.model.verdict.at_every_load {
         text.push_str(&format!(
             " Its domain is strained here: {}.",
             best.model.verdict.reason.trim_end_matches('.')
