@@ -268,8 +268,6 @@ impl<L: SummitLaw> ContactModel for SummitModel<L> {
         }
         let unit = self.modulus.pascals().ln() + 0.5 * self.moments.m2.ln();
         let h = self.solve(mean_pressure.ln() - unit)?;
-        let separation =
-            Self::finite(h * self.moments.rms_height(), "mean pressure", mean_pressure)?;
         let [load, slope, area, area_slope] = self.correlation.integrate(h, |summit| {
             [
                 load_of::<L>(summit),
@@ -285,6 +283,9 @@ impl<L: SummitLaw> ContactModel for SummitModel<L> {
         let elasticity = (area_slope / area) / (slope / load);
         let area = gaussian(self.area_scale() * area * (1.0 + missing * elasticity), h);
         let area = Self::finite(area, "mean pressure", mean_pressure)?;
+        // The last Newton step, on p itself: a large logarithm has lost digits.
+        let separation = (h - missing * load / slope) * self.moments.rms_height();
+        let separation = Self::finite(separation, "mean pressure", mean_pressure)?;
         Ok(contact_state(mean_pressure, area, separation))
     }
 }

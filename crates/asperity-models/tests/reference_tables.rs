@@ -1,4 +1,5 @@
 //! Against 34-digit values.
+#![allow(clippy::unwrap_used, reason = "tests: a panic is the report")]
 
 mod common;
 use asperity_models::{

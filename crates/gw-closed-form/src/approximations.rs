@@ -9,7 +9,7 @@
 //! | 1 | -4.6 % | -3.5 % | -12.8 % |
 //! | 2 | -46 % | -9.2 % | +4.6 % |
 //! | 3 | -32 % | -74 % | +25 % |
-//! | 3.5 | +13 % | -98 % | -48 % |
+//! | 3.5 | +4.4 % | -98 % | +30 % |
 //! | 4 | +101 % | -100 % | -100 % |
 //!
 //! All three are slower or no faster than the exact value: none lies on the speed-accuracy front.

@@ -137,12 +137,31 @@ for _ in range(30):
 header = ["density", "radius", "height_std", "mean_offset", "modulus", "separation", "pressure", "area", "stiffness", "contacts"]
 write("gw_units.csv", header, rows, ORIGIN.replace("alpha is that exact double", "SI units, inputs are those exact doubles"))
 
+def beyond(x):
+    """Largest and smallest doubles are 1.8e308 and 4.9e-324; the rest is written as 1e+400 or 0."""
+    return mpf(10) ** 400 if x > mpf(10) ** 320 else mpf(0) if 0 < x < mpf(10) ** -330 else x
+
+
 rows = []
-for text in ["-1e308", "-1e200", "-1000", "-40", "-1e-300", "0", "1e-300", "1", "37", "38.3", "39", "1000", "1e8", "1e154", "1e200", "1e308"]:
+for text in ["-1e308", "-1e200", "-1e8", "-1000", "-40", "-1e-300", "0", "5e-324", "1", "30", "37.3", "38.3", "39", "1000", "1e8", "1e154", "1e308"]:
     x = mpf(float(text))
-    big = abs(x) > 1e150
-    lead = (log(-x) * 3 * HALF if x < 0 else -x * x / 2) if big else ln(3 * HALF, x)
-    v = (exp(lead) if x > -1e205 else mpf(10) ** 400) if big and x < 0 else (mpf(0) if x > 1e3 else j(3 * HALF, x))
-    ar = -x if x < -1e4 else (mpf(0) if x > 1e3 else j(mpf(1), x))
-    rows.append([text, v if v > mpf(10) ** -400 else mpf(0), ar if ar > mpf(10) ** -400 else mpf(0), lead])
-write("extremes_gw.csv", ["alpha", "load", "area", "ln_load"], rows)
+    if x < -1e4:
+        load, area, log_load = (-x) ** (3 * HALF) * (1 + 3 / (8 * x * x)), -x, 3 * HALF * log(-x) + 3 / (8 * x * x)
+    elif x > 1e4:
+        load, area = mpf(0), mpf(0)
+        log_load = log(scaled(3 * HALF, x)) - x * x / 2
+    else:
+        load, area, log_load = j(3 * HALF, x), j(mpf(1), x), ln(3 * HALF, x)
+    rows += [["load", text, beyond(load)], ["area", text, beyond(area)]]
+    rows.append(["ln load", text, log_load if abs(log_load) < mpf(10) ** 308 else mpf(-10) ** 399])
+    if 0 <= x < 1e100:
+        rows.append(["scaled load", text, scaled(3 * HALF, x)])
+for text in ["2.2250738585072014e-308", "5e-324", "1e-3", "0.43001999366225977", "1e3", "1.7e308"]:
+    p = mpf(float(text))
+    a = solve(3 * HALF, log(p)) if p < 1e100 else -p ** (mpf(2) / 3)
+    rows.append(["alpha from load", text, a])
+    rows.append(["alpha from area", text, solve(mpf(1), log(p)) if p < 1e100 else -p])
+for text in ["-1e300", "-1e5", "1000"]:
+    t = mpf(float(text))
+    rows.append(["alpha from ln load", text, sqrt(-2 * t) if t < -1e6 else solve(3 * HALF, t)])
+write("extremes_gw.csv", ["quantity", "argument", "reference"], rows, ORIGIN.replace("alpha is", "the argument is"))

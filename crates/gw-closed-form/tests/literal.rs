@@ -1,0 +1,119 @@
+//! What the literal formulas lose: the table in the documentation of `appendix`.
+
+mod common;
+use common::{Worst, relative_error};
+use gw_closed_form::appendix::{area_a2, load_a1};
+use gw_closed_form::bessel::{IOrder, KOrder, i_scaled, k_scaled};
+use gw_closed_form::{approximations, integrals, partial_moments};
+
+/// Interval of α, documented largest error of (A1) and of (A2).
+const LOSS: [(f64, f64, f64, f64); 8] = [
+    (-1000.0, 0.0, 8e-16, 4e-16),
+    (0.0, 0.5, 2e-15, 6e-16),
+    (0.5, 1.0, 8e-15, 1e-15),
+    (1.0, 2.0, 4e-14, 6e-15),
+    (2.0, 4.0, 3e-13, 7e-14),
+    (4.0, 8.0, 2.5e-12, 9e-13),
+    (8.0, 20.0, 1e-10, 4e-11),
+    (20.0, 37.0, 1e-9, 4e-10),
+];
+
+/// The figures are upper bounds, and not lazy ones: the loss is really there.
+#[test]
+fn loss_of_digits_is_as_documented() {
+    for (low, high, a1, a2) in LOSS {
+        let (mut load, mut area) = (Worst::default(), Worst::default());
+        for k in 1..4000 {
+            let alpha = low + (high - low) * f64::from(k) / 4000.0;
+            let place = || format!("{alpha}");
+            load.see(relative_error(load_a1(alpha, 1.0), integrals::load(alpha, 1.0)), place);
+            area.see(relative_error(area_a2(alpha, 1.0), integrals::area(alpha, 1.0)), place);
+        }
+        load.check(&format!("(A1) on {low} to {high}"), a1);
+        area.check(&format!("(A2) on {low} to {high}"), a2);
+        assert!(load.error > 0.4 * a1 && area.error > 0.4 * a2, "{} {}", load.error, area.error);
+    }
+}
+
+/// The other reading of the root, √(a exp(-θ)), is wrong by exp(θ/2).
+#[test]
+fn the_damaged_reading_is_wrong_by_a_factor() {
+    for (alpha, factor) in [(0.1f64, 1.00125), (1.0, 1.1331), (3.0, 3.080)] {
+        let theta = 0.25 * alpha * alpha;
+        // sqrt(a exp(-θ)) instead of sqrt(a) exp(-θ)
+        let damaged = load_a1(alpha, 1.0) * (0.5 * theta).exp();
+        assert!((damaged / integrals::load(alpha, 1.0) - factor).abs() < 1e-4 * factor);
+    }
+}
+
+/// Both branches meet at a = 0, where the paper gives a value of its own.
+#[test]
+fn branches_join() {
+    let at_zero = load_a1(0.0, 2.0);
+    for a in [1e-9, -1e-9] {
+        assert!((load_a1(a, 2.0) / at_zero - 1.0).abs() < 3e-9);
+    }
+}
+
+/// 20-digit values of the scaled Bessel functions (mpmath): both sides of every switch.
+#[test]
+fn bessel_functions() {
+    for (order, x, exact) in [
+        (IOrder::MinusQuarter, 1e-8, BESSEL[0]),
+        (IOrder::Quarter, 0.7, BESSEL[1]),
+        (IOrder::ThreeQuarters, 19.9, BESSEL[2]),
+        (IOrder::FiveQuarters, 20.1, BESSEL[3]),
+        (IOrder::MinusQuarter, 700.0, BESSEL[4]),
+    ] {
+        assert!(relative_error(i_scaled(order, x), exact) < 2e-15, "{order:?} {x}");
+    }
+    for (order, x, exact) in [
+        (KOrder::Quarter, 1e-8, BESSEL[5]),
+        (KOrder::ThreeQuarters, 0.0999, BESSEL[6]),
+        (KOrder::Quarter, 0.1001, BESSEL[7]),
+        (KOrder::ThreeQuarters, 19.9, BESSEL[8]),
+        (KOrder::Quarter, 20.1, BESSEL[9]),
+    ] {
+        assert!(relative_error(k_scaled(order, x), exact) < 2e-15, "{order:?} {x}");
+    }
+}
+
+const BESSEL: [f64; 10] = [
+    97.045119486156457498,
+    0.46383056468778481573,
+    0.088712224703513471232,
+    0.086052881726164876987,
+    0.015080621912806277135,
+    215.55944813944137126,
+    6.1896338408948883151,
+    2.9664942864756068987,
+    0.28311410930587452787,
+    0.2782814558950887876,
+];
+
+/// Errors of the approximations that the closed form replaced, in per cent, at h = 0, 1, 2, 3,
+/// 3.5, 4: the table in the documentation of `approximations`.
+#[test]
+fn approximations_are_as_wrong_as_documented() {
+    use partial_moments::{Order, value};
+    let table = [
+        (0.0, 237.1, -10.7, -11.3),
+        (1.0, -4.6, -3.5, -12.8),
+        (2.0, -45.95, -9.2, 4.6),
+        (3.0, -32.2, -74.2, 24.9),
+        (3.5, 4.4, -98.2, 30.4),
+        (4.0, 100.6, -100.0, -100.0),
+    ];
+    for (h, exponential, power, log_quadratic) in table {
+        let percent = |x: f64, order| 100.0 * (x / value(order, h) - 1.0);
+        let law = approximations::exponential_height_law(Order::ThreeHalves, h);
+        for (found, documented) in [
+            (percent(law, Order::ThreeHalves), exponential),
+            (percent(approximations::power_fit(h), Order::FiveHalves), power),
+            (percent(approximations::log_quadratic_fit(h), Order::FiveHalves), log_quadratic),
+        ] {
+            println!("h = {h}: {found:.2} %");
+            assert!((found - documented).abs() < 0.06, "h = {h}: {found} {documented}");
+        }
+    }
+}
