@@ -9,7 +9,7 @@
 use asperity_models::{
     BushGibsonThomas, GreenwoodElliptical, MeanCurvature, SummitLaw, SummitModel, nayak,
 };
-use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMoments};
+use contact_types::{ContactModulus, SeparationModel, SpectralMoments};
 use criterion::{Criterion, criterion_group, criterion_main};
 use gw_closed_form::partial_moments::{Order, value};
 use std::f64::consts::{PI, TAU};
