@@ -1,9 +1,9 @@
 //! The one table of formats.
 
-use crate::ReadError;
 use crate::formats;
 use crate::limits::Limits;
 use crate::measurement::Contents;
+use crate::{Measurement, ReadError, ReadOptions};
 
 macro_rules! formats {
     ($($(#[$cfg:meta])? $variant:ident, $module:ident, $name:literal, [$($extension:literal),*],
@@ -107,6 +107,17 @@ pub struct FormatSpec {
     pub about: &'static str,
     pub(crate) sniff: fn(&[u8]) -> bool,
     pub(crate) parse: Parse,
+}
+
+impl FormatSpec {
+    /// Reads `bytes` as this format, whatever they look like.
+    ///
+    /// # Errors
+    /// As [`read_bytes`](crate::read_bytes).
+    pub fn read(&self, bytes: &[u8], options: &ReadOptions) -> Result<Measurement, ReadError> {
+        let contents = (self.parse)(bytes, &options.limits)?;
+        crate::read::finish(self.format, contents, options)
+    }
 }
 
 /// The format of `bytes`, by content.

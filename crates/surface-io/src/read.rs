@@ -39,9 +39,7 @@ pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Measurement
 /// As [`read`].
 pub fn read_bytes(bytes: &[u8], options: &ReadOptions) -> Result<Measurement, ReadError> {
     let bytes = unwrap_container(bytes, &options.limits)?;
-    let spec = recognise(&bytes)?;
-    let contents = (spec.parse)(&bytes, &options.limits)?;
-    finish(spec.format, contents, options)
+    recognise(&bytes)?.read(&bytes, options)
 }
 
 /// Lists the channels of a file without decoding them.
@@ -113,7 +111,7 @@ fn recognise(bytes: &[u8]) -> Result<&'static FormatSpec, ReadError> {
 }
 
 /// Chooses the channel, decodes it and brings it to metres.
-fn finish(
+pub(crate) fn finish(
     format: Format,
     mut contents: Contents<'_>,
     options: &ReadOptions,

@@ -103,3 +103,16 @@ fn files_that_are_none() {
         assert!(matches!(error, ReadError::BadOption { .. }), "{error}");
     }
 }
+
+/// Seeds for the fuzz targets, one folder per format: `fuzz/seeds/<target>/`.
+#[test]
+#[ignore = "writes files: seeds for cargo fuzz"]
+fn write_fuzz_seeds() {
+    let seeds = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds");
+    for (number, sample) in samples().into_iter().enumerate() {
+        let found = read_bytes(&sample.bytes, &sample.options).unwrap();
+        let folder = seeds.join(format!("{:?}", found.format()).to_lowercase());
+        std::fs::create_dir_all(&folder).unwrap();
+        std::fs::write(folder.join(number.to_string()), &sample.bytes).unwrap();
+    }
+}

@@ -1,0 +1,48 @@
+//! One target per reader: the name of the binary is the format. Whatever the bytes, a reader
+//! returns a measurement that keeps its promises or a typed error, within small limits.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use std::sync::OnceLock;
+use surface_io::{FORMATS, FormatSpec, Limits, ReadOptions, read_bytes, read_channels_bytes};
+
+/// `None` for the target `any`, which recognises the format itself.
+fn format() -> Option<&'static FormatSpec> {
+    static FORMAT: OnceLock<Option<&'static FormatSpec>> = OnceLock::new();
+    *FORMAT.get_or_init(|| {
+        let target = env!("CARGO_BIN_NAME");
+        let found = FORMATS
+            .iter()
+            .find(|spec| format!("{:?}", spec.format).eq_ignore_ascii_case(target));
+        assert!(found.is_some() || target == "any", "no format is called {target}");
+        found
+    })
+}
+
+fuzz_target!(|bytes: &[u8]| {
+    let limits =
+        Limits { file_bytes: 1 << 20, unpacked_bytes: 1 << 20, points: 1 << 16, items: 1 << 10 };
+    let options = ReadOptions { limits, ..ReadOptions::default() };
+    let given = ReadOptions {
+        pixel: Some([3e-6, 2e-6]),
+        height_unit: Some(1e-9),
+        ..options.clone()
+    };
+    for options in [options, given] {
+        let result = match format() {
+            Some(spec) => spec.read(bytes, &options),
+            None => read_bytes(bytes, &options),
+        };
+        if let Ok(found) = result {
+            let [ny, nx] = found.grid().shape();
+            assert_eq!(found.heights().len(), ny * nx);
+            assert!((ny * nx) as u64 <= limits.points);
+            assert!(found.heights().iter().all(|h| !h.is_infinite()));
+            assert_eq!(found.heights().iter().filter(|h| h.is_nan()).count(), found.missing());
+            assert!(found.grid().pixel().iter().all(|side| side.is_finite() && *side > 0.0));
+        }
+    }
+    if format().is_none() {
+        let _ = read_channels_bytes(bytes, &limits);
+    }
+});
