@@ -1,0 +1,91 @@
+//! Time of statistics and cleaning by number of points. The surface is the same at every size:
+//! a self-affine one in steps of 1 nm, 8 roll-off wavelengths wide.
+#![allow(missing_docs, reason = "criterion's macros make undocumented functions")]
+
+use contact_types::{Grid, HeightMap};
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+use surface_stats::clean::{Form, OutlierRule, find_outliers, fit_form, s_filter};
+use surface_stats::iso25178::{Autocorrelation, Hybrid, MaterialRatioCurve};
+use surface_stats::spectrum::{Axis, Window, amplitudes, radial, radial_psd};
+use surface_stats::synthesis::{Scale, SelfAffine};
+use surface_stats::{
+    Boundary, DirectionalMoments, Level, StatsOptions, Summits, SurfaceStatistics, level,
+};
+
+fn recipe(n: usize) -> SelfAffine {
+    SelfAffine {
+        grid: Grid::new([n, n], [1e-6, 1e-6]).expect("a grid of positive pixels"),
+        hurst: 0.8,
+        rolloff: n as f64 / 8.0 * 1e-6,
+        cutoff: 4e-6,
+        scale: Scale::RmsHeight(0.5e-6),
+        seed: 1,
+        quantise: Some(1e-9),
+    }
+}
+
+fn surface(n: usize) -> HeightMap {
+    recipe(n).generate().expect("a sound recipe")
+}
+
+/// Everything a model can ask, at three sizes.
+fn whole(c: &mut Criterion) {
+    let mut group = c.benchmark_group("statistics/of");
+    group.sample_size(10);
+    for n in [256, 1024, 4096] {
+        let map = surface(n);
+        group.throughput(Throughput::Elements((n * n) as u64));
+        for boundary in [Boundary::Open, Boundary::Periodic] {
+            let options = StatsOptions { level: Level::Plane, boundary, ..StatsOptions::default() };
+            group.bench_with_input(BenchmarkId::new(boundary.name(), n), &map, |b, map| {
+                b.iter(|| SurfaceStatistics::of(black_box(map), &options));
+            });
+        }
+    }
+    group.finish();
+}
+
+/// The parts, and the cleaning steps, at one size.
+fn parts(c: &mut Criterion) {
+    let n = 1024;
+    let map = surface(n);
+    let (grid, open) = (map.grid(), Boundary::Open);
+    let mut group = c.benchmark_group("statistics/parts");
+    group.sample_size(10);
+    group.throughput(Throughput::Elements((n * n) as u64));
+    group.bench_function("level-plane", |b| b.iter(|| level(black_box(&map), Level::Plane)));
+    group.bench_function("differences", |b| {
+        b.iter(|| DirectionalMoments::of(black_box(&map), open));
+    });
+    group.bench_function("summits", |b| b.iter(|| Summits::of(black_box(&map), open)));
+    group.bench_function("radial-spectrum", |b| b.iter(|| radial(black_box(&map))));
+    group.bench_function("windowed-psd", |b| {
+        b.iter(|| radial_psd(black_box(&map), Window::Hann));
+    });
+    group.bench_function("amplitudes", |b| b.iter(|| amplitudes(black_box(&map), Axis::X)));
+    group.bench_function("hybrid", |b| b.iter(|| Hybrid::of(black_box(&map))));
+    group.bench_function("material-ratio", |b| {
+        b.iter(|| MaterialRatioCurve::of(black_box(&map)).map(|curve| curve.core()));
+    });
+    group.bench_function("autocorrelation", |b| {
+        b.iter(|| Autocorrelation::of(black_box(&map), open).map(|a| a.spatial()));
+    });
+    group.bench_function("outliers", |b| {
+        b.iter(|| find_outliers(grid, black_box(map.heights()), OutlierRule::default()));
+    });
+    group.bench_function("sphere", |b| {
+        b.iter(|| fit_form(grid, black_box(map.heights()), Form::Sphere));
+    });
+    group.bench_function("gaussian-open-25-pixels", |b| {
+        b.iter(|| s_filter(black_box(&map), 25e-6, open));
+    });
+    group.bench_function("gaussian-periodic", |b| {
+        b.iter(|| s_filter(black_box(&map), 25e-6, Boundary::Periodic));
+    });
+    group.bench_function("synthesis", |b| b.iter(|| recipe(black_box(n)).generate()));
+    group.finish();
+}
+
+criterion_group!(benches, whole, parts);
+criterion_main!(benches);
