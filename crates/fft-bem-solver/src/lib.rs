@@ -20,6 +20,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod accuracy;
 mod assemble;
 mod certificate;
 mod control;
@@ -41,6 +42,7 @@ mod solver;
 mod special_cases;
 pub mod validation;
 
+pub use accuracy::{AreaAccuracy, NoAreaInterval};
 pub use error::SolverError;
 pub use half_space::HalfSpace;
 pub use half_space_free::{FreeHalfSpace, love};
