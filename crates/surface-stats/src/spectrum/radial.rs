@@ -4,7 +4,7 @@ use super::Window;
 use crate::{StatsError, scale};
 use contact_types::{Grid, HeightMap, RoughnessSpectrum, Shell, SpectralMoments};
 use grid_fft::{Complex, GridFft};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// All waves of a map: `|H|²` on the half spectrum.
 pub struct PowerSpectrum {
@@ -99,10 +99,14 @@ impl PowerSpectrum {
         (all > 0.0).then(|| (seen / all).sqrt())
     }
 
-    /// Waves gathered into rings as wide as the finer of the two wavenumber steps of the map.
+    /// Waves gathered into rings as wide as the finer of the two wavenumber steps of the map
+    /// (wider only if the sides differ so much that there would be more than 8 rings per row and
+    /// column).
     pub fn rings(&self) -> Vec<Ring> {
-        let [ly, lx] = self.grid.size();
-        let (cell, width) = (TAU / ly * (TAU / lx), TAU / ly.max(lx));
+        let ([ny, nx], [ly, lx]) = (self.grid.shape(), self.grid.size());
+        let [dy, dx] = self.grid.pixel();
+        let longest = (PI / dy).hypot(PI / dx) / (8 * (ny + nx)) as f64;
+        let (cell, width) = (TAU / ly * (TAU / lx), (TAU / ly.max(lx)).max(longest));
         let mut sums: Vec<[f64; 4]> = Vec::new(); // waves, S, S q², q²
         self.for_each(|[qy, qx], weight, variance| {
             let q2 = qy * qy + qx * qx;
@@ -146,10 +150,17 @@ pub fn radial(map: &HeightMap) -> Result<RoughnessSpectrum, StatsError> {
     shells(&rings)
 }
 
-/// Rings as a spectrum that models take.
-pub(crate) fn shells(rings: &[Ring]) -> Result<RoughnessSpectrum, StatsError> {
-    let shell = |r: &Ring| Shell { wavenumber: r.wavenumber, variance: r.variance };
-    Ok(RoughnessSpectrum::new(rings.iter().map(shell).collect())?)
+/// Rings as a spectrum that models take; neighbours that rounding put on one wavenumber become
+/// one shell.
+fn shells(rings: &[Ring]) -> Result<RoughnessSpectrum, StatsError> {
+    let mut shells: Vec<Shell> = Vec::with_capacity(rings.len());
+    for &Ring { wavenumber, variance, .. } in rings {
+        match shells.last_mut() {
+            Some(last) if wavenumber <= last.wavenumber => last.variance += variance,
+            _ => shells.push(Shell { wavenumber, variance }),
+        }
+    }
+    Ok(RoughnessSpectrum::new(shells)?)
 }
 
 /// PSD averaged over directions, `C(q)` in m⁴ with `m0 = ∫ C d²q`, by rings of rising wavenumber.
@@ -191,6 +202,23 @@ mod tests {
             assert_relative_eq!(m.m4, variance * q2 * q2 * 0.375, max_relative = rounding);
             let shell = spectrum.shells().iter().max_by(|a, b| a.variance.total_cmp(&b.variance));
             assert_relative_eq!(shell.unwrap().wavenumber, q2.sqrt(), max_relative = rounding);
+        }
+    }
+
+    /// Pixels of any aspect: no more rings than rows and columns allow, m0 and m2 exact.
+    #[test]
+    fn extreme_aspects_make_no_extreme_number_of_rings() {
+        for (shape, pixel) in
+            [([1, 500], [1.0, 1e-9]), ([40, 30], [1e-9, 1.0]), ([500, 1], [1.0, 1.0])]
+        {
+            let grid = Grid::new(shape, pixel).unwrap();
+            let heights = (0..grid.len()).map(|i| (1.3 * (i * i) as f64).sin()).collect();
+            let map = HeightMap::new(grid, heights).unwrap();
+            let power = PowerSpectrum::of(&map, Window::None).unwrap();
+            let (exact, found) = (power.moments().0, radial(&map).unwrap());
+            assert!(found.shells().len() <= 8 * (shape[0] + shape[1]) + 1);
+            assert_relative_eq!(found.moments().m0, exact.m0, max_relative = 1e-12);
+            assert_relative_eq!(found.moments().m2, exact.m2, max_relative = 1e-12);
         }
     }
 

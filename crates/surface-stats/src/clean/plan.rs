@@ -1,0 +1,214 @@
+//! Several cleaning steps in a row, with a record of what each did.
+
+use super::{
+    FittedForm, Form, FormParameters, OutlierRule, find_outliers, fit_form, gaussian_filter,
+};
+use crate::{Boundary, StatsError};
+use contact_types::Grid;
+use std::fmt;
+
+/// One step, as asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Step {
+    /// Spikes become missing points.
+    Outliers(OutlierRule),
+    /// The fitted form is taken off.
+    Form(Form),
+    /// Waves shorter than this are taken off (m).
+    SFilter(f64),
+    /// Waves longer than this are taken off (m).
+    LFilter(f64),
+}
+
+/// One step, as done. [`fmt::Display`] writes one line for a report.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Record {
+    /// Spikes found and made missing.
+    Outliers {
+        /// The rule.
+        rule: OutlierRule,
+        /// Spikes.
+        count: usize,
+        /// Distance from the local median beyond which a point was a spike (m).
+        limit: f64,
+        /// Largest distance of a spike (m).
+        largest: f64,
+    },
+    /// Form taken off.
+    Form {
+        /// What was found.
+        parameters: FormParameters,
+        /// Valid points fitted.
+        points: usize,
+    },
+    /// Short waves taken off.
+    SFilter {
+        /// Nesting index (m).
+        nesting_index: f64,
+    },
+    /// Long waves taken off.
+    LFilter {
+        /// Nesting index (m).
+        nesting_index: f64,
+    },
+}
+
+/// Does `steps` in the order given on `heights` (m, row-major, NaN = missing) and says what each
+/// did. Nothing else is done; without steps nothing is.
+///
+/// # Errors
+/// Those of the steps. Heights are then as the steps before left them.
+pub fn apply(
+    grid: Grid,
+    heights: &mut Vec<f64>,
+    steps: &[Step],
+    boundary: Boundary,
+) -> Result<Vec<Record>, StatsError> {
+    let mut records = Vec::with_capacity(steps.len());
+    for &step in steps {
+        records.push(match step {
+            Step::Outliers(rule) => {
+                let found = find_outliers(grid, heights, rule)?;
+                found.remove_from(heights);
+                let (count, limit, largest) = (found.indices.len(), found.limit, found.largest);
+                Record::Outliers { rule, count, limit, largest }
+            }
+            Step::Form(form) => {
+                let fitted: FittedForm = fit_form(grid, heights, form)?;
+                fitted.remove_from(heights);
+                Record::Form { parameters: fitted.parameters(), points: fitted.points() }
+            }
+            Step::SFilter(nesting_index) => {
+                *heights = gaussian_filter(grid, heights, nesting_index, boundary)?;
+                Record::SFilter { nesting_index }
+            }
+            Step::LFilter(nesting_index) => {
+                let long = gaussian_filter(grid, heights, nesting_index, boundary)?;
+                for (h, l) in heights.iter_mut().zip(long) {
+                    *h -= l;
+                }
+                Record::LFilter { nesting_index }
+            }
+        });
+    }
+    Ok(records)
+}
+
+impl fmt::Display for Record {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Outliers { rule, count: 0, limit, .. } => write!(
+                f,
+                "no spikes: no point is more than {:.4} µm from the median of its neighbours \
+                 ({} robust standard deviations, {w} × {w} pixels)",
+                1e6 * limit,
+                rule.threshold,
+                w = 2 * rule.reach + 1
+            ),
+            Self::Outliers { rule, count, limit, largest } => write!(
+                f,
+                "{count} spikes made missing points: more than {:.4} µm from the median of their \
+                 neighbours ({} robust standard deviations, {w} × {w} pixels), the farthest by \
+                 {:.4} µm",
+                1e6 * limit,
+                rule.threshold,
+                1e6 * largest,
+                w = 2 * rule.reach + 1
+            ),
+            Self::Form { parameters, points } => {
+                match parameters {
+                    FormParameters::Polynomial { degree } => {
+                        write!(f, "polynomial of degree {degree}")?;
+                    }
+                    FormParameters::Sphere { radius, .. } => {
+                        write!(
+                            f,
+                            "sphere of radius {:.6} mm ({})",
+                            1e3 * radius.abs(),
+                            way(radius)
+                        )?;
+                    }
+                    FormParameters::Cylinder { radius, direction, .. } => write!(
+                        f,
+                        "cylinder of radius {:.6} mm ({}), axis {:.2}° from x",
+                        1e3 * radius.abs(),
+                        way(radius),
+                        direction.to_degrees()
+                    )?,
+                }
+                write!(f, " fitted to {points} points and taken off")
+            }
+            Self::SFilter { nesting_index } => write!(
+                f,
+                "S-filter: waves shorter than {:.4} µm taken off (Gaussian, ISO 16610-61)",
+                1e6 * nesting_index
+            ),
+            Self::LFilter { nesting_index } => write!(
+                f,
+                "L-filter: waves longer than {:.4} µm taken off (Gaussian, ISO 16610-61)",
+                1e6 * nesting_index
+            ),
+        }
+    }
+}
+
+fn way(radius: f64) -> &'static str {
+    if radius > 0.0 { "convex" } else { "concave" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::{Scale, SelfAffine};
+
+    /// A rough ball with a spike and a hole: after spike, form and S-filter the relief is that of
+    /// the rough flat, filtered alike.
+    #[test]
+    fn a_rough_ball_comes_out_as_the_rough_flat() {
+        let grid = Grid::new([120, 100], [1e-6, 1e-6]).unwrap();
+        let recipe = SelfAffine {
+            grid,
+            hurst: 0.8,
+            rolloff: 20e-6,
+            cutoff: 5e-6,
+            scale: Scale::RmsHeight(20e-9),
+            seed: 8,
+            quantise: None,
+        };
+        let rough = recipe.generate().unwrap().into_heights();
+        let ball = |i: usize| {
+            let (y, x) = ((i / 100) as f64 * 1e-6 - 55e-6, (i % 100) as f64 * 1e-6 - 40e-6);
+            ((2e-3f64).powi(2) - y * y - x * x).sqrt()
+        };
+        let mut heights: Vec<f64> = rough.iter().enumerate().map(|(i, h)| h + ball(i)).collect();
+        heights[4040] += 3e-6;
+        heights[500..520].fill(f64::NAN);
+        let steps =
+            [Step::Outliers(OutlierRule::default()), Step::Form(Form::Sphere), Step::SFilter(6e-6)];
+        let records = apply(grid, &mut heights, &steps, Boundary::Open).unwrap();
+        assert!(matches!(records[0], Record::Outliers { count: 1, .. }));
+        let Record::Form { parameters: FormParameters::Sphere { radius, .. }, points } = records[1]
+        else {
+            panic!("no sphere")
+        };
+        assert_eq!(points, 120 * 100 - 21);
+        assert!((radius / 2e-3 - 1.0).abs() < 0.01, "{radius}");
+        let filtered = gaussian_filter(grid, &rough, 6e-6, Boundary::Open).unwrap();
+        for (i, (h, r)) in heights.iter().zip(&filtered).enumerate() {
+            let missing = i == 4040 || (500..520).contains(&i);
+            assert_eq!(h.is_nan(), missing);
+            assert!(missing || (h - r).abs() < 15e-9, "{i}: {h:e} {r:e}"); // the fit takes 4 waves
+        }
+        let text: Vec<String> = records.iter().map(ToString::to_string).collect();
+        assert!(text[0].starts_with("1 spikes made missing points: more than "), "{text:?}");
+        assert!(text[1].contains("(convex) fitted to 11979 points"), "{text:?}");
+    }
+
+    #[test]
+    fn nothing_asked_nothing_done() {
+        let grid = Grid::new([2, 2], [1.0, 1.0]).unwrap();
+        let mut heights = vec![1.0, 2.0, 3.0, 9.0];
+        assert!(apply(grid, &mut heights, &[], Boundary::Open).unwrap().is_empty());
+        assert_eq!(heights, [1.0, 2.0, 3.0, 9.0]);
+    }
+}
