@@ -48,7 +48,7 @@ impl std::fmt::Display for NoBar {
         match self {
             Self::Unresolved { ratio } => write!(
                 f,
-                "finite differences see {:.0} % of the rms gradient (94 % needed): the shortest \
+                "finite differences see {:.0}\u{202F}% of the rms gradient (94\u{202F}% needed): the shortest \
                  waves are not resolved",
                 100.0 * ratio
             ),
@@ -59,7 +59,7 @@ impl std::fmt::Display for NoBar {
             ),
             Self::FewPixels { ratio } => write!(
                 f,
-                "the contact line takes {:.0} % of the area (20 % at most): contacts are a few \
+                "the contact line takes {:.0}\u{202F}% of the area (20\u{202F}% at most): contacts are a few \
                  points wide",
                 100.0 * ratio
             ),

@@ -52,19 +52,12 @@ pub struct SurfaceComparison {
 pub struct Spectral {
     /// Moments.
     pub moments: SpectralMoments,
+    /// Part of the rms gradient that forward differences see (-).
+    pub resolved: f64,
     /// True if a Hann window was applied, because the map does not repeat.
     pub windowed: bool,
     /// Radial PSD for the figure, `[wavelength (m), C (m⁴)]`, long to short.
     pub psd: Vec<[f64; 2]>,
-}
-
-impl Spectral {
-    /// A rms gradient by finite differences over the one by the spectrum \[-\]; 1 for a flat
-    /// map.
-    pub fn resolved(&self, by_differences: f64) -> f64 {
-        let gradient = self.moments.rms_gradient();
-        if gradient > 0.0 { by_differences / gradient } else { 1.0 }
-    }
 }
 
 /// The deterministic solution at one load.
@@ -229,11 +222,6 @@ impl SurfaceComparison {
     /// The deterministic answer at the headline load.
     pub fn headline_answer(&self) -> Option<&DeterministicAnswer> {
         self.deterministic.get(self.headline)?.answer.as_ref()
-    }
-
-    /// Rms gradient by finite differences over the one by the spectrum \[-\].
-    pub fn resolved(&self) -> f64 {
-        self.spectral.resolved(self.statistics.rms_gradient)
     }
 
     /// Pressure of the headline (Pa).

@@ -10,15 +10,14 @@ use crate::settings::{LevelName, MethodName, PrecisionName};
 use crate::verdict::verdict;
 use crate::{Origin, Settings, Surface, default_pressures};
 use contact_types::{
-    ContactModel, ContactModulus, ContactState, HeightMap, ModelError, RoughnessSpectrum, Shell,
-    SurfaceError,
+    ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
 };
 use fft_bem_solver::{Load, Method, Precision, Solution, Solver, SolverError};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use surface_stats::spectrum::{Axis, Ring, Window, amplitudes, radial_psd};
+use surface_stats::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes};
 use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, level};
 
 /// Area fraction the headline is looked for at.
@@ -147,12 +146,12 @@ fn compare(
     let setup = Instant::now();
     let (map, statistics) = describe(&heights, &origin, settings).map_err(refused)?;
     let inputs = model_inputs(&map, &statistics, modulus).map_err(refused)?;
-    let spectral = spectral(&map, &statistics, &origin).map_err(refused)?;
+    let spectral = spectral(&map, &origin).map_err(refused)?;
     let setup_seconds = setup.elapsed().as_secs_f64();
 
     let gradient = inputs.rms_gradient();
     let [dy, dx] = map.grid().pixel();
-    let gate = map_gate(spectral.resolved(gradient), statistics.height_step, dy.min(dx), gradient);
+    let gate = map_gate(spectral.resolved, statistics.height_step, dy.min(dx), gradient);
     let pressures = loads(settings, modulus, gradient);
     let mut tell = |p: Progress<'_>| match progress(p) {
         ControlFlow::Continue(()) => Ok(()),
@@ -243,26 +242,18 @@ fn model_inputs(
 
 /// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann
 /// window otherwise, or the jump at the edges would count as roughness.
-fn spectral(
-    map: &HeightMap,
-    statistics: &SurfaceStatistics,
-    origin: &Origin,
-) -> Result<Spectral, StatsError> {
+fn spectral(map: &HeightMap, origin: &Origin) -> Result<Spectral, StatsError> {
     let window = match origin {
         Origin::Recipe(_) => Window::None,
         Origin::File(_) => Window::Hann,
     };
-    let rings = radial_psd(map, window)?;
-    let moments = match window {
-        Window::None => statistics.moments_spectral(),
-        Window::Hann => spectrum_of(&rings)?.moments(),
-    };
-    Ok(Spectral { moments, windowed: window != Window::None, psd: thinned(&rings) })
-}
-
-fn spectrum_of(rings: &[Ring]) -> Result<RoughnessSpectrum, StatsError> {
-    let shell = |r: &Ring| Shell { wavenumber: r.wavenumber, variance: r.variance };
-    Ok(RoughnessSpectrum::new(rings.iter().map(shell).collect())?)
+    let power = PowerSpectrum::of(map, window)?;
+    Ok(Spectral {
+        moments: power.moments().0,
+        resolved: power.resolved_gradient().unwrap_or(1.0),
+        windowed: window != Window::None,
+        psd: thinned(&power.rings()),
+    })
 }
 
 /// The PSD in about 12 bins per octave of wavenumber, `[wavelength, C]`: what a figure can show.

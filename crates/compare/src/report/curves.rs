@@ -300,16 +300,17 @@ pub(super) fn error(lines: &Lines, key: &str) -> Figure {
         .map(|m| lines.errors(m).into_iter().map(|e| e.map(|e| 100.0 * e)).collect())
         .collect();
     let worst = |e: &[Option<f64>]| e.iter().flatten().fold(0.0_f64, |w, e| w.max(e.abs()));
-    // The axis holds every model that stays within 60 %, or else the best of them.
+    // The axis holds every model that stays within 60 %; if none does, the best of them and
+    // those that are little worse.
     let mut worsts: Vec<f64> = errors.iter().map(|e| worst(e)).filter(|w| *w > 0.0).collect();
     worsts.sort_by(f64::total_cmp);
     let limit = worsts
         .iter()
         .rfind(|w| **w <= 60.0)
-        .or(worsts.first())
         .copied()
+        .or(worsts.first().map(|best| 1.3 * best))
         .unwrap_or(15.0)
-        .clamp(15.0, 100.0);
+        .max(15.0);
     let held = |e: &&Vec<Option<f64>>| worst(e) <= limit;
     let extent = |sign: f64| {
         errors
@@ -348,11 +349,6 @@ pub(super) fn error(lines: &Lines, key: &str) -> Figure {
         })
         .collect();
     frame.draw_with(&mut canvas, &x_ticks, &y_ticks);
-    canvas.text(&Text {
-        colour: INK2,
-        size: 9.0,
-        ..Text::new([LEFT + 4.0, tolerance[1] + 9.5], "within 10\u{202F}%")
-    });
     off_scale_notes(&mut canvas, lines, &outside);
     cursor(&mut canvas, lines, &frame);
     let clip = open_clip(&mut canvas, key, &frame);
@@ -378,6 +374,15 @@ pub(super) fn error(lines: &Lines, key: &str) -> Figure {
         }
     }
     canvas.raw(clip);
+    // A band too narrow for its name is named in the caption alone.
+    if tolerance[3] - tolerance[1] > 26.0 {
+        canvas.text(&Text {
+            colour: INK2,
+            size: 9.0,
+            halo: true,
+            ..Text::new([LEFT + 4.0, tolerance[1] + 9.5], "within 10\u{202F}%")
+        });
+    }
     draw_end_labels(&mut canvas, RIGHT, [top + 2.0, bottom - 2.0], &ends);
     Figure {
         key: key.into(),

@@ -45,7 +45,7 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "source": s.inputs.source.name(),
         },
         "headline_pressure": s.headline_pressure(),
-        "resolved": s.resolved(),
+        "resolved": s.spectral.resolved,
         "setup_seconds": s.setup_seconds,
         "deterministic": {
             "shape": grid.shape(),

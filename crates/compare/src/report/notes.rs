@@ -63,7 +63,10 @@ pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
     {
         notes.push(note(Weight::Check, "The area at this load carries no ±.", no_bar(reason)));
     }
-    notes.extend(surface.statistics.warnings.iter().map(warning));
+    let said = matches!(surface.gate, Err(NoBar::Unresolved { .. }));
+    let rest = surface.statistics.warnings.iter();
+    let rest = rest.filter(|w| !(said && matches!(w, Warning::Unresolved { .. })));
+    notes.extend(rest.map(warning));
     if let Origin::File(file) = &surface.origin
         && file.missing > 0
     {
@@ -92,13 +95,30 @@ fn no_bar(reason: NoBar) -> String {
     if let Some(first) = text.get(..1).map(str::to_uppercase) {
         text.replace_range(..1, &first);
     }
-    format!("{text}. Outside this limit the error of the area has reached tens of per cent.")
+    let advice = match reason {
+        NoBar::Unresolved { .. } | NoBar::FewPixels { .. } => {
+            " Measure finer, or remove short wavelengths and quote the cut-off."
+        }
+        NoBar::Stepped { .. } => " Measure with finer steps.",
+        NoBar::Empty | NoBar::NotConverged => "",
+    };
+    format!(
+        "{text}. Outside this limit the error of the area has reached tens of per cent.{advice}"
+    )
 }
 
 fn warning(warning: &Warning) -> Note {
     use Weight::{Check, Note as Info};
     let ratio = |x: f64| significant(x, 2);
     match *warning {
+        Warning::Rounding { rms_height, spacing } => note(
+            Check,
+            format!("The rms height of {} is rounding.", quantity(rms_height, METRES, 2)),
+            format!(
+                "The heights are stored to {}; what is left after levelling is no roughness.",
+                quantity(spacing, METRES, 1)
+            ),
+        ),
         Warning::Flat => note(
             Check,
             "The map is flat.",
@@ -147,6 +167,24 @@ fn warning(warning: &Warning) -> Note {
             ),
             "Models made of them describe the instrument. Measure with finer steps, or remove \
              short wavelengths.",
+        ),
+        Warning::Noisy { rms, m2_share, m4_share, reliable } => note(
+            Check,
+            format!(
+                "{} of <i>m</i><sub>4</sub> and {} of <i>m</i><sub>2</sub> are noise of {} rms.",
+                percent(m4_share),
+                percent(m2_share),
+                quantity(rms, METRES, 2)
+            ),
+            format!(
+                "Every model made of them describes the instrument, and so does the area at light \
+                 load.{}",
+                reliable.map_or(String::new(), |l| format!(
+                    " Waves longer than {} stand out of the noise: remove shorter ones and quote \
+                     the cut-off.",
+                    quantity(l, METRES, 2)
+                ))
+            ),
         ),
         Warning::FlatTops { plateaus, summits } => note(
             Info,
@@ -213,7 +251,7 @@ fn passed(surface: &SurfaceComparison) -> Option<Note> {
         claims.push("resolution");
         texts.push(format!(
             "finite differences see {} of the rms gradient",
-            percent(surface.resolved())
+            percent(surface.spectral.resolved)
         ));
     }
     let mut claim = claims.join(", ");

@@ -75,7 +75,8 @@ pub(super) fn over_load(
         &curves::error(lines, &format!("{id}-f{three}")).inline(),
         &format!(
             "<b>Fig. {three}. Error of each closed form</b> against the deterministic solution of \
-             the same map.{} Sampling does not enter: both sides see the same map.",
+             the same map. Light band: within 10{SPACE}%.{} Sampling does not enter: both \
+             sides see the same map.",
             if has_band { " Dark band: numerical uncertainty of that solution alone." } else { "" }
         ),
     );
@@ -90,8 +91,13 @@ pub(super) fn over_load(
         let floor = relative_uncertainty(surface);
         let caption = format!(
             "<b>Fig. {four}. What accuracy costs</b>, at {p}. Dashed: Pareto front; a point above \
-             or right of it is beaten on both counts. Set-up, once per map: statistics and \
+             or right of it is beaten on both counts.{} Set-up, once per map: statistics and \
              spectra {}.",
+            if floor.is_some() {
+                ""
+            } else {
+                " The deterministic solution carries no ± here and is not drawn."
+            },
             duration(surface.setup_seconds)
         );
         let svg = cost::figure(&routes, floor, &p, &format!("{id}-f{four}")).inline();
@@ -268,11 +274,8 @@ pub(super) fn where_it_touches(
         let key = format!("{key}b");
         let zoom = maps::enlarged(&surface.pressure, heights, grid, window, &key)?;
         let [dy, dx] = grid.pixel();
-        let spacing = if (dy - dx).abs() < 1e-9 * dx {
-            chosen(dx, METRES)
-        } else {
-            format!("{} × {}", chosen(dx, METRES), chosen(dy, METRES))
-        };
+        let sides = [chosen(dx, METRES), chosen(dy, METRES)];
+        let spacing = if sides[0] == sides[1] { sides[0].clone() } else { sides.join(" × ") };
         out.push_str(&figure(
             &zoom.inline(),
             &format!(

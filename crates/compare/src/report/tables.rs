@@ -30,7 +30,12 @@ pub(super) fn key_numbers(surface: &SurfaceComparison) -> String {
         rows.push((
             "Mean real pressure".into(),
             words::real_pressure(surface.headline_pressure(), a),
-            "load over that area; same ±".into(),
+            if a.uncertainty().is_some() {
+                "load over that area; same ±"
+            } else {
+                "load over that area"
+            }
+            .into(),
         ));
         rows.push((
             "Highest local pressure".into(),
@@ -224,7 +229,7 @@ pub(super) fn budget(
             format!(
                 "0.3 of the contact-line correction, which held in 95 to 100 of 100 maps whose \
                  finite differences see 94{SPACE}% of the gradient (here {})",
-                percent(surface.resolved())
+                percent(surface.spectral.resolved)
             )
         ),
         row(
