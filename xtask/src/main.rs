@@ -5,6 +5,7 @@ mod bench;
 mod ci;
 mod compare;
 mod docs;
+mod extremes;
 mod figures;
 mod generated;
 mod shell;
@@ -22,6 +23,7 @@ Usage: cargo xtask <task> [options]
   validate [--check]        the solver against exact solutions; table into the book
   figures [--check]         the figures that README and book show
   docs [--check]            the tables of models and formats in the book
+  extremes [--check]        every model at the ends of its inputs; tables into the book
   bench [ARGS]              the benchmarks; their table into the book
   surfaces --dir DIR --expected FILE
                             files of instruments against expected values, one line each
@@ -44,6 +46,7 @@ fn main() -> ExitCode {
         "validate" => validate::run(rest),
         "figures" => figures::run(rest),
         "docs" => docs::run(rest),
+        "extremes" => extremes::run(rest),
         "bench" => bench::run(rest),
         "surfaces" => surfaces::run(rest),
         "tidy" => tidy::run(rest),

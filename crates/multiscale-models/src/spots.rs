@@ -101,9 +101,10 @@ impl Spots {
             // All spots plastic: load is hardness times area.
             return critical.area * (load / threshold);
         }
-        let (mut lo, mut hi) = ((-740.0_f64), 8.0_f64); // ln(a_l/a_c) from 1e-321 to 2981
+        // ln(a_l/a_c) from 1e-307, where the spot is critical to rounding, to 2981.
+        let (mut lo, mut hi) = ((-706.0_f64), 8.0_f64);
         let mut v = 1.0_f64;
-        for _ in 0..200 {
+        while hi - lo > 1e-12 {
             let log_ratio = v.exp();
             let split = self.split_load(critical, critical.area * Wide::exp(log_ratio));
             let mismatch = if split.total().is_zero() {
@@ -111,19 +112,19 @@ impl Spots {
             } else {
                 (split.total() / load).ln()
             };
+            let step = mismatch / (split.slope * log_ratio);
+            // Quadratic: after a step of 1e-9 the rest is rounding.
+            if step.abs() <= 1e-9 * v.abs().max(1.0) {
+                v -= step;
+                break;
+            }
             if mismatch > 0.0 {
                 hi = v;
             } else {
                 lo = v;
             }
-            let newton = v - mismatch / (split.slope * log_ratio);
-            let next = if newton > lo && newton < hi { newton } else { 0.5 * (lo + hi) };
-            let step = (next - v).abs();
-            v = next;
-            // An error in v matters only by its effect on the area, dv ln(a_l/a_c).
-            if step <= 1e-9 * v.abs().max(1.0) || step * v.exp() < 1e-17 {
-                break;
-            }
+            let newton = v - step;
+            v = if newton > lo && newton < hi { newton } else { 0.5 * (lo + hi) };
         }
         let mut spot = critical.area * Wide::exp(v.exp());
         // Two more steps on the spot itself, whose logarithm has lost digits.

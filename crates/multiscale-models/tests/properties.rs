@@ -239,3 +239,85 @@ proptest! {
         }
     }
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Load and area are inverse to each other, whether spots are elastic, plastic or both.
+    #[test]
+    fn fractal_load_and_area_are_inverse(
+        dimension in prop_oneof![1.05..1.95, 1.499..1.501], ln_fraction in -18.0..0.0, ln_critical in -60.0..-12.0, ln_hardness in -7.0..-1.0,
+    ) {
+        let e = ContactModulus::from_pascals(1e10).unwrap();
+        let fraction = f64::exp(ln_fraction);
+        let surface = FractalParameters { dimension, roughness: 1e-9 };
+        let model = MajumdarBhushan::new(surface, 1e-6, e).unwrap();
+        let critical = 1e-6 * f64::exp(ln_critical);
+        let with_area = model.with_critical_area(critical).unwrap();
+        let mut all = vec![with_area];
+        all.extend(model.with_hardness(1e10 * f64::exp(ln_hardness)));
+        for model in all {
+            let pressure = model.pressure_at_area(fraction).unwrap();
+            // Without a hardness a surface of plastic spots only carries nothing.
+            if pressure > 0.0 {
+                let back = model.at_pressure(pressure).unwrap().area_fraction;
+                prop_assert!((back / fraction - 1.0).abs() < 1e-13, "{back} for {fraction}");
+            }
+        }
+    }
+
+    #[test]
+    fn persson_pressure_and_area_are_inverse(ln_m2 in -50.0..10.0, x in 1e-9..5.5, gamma in 0.01..=1.0) {
+        let moments = SpectralMoments { m0: 1.0, m2: f64::exp(ln_m2), m4: 1.0 };
+        let model = Persson::from_moments(moments, ContactModulus::from_pascals(3e9).unwrap()).unwrap();
+        let p = 3e9 * moments.m2.sqrt() * x;
+        for law in [AreaLaw::Diffusion, AreaLaw::ReducedDiffusion] {
+            let model = model.clone().with_gamma(gamma).unwrap().with_area_law(law);
+            let open = model.open_fraction(p).unwrap();
+            let back = model.pressure_at_open_fraction(open).unwrap();
+            // One rounding of `open` near 1 is worth 1/(2x) roundings of p.
+            prop_assert!((back / p - 1.0).abs() < 1e-13 + 1e-16 / x, "{back} for {p}");
+        }
+    }
+}
+
+/// From one double to the next the area never falls by more than the roundings of a few
+/// operations; where a formula is one monotone function, not at all.
+#[test]
+fn area_does_not_fall_from_one_double_to_the_next() {
+    let e = ContactModulus::from_pascals(1e9).unwrap();
+    let moments = SpectralMoments { m0: 1.0, m2: 0.02, m4: 1.0 };
+    let persson = Persson::from_moments(moments, e).unwrap();
+    let reduced =
+        persson.clone().with_gamma(0.45).unwrap().with_area_law(AreaLaw::ReducedDiffusion);
+    let wave =
+        |k: i32| Wave { frequency: 1e3 * f64::from(k), amplitude: 1e-6 * f64::from(k).powf(-1.2) };
+    let waves = AmplitudeSpectrum::new((1..50).map(wave).collect(), 1e-3).unwrap();
+    let recursion = JacksonStreator::new(waves, e).unwrap().with_law(SinusoidLaw::NumericalTable);
+    let levels =
+        [SphereLevel { radius: 1e-3, density: 1e5 }, SphereLevel { radius: 1e-6, density: 1e11 }];
+    let surface = |dimension| FractalParameters { dimension, roughness: 1e-9 };
+    let fractal = |d| MajumdarBhushan::new(surface(d), 1e-6, e).unwrap();
+    let models: [(&dyn ContactModel, f64); 8] = [
+        (&persson, 0.0),
+        (&Stacked::new(0.013, e).unwrap(), 0.0),
+        (&fractal(1.4), 0.0),
+        (&recursion, 4.0 * f64::EPSILON),
+        (&Archard::new(&levels, e).unwrap(), 4.0 * f64::EPSILON),
+        (&reduced, 32.0 * f64::EPSILON),
+        (&fractal(1.6).with_critical_area(1e-15).unwrap(), 16.0 * f64::EPSILON),
+        (&fractal(1.6).with_hardness(1e7).unwrap(), 16.0 * f64::EPSILON),
+    ];
+    for (index, (model, slack)) in models.into_iter().enumerate() {
+        for step in 0..400 {
+            let mut p = 1e2 * 10.0_f64.powf(f64::from(step) / 60.0);
+            let mut last = 0.0;
+            for _ in 0..6 {
+                let area = model.at_pressure(p).unwrap().area_fraction;
+                assert!(area >= last * (1.0 - slack), "model {index}, p = {p}: {last} to {area}");
+                last = area;
+                p = p.next_up();
+            }
+        }
+    }
+}

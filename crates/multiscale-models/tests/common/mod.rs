@@ -1,5 +1,13 @@
 //! Reading the reference tables.
-#![allow(clippy::print_stdout, reason = "the worst errors are printed for the report")]
+#![allow(
+    dead_code,
+    clippy::float_cmp,
+    clippy::print_stdout,
+    reason = "each test program uses its part; a reference of exactly 0 is compared absolutely; \
+              the worst errors are printed for the report"
+)]
+
+pub(crate) mod extremes;
 
 use std::path::PathBuf;
 

@@ -1,0 +1,35 @@
+//! Prints the table "each model at the ends of its inputs" as Markdown:
+//! `cargo run --release -p multiscale-models --example extremes`.
+#![allow(clippy::print_stdout, reason = "an example that prints its table")]
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use common::extremes::{Case, cases};
+
+fn main() {
+    println!("| question | inputs | answer | remark | relative error |");
+    println!("|---|---|---|---|---|");
+    for case in cases() {
+        println!("{}", line(&case));
+    }
+}
+
+fn line(case: &Case) -> String {
+    let (answer, remark) = match &case.answer {
+        Ok((value, caveat)) => {
+            (format!("{value:.15e}"), caveat.map(|c| c.to_string()).unwrap_or_default())
+        }
+        Err(error) => ("refused".to_owned(), error.to_string()),
+    };
+    // By decades: the last digits of an error differ between platforms.
+    let error = match case.error() {
+        Some(error) if error <= 2.3e-16 => "rounding".to_owned(),
+        Some(error) => format!("< 1e{}", error.log10().floor() + 1.0),
+        None if case.reference.is_none() && case.answer.is_err() => "as it should".to_owned(),
+        None => "WRONG".to_owned(),
+    };
+    let inputs = case.inputs.replace('|', " ").replace(';', ", ").replace('=', " = ");
+    let row = format!("| {} | {inputs} | {answer} | {remark} | {error} |", case.question);
+    row.replace("e-", "e−").replace("= -", "= −")
+}
