@@ -46,9 +46,10 @@ pub trait SummitLaw: Send + Sync + 'static {
 /// t is the mean curvature of a summit divided by √(2 m4/3); the kernels W hold the law.
 ///
 /// # Accuracy
-/// Relative error below 5e-14 for bandwidths 1.5 to 1e8 and -6 ≤ h ≤ 38, most of it from the
-/// rounding of h itself (h² units in the last place). Area and pressure fall with the separation
-/// except for that rounding: between separations that differ by more than 1e-13 of themselves.
+/// Relative error of the dimensionless area and pressure at h below 4e-15 for bandwidths from 1.5
+/// exactly to 1e8 and -6 ≤ h ≤ 37.5; the rounding of h = d/√m0 itself adds h² units in the last
+/// place. Area and pressure fall with the separation, except that separations closer to each other
+/// than 1e-13 of themselves may come out in either order.
 ///
 /// # Validity
 /// Bandwidth at least 3/2 (no isotropic Gaussian surface has less). A [`Caveat::BeyondModel`] is

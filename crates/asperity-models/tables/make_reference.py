@@ -1,4 +1,4 @@
-"""Makes fixtures/reference/summit_models.csv with mpmath (34 digits, 20 printed).
+"""Makes fixtures/reference/summit_models.csv and extremes_summit_models.csv with mpmath (34 digits, 20 printed).
 
 Independent of the crate: tanh-sinh quadrature over the curvature t, partial moments from mpmath's
 parabolic cylinder function, elliptic Hertz kernels by quadrature over the ellipse, the others from 1F1.
@@ -11,7 +11,7 @@ from mpmath import cosh, ellipe, ellipk, exp, fsum, gamma, hyp1f1, log, mp, mpf,
 
 mp.dps = 34
 HALF = mpf(1) / 2
-OUT = Path(__file__).parents[3] / "fixtures" / "reference" / "summit_models.csv"
+OUT = Path(__file__).parents[3] / "fixtures" / "reference"
 
 
 def ellipse(k):
@@ -58,6 +58,7 @@ def row(bandwidth, h):
             return (t - h) ** n if t > h else mpf(0)
         return s**n * j(n, (h - rho * t) / s)
 
+    lead = h * h / 2 if h > 0 else mpf(0)  # quad's error control is absolute: keep values near 1
     memo = {}
 
     def integrand(t):
@@ -71,7 +72,7 @@ def row(bandwidth, h):
         wp = fsum(v * r[3] for v, r in zip(e, RULE))
         ga, gp = hyp1f1(1, mpf(5) / 2, -x) / 3, 4 / (7 * pi) * hyp1f1(1, mpf(11) / 4, -x)
         wn = (x - 1 + exp(-x)) / (2 * x * x) if x > mpf(10) ** -3 else HALF * fsum((-x) ** k / gamma(k + 3) for k in range(12))
-        phi = exp(-x / 2) / sqrt(2 * pi)
+        phi = exp(lead - x / 2) / sqrt(2 * pi)
         j0, j12, j1, j32 = (overlap(n, t) for n in (mpf(0), HALF, mpf(1), 3 * HALF))
         t3, t35 = 4 * t**3 * phi, 4 * t**3 * sqrt(t) * phi
         memo[t] = [v for a, p in ((wa, wp), (ga, gp), (wn, 2 / pi * wn)) for v in (t3 * a * j1, t35 * p * j32, t35 * p * 3 * HALF * j12)]
@@ -95,17 +96,43 @@ def row(bandwidth, h):
     out = [quad(lambda t, i=i: integrand(t)[i], cuts) for i in range(10)]
     area, load = sqrt(bandwidth / 24), (mpf(3) / 2) ** (mpf(1) / 4) / 9 * bandwidth ** (mpf(3) / 4)
     scale = [area, load, load] * 3 + [sqrt(mpf(3))]
-    return [a * v for a, v in zip(scale, out)]
+    return [a * v * exp(-lead) for a, v in zip(scale, out)]
+
+
+def at_pressure(bandwidth, pressure):
+    """h and area at which the Bush-Gibson-Thomas load is `pressure`, by Newton's iteration."""
+    h = mpf(37) if pressure < 1e-100 else mpf(5) if pressure < 1 else -mpf(pressure) ** (mpf(2) / 3)
+    while True:
+        r = row(bandwidth, h)
+        step = (log(r[1]) - log(mpf(pressure))) * r[1] / r[2]
+        h += step
+        if abs(step) < mpf(10) ** -12 * abs(h):  # quadratic: the next is below 1e-22
+            return h, row(bandwidth, h)[0]
+
+
+def write(path, note, header, lines):
+    origin = "# Made by crates/asperity-models/tables/make_reference.py: mpmath, 34 digits; "
+    path.write_text("\n".join([origin + note, header, *lines]) + "\n")
 
 
 if __name__ == "__main__":
+    exact = "m0 = m2 = E* = 1, m4 = bandwidth; bandwidth and argument are exact doubles"
     bandwidths = [1.5, 1.5 * (1 + 1e-12), 1.5 * (1 + 1e-6), 1.5001, 1.53, 1.9, 3.3, 13.7, 1e3, 1e5, 1e8]
     heights = [-6.0, -0.37, 0.001, 1.3, 9.0, 25.0, 37.5, 40.0]
-    header = "bandwidth,h,bgt_area,bgt_pressure,bgt_stiffness,geometric_area,geometric_pressure,geometric_stiffness,mean_area,mean_pressure,mean_stiffness,contact_fraction,ln_bgt_pressure"
-    lines = ["# Made by crates/asperity-models/tables/make_reference.py: mpmath, 34 digits; m0 = m2 = E* = 1, m4 = bandwidth, both columns exact doubles", header]
+    names = [f"{m}_{q}" for m in ("bgt", "geometric", "mean") for q in ("area", "pressure", "stiffness")]
+    header = ",".join(["bandwidth", "h", *names, "contact_fraction", "ln_bgt_pressure"])
+    lines, extremes = [], []
     for b in bandwidths:
         for h in heights:
             r = row(mpf(b), mpf(h))
             lines.append(",".join([repr(b), repr(h)] + [nstr(v, 20) for v in r + [log(r[1])]]))
-            print(lines[-1][:100], flush=True)
-    OUT.write_text("\n".join(lines) + "\n")
+            if b in (1.5, 1.5 * (1 + 1e-12), 1e8):
+                for quantity, value in (("area", r[0]), ("pressure", r[1]), ("stiffness", r[2]), ("ln pressure", log(r[1]))):
+                    extremes.append(f"{quantity},{b!r},{h!r},{nstr(value, 20)}")
+    write(OUT / "summit_models.csv", exact, header, lines)
+    for b in (1.5, 2.0, 1e8):
+        for pressure in (2.2250738585072014e-308, 1e-6, 1e3):
+            h, area = at_pressure(mpf(b), pressure)
+            extremes.append(f"separation at pressure,{b!r},{pressure!r},{nstr(h, 20)}")
+            extremes.append(f"area at pressure,{b!r},{pressure!r},{nstr(area, 20)}")
+    write(OUT / "extremes_summit_models.csv", exact, "quantity,bandwidth,argument,reference", extremes)

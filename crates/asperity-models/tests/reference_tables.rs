@@ -10,6 +10,7 @@ use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMomen
 use std::f64::consts::PI;
 
 const ORDINARY: &str = include_str!("../../../fixtures/reference/summit_models_ordinary.csv");
+const WIDE: &str = include_str!("../../../fixtures/reference/summit_models.csv");
 const NAYAK: &str = include_str!("../../../fixtures/reference/nayak_summit_heights.csv");
 
 /// m0 = m2 = E* = 1, so that h is the separation and p the pressure.
@@ -52,6 +53,12 @@ fn all_models(table: &str, limit: f64) {
 #[test]
 fn ordinary_arguments() {
     all_models(ORDINARY, 2e-14);
+}
+
+/// Bandwidth 3/2 exactly to 1e8, -6 to 40 rms heights.
+#[test]
+fn wide_arguments() {
+    all_models(WIDE, 1e-14);
 }
 
 #[test]

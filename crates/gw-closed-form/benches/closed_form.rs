@@ -30,13 +30,10 @@ fn simpson(n: f64, alpha: f64, intervals: u32) -> f64 {
     sum * step / 3.0 / TAU.sqrt()
 }
 
-fn compare(
-    c: &mut Criterion,
-    group: &str,
-    order: Order,
-    arguments: &[f64],
-    routes: &[(&str, fn(f64) -> f64)],
-) {
+/// A name and a way to the answer.
+type Route = (&'static str, fn(f64) -> f64);
+
+fn compare(c: &mut Criterion, group: &str, order: Order, arguments: &[f64], routes: &[Route]) {
     let mut group = c.benchmark_group(group);
     group.throughput(Throughput::Elements(arguments.len() as u64));
     for (name, route) in routes {

@@ -12,7 +12,8 @@
 //! | 3.5 | +4.4 % | -98 % | +30 % |
 //! | 4 | +101 % | -100 % | -100 % |
 //!
-//! All three are slower or no faster than the exact value: none lies on the speed-accuracy front.
+//! The exact value takes 26 ns, the exponential law 7 ns, the power fit 35 ns, the log-quadratic
+//! fit 17 ns (`cargo bench -p gw-closed-form`): what they save at best is 20 ns.
 
 use crate::partial_moments::Order;
 

@@ -72,6 +72,7 @@ pub(crate) fn product(factors: &[f64]) -> f64 {
 }
 
 /// A quotient of positive numbers that may lie outside the range of doubles.
+#[cfg(feature = "model")]
 #[derive(Clone, Copy)]
 pub(crate) struct Quotient {
     /// 0, subnormal or infinite where a double cannot hold it.
@@ -80,6 +81,7 @@ pub(crate) struct Quotient {
     pub(crate) logarithm: f64,
 }
 
+#[cfg(feature = "model")]
 impl Quotient {
     /// `numerator` over the product of `denominators`.
     pub(crate) fn of(numerator: f64, denominators: &[f64]) -> Self {
