@@ -27,12 +27,8 @@ fn answers_at_the_ends_of_the_inputs() {
     }
     assert!(worst.len() >= 13, "only {} questions", worst.len());
     for (question, worst) in worst {
-        // The exponential e^{-x^2} of a gap or an open fraction turns one rounding of x into
-        // 2 x^2 roundings: 1e-13 at x = 20.
-        worst.at_most(if question.contains("gap") || question.contains("open") {
-            3e-13
-        } else {
-            3e-14
-        });
+        // The exponential e^{-x^2} of a gap turns one rounding of x into 2 x^2 roundings: 1e-13 at
+        // x = 20.
+        worst.at_most(if question.contains("gap") { 3e-13 } else { 3e-15 });
     }
 }

@@ -18,8 +18,8 @@ fn pascals(e: f64) -> ContactModulus {
 
 /// Double-exponential quadrature of a smooth function over [a, b]: `x = m + h tanh(pi/2 sinh t)`.
 fn integral(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let (half, step) = (0.5 * (b - a), 1.0 / 64.0);
-    (-260..=260)
+    let (half, step) = (0.5 * (b - a), 1.0 / 32.0);
+    (-130..=130)
         .map(|i| {
             let t = f64::from(i) * step;
             let u = 0.5 * PI * t.sinh();

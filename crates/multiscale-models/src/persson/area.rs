@@ -5,6 +5,7 @@ use crate::require;
 use crate::special::{erf, erf_inv, erfc, erfc_inv};
 use crate::wide::Wide;
 use contact_types::ModelError;
+use std::f64::consts::FRAC_2_SQRT_PI;
 
 impl Persson {
     /// Real area fraction `A/A_0 = erf(p / (E* sqrt(m2)))` \[-\] at nominal pressure `p` \[Pa\].
@@ -18,10 +19,24 @@ impl Persson {
     /// Fraction of the nominal area out of contact, `1 - A/A_0 = erfc(p / (E* sqrt(m2)))` \[-\].
     /// Near full contact it has the digits that `1 - area_fraction` has lost.
     ///
+    /// There one rounding of the argument x would be worth 2 x² roundings of the answer; what
+    /// the argument lost is therefore computed and given back.
+    ///
     /// # Errors
     /// [`ModelError::InvalidInput`] if the pressure is negative or not finite.
     pub fn open_fraction(&self, pressure: f64) -> Result<f64, ModelError> {
-        Ok(erfc(self.area_argument(pressure)?))
+        let x = self.area_argument(pressure)?;
+        let open = erfc(x);
+        if self.area_law != AreaLaw::Diffusion || self.slope.is_zero() || pressure <= 0.0 {
+            return Ok(open);
+        }
+        let modulus = Wide::from(self.modulus.pascals());
+        let error = Wide::from(pressure).quotient_error(self.slope * modulus)
+            - self.slope.product_error(modulus)
+            - self.slope_error;
+        // erfc(x (1 + error)), to first order; nothing is left of it where x is infinite
+        let change = FRAC_2_SQRT_PI * error * (x * (-x * x).exp());
+        Ok(if change.is_finite() { (open - change).max(0.0) } else { open })
     }
 
     /// The nominal pressure \[Pa\] at which the area fraction is `area_fraction`.

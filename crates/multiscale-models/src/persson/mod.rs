@@ -74,6 +74,8 @@ pub struct Persson {
     modulus: ContactModulus,
     /// `sqrt(m2)` \[-\].
     slope: Wide,
+    /// What the square root lost to rounding, relative.
+    slope_error: f64,
     /// The spectrum, in units of `sqrt(m2)`; `None` if only the moments are known.
     scales: Option<Arc<Scales>>,
     gamma: f64,
@@ -92,7 +94,12 @@ impl Persson {
         modulus: ContactModulus,
     ) -> Result<Self, ModelError> {
         let m2 = require::not_negative(MODEL, "m2", moments.m2)?;
-        Ok(Self::with_scales(modulus, Wide::from(m2).sqrt(), None))
+        let slope = m2.sqrt();
+        let mut model = Self::with_scales(modulus, Wide::from(slope), None);
+        if m2 > 1e-280 {
+            model.slope_error = (-slope).mul_add(slope, m2) / (2.0 * m2); // the residual is exact
+        }
+        Ok(model)
     }
 
     /// The theory of a surface with a measured spectrum (two-dimensional, in shells of equal
@@ -124,6 +131,7 @@ impl Persson {
         Self {
             modulus,
             slope,
+            slope_error: 0.0,
             scales: scales.map(Arc::new),
             gamma: 1.0,
             area_law: AreaLaw::Diffusion,
