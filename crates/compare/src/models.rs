@@ -1,13 +1,17 @@
 //! The only list of all models. Adding a model is one row here.
 
-use crate::report::{BGT, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, Marker, PERSSON, STACKED};
+use crate::report::{
+    BGT, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
+};
 use asperity_models::{BushGibsonThomas, GreenwoodElliptical};
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, Citation, ContactModel, ContactModulus,
-    FractalParameters, ModelError, RoughnessSpectrum, SpectralMoments, Wave,
+    FractalParameters, ModelError, RoughnessSpectrum, SeparationModel, SpectralMoments, Wave,
 };
 use gw_closed_form::{GreenwoodWilliamson, asperities_from_moments};
-use multiscale_models::{MajumdarBhushan, Persson, Stacked};
+use multiscale_models::{
+    Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SphereLevel, Stacked,
+};
 
 /// Everything a model may be made from. What a case does not have stays `None`.
 #[derive(Debug, Clone)]
@@ -22,8 +26,14 @@ pub struct Inputs {
     pub asperities: Option<AsperityStatistics>,
     /// Radial spectrum; only Persson's mean gap needs it.
     pub spectrum: Option<RoughnessSpectrum>,
+    /// A continuous spectrum, in place of a radial one.
+    pub self_affine: Option<SelfAffineSpectrum>,
+    /// Weight of partial contact in Persson's mean gap; 1 if not given \[-\].
+    pub gamma: Option<f64>,
     /// Amplitudes of the rows.
     pub amplitudes: Option<AmplitudeSpectrum>,
+    /// Largest amplitude over wavelength, if it was given rather than taken from amplitudes \[-\].
+    pub max_amplitude_ratio: Option<f64>,
     /// Dimension and roughness of a fractal fit.
     pub fractal: Option<FractalParameters>,
     /// Fitted dimension, also where it is no dimension of a profile \[-\].
@@ -32,6 +42,8 @@ pub struct Inputs {
     pub nominal_area: Option<f64>,
     /// Critical area of the elastic-plastic transition (m²).
     pub critical_area: Option<f64>,
+    /// Spheres on spheres, coarse to fine.
+    pub spheres: Vec<SphereLevel>,
 }
 
 /// Where moments come from.
@@ -62,11 +74,15 @@ impl Inputs {
             source: MomentSource::Given,
             asperities: None,
             spectrum: None,
+            self_affine: None,
+            gamma: None,
             amplitudes: None,
+            max_amplitude_ratio: None,
             fractal: None,
             dimension: None,
             nominal_area: None,
             critical_area: None,
+            spheres: Vec::new(),
         }
     }
 
@@ -79,6 +95,7 @@ impl Inputs {
             amplitudes: AmplitudeSpectrum::new(vec![wave], 1e-3).ok(),
             fractal: Some(FractalParameters { dimension: 1.3, roughness: 1e-10 }),
             nominal_area: Some(1e-6),
+            spheres: vec![SphereLevel { radius: 1e-3, density: 1e6 }],
             ..Self::new(steel)
         }
     }
@@ -121,10 +138,14 @@ pub enum BuildError {
     Model(#[from] ModelError),
 }
 
-type Build = fn(&Inputs) -> Result<Box<dyn ContactModel>, BuildError>;
+/// How a model is made: one whose theory has a separation of the undeformed planes, or one that
+/// knows the pressure only.
+enum Build {
+    Separation(fn(&Inputs) -> Result<Box<dyn SeparationModel>, BuildError>),
+    Pressure(fn(&Inputs) -> Result<Box<dyn ContactModel>, BuildError>),
+}
 
 /// One row of the list.
-#[derive(Debug)]
 pub struct ModelEntry {
     /// Name for commands and files.
     pub name: &'static str,
@@ -147,6 +168,12 @@ pub struct ModelEntry {
     build: Build,
 }
 
+impl std::fmt::Debug for ModelEntry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("ModelEntry").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
 /// What a theory assumes of a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Assumes {
@@ -167,7 +194,26 @@ impl ModelEntry {
     /// [`BuildError::Missing`] if an input is absent, [`BuildError::Model`] if the theory has no
     /// meaning for it.
     pub fn build(&self, inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
-        (self.build)(inputs)
+        match self.build {
+            Build::Separation(build) => Ok(build(inputs)?),
+            Build::Pressure(build) => build(inputs),
+        }
+    }
+
+    /// True if the theory answers at a separation.
+    pub fn has_separation(&self) -> bool {
+        matches!(self.build, Build::Separation(_))
+    }
+
+    /// Makes the model for questions at a separation; `None` if its theory has none.
+    pub fn build_separation(
+        &self,
+        inputs: &Inputs,
+    ) -> Option<Result<Box<dyn SeparationModel>, BuildError>> {
+        match self.build {
+            Build::Separation(build) => Some(build(inputs)),
+            Build::Pressure(_) => None,
+        }
     }
 
     /// The paper.
@@ -190,6 +236,20 @@ fn moments(inputs: &Inputs, model: &'static str) -> Result<SpectralMoments, Buil
     missing(inputs.moments, model, "the spectral moments m0, m2 and m4")
 }
 
+fn amplitudes<'a>(
+    inputs: &'a Inputs,
+    model: &'static str,
+) -> Result<&'a AmplitudeSpectrum, BuildError> {
+    missing(inputs.amplitudes.as_ref(), model, "the amplitudes of profiles")
+}
+
+fn with_gamma(model: Persson, inputs: &Inputs) -> Result<Persson, ModelError> {
+    match inputs.gamma {
+        Some(gamma) => model.with_gamma(gamma),
+        None => Ok(model),
+    }
+}
+
 /// Every model.
 pub static MODELS: &[ModelEntry] = &[
     ModelEntry {
@@ -202,13 +262,13 @@ pub static MODELS: &[ModelEntry] = &[
         look: Look::model(GW, "6 2.5", Marker::Square, 1),
         in_study: true,
         assumes: Assumes::Summits,
-        build: |inputs| {
+        build: Build::Separation(|inputs| {
             if let Some(asperities) = inputs.asperities {
                 return Ok(Box::new(GreenwoodWilliamson::new(asperities, inputs.modulus)?));
             }
             let moments = moments(inputs, "Greenwood-Williamson")?;
             Ok(Box::new(GreenwoodWilliamson::from_moments(moments, inputs.modulus)?))
-        },
+        }),
     },
     ModelEntry {
         name: "bgt",
@@ -220,10 +280,10 @@ pub static MODELS: &[ModelEntry] = &[
         look: Look::model(BGT, "2 2", Marker::TriangleUp, 2),
         in_study: true,
         assumes: Assumes::Summits,
-        build: |inputs| {
+        build: Build::Separation(|inputs| {
             let moments = moments(inputs, "Bush-Gibson-Thomas")?;
             Ok(Box::new(BushGibsonThomas::new(moments, inputs.modulus)?))
-        },
+        }),
     },
     ModelEntry {
         name: "greenwood-elliptical",
@@ -235,10 +295,10 @@ pub static MODELS: &[ModelEntry] = &[
         look: Look::model(ELLIPTICAL, "", Marker::Diamond, 3),
         in_study: true,
         assumes: Assumes::Summits,
-        build: |inputs| {
+        build: Build::Separation(|inputs| {
             let moments = moments(inputs, "Greenwood simplified elliptical")?;
             Ok(Box::new(GreenwoodElliptical::new(moments, inputs.modulus)?))
-        },
+        }),
     },
     ModelEntry {
         name: "persson",
@@ -250,13 +310,18 @@ pub static MODELS: &[ModelEntry] = &[
         look: Look::model(PERSSON, "8 2 1.5 2", Marker::TriangleDown, 0),
         in_study: true,
         assumes: Assumes::Gaussian,
-        build: |inputs| {
+        build: Build::Pressure(|inputs| {
             if let Some(spectrum) = &inputs.spectrum {
-                return Ok(Box::new(Persson::from_spectrum(spectrum, inputs.modulus)?));
+                let model = Persson::from_spectrum(spectrum, inputs.modulus)?;
+                return Ok(Box::new(with_gamma(model, inputs)?));
+            }
+            if let Some(spectrum) = inputs.self_affine {
+                let model = Persson::from_self_affine(spectrum, inputs.modulus)?;
+                return Ok(Box::new(with_gamma(model, inputs)?));
             }
             let moments = missing(inputs.moments, "Persson", "a spectrum or the moment m2")?;
             Ok(Box::new(Persson::from_moments(moments, inputs.modulus)?))
-        },
+        }),
     },
     ModelEntry {
         name: "stacked",
@@ -268,14 +333,44 @@ pub static MODELS: &[ModelEntry] = &[
         look: Look::model(STACKED, "4 2 1 2 1 2", Marker::Cross, 2),
         in_study: true,
         assumes: Assumes::Amplitudes,
-        build: |inputs| {
-            let amplitudes = missing(
-                inputs.amplitudes.as_ref(),
-                "Stacked multiscale",
-                "the amplitudes of profiles: a surface",
-            )?;
+        build: Build::Pressure(|inputs| {
+            if let Some(ratio) = inputs.max_amplitude_ratio {
+                return Ok(Box::new(Stacked::new(ratio, inputs.modulus)?));
+            }
+            let amplitudes = amplitudes(inputs, "Stacked multiscale")?;
             Ok(Box::new(Stacked::from_amplitudes(amplitudes, inputs.modulus)?))
-        },
+        }),
+    },
+    ModelEntry {
+        name: "multiscale",
+        label: "Multiscale",
+        title: "Jackson–Streator multiscale",
+        inputs: "amplitudes of the rows, at every frequency",
+        inputs_html: "<i>Δ</i>(<i>f</i>)",
+        domain: "depends on the record length and on the direction of the rows",
+        look: Look::model(MULTISCALE, "10 2 2 2", Marker::Plus, 3),
+        in_study: true,
+        assumes: Assumes::Amplitudes,
+        build: Build::Pressure(|inputs| {
+            let amplitudes = amplitudes(inputs, "Jackson-Streator multiscale")?;
+            Ok(Box::new(JacksonStreator::new(amplitudes.clone(), inputs.modulus)?))
+        }),
+    },
+    ModelEntry {
+        name: "archard",
+        label: "Archard",
+        title: "Archard, spheres on spheres",
+        inputs: "radius and density of the spheres of each level",
+        inputs_html: "<i>R</i>, <i>m</i>",
+        domain: "many spheres per contact of the level above, and far apart",
+        look: Look::model(STACKED, "1 3", Marker::Diamond, 0),
+        in_study: false,
+        assumes: Assumes::Amplitudes,
+        build: Build::Pressure(|inputs| {
+            let spheres = Some(&inputs.spheres).filter(|spheres| !spheres.is_empty());
+            let spheres = missing(spheres, "Archard", "the radius and density of its spheres")?;
+            Ok(Box::new(Archard::new(spheres, inputs.modulus)?))
+        }),
     },
     ModelEntry {
         name: "majumdar-bhushan",
@@ -287,7 +382,7 @@ pub static MODELS: &[ModelEntry] = &[
         look: Look::model(MAJUMDAR_BHUSHAN, "1 2.5", Marker::Plus, 1),
         in_study: true,
         assumes: Assumes::Fractal,
-        build: |inputs| {
+        build: Build::Pressure(|inputs| {
             const MODEL: &str = "Majumdar-Bhushan";
             let fractal = missing(
                 inputs.fractal,
@@ -300,7 +395,7 @@ pub static MODELS: &[ModelEntry] = &[
                 Some(critical) => Box::new(model.with_critical_area(critical)?),
                 None => Box::new(model),
             })
-        },
+        }),
     },
 ];
 

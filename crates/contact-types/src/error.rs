@@ -54,7 +54,7 @@ pub enum SurfaceError {
         count: usize,
     },
     /// A material constant is outside its physical range.
-    #[error("{quantity} = {value:e} {unit} is outside {} to {}", domain.start(), domain.end())]
+    #[error("{quantity} = {value:e} {unit} is outside its domain, {}", shown(domain))]
     Material {
         /// Which constant.
         quantity: &'static str,
@@ -99,11 +99,7 @@ pub enum ModelError {
         requirement: &'static str,
     },
     /// The number is sound but the theory has no meaning there.
-    #[error(
-        "{model}: {quantity} = {value} is outside its domain {} to {}: {reason}",
-        domain.start(),
-        domain.end()
-    )]
+    #[error("{model}: {quantity} = {value} is outside its domain, {}: {reason}", shown(domain))]
     OutsideDomain {
         /// The model asked.
         model: &'static str,
@@ -126,4 +122,33 @@ pub enum ModelError {
         /// Iterations spent.
         iterations: usize,
     },
+}
+
+/// A range as people write it; the largest and the smallest double stand for no bound.
+fn shown(domain: &RangeInclusive<f64>) -> String {
+    let (low, high) = (*domain.start(), *domain.end());
+    match (low <= f64::MIN, high >= f64::MAX) {
+        (true, true) => "any finite number".to_owned(),
+        (true, false) => format!("at most {high}"),
+        (false, true) if low <= f64::MIN_POSITIVE => "greater than 0".to_owned(),
+        (false, true) => format!("at least {low}"),
+        (false, false) => format!("{low} to {high}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_that_are_none_are_not_printed() {
+        for (domain, text) in [
+            (1.5..=f64::MAX, "at least 1.5"),
+            (f64::MIN_POSITIVE..=f64::MAX, "greater than 0"),
+            (f64::MIN..=2.0, "at most 2"),
+            (1.0..=1.5, "1 to 1.5"),
+        ] {
+            assert_eq!(shown(&domain), text);
+        }
+    }
 }

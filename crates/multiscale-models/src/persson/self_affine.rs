@@ -123,6 +123,19 @@ impl SelfAffineSpectrum {
         Wide::from(self.m0).sqrt() * self.wavenumbers[1] * shape.sqrt()
     }
 
+    pub(super) fn hurst(&self) -> f64 {
+        self.hurst
+    }
+
+    pub(super) fn m0(&self) -> f64 {
+        self.m0
+    }
+
+    /// `[q_L, q_r, q_s]`.
+    pub(super) fn wavenumbers(&self) -> [f64; 3] {
+        self.wavenumbers
+    }
+
     pub(super) fn smallest_wavenumber(&self) -> f64 {
         self.wavenumbers[0]
     }
@@ -147,7 +160,7 @@ impl SelfAffineSpectrum {
     }
 
     /// `int q^(n+1) C dq / (C0 q_r^(n+2))` over the whole spectrum, n = 0, 2, 4.
-    fn integral(&self, n: i32) -> f64 {
+    pub(super) fn integral(&self, n: i32) -> f64 {
         let (a, width) = (self.plateau, self.plateau_width);
         // (1 - a^(n+2))/(n + 2), factored
         let flat = match n {

@@ -100,6 +100,18 @@ pub(crate) fn length(text: &str) -> Result<f64, QuantityError> {
     quantity::parse(text, Dimension::Length)
 }
 
+pub(crate) fn area(text: &str) -> Result<f64, QuantityError> {
+    quantity::parse(text, Dimension::Area)
+}
+
+pub(crate) fn per_area(text: &str) -> Result<f64, QuantityError> {
+    quantity::parse(text, Dimension::PerArea)
+}
+
+pub(crate) fn per_areas(text: &str) -> Result<List, QuantityError> {
+    quantity::parse_list(text, Dimension::PerArea).map(List)
+}
+
 pub(crate) fn number(text: &str) -> Result<f64, QuantityError> {
     quantity::parse(text, Dimension::Number)
 }

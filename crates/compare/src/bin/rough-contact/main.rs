@@ -7,9 +7,11 @@ mod args;
 mod compare;
 mod info;
 mod input;
+mod model;
 mod outcome;
 mod output;
 mod progress;
+mod roughness;
 mod solve;
 mod stats;
 mod synth;
@@ -48,6 +50,8 @@ enum Command {
     Info(info::Info),
     /// Roughness statistics of a surface, each with its unit
     Stats(stats::Stats),
+    /// A closed-form model, from a surface or from numbers
+    Model(Box<model::Model>),
     /// The deterministic solution for a surface
     Solve(solve::Solve),
     /// The study: every model beside the deterministic solution, as a report
@@ -86,6 +90,7 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
     match &cli.command {
         Command::Info(info) => info.run(common),
         Command::Stats(stats) => stats.run(common),
+        Command::Model(model) => model.run(common),
         Command::Solve(solve) => solve.run(common),
         Command::Compare(compare) => compare.run(common),
         Command::Synth(synth) => synth.run(common),

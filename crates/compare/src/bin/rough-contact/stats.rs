@@ -3,12 +3,13 @@
 use crate::args::{self, Common};
 use crate::input::Input;
 use crate::outcome::{Failure, Reply};
+use crate::roughness::Edges;
 use crate::text::{self, Table};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use compare::LevelName;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
-use surface_stats::{Boundary, StatsOptions, SurfaceStatistics};
+use surface_stats::{StatsOptions, SurfaceStatistics};
 
 #[derive(Args)]
 pub(crate) struct Stats {
@@ -22,35 +23,18 @@ pub(crate) struct Stats {
     boundary: Edges,
 }
 
-/// What lies beyond the edges when slopes and curvatures are taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Edges {
-    Open,
-    Periodic,
-}
-
 impl Stats {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
         let (map, missing) = self.input.reading.surface(&self.input.file)?;
         let options = StatsOptions {
             level: args::form(self.level),
-            boundary: match self.boundary {
-                Edges::Open => Boundary::Open,
-                Edges::Periodic => Boundary::Periodic,
-            },
+            boundary: self.boundary.rule(),
             missing,
             ..StatsOptions::default()
         };
         let s = SurfaceStatistics::of(&map, &options)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
         Ok(Reply::new(self.describe(&s), self.object(&s)))
-    }
-
-    fn edges(&self) -> &'static str {
-        match self.boundary {
-            Edges::Open => "open",
-            Edges::Periodic => "periodic",
-        }
     }
 
     fn object(&self, s: &SurfaceStatistics) -> Value {
@@ -69,7 +53,7 @@ impl Stats {
             "shape": s.shape,
             "pixel": s.pixel,
             "level": self.level.name(),
-            "boundary": self.edges(),
+            "boundary": self.boundary.name(),
             "missing": s.missing,
             "rms_height": s.rms_height,
             "mean_abs_height": s.mean_abs_height,
@@ -116,7 +100,7 @@ impl Stats {
         let mut t = Table::default();
         t.row("points", format!("{ny} rows × {nx} columns, {} filled in", s.missing));
         t.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
-        t.row("level, edges", format!("{}, {}", self.level.name(), self.edges()));
+        t.row("level, edges", format!("{}, {}", self.level.name(), self.boundary.name()));
         t.row("rms height Sq", text::length(s.rms_height));
         t.row("mean abs height Sa", text::length(s.mean_abs_height));
         t.row("skewness Ssk", number(s.skewness));
