@@ -1,12 +1,10 @@
 //! A height map with a name and where it came from.
 
 use crate::Recipe;
-use contact_types::{Grid, HeightMap};
+use contact_types::HeightMap;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
-use surface_stats::StatsError;
-use surface_stats::synthesis::{Scale, SelfAffine};
 
 /// One surface of a study.
 #[derive(Debug, Clone)]
@@ -17,30 +15,6 @@ pub struct Surface {
     pub origin: Origin,
     /// The heights as read or made, before form is removed.
     pub heights: HeightMap,
-}
-
-impl Surface {
-    /// Makes the surface of a recipe.
-    ///
-    /// # Errors
-    /// [`StatsError`] for a grid or a setting out of its range.
-    pub fn from_recipe(recipe: Recipe) -> Result<Self, StatsError> {
-        let scale = match (recipe.rms_height, recipe.rms_gradient) {
-            (Some(height), _) => Scale::RmsHeight(height),
-            (None, gradient) => Scale::RmsGradient(gradient.unwrap_or(f64::NAN)),
-        };
-        let heights = SelfAffine {
-            grid: Grid::new(recipe.shape, recipe.pixel)?,
-            hurst: recipe.hurst,
-            rolloff: recipe.rolloff,
-            cutoff: recipe.cutoff,
-            scale,
-            seed: recipe.seed,
-            quantise: recipe.quantise,
-        }
-        .generate()?;
-        Ok(Self { name: recipe.name.clone(), origin: Origin::Recipe(recipe), heights })
-    }
 }
 
 /// Where a surface came from.

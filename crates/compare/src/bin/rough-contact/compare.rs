@@ -10,15 +10,12 @@ use clap::Args;
 use compare::report::{self, Provenance};
 use compare::{
     Comparison, FileOrigin, LevelName, MethodName, Origin, PrecisionName, RunFile, RunSurface,
-    STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, parse_recipes, sha256_hex,
+    STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
 };
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-
-/// The recipes of the surfaces that are compared when no file is given.
-const BUILT_IN: &str = include_str!("../../../../../fixtures/surfaces.toml");
 
 /// What the folder receives.
 const OUTPUTS: [&str; 6] =
@@ -121,8 +118,8 @@ impl Compare {
         if !self.files.is_empty() {
             return self.files.iter().map(|path| from_file(path, &self.reading)).collect();
         }
-        let recipes = parse_recipes(BUILT_IN).map_err(|e| Failure::from_error(&e))?;
-        recipes.into_iter().map(from_recipe).collect()
+        let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
+        recipes.iter().map(from_recipe).collect()
     }
 }
 
@@ -146,8 +143,8 @@ fn from_file(path: &Path, reading: &Reading) -> Result<Surface, Failure> {
     Ok(Surface { name, origin: Origin::File(origin), heights })
 }
 
-fn from_recipe(recipe: compare::Recipe) -> Result<Surface, Failure> {
-    Surface::from_recipe(recipe).map_err(|e| Failure::from_error(&e))
+fn from_recipe(recipe: &compare::Recipe) -> Result<Surface, Failure> {
+    recipe.make().map_err(|e| Failure::from_error(&e))
 }
 
 /// Settings and surfaces of a run file. A file whose content has changed is refused.
@@ -158,7 +155,7 @@ fn repeat(path: &Path) -> Result<(Settings, Vec<Surface>), Failure> {
     let mut surfaces = Vec::new();
     for RunSurface { name, origin } in run.surfaces {
         let surface = match origin {
-            Origin::Recipe(recipe) => from_recipe(recipe)?,
+            Origin::Recipe(recipe) => from_recipe(&recipe)?,
             Origin::File(file) => again(path, &file)?,
         };
         surfaces.push(Surface { name, ..surface });
