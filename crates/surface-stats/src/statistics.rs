@@ -3,7 +3,7 @@
 use crate::fractal::{self, PowerLaw};
 use crate::noise::{NoiseFloor, white_noise_moments};
 use crate::polynomial::Polynomial;
-use crate::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes};
+use crate::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes_of_levelled};
 use crate::{
     Boundary, DirectionalMoments, HeightStatistics, Level, StatsError, Summits, Warning, scale,
     steps,
@@ -158,7 +158,7 @@ impl SurfaceStatistics {
         let distribution = HeightStatistics::of(&surface);
         let differences = DirectionalMoments::of(&surface, options.boundary)?;
         let summits = Summits::of(&surface, options.boundary)?;
-        let amplitudes = amplitudes(&surface, Axis::X)?;
+        let amplitudes = amplitudes_of_levelled(&surface, Axis::X)?;
         let edge_jump = edge_jump(&surface);
 
         let power = PowerSpectrum::of_field(grid, surface.heights());

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up its case must fail")]
 
 use contact_types::{Grid, HeightMap};
+use proptest::prelude::*;
 use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, Warning};
 
 fn ripple(iy: usize, ix: usize) -> f64 {
@@ -146,5 +147,37 @@ fn what_cannot_be_answered_is_refused_with_the_limit() {
         let options = StatsOptions { fractal_range: Some(range), ..StatsOptions::default() };
         let error = SurfaceStatistics::of(&map([5, 5], [1.0, 1.0], ripple), &options);
         assert!(matches!(error, Err(StatsError::BadSetting { .. })), "{range:?}");
+    }
+}
+
+/// Heights as files have them at their worst: ties, steps, spikes of fifty decades, signed zeros.
+fn odd_height() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => (-20i32..20).prop_map(|k| f64::from(k) * 1e-8),
+        2 => -1e-6..1e-6,
+        1 => prop_oneof![Just(0.0), Just(-0.0), Just(1e-300), Just(5e59), Just(-5e59), Just(1e6)],
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Whatever the heights, side lengths and pixels: finite numbers or a typed error, no panic.
+    #[test]
+    fn any_map_gives_finite_numbers_or_a_typed_error(
+        shape in [1usize..14, 1usize..14],
+        heights in prop::collection::vec(odd_height(), 14 * 14),
+        pixel in [-30i32..30, -30i32..30],
+    ) {
+        let pixel = pixel.map(|e| 10f64.powi(e));
+        let m = map(shape, pixel, |iy, ix| heights[14 * iy + ix]);
+        match SurfaceStatistics::of(&m, &StatsOptions::default()) {
+            Ok(_) => {
+                all_finite(&m);
+            }
+            Err(StatsError::TooSmall { .. }) => prop_assert!(shape[0] < 3 || shape[1] < 3),
+            Err(StatsError::OutOfRange { .. }) => {}
+            Err(other) => prop_assert!(false, "{other}"),
+        }
     }
 }

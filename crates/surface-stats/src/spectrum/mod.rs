@@ -14,6 +14,7 @@ mod profile;
 mod radial;
 mod window;
 
+pub(crate) use profile::amplitudes_of_levelled;
 pub use profile::{Axis, ProfileBin, amplitudes, psd_1d, structure_function};
 pub use radial::{PowerSpectrum, Ring, radial, radial_psd};
 pub use window::Window;

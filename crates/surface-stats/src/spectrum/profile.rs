@@ -82,6 +82,15 @@ fn for_each_profile(
 /// # Source
 /// Jackson & Streator (2006), doi:10.1016/j.wear.2006.03.015.
 pub fn amplitudes(map: &HeightMap, axis: Axis) -> Result<AmplitudeSpectrum, StatsError> {
+    scale::check(map)?;
+    amplitudes_of_levelled(map, axis)
+}
+
+/// Of a map whose unlevelled heights were in range: what levelling leaves may be rounding.
+pub(crate) fn amplitudes_of_levelled(
+    map: &HeightMap,
+    axis: Axis,
+) -> Result<AmplitudeSpectrum, StatsError> {
     let (n, profiles, length) = profiles(map, axis)?;
     let mut moduli = vec![0.0; n / 2 + 1];
     for_each_profile(map, axis, Window::None, |spectrum| {
@@ -101,6 +110,7 @@ pub fn amplitudes(map: &HeightMap, axis: Axis) -> Result<AmplitudeSpectrum, Stat
 /// # Errors
 /// [`StatsError::TooSmall`] for profiles of a single point; [`StatsError::OutOfRange`].
 pub fn psd_1d(map: &HeightMap, axis: Axis, window: Window) -> Result<Vec<ProfileBin>, StatsError> {
+    scale::check(map)?;
     let (n, profiles, length) = profiles(map, axis)?;
     let mut power = vec![0.0; n / 2 + 1];
     for_each_profile(map, axis, window, |spectrum| {
@@ -126,6 +136,7 @@ pub fn structure_function(
     axis: Axis,
     boundary: Boundary,
 ) -> Result<Vec<[f64; 2]>, StatsError> {
+    scale::check(map)?;
     let (n, ..) = profiles(map, axis)?;
     let [ny, nx] = map.grid().shape();
     let heights = map.heights();
@@ -167,7 +178,6 @@ pub fn structure_function(
 
 /// Points per profile, number of profiles, length in metres.
 fn profiles(map: &HeightMap, axis: Axis) -> Result<(usize, usize, f64), StatsError> {
-    scale::check(map)?;
     let (shape, size) = (map.grid().shape(), map.grid().size());
     let n = shape[axis.index()];
     if n < 2 {

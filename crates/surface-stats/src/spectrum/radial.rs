@@ -99,7 +99,7 @@ impl PowerSpectrum {
         (all > 0.0).then(|| (seen / all).sqrt())
     }
 
-    /// Waves gathered into rings as wide as the finer of the two wavenumber steps of the map
+    /// Waves gathered into rings of strictly rising wavenumber, as wide as the finer of the two wavenumber steps of the map
     /// (wider only if the sides differ so much that there would be more than 8 rings per row and
     /// column).
     pub fn rings(&self) -> Vec<Ring> {
@@ -120,12 +120,16 @@ impl PowerSpectrum {
                 *total += part;
             }
         });
+        let mut last = 0.0f64;
         sums.iter()
             .filter(|[waves, ..]| *waves > 0.0)
             .map(|&[waves, variance, weighted, plain]| {
                 let q2 = if variance > 0.0 { weighted / variance } else { plain / waves };
+                // Rounding must not put two rings that meet on one wavenumber.
+                let wavenumber = q2.sqrt().max(last.next_up());
+                last = wavenumber;
                 Ring {
-                    wavenumber: q2.sqrt(),
+                    wavenumber,
                     variance,
                     psd: variance / waves / cell,
                     waves: waves as usize,
@@ -147,20 +151,8 @@ impl PowerSpectrum {
 /// [`StatsError::OutOfRange`].
 pub fn radial(map: &HeightMap) -> Result<RoughnessSpectrum, StatsError> {
     let rings = PowerSpectrum::of(map, Window::None)?.rings();
-    shells(&rings)
-}
-
-/// Rings as a spectrum that models take; neighbours that rounding put on one wavenumber become
-/// one shell.
-fn shells(rings: &[Ring]) -> Result<RoughnessSpectrum, StatsError> {
-    let mut shells: Vec<Shell> = Vec::with_capacity(rings.len());
-    for &Ring { wavenumber, variance, .. } in rings {
-        match shells.last_mut() {
-            Some(last) if wavenumber <= last.wavenumber => last.variance += variance,
-            _ => shells.push(Shell { wavenumber, variance }),
-        }
-    }
-    Ok(RoughnessSpectrum::new(shells)?)
+    let shell = |r: &Ring| Shell { wavenumber: r.wavenumber, variance: r.variance };
+    Ok(RoughnessSpectrum::new(rings.iter().map(shell).collect())?)
 }
 
 /// PSD averaged over directions, `C(q)` in m⁴ with `m0 = ∫ C d²q`, by rings of rising wavenumber.
