@@ -87,8 +87,8 @@ fn check(dir: &Path, name: &str, entry: &Value) -> Result<String, String> {
         }
         expected => expected,
     };
-    if let Err(ReadError::Unsupported { format: Format::Hdf5, .. }) = first {
-        return Ok(format!("{NOT_READ} (HDF5)"));
+    if let Err(ReadError::Unsupported { format: Format::Hdf5 | Format::Mnt, .. }) = &first {
+        return Ok(format!("{NOT_READ}: {}", first.err().map_or(String::new(), |e| e.to_string())));
     }
     let number = |key: &str| expected.get(key).and_then(Value::as_f64);
     let is_bare = expected.get("file_unit").is_some_and(|u| u.as_str().is_none_or(str::is_empty));

@@ -84,6 +84,8 @@ formats! {
         "topographies, all layers";
     Hdf5, hdf5, "HDF5", ["h5", "datx"],
         "recognised and refused with the way out; also NetCDF-4 and DATX";
+    Mnt, mnt, "Digital Surf MNT", ["mnt"],
+        "recognised and refused with the way out";
     Text, table, "text", ["csv", "asc", "tsv", "txt", "xyz"],
         "matrices, lists of x y z, profiles; any separator, decimal comma, missing cells";
 }

@@ -89,6 +89,8 @@ fn files_that_are_none() {
     assert!(matches!(read_bytes(b"1\n2\n3\n", &options), Err(ReadError::Unsupported { .. })));
     let error = read_bytes(b"\x89HDF\r\n\x1a\n\0\0\0\0", &options).unwrap_err();
     assert!(error.to_string().contains("export to X3P"), "{error}");
+    let error = read_bytes(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0\0", &options).unwrap_err();
+    assert!(error.to_string().contains("SUR"), "{error}");
     let here = env!("CARGO_MANIFEST_DIR");
     let error = read(here, &options).unwrap_err().to_string();
     assert!(error.contains("directory"), "{error}");

@@ -10,9 +10,8 @@
 //! | `/0/data/title` | name of channel 0; further channels have other numbers |
 //! | `/0/mask` | `GwyDataField` of the same size: points above 0 are masked |
 //!
-//! NaN is a missing point. A mask marks points for whatever its maker had in mind; where the
-//! data hold no NaN it is read as marking missing points, which is what importers use it for.
-//! The metadata say how many.
+//! NaN is a missing point. A mask marks points for whatever its maker had in mind; masked points
+//! are read as missing, which is what importers use it for, and the metadata say how many.
 //!
 //! Source: <https://gwyddion.net/documentation/user-guide-en/gwyfile-format.html>.
 
@@ -82,7 +81,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         if let Some(mask) = mask {
             let marked =
                 Sample::F64.decode(mask.data, mask.order).iter().filter(|m| **m > 0.0).count();
-            let note = format!("{marked} points, read as missing where the data hold no NaN");
+            let note = format!("{marked} points, read as missing");
             contents.metadata.insert(format!("mask of channel {number}"), note);
         }
     }
@@ -130,7 +129,6 @@ fn channel<'a>(
         let mut values = Sample::F64.decode(data.data, data.order);
         if let Some(mask) = mask
             && mask.data.len() == data.data.len()
-            && values.iter().all(|value| !value.is_nan())
         {
             for (value, mask) in values.iter_mut().zip(Sample::F64.decode(mask.data, mask.order)) {
                 if mask > 0.0 {

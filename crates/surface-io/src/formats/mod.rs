@@ -10,6 +10,7 @@ pub(crate) mod gwy;
 pub(crate) mod hdf5;
 pub(crate) mod ibw;
 pub(crate) mod mi;
+pub(crate) mod mnt;
 pub(crate) mod nanoscope;
 pub(crate) mod netcdf;
 pub(crate) mod nid;

@@ -4,19 +4,19 @@
 //!
 //! | byte | type | field |
 //! |---|---|---|
-//! | 0 | 8 | `bISO-1.0` or `bBCR-1.0` |
+//! | 0 | 8 | `bISO-1.0` or `bBCR-1.0`; in `bISO-2.0` the two numbers of points are u32 and all that follows stands 4 bytes further |
 //! | 8, 18, 30 | 10, 12, 12 | ManufacID, CreateDate, ModDate |
 //! | 42, 44 | u16 | NumPoints (per profile, along x), NumProfiles |
 //! | 46, 54, 62, 70 | f64 | Xscale, Yscale (spacing, metres), Zscale (metres per unit), Zresolution |
 //! | 78, 79, 80 | u8 | Compression (0), DataType, CheckType |
 //! | 81 | | data, profile by profile, then a trailer |
 //!
-//! Text: `aISO-1.0` or `aBCR-1.0`, lines `Field = value`, a line `*`, the numbers, a line `*`,
+//! Text: `aISO-1.0`, `aISO-2.0` or `aBCR-1.0`, lines `Field = value`, a line `*`, the numbers, a line `*`,
 //! a trailer. `BAD` is a missing point.
 //!
 //! DataType: 0 u8, 1 u16, 2 u32, 3 f32, 4 i8, 5 i16, 6 i32, 7 f64. A missing point is the
 //! smallest value of a signed type, the largest of an unsigned one (16 and 32 bits), and NaN or
-//! a number beyond 10^300 of a floating type. Height = value × Zscale. Scales are spacings, so
+//! a number at the end of the range of a floating type. Height = value × Zscale. Scales are spacings, so
 //! the question of N or N − 1 intervals does not arise.
 //!
 //! Source: ISO 25178-71:2017.
@@ -28,7 +28,6 @@ use crate::{Format, Limits, Place, ReadError};
 use std::collections::BTreeMap;
 
 const FORMAT: Format = Format::Sdf;
-const HEADER: usize = 81;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     matches!(
@@ -63,7 +62,7 @@ impl Kind {
             1 => (Sample::U16, Some(f64::from(u16::MAX))),
             2 => (Sample::U32, Some(f64::from(u32::MAX))),
             3 => (Sample::F32, None),
-            4 => (Sample::I8, None),
+            4 => (Sample::I8, Some(f64::from(i8::MIN))),
             5 => (Sample::I16, Some(f64::from(i16::MIN))),
             6 => (Sample::I32, Some(f64::from(i32::MIN))),
             7 => (Sample::F64, None),
@@ -73,7 +72,8 @@ impl Kind {
     }
 
     fn is_missing(self, raw: f64) -> bool {
-        Some(raw.to_bits()) == self.missing.map(f64::to_bits) || raw.is_nan() || raw.abs() > 1e300
+        let end = if self.sample == Sample::F32 { f64::from(f32::MAX) } else { f64::MAX };
+        Some(raw.to_bits()) == self.missing.map(f64::to_bits) || raw.is_nan() || raw.abs() >= end
     }
 }
 
@@ -94,24 +94,30 @@ impl Header {
 
 fn binary<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let b = Bytes::little(bytes, FORMAT);
-    refuse_compression(b.u8(78)?.into())?;
-    let code = b.u8(79)?;
+    // Where the scales start, behind the numbers of points.
+    let (shape, scales): ([usize; 2], usize) = if bytes.get(5) == Some(&b'2') {
+        ([b.u32(46)? as usize, b.u32(42)? as usize], 50)
+    } else {
+        ([b.u16(44)?.into(), b.u16(42)?.into()], 46)
+    };
+    refuse_compression(b.u8(scales + 32)?.into())?;
+    let code = b.u8(scales + 33)?;
     let header = Header {
-        shape: [b.u16(44)?.into(), b.u16(42)?.into()],
-        pixel: [b.f64(54)?, b.f64(46)?],
-        z_scale: b.f64(62)?,
-        kind: Kind::new(code).ok_or_else(|| b.fault(79, format!("DataType {code}")))?,
+        shape,
+        pixel: [b.f64(scales + 8)?, b.f64(scales)?],
+        z_scale: b.f64(scales + 16)?,
+        kind: Kind::new(code).ok_or_else(|| b.fault(scales + 33, format!("DataType {code}")))?,
     };
     limits.check_points(FORMAT, header.shape)?;
     let (scale, kind) = (header.scale(b)?, header.kind);
-    let raster = Raster { bytes: b, at: HEADER, shape: header.shape, sample: kind.sample };
+    let raster = Raster { bytes: b, at: scales + 35, shape: header.shape, sample: kind.sample };
     let convert = move |raw: f64| if kind.is_missing(raw) { f64::NAN } else { raw * scale };
     let channel = Channel::raster("Z", Some("m"), header.channel_pixel(), raster, convert)?;
     let metadata = [
         ("ManufacID", b.text(8, 10)?),
         ("CreateDate", b.text(18, 12)?),
         ("ModDate", b.text(30, 12)?),
-        ("Zresolution", b.f64(70)?.to_string()),
+        ("Zresolution", b.f64(scales + 24)?.to_string()),
     ];
     let metadata = metadata.map(|(key, value)| (key.to_owned(), value)).into();
     Ok(Contents { channels: vec![channel], metadata })

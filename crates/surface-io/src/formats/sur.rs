@@ -11,7 +11,7 @@
 //! | 20, 50 | 30, 30 | name, operator or instrument |
 //! | 86 | i16 | 1 if there are missing points |
 //! | 98 | i16 | bits per point, 16 or 32 (signed) |
-//! | 100, 104 | i32 | smallest and largest stored value; a missing point is the smallest − 2 |
+//! | 100, 104 | i32 | smallest and largest stored value; a missing point is the smallest − 2, if byte 86 says that there are any |
 //! | 108, 112 | i32 | points per line, lines |
 //! | 120, 124, 128 | f32 | spacing along x, along y, height step |
 //! | 164 | 16 | name of the height axis |
@@ -95,8 +95,11 @@ fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, 
         _ => Pixel::Unknown,
     };
     let (step, offset) = (f64::from(o.f32(128)?), f64::from(o.f32(474)?));
-    let missing = f64::from(o.i32(100)?) - 2.0;
-    let convert = move |raw: f64| if raw <= missing { f64::NAN } else { raw * step + offset };
+    let mark = (o.i16(86)? != 0).then_some(f64::from(o.i32(100)?) - 2.0);
+    let convert = move |raw: f64| {
+        let is_missing = mark.is_some_and(|mark| raw.to_bits() == mark.to_bits());
+        if is_missing { f64::NAN } else { raw * step + offset }
+    };
     let (name, unit) = (o.text(164, 16)?, o.text(212, 16)?);
     let name = if name.is_empty() { "Z".to_owned() } else { name };
 

@@ -48,10 +48,14 @@ fn sur(is_compressed: bool, bits: u16) -> Vec<u8> {
     w.0
 }
 
-fn sdf_binary(code: u8, z_scale: f64, data: &[u8]) -> Vec<u8> {
+fn sdf_binary(version: u8, code: u8, z_scale: f64, data: &[u8]) -> Vec<u8> {
     let mut w = Writer::default();
-    w.put("bISO-1.0maker").to(18).put("210120260000").to(30).put("210120260000");
-    w.put((NX as u16).to_le_bytes()).put((NY as u16).to_le_bytes());
+    w.put(format!("bISO-{version}.0maker")).to(18).put("210120260000").to(30).put("210120260000");
+    if version == 1 {
+        w.put((NX as u16).to_le_bytes()).put((NY as u16).to_le_bytes());
+    } else {
+        w.put((NX as u32).to_le_bytes()).put((NY as u32).to_le_bytes());
+    }
     w.put(doubles(&[DX, DY, z_scale, 0.0])).put([0, code, 0]).put(data);
     w.0
 }
@@ -446,8 +450,9 @@ pub fn samples() -> Vec<Sample> {
         Sample::new("sur", sur(false, 32)),
         Sample::new("sur, 16 bits", sur(false, 16)),
         Sample::new("sur, compressed", sur(true, 32)),
-        Sample::new("sdf, f64", sdf_binary(7, 1e-9, &doubles(&points(f64::NAN)))),
-        Sample::new("sdf, i16", sdf_binary(5, 1e-9, &bytes)),
+        Sample::new("sdf, f64", sdf_binary(1, 7, 1e-9, &doubles(&points(f64::NAN)))),
+        Sample::new("sdf, i16", sdf_binary(1, 5, 1e-9, &bytes)),
+        Sample::new("sdf 2.0, f32", sdf_binary(2, 3, 1e-9, &floats(&points(f64::from(f32::MIN))))),
         Sample::text("sdf, text", &sdf_text()),
         Sample::new("zygo", zygo()).with_pixel(),
         Sample::new("opd", opd()),
