@@ -99,7 +99,11 @@ pub enum ModelError {
         requirement: &'static str,
     },
     /// The number is sound but the theory has no meaning there.
-    #[error("{model}: {quantity} = {value} is outside its domain, {}: {reason}", shown(domain))]
+    #[error(
+        "{model}: {quantity} = {} is outside its domain, {}: {reason}",
+        number(*value),
+        shown(domain)
+    )]
     OutsideDomain {
         /// The model asked.
         model: &'static str,
@@ -129,11 +133,17 @@ fn shown(domain: &RangeInclusive<f64>) -> String {
     let (low, high) = (*domain.start(), *domain.end());
     match (low <= f64::MIN, high >= f64::MAX) {
         (true, true) => "any finite number".to_owned(),
-        (true, false) => format!("at most {high}"),
+        (true, false) => format!("at most {}", number(high)),
         (false, true) if low <= f64::MIN_POSITIVE => "greater than 0".to_owned(),
-        (false, true) => format!("at least {low}"),
-        (false, false) => format!("{low} to {high}"),
+        (false, true) => format!("at least {}", number(low)),
+        (false, false) => format!("{} to {}", number(low), number(high)),
     }
+}
+
+/// A number as people write it: with a power of ten where plain digits would be a row of zeros.
+fn number(value: f64) -> String {
+    let plain = value.abs() < 1e6 && (value.abs() >= 1e-4 || value.abs() <= 0.0);
+    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 #[cfg(test)]
@@ -147,6 +157,7 @@ mod tests {
             (f64::MIN_POSITIVE..=f64::MAX, "greater than 0"),
             (f64::MIN..=2.0, "at most 2"),
             (1.0..=1.5, "1 to 1.5"),
+            (0.0..=1e18, "0 to 1e18"),
         ] {
             assert_eq!(shown(&domain), text);
         }

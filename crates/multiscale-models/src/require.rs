@@ -56,8 +56,8 @@ pub(crate) fn representable(
     Err(ModelError::OutsideDomain {
         model,
         quantity,
-        value: f64::MAX,
-        domain: 0.0..=f64::MAX,
+        value,
+        domain: f64::MIN..=f64::MAX,
         reason: "the result exceeds the largest double",
     })
 }

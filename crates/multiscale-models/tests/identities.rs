@@ -5,7 +5,7 @@ use contact_types::{
     AmplitudeSpectrum, ContactModel, ContactModulus, FractalParameters, RoughnessSpectrum, Shell,
     SpectralMoments, Wave,
 };
-use multiscale_models::special::{erf, erf_inv, erfc_inv};
+use multiscale_models::special::{erf, erf_inv, erfc, erfc_inv, half_e1_of_square};
 use multiscale_models::{
     Archard, AreaLaw, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SinusoidLaw,
     YanKomvopoulos,
@@ -142,6 +142,55 @@ fn mean_gap_is_the_printed_integral() {
                 );
             }
         }
+    }
+}
+
+/// On a shell q is constant, and for gamma = 1 the integrals over it are elementary:
+/// `int_0^r E1(P^2/s^2)/2 ds = r [E1(x^2)/2 - e^{-x^2} + x sqrt(pi) erfc x]`, x = P/r, and so on.
+#[test]
+fn shells_have_their_closed_forms() {
+    let shells: Vec<_> = (1..40)
+        .map(f64::from)
+        .map(|i| Shell {
+            wavenumber: 1e4 * i,
+            variance: 1e-14 * (0.5 + (7.0 * i).sin().powi(2)) / i,
+        })
+        .collect();
+    let e = 3e9;
+    let spectrum = RoughnessSpectrum::new(shells.clone()).unwrap();
+    let model = Persson::from_spectrum(&spectrum, pascals(e)).unwrap();
+    for load in [1e-8, 1e-3, 0.1, 0.9] {
+        let x_all = load * spectrum.moments().m2.sqrt();
+        let x = |r: f64| x_all / r;
+        let gap = |r: f64| {
+            let x = x(r);
+            r * (half_e1_of_square(x) - (-x * x).exp() + x * PI.sqrt() * erfc(x))
+        };
+        let slope = |r: f64| r * ((-x(r) * x(r)).exp() - x(r) * PI.sqrt() * erfc(x(r)));
+        let energy = |r: f64| 0.5 * r * r * erf(x(r)) + x_all / PI.sqrt() * slope(r);
+        let sum = |f: &dyn Fn(f64) -> f64| {
+            let (mut m2, mut below, mut sum) = (0.0, 0.0, 0.0);
+            for shell in &shells {
+                m2 += 0.5 * shell.variance * shell.wavenumber.powi(2);
+                let above = f(m2.sqrt());
+                sum += (above - below) / shell.wavenumber;
+                below = above;
+            }
+            sum
+        };
+        let p = x_all * e;
+        let two = 2.0 / PI.sqrt();
+        assert_relative_eq!(model.mean_gap(p).unwrap(), two * sum(&gap), max_relative = 1e-12);
+        assert_relative_eq!(
+            model.stiffness(p).unwrap(),
+            p / (two * sum(&slope)),
+            max_relative = 1e-12
+        );
+        assert_relative_eq!(
+            model.elastic_energy(p).unwrap(),
+            e * sum(&energy),
+            max_relative = 1e-12
+        );
     }
 }
 
