@@ -14,6 +14,7 @@ mod run_file;
 mod settings;
 mod study;
 mod surface;
+pub mod survey;
 mod verdict;
 
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
