@@ -10,6 +10,7 @@ mod figures;
 mod generated;
 mod shell;
 mod surfaces;
+mod survey;
 mod tidy;
 mod validate;
 
@@ -27,6 +28,8 @@ Usage: cargo xtask <task> [options]
   bench [ARGS]              the benchmarks; their table into the book
   surfaces --dir DIR --expected FILE
                             files of instruments against expected values, one line each
+  survey [--check]          every model on an ensemble of surfaces; table, figures, page
+                            (under an hour, resumable)
   tidy                      layers, citations, pages, file lengths, dependency counts
   ci [--slow]               everything a change must pass, as the CI runs it
 
@@ -49,6 +52,7 @@ fn main() -> ExitCode {
         "extremes" => extremes::run(rest),
         "bench" => bench::run(rest),
         "surfaces" => surfaces::run(rest),
+        "survey" => survey::run(rest),
         "tidy" => tidy::run(rest),
         "ci" => ci::run(rest),
         "help" | "--help" | "-h" => {

@@ -47,7 +47,7 @@ pub struct Row {
     pub surface: usize,
     /// How it was made.
     pub family: Family,
-    /// Nayak's bandwidth, spectral.
+    /// Nayak's bandwidth of the moments the models are given.
     pub bandwidth: f64,
     /// Rms gradient by finite differences over the spectral one.
     pub resolved: f64,
@@ -129,4 +129,216 @@ impl Row {
 fn four(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().expect("a formatted number parses");
     format!("{rounded}")
+}
+
+/// A surface at a load, as the survey sees it; fields as in [`Row`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Query {
+    /// Nayak's bandwidth of the moments the models are given.
+    pub bandwidth: f64,
+    /// Rms gradient by finite differences over the spectral one.
+    pub resolved: f64,
+    /// Larger over smaller directional m2.
+    pub anisotropy: f64,
+    /// Skewness of the heights.
+    pub skewness: f64,
+    /// Kurtosis of the heights.
+    pub kurtosis: f64,
+    /// Height step over pixel and rms gradient; 0 without steps.
+    pub step: f64,
+    /// Rms slope of the highest points over that of all.
+    pub peak_slope: f64,
+    /// Mean pressure over E* h'_rms.
+    pub load: f64,
+}
+
+impl From<&Row> for Query {
+    fn from(row: &Row) -> Self {
+        Self {
+            bandwidth: row.bandwidth,
+            resolved: row.resolved,
+            anisotropy: row.anisotropy,
+            skewness: row.skewness,
+            kurtosis: row.kurtosis,
+            step: row.step,
+            peak_slope: row.peak_slope,
+            load: row.load,
+        }
+    }
+}
+
+/// How much two surfaces may differ and still count as alike. Chosen on the survey itself so that
+/// ranges from other surfaces hold the error of the one left out (see the book).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Likeness {
+    /// Factor between bandwidths.
+    pub bandwidth: f64,
+    /// Factor between loads.
+    pub load: f64,
+    /// Difference of the share of the gradient that finite differences see.
+    pub resolved: f64,
+    /// Factor between anisotropies.
+    pub anisotropy: f64,
+    /// Difference of skewness.
+    pub skewness: f64,
+    /// Difference of kurtosis.
+    pub kurtosis: f64,
+    /// Difference of the height step over pixel and gradient, or a factor of 2 if larger.
+    pub step: f64,
+    /// Difference of the relative slope of the highest points.
+    pub peak_slope: f64,
+}
+
+/// The limits the report uses.
+pub const LIKENESS: Likeness = Likeness {
+    bandwidth: 1.5,
+    load: 1.6,
+    resolved: 0.05,
+    anisotropy: 1.6,
+    skewness: 0.3,
+    kurtosis: 0.8,
+    step: 0.1,
+    peak_slope: 0.08,
+};
+
+impl Likeness {
+    fn accepts(&self, row: &Row, query: &Query) -> bool {
+        let factor = |a: f64, b: f64| (a / b).ln().abs();
+        let steps = row.step.max(query.step);
+        factor(row.load, query.load) <= self.load.ln()
+            && factor(row.bandwidth, query.bandwidth) <= self.bandwidth.ln()
+            && (row.resolved - query.resolved).abs() <= self.resolved
+            && factor(row.anisotropy, query.anisotropy) <= self.anisotropy.ln()
+            && (row.skewness - query.skewness).abs() <= self.skewness
+            && (row.kurtosis - query.kurtosis).abs() <= self.kurtosis
+            && (row.step - query.step).abs() <= self.step.max(0.5 * steps)
+            && (row.peak_slope - query.peak_slope).abs() <= self.peak_slope
+    }
+}
+
+/// What a model's error was on surfaces like the one asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Experience {
+    /// Lowest signed relative error seen, less the bar of its reference.
+    pub low: f64,
+    /// Highest, plus the bar of its reference.
+    pub high: f64,
+    /// Distinct surfaces behind the range.
+    pub surfaces: usize,
+}
+
+/// Fewest surfaces a range may stand on.
+pub const FEWEST: usize = 5;
+
+/// The table of the survey.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Survey {
+    models: Vec<String>,
+    rows: Vec<Row>,
+}
+
+impl Survey {
+    /// Reads the table; `None` if a line is not one of its rows.
+    pub fn parse(table: &str) -> Option<Self> {
+        let mut lines = table.lines().filter(|line| !line.starts_with('#'));
+        let models = lines.next()?.split(',').skip(12).map(str::to_owned).collect();
+        let rows = lines.map(Row::parse).collect::<Option<Vec<_>>>()?;
+        Some(Self { models, rows })
+    }
+
+    /// Names of the models, in the order of the errors of a row.
+    pub fn models(&self) -> &[String] {
+        &self.models
+    }
+
+    /// All rows.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The range of a model's error on surfaces like `query`; `None` if fewer than [`FEWEST`]
+    /// such surfaces are in the survey, or the model is not.
+    pub fn ask(&self, model: &str, query: &Query) -> Option<Experience> {
+        self.ask_without(model, query, None)
+    }
+
+    /// The same without one surface, to see whether the others would have told its error.
+    pub fn ask_without(
+        &self,
+        model: &str,
+        query: &Query,
+        left_out: Option<usize>,
+    ) -> Option<Experience> {
+        let column = self.models.iter().position(|m| m == model)?;
+        let mut range = Experience { low: f64::INFINITY, high: f64::NEG_INFINITY, surfaces: 0 };
+        let mut last = None;
+        for row in &self.rows {
+            if Some(row.surface) == left_out || !LIKENESS.accepts(row, query) {
+                continue;
+            }
+            let Some(error) = row.errors.get(column).copied().flatten() else { continue };
+            range.low = range.low.min(error - row.bar * (1.0 + error));
+            range.high = range.high.max(error + row.bar * (1.0 + error));
+            range.surfaces += usize::from(last != Some(row.surface)); // rows come by surface
+            last = Some(row.surface);
+        }
+        (range.surfaces >= FEWEST).then_some(range)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(surface: usize, bandwidth: f64, error: f64) -> Row {
+        Row {
+            surface,
+            family: Family::Gaussian,
+            bandwidth,
+            resolved: 0.97,
+            anisotropy: 1.05,
+            skewness: 0.0,
+            kurtosis: 3.0,
+            step: 0.0,
+            peak_slope: 1.0,
+            load: 0.01,
+            area: 0.02,
+            bar: 0.01,
+            errors: vec![Some(error)],
+        }
+    }
+
+    fn table(rows: &[Row]) -> String {
+        let lines: Vec<String> = rows.iter().map(Row::line).collect();
+        format!("# origin\n{}\n{}\n", header(&["persson"]), lines.join("\n"))
+    }
+
+    #[test]
+    fn a_table_comes_back_as_it_was() {
+        let mut rows: Vec<Row> = (0..3).map(|i| row(i, 5.0, -0.1)).collect();
+        rows[1].errors[0] = None;
+        assert_eq!(Survey::parse(&table(&rows)).unwrap().rows(), rows);
+        assert!(Survey::parse("# nothing\n").is_none());
+        assert!(Survey::parse(&table(&rows).replace("gaussian", "round")).is_none());
+    }
+
+    /// Five like surfaces answer with their range and the bars; a sixth of another bandwidth does
+    /// not count, and four are too few.
+    #[test]
+    fn only_like_surfaces_speak_and_only_enough_of_them() {
+        let mut rows: Vec<Row> = [-0.10, -0.12, -0.08, -0.09, -0.11]
+            .iter()
+            .enumerate()
+            .map(|(i, e)| row(i, 5.0, *e))
+            .collect();
+        rows.push(row(5, 50.0, 0.9));
+        let survey = Survey::parse(&table(&rows)).unwrap();
+        let query = Query::from(&rows[0]);
+        let seen = survey.ask("persson", &query).unwrap();
+        assert_eq!(seen.surfaces, 5);
+        assert!((seen.low - (-0.12 - 0.0088)).abs() < 1e-12);
+        assert!((seen.high - (-0.08 + 0.0092)).abs() < 1e-12);
+        assert_eq!(survey.ask_without("persson", &query, Some(0)), None);
+        assert_eq!(survey.ask("unknown", &query), None);
+    }
 }

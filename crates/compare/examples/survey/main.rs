@@ -3,10 +3,13 @@
 //! `survey FOLDER [FIRST]` works through the ensemble (or its FIRST surfaces), one file of rows
 //! per surface in FOLDER, skipping those already there, and prints all rows as CSV. The result is
 //! the same whenever it is stopped and resumed and on any number of threads.
+//!
+//! `survey --page TABLE FOLDER` makes the figures and the summary of the book from that CSV.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
 mod ensemble;
 mod measure;
+mod page;
 
 use compare::survey::{Row, header};
 use std::error::Error;
@@ -15,7 +18,12 @@ use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut args = env::args().skip(1);
-    let folder = args.next().ok_or("usage: survey FOLDER [FIRST]")?;
+    let usage = "usage: survey FOLDER [FIRST] | survey --page TABLE FOLDER";
+    let folder = args.next().ok_or(usage)?;
+    if folder == "--page" {
+        let (table, out) = (args.next().ok_or(usage)?, args.next().ok_or(usage)?);
+        return page::write(Path::new(&table), Path::new(&out));
+    }
     let recipes = ensemble::recipes();
     let first = args.next().map_or(Ok(recipes.len()), |n| n.parse())?;
     fs::create_dir_all(&folder)?;

@@ -37,7 +37,8 @@ pub(crate) fn surface(index: usize, recipe: &Recipe) -> Result<Vec<Row>, Box<dyn
     for (k, &pressure) in pressures.iter().enumerate() {
         let truth = solver.solve(&fine, Load::MeanPressure(pressure))?;
         let area = truth.diagnostics.area_fraction_corrected;
-        let given = result.deterministic[k].answer.as_ref().ok_or("no solution on the given grid")?;
+        let given =
+            result.deterministic[k].answer.as_ref().ok_or("no solution on the given grid")?;
         let errors = models()
             .iter()
             .map(|entry| {
@@ -50,7 +51,7 @@ pub(crate) fn surface(index: usize, recipe: &Recipe) -> Result<Vec<Row>, Box<dyn
             surface: index,
             family: recipe.family,
             bandwidth: result.inputs.moments.ok_or("no moments")?.bandwidth(),
-            resolved: result.inputs.resolved,
+            resolved: statistics.rms_gradient / statistics.moments_spectral().rms_gradient(),
             anisotropy: statistics.anisotropy.unwrap_or(1.0),
             skewness: statistics.skewness.unwrap_or(0.0),
             kurtosis: statistics.kurtosis.unwrap_or(3.0),

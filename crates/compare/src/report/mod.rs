@@ -25,6 +25,7 @@ mod png;
 mod sections;
 mod statistics;
 mod surface_figures;
+mod survey_figures;
 mod svg;
 mod tables;
 mod words;
@@ -36,6 +37,7 @@ pub use palette::{
     BGT, Colour, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
 };
 pub use panels::{write_area_svg, write_pressure_svg};
+pub use survey_figures::{write_survey_map, write_survey_slopes};
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
