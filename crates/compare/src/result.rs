@@ -2,6 +2,7 @@
 
 use crate::accuracy::NoBar;
 use crate::models::{BuildError, Inputs, ModelEntry};
+use crate::survey::Experience;
 use crate::{Origin, Settings};
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{Residuals, Solution};
@@ -156,6 +157,9 @@ pub struct ModelComparison {
     pub outcome: Result<ModelCurve, BuildError>,
     /// Whether its theory covers this surface.
     pub verdict: Verdict,
+    /// Its errors on surfaces of the survey like this one, at the headline load; `None` if the
+    /// survey has too few of them.
+    pub experience: Option<Experience>,
 }
 
 /// A model's answers.

@@ -7,6 +7,7 @@ use crate::result::{
     SurfaceComparison,
 };
 use crate::settings::{LevelName, MethodName, PrecisionName};
+use crate::survey::{Query, Survey, peak_slope};
 use crate::verdict::verdict;
 use crate::{Origin, Settings, Surface, default_pressures};
 use contact_types::{
@@ -181,10 +182,11 @@ fn compare(
     }
 
     tell(Progress::Models)?;
+    let alike = likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]);
     let models = MODELS
         .iter()
         .filter(|m| m.in_study)
-        .map(|entry| ask(entry, &inputs, &deterministic, &statistics))
+        .map(|entry| ask(entry, &inputs, &deterministic, &statistics, alike.as_ref()))
         .collect();
     Ok(SurfaceComparison {
         name,
@@ -349,6 +351,7 @@ fn ask(
     inputs: &Inputs,
     deterministic: &[DeterministicPoint],
     statistics: &SurfaceStatistics,
+    alike: Option<&Query>,
 ) -> ModelComparison {
     let outcome = entry.build(inputs).and_then(|model| {
         let (points, seconds) = timed(model.as_ref(), deterministic);
@@ -362,7 +365,30 @@ fn ask(
         Ok(ModelCurve { points, seconds, errors })
     });
     let verdict = verdict(entry, inputs, &outcome, deterministic, statistics);
-    ModelComparison { entry, outcome, verdict }
+    let experience = alike.and_then(|query| Survey::built_in().ask(entry.name, query));
+    ModelComparison { entry, outcome, verdict, experience }
+}
+
+/// This surface at this load as the survey sees it; `None` for a flat map or without a solution.
+fn likeness(
+    map: &HeightMap,
+    statistics: &SurfaceStatistics,
+    inputs: &Inputs,
+    spectral: &Spectral,
+    point: &DeterministicPoint,
+) -> Option<Query> {
+    let gradient = inputs.rms_gradient();
+    let [dy, dx] = map.grid().pixel();
+    Some(Query {
+        bandwidth: inputs.moments?.bandwidth(),
+        resolved: spectral.resolved(gradient),
+        anisotropy: statistics.anisotropy?,
+        skewness: statistics.skewness?,
+        kurtosis: statistics.kurtosis?,
+        step: statistics.height_step.map_or(0.0, |q| q / (dy.min(dx) * gradient)),
+        peak_slope: peak_slope(map, point.answer.as_ref()?.area_fraction_corrected),
+        load: point.mean_pressure / (inputs.modulus.pascals() * gradient),
+    })
 }
 
 /// Signed relative error of an area.

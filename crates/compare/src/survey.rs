@@ -6,7 +6,9 @@
 //! fitted, so a claim is never more than a range of what was seen, with the number of surfaces
 //! behind it.
 
+use contact_types::HeightMap;
 use std::fmt::Write as _;
+use std::sync::OnceLock;
 
 /// How a surface of the survey was made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -167,6 +169,33 @@ impl From<&Row> for Query {
     }
 }
 
+/// Rms slope of the highest points, twice as many as touch, over that of all of them, by forward
+/// differences on the map as it repeats \[-\]. Where the top of a surface is smoother than the
+/// rest, contact is larger than its moments say. 1 for a flat map.
+pub fn peak_slope(map: &HeightMap, area_fraction: f64) -> f64 {
+    let [ny, nx] = map.grid().shape();
+    let [dy, dx] = map.grid().pixel();
+    let mut sorted = map.heights().to_vec();
+    let kept = ((2.0 * area_fraction * sorted.len() as f64) as usize).clamp(1, sorted.len());
+    let place = sorted.len() - kept;
+    let level = *sorted.select_nth_unstable_by(place, f64::total_cmp).1;
+    let (mut top, mut count, mut all) = (0.0, 0.0, 0.0);
+    for iy in 0..ny {
+        for ix in 0..nx {
+            let z = map.at(iy, ix);
+            let gx = (map.at(iy, (ix + 1) % nx) - z) / dx;
+            let gy = (map.at((iy + 1) % ny, ix) - z) / dy;
+            let square = gx * gx + gy * gy;
+            all += square;
+            if z >= level {
+                top += square;
+                count += 1.0;
+            }
+        }
+    }
+    if all > 0.0 { ((top / count) / (all / sorted.len() as f64)).sqrt() } else { 1.0 }
+}
+
 /// How much two surfaces may differ and still count as alike. Chosen on the survey itself so that
 /// ranges from other surfaces hold the error of the one left out (see the book).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -238,6 +267,15 @@ pub struct Survey {
 }
 
 impl Survey {
+    /// The survey this version was built with.
+    pub fn built_in() -> &'static Self {
+        static SURVEY: OnceLock<Survey> = OnceLock::new();
+        SURVEY.get_or_init(|| {
+            Self::parse(include_str!("../../../fixtures/survey.csv"))
+                .expect("a test reads the committed table")
+        })
+    }
+
     /// Reads the table; `None` if a line is not one of its rows.
     pub fn parse(table: &str) -> Option<Self> {
         let mut lines = table.lines().filter(|line| !line.starts_with('#'));
@@ -320,6 +358,31 @@ mod tests {
         assert_eq!(Survey::parse(&table(&rows)).unwrap().rows(), rows);
         assert!(Survey::parse("# nothing\n").is_none());
         assert!(Survey::parse(&table(&rows).replace("gaussian", "round")).is_none());
+    }
+
+    /// The committed table: every family, and every model answers its own rows.
+    #[test]
+    fn the_built_in_survey_is_whole() {
+        let survey = Survey::built_in();
+        assert!(survey.rows().len() >= 7 * 200);
+        for (family, name) in Family::ALL {
+            assert!(survey.rows().iter().any(|r| r.family == family), "{name}");
+        }
+        let query = Query::from(&survey.rows()[0]);
+        for model in survey.models() {
+            assert!(survey.ask(model, &query).is_some(), "{model}");
+        }
+    }
+
+    /// A ridge profile, smooth on top and rough below: z = cos x for z > 0, a saw of slope 10
+    /// elsewhere.
+    #[test]
+    fn a_smooth_top_has_a_small_peak_slope() {
+        let grid = contact_types::Grid::new([1, 64], [1.0, 1.0]).unwrap();
+        let saw = |x: f64| if x < 32.0 { 100.0 + x } else { 50.0 + 10.0 * (x % 2.0) };
+        let map = HeightMap::from_fn(grid, |_, x| saw(x)).unwrap();
+        assert!(peak_slope(&map, 0.1) < 0.2);
+        assert!((peak_slope(&map, 0.5) - 1.0).abs() < 1e-12);
     }
 
     /// Five like surfaces answer with their range and the bars; a sixth of another bandwidth does

@@ -2,7 +2,7 @@
 
 use crate::ensemble::{PIXEL, Recipe, make};
 use compare::models::{MODELS, ModelEntry};
-use compare::survey::{Family, Row};
+use compare::survey::{Family, Row, peak_slope};
 use compare::{Comparison, LevelName, Origin, Settings, Surface, accuracy::BOUNDARY_CORRECTION};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Solution, Solver};
@@ -56,7 +56,7 @@ pub(crate) fn surface(index: usize, recipe: &Recipe) -> Result<Vec<Row>, Box<dyn
             skewness: statistics.skewness.unwrap_or(0.0),
             kurtosis: statistics.kurtosis.unwrap_or(3.0),
             step: statistics.height_step.map_or(0.0, |q| q / (PIXEL * gradient)),
-            peak_slope: peak_slope(&map, 2.0 * given.area_fraction_corrected),
+            peak_slope: peak_slope(&map, given.area_fraction_corrected),
             load: LOADS[k],
             area,
             bar: bar(recipe.family, &truth, given.area_fraction_corrected),
@@ -90,31 +90,4 @@ fn bar(family: Family, truth: &Solution, given: f64) -> f64 {
     let grid = 0.3 * BOUNDARY_CORRECTION * truth.diagnostics.contact_perimeter;
     let refined = if family == Family::Stepped { 0.0 } else { (area - given).abs() };
     grid.max(refined) / area
-}
-
-/// Rms slope of the highest `fraction` of the points over that of all of them, by forward
-/// differences on the map as it repeats (ACCURACY of closed forms: where the top of a surface is
-/// smoother than the rest, contact is larger than its moments say).
-fn peak_slope(map: &HeightMap, fraction: f64) -> f64 {
-    let [ny, nx] = map.grid().shape();
-    let [dy, dx] = map.grid().pixel();
-    let mut sorted = map.heights().to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let kept = ((fraction * sorted.len() as f64) as usize).clamp(1, sorted.len());
-    let level = sorted[sorted.len() - kept];
-    let (mut top, mut count, mut all) = (0.0, 0.0, 0.0);
-    for iy in 0..ny {
-        for ix in 0..nx {
-            let z = map.at(iy, ix);
-            let gx = (map.at(iy, (ix + 1) % nx) - z) / dx;
-            let gy = (map.at((iy + 1) % ny, ix) - z) / dy;
-            let square = gx * gx + gy * gy;
-            all += square;
-            if z >= level {
-                top += square;
-                count += 1.0;
-            }
-        }
-    }
-    ((top / count) / (all / sorted.len() as f64)).sqrt()
 }

@@ -11,6 +11,7 @@ use super::svg::{Canvas, Stroke, escape};
 use super::words;
 use crate::models;
 use crate::result::{Applies, DeterministicAnswer, ModelComparison, SurfaceComparison};
+use crate::survey::Experience;
 use contact_types::{ContactState, ModelError};
 
 /// Value, and what its ± covers, of the numbers people came for.
@@ -158,6 +159,15 @@ fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
     )
 }
 
+/// What the survey saw of this model on surfaces like this one.
+fn experience(seen: &Experience) -> String {
+    format!(
+        "<small>{} on surfaces like this (<i>n</i> = {})</small>",
+        signed_range(seen.low, seen.high),
+        seen.surfaces
+    )
+}
+
 fn model_row(page: &mut Page<'_>, surface: &SurfaceComparison, model: &ModelComparison) -> String {
     let entry = model.entry;
     let source = reference(page, entry.citation());
@@ -169,8 +179,9 @@ fn model_row(page: &mut Page<'_>, surface: &SurfaceComparison, model: &ModelComp
         entry.inputs_html
     );
     let domain = format!(
-        "<td data-l=\"Applies\" class=\"dom\">{}</td>",
-        applies(model.verdict.answer, &model.verdict.reason)
+        "<td data-l=\"Applies\" class=\"dom\">{}{}</td>",
+        applies(model.verdict.answer, &model.verdict.reason),
+        model.experience.as_ref().map_or(String::new(), experience)
     );
     let Ok(curve) = &model.outcome else {
         let dash = |l: &str| format!("<td data-l=\"{l}\" class=\"n\">–</td>");
