@@ -381,7 +381,7 @@ fn likeness(
     let [dy, dx] = map.grid().pixel();
     Some(Query {
         bandwidth: inputs.moments?.bandwidth(),
-        resolved: spectral.resolved(gradient),
+        resolved: spectral.resolved,
         anisotropy: statistics.anisotropy?,
         skewness: statistics.skewness?,
         kurtosis: statistics.kurtosis?,
