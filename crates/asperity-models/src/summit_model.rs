@@ -55,6 +55,7 @@ pub trait SummitLaw: Send + Sync + 'static {
 /// Bandwidth at least 3/2 (no isotropic Gaussian surface has less). A [`Caveat::BeyondModel`] is
 /// attached above an area fraction of 0.1, where summits feel each other; the area is not
 /// clipped.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SummitModel<L> {
     moments: SpectralMoments,
     modulus: ContactModulus,
