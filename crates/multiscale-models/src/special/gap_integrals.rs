@@ -13,7 +13,7 @@ const EULER_GAMMA: f64 = 0.57721566490153286061;
 /// ```
 ///
 /// Taken of `x`, not of `x^2`, so that it answers down to the smallest double. Relative error at
-/// most 6e-16 for x < 1, and `x^2` roundings of the exponential above. 0 past x = 27.3, where
+/// most 1.2e-15 for x < 1 (measured), and `x^2` roundings of the exponential above. 0 past x = 27.3, where
 /// the result is below the smallest double.
 pub fn half_e1_of_square(x: f64) -> f64 {
     let z = x * x;
