@@ -67,11 +67,12 @@ fn reading(criterion: &mut Criterion) {
     group.finish();
 }
 
+type Hole = fn(usize, usize) -> bool;
+
 fn filling(criterion: &mut Criterion) {
     let map = map();
     let mut group = criterion.benchmark_group("fill");
     group.throughput(Throughput::Elements((N * N) as u64)).sample_size(10);
-    type Hole = fn(usize, usize) -> bool;
     let holes: [(&str, Hole); 2] = [
         // One point in 16, and one disc of a quarter of the map.
         ("scattered", |iy, ix| (iy * 7 + ix * 13) % 16 == 0),

@@ -13,14 +13,14 @@ macro_rules! formats {
         #[non_exhaustive]
         pub enum Format {
             $(#[doc = $name] $variant,)*
-            /// ZIP archive holding one of the others.
+            /// ZIP archive or gzip file holding one of the others.
             Zip,
         }
 
         impl Format {
             /// Its name for people.
             pub fn name(self) -> &'static str {
-                match self { $(Self::$variant => $name,)* Self::Zip => "ZIP" }
+                match self { $(Self::$variant => $name,)* Self::Zip => "ZIP or gzip" }
             }
         }
 

@@ -91,6 +91,10 @@ fn files_that_are_none() {
     assert!(error.to_string().contains("export to X3P"), "{error}");
     let error = read_bytes(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0\0", &options).unwrap_err();
     assert!(error.to_string().contains("SUR"), "{error}");
+    let several =
+        common::binary::zip(&[("a/one.txt", b"1 2"), ("a/two.txt", b"3"), ("__MACOSX/x", b"")]);
+    let error = read_bytes(&several, &options).unwrap_err().to_string();
+    assert!(error.contains("2 files (a/one.txt, a/two.txt)"), "{error}");
     let here = env!("CARGO_MANIFEST_DIR");
     let error = read(here, &options).unwrap_err().to_string();
     assert!(error.contains("directory"), "{error}");

@@ -1,4 +1,4 @@
-//! ZIP containers: X3P and NPZ are archives, and users zip single files.
+//! ZIP containers: X3P and NPZ are archives, and users zip (and gzip) single files.
 //!
 //! Nothing is unpacked beyond [`Limits::unpacked_bytes`], whatever the archive claims.
 
@@ -30,7 +30,7 @@ impl<'a> Archive<'a> {
         let names = zip
             .file_names()
             .filter_map(Result::ok)
-            .filter(|n| !n.ends_with('/') && !n.split('/').any(|part| part == "__MACOSX"))
+            .filter(|n| !n.ends_with('/') && !is_by_the_way(n))
             .map(Cow::into_owned)
             .collect();
         Ok(Self { bytes, zip, format, names })
@@ -58,24 +58,55 @@ fn fault(bytes: &[u8], format: Format, e: &zip::result::ZipError) -> ReadError {
     Bytes::little(bytes, format).field("archive", e.to_string())
 }
 
-/// The single file in an archive that is neither X3P nor NPZ; any other bytes as they are.
+/// The single file in a ZIP archive that is neither X3P nor NPZ, or in a gzip file; any other
+/// bytes as they are.
 pub(crate) fn unwrap_single<'a>(
     bytes: &'a [u8],
     limits: &Limits,
 ) -> Result<Cow<'a, [u8]>, ReadError> {
+    if bytes.starts_with(b"\x1f\x8b") {
+        return gunzip(bytes, limits).map(Cow::Owned);
+    }
     if !bytes.starts_with(MAGIC) {
         return Ok(Cow::Borrowed(bytes));
     }
     let Ok(mut archive) = Archive::open(bytes, Format::Zip, limits) else {
         return Ok(Cow::Borrowed(bytes)); // the reader of the inner format names the fault
     };
+    if archive.names.iter().any(|name| is_npy(name) || is_main_xml(name)) {
+        return Ok(Cow::Borrowed(bytes));
+    }
     match &archive.names[..] {
-        [name] if !is_npy(name) && !is_main_xml(name) => {
+        [name] => {
             let name = name.clone();
             archive.unpack(&name, limits).map(Cow::Owned)
         }
-        _ => Ok(Cow::Borrowed(bytes)),
+        names => {
+            let shown: Vec<&str> = names.iter().take(4).map(String::as_str).collect();
+            let feature = format!(
+                "an archive of {} files ({}{}); unpack it and name one of them",
+                names.len(),
+                shown.join(", "),
+                if names.len() > 4 { ", ..." } else { "" }
+            );
+            Err(ReadError::Unsupported { format: Format::Zip, feature: feature.into() })
+        }
     }
+}
+
+fn gunzip(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, ReadError> {
+    let mut unpacked = Vec::new();
+    flate2::read::MultiGzDecoder::new(bytes)
+        .take(limits.unpacked_bytes.saturating_add(1))
+        .read_to_end(&mut unpacked)
+        .map_err(|e| Bytes::little(bytes, Format::Zip).field("gzip data", e.to_string()))?;
+    limits.check_unpacked(Format::Zip, unpacked.len() as u64)?;
+    Ok(unpacked)
+}
+
+/// What operating systems leave in archives.
+fn is_by_the_way(name: &str) -> bool {
+    name.split('/').any(|part| part == "__MACOSX" || part.starts_with('.'))
 }
 
 pub(crate) fn is_npy(name: &str) -> bool {

@@ -2,7 +2,7 @@
 //!
 //! | byte | type | content |
 //! |---|---|---|
-//! | 0 | 16 | `FRTM_GLIDERV1.00` |
+//! | 0 | 16 | `FRTM_GLIDERV1.00`, or 1.01 with lengths of 8 bytes |
 //! | 16 | u16 | number of blocks |
 //! | 18 | | blocks: tag u16, length u32, content |
 //!
@@ -12,7 +12,7 @@
 //! | 0x66 | u32 u32 u32: points along x, along y, bits per point (16, 32) |
 //! | 0x67 | f64 f64: total size along x, along y in metres: N pixels |
 //! | 0x6C | u32, f64: range; metres per stored unit |
-//! | 0x0B | the heights, unsigned, in rows; 1 is a missing point |
+//! | 0x0B | the heights, u16 or i32, in rows; 1 is a missing point |
 //!
 //! Source: the block list of several free readers, checked against files.
 
@@ -30,13 +30,17 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let b = Bytes::little(bytes, FORMAT);
     let mut contents = Contents::default();
     let (mut grid, mut size, mut step, mut data) = (None, None, None, None);
+    let is_wide = b.slice(12, 4)? == b"1.01";
     let mut at = 18;
     for _ in 0..b.u16(16)? {
         if at == bytes.len() {
             break;
         }
-        let (tag, length) = (b.u16(at)?, b.u32(at + 2)? as usize);
-        at += 6;
+        let tag = b.u16(at)?;
+        let (length, head) =
+            if is_wide { (b.u64(at + 2)?, 10) } else { (u64::from(b.u32(at + 2)?), 6) };
+        let length = usize::try_from(length).unwrap_or(usize::MAX);
+        at += head;
         b.slice(at, length)?;
         match tag {
             0x65 | 0x77 => {
@@ -63,7 +67,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let data = data.ok_or_else(|| missing("0x0B (heights)"))?;
     let sample = match bits {
         16 => Sample::U16,
-        32 => Sample::U32,
+        32 => Sample::I32,
         _ => return Err(b.field("0x66 (points)", format!("{bits} bits per point, not 16 or 32"))),
     };
     limits.check_points(FORMAT, [ny, nx])?;

@@ -161,7 +161,7 @@ impl<'a> Reader<'a, '_> {
     }
 
     fn text(&mut self) -> Result<String, ReadError> {
-        let rest = self.b.slice(self.at, self.end - self.at)?;
+        let rest = self.b.slice(self.at, self.end.saturating_sub(self.at))?;
         let length = rest
             .iter()
             .position(|&byte| byte == 0)
@@ -182,7 +182,7 @@ impl<'a> Reader<'a, '_> {
         let name = self.text()?;
         let length = self.length()?;
         let outer = self.end;
-        if length > outer - self.at {
+        if length > outer.saturating_sub(self.at) {
             return Err(self
                 .b
                 .fault(self.at, format!("object {name:?} reaches beyond its parent")));

@@ -22,7 +22,8 @@
 //! | `/MetaData/` | instrument, date, settings |
 //!
 //! An extent is the distance from the first to the last point: N − 1 intervals (the positions
-//! stored beside profiles show it). NaN is a missing point.
+//! stored beside profiles show it). NaN, infinity and anything beyond 10^30 are missing points. The
+//! map named by `/MetaData/PrimaryData2D` comes first.
 //!
 //! Source: the item list of several free readers, checked against files.
 
@@ -65,7 +66,12 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let items = reader.items;
 
     let mut contents = Contents::default();
-    for (path, value) in &items {
+    let primary = match items.get("/MetaData/PrimaryData2D") {
+        Some(Value::Text(name)) => format!("/2D_Data/{name}/Matrix"),
+        _ => String::new(),
+    };
+    let first = items.get_key_value(&primary);
+    for (path, value) in first.into_iter().chain(items.iter().filter(|item| *item.0 != primary)) {
         let channel = match value {
             Value::Matrix { at, shape } => matrix(b, &items, path, *at, *shape, limits)?,
             Value::Array { at, length } => profile(b, &items, path, *at, *length)?,
@@ -133,7 +139,7 @@ fn matrix<'a>(
     let (factor, unit) = scale(items, folder);
     let raster = Raster { bytes: b, at, shape, sample: Sample::F32 };
     let name = name(items, folder);
-    Channel::raster(name, Some(&unit), pixel, raster, move |raw| raw * factor).map(Some)
+    Channel::raster(name, Some(&unit), pixel, raster, move |raw| height(raw, factor)).map(Some)
 }
 
 fn profile<'a>(
@@ -157,7 +163,11 @@ fn profile<'a>(
     let (factor, unit) = scale(items, folder);
     let raster = Raster { bytes: b, at: at + ARRAY_HEAD, shape: [1, n], sample: Sample::F64 };
     let name = name(items, folder);
-    Channel::raster(name, Some(&unit), pixel, raster, move |raw| raw * factor).map(Some)
+    Channel::raster(name, Some(&unit), pixel, raster, move |raw| height(raw, factor)).map(Some)
+}
+
+fn height(raw: f64, factor: f64) -> f64 {
+    if raw.abs() < 1e30 { raw * factor } else { f64::NAN }
 }
 
 /// Walks through the items.

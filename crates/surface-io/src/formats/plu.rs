@@ -30,7 +30,7 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     let plausible = || -> Result<bool, ReadError> {
         let date = b.slice(0, 128)?.split(|&byte| byte == 0).next().unwrap_or_default();
         let is_date = (6..128).contains(&date.len())
-            && date.iter().all(|byte| (0x20..0x7f).contains(byte))
+            && date.iter().all(|byte| (0x20..0x7f).contains(byte) || byte.is_ascii_whitespace())
             && date.iter().filter(|byte| byte.is_ascii_digit()).count() >= 4;
         let (ny, nx) = (b.u32(DATA)?, b.u32(DATA + 4)?);
         let [dx, dy] = [b.f32(404)?, b.f32(408)?];

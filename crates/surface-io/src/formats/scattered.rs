@@ -51,12 +51,12 @@ impl Line {
 }
 
 /// How far a coordinate may be from its place: one printed digit (half for the point, half for
-/// the ends of the line), but never half a step, and rounding of f64.
+/// the ends of the line) if a step has clearly more than one, and rounding of f64. Whole numbers
+/// 0, 1, 2, 4 are not steps of 4/3 that were rounded.
 fn tolerance(step: f64, digits: Digits, largest: f64) -> f64 {
-    (1.001 * digits.quantum(largest))
-        .min(0.7 * step)
-        .max(1e-6 * step)
-        .max(8.0 * f64::EPSILON * largest)
+    let quantum = digits.quantum(largest);
+    let printed = if quantum <= 0.7 * step { 1.001 * quantum } else { 0.0 };
+    printed.max(1e-6 * step).max(8.0 * f64::EPSILON * largest)
 }
 
 /// A map gridded from a list.
@@ -153,8 +153,7 @@ impl Axis {
                     (at - at.round()).abs() * step
                 })
                 .fold(0.0, f64::max);
-            let is_even = deviation <= tolerance(step, digits, largest).max(0.02 * step)
-                && deviation < 0.45 * step;
+            let is_even = deviation <= tolerance(step, digits, largest).max(0.02 * step);
             if is_even && count < 1e9 {
                 return Ok(Self { first, step: Some(step), count: count as usize });
             }
@@ -170,5 +169,65 @@ impl Axis {
             Some(step) => (((value - self.first) / step).round() as usize).min(self.count - 1),
             None => 0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fmt::Write as _;
+
+    fn map(text: &str) -> Map {
+        let table = crate::text::Table::parse(text, Format::Text).unwrap();
+        grid(&table.values, [table.digits[0], table.digits[1]], &Limits::default()).unwrap()
+    }
+
+    #[test]
+    fn a_column_that_is_nowhere_in_the_list_is_missing() {
+        let mut list = String::new();
+        for x in [0, 1, 2, 4] {
+            for y in [-3, 1, 5] {
+                writeln!(list, "{x} {y} {}", 10 * x + y).unwrap();
+            }
+        }
+        let found = map(&list);
+        assert_eq!((found.shape, found.step), ([3, 5], [4.0, 1.0]));
+        assert_eq!(found.heights.iter().filter(|h| h.is_nan()).count(), 3);
+        assert!((found.heights[4] - 37.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn rounded_coordinates_are_even() {
+        let mut list = String::new();
+        for iy in 0..20 {
+            for ix in 0..30 {
+                let (x, y) = (0.156 * f64::from(ix), 0.31 * f64::from(iy));
+                writeln!(list, "{x:.1} {y:.2} 1").unwrap();
+            }
+        }
+        let found = map(&list);
+        assert_eq!(found.shape, [20, 30]);
+        assert!((found.step[1] - 4.5 / 29.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_same_place_twice_is_refused() {
+        let table =
+            crate::text::Table::parse("0 0 1\n1 0 1\n0 1 1\n0 1 2\n", Format::Text).unwrap();
+        let digits = [table.digits[0], table.digits[1]];
+        let Err(error) = grid(&table.values, digits, &Limits::default()) else { panic!() };
+        assert!(error.to_string().contains("already in the list"), "{error}");
+    }
+
+    #[test]
+    fn uneven_profiles_say_by_how_much() {
+        let uneven = |text: &str| {
+            let table = crate::text::Table::parse(text, Format::Text).unwrap();
+            let x: Vec<f64> = table.values.iter().step_by(2).copied().collect();
+            Line::new(&x, table.digits[0]).unwrap().uneven
+        };
+        assert_eq!(uneven("0.0 1\n0.2 1\n0.3 1\n0.5 1\n"), None);
+        assert!(uneven("0 1\n1 1\n2 1\n4 1\n5 1\n").is_some());
+        assert!(uneven("0 1\n1 1\n2.5 1\n3 1\n").is_some());
     }
 }

@@ -6,8 +6,9 @@
 //! | decimal comma | where the comma is not the separator; both marks in one file are refused |
 //! | encodings | UTF-8, UTF-16 with byte order mark, Latin-1; `\n`, `\r\n`, `\r`, also mixed |
 //! | header | the lines before the first two lines with equally many numbers; lines starting with `#`, `%`, `!`, `//` |
-//! | `Width`, `Height` with unit | total size of a matrix: the pixel is size / N (Gwyddion's export) |
-//! | `Value units`, `z unit` | unit of the heights |
+//! | `Width`, `Height` with unit | total size of a matrix: the pixel is size / N (Gwyddion's export, also in German and French; SPIP's `x-length`, `x-unit`) |
+//! | `pixel size`, `dx`, `dy` with unit | spacing of a matrix |
+//! | `Value units`, `z-unit` | unit of the heights |
 //! | units in column titles | `X [mm]`, `X_(microns)`, `x in µm`, `µm µm` |
 //! | three columns | x y z on a grid in any order (row 0 = smallest y); `X;Y;valid` is a profile |
 //! | two columns | a profile, if x only rises or only falls |
@@ -20,7 +21,7 @@
 use super::scattered::{self, Line};
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::text::{self, Digits, Separator, Table};
-use crate::units::{length, metres_per};
+use crate::units::{length, metres_per, quantity};
 use crate::{Format, Limits, ReadError};
 use std::collections::BTreeMap;
 
@@ -186,26 +187,29 @@ impl Header {
 
     fn parse(table: &Table<'_>) -> Self {
         let mut header = Self::default();
-        let (mut width, mut height) = (None, None);
-        let (mut dx, mut dy) = (None, None);
+        // Lengths as written; a unit may stand in another line.
+        let [mut width, mut height, mut dx, mut dy] = [const { None::<String> }; 4];
+        let [mut x_unit, mut y_unit] = [const { None::<String> }; 2];
         for (_, line) in &table.header {
             let line = line.trim().trim_start_matches(['#', '%', '!', '/', ' ', '\t']).trim();
             let Some((key, value)) = key_value(line) else { continue };
+            let text = || Some(value.to_owned());
             match key.to_lowercase().as_str() {
-                "channel" | "title" => header.channel = Some(value.to_owned()),
-                "width" | "x-length" | "x length" | "xlength" | "x size" => width = length(value),
-                "height" | "y-length" | "y length" | "ylength" | "y size" => height = length(value),
-                "pixel size" | "pixel" | "spacing" => (dx, dy) = (length(value), length(value)),
-                "dx" | "x step" | "x spacing" | "x pixel size" | "pixel size x" => {
-                    dx = length(value);
+                "channel" | "title" | "kanal" | "canal" => header.channel = text(),
+                "width" | "breite" | "largeur" | "x-length" | "x length" | "xlength" | "x size" => {
+                    width = text();
                 }
-                "dy" | "y step" | "y spacing" | "y pixel size" | "pixel size y" => {
-                    dy = length(value);
+                "height" | "höhe" | "hauteur" | "y-length" | "y length" | "ylength" | "y size" => {
+                    height = text();
                 }
+                "pixel size" | "pixel" | "spacing" => (dx, dy) = (text(), text()),
+                "dx" | "x step" | "x spacing" | "x pixel size" | "pixel size x" => dx = text(),
+                "dy" | "y step" | "y spacing" | "y pixel size" | "pixel size y" => dy = text(),
+                "x-unit" | "x unit" | "xunit" => x_unit = text(),
+                "y-unit" | "y unit" | "yunit" => y_unit = text(),
                 "value units" | "value unit" | "z unit" | "z units" | "z-unit" | "zunit"
-                | "height unit" | "height units" | "unit z" => {
-                    header.value_unit = Some(value.to_owned());
-                }
+                | "height unit" | "height units" | "unit z" | "werteinheiten"
+                | "werteeinheiten" | "unités de valeur" => header.value_unit = text(),
                 "nodata_value" | "nodata" | "missing value" | "missing" => {
                     header.missing_value = value.parse().ok();
                 }
@@ -213,8 +217,15 @@ impl Header {
             }
             header.metadata.insert(key.to_owned(), value.to_owned());
         }
-        header.size = height.zip(width).map(|(h, w)| [h, w]);
-        header.pixel = dy.zip(dx).map(|(y, x)| [y, x]);
+        let metres = |text: Option<String>, unit: &Option<String>| {
+            let text = text?.replace(',', ".");
+            length(&text).or_else(|| {
+                let (value, written) = quantity(&text)?;
+                (written.is_empty()).then_some(value * metres_per(unit.as_deref()?)?)
+            })
+        };
+        header.size = metres(height, &y_unit).zip(metres(width, &x_unit)).map(|(h, w)| [h, w]);
+        header.pixel = metres(dy, &y_unit).zip(metres(dx, &x_unit)).map(|(y, x)| [y, x]);
         header.titles(table);
         header
     }

@@ -94,6 +94,12 @@ fn x3p_samples() -> Vec<Sample> {
     ]
 }
 
+pub fn gzip(content: &[u8]) -> Vec<u8> {
+    let mut pack = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+    pack.write_all(content).unwrap();
+    pack.finish().unwrap()
+}
+
 /// The sample surface without its missing point.
 pub fn complete_map() -> HeightMap {
     let heights = points(102.0).iter().map(|h| h * 1e-9).collect();
@@ -120,6 +126,8 @@ pub fn samples() -> Vec<Sample> {
             .complete(),
         Sample::new("zipped text", zip(&[("map.txt", b"# Width: 14 um\n# Height: 15 um\n# Value units: nm\n0 1 2 3 4 5 6\n100 101 NaN 103 104 105 106\n200 201 202 203 204 205 206\n300 301 302 303 304 305 306\n400 401 402 403 404 405 406")])),
     ];
+    let plain = npy("<f8", false, "(5, 7)", &doubles(&values));
+    samples.push(Sample::new("gzipped npy", gzip(&plain)).with_pixel().with_unit(1e-9));
     let member = npy("<f8", false, "(5, 7)", &doubles(&values));
     let text = npy("<U3", false, "()", b"abcdefghijkl");
     let archive = zip(&[("note.npy", &text), ("height.npy", &member)]);

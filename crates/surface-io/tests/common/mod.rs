@@ -127,7 +127,12 @@ pub fn samples() -> Vec<Sample> {
         .encode_utf16()
         .flat_map(u16::to_le_bytes)
         .collect();
+    let german = "# Kanal: Z\n# Breite: 14,0 \u{b5}m\n# H\u{f6}he: 15,0 um\n# Werteinheiten: nm\n";
+    let spip = "# File Format = ASCII\n# x-length = 14\n# x-unit = um\n# y-length = 15000\n\
+                # y-unit = nm\n# z-unit = nm\n";
     let mut samples = vec![
+        Sample::text("text, German", &format!("{german}{}", matrix("\t", true, "", "\n"))),
+        Sample::text("text, SPIP", &format!("{spip}{}", matrix("\t", false, "NaN", "\n"))),
         Sample::text("text, tabs", &format!("{header}{}", matrix("\t", false, "", "\n"))),
         Sample::text("text, blanks", &format!("{header}{}", matrix("  ", false, "bad", "\r\n"))),
         Sample::text("text, commas", &format!("{header}{}", matrix(",", false, "", ",\n"))),
