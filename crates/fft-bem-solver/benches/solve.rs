@@ -1,0 +1,80 @@
+//! Time of whole solves by method, precision and size, and of a load curve. The surface is
+//! self-affine (H = 0.8, roll-off an eighth of the side, shortest wave 4 pixels, seed 1); every id
+//! says the estimated relative pressure error the solve reached.
+#![allow(missing_docs, reason = "criterion's macros make undocumented functions")]
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use common::{self_affine, unit_grid, unit_modulus};
+use contact_types::HeightMap;
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use fft_bem_solver::{Load, Method, Precision, Solver};
+use std::hint::black_box;
+use std::ops::ControlFlow;
+
+fn surface(n: usize) -> HeightMap {
+    self_affine(unit_grid(n, n), 0.8, n as f64 / 8.0, 4.0, 1)
+}
+
+fn solver(map: &HeightMap, method: Method, precision: Precision, tolerance: f64) -> Solver {
+    Solver::builder()
+        .method(method)
+        .precision(precision)
+        .tolerance(tolerance)
+        .build(map.grid(), unit_modulus())
+        .expect("sound settings")
+}
+
+fn solves(c: &mut Criterion) {
+    for (method, sizes) in [
+        (Method::Chord, &[64, 256, 1001, 1024][..]),
+        (Method::PolonskyKeer, &[64, 256]),
+        (Method::StanleyKato, &[64, 256]),
+    ] {
+        for (precision, name) in [(Precision::Double, "f64"), (Precision::Single, "f32")] {
+            let mut group = c.benchmark_group(format!("solve/{method}/{name}"));
+            group.sample_size(10);
+            for &n in sizes {
+                let map = surface(n);
+                for load in [0.02, 0.2] {
+                    let mut solver = solver(&map, method, precision, 1e-4);
+                    let mut run = || {
+                        solver.forget();
+                        solver.solve(black_box(&map), Load::MeanPressure(load))
+                    };
+                    let error =
+                        run().map_or(f64::NAN, |found| found.diagnostics.residuals.preconditioned);
+                    let id = BenchmarkId::new(format!("p={load},error={error:.0e}"), n);
+                    group.throughput(Throughput::Elements((n * n) as u64));
+                    group.bench_function(id, |b| b.iter(&mut run));
+                }
+            }
+            group.finish();
+        }
+    }
+}
+
+fn load_curve(c: &mut Criterion) {
+    let mut group = c.benchmark_group("curve/16-loads");
+    group.sample_size(10);
+    let loads: Vec<f64> = (0..16).map(|i| 0.002 * 200f64.powf(f64::from(i) / 15.0)).collect();
+    for n in [256, 1001] {
+        let map = surface(n);
+        let mut solver = solver(&map, Method::Auto, Precision::Double, 1e-4);
+        group.throughput(Throughput::Elements((16 * n * n) as u64));
+        group.bench_function(BenchmarkId::new("error<=1e-4", n), |b| {
+            b.iter(|| {
+                solver.forget();
+                solver.curve(black_box(&map), &loads, |_, found| {
+                    black_box(found.is_ok());
+                    ControlFlow::Continue(())
+                });
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, solves, load_curve);
+criterion_main!(benches);
