@@ -79,6 +79,13 @@ impl<T: Real> Problem<T> {
         Ok(Self { grid: scaled, heights, mean_height, units })
     }
 
+    /// Heights that are scaled already.
+    pub(crate) fn unscaled(grid: Grid, heights: Vec<T>) -> Self {
+        let mean_height = crate::fields::sum(&heights) / heights.len() as f64;
+        let units = Units { origin: 0.0, height: 1.0, pressure: 1.0 };
+        Self { grid, heights, mean_height, units }
+    }
+
     /// Whether `surface` is the one this problem was made from.
     pub(crate) fn is_of(&self, surface: &HeightMap) -> bool {
         let known = &self.heights;

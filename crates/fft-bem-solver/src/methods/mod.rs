@@ -23,6 +23,7 @@ mod coarse_lead;
 mod extension;
 mod extrapolation;
 mod face_cg;
+mod free_chord;
 mod level_control;
 mod passes;
 mod polonsky_keer;
@@ -38,6 +39,7 @@ use contact_types::Grid;
 use std::ops::ControlFlow;
 
 pub(crate) use chord::Chord;
+pub(crate) use free_chord::FreeChord;
 pub(crate) use polonsky_keer::PolonskyKeer;
 pub(crate) use stanley_kato::StanleyKato;
 
@@ -199,14 +201,10 @@ pub(crate) fn build<T: Real>(
         (Method::Auto | Method::Chord, Boundary::Periodic) => {
             (Method::Chord, Box::new(Chord::new(scaled)))
         }
-        (Method::Chord, Boundary::Free) => {
-            return Err(SolverError::Combination {
-                first: "the method chord",
-                second: "the free boundary",
-                way_out: "choose the method auto or polonsky-keer",
-            });
+        (Method::Auto | Method::Chord, Boundary::Free) => {
+            (Method::Chord, Box::new(FreeChord::new(scaled)?))
         }
-        (Method::Auto, Boundary::Free) | (Method::PolonskyKeer, _) => {
+        (Method::PolonskyKeer, _) => {
             (Method::PolonskyKeer, Box::new(PolonskyKeer::new(scaled.len())))
         }
         (Method::StanleyKato, _) => (Method::StanleyKato, Box::new(StanleyKato::new(scaled.len()))),

@@ -1,0 +1,148 @@
+//! The chord iteration for the free boundary.
+//!
+//! `E^T S E` is made for a periodic half space. Around an isolated contact it serves as well if the
+//! copies of the map are kept apart: the iteration runs on a grid a quarter larger along each axis,
+//! whose additional pixels lie too deep to touch. The displacement is still that of the free half
+//! space, computed on the map alone: the padding belongs to the preconditioner and costs no
+//! transform.
+
+use super::chord::Chord;
+use super::{Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
+use crate::problem::Problem;
+use crate::{Boundary, Real, SolverError, fields};
+use contact_types::Grid;
+
+/// Height of the pixels around the map; those of the map lie between -1 and 0.
+const DEPTH: f64 = -2.0;
+
+/// The iteration and its larger problem.
+pub(crate) struct FreeChord<T: Real> {
+    chord: Chord<T>,
+    map: [usize; 2],
+    problem: Problem<T>,
+    state: State<T>,
+    on_map: State<T>,
+}
+
+impl<T: Real> FreeChord<T> {
+    /// Memory for a map on `scaled`, whose finer pixel side is 1.
+    pub(crate) fn new(scaled: Grid) -> Result<Self, SolverError> {
+        let map = scaled.shape();
+        let shape = map.map(|n| if n == 1 { 1 } else { n + n.div_ceil(4) });
+        let grid = Grid::new(shape, scaled.pixel()).map_err(|_| SolverError::Range {
+            quantity: "number of pixels",
+            value: scaled.len() as f64,
+            way_out: "choose the method polonsky-keer or a coarser map",
+        })?;
+        let n = grid.len();
+        Ok(Self {
+            chord: Chord::new(grid),
+            map,
+            problem: Problem::unscaled(grid, vec![T::of(DEPTH); n]),
+            state: State::new(n),
+            on_map: State::new(scaled.len()),
+        })
+    }
+}
+
+/// Copies a map of `[ny, nx]` into rows of `stride`, the rest of `to` takes `around`.
+fn embed<T: Real>([_, nx]: [usize; 2], from: &[T], around: T, stride: usize, to: &mut [T]) {
+    let mut rows = from.chunks_exact(nx);
+    for to in to.chunks_exact_mut(stride) {
+        match rows.next() {
+            Some(from) => {
+                to[..nx].copy_from_slice(from);
+                to[nx..].fill(around);
+            }
+            None => to.fill(around),
+        }
+    }
+}
+
+/// Copies the map out of the larger grid.
+fn cut<T: Real>([_, nx]: [usize; 2], from: &[T], stride: usize, to: &mut [T]) {
+    for (to, from) in to.chunks_exact_mut(nx).zip(from.chunks_exact(stride)) {
+        to.copy_from_slice(&from[..nx]);
+    }
+}
+
+/// The free half space under the map, on fields of the larger grid. Pixels around the map are given
+/// a displacement above all others: they carry nothing, and nothing depends on it but that no
+/// overlap is seen there.
+struct Around<'a, T> {
+    inner: &'a mut dyn Compliance<T>,
+    map: [usize; 2],
+    stride: usize,
+    buffer: &'a mut State<T>,
+}
+
+impl<T: Real> Compliance<T> for Around<'_, T> {
+    fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
+        let State { pressure: p, displacement: u, .. } = self.buffer;
+        cut(self.map, pressure, self.stride, p);
+        self.inner.apply(p, u);
+        let around = T::of(1.5 * fields::max(u).max(0.0));
+        embed(self.map, u, around, self.stride, displacement);
+    }
+    fn invert(&mut self, _field: &mut [T]) -> bool {
+        false
+    }
+    fn boundary(&self) -> Boundary {
+        Boundary::Free
+    }
+}
+
+impl<T: Real> ContactMethod<T> for FreeChord<T> {
+    fn solve(
+        &mut self,
+        task: &Task<'_, T>,
+        operator: &mut dyn Compliance<T>,
+        start: Start,
+        state: &mut State<T>,
+        watch: &mut Watch<'_, T>,
+    ) -> Outcome {
+        let (map, stride) = (self.map, self.problem.grid.shape()[1]);
+        let share = state.pressure.len() as f64 / self.state.pressure.len() as f64;
+        let depth = T::of(DEPTH);
+        embed(map, &task.problem.heights, depth, stride, &mut self.problem.heights);
+        let (target, load) = match task.target {
+            Target::Pressure(load) => (Target::Pressure(share * load), load),
+            Target::Level(level, guess) => (Target::Level(level, share * guess), guess),
+        };
+        // The pressure begins as constant on the map, and K is not known to make nothing of it.
+        let mut transforms = 0.0;
+        if start == Start::Cold {
+            state.pressure.fill(T::of(load));
+            operator.apply(&state.pressure, &mut state.displacement);
+            transforms += 1.0;
+        }
+        let around = T::of(1.5 * fields::max(&state.displacement).max(0.0));
+        embed(map, &state.pressure, T::zero(), stride, &mut self.state.pressure);
+        embed(map, &state.displacement, around, stride, &mut self.state.displacement);
+        let task = Task { problem: &self.problem, target, ..*task };
+        let mut shown = |step: &Step<'_, T>| {
+            cut(map, &step.state.pressure, stride, &mut state.pressure);
+            cut(map, &step.state.displacement, stride, &mut state.displacement);
+            let transforms = transforms + step.transforms;
+            watch(&Step { transforms, state: &*state, ..*step })
+        };
+        let mut around = Around { inner: operator, map, stride, buffer: &mut self.on_map };
+        let mut outcome =
+            self.chord.solve(&task, &mut around, Start::Warm, &mut self.state, &mut shown);
+        cut(map, &self.state.pressure, stride, &mut state.pressure);
+        cut(map, &self.state.displacement, stride, &mut state.displacement);
+        state.level = self.state.level;
+        outcome.transforms += transforms;
+        // Pressure beside the map would be load that is lost.
+        let (kept, all) = (fields::sum(&state.pressure), fields::sum(&self.state.pressure));
+        if (kept - all).abs() > 1e-6 * all {
+            outcome.end = End::Exhausted;
+            outcome.residual = f64::INFINITY;
+        }
+        outcome
+    }
+
+    fn controls_level(&self) -> bool {
+        true
+    }
+}
