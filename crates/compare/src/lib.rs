@@ -20,7 +20,7 @@ mod verdict;
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use result::{
     Applies, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,
-    SurfaceComparison, Verdict,
+    Refined, Spectral, SurfaceComparison, Verdict,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{

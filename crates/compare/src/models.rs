@@ -348,7 +348,7 @@ pub static MODELS: &[ModelEntry] = &[
         inputs: "amplitudes of the rows, at every frequency",
         inputs_html: "<i>Δ</i>(<i>f</i>)",
         domain: "depends on the record length and on the direction of the rows",
-        look: Look::model(MULTISCALE, "10 2 2 2", Marker::Plus, 3),
+        look: Look::model(MULTISCALE, "10 2 2 2", Marker::Hexagon, 3),
         in_study: true,
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(|inputs| {

@@ -40,12 +40,25 @@ pub struct SurfaceComparison {
     pub deterministic: Vec<DeterministicPoint>,
     /// Why the whole map has no error bar, if it has none.
     pub gate: Result<(), NoBar>,
+    /// The headline load once more on a twice finer grid, where the map has no bar of its own.
+    pub refined: Option<Refined>,
     /// Index of the load of headline and maps.
     pub headline: usize,
     /// Pressure field at that load (Pa); empty if there is no solution.
     pub pressure: Vec<f64>,
     /// Every model of the list.
     pub models: Vec<ModelComparison>,
+}
+
+/// A solution on the Fourier interpolation of the map to twice as many points along each side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refined {
+    /// Its corrected area fraction.
+    pub area_fraction_corrected: f64,
+    /// Its contact-line edges per point.
+    pub contact_perimeter: f64,
+    /// What it cost (s).
+    pub seconds: f64,
 }
 
 /// What the spectrum of a map says.

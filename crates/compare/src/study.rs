@@ -1,10 +1,10 @@
 //! The study itself: statistics, the deterministic curve, every model over the loads.
 
-use crate::accuracy::{NoBar, map_gate};
+use crate::accuracy::{NoBar, map_gate, refined_half_width};
 use crate::models::{BuildError, Inputs, MODELS, ModelEntry, MomentSource};
 use crate::result::{
-    Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve, Spectral,
-    SurfaceComparison,
+    Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve, Refined,
+    Spectral, SurfaceComparison,
 };
 use crate::settings::{LevelName, MethodName, PrecisionName};
 use crate::survey::{Query, Survey, peak_slope};
@@ -13,11 +13,12 @@ use crate::{Origin, Settings, Surface, default_pressures};
 use contact_types::{
     ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
 };
-use fft_bem_solver::{Load, Method, Precision, Solution, Solver, SolverError};
+use fft_bem_solver::{Load, Method, Precision, Solution, Solver, SolverBuilder, SolverError};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
+use surface_stats::clean::resample;
 use surface_stats::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes};
 use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, level};
 
@@ -161,11 +162,7 @@ fn compare(
     tell(Progress::Surface { name: &name, index, count, loads: pressures.len() })?;
 
     let mut curve = Curve::new(gate, settings.headline);
-    let mut solver = Solver::builder()
-        .method(method(settings.method))
-        .precision(precision(settings.precision))
-        .tolerance(settings.tolerance)
-        .threads(settings.threads.max(1))
+    let mut solver = builder(settings)
         .build(map.grid(), modulus)
         .map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })?;
     for (i, &p) in pressures.iter().enumerate() {
@@ -174,7 +171,8 @@ fn compare(
         tell(Progress::Solved { index: i, mean_pressure: p, area_fraction })?;
     }
     drop(solver);
-    let Curve { points: deterministic, headline, pressure, .. } = curve;
+    let Curve { points: mut deterministic, headline, pressure, .. } = curve;
+    let refined = refine(&map, modulus, settings, &mut deterministic[headline]);
     if let Some(value) = settings.headline
         && !same(deterministic[headline].mean_pressure, value)
     {
@@ -198,6 +196,7 @@ fn compare(
         setup_seconds,
         deterministic,
         gate,
+        refined,
         headline,
         pressure,
         models,
@@ -275,6 +274,55 @@ fn thinned(rings: &[Ring]) -> Vec<[f64; 2]> {
         }
     }
     bins.into_iter().map(|(_, waves, c, q)| [TAU / (q / waves).exp(), c / waves]).collect()
+}
+
+/// Most points a refined map may have: 4096 x 4096.
+const MOST_REFINED: usize = 1 << 24;
+
+/// Solves the headline load on a twice finer grid if its area has no bar for want of resolution,
+/// and gives the area the bar that follows. `None` if none is needed, or the map is too large.
+fn refine(
+    map: &HeightMap,
+    modulus: ContactModulus,
+    settings: &Settings,
+    point: &mut DeterministicPoint,
+) -> Option<Refined> {
+    let answer = point.answer.as_mut()?;
+    let resolvable = matches!(
+        answer.half_width,
+        Err(NoBar::Unresolved { .. } | NoBar::Stepped { .. } | NoBar::FewPixels { .. })
+    );
+    let [ny, nx] = map.grid().shape();
+    if !resolvable || 4 * map.grid().len() > MOST_REFINED || ny.min(nx) < 4 {
+        return None;
+    }
+    let start = Instant::now();
+    let finer = resample(map, [2 * ny, 2 * nx], Boundary::Periodic).ok()?;
+    let mut solver = builder(settings).build(finer.grid(), modulus).ok()?;
+    let solution = solver.solve(&finer, Load::MeanPressure(point.mean_pressure)).ok()?;
+    let d = &solution.diagnostics;
+    let refined = Refined {
+        area_fraction_corrected: d.area_fraction_corrected,
+        contact_perimeter: d.contact_perimeter,
+        seconds: start.elapsed().as_secs_f64(),
+    };
+    let area = answer.area_fraction_corrected;
+    let grid = refined_half_width(area, refined.area_fraction_corrected, refined.contact_perimeter);
+    answer.half_width = Ok([grid, iteration_half_width(answer)]);
+    Some(refined)
+}
+
+fn iteration_half_width(answer: &DeterministicAnswer) -> f64 {
+    crate::accuracy::iteration_error(answer.residuals.preconditioned)
+        * answer.area_fraction_corrected
+}
+
+fn builder(settings: &Settings) -> SolverBuilder {
+    Solver::builder()
+        .method(method(settings.method))
+        .precision(precision(settings.precision))
+        .tolerance(settings.tolerance)
+        .threads(settings.threads.max(1))
 }
 
 /// The pressures of a study on one surface, rising and distinct.

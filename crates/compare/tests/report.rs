@@ -315,6 +315,27 @@ fn the_report_is_deterministic() {
     assert_eq!(csv(&a), csv(&b));
 }
 
+/// Waves of two points: no bar for the curve, one more solution for the headline, whose bar holds
+/// both areas; and the page says which it is.
+#[test]
+fn an_unresolved_map_gets_its_bar_from_a_finer_grid() {
+    let mut recipe = built_in_recipes().unwrap().remove(0);
+    (recipe.shape, recipe.cutoff, recipe.quantise) = ([96, 80], 2e-6, None);
+    (recipe.rms_height, recipe.rms_gradient) = (None, Some(0.1));
+    let comparison = run(vec![recipe.make().unwrap()], Settings::default());
+    let surface = &comparison.surfaces[0];
+    assert!(surface.gate.is_err());
+    let bars = surface.deterministic.iter().filter_map(|p| p.answer.as_ref()?.interval()).count();
+    assert_eq!(bars, 1);
+    let [low, high] = surface.headline_answer().unwrap().interval().unwrap();
+    let refined = surface.refined.unwrap().area_fraction_corrected;
+    assert!((low..=high).contains(&refined), "{low} {refined} {high}");
+    let page = html(&comparison);
+    assert!(
+        page.contains("The grid does not resolve the contact.") && page.contains("twice finer")
+    );
+}
+
 /// A flat map has an answer, a reason for every model, and a report.
 #[test]
 fn a_flat_surface_is_answered() {

@@ -1,6 +1,6 @@
 //! `curves.csv`: every number the figures over the load draw, units in the header.
 
-use super::curves::Lines;
+use super::lines::Lines;
 use crate::models::MODELS;
 use crate::result::{Comparison, SurfaceComparison};
 use std::fmt::Write as _;

@@ -2,38 +2,10 @@
 
 use super::axes::{Axis, Frame};
 use super::labels::{EndLabel, draw_end_labels};
+use super::lines::{Lines, ModelLine, compared, min_max, range_words};
 use super::numbers::{PASCALS, Unit, signed_range, unit_for};
 use super::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK2, Look};
 use super::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
-use crate::result::{DeterministicAnswer, SurfaceComparison};
-
-/// One closed form over the loads.
-#[derive(Debug, Clone)]
-pub(super) struct ModelLine {
-    /// Name of the model.
-    pub name: &'static str,
-    /// Short label, unique.
-    pub label: &'static str,
-    /// How it is drawn.
-    pub look: Look,
-    /// Area fraction at each load; `None` where the model does not answer.
-    pub area: Vec<Option<f64>>,
-}
-
-/// What the figures over the load draw: the same numbers `curves.csv` lists.
-#[derive(Debug, Clone)]
-pub(super) struct Lines {
-    /// Nominal pressures (Pa), rising.
-    pub pressures: Vec<f64>,
-    /// Deterministic area fraction at each; `None` where there is none.
-    pub area: Vec<Option<f64>>,
-    /// Its interval from grid and iteration.
-    pub interval: Vec<Option<[f64; 2]>>,
-    /// The closed forms that answer at one load at least.
-    pub models: Vec<ModelLine>,
-    /// Index of the load read off.
-    pub headline: usize,
-}
 
 /// Plot box: left and right edge in units.
 const LEFT: f64 = 44.0;
@@ -44,48 +16,6 @@ const HEIGHT: f64 = 262.0;
 const BOTTOM_MARGIN: f64 = 36.0;
 /// Height of one line of notes above the frame.
 const NOTE: f64 = 12.0;
-
-impl Lines {
-    /// The numbers of a surface.
-    pub(super) fn of(surface: &SurfaceComparison) -> Self {
-        let answers = || surface.deterministic.iter().map(|p| p.answer.as_ref());
-        let models = surface.models.iter().filter_map(|m| {
-            let curve = m.outcome.as_ref().ok()?;
-            let area = curve.points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction));
-            let (name, label, look) = (m.entry.name, m.entry.label, m.entry.look);
-            Some(ModelLine { name, label, look, area: area.collect() })
-        });
-        Self {
-            pressures: surface.deterministic.iter().map(|p| p.mean_pressure).collect(),
-            area: answers().map(|a| a.map(|a| a.area_fraction_corrected)).collect(),
-            interval: answers().map(|a| a.and_then(DeterministicAnswer::interval)).collect(),
-            models: models.collect(),
-            headline: surface.headline,
-        }
-    }
-
-    /// Unit in which this surface's nominal pressures are read.
-    pub(super) fn pressure_unit(&self) -> Unit {
-        let middle = (self.pressures[0] * self.pressures[self.pressures.len() - 1]).sqrt();
-        unit_for(middle, PASCALS)
-    }
-
-    /// Signed relative error of a model at each load.
-    pub(super) fn errors(&self, model: &ModelLine) -> Vec<Option<f64>> {
-        model
-            .area
-            .iter()
-            .zip(&self.area)
-            .map(|(m, d)| Some(m.as_ref()? / d.as_ref().filter(|d| **d > 0.0)? - 1.0))
-            .collect()
-    }
-
-    fn x_axis(&self, unit: Unit) -> Axis {
-        let (first, last) = (self.pressures[0], self.pressures[self.pressures.len() - 1]);
-        let data = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
-        Axis::log(data.map(|p| p / unit.scale), [LEFT, RIGHT])
-    }
-}
 
 /// Whether a figure carries the movable load line of the report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -195,7 +125,7 @@ impl Plot<'_> {
         let top = TOP + if outside.is_empty() { 0.0 } else { NOTE * outside.len() as f64 - 2.0 };
         let bottom = HEIGHT - BOTTOM_MARGIN;
         let frame = Frame {
-            x: lines.x_axis(unit),
+            x: x_axis(lines, unit),
             y: Axis::log([lo, hi], [bottom, top]),
             x_title: format!("Nominal pressure ({})", unit.name),
             y_title: self.y_title.clone(),
@@ -331,7 +261,7 @@ pub(super) fn error(lines: &Lines, key: &str) -> Figure {
     let top = TOP + if outside.is_empty() { 0.0 } else { NOTE * outside.len() as f64 };
     let bottom = HEIGHT - BOTTOM_MARGIN;
     let frame = Frame {
-        x: lines.x_axis(unit),
+        x: x_axis(lines, unit),
         y: Axis::linear([lo, hi], [bottom, top]),
         x_title: format!("Nominal pressure ({})", unit.name),
         y_title: "Error in area (%)".into(),
@@ -519,43 +449,15 @@ fn runs<T: Copy>(values: &[Option<T>]) -> Vec<Vec<(usize, T)>> {
     runs
 }
 
-fn min_max(values: &[f64]) -> Option<(f64, f64)> {
-    let lo = values.iter().copied().min_by(f64::total_cmp)?;
-    let hi = values.iter().copied().max_by(f64::total_cmp)?;
-    Some((lo, hi))
-}
-
 fn middle(values: &[Option<f64>]) -> Option<f64> {
     let mut present: Vec<f64> = values.iter().flatten().copied().collect();
     present.sort_by(f64::total_cmp);
     present.get(present.len() / 2).copied()
 }
 
-fn range_words(values: &[Option<f64>], unit: &str) -> String {
-    let present: Vec<f64> = values.iter().flatten().copied().collect();
-    min_max(&present).map_or("none".into(), |(lo, hi)| {
-        format!(
-            "{} to {}{unit}",
-            super::numbers::significant(lo, 3),
-            super::numbers::significant(hi, 3)
-        )
-    })
-}
-
-/// "GW −38 to −4.3 %; Persson …": the finding, for the text alternative of a figure.
-fn compared(lines: &Lines) -> String {
-    let parts: Vec<String> = lines
-        .models
-        .iter()
-        .filter_map(|m| {
-            let errors: Vec<f64> = lines.errors(m).into_iter().flatten().collect();
-            let (lo, hi) = min_max(&errors)?;
-            Some(format!("{} {}", m.label, signed_range(lo, hi)))
-        })
-        .collect();
-    if parts.is_empty() {
-        "No closed form answers.".into()
-    } else {
-        format!("Errors over the loads: {}.", parts.join("; "))
-    }
+/// The horizontal axis: from the lightest load to the heaviest.
+fn x_axis(lines: &Lines, unit: Unit) -> Axis {
+    let (first, last) = (lines.pressures[0], lines.pressures[lines.pressures.len() - 1]);
+    let data = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
+    Axis::log(data.map(|p| p / unit.scale), [LEFT, RIGHT])
 }

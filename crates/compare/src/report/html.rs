@@ -1,10 +1,10 @@
 //! `report.html`: one file, no network, readable without scripts.
 
-use super::curves::Lines;
+use super::lines::Lines;
 use super::numbers::{METRES, PASCALS, SPACE, chosen, fixed};
 use super::palette::{COLOURS, Colour};
 use super::svg::escape;
-use super::{Provenance, ReportError, overview, sections, words};
+use super::{Provenance, ReportError, how_made, overview, sections, words};
 use crate::result::{Comparison, SurfaceComparison};
 use contact_types::Citation;
 use std::io::Write;
@@ -85,7 +85,7 @@ pub fn write(
     } else if let Some(surface) = comparison.surfaces.first() {
         body.push_str(&surface_sections(&mut page, surface, 0, "")?);
     }
-    body.push_str(&sections::how_made(&page));
+    body.push_str(&how_made::section(&page));
     body.push_str(&references(&page.sources));
 
     let title = title(comparison);

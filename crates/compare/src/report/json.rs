@@ -46,6 +46,12 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         },
         "headline_pressure": s.headline_pressure(),
         "resolved": s.spectral.resolved,
+        "refined": s.refined.map(|r| json!({
+            "mean_pressure": s.headline_pressure(),
+            "area_fraction_corrected": r.area_fraction_corrected,
+            "contact_perimeter": r.contact_perimeter,
+            "seconds": r.seconds,
+        })),
         "setup_seconds": s.setup_seconds,
         "deterministic": {
             "shape": grid.shape(),
@@ -169,6 +175,8 @@ pub fn statistics(s: &SurfaceStatistics) -> Value {
         "mean_abs_height": s.mean_abs_height,
         "skewness": s.skewness,
         "kurtosis": s.kurtosis,
+        "peak_height": s.peak_height,
+        "pit_depth": s.pit_depth,
         "rms_gradient": s.rms_gradient,
         "m0": s.m0,
         "m2": s.m2,
@@ -194,6 +202,7 @@ pub fn statistics(s: &SurfaceStatistics) -> Value {
             "height_mean": s.summits.height_mean,
             "height_std": s.summits.height_std,
             "curvature_mean": s.summits.curvature_mean,
+            "plateaus": s.summits.plateaus,
         },
         "hurst": s.hurst,
         "dimension": s.dimension,
@@ -204,6 +213,8 @@ pub fn statistics(s: &SurfaceStatistics) -> Value {
         "max_amplitude_ratio": s.max_amplitude_ratio,
         "record_length": s.record_length,
         "height_step": s.height_step,
+        "noise_rms": s.noise_rms,
+        "reliable_wavelength": s.reliable_wavelength,
         "warnings": warnings,
     })
 }

@@ -1,8 +1,9 @@
 //! Small multiples: one panel per surface, axes shared, loads made comparable by p / (E* g).
 
 use super::axes::{Axis, Frame};
-use super::curves::{Lines, ModelLine, log_limits};
+use super::curves::log_limits;
 use super::labels::{EndLabel, draw_end_labels};
+use super::lines::{Lines, ModelLine};
 use super::numbers::signed_range;
 use super::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK, Look};
 use super::svg::{Anchor, Canvas, Figure, Stroke, Text, num};

@@ -53,7 +53,15 @@ pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
         ));
     }
     let flat = surface.statistics.rms_height <= 0.0;
-    if let Err(reason) = surface.gate
+    if let (Err(reason), false, Some(refined)) = (surface.gate, flat, surface.refined) {
+        let text = format!(
+            "{}. The ± is that of one more solution on a twice finer interpolation, whose area is \
+             {}{SPACE}%; other loads carry none.",
+            capital(&reason.to_string()),
+            significant(100.0 * refined.area_fraction_corrected, 3)
+        );
+        notes.push(note(Weight::Check, "The grid does not resolve the contact.", text));
+    } else if let Err(reason) = surface.gate
         && !flat
     {
         notes.push(note(Weight::Check, "The area carries no ±.", no_bar(reason)));
@@ -90,11 +98,17 @@ pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
     notes
 }
 
-fn no_bar(reason: NoBar) -> String {
-    let mut text = escape(&reason.to_string());
+/// The text, escaped, with a capital letter.
+fn capital(text: &str) -> String {
+    let mut text = escape(text);
     if let Some(first) = text.get(..1).map(str::to_uppercase) {
         text.replace_range(..1, &first);
     }
+    text
+}
+
+fn no_bar(reason: NoBar) -> String {
+    let text = capital(&reason.to_string());
     let advice = match reason {
         NoBar::Unresolved { .. } | NoBar::FewPixels { .. } => {
             " Measure finer, or remove short wavelengths and quote the cut-off."

@@ -1,6 +1,7 @@
 //! `area.svg` and `pressure.svg`: the source paper's Figs. 1 and 2, one panel per surface.
 
-use super::curves::{self, Lines, Use};
+use super::curves::{self, Use};
+use super::lines::Lines;
 use super::svg::{COLUMN, Canvas, Figure, Text};
 use crate::result::{Comparison, SurfaceComparison};
 use std::io::{self, Write};

@@ -1,0 +1,117 @@
+//! How a report was made: program, inputs, material, solver, and how to repeat it.
+
+use super::html::Page;
+use super::numbers::{METRES, PASCALS, chosen, duration, significant};
+use super::sections::{levelled, tolerance_words};
+use super::svg::escape;
+use crate::accuracy::BOUNDARY_CORRECTION;
+use crate::result::{DeterministicAnswer, SurfaceComparison};
+use crate::{FileOrigin, Origin, Recipe};
+
+/// Program, inputs, settings, the command that repeats it.
+pub(super) fn section(page: &Page<'_>) -> String {
+    let settings = &page.comparison.settings;
+    let made = page.provenance;
+    let mut rows = vec![(
+        "Program".to_owned(),
+        format!(
+            "rough-contact {}, {}, {} {}, {}",
+            escape(&made.version),
+            escape(&made.platform),
+            settings.threads,
+            if settings.threads == 1 { "thread" } else { "threads" },
+            duration(page.comparison.seconds)
+        ),
+    )];
+    for surface in &page.comparison.surfaces {
+        rows.push((
+            if page.several() { escape(&surface.name) } else { "Input".into() },
+            format!("{}. {}", origin_words(&surface.origin), map_words(surface)),
+        ));
+    }
+    rows.push((
+        "Material".into(),
+        format!(
+            "<i>E</i>* = {}, elastic half space against a rigid flat",
+            chosen(settings.modulus, PASCALS)
+        ),
+    ));
+    rows.push(("Solver".into(), solver_words(page)));
+    let list: String =
+        rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();
+    format!(
+        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<p>Repeat with</p><pre>{}</pre>\n\
+         <p class=\"why\">The numbers behind the figures are in <code>curves.csv</code>, all \
+         results in <code>results.json</code>, every setting in <code>run.toml</code>.</p>\n",
+        escape(&made.repeat)
+    )
+}
+
+fn origin_words(origin: &Origin) -> String {
+    match origin {
+        Origin::File(FileOrigin { path, sha256, format, fill, missing, crop, channel, .. }) => {
+            let mut text = format!("{} ({})", escape(path), escape(format));
+            if let Some(channel) = channel {
+                text.push_str(&format!(", channel {}", escape(channel)));
+            }
+            if let Some([y0, x0, ny, nx]) = crop {
+                text.push_str(&format!(", cut to {nx} × {ny} points from column {x0}, row {y0}"));
+            }
+            if *missing > 0 {
+                text.push_str(&format!(", {missing} missing points filled ({})", escape(fill)));
+            }
+            text.push_str(&format!(", SHA-256 <code>{}</code>", escape(sha256)));
+            text
+        }
+        Origin::Recipe(Recipe { description, hurst, rolloff, cutoff, seed, quantise, .. }) => {
+            let about = if description.is_empty() {
+                String::new()
+            } else {
+                format!("{}. ", escape(description))
+            };
+            format!(
+                "{about}Made from a recipe: self-affine, H = {hurst}, roll-off {}, cut-off {}{}, \
+                 seed {seed}",
+                chosen(*rolloff, METRES),
+                chosen(*cutoff, METRES),
+                quantise.map_or(String::new(), |q| format!(", height steps {}", chosen(q, METRES)))
+            )
+        }
+    }
+}
+
+fn map_words(surface: &SurfaceComparison) -> String {
+    let grid = surface.surface.grid();
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
+    format!(
+        "{nx} × {ny} points of {} × {}; {}",
+        chosen(dx, METRES),
+        chosen(dy, METRES),
+        levelled(surface)
+    )
+}
+
+fn solver_words(page: &Page<'_>) -> String {
+    let settings = &page.comparison.settings;
+    let answers = || {
+        page.comparison
+            .surfaces
+            .iter()
+            .flat_map(|s| &s.deterministic)
+            .filter_map(|p| p.answer.as_ref())
+    };
+    let methods: std::collections::BTreeSet<&str> = answers().map(|a| a.method.as_str()).collect();
+    let pairs: f64 = answers().map(|a: &DeterministicAnswer| a.transforms).sum();
+    let seconds: f64 = answers().map(|a| a.seconds).sum();
+    format!(
+        "periodic half space, FFT; {}, {}; stop at a relative rms pressure error of {}; {} loads, \
+         {} FFT pairs, {}; area corrected for the contact line, c = {}",
+        methods.into_iter().collect::<Vec<_>>().join(", "),
+        settings.precision,
+        tolerance_words(settings.tolerance),
+        answers().count(),
+        significant(pairs, 3),
+        duration(seconds),
+        significant(BOUNDARY_CORRECTION, 4)
+    )
+}
