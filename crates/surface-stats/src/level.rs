@@ -1,7 +1,7 @@
 //! Form removal before statistics.
 
+use crate::StatsError;
 use crate::polynomial::Polynomial;
-use crate::{StatsError, scale};
 use contact_types::HeightMap;
 use std::fmt;
 
@@ -67,7 +67,6 @@ impl fmt::Display for Level {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn level(map: &HeightMap, level: Level) -> Result<HeightMap, StatsError> {
-    scale::check(map)?;
     let Some(degree) = level.degree() else {
         return Ok(map.clone());
     };

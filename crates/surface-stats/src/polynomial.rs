@@ -4,8 +4,8 @@
 //! are well conditioned at every degree offered, and repeated on the residual, so that a form a
 //! million times higher than the roughness leaves no trace of its own rounding.
 
-use crate::StatsError;
 use crate::linear::NormalEquations;
+use crate::{StatsError, scale};
 use contact_types::Grid;
 
 /// Highest total degree offered.
@@ -26,7 +26,8 @@ impl Polynomial {
     /// points cannot determine (a tilt across a single row) are left at zero.
     ///
     /// # Errors
-    /// [`StatsError::BadSetting`] above degree 12, [`StatsError::Shape`], or
+    /// [`StatsError::BadSetting`] above degree 12, [`StatsError::Shape`], [`StatsError::Surface`] for
+    /// infinite heights, [`StatsError::OutOfRange`], or
     /// [`StatsError::TooFewPoints`] without a valid point.
     pub fn fit(grid: Grid, heights: &[f64], degree: usize) -> Result<Self, StatsError> {
         if degree > MAX_DEGREE {
@@ -36,10 +37,7 @@ impl Polynomial {
                 requirement: "must be at most 12",
             });
         }
-        if heights.len() != grid.len() {
-            let (expected, found) = (grid.len(), heights.len());
-            return Err(StatsError::Shape { what: "heights", expected, found });
-        }
+        scale::check_measured(grid, heights)?;
         let Some(origin) = heights.iter().copied().find(|h| !h.is_nan()) else {
             return Err(StatsError::TooFewPoints { what: "a fit", needed: 1, found: 0 });
         };

@@ -3,6 +3,8 @@
 
 use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
+use surface_stats::clean::{Form, OutlierRule, find_outliers, fit_form, gaussian_filter};
+use surface_stats::iso25178::{Autocorrelation, Hybrid, MaterialRatioCurve, texture_direction};
 use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, Warning};
 
 fn ripple(iy: usize, ix: usize) -> f64 {
@@ -150,6 +152,53 @@ fn what_cannot_be_answered_is_refused_with_the_limit() {
     }
 }
 
+/// Parameters beyond `SurfaceStatistics`, and all cleaning, of the same maps.
+fn further_parameters(m: &HeightMap) {
+    let finite = |values: &[f64]| assert!(values.iter().all(|v| v.is_finite()), "{values:?}");
+    let h = Hybrid::of(m).unwrap();
+    finite(&[h.rms_gradient, h.developed_area_ratio, h.rms_gradient_seven_point.unwrap_or(0.0)]);
+    if let Ok(curve) = MaterialRatioCurve::of(m) {
+        let (core, v) = (curve.core(), curve.volumes());
+        finite(&[core.core_height, core.reduced_peak_height, core.reduced_valley_depth]);
+        finite(&[core.peak_ratio, core.valley_ratio, curve.peak_extreme_height()]);
+        finite(&[v.peak_material, v.core_material, v.core_void, v.valley_void]);
+    }
+    for boundary in [Boundary::Open, Boundary::Periodic] {
+        let s = Autocorrelation::of(m, boundary).unwrap().spatial();
+        finite(&[s.autocorrelation_length.unwrap_or(0.0), s.texture_aspect_ratio.unwrap_or(0.0)]);
+    }
+    finite(&[texture_direction(m).unwrap().unwrap_or(0.0)]);
+    let (grid, mut holed) = (m.grid(), m.heights().to_vec());
+    holed[0] = f64::NAN;
+    for form in [Form::Polynomial(3), Form::Sphere, Form::Cylinder] {
+        if let Ok(fit) = fit_form(grid, &holed, form) {
+            let mut rest = holed.clone();
+            fit.remove_from(&mut rest);
+            assert!(rest[0].is_nan());
+            finite(&rest[1..]);
+        }
+    }
+    find_outliers(grid, &holed, OutlierRule::default()).unwrap();
+    let cutoff = 3.0 * grid.pixel()[0].max(grid.pixel()[1]);
+    finite(&gaussian_filter(grid, &holed, cutoff, Boundary::Open).unwrap()[1..]);
+}
+
+#[test]
+fn infinite_heights_are_refused_by_name() {
+    let grid = Grid::new([3, 4], [1e-6, 1e-6]).unwrap();
+    let mut heights = vec![0.0; 12];
+    heights[6] = f64::INFINITY;
+    let refused = |e: Option<StatsError>| {
+        let message = e.map(|e| e.to_string()).unwrap_or_default();
+        assert!(message.starts_with("height at row 1, column 2 is inf"), "{message}");
+    };
+    for form in [Form::Polynomial(1), Form::Sphere, Form::Cylinder] {
+        refused(fit_form(grid, &heights, form).err());
+    }
+    refused(find_outliers(grid, &heights, OutlierRule::default()).err());
+    refused(gaussian_filter(grid, &heights, 4e-6, Boundary::Open).err());
+}
+
 /// Heights as files have them at their worst: ties, steps, spikes of fifty decades, signed zeros.
 fn odd_height() -> impl Strategy<Value = f64> {
     prop_oneof![
@@ -174,6 +223,7 @@ proptest! {
         match SurfaceStatistics::of(&m, &StatsOptions::default()) {
             Ok(_) => {
                 all_finite(&m);
+                further_parameters(&m);
             }
             Err(StatsError::TooSmall { .. }) => prop_assert!(shape[0] < 3 || shape[1] < 3),
             Err(StatsError::OutOfRange { .. }) => {}

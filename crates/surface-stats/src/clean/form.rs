@@ -1,8 +1,8 @@
 //! Removal of nominal form: polynomial, sphere, cylinder.
 
-use crate::StatsError;
 use crate::linear::NormalEquations;
 use crate::polynomial::Polynomial;
+use crate::{StatsError, scale};
 use contact_types::Grid;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -69,13 +69,10 @@ enum Shape {
 /// the vertical distances.
 ///
 /// # Errors
-/// [`StatsError::Shape`], [`StatsError::TooFewPoints`], [`StatsError::BadSetting`] for a degree
-/// above 12, [`StatsError::NotConverged`] if no sphere or cylinder comes near the points.
+/// [`StatsError::Shape`], [`StatsError::Surface`] for infinite heights, [`StatsError::OutOfRange`],
+/// [`StatsError::TooFewPoints`], [`StatsError::BadSetting`] for a degree above 12, [`StatsError::NotConverged`] if no sphere or cylinder comes near the points.
 pub fn fit_form(grid: Grid, heights: &[f64], form: Form) -> Result<FittedForm, StatsError> {
-    if heights.len() != grid.len() {
-        let (expected, found) = (grid.len(), heights.len());
-        return Err(StatsError::Shape { what: "heights", expected, found });
-    }
+    scale::check_measured(grid, heights)?;
     let points = heights.iter().filter(|h| !h.is_nan()).count();
     let needed = match form {
         Form::Polynomial(degree) => (degree + 1) * (degree + 2) / 2,

@@ -1,6 +1,6 @@
 //! Gaussian S- and L-filters.
 
-use crate::{Boundary, StatsError};
+use crate::{Boundary, StatsError, scale};
 use contact_types::{Grid, HeightMap};
 use grid_fft::GridFft;
 use std::f64::consts::{LN_2, PI};
@@ -27,7 +27,8 @@ const REACH: f64 = 1.5;
 ///
 /// # Errors
 /// [`StatsError::BadSetting`] for a cut-off that is not finite or shorter than two pixels,
-/// [`StatsError::Shape`], [`StatsError::Surface`] for missing points in a periodic map.
+/// [`StatsError::Shape`], [`StatsError::OutOfRange`], [`StatsError::Surface`] for infinite heights
+/// and for missing points in a periodic map.
 ///
 /// # Source
 /// ISO 16610-61:2015 (areal Gaussian filter).
@@ -45,10 +46,7 @@ pub fn gaussian_filter(
             requirement: "must be finite and at least two pixels",
         });
     }
-    if heights.len() != grid.len() {
-        let (expected, found) = (grid.len(), heights.len());
-        return Err(StatsError::Shape { what: "heights", expected, found });
-    }
+    scale::check_measured(grid, heights)?;
     match boundary {
         Boundary::Periodic => Ok(periodic(HeightMap::new(grid, heights.to_vec())?, cutoff)),
         Boundary::Open => Ok(open(grid, heights, cutoff)),

@@ -1,6 +1,6 @@
 //! Spikes: single points far from their neighbours.
 
-use crate::{StatsError, height_step};
+use crate::{StatsError, height_step, scale};
 use contact_types::Grid;
 
 /// When a point is a spike.
@@ -55,17 +55,15 @@ const SAMPLE: usize = 200_000;
 /// spikes nor steps can raise.
 ///
 /// # Errors
-/// [`StatsError::Shape`]; [`StatsError::BadSetting`] for a reach of 0 or above 20 or a threshold
+/// [`StatsError::Shape`]; [`StatsError::Surface`] for infinite heights; [`StatsError::OutOfRange`];
+/// [`StatsError::BadSetting`] for a reach of 0 or above 20 or a threshold
 /// that is not positive.
 pub fn find_outliers(
     grid: Grid,
     heights: &[f64],
     rule: OutlierRule,
 ) -> Result<Outliers, StatsError> {
-    if heights.len() != grid.len() {
-        let (expected, found) = (grid.len(), heights.len());
-        return Err(StatsError::Shape { what: "heights", expected, found });
-    }
+    scale::check_measured(grid, heights)?;
     if !(1..=20).contains(&rule.reach) {
         return Err(StatsError::BadSetting {
             setting: "reach of the outlier window",

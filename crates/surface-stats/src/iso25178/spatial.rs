@@ -113,7 +113,8 @@ impl Autocorrelation {
     fn decay(&self, angle: f64) -> Option<f64> {
         let [dy, dx] = self.grid.pixel();
         let (sin, cos) = angle.sin_cos();
-        let step = 0.5 * dy.min(dx);
+        // Half a pixel along the axis that the ray crosses faster.
+        let step = 0.5 / (sin.abs() / dy).max(cos.abs() / dx);
         let (mut before, mut k) = (1.0, 1.0);
         loop {
             let shift = k * step;
