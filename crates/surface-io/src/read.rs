@@ -205,8 +205,9 @@ fn choose(
     let quoted = |only_heights: bool| {
         let names: Vec<String> = channels
             .iter()
-            .filter(|c| c.is_height || !only_heights)
-            .map(|c| format!("{:?}", c.name))
+            .enumerate()
+            .filter(|(_, c)| c.is_height || !only_heights)
+            .map(|(i, c)| format!("{:?} (#{})", c.name, i + 1))
             .collect();
         if names.is_empty() { "(the file has none)".to_owned() } else { names.join(", ") }
     };

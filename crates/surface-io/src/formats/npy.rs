@@ -80,7 +80,12 @@ impl Array {
             .split(',')
             .map(str::trim)
             .filter(|s| !s.is_empty())
-            .map(|s| s.parse::<usize>().map_err(|_| b.field("shape", format!("{s:?} is no size"))))
+            // Python 2 wrote long integers as "3L".
+            .map(|s| {
+                s.trim_end_matches('L')
+                    .parse::<usize>()
+                    .map_err(|_| b.field("shape", format!("{s:?} is no size")))
+            })
             .collect::<Result<Vec<_>, _>>()?;
         let shape = match sides[..] {
             [nx] => [1, nx],

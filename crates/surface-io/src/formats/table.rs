@@ -11,6 +11,7 @@
 //! | `Value units`, `z-unit` | unit of the heights |
 //! | units in column titles | `X [mm]`, `X_(microns)`, `x in µm`, `µm µm` |
 //! | three columns | x y z on a grid in any order (row 0 = smallest y); `X;Y;valid` is a profile |
+//! | a first row and a first column that count 0, 1, 2, … around an empty corner | no heights: left out |
 //! | two columns | a profile, if x only rises or only falls |
 //!
 //! Coordinates fix the pixel size: (last − first) / (N − 1). Coordinates that are evenly spaced
@@ -36,7 +37,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let mut table = Table::parse(&text, FORMAT)?;
     limits.check_points(FORMAT, [table.values.len(), 1])?;
     limits.check_items(FORMAT, table.header.len() as u64)?;
-    let header = Header::parse(&table);
+    let mut header = Header::parse(&table);
     let (columns, rows) = (table.columns, table.rows());
     if rows == 0 {
         let start: String = text.trim_start().chars().take(24).collect();
@@ -56,6 +57,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         kept -= 1;
         titles.remove(0);
         digits = [digits[1], digits[2], digits[2]];
+    }
+    let mut rows = rows;
+    if drop_running_numbers(&mut values, kept) {
+        (rows, kept) = (rows - 1, kept - 1);
+        header.metadata.insert("left out".into(), "running numbers of rows and columns".into());
     }
     let unit = |column: usize| titles.get(column).and_then(|c| c.unit.clone());
     let named = |column: usize, names: &[&str]| {
@@ -96,6 +102,27 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         });
     };
     Ok(Contents { channels: vec![channel], metadata: header.metadata })
+}
+
+/// Takes away a first row and a first column that only count 0, 1, 2, ... around an empty corner,
+/// as table programs write them.
+fn drop_running_numbers(values: &mut Vec<f64>, columns: usize) -> bool {
+    let counts = |numbers: &mut dyn Iterator<Item = &f64>| {
+        numbers.enumerate().all(|(i, number)| number.to_bits() == (i as f64).to_bits())
+    };
+    let is_framed = columns > 3
+        && values.len() > 2 * columns
+        && values[0].is_nan()
+        && counts(&mut values[1..columns].iter())
+        && counts(&mut values[columns..].iter().step_by(columns));
+    if is_framed {
+        let mut index = 0;
+        values.retain(|_| {
+            index += 1;
+            index > columns && (index - 1) % columns != 0
+        });
+    }
+    is_framed
 }
 
 fn is_index(name: &str) -> bool {

@@ -105,6 +105,15 @@ fn matrix(separator: &str, comma: bool, missing: &str, end: &str) -> String {
     text
 }
 
+/// As a table program writes it, with running numbers.
+fn framed() -> String {
+    let mut text = String::from(",0,1,2,3,4,5,6\n");
+    for (iy, row) in matrix(",", false, "", "\n").lines().enumerate() {
+        text += &format!("{iy},{row}\n");
+    }
+    text
+}
+
 /// x y z in um, um, nm, with the missing point left out.
 fn list(order: fn(usize) -> (usize, usize)) -> String {
     let mut text = String::from("X [um]\tY [um]\tZ [nm]\n");
@@ -135,6 +144,7 @@ pub fn samples() -> Vec<Sample> {
         Sample::text("text, SPIP", &format!("{spip}{}", matrix("\t", false, "NaN", "\n"))),
         Sample::text("text, tabs", &format!("{header}{}", matrix("\t", false, "", "\n"))),
         Sample::text("text, blanks", &format!("{header}{}", matrix("  ", false, "bad", "\r\n"))),
+        Sample::text("text, data frame", &framed()).with_pixel().with_unit(1e-9),
         Sample::text("text, commas", &format!("{header}{}", matrix(",", false, "", ",\n"))),
         Sample::text("text, semicolons", &matrix(";", true, "", "\n")).with_pixel().with_unit(1e-9),
         Sample::text("text, decimal comma", &matrix(" ", true, "---", "\r"))
