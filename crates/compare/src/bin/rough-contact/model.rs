@@ -3,7 +3,7 @@
 use crate::args::{self, Bodies, Common, List};
 use crate::input::Reading;
 use crate::outcome::{Failure, Reply, variant};
-use crate::roughness::Roughness;
+use crate::roughness::Source;
 use crate::text::{self, Columns};
 use clap::Args;
 use compare::models::{BuildError, Inputs, MODELS, ModelEntry};
@@ -34,7 +34,7 @@ pub(crate) struct Model {
     #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
     separation: Option<List>,
     #[command(flatten)]
-    roughness: Roughness,
+    source: Source,
     #[command(flatten)]
     reading: Reading,
 }
@@ -51,6 +51,7 @@ enum Question {
 }
 
 type Answer = Result<ContactState, ModelError>;
+type Ask = Box<dyn Fn(&Question) -> Answer>;
 
 impl Model {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
@@ -59,7 +60,7 @@ impl Model {
         let modulus = self.bodies.required()?;
         let questions = self.questions()?;
         let inputs =
-            self.roughness.inputs(entry.name, modulus, self.file.as_deref(), &self.reading)?;
+            self.source.inputs(entry.name, modulus, self.file.as_deref(), &self.reading)?;
         let answers = answer(entry, &inputs, &questions)?;
         Ok(reply(entry, &inputs, &questions, &answers))
     }
@@ -83,7 +84,7 @@ fn answer(
     inputs: &Inputs,
     questions: &[Question],
 ) -> Result<Vec<Answer>, Failure> {
-    let ask: Box<dyn Fn(&Question) -> Answer> = match questions.first() {
+    let ask: Ask = match questions.first() {
         Some(Question::Separation(_)) => {
             let Some(model) = entry.build_separation(inputs) else {
                 let able: Vec<&str> =
@@ -108,10 +109,7 @@ fn answer(
     Ok(questions.iter().map(ask).collect())
 }
 
-fn refuse_all(
-    entry: &ModelEntry,
-    error: BuildError,
-) -> Result<Box<dyn Fn(&Question) -> Answer>, Failure> {
+fn refuse_all(entry: &ModelEntry, error: BuildError) -> Result<Ask, Failure> {
     match error {
         BuildError::Model(error) => Ok(Box::new(move |_| Err(error.clone()))),
         BuildError::Missing { .. } => {

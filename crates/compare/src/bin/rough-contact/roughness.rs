@@ -23,7 +23,7 @@ use surface_stats::{
 /// Roughness typed in.
 #[derive(Args)]
 #[command(next_help_heading = "Roughness, typed in instead of FILE")]
-pub(crate) struct Roughness {
+pub(crate) struct Source {
     /// Mean square height (profile moment), such as 0.2um^2
     #[arg(long, value_name = "M0", value_parser = args::area, allow_hyphen_values = true)]
     m0: Option<f64>,
@@ -136,7 +136,7 @@ pub(crate) fn options_of(model: &str) -> Vec<&'static str> {
     }
 }
 
-impl Roughness {
+impl Source {
     /// The inputs of `model`: from the numbers typed in, or from the file.
     pub(crate) fn inputs(
         &self,
