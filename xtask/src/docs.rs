@@ -31,13 +31,23 @@ fn model_table(list: &Value) -> String {
         let authors = citation["authors"].as_str().unwrap_or_default();
         let _ = writeln!(
             table,
-            "| [`{name}`](models/{name}.md) | {authors} ({}) | {} | {} |",
+            "| [`{name}`](models/{}.md) | {authors} ({}) | {} | {} |",
+            page(&name),
             citation["year"],
             text("inputs"),
             text("domain")
         );
     }
     table
+}
+
+/// The page of a model: its name, or that name in full.
+fn page(name: &str) -> &str {
+    match name {
+        "gw" => "greenwood-williamson",
+        "bgt" => "bush-gibson-thomas",
+        other => other,
+    }
 }
 
 fn format_table(list: &Value) -> String {
