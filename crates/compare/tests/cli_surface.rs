@@ -194,6 +194,26 @@ fn threads_boundaries_and_methods_agree_where_they_should() {
         same(&one, &other, "mean_gap", 1e-6);
         same(&one, &other, "max_pressure", 1e-6);
     }
+    // A tilt changes the contact, and levelling takes it off again.
+    rough_contact(at, &format!("{SYNTH} --out b.npy")).answered();
+    let tilted = {
+        let (_, flat) = npy(&at.join("b.npy"));
+        let (mut text, mut tilt) = (String::new(), 0.0);
+        for row in flat.chunks(64) {
+            let cells: Vec<String> = row
+                .iter()
+                .enumerate()
+                .map(|(ix, h)| format!("{:e}", h + tilt + 1e-8 * ix as f64))
+                .collect();
+            text += &(cells.join(" ") + "\n");
+            tilt += 2e-8;
+        }
+        file(at, "tilted.txt", &text);
+        let line = format!("solve tilted.txt {READ} --json --quiet --level plane {load}");
+        rough_contact(at, &line).answered()
+    };
+    let levelled = solve(&format!("{load} --level plane"));
+    same(&tilted["points"][0], &levelled, "mean_gap", 1e-6);
     // The same two bodies as one modulus: E* = 210/0.91/2 GPa.
     let pair = "--young 210GPa --poisson 0.3 --young 210GPa --poisson 0.3 --pressure 50MPa";
     let modulus = format!("--modulus {}GPa --pressure 50MPa", 210.0 / 0.91 / 2.0);

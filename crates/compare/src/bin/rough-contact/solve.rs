@@ -7,7 +7,7 @@ use crate::output::Folder;
 use crate::progress::Progress;
 use crate::text::{self, Columns};
 use clap::Args;
-use compare::{MethodName, PrecisionName};
+use compare::{LevelName, MethodName, PrecisionName};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Boundary, Load, Precision, Solution, Solver, SolverError};
 use serde_json::{Value, json};
@@ -26,6 +26,9 @@ pub(crate) struct Solve {
     /// Mean gaps to solve for, instead of --pressure
     #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
     gap: Option<List>,
+    /// Form to remove by least squares first
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "none")]
+    level: LevelName,
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
     boundary: String,
@@ -59,6 +62,11 @@ impl Solve {
             Some(path) => Some(Folder::prepare(path, &map_names(loads.len()), common.force)?),
         };
         let (surface, _) = self.input.reading.surface(&self.input.file)?;
+        let surface = match self.level {
+            LevelName::None => surface,
+            form => surface_stats::level(&surface, args::form(form))
+                .map_err(|e| Failure::in_file(&self.input.file, &e))?,
+        };
         let boundary = if self.boundary == "free" { Boundary::Free } else { Boundary::Periodic };
         let precision = match self.precision {
             PrecisionName::F64 => Precision::Double,
@@ -126,6 +134,7 @@ impl Solve {
         let json = json!({
             "shape": surface.grid().shape(),
             "pixel": surface.grid().pixel(),
+            "level": self.level.name(),
             "boundary": self.boundary,
             "method": work.method,
             "precision": self.precision.name(),
