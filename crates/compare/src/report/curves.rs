@@ -336,7 +336,7 @@ fn off_scale_notes(canvas: &mut Canvas, lines: &Lines, outside: &[&ModelLine]) {
     for (row, model) in outside.iter().enumerate() {
         let errors: Vec<f64> = lines.errors(model).into_iter().flatten().collect();
         let (lo, hi) = min_max(&errors).unwrap_or((0.0, 0.0));
-        let sign = if hi.abs() > lo.abs() { '▲' } else { '▼' };
+        let sign = if hi + lo > 0.0 { '▲' } else { '▼' };
         let note = format!("{sign} {} off scale: {}", model.label, signed_range(lo, hi));
         canvas.label(&Text {
             colour: model.look.colour,

@@ -89,12 +89,17 @@ pub(super) fn recommendation(surface: &SurfaceComparison) -> String {
         return "No closed form answers at this load.".into();
     };
     let faster = |r: &Ranked<'_>| times(answer.seconds / r.seconds);
-    let mut text = String::new();
     if relative.is_some_and(|u| u > WANTED) {
-        text.push_str(&format!(
-            "The ± itself exceeds 10{SPACE}%, too much to rank the models at 10{SPACE}%. "
-        ));
+        return format!(
+            "The ± itself exceeds 10{SPACE}%, so the closed forms cannot be ranked at \
+             10{SPACE}%. By the numbers alone {} is nearest ({}), {}, {} times faster.",
+            nearest.model.entry.title,
+            signed_percent(nearest.error),
+            duration(nearest.seconds),
+            faster(nearest)
+        );
     }
+    let mut text = String::new();
     let cheapest = ranked
         .iter()
         .filter(|r| r.error.abs() <= WANTED)
@@ -160,20 +165,21 @@ pub(super) fn curves_lead(surface: &SurfaceComparison) -> String {
             _ => cross.push(label),
         }
     }
+    let always = if surface.deterministic.len() > 1 { "at every load" } else { "at this load" };
     let verb = |names: &[&str], one: &str, many: &str| {
         if names.len() == 1 { one.to_owned() } else { many.to_owned() }
     };
     let mut parts = Vec::new();
     if !low.is_empty() {
         parts.push(format!(
-            "{} {} too little contact at every load, so too high a real pressure.",
+            "{} {} too little contact {always}, so too high a real pressure.",
             list(&low),
             verb(&low, "predicts", "predict")
         ));
     }
     if !high.is_empty() {
         parts.push(format!(
-            "{} {} too much at every load.",
+            "{} {} too much {always}.",
             list(&high),
             verb(&high, "predicts", "predict")
         ));
