@@ -128,6 +128,9 @@ struct Marks {
     comma: bool,
 }
 
+/// Most single numbers before a table that are taken for counts of its rows and columns.
+const MOST_COUNTS: usize = 16;
+
 /// The numbers of a text file and the lines before them.
 #[derive(Debug)]
 pub(crate) struct Table<'a> {
@@ -194,6 +197,7 @@ impl<'a> Table<'a> {
         // The line before, if it may be the first row: the next one decides.
         let mut held: Option<(usize, &str, Separator, usize)> = None;
         let mut started = false;
+        let mut counts: Vec<(usize, &str)> = Vec::new();
         for (number, line) in lines(text) {
             let line = line.trim_end_matches(['\u{1a}', '\0']);
             if line.trim().is_empty() && !line.contains('\t') || is_comment(line) {
@@ -203,7 +207,21 @@ impl<'a> Table<'a> {
                 }
                 continue;
             }
+            // Numbers that stand alone before wider rows are counts in the header.
+            if started
+                && table.columns == 1
+                && table.rows() <= MOST_COUNTS
+                && let Some((_, 2..)) = row_shape(line)
+            {
+                table.header.append(&mut counts);
+                (table.columns, started) = (0, false);
+                table.values.clear();
+                table.digits = [Digits::NONE; 3];
+            }
             if started {
+                if counts.len() < MOST_COUNTS {
+                    counts.push((number, line));
+                }
                 table.push(number, line, &mut marks, format)?;
                 continue;
             }
@@ -213,6 +231,7 @@ impl<'a> Table<'a> {
                     if s == separator && c == columns =>
                 {
                     (table.separator, table.columns, started) = (separator, columns, true);
+                    counts = vec![(n, first), (number, line)];
                     table.push(n, first, &mut marks, format)?;
                     table.push(number, line, &mut marks, format)?;
                 }
@@ -369,6 +388,13 @@ mod tests {
         let t = table("Title 5\n23\num um\n1 2\n3 4\n");
         assert_eq!(t.header.len(), 3);
         assert_eq!(t.rows(), 2);
+    }
+
+    #[test]
+    fn counts_before_the_rows_are_header() {
+        let t = table("title\n3\n2\n1 2 3\n4 5 6\n");
+        assert_eq!((t.header.len(), t.columns, t.rows()), (3, 3, 2));
+        assert_eq!(table("1\n2\n3\n").columns, 1);
     }
 
     #[test]
