@@ -171,8 +171,7 @@ impl MajumdarBhushan {
             value: self.surface.dimension,
             domain: 1.0..=1.5,
             reason: "the load of ever smaller elastic spots diverges for D >= 1.5; give a \
-                     critical area below which spots are plastic (with_critical_area or \
-                     with_hardness)",
+                     critical area, below which spots are plastic",
         })
     }
 }

@@ -206,8 +206,7 @@ impl YanKomvopoulos {
             value: self.dimension,
             domain: 2.0..=2.5,
             reason: "the load of ever smaller elastic spots diverges for D >= 2.5; give a \
-                     critical area below which spots are plastic (with_critical_area or \
-                     with_hardness)",
+                     critical area, below which spots are plastic",
         })
     }
 }

@@ -73,7 +73,7 @@ fn a_load_must_be_a_number_and_not_negative() {
 fn divergent_fractal_loads_name_the_way_out() {
     for dimension in [1.5, 1.62, 1.99] {
         let value = dimension.to_string();
-        let words = ["D = ", value.as_str(), "1 to 1.5", "with_critical_area"];
+        let words = ["D = ", value.as_str(), "1 to 1.5", "give a critical area"];
         outside(fractal(dimension).at_pressure(1e6), &words);
         outside(fractal(dimension).pressure_at_area(0.1), &words);
         let model = fractal(dimension).with_critical_area(1e-15).unwrap();
@@ -87,7 +87,7 @@ fn divergent_fractal_loads_name_the_way_out() {
     }
     outside(
         YanKomvopoulos::new(2.5, 1e-11, 1e-6, modulus()).unwrap().at_pressure(1e6),
-        &["D = 2.5", "with_critical_area"],
+        &["D = 2.5", "give a critical area"],
     );
     outside(YanKomvopoulos::new(3.0, 1e-11, 1e-6, modulus()), &["D = 3"]);
     // G^2 (2E*/H)^(2/(D-1)) overflows next to D = 1.
