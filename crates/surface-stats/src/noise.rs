@@ -130,6 +130,7 @@ mod tests {
         // The noise fills a circle of radius 2 pi / 2.4 um of the plane (2 pi)² / (dy dx).
         let q = TAU / 2.4e-6;
         assert_relative_eq!(floor.psd, 4e-18 / (PI * q * q), max_relative = 0.05);
+        assert_relative_eq!(floor.rms, TAU * (floor.psd / 1.2e-12).sqrt(), max_relative = 1e-12);
         assert_relative_eq!(floor.reliable.unwrap(), 8e-6, max_relative = 0.05);
         let rings = PowerSpectrum::of(&noise, Window::None).unwrap().rings();
         assert_eq!(NoiseFloor::of(&rings, pixel).unwrap().reliable, None);

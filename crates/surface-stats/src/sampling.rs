@@ -194,6 +194,17 @@ mod tests {
         }
     }
 
+    /// Open: a parabola has the same second difference everywhere, so that a stencil that
+    /// reached beyond an edge would show; slopes along x are those of its chords.
+    #[test]
+    fn open_stencils_stay_inside() {
+        let grid = Grid::new([16, 32], [1.5, 1.0]).unwrap();
+        let map = HeightMap::from_fn(grid, |y, x| 0.5 * (x * x + 3.0 * y * y)).unwrap();
+        for p in moments_by_interval(&map, Boundary::Open).unwrap() {
+            assert_relative_eq!(p.moments.m4, 0.5 * (1.0 + 9.0), max_relative = 1e-12);
+        }
+    }
+
     #[test]
     fn the_last_cutoff_has_all_moments() {
         let power = PowerSpectrum::of(&surface(), Window::None).unwrap();

@@ -171,7 +171,7 @@ mod tests {
         let correlation = Autocorrelation::of(&map, Boundary::Open).unwrap();
         let s = correlation.spatial();
         let expected = 0.2f64.acos() / q[0].hypot(q[1]);
-        assert_relative_eq!(s.autocorrelation_length.unwrap(), expected, max_relative = 0.01);
+        assert_relative_eq!(s.autocorrelation_length.unwrap(), expected, max_relative = 0.003);
         assert_eq!(s.texture_aspect_ratio, None);
         let direction = texture_direction(&map).unwrap().unwrap();
         assert_relative_eq!(direction, q[0].atan2(q[1]).to_degrees(), epsilon = 1.0);
