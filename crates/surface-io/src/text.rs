@@ -146,14 +146,14 @@ pub(crate) struct Table<'a> {
 /// How precisely a column is printed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Digits {
-    /// Finest decimal place, e.g. 0.01.
-    place: f64,
+    /// Power of ten of the finest decimal place, e.g. -2 for 0.01.
+    place: i32,
     /// Most significant digits.
     significant: i32,
 }
 
 impl Digits {
-    pub(crate) const NONE: Self = Self { place: f64::INFINITY, significant: 0 };
+    pub(crate) const NONE: Self = Self { place: i32::MAX, significant: 0 };
 
     fn add(&mut self, text: &str) {
         let (mantissa, exponent) = match text.find(['e', 'E']) {
@@ -162,7 +162,7 @@ impl Digits {
         };
         let decimals = mantissa.find(['.', ',']).map_or(0, |at| mantissa.len() - at - 1);
         let decimals = i32::try_from(decimals).unwrap_or(400);
-        let place = 10f64.powi(exponent.saturating_sub(decimals).clamp(-400, 400));
+        let place = exponent.saturating_sub(decimals);
         let digits = mantissa.trim_start_matches(['+', '-', '0', '.', ',']);
         let significant = digits.bytes().filter(u8::is_ascii_digit).count();
         let significant = i32::try_from(significant).unwrap_or(400);
@@ -175,7 +175,8 @@ impl Digits {
     pub(crate) fn quantum(&self, largest: f64) -> f64 {
         let leading = largest.log10().floor().clamp(-400.0, 400.0) as i32;
         let last = 10f64.powi(leading + 1 - self.significant.min(400));
-        if last.is_finite() { self.place.max(last) } else { self.place }
+        let place = 10f64.powi(self.place.clamp(-400, 400));
+        if last.is_finite() { place.max(last) } else { place }
     }
 }
 
@@ -266,13 +267,31 @@ impl<'a> Table<'a> {
         marks: &mut Marks,
         format: Format,
     ) -> Result<(), ReadError> {
+        match self.separator {
+            Separator::Blank => {
+                self.push_cells(number, line.split_ascii_whitespace(), marks, format)
+            }
+            separator => {
+                let cells = line.split(separator.char()).map(str::trim);
+                self.push_cells(number, cells, marks, format)
+            }
+        }
+    }
+
+    fn push_cells<'l>(
+        &mut self,
+        number: usize,
+        cells: impl Iterator<Item = &'l str>,
+        marks: &mut Marks,
+        format: Format,
+    ) -> Result<(), ReadError> {
         let fault = |what: String| ReadError::Malformed {
             format,
             place: crate::Place::Line(number),
             what: what.into(),
         };
         let before = self.values.len();
-        for (column, text) in self.separator.cells(line).enumerate() {
+        for (column, text) in cells.enumerate() {
             self.values.push(match cell(text, self.separator, marks) {
                 Cell::Number(value) => {
                     if let Some(digits) = self.digits.get_mut(column) {
