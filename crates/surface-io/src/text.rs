@@ -172,7 +172,7 @@ impl Digits {
 
     /// One unit in the last printed place of numbers up to `largest`, also where trailing zeros
     /// are left out or all numbers have equally many significant digits.
-    pub(crate) fn quantum(&self, largest: f64) -> f64 {
+    pub(crate) fn quantum(self, largest: f64) -> f64 {
         let leading = largest.log10().floor().clamp(-400.0, 400.0) as i32;
         let last = 10f64.powi(leading + 1 - self.significant.min(400));
         let place = 10f64.powi(self.place.clamp(-400, 400));

@@ -52,6 +52,7 @@ fn object(m: &Measurement) -> Value {
         "channel": m.channel(),
         "channels": channels,
         "is_profile": m.is_profile(),
+        "uneven_steps": m.uneven(),
         "metadata": m.metadata(),
     })
 }
@@ -80,6 +81,9 @@ fn describe(m: &Measurement) -> String {
     }
     if m.is_profile() {
         table.row("note", "a single line of points: a profile, not a surface");
+    }
+    if let Some(uneven) = m.uneven() {
+        table.row("note", format!("points not evenly spaced: up to {uneven:.2} steps off"));
     }
     for channel in m.channels() {
         let unit = channel.unit.as_deref().unwrap_or("no unit");
