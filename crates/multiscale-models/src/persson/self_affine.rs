@@ -168,7 +168,19 @@ impl SelfAffineSpectrum {
             2 => self.plateau_slope(),
             _ => width * (1.0 + a) * (1.0 + a * a + a.powi(4)) / 6.0,
         };
-        flat + self.power(self.decades, n)
+        flat + self.power_of_cutoff(n)
+    }
+
+    /// `power` at the cut-off. A power of the ratio itself keeps the digits that the exponential
+    /// of a large logarithm loses.
+    fn power_of_cutoff(&self, n: i32) -> f64 {
+        let e = f64::from(n) - 2.0 * self.hurst;
+        let ratio = self.wavenumbers[2] / self.wavenumbers[1];
+        if (e * self.decades).abs() > 1.0 {
+            (ratio.powf(e) - 1.0) / e
+        } else {
+            self.power(self.decades, n)
+        }
     }
 
     /// `(1 - a^4)/4`, the plateau's share of m2.
