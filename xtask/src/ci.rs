@@ -18,6 +18,7 @@ fn run_all(slow: bool) -> TaskResult {
     if slow {
         steps.insert(5, step(&["test", "--workspace", "--locked", "--", "--ignored"]));
         steps.insert(5, step(&["xtask", "figures", "--check"]));
+        steps.insert(5, step(&["xtask", "extremes", "--check"]));
     }
     let mut failed = Vec::new();
     for step in &mut steps {
