@@ -12,6 +12,7 @@ pub mod report;
 mod result;
 mod run_file;
 mod settings;
+mod spots;
 mod study;
 mod surface;
 pub mod survey;
@@ -26,5 +27,6 @@ pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{
     LevelName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
 };
+pub use spots::{Spots, contact_spots};
 pub use study::{Progress, StudyError};
 pub use surface::{FileOrigin, Origin, Surface, sha256_hex};

@@ -3,7 +3,7 @@
 use crate::accuracy::NoBar;
 use crate::models::{BuildError, Inputs, ModelEntry};
 use crate::survey::Experience;
-use crate::{Origin, Settings};
+use crate::{Origin, Settings, Spots};
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{Residuals, Solution};
 use surface_stats::SurfaceStatistics;
@@ -46,6 +46,8 @@ pub struct SurfaceComparison {
     pub headline: usize,
     /// Pressure field at that load (Pa); empty if there is no solution.
     pub pressure: Vec<f64>,
+    /// Contact spots at that load.
+    pub spots: Option<Spots>,
     /// Every model of the list.
     pub models: Vec<ModelComparison>,
 }

@@ -9,7 +9,7 @@ use crate::result::{
 use crate::settings::{LevelName, MethodName, PrecisionName};
 use crate::survey::{Query, Survey, peak_slope};
 use crate::verdict::verdict;
-use crate::{Origin, Settings, Surface, default_pressures};
+use crate::{Origin, Settings, Surface, contact_spots, default_pressures};
 use contact_types::{
     ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
 };
@@ -179,6 +179,7 @@ fn compare(
         return Err(StudyError::HeadlineNotComputed { value });
     }
 
+    let spots = contact_spots(&pressure, map.grid());
     tell(Progress::Models)?;
     let alike = likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]);
     let models = MODELS
@@ -199,6 +200,7 @@ fn compare(
         refined,
         headline,
         pressure,
+        spots,
         models,
     })
 }

@@ -46,6 +46,11 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         },
         "headline_pressure": s.headline_pressure(),
         "resolved": s.spectral.resolved,
+        "contact_spots": s.spots.map(|c| json!({
+            "count": c.count,
+            "median_area": c.median_area,
+            "largest_area": c.largest_area,
+        })),
         "refined": s.refined.map(|r| json!({
             "mean_pressure": s.headline_pressure(),
             "area_fraction_corrected": r.area_fraction_corrected,

@@ -3,7 +3,7 @@
 use super::html::Page;
 use super::numbers::{
     METRES, PASCALS, SPACE, chosen, duration, fixed, percent, quantity, signed_percent,
-    signed_range, significant,
+    signed_range, significant, unit_for,
 };
 use super::palette::{DETERMINISTIC_LOOK, Look};
 use super::sections::{load_words, spread_words, tolerance_words};
@@ -54,6 +54,21 @@ pub(super) fn key_numbers(surface: &SurfaceComparison) -> String {
                 "Mean gap".into(),
                 format!("{}{relative}", quantity(gap, METRES, 3)),
                 "average over the whole map".into(),
+            ));
+        }
+        if let Some(spots) = surface.spots {
+            let square = |area: f64| {
+                let side = unit_for(area.sqrt(), METRES);
+                format!("{}{SPACE}{}²", significant(area / side.scale.powi(2), 2), side.name)
+            };
+            rows.push((
+                "Contact spots".into(),
+                fixed(spots.count as f64, 0),
+                format!(
+                    "median {}, largest {}; joined over edges and corners",
+                    square(spots.median_area),
+                    square(spots.largest_area)
+                ),
             ));
         }
         rows.push((
