@@ -235,9 +235,10 @@ pub(super) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
     let h = page.heading();
     let table = tables::models(page, surface);
     format!(
-        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{} {}</p>\n",
+        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{} {} {}</p>\n",
         surface.inputs.source_sentence(),
-        words::within_ten(surface)
+        words::within_ten(surface),
+        words::survey(surface)
     )
 }
 

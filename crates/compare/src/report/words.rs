@@ -6,6 +6,7 @@ use super::numbers::{
 };
 use super::svg::escape;
 use crate::result::{Applies, DeterministicAnswer, ModelComparison, ModelCurve, SurfaceComparison};
+use crate::survey::FEWEST;
 
 /// Error within which a closed form counts as an answer.
 pub(super) const WANTED: f64 = 0.10;
@@ -232,6 +233,23 @@ pub(super) fn within_ten(surface: &SurfaceComparison) -> String {
         )
     } else {
         format!("Within 10{SPACE}% of the deterministic area: {}.", parts.join("; "))
+    }
+}
+
+/// What "surfaces like this" means below the model table, or that the survey has none.
+pub(super) fn survey(surface: &SurfaceComparison) -> String {
+    let load = chosen(surface.headline_pressure(), PASCALS);
+    if surface.models.iter().any(|m| m.experience.is_some()) {
+        format!(
+            "Surfaces like this: those of a survey of 240 with similar bandwidth, resolution, \
+             heights and slopes at a load like {load}; their whole range of errors is quoted."
+        )
+    } else if surface.headline_answer().is_some() {
+        format!(
+            "A survey of 240 surfaces has fewer than {FEWEST} like this one at a load like {load}."
+        )
+    } else {
+        String::new()
     }
 }
 
