@@ -134,7 +134,7 @@ impl<T: Real> Chord<T> {
         let mut is_lead = false; // the trial fields hold a guess that is not feasible
         let mut transforms = 0.0;
         if start == Start::Warm {
-            let guess = (&mut self.trial[..], &mut self.response[..]);
+            let guess = [&mut self.trial[..], &mut self.response[..]];
             if let (Some(earlier), Target::Pressure(load)) = (&mut self.earlier, task.target) {
                 is_lead = earlier.guess(load, state, guess);
             }

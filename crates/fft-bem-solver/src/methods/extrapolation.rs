@@ -24,28 +24,28 @@ impl<T: Real> Earlier<T> {
         self.load = None;
     }
 
-    /// Writes a guess of the solution for `load` to `guess`: `p / mean p` and `u / mean p` continue
+    /// Writes a guess of the solution for `load` to two fields: `p / mean p` and `u / mean p` continue
     /// linearly in the logarithm of the load. Then remembers `last` instead. Returns whether there
     /// was enough to go by. (Quadratic extrapolation is worse: nodes come and go.)
     pub(crate) fn guess(
         &mut self,
         load: f64,
         last: &State<T>,
-        guess: (&mut [T], &mut [T]),
+        [pressure, displacement]: [&mut [T]; 2],
     ) -> bool {
         let present = fields::sum(&last.pressure) / last.pressure.len() as f64;
         let steps = self.load.map(|earlier| (load / present).ln() / (present / earlier).ln());
         let usable = steps.filter(|t| t.abs() <= FARTHEST);
         if let (Some(t), Some(earlier)) = (usable, self.load) {
             let factors = [load * (1.0 + t) / present, load * t / earlier];
-            continue_line(&last.pressure, &self.pressure, factors, guess.0);
-            continue_line(&last.displacement, &self.displacement, factors, guess.1);
-            for p in guess.0.iter_mut() {
+            continue_line(&last.pressure, &self.pressure, factors, pressure);
+            continue_line(&last.displacement, &self.displacement, factors, displacement);
+            for p in pressure.iter_mut() {
                 *p = p.larger(T::zero());
             }
-            let scale = load * guess.0.len() as f64 / fields::sum(guess.0);
-            passes::scale(scale, guess.0);
-            passes::scale(scale, guess.1);
+            let scale = load * pressure.len() as f64 / fields::sum(pressure);
+            passes::scale(scale, pressure);
+            passes::scale(scale, displacement);
         }
         self.pressure.copy_from_slice(&last.pressure);
         self.displacement.copy_from_slice(&last.displacement);
