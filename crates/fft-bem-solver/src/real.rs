@@ -13,6 +13,8 @@ pub trait Real:
     fn of(value: f64) -> Self;
     /// The same number as `f64`, exactly.
     fn wide(self) -> f64;
+    /// The nearest `f32`.
+    fn narrow(self) -> f32;
     /// The larger of two numbers.
     #[must_use]
     fn larger(self, other: Self) -> Self {
@@ -28,6 +30,9 @@ impl Real for f64 {
     fn wide(self) -> f64 {
         self
     }
+    fn narrow(self) -> f32 {
+        self as f32
+    }
 }
 
 impl Real for f32 {
@@ -37,5 +42,8 @@ impl Real for f32 {
     }
     fn wide(self) -> f64 {
         f64::from(self)
+    }
+    fn narrow(self) -> f32 {
+        self
     }
 }

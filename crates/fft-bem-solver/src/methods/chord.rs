@@ -218,8 +218,11 @@ impl<T: Real> Chord<T> {
             if watch(&step).is_break() {
                 break End::Stopped;
             }
-            let is_rounding = found.largest <= 2.0 * T::EPSILON * found.magnitude;
             if !is_lead {
+                let is_rounding = residual < T::EPSILON.sqrt() && {
+                    let fields = [&state.displacement[..], h];
+                    passes::is_rounding(fields, level, &self.mask, &mut self.partial)
+                };
                 // A single pixel leaves no residual at any level: the level must be right as well.
                 if error <= task.tolerance && (residual <= task.tolerance || is_rounding) {
                     break End::Converged;
@@ -342,7 +345,7 @@ impl<T: Real> Chord<T> {
         if kind == Kind::Chord {
             now.a = if theta < FULL { theta } else { 1.0 };
             if theta > 1.0 && !k.has_dropped {
-                now.a = theta.min(k.feasible.max(1.0));
+                now.a = theta.min(passes::reach(&state.pressure, &self.trial).max(1.0));
             }
             now.tau = (now.tau * theta.clamp(0.7, 1.4)).clamp(TAU[0], TAU[1]);
         } else {
@@ -397,6 +400,7 @@ impl Memory {
             n if n < STALL => return,
             _ => {
                 self.since = 0;
+                self.has_before &= self.kind == Kind::Chord; // conjugate directions start anew
                 if self.kind == Kind::Chord { Kind::Gradient } else { Kind::FaceCg }
             }
         };
@@ -408,6 +412,9 @@ impl Memory {
             }
         }
         self.kind = kind;
+        if kind == Kind::FaceCg {
+            self.a = 1.0; // a node that is let go would keep its pressure: this step only moves F
+        }
     }
 }
 
@@ -474,9 +481,7 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
 
     /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive.
     fn suspects_full_contact(&mut self, problem: &Problem<T>, mean_pressure: f64) -> (bool, f64) {
-        for (x, h) in self.extended.iter_mut().zip(&problem.heights) {
-            *x = (h.wide() - problem.mean_height) as f32;
-        }
+        passes::narrow(&problem.heights, problem.mean_height, &mut self.extended);
         self.stiffness.apply(&self.extended, &mut self.residual);
         let least = self.residual.iter().fold(f32::INFINITY, |m, p| m.min(*p));
         (mean_pressure + f64::from(least) >= -0.1 * mean_pressure, self.stiffness.cost)

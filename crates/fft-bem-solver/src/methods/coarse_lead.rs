@@ -8,6 +8,7 @@ use super::{Start, State, Target, Task};
 use crate::problem::{Problem, Units};
 use crate::{HalfSpace, Real, fields};
 use contact_types::{ContactModulus, Grid};
+use grid_fft::parallel::prelude::*;
 use std::ops::ControlFlow;
 
 /// An axis with fewer pixels is not coarsened.
@@ -148,13 +149,13 @@ impl<T: Real> CoarseLead<T> {
             second.up_row(i, &narrow, |ix, v| row[ix..ix + v.len()].copy_from_slice(v));
         }
         let nx = first.fine[1];
-        for (i, row) in fine.chunks_exact_mut(nx).enumerate() {
+        fine.par_chunks_mut(nx).enumerate().for_each(|(i, row)| {
             first.up_row(i, &half, |ix, values| {
                 for (x, v) in row[ix..].iter_mut().zip(values) {
                     *x = T::of(f64::from(*v));
                 }
             });
-        }
+        });
     }
 }
 
@@ -163,13 +164,13 @@ fn down<T: Real>(t: &Transfer, fine: &[T]) -> Vec<T> {
     let ([_, nx], [my, mx]) = (t.fine, t.coarse);
     let half = T::of(0.5);
     let mut out = vec![T::zero(); my * mx];
-    for (j, row) in out.chunks_exact_mut(mx).enumerate() {
+    out.par_chunks_mut(mx).enumerate().for_each(|(j, row)| {
         let [a, b] = t.children(j).map(|i| &fine[i * nx..(i + 1) * nx]);
         for (c, x) in row.iter_mut().enumerate() {
             let [l, r] = if t.halved[1] { [2 * c, (2 * c + 1).min(nx - 1)] } else { [c, c] };
             *x = half * (half * (a[l] + a[r]) + half * (b[l] + b[r]));
         }
-    }
+    });
     out
 }
 

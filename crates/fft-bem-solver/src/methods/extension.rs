@@ -160,9 +160,10 @@ impl Level {
                 for (i, ((value, weight), inverse)) in lines.enumerate() {
                     let j = t.parent(task * rows + i);
                     let above = &coarser.value[j * mx..(j + 1) * mx];
-                    t.down_transposed_row(task * rows + i, above, |ix, v| {
-                        value[ix] = inverse[ix] * weight[ix] * (value[ix] + v);
-                    });
+                    t.add_down_transposed_row(task * rows + i, above, value);
+                    for ((x, w), d) in value.iter_mut().zip(weight).zip(inverse) {
+                        *x *= w * d;
+                    }
                 }
             });
     }

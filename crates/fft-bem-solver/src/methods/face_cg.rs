@@ -63,6 +63,14 @@ pub(crate) fn step<T: Real>(
             direction[i] = T::of(if on(i) { gap(i) - mean } else { 0.0 });
         }
     }
+    // Of mean zero to the last digit: the load must not drift.
+    let count = fields::sum_of(n, |i| if on(i) { 1.0 } else { 0.0 });
+    let mean = T::of(fields::sum(direction) / count);
+    for i in 0..n {
+        if on(i) {
+            direction[i] -= mean;
+        }
+    }
     std::mem::swap(direction, t);
     direction = &mut work.trial;
     operator.apply(t, kt);

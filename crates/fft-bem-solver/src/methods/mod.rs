@@ -28,6 +28,8 @@ mod level_control;
 mod passes;
 mod polonsky_keer;
 mod projection;
+#[cfg(test)]
+mod safeguards;
 mod stanley_kato;
 mod stiffness;
 mod sweep;

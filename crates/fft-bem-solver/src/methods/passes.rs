@@ -54,9 +54,6 @@ pub(crate) struct Residual {
     pub(crate) active: usize,
     /// Whether nodes outside F carry load.
     pub(crate) has_released: bool,
-    /// Largest residual on F, and largest height or displacement that it is a difference of.
-    pub(crate) largest: f64,
-    pub(crate) magnitude: f64,
 }
 
 /// The set `F = {p > release max(g, 0)} or {g < 0}`, the residual `g = u - h - level` on it, and
@@ -76,7 +73,6 @@ pub(crate) fn residual<T: Real>(
     let (level, release) = (T::of(level), T::of(release));
     let piece = |p: &[T], u: &[T], h: &[T], mask: &mut [u8], r: &mut [f32]| -> Partial {
         let (mut active, mut released) = (0_u32, 0_u32);
-        let (mut largest, mut size_u, mut size_h) = (T::zero(), T::zero(), T::zero());
         for ((((p, u), h), m), r) in p.iter().zip(u).zip(h).zip(mask).zip(r) {
             let g = *u - *h - level;
             let on = *p > release * g.larger(T::zero()) || g < T::zero();
@@ -88,16 +84,11 @@ pub(crate) fn residual<T: Real>(
             } else {
                 0
             };
-            *r = if on { g.wide() as f32 } else { 0.0 };
+            *r = if on { g.narrow() } else { 0.0 };
             active += u32::from(on);
             released += u32::from(carries && !on);
-            let size = |x: T| x.larger(T::zero() - x);
-            largest = largest.larger(if on { size(g) } else { T::zero() });
-            size_u = size_u.larger(size(*u));
-            size_h = size_h.larger(if on { size(*h) } else { T::zero() });
         }
-        let widest = [largest.wide(), size_u.wide(), size_h.wide()];
-        [f64::from(active), f64::from(released), widest[0], widest[1], widest[2], 0.0, 0.0, 0.0]
+        [f64::from(active), f64::from(released), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     };
     let chunk = rows * nx;
     let used = p.len().div_ceil(chunk);
@@ -123,22 +114,37 @@ pub(crate) fn residual<T: Real>(
                 });
         }
     }
-    let mut total = [0.0_f64; 5];
-    for x in &partial[..used] {
-        total = [
-            total[0] + x[0],
-            total[1] + x[1],
-            total[2].max(x[2]),
-            total[3].max(x[3]),
-            total[4].max(x[4]),
-        ];
-    }
-    Residual {
-        active: total[0] as usize,
-        has_released: total[1] > 0.0,
-        largest: total[2],
-        magnitude: total[3] + total[4],
-    }
+    let total = partial[..used].iter().fold([0.0; 2], |s, x| [s[0] + x[0], s[1] + x[1]]);
+    Residual { active: total[0] as usize, has_released: total[1] > 0.0 }
+}
+
+/// Whether the residual on F is no more than the rounding of the fields it is a difference of.
+pub(crate) fn is_rounding<T: Real>(
+    [u, h]: [&[T]; 2],
+    level: f64,
+    mask: &[u8],
+    partial: &mut [Partial],
+) -> bool {
+    let level = T::of(level);
+    let used = u.len().div_ceil(TASK);
+    partial[..used]
+        .par_iter_mut()
+        .zip(u.par_chunks(TASK))
+        .zip(h.par_chunks(TASK))
+        .zip(mask.par_chunks(TASK))
+        .for_each(|(((partial, u), h), m)| {
+            let mut largest = [0.0_f64; 3];
+            for ((u, h), m) in u.iter().zip(h).zip(m) {
+                largest[1] = largest[1].max(u.wide().abs());
+                if *m == ON {
+                    largest[0] = largest[0].max((*u - *h - level).wide().abs());
+                    largest[2] = largest[2].max(h.wide().abs());
+                }
+            }
+            partial[..3].copy_from_slice(&largest);
+        });
+    let largest = |k: usize| partial[..used].iter().fold(0.0_f64, |m, x| m.max(x[k]));
+    largest(0) <= 2.0 * T::EPSILON * (largest(1) + largest(2))
 }
 
 /// `E` on the finest grid: the residual on F, what the pyramid knows elsewhere.
@@ -207,7 +213,7 @@ pub(crate) fn transpose(
                     let (t, row) = (&first.transfer, task * rows + i);
                     let mx = t.coarse[1];
                     let above = &first.value[t.parent(row) * mx..][..mx];
-                    t.down_transposed_row(row, above, |ix, v| z[ix] += v);
+                    t.add_down_transposed_row(row, above, z);
                 }
                 let mut sum = 0.0_f64;
                 for (z, m) in z.iter_mut().zip(mask) {
@@ -286,19 +292,27 @@ pub(crate) fn trial<T: Real>(
                         let last = t.len() - nx;
                         let (a, b) = (&t[..nx], &t[last..]);
                         let (ma, mb) = (&m[..nx], &m[last..]);
-                        let at = |i: usize| {
-                            let x = |t: T, m: u8| {
-                                if m == ON { t.wide() as f32 } else { f32::INFINITY }
-                            };
-                            x(a[i], ma[i]).min(x(b[i], mb[i]))
+                        let at = |t: T, m: u8| {
+                            if m == ON { t.narrow() } else { f32::INFINITY }
                         };
+                        let least = |x: f32, y: f32| if x < y { x } else { y };
                         if transfer.halved[1] {
-                            for (j, s) in smallest.iter_mut().enumerate() {
-                                *s = at(2 * j).min(at((2 * j + 1).min(nx - 1)));
+                            let ((a, a1), (b, b1)) = (a.as_chunks::<2>(), b.as_chunks::<2>());
+                            let ((ma, ma1), (mb, mb1)) = (ma.as_chunks::<2>(), mb.as_chunks::<2>());
+                            let pairs = a.iter().zip(b).zip(ma).zip(mb);
+                            for ((((a, b), ma), mb), s) in pairs.zip(smallest.iter_mut()) {
+                                let (left, right) = (
+                                    least(at(a[0], ma[0]), at(b[0], mb[0])),
+                                    least(at(a[1], ma[1]), at(b[1], mb[1])),
+                                );
+                                *s = least(left, right);
+                            }
+                            if let ([a], [b], [ma], [mb]) = (a1, b1, ma1, mb1) {
+                                smallest[mx - 1] = least(at(*a, *ma), at(*b, *mb));
                             }
                         } else {
-                            for (j, s) in smallest.iter_mut().enumerate() {
-                                *s = at(j);
+                            for (i, s) in smallest.iter_mut().enumerate() {
+                                *s = least(at(a[i], ma[i]), at(b[i], mb[i]));
                             }
                         }
                     }
@@ -344,9 +358,18 @@ pub(crate) fn finish_trial<T: Real>(
                         let mx = transfer.coarse[1];
                         let row = transfer.parent(task * rows + i);
                         let added = &sweep.added[row * mx..][..mx];
-                        let width = if transfer.halved[1] { 2 } else { 1 };
-                        for ((t, m), a) in t.chunks_mut(width).zip(mask.chunks(width)).zip(added) {
-                            for (t, m) in t.iter_mut().zip(m) {
+                        if transfer.halved[1] {
+                            let (t, t1) = t.as_chunks_mut::<2>();
+                            let (m, m1) = mask.as_chunks::<2>();
+                            for ((t, m), a) in t.iter_mut().zip(m).zip(added) {
+                                one(&mut t[0], m[0], *a);
+                                one(&mut t[1], m[1], *a);
+                            }
+                            if let ([t], [m]) = (t1, m1) {
+                                one(t, *m, added[mx - 1]);
+                            }
+                        } else {
+                            for ((t, m), a) in t.iter_mut().zip(mask).zip(added) {
                                 one(t, *m, *a);
                             }
                         }
@@ -356,6 +379,15 @@ pub(crate) fn finish_trial<T: Real>(
             }
         });
     partial[..used].iter().map(|x| x[0]).sum()
+}
+
+/// A field less a constant, in single precision.
+pub(crate) fn narrow<T: Real>(field: &[T], constant: f64, out: &mut [f32]) {
+    out.par_chunks_mut(TASK).zip(field.par_chunks(TASK)).for_each(|(out, field)| {
+        for (x, f) in out.iter_mut().zip(field) {
+            *x = (f.wide() - constant) as f32;
+        }
+    });
 }
 
 /// Multiplies a field.
@@ -381,8 +413,6 @@ pub(crate) struct Products {
     pub(crate) skd: f64,
     /// Whether a node in contact is not in the trial.
     pub(crate) has_dropped: bool,
-    /// How far along the chord the pressure stays positive.
-    pub(crate) feasible: f64,
 }
 
 /// Computes [`Products`]; `before` are pressure and displacement before the last step.
@@ -395,49 +425,69 @@ pub(crate) fn products<T: Real>(
 ) -> Products {
     let level = T::of(level);
     let used = p.len().div_ceil(TASK);
-    let piece = |k: usize| k * TASK..((k + 1) * TASK).min(p.len());
     partial[..used].par_iter_mut().enumerate().for_each(|(k, partial)| {
-        let r = piece(k);
-        let (p, u, h) = (&p[r.clone()], &u[r.clone()], &h[r.clone()]);
-        let (q, v) = (&trial[r.clone()], &response[r.clone()]);
-        let mut x = [0.0_f64; 8];
-        let mut reach = f64::INFINITY;
-        for i in 0..p.len() {
-            let g = (u[i] - h[i] - level).wide();
-            let (s, ks) = ((q[i] - p[i]).wide(), (v[i] - u[i]).wide());
-            x[0] += g * s;
-            x[1] += s * ks;
-            x[2] += s * s;
-            let drops = p[i] > T::zero() && q[i] <= T::zero();
-            x[6] += if drops { 1.0 } else { 0.0 };
-            // p + a s >= 0: only nodes that lose more than all would do it below a = 2.
-            let loss = -s / p[i].wide();
-            reach = if s < 0.0 && loss * reach > 1.0 { 1.0 / loss } else { reach };
-        }
-        if let Some([b, w]) = before {
-            let (b, w) = (&b[r.clone()], &w[r]);
-            for i in 0..p.len() {
-                let g = (u[i] - h[i] - level).wide();
-                let (s, d) = ((q[i] - p[i]).wide(), (p[i] - b[i]).wide());
-                let kd = (u[i] - w[i]).wide();
-                x[3] += g * d;
-                x[4] += d * kd;
-                x[5] += s * kd;
-            }
-        }
-        x[7] = reach;
-        *partial = x;
+        let r = k * TASK..((k + 1) * TASK).min(p.len());
+        let chord = [&p[r.clone()], &u[r.clone()], &h[r.clone()], &trial[r.clone()]];
+        let chord_u = &response[r.clone()];
+        *partial = match before {
+            Some([b, w]) => inner_products(chord, chord_u, &b[r.clone()], &w[r], level),
+            // No step before: d = 0.
+            None => inner_products(chord, chord_u, chord[0], chord[1], level),
+        };
     });
     let mut sum = [0.0; 8];
-    let mut feasible = f64::INFINITY;
     for x in &partial[..used] {
-        for k in 0..7 {
+        for k in 0..8 {
             sum[k] += x[k];
         }
-        feasible = feasible.min(x[7]);
     }
     let [gs, sks, ss, gd, dkd, skd, dropped, _] = sum;
-    Products { gs, sks, ss, gd, dkd, skd, has_dropped: dropped > 0.0, feasible }
+    Products { gs, sks, ss, gd, dkd, skd, has_dropped: dropped > 0.0 }
+}
+
+/// Independent partial sums, so that additions need not wait for one another.
+const LANES: usize = 4;
+
+/// One task of [`products`].
+fn inner_products<T: Real>(
+    [p, u, h, q]: [&[T]; 4],
+    v: &[T],
+    b: &[T],
+    w: &[T],
+    level: T,
+) -> Partial {
+    let n = p.len();
+    let (u, h, q, v, b, w) = (&u[..n], &h[..n], &q[..n], &v[..n], &b[..n], &w[..n]);
+    let mut lanes = [[0.0_f64; LANES]; 7];
+    let mut add = |i: usize, lane: usize| {
+        let g = (u[i] - h[i] - level).wide();
+        let (s, ks) = ((q[i] - p[i]).wide(), (v[i] - u[i]).wide());
+        let (d, kd) = ((p[i] - b[i]).wide(), (u[i] - w[i]).wide());
+        lanes[0][lane] += g * s;
+        lanes[1][lane] += s * ks;
+        lanes[2][lane] += s * s;
+        lanes[3][lane] += g * d;
+        lanes[4][lane] += d * kd;
+        lanes[5][lane] += s * kd;
+        let drops = p[i] > T::zero() && q[i] <= T::zero();
+        lanes[6][lane] += if drops { 1.0 } else { 0.0 };
+    };
+    for i in (0..n - n % LANES).step_by(LANES) {
+        for lane in 0..LANES {
+            add(i + lane, lane);
+        }
+    }
+    for i in n - n % LANES..n {
+        add(i, 0);
+    }
+    let [a, b, c, d, e, f, g] = lanes.map(|l| l.iter().sum::<f64>());
+    [a, b, c, d, e, f, g, 0.0]
+}
+
+/// How far along the chord the pressure stays positive.
+pub(crate) fn reach<T: Real>(p: &[T], trial: &[T]) -> f64 {
+    let losses = p.iter().zip(trial).filter(|(p, q)| q < p);
+    losses.map(|(p, q)| p.wide() / (*p - *q).wide()).fold(f64::INFINITY, f64::min)
 }
 
 /// `before = p + b1 (trial - p) + b2 (p - before)`, if that is nowhere negative and zero where

@@ -126,6 +126,17 @@ impl Stiffness {
         self.stencil_and_smooth(x, y);
     }
 
+    /// Tests: multiplies the operator by `factor`, and its coarse part by an oscillation.
+    #[cfg(test)]
+    pub(crate) fn spoil(&mut self, factor: f64, ripple: f64) {
+        for tap in self.taps.iter_mut().flatten() {
+            *tap *= factor as f32;
+        }
+        for (k, s) in self.symbol.iter_mut().enumerate() {
+            *s *= (factor * (1.0 + ripple * (k as f64).sin())) as f32;
+        }
+    }
+
     /// Means over the coarse cells.
     fn average(&mut self, x: &[f32]) {
         let ([_, nx], [fy, fx]) = (self.shape, self.factor);
@@ -139,10 +150,21 @@ impl Stiffness {
                     let first = (task * rows + r) * fy;
                     for (i, x) in x.chunks_exact(nx).enumerate() {
                         let share = share_y[first + i];
-                        for ((m, x), w) in mean.iter_mut().zip(x.chunks(fx)).zip(share_x.chunks(fx))
-                        {
-                            let sum: f32 = x.iter().zip(w).map(|(x, w)| x * w).sum();
-                            *m += share * sum;
+                        // All full cells have equal shares; the last may not.
+                        let full = nx / fx * fx;
+                        if fx == 4 {
+                            for (m, x) in mean.iter_mut().zip(x.as_chunks::<4>().0) {
+                                *m += 0.25 * share * ((x[0] + x[1]) + (x[2] + x[3]));
+                            }
+                        } else {
+                            let weight = share / fx as f32;
+                            for (m, x) in mean.iter_mut().zip(x.chunks_exact(fx)) {
+                                *m += weight * x.iter().sum::<f32>();
+                            }
+                        }
+                        if full < nx {
+                            let rest = x[full..].iter().zip(&share_x[full..]);
+                            mean[cx - 1] += share * rest.map(|(x, w)| x * w).sum::<f32>();
                         }
                     }
                 }

@@ -222,27 +222,23 @@ impl Transfer {
         }
     }
 
-    /// Fine row `i` of the transpose of `down`: `take(ix, value)` gets each value.
-    pub(crate) fn down_transposed_row(
-        &self,
-        i: usize,
-        coarse_row: &[f32],
-        mut take: impl FnMut(usize, f32),
-    ) {
+    /// Adds row `i` of the transpose of `down` to a fine row.
+    pub(crate) fn add_down_transposed_row(&self, i: usize, coarse_row: &[f32], fine: &mut [f32]) {
         let share = self.share(0, i);
         if !self.halved[1] {
-            for (ix, c) in coarse_row.iter().enumerate() {
-                take(ix, share * c);
+            for (x, c) in fine.iter_mut().zip(coarse_row) {
+                *x += share * c;
             }
             return;
         }
-        let pairs = self.fine[1] / 2;
-        for (j, c) in coarse_row[..pairs].iter().enumerate() {
-            take(2 * j, 0.5 * share * c);
-            take(2 * j + 1, 0.5 * share * c);
+        let (pairs, single) = fine.as_chunks_mut::<2>();
+        let half = 0.5 * share;
+        for (x, c) in pairs.iter_mut().zip(coarse_row) {
+            x[0] += half * c;
+            x[1] += half * c;
         }
-        if self.fine[1] % 2 == 1 {
-            take(2 * pairs, share * coarse_row[pairs]);
+        if let ([x], Some(c)) = (single, coarse_row.last()) {
+            *x += share * c;
         }
     }
 }
@@ -275,7 +271,11 @@ mod tests {
         let mut out = vec![0.0; ny * nx];
         for i in 0..ny {
             let j = t.parent(i);
-            t.down_transposed_row(i, &coarse[j * mx..(j + 1) * mx], |ix, v| out[i * nx + ix] = v);
+            t.add_down_transposed_row(
+                i,
+                &coarse[j * mx..(j + 1) * mx],
+                &mut out[i * nx..(i + 1) * nx],
+            );
         }
         out
     }

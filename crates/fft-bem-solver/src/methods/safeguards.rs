@@ -1,0 +1,76 @@
+//! Tests that force each safeguard of the chord iteration.
+
+use super::chord::{Chord, Kind};
+use super::{ContactMethod, End, Outcome, PolonskyKeer, Start, State, Target, Task};
+use crate::problem::{self, Problem};
+use crate::{HalfSpace, fields};
+use contact_types::{ContactModulus, Grid, HeightMap};
+use std::ops::ControlFlow;
+
+fn surface() -> (Problem<f64>, Grid) {
+    let grid = Grid::new([30, 26], [1.0, 1.0]).unwrap();
+    let map = HeightMap::from_fn(grid, |y, x| {
+        (0.7 * y).sin() * (0.9 * x + 0.2 * y).cos() + 0.3 * (2.1 * x - 1.3 * y).sin()
+    })
+    .unwrap();
+    let scaled = problem::scaled_grid(grid).unwrap();
+    let modulus = ContactModulus::from_pascals(1.0).unwrap();
+    (Problem::new(&map, scaled, modulus).unwrap(), scaled)
+}
+
+fn run(
+    method: &mut dyn ContactMethod<f64>,
+    problem: &Problem<f64>,
+    tolerance: f64,
+    load: f64,
+) -> (Outcome, State<f64>) {
+    let modulus = ContactModulus::from_pascals(1.0).unwrap();
+    let mut half_space = HalfSpace::new(problem.grid, modulus);
+    let mut state = State::new(problem.grid.len());
+    let task = Task { problem, target: Target::Pressure(load), tolerance, max_iterations: 20_000 };
+    let mut watch = |_: &super::Step<'_, f64>| ControlFlow::Continue(());
+    let outcome = method.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
+    (outcome, state)
+}
+
+fn difference(a: &State<f64>, b: &State<f64>) -> f64 {
+    let n = a.pressure.len();
+    let square = fields::sum_of(n, |i| (a.pressure[i] - b.pressure[i]).powi(2));
+    (square / fields::dot(&b.pressure, &b.pressure)).sqrt()
+}
+
+#[test]
+fn each_kind_of_step_alone_finds_the_solution() {
+    let (problem, grid) = surface();
+    for load in [0.003, 0.05, 0.2] {
+        let (_, exact) = run(&mut PolonskyKeer::new(grid.len()), &problem, 1e-11, load);
+        for kind in [Kind::Chord, Kind::Gradient, Kind::FaceCg] {
+            let mut chord = Chord::new(grid);
+            chord.force = Some(kind);
+            let (outcome, found) = run(&mut chord, &problem, 1e-8, load);
+            assert_eq!(outcome.end, End::Converged, "{kind:?} at {load}");
+            let error = difference(&found, &exact);
+            assert!(error < 1e-7, "{kind:?} at {load}: {error:e}");
+        }
+    }
+}
+
+/// With `S` far too weak, far too strong, or of the wrong sign in parts, chords stall or climb; the
+/// ladder of fallbacks still arrives, and says that it was needed.
+#[test]
+fn a_bad_preconditioner_costs_time_only() {
+    let (problem, grid) = surface();
+    let (_, exact) = run(&mut PolonskyKeer::new(grid.len()), &problem, 1e-11, 0.05);
+    let mut fallbacks = 0;
+    for (factor, ripple) in [(0.02, 0.0), (30.0, 0.0), (-1.0, 0.0), (1.0, 3.0)] {
+        let mut chord = Chord::new(grid);
+        chord.stiffness.spoil(factor, ripple);
+        let (outcome, found) = run(&mut chord, &problem, 1e-8, 0.05);
+        assert_eq!(outcome.end, End::Converged, "{factor} {ripple}");
+        let error = difference(&found, &exact);
+        // The estimate is made with the same S: weak by the same factor.
+        assert!(error < 1e-6, "{factor} {ripple}: {error:e}");
+        fallbacks += chord.events.len();
+    }
+    assert!(fallbacks > 0, "no safeguard was exercised");
+}

@@ -1,0 +1,34 @@
+//! What the chord iteration costs, pinned: FFT pairs and iterations are exact numbers, the same on
+//! every machine, so a slowdown fails here whatever the clock says.
+
+mod common;
+
+use common::{self_affine, unit_grid, unit_modulus};
+use fft_bem_solver::{Load, Method, Solver};
+
+/// Self-affine surfaces down to the pixel, H = 0.8 and 0.3, roll-off an eighth of the side, at
+/// three loads: iterations, and pairs rounded to hundredths, to an estimate of 1e-2, 1e-4, 1e-6.
+#[test]
+fn pairs_and_iterations() {
+    let expected: [(f64, f64, [(usize, f64); 3]); 6] = [
+        (0.8, 0.02, [(4, 4.38), (5, 5.43), (7, 7.52)]),
+        (0.8, 0.10, [(3, 3.33), (5, 5.43), (6, 6.47)]),
+        (0.8, 0.40, [(3, 3.29), (4, 4.33), (6, 6.43)]),
+        (0.3, 0.02, [(3, 3.33), (5, 5.43), (6, 6.47)]),
+        (0.3, 0.10, [(3, 3.33), (5, 5.43), (6, 6.47)]),
+        (0.3, 0.40, [(3, 3.29), (5, 5.38), (6, 6.43)]),
+    ];
+    let grid = unit_grid(256, 256);
+    let mut found = Vec::new();
+    for (hurst, load, _) in expected {
+        let surface = self_affine(grid, hurst, 32.0, 2.0, 1);
+        let work = [1e-2, 1e-4, 1e-6].map(|tolerance| {
+            let builder = Solver::builder().method(Method::Chord).tolerance(tolerance);
+            let mut solver = builder.build(grid, unit_modulus()).unwrap();
+            let d = solver.solve(&surface, Load::MeanPressure(load)).unwrap().diagnostics;
+            (d.iterations, (100.0 * d.transforms).round() / 100.0)
+        });
+        found.push((hurst, load, work));
+    }
+    assert_eq!(found, expected, "iterations or pairs changed");
+}
