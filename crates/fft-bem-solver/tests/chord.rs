@@ -1,6 +1,8 @@
 //! The chord iteration against the other methods and against what must not matter: threads, units,
 //! orientation, the shape of the grid.
 
+#![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
+
 mod common;
 
 use common::{Uniform, self_affine, unit_grid, unit_modulus};

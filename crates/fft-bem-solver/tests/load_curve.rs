@@ -1,5 +1,7 @@
 //! A load curve: the answers of cold starts, whatever the order of the loads, for fewer pairs.
 
+#![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
+
 mod common;
 
 use common::{self_affine, unit_grid, unit_modulus};

@@ -1,6 +1,8 @@
 //! The chord iteration on random problems: any size, odd and prime sides, pixels of any shape,
 //! plateaus, spikes, steps, noise, loads from one node to full contact.
 
+#![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
+
 mod common;
 
 use common::{Uniform, self_affine, unit_modulus};
@@ -27,23 +29,33 @@ fn problem(k: u64, longest: f64) -> (HeightMap, f64, String) {
     let kind = ["rough", "plateaus", "spikes", "steps", "noise", "tilted"];
     let kind = kind[(6.0 * random.next()) as usize];
     match kind {
-        "plateaus" => h.iter_mut().for_each(|h| *h = h.min(0.5 * rms)),
+        "plateaus" => {
+            for h in &mut h {
+                *h = h.min(0.5 * rms);
+            }
+        }
         "spikes" => {
-            for _ in 0..1 + (20.0 * random.next()) as usize {
+            for _ in 0..=(20.0 * random.next()) as usize {
                 let i = (h.len() as f64 * random.next()) as usize;
                 h[i] += 10.0 * rms * random.next();
             }
         }
         "steps" => {
             let step = rms * (0.05 + 0.5 * random.next());
-            h.iter_mut().for_each(|h| *h = (*h / step).round() * step);
+            for h in &mut h {
+                *h = (*h / step).round() * step;
+            }
         }
-        "noise" => h.iter_mut().for_each(|h| *h += rms * random.normal()),
+        "noise" => {
+            for h in &mut h {
+                *h += rms * random.normal();
+            }
+        }
         "tilted" => {
             let nx = grid.shape()[1];
-            h.iter_mut()
-                .enumerate()
-                .for_each(|(i, h)| *h += 3.0 * rms * (i % nx) as f64 / nx as f64);
+            for (i, h) in h.iter_mut().enumerate() {
+                *h += 3.0 * rms * (i % nx) as f64 / nx as f64;
+            }
         }
         _ => {}
     }

@@ -1,16 +1,21 @@
 //! What the chord iteration costs, pinned: FFT pairs and iterations are exact numbers, the same on
 //! every machine, so a slowdown fails here whatever the clock says.
 
+#![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
+
 mod common;
 
 use common::{self_affine, unit_grid, unit_modulus};
 use fft_bem_solver::{Load, Method, Solver};
 
+/// Hurst exponent, load, and iterations and pairs to three tolerances.
+type Work = (f64, f64, [(usize, f64); 3]);
+
 /// Self-affine surfaces down to the pixel, H = 0.8 and 0.3, roll-off an eighth of the side, at
 /// three loads: iterations, and pairs rounded to hundredths, to an estimate of 1e-2, 1e-4, 1e-6.
 #[test]
 fn pairs_and_iterations() {
-    let expected: [(f64, f64, [(usize, f64); 3]); 6] = [
+    let expected: [Work; 6] = [
         (0.8, 0.02, [(4, 4.38), (5, 5.43), (7, 7.52)]),
         (0.8, 0.10, [(3, 3.33), (5, 5.43), (6, 6.47)]),
         (0.8, 0.40, [(3, 3.29), (4, 4.33), (6, 6.43)]),

@@ -280,7 +280,7 @@ impl<T: Real> Chord<T> {
     }
 
     /// `z = E^T S E r` on F, in place of the residual; returns its mean over F.
-    fn precondition(&mut self, found: &passes::Residual) -> f64 {
+    pub(crate) fn precondition(&mut self, found: &passes::Residual) -> f64 {
         let [nx, rows] = [self.shape[1], self.rows];
         self.pyramid.extend_above();
         passes::push(&self.mask, &self.residual, &self.pyramid, rows, nx, &mut self.extended);
@@ -291,7 +291,7 @@ impl<T: Real> Chord<T> {
     }
 
     /// Sweeps, clips and scales the trial; false if nothing is left of it.
-    fn sweep_trial(&mut self, found: &passes::Residual, load: f64) -> bool {
+    pub(crate) fn sweep_trial(&mut self, found: &passes::Residual, load: f64) -> bool {
         let total = load * self.trial.len() as f64;
         self.sweep.run(
             &mut self.pyramid,

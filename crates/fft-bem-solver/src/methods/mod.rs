@@ -23,6 +23,8 @@ mod coarse_lead;
 mod extension;
 mod extrapolation;
 mod face_cg;
+#[cfg(test)]
+mod figures;
 mod free_chord;
 mod level_control;
 mod passes;

@@ -1,0 +1,158 @@
+//! Draws the fields of one chord iteration for the book:
+//!
+//! ```console
+//! $ cargo test -p fft-bem-solver --lib -- --ignored draw_the_fields
+//! ```
+//! writes `docs/src/figures/chord-fields.png`.
+
+use super::chord::Chord;
+use super::{ContactMethod, Start, State, Target, Task, passes};
+use crate::HalfSpace;
+use crate::problem::{self, Problem};
+use contact_types::{ContactModulus, Grid, HeightMap};
+use std::io::Write;
+use std::ops::ControlFlow;
+
+const N: usize = 96;
+const ZOOM: usize = 3;
+const MARGIN: usize = 12;
+
+/// A few hills of several sizes, periodic.
+fn surface() -> Problem<f64> {
+    let grid = Grid::new([N, N], [1.0, 1.0]).unwrap();
+    let q = std::f64::consts::TAU / N as f64;
+    let map = HeightMap::from_fn(grid, |y, x| {
+        let wave = |ky: f64, kx: f64, phase: f64| (q * (ky * y + kx * x) + phase).cos();
+        wave(1.0, 2.0, 0.3)
+            + wave(-2.0, 1.0, 1.0)
+            + 0.6 * wave(3.0, 2.0, 2.0)
+            + 0.35 * wave(-4.0, 5.0, 0.5)
+            + 0.2 * wave(9.0, 4.0, 4.0)
+            + 0.15 * wave(-6.0, 11.0, 1.0)
+    })
+    .unwrap();
+    let modulus = ContactModulus::from_pascals(1.0).unwrap();
+    Problem::new(&map, problem::scaled_grid(grid).unwrap(), modulus).unwrap()
+}
+
+#[test]
+#[ignore = "writes docs/src/figures/chord-fields.png"]
+fn draw_the_fields() {
+    let problem = surface();
+    let h = &problem.heights;
+    let load = 0.008;
+    let mut half_space = HalfSpace::new(problem.grid, ContactModulus::from_pascals(1.0).unwrap());
+    let mut chord = Chord::<f64>::new(problem.grid);
+    let mut state = State::new(N * N);
+    let target = Target::Pressure(load);
+    let task = Task { problem: &problem, target, tolerance: 1e-9, max_iterations: 1 };
+    let mut watch = |_: &super::Step<'_, f64>| ControlFlow::Continue(());
+    chord.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
+
+    // The passes of the next iteration, one by one.
+    let (rows, p, u) = (chord.rows, &state.pressure, &state.displacement);
+    let [sum, contact] = passes::level_sums(p, u, h, &mut chord.partial);
+    let found = passes::residual(
+        [p, u, h],
+        sum / contact,
+        0.0,
+        rows,
+        N,
+        &mut chord.mask,
+        &mut chord.residual,
+        &mut chord.pyramid,
+        &mut chord.partial,
+    );
+    let set = chord.mask.clone();
+    let residual = chord.residual.clone();
+    let mean = chord.precondition(&found);
+    let extended = chord.extended.clone();
+    let step = chord.residual.clone();
+    passes::trial(
+        Some(p),
+        &chord.residual,
+        mean,
+        1.0,
+        &chord.mask,
+        rows,
+        N,
+        &chord.pyramid,
+        &mut chord.trial,
+        &mut chord.sweep,
+        &mut chord.partial,
+    );
+    let trial: Vec<f32> = chord.trial.iter().map(|p| *p as f32).collect();
+    assert!(chord.sweep_trial(&found, load));
+    let swept: Vec<f32> = chord.trial.iter().map(|p| *p as f32).collect();
+
+    let heights: Vec<f32> = h.iter().map(|h| *h as f32).collect();
+    let largest = |x: &[f32]| x.iter().fold(0.0_f32, |m, x| m.max(x.abs()));
+    let (gap, pressure) = (largest(&extended), largest(&trial));
+    // Signed fields: blue below, white at zero, red above; outside the contact set grey.
+    let off = |x: &[f32], scale: f32| -> Vec<Option<f32>> {
+        x.iter().zip(&set).map(|(x, m)| (*m == 1).then_some(x / scale)).collect()
+    };
+    let all = |x: &[f32], scale: f32| x.iter().map(|x| Some(x / scale)).collect::<Vec<_>>();
+    let centred: Vec<f32> = heights.iter().map(|h| h + 0.5).collect();
+    let panels = [
+        all(&centred, 0.5),
+        off(&residual, gap),
+        all(&extended, gap),
+        off(&step, largest(&step)),
+        all(&trial, 0.5 * pressure),
+        all(&swept, 0.5 * pressure),
+    ];
+    let picture = compose(&panels);
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/src/figures/chord-fields.png");
+    std::fs::write(path, picture).unwrap();
+}
+
+/// Two rows of three panels.
+fn compose(panels: &[Vec<Option<f32>>; 6]) -> Vec<u8> {
+    let side = N * ZOOM;
+    let (width, height) = (3 * side + 2 * MARGIN, 2 * side + MARGIN);
+    let mut pixels = vec![255; 3 * width * height];
+    for (k, panel) in panels.iter().enumerate() {
+        let (top, left) = (k / 3 * (side + MARGIN), k % 3 * (side + MARGIN));
+        for y in 0..side {
+            for x in 0..side {
+                let value = panel[y / ZOOM * N + x / ZOOM];
+                let at = 3 * ((top + y) * width + left + x);
+                pixels[at..at + 3].copy_from_slice(&value.map_or([225; 3], colour));
+            }
+        }
+    }
+    png(width, height, &pixels)
+}
+
+/// Blue, white, red for -1, 0, 1.
+fn colour(value: f32) -> [u8; 3] {
+    let v = value.clamp(-1.0, 1.0);
+    let mix = |end: f32| (255.0 + (end - 255.0) * v.abs().powf(0.7)) as u8;
+    if v < 0.0 { [mix(33.0), mix(90.0), mix(172.0)] } else { [mix(178.0), mix(24.0), mix(43.0)] }
+}
+
+/// An RGB image as PNG (ISO/IEC 15948).
+fn png(width: usize, height: usize, pixels: &[u8]) -> Vec<u8> {
+    let mut file = b"\x89PNG\r\n\x1a\n".to_vec();
+    let mut chunk = |kind: &[u8; 4], data: &[u8]| {
+        let mut crc = flate2::Crc::new();
+        crc.update(kind);
+        crc.update(data);
+        file.extend((data.len() as u32).to_be_bytes());
+        file.extend(kind);
+        file.extend(data);
+        file.extend(crc.sum().to_be_bytes());
+    };
+    let mut header = [(width as u32).to_be_bytes(), (height as u32).to_be_bytes()].concat();
+    header.extend([8, 2, 0, 0, 0]); // 8 bits, RGB
+    chunk(b"IHDR", &header);
+    let mut packed = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::best());
+    for row in pixels.chunks_exact(3 * width) {
+        packed.write_all(&[0]).unwrap();
+        packed.write_all(row).unwrap();
+    }
+    chunk(b"IDAT", &packed.finish().unwrap());
+    chunk(b"IEND", &[]);
+    file
+}
