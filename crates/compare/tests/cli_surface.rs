@@ -223,3 +223,20 @@ fn threads_boundaries_and_methods_agree_where_they_should() {
     let back = solve(&format!("--modulus 70GPa --gap {gap}m --tolerance 1e-9"));
     same(&back, &one, "mean_pressure", 1e-6);
 }
+
+#[test]
+fn one_refused_load_does_not_lose_the_others() {
+    let dir = folder();
+    let at = dir.path();
+    rough_contact(at, &format!("{SYNTH} --out a.npy")).answered();
+    let line = format!("solve a.npy {READ} --modulus 1GPa --pressure 1e-310Pa,1MPa --json --quiet");
+    let said = rough_contact(at, &line);
+    assert_eq!(said.status, 2);
+    let object = said.json();
+    let points = object["points"].as_array().unwrap();
+    assert_eq!(points[0]["converged"], false);
+    assert!(points[0]["area_fraction"].is_null() && !points[0]["error"]["message"].is_null());
+    assert_eq!(points[1]["converged"], true);
+    assert!(number(&points[1]["area_fraction"]) > 0.0 && points[1]["error"].is_null());
+    assert_eq!(said.err.lines().count(), 1, "{}", said.err);
+}

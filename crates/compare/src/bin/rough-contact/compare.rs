@@ -262,8 +262,13 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     let mut out = String::new();
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}\n", headline(surface));
-        let mut columns =
-            Columns::new(&["model", "area error, mean", "range over the loads", "time", "applies"]);
+        let mut columns = Columns::new(&[
+            "model",
+            "mean |area error|",
+            "range over the loads",
+            "time",
+            "applies",
+        ]);
         for model in &surface.models {
             let label = model.entry.title.to_owned();
             let applies = model.verdict.answer.word().to_owned();

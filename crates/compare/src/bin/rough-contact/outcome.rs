@@ -78,6 +78,13 @@ impl Failure {
         Self::incomplete("output", message)
     }
 
+    /// Both: the messages one after the other, the graver exit status.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let kind = if other.status > self.status { other.kind } else { self.kind };
+        let message = format!("{}\n{}", self.message, other.message);
+        Self { kind, message, status: self.status.max(other.status) }
+    }
+
     fn json(&self) -> Value {
         json!({ "kind": self.kind, "message": self.message })
     }

@@ -163,19 +163,25 @@ impl Work {
         };
         self.points[index] = Some(point(load, solution, error));
         if let Some(error) = error {
-            self.trouble = Some(match error {
-                SolverError::NotConverged(_) => {
-                    Failure::incomplete("not_converged", format!("{}: {error}", shown(load)))
-                }
-                _ => Failure::from_error(error),
+            let message = format!("{}: {error}", shown(load));
+            self.report(match error {
+                SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
+                _ => Failure::refused(&variant(error), message),
             });
         }
         let Some(solution) = solution else { return };
         self.method = solution.diagnostics.method.to_string();
         if let Some(Err(failure)) = self.maps.as_ref().map(|maps| self.write(maps, index, solution))
         {
-            self.trouble = Some(failure);
+            self.report(failure);
         }
+    }
+
+    fn report(&mut self, failure: Failure) {
+        self.trouble = Some(match self.trouble.take() {
+            None => failure,
+            Some(earlier) => earlier.and(failure),
+        });
     }
 
     fn write(&self, maps: &Folder, index: usize, solution: &Solution) -> Result<(), Failure> {
@@ -235,7 +241,7 @@ fn point(load: Load, solution: Option<&Solution>, error: Option<&SolverError>) -
                 "converged": false, "iterations": null, "transforms": null, "seconds": null,
                 "residuals": null, "duality_gap": null, "error": error_json,
             }),
-            cells: vec![shown(load), error.map(ToString::to_string).unwrap_or_default()],
+            cells: vec![shown(load), "refused".to_owned()],
         };
     };
     let (state, d) = (&solution.state, &solution.diagnostics);
