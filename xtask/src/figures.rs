@@ -1,9 +1,9 @@
 //! The figures that README and book show: area and real pressure over the load for one ground
-//! surface, made by the commands that the quick start shows.
+//! surface, made by the commands that the README shows, and the fields of one solver iteration.
 
 use crate::TaskResult;
 use crate::generated::{check_flag, keep};
-use crate::shell::{self, read, root, rough_contact};
+use crate::shell::{self, cargo, read, root, rough_contact};
 
 /// The surface, as `rough-contact synth` makes it: the recipe "ground" of
 /// `fixtures/surfaces.toml`.
@@ -30,6 +30,12 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     for name in ["area.svg", "pressure.svg"] {
         let figure = read(&folder.join("report").join(name))?;
         keep(&format!("docs/src/figures/{name}"), &figure, check)?;
+    }
+    if !check {
+        // A picture of pixels: drawn by the solver's own test, which sees inside an iteration.
+        let mut draw = cargo();
+        draw.args(["test", "--quiet", "--locked", "--package", "fft-bem-solver", "--lib", "--"]);
+        shell::run(draw.args(["--ignored", "draw_the_fields"]))?;
     }
     Ok(())
 }

@@ -141,7 +141,7 @@ fn sources(faults: &mut Vec<String>) {
                 faults.push(format!("{at}: unfinished work belongs in an issue"));
             }
         }
-        if is_library(&shown) {
+        if is_library(&shown) && !is_test_module(path) {
             library_source(&shown, &text, faults);
         }
     }
@@ -169,6 +169,15 @@ fn library_source(shown: &str, text: &str, faults: &mut Vec<String>) {
             faults.push(format!("{at}: only surface-io and the binary touch files"));
         }
     }
+}
+
+/// True for a file that its folder declares under `#[cfg(test)]`.
+fn is_test_module(path: &Path) -> bool {
+    let (Some(folder), Some(name)) = (path.parent(), path.file_stem()) else { return false };
+    let declaration = format!("#[cfg(test)]\nmod {};", name.to_string_lossy());
+    ["mod.rs", "lib.rs"].iter().any(|parent| {
+        std::fs::read_to_string(folder.join(parent)).is_ok_and(|text| text.contains(&declaration))
+    })
 }
 
 fn is_library(shown: &str) -> bool {

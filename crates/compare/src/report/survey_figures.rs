@@ -21,7 +21,7 @@ pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     let n = values.len();
     let middle = *values.get(n / 2)?;
-    Some(if n % 2 == 0 { f64::midpoint(values[n / 2 - 1], middle) } else { middle })
+    Some(if n.is_multiple_of(2) { f64::midpoint(values[n / 2 - 1], middle) } else { middle })
 }
 
 /// Loads of the survey, rising.
