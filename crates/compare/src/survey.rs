@@ -377,13 +377,13 @@ mod tests {
         }
     }
 
-    /// A ridge profile, smooth on top and rough below: z = cos x for z > 0, a saw of slope 10
-    /// elsewhere.
+    /// A ridge profile, smooth on top and rough below: a roof of slope 1 above a saw of slope 10.
     #[test]
     fn a_smooth_top_has_a_small_peak_slope() {
         let grid = contact_types::Grid::new([1, 64], [1.0, 1.0]).unwrap();
-        let saw = |x: f64| if x < 32.0 { 100.0 + x } else { 50.0 + 10.0 * (x % 2.0) };
-        let map = HeightMap::from_fn(grid, |_, x| saw(x)).unwrap();
+        let roof = |x: f64| 100.0 + 15.5 - (x - 15.5).abs();
+        let saw = |x: f64| 50.0 + 10.0 * (x % 2.0);
+        let map = HeightMap::from_fn(grid, |_, x| if x < 32.0 { roof(x) } else { saw(x) }).unwrap();
         assert!(peak_slope(&map, 0.1) < 0.2);
         assert!((peak_slope(&map, 0.5) - 1.0).abs() < 1e-12);
     }
