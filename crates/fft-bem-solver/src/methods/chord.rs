@@ -27,10 +27,10 @@ use super::stiffness::Stiffness;
 use super::sweep::{self, Sweep};
 use super::{
     Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch, face_cg,
-    level_control::LevelControl, projection,
+    level_control::LevelControl,
 };
 use crate::problem::Problem;
-use crate::{Boundary, Real, certificate, fields};
+use crate::{Boundary, Real, certificate, fields, projection};
 use contact_types::Grid;
 
 /// Below this chord length the step was a poor guess: take it as it is, and release nodes.
@@ -313,7 +313,7 @@ impl<T: Real> Chord<T> {
         let is_usable = sum > 0.0 && sum.is_finite();
         if is_usable && sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total {
             // Much was clipped: the contact is far from settled, and small loads do not belong.
-            projection::to_load(&mut self.trial, load);
+            projection::onto_admissible(&mut self.trial, load);
         } else if is_usable {
             passes::scale(total / sum, &mut self.trial);
         }
@@ -326,7 +326,7 @@ impl<T: Real> Chord<T> {
         for (i, t) in self.trial.iter_mut().enumerate() {
             *t = p[i] - T::of(alpha) * (u[i] - h[i] - T::of(level));
         }
-        projection::to_load(&mut self.trial, load);
+        projection::onto_admissible(&mut self.trial, load);
     }
 
     fn products(&mut self, h: &[T], level: f64, has_before: bool, state: &State<T>) -> Products {

@@ -3,8 +3,8 @@
 
 use super::chord::Chord;
 use super::transfer::ON;
-use super::{Compliance, State, projection};
-use crate::{Real, fields};
+use super::{Compliance, State};
+use crate::{Real, fields, projection};
 
 /// One step from `state`; returns the pairs spent. The direction and its displacement are kept in
 /// the place of the iterate before; `is_first` if there is none yet.
@@ -79,7 +79,7 @@ pub(crate) fn step<T: Real>(
         direction[i] = p[i] - length * t[i];
     }
     if fields::min(direction) < 0.0 {
-        projection::to_load(direction, load);
+        projection::onto_admissible(direction, load);
         operator.apply(direction, u);
         std::mem::swap(p, direction);
         return 2.0;

@@ -29,7 +29,6 @@ mod free_chord;
 mod level_control;
 mod passes;
 mod polonsky_keer;
-mod projection;
 #[cfg(test)]
 mod safeguards;
 mod stanley_kato;
