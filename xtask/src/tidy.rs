@@ -229,6 +229,10 @@ fn book(faults: &mut Vec<String>) {
             faults.push(format!("docs/src/SUMMARY.md lists {target}, which is missing"));
         }
     }
+    let text = |path: &str| std::fs::read_to_string(root().join(path)).unwrap_or_default();
+    if text("docs/theme/head.hbs") != text("docs/katex-header.html") {
+        faults.push("docs/theme/head.hbs is not docs/katex-header.html".to_owned());
+    }
     for page in files(&source, "md") {
         let shown = relative(&page);
         let name = shown.trim_start_matches("docs/src/");
