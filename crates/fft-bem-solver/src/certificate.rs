@@ -81,10 +81,17 @@ pub(crate) const CAUTION: f64 = 2.0;
 /// grid, pi/2 per finer pixel, exceeds the relative pressure error the residual stands for. Where
 /// that could be small enough the bound is evaluated; while it is not, the wait for the next
 /// evaluation is set by how much is missing.
+///
+/// Where rounding keeps the bound from falling further the wait ends as well.
 pub(crate) struct Patience {
     tolerance: f64,
     worthwhile: f64,
+    best: f64,
+    since: usize,
 }
+
+/// Evaluations without halving the bound after which rounding is to blame.
+const STALL: usize = 10;
 
 /// What [`Patience::judge`] found.
 pub(crate) struct Verdict {
@@ -95,7 +102,7 @@ pub(crate) struct Verdict {
 
 impl Patience {
     pub(crate) fn new(tolerance: f64) -> Self {
-        Self { tolerance, worthwhile: 30.0 * tolerance }
+        Self { tolerance, worthwhile: 30.0 * tolerance, best: f64::INFINITY, since: 0 }
     }
 
     /// Judges the state by its `gap`; `scratch` is overwritten.
@@ -111,13 +118,22 @@ impl Patience {
         let square = |i: usize| violation(p[i], gap[i]).wide().powi(2);
         let plain = FRAC_PI_2 * (fields::sum_of(p.len(), square) / fields::dot(p, p)).sqrt();
         let is_rounding = is_rounding(state, heights, gap);
-        if plain > self.worthwhile && !is_rounding {
+        if plain > self.worthwhile.max(30.0 * T::ATTAINABLE) && !is_rounding {
             return Verdict { is_converged: false, residual: None, transforms: 0.0 };
         }
         let bound = energy_error(state, gap, scratch, operator);
         let relative = if bound.relative.is_finite() { CAUTION * bound.relative } else { plain };
-        let is_converged = relative <= self.tolerance || is_rounding;
-        self.worthwhile = plain * (0.7 * self.tolerance / relative).clamp(0.01, 0.9);
+        self.since += 1;
+        if relative <= 0.5 * self.best {
+            (self.best, self.since) = (relative, 0);
+        }
+        let is_stalled = self.since >= STALL && relative <= T::ATTAINABLE;
+        let is_converged = relative <= self.tolerance || is_rounding || is_stalled;
+        let aim = self.tolerance.max(T::ATTAINABLE);
+        self.worthwhile = plain * (0.7 * aim / relative).clamp(0.01, 0.9);
+        if relative <= T::ATTAINABLE {
+            self.worthwhile = 2.0 * plain; // near rounding: look every time
+        }
         Verdict { is_converged, residual: Some(relative), transforms: bound.transforms }
     }
 }

@@ -319,3 +319,26 @@ fn nothing_is_lost_when_a_run_ends_early() {
         assert!(seen.windows(2).all(|w| w[0].0 <= w[1].0 && w[0].1 <= w[1].1));
     }
 }
+
+/// A tolerance that rounding does not let a method reach ends where rounding does, and says where.
+#[test]
+fn tolerances_below_rounding_end() {
+    let map = self_affine(unit_grid(48, 48), 0.8, 12.0, 4.0, 7);
+    for boundary in [Boundary::Periodic, Boundary::Free] {
+        for (precision, limit) in [(Precision::Double, 1e-11), (Precision::Single, 3e-5)] {
+            for method in [Method::Auto, Method::PolonskyKeer] {
+                let mut solver = Solver::builder()
+                    .method(method)
+                    .boundary(boundary)
+                    .precision(precision)
+                    .tolerance(1e-15)
+                    .build(map.grid(), unit_modulus())
+                    .unwrap();
+                let found = solver.solve(&map, Load::MeanPressure(0.3)).unwrap().diagnostics;
+                let residual = found.residuals.preconditioned;
+                assert!(residual <= limit, "{boundary:?} {precision:?} {method}: {residual:e}");
+                assert!(found.iterations < 2000);
+            }
+        }
+    }
+}
