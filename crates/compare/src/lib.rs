@@ -5,6 +5,7 @@
 //! Nothing here opens a file or prints: the report writes to any [`std::io::Write`].
 
 pub mod accuracy;
+mod cleaning;
 pub mod models;
 pub mod quantity;
 mod recipe;
@@ -18,6 +19,7 @@ mod surface;
 pub mod survey;
 mod verdict;
 
+pub use cleaning::{Cleaning, CleaningError, FormName};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use result::{
     Applies, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,

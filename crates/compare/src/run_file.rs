@@ -63,7 +63,7 @@ impl RunFile {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FileOrigin, Recipe};
+    use crate::{Cleaning, FileOrigin, Recipe};
 
     #[test]
     fn a_run_file_reads_back_as_it_was_written() {
@@ -83,6 +83,12 @@ mod tests {
         let file = FileOrigin {
             path: "a \"b\".x3p".into(),
             fill: "refuse".into(),
+            cleaning: Cleaning {
+                outliers: Some(8.0),
+                form: "polynomial:3".parse().ok(),
+                s_filter: Some(0.1e-4 / 3.0),
+                l_filter: None,
+            },
             ..FileOrigin::default()
         };
         let run = RunFile {

@@ -1,10 +1,11 @@
 //! A height map with a name and where it came from.
 
-use crate::Recipe;
+use crate::{Cleaning, Recipe};
 use contact_types::HeightMap;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
+use surface_stats::clean::Record;
 
 /// One surface of a study.
 #[derive(Debug, Clone)]
@@ -13,7 +14,7 @@ pub struct Surface {
     pub name: String,
     /// Where it came from, in enough detail to make it again.
     pub origin: Origin,
-    /// The heights as read or made, before form is removed.
+    /// The heights as made, or as read, cleaned and filled; before they are levelled.
     pub heights: HeightMap,
 }
 
@@ -51,8 +52,24 @@ pub struct FileOrigin {
     pub crop: Option<[usize; 4]>,
     /// How missing points were filled: `refuse`, `harmonic` or `nearest`.
     pub fill: String,
-    /// Missing points that were filled, after the crop.
+    /// Missing points that were filled, after the crop; spikes that were removed are among them.
     pub missing: usize,
+    /// Cleaning asked for.
+    #[serde(default, skip_serializing_if = "Cleaning::is_empty")]
+    pub cleaning: Cleaning,
+    /// What each step of it did. Not part of a run file, which repeats it.
+    #[serde(skip)]
+    pub cleaned: Vec<Record>,
+}
+
+impl Origin {
+    /// What cleaning did, step by step; nothing for a recipe.
+    pub fn cleaned(&self) -> &[Record] {
+        match self {
+            Self::File(file) => &file.cleaned,
+            Self::Recipe(_) => &[],
+        }
+    }
 }
 
 /// SHA-256 of `bytes` in lower-case hexadecimal.

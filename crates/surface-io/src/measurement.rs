@@ -221,6 +221,24 @@ impl Measurement {
         Some((low, high, origin + sum / count))
     }
 
+    /// Lets `change` work on the grid and the heights (m, NaN = missing), as cleaning does before
+    /// missing points are filled, and counts the missing points anew.
+    ///
+    /// # Errors
+    /// That of `change`.
+    ///
+    /// # Panics
+    /// If `change` leaves another number of heights.
+    pub fn edit<T, E>(
+        mut self,
+        change: impl FnOnce(Grid, &mut Vec<f64>) -> Result<T, E>,
+    ) -> Result<(Self, T), E> {
+        let answer = change(self.grid, &mut self.heights)?;
+        assert_eq!(self.heights.len(), self.grid.len(), "the grid has not changed");
+        self.missing = self.heights.iter().filter(|h| h.is_nan()).count();
+        Ok((self, answer))
+    }
+
     /// Cuts out `ny` by `nx` points from row `y0`, column `x0`.
     ///
     /// # Errors

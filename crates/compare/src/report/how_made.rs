@@ -28,6 +28,16 @@ pub(super) fn section(page: &Page<'_>) -> String {
             if page.several() { escape(&surface.name) } else { "Input".into() },
             format!("{}. {}", origin_words(&surface.origin), map_words(surface)),
         ));
+        let cleaned = surface.origin.cleaned();
+        if !cleaned.is_empty() {
+            let steps: Vec<String> = cleaned
+                .iter()
+                .enumerate()
+                .map(|(i, step)| format!("{}. {}", i + 1, escape(&step.to_string())))
+                .collect();
+            let term = if page.several() { "its cleaning" } else { "Cleaning" };
+            rows.push((term.into(), steps.join("<br>\n")));
+        }
     }
     rows.push((
         "Material".into(),

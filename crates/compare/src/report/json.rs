@@ -8,6 +8,7 @@ use contact_types::{ContactState, ModelError};
 use serde_json::{Value, json};
 use std::io::Write;
 use surface_stats::SurfaceStatistics;
+use surface_stats::clean::{FormParameters, Record};
 
 /// Writes the results.
 ///
@@ -39,6 +40,7 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     json!({
         "name": s.name,
         "origin": s.origin,
+        "cleaning": cleaning(s.origin.cleaned()),
         "statistics": statistics(&s.statistics),
         "inputs": {
             "moments": s.inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })),
@@ -162,6 +164,52 @@ fn answer(mean_pressure: f64, result: &Result<ContactState, ModelError>) -> Valu
             "mean_pressure": mean_pressure,
             "area_fraction": null,
             "error": { "message": e.to_string() },
+        }),
+    }
+}
+
+/// What cleaning did, one object per step in the order in which it was done.
+pub fn cleaning(records: &[Record]) -> Value {
+    records.iter().map(cleaning_step).collect()
+}
+
+fn cleaning_step(record: &Record) -> Value {
+    let mut object = match *record {
+        Record::Outliers { rule, count, limit, largest } => json!({
+            "step": "outliers",
+            "threshold": rule.threshold,
+            "window": 2 * rule.reach + 1,
+            "count": count,
+            "limit": limit,
+            "largest": largest,
+        }),
+        Record::Form { parameters, points } => {
+            let mut form = form(parameters);
+            form["step"] = json!("form");
+            form["points"] = json!(points);
+            form
+        }
+        Record::SFilter { nesting_index } => {
+            json!({ "step": "s_filter", "nesting_index": nesting_index })
+        }
+        Record::LFilter { nesting_index } => {
+            json!({ "step": "l_filter", "nesting_index": nesting_index })
+        }
+    };
+    object["message"] = json!(record.to_string());
+    object
+}
+
+/// A radius is positive if convex and `null` for a plane.
+fn form(parameters: FormParameters) -> Value {
+    let finite = |radius: f64| radius.is_finite().then_some(radius);
+    match parameters {
+        FormParameters::Polynomial { degree } => json!({ "form": "polynomial", "degree": degree }),
+        FormParameters::Sphere { radius, apex } => {
+            json!({ "form": "sphere", "radius": finite(radius), "apex": apex })
+        }
+        FormParameters::Cylinder { radius, direction, tilt } => json!({
+            "form": "cylinder", "radius": finite(radius), "direction": direction, "tilt": tilt,
         }),
     }
 }

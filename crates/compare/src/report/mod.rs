@@ -34,7 +34,10 @@ mod words;
 
 pub use csv::write as write_csv;
 pub use html::write as write_html;
-pub use json::{comparison as comparison_json, statistics as statistics_json, write as write_json};
+pub use json::{
+    cleaning as cleaning_json, comparison as comparison_json, statistics as statistics_json,
+    write as write_json,
+};
 pub use palette::{
     BGT, Colour, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
 };

@@ -6,6 +6,7 @@ use crate::Origin;
 use crate::accuracy::NoBar;
 use crate::result::SurfaceComparison;
 use surface_stats::Warning;
+use surface_stats::clean::{FormParameters, Record};
 
 /// How much a note matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -81,12 +82,20 @@ pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
         let share = file.missing as f64 / surface.surface.grid().len() as f64;
         notes.push(note(
             if share > 0.05 { Weight::Check } else { Weight::Note },
-            format!("{} of the points were missing.", percent(share)),
+            format!("{} of the points were {}.", percent(share), gone(&file.cleaned)),
             format!(
                 "They were filled ({}) from their neighbours, which makes them smoother than the \
                  surface; contact there is a guess.",
                 escape(&file.fill)
             ),
+        ));
+    }
+    let cleaned = surface.origin.cleaned();
+    if !cleaned.is_empty() {
+        notes.push(note(
+            Weight::Note,
+            format!("The heights were cleaned: {}.", steps(cleaned)),
+            "What was taken off is in no answer here; “How this was made” says what each step did.",
         ));
     }
     notes.sort_by_key(|n| n.weight);
@@ -96,6 +105,34 @@ pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
     }
     notes.truncate(MOST);
     notes
+}
+
+/// What filled points were before.
+fn gone(cleaned: &[Record]) -> &'static str {
+    let spikes = |r: &Record| matches!(r, Record::Outliers { count, .. } if *count > 0);
+    if cleaned.iter().any(spikes) { "missing or spikes" } else { "missing" }
+}
+
+/// The steps of cleaning in a few words.
+fn steps(cleaned: &[Record]) -> String {
+    let step = |record: &Record| match *record {
+        Record::Outliers { count: 0, .. } => "no spikes found".to_owned(),
+        Record::Outliers { count: 1, .. } => "1 spike".to_owned(),
+        Record::Outliers { count, .. } => format!("{count} spikes"),
+        Record::Form { parameters: FormParameters::Polynomial { degree: 1 }, .. } => "plane".into(),
+        Record::Form { parameters: FormParameters::Polynomial { degree }, .. } => {
+            format!("polynomial of degree {degree}")
+        }
+        Record::Form { parameters: FormParameters::Sphere { .. }, .. } => "sphere".into(),
+        Record::Form { parameters: FormParameters::Cylinder { .. }, .. } => "cylinder".into(),
+        Record::SFilter { nesting_index } => {
+            format!("S-filter {}", quantity(nesting_index, METRES, 3))
+        }
+        Record::LFilter { nesting_index } => {
+            format!("L-filter {}", quantity(nesting_index, METRES, 3))
+        }
+    };
+    cleaned.iter().map(step).collect::<Vec<_>>().join(", ")
 }
 
 /// The text, escaped, with a capital letter.

@@ -371,7 +371,8 @@ pub(super) fn levelled(surface: &SurfaceComparison) -> &'static str {
         surface_stats::Level::Plane => "least-squares plane removed",
         surface_stats::Level::Quadratic => "least-squares paraboloid removed",
         surface_stats::Level::Mean => "mean removed",
-        surface_stats::Level::None => "as given",
+        surface_stats::Level::None if surface.origin.cleaned().is_empty() => "as given",
+        surface_stats::Level::None => "cleaned, not levelled",
     }
 }
 

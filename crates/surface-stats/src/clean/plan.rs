@@ -99,17 +99,17 @@ impl fmt::Display for Record {
         match *self {
             Self::Outliers { rule, count: 0, limit, .. } => write!(
                 f,
-                "no spikes: no point is more than {:.4} µm from the median of its neighbours \
-                 ({} robust standard deviations, {w} × {w} pixels)",
+                "no spikes: no point is more than {:.4} µm off its neighbours ({} robust standard \
+                 deviations, {w} × {w} pixels)",
                 1e6 * limit,
                 rule.threshold,
                 w = 2 * rule.reach + 1
             ),
             Self::Outliers { rule, count, limit, largest } => write!(
                 f,
-                "{count} spikes made missing points: more than {:.4} µm from the median of their \
-                 neighbours ({} robust standard deviations, {w} × {w} pixels), the farthest by \
-                 {:.4} µm",
+                "{count} {} removed: more than {:.4} µm off the neighbours ({} robust standard \
+                 deviations, {w} × {w} pixels), the farthest by {:.4} µm",
+                if count == 1 { "spike" } else { "spikes" },
                 1e6 * limit,
                 rule.threshold,
                 1e6 * largest,
@@ -117,6 +117,7 @@ impl fmt::Display for Record {
             ),
             Self::Form { parameters, points } => {
                 match parameters {
+                    FormParameters::Polynomial { degree: 1 } => f.write_str("plane")?,
                     FormParameters::Polynomial { degree } => {
                         write!(f, "polynomial of degree {degree}")?;
                     }
@@ -200,7 +201,7 @@ mod tests {
             assert!(missing || (h - r).abs() < 15e-9, "{i}: {h:e} {r:e}"); // the fit takes 4 waves
         }
         let text: Vec<String> = records.iter().map(ToString::to_string).collect();
-        assert!(text[0].starts_with("1 spikes made missing points: more than "), "{text:?}");
+        assert!(text[0].starts_with("1 spike removed: more than "), "{text:?}");
         assert!(text[1].contains("(convex) fitted to 11979 points"), "{text:?}");
     }
 

@@ -1,7 +1,8 @@
 //! `rough-contact compare`: the study and its report.
 
 use crate::args::{self, Bodies, Common, List};
-use crate::input::{Fill, Reading};
+use crate::cleaning::CleaningOptions;
+use crate::input::{Complete, Fill, Reading};
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::progress::Progress;
@@ -9,8 +10,8 @@ use crate::text::{self, Columns};
 use clap::Args;
 use compare::report::{self, Provenance};
 use compare::{
-    Comparison, FileOrigin, LevelName, MethodName, Origin, PrecisionName, RunFile, RunSurface,
-    STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
+    Cleaning, Comparison, FileOrigin, LevelName, MethodName, Origin, PrecisionName, RunFile,
+    RunSurface, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
 };
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -26,8 +27,6 @@ pub(crate) struct Compare {
     /// Surface files; without any, three built-in surfaces: polished, ground, blasted
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
-    #[command(flatten)]
-    reading: Reading,
     #[command(flatten)]
     bodies: Bodies,
     /// Nominal pressures [default: chosen so that about 0.1 % to half of the surface touches]
@@ -56,11 +55,16 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "pressure", "headline", "level", "fractal_range", "method", "precision",
         "tolerance", "modulus", "young", "channel", "pixel", "height_unit", "fill", "crop",
+        "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    #[command(flatten)]
+    reading: Reading,
+    #[command(flatten)]
+    cleaning: CleaningOptions,
 }
 
 impl Compare {
@@ -116,17 +120,23 @@ impl Compare {
 
     fn surfaces(&self) -> Result<Vec<Surface>, Failure> {
         if !self.files.is_empty() {
-            return self.files.iter().map(|path| from_file(path, &self.reading)).collect();
+            let cleaning = self.cleaning.asked();
+            return self
+                .files
+                .iter()
+                .map(|path| from_file(path, &self.reading, cleaning))
+                .collect();
         }
+        self.cleaning.refuse_without_file()?;
         let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
         recipes.iter().map(from_recipe).collect()
     }
 }
 
-fn from_file(path: &Path, reading: &Reading) -> Result<Surface, Failure> {
+fn from_file(path: &Path, reading: &Reading, cleaning: Cleaning) -> Result<Surface, Failure> {
     let measurement = reading.measurement(path)?;
     let format = measurement.format().name().to_owned();
-    let (heights, missing) = reading.surface_of(path, measurement)?;
+    let Complete { map, missing, cleaned } = reading.surface_of(path, measurement, cleaning)?;
     let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
     let origin = FileOrigin {
         path: path.display().to_string(),
@@ -138,9 +148,11 @@ fn from_file(path: &Path, reading: &Reading) -> Result<Surface, Failure> {
         crop: reading.crop,
         fill: reading.fill.name().to_owned(),
         missing,
+        cleaning,
+        cleaned,
     };
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-    Ok(Surface { name, origin: Origin::File(origin), heights })
+    Ok(Surface { name, origin: Origin::File(origin), heights: map })
 }
 
 fn from_recipe(recipe: &compare::Recipe) -> Result<Surface, Failure> {
@@ -180,7 +192,7 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<Surface, Failure> {
         crop: file.crop,
     };
     let path = Path::new(&file.path);
-    let surface = from_file(path, &reading)?;
+    let surface = from_file(path, &reading, file.cleaning)?;
     match &surface.origin {
         Origin::File(now) if now.sha256 != file.sha256 => {
             let message = format!(
@@ -261,7 +273,9 @@ fn not_converged(comparison: &Comparison) -> Option<Failure> {
 fn describe(comparison: &Comparison, folder: &Path) -> String {
     let mut out = String::new();
     for surface in &comparison.surfaces {
-        let _ = writeln!(out, "{}\n", headline(surface));
+        let _ = writeln!(out, "{}", headline(surface));
+        out.push_str(&text::cleaning(surface.origin.cleaned()));
+        out.push('\n');
         let mut columns = Columns::new(&[
             "model",
             "mean |area error|",

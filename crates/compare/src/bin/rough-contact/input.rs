@@ -1,12 +1,14 @@
 //! A surface file and how to read it: the options every command with a FILE takes.
 
 use crate::args;
+use crate::cleaning::{self, CleaningOptions};
 use crate::outcome::Failure;
 use clap::{Args, ValueEnum};
-use compare::quantity;
+use compare::{Cleaning, quantity};
 use contact_types::HeightMap;
 use std::path::{Path, PathBuf};
 use surface_io::{Measurement, ReadOptions};
+use surface_stats::clean::Record;
 
 /// How missing points are filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -78,10 +80,9 @@ impl Reading {
         }
     }
 
-    /// A complete surface, and how many of its points were missing.
-    pub(crate) fn surface(&self, path: &Path) -> Result<(HeightMap, usize), Failure> {
-        let measurement = self.measurement(path)?;
-        self.surface_of(path, measurement)
+    /// A complete surface: read, cropped, cleaned, filled.
+    pub(crate) fn surface(&self, path: &Path, cleaning: Cleaning) -> Result<Complete, Failure> {
+        self.surface_of(path, self.measurement(path)?, cleaning)
     }
 
     /// The same from what was read.
@@ -89,12 +90,33 @@ impl Reading {
         &self,
         path: &Path,
         measurement: Measurement,
-    ) -> Result<(HeightMap, usize), Failure> {
-        let missing = measurement.missing();
+        cleaning: Cleaning,
+    ) -> Result<Complete, Failure> {
         refuse_profile(path, &measurement)?;
+        let (measurement, cleaned) = cleaning::apply(path, measurement, cleaning)?;
+        let missing = measurement.missing();
+        let spikes = cleaning::spikes(&cleaned);
+        if self.fill == Fill::Refuse && spikes > 0 && missing == spikes {
+            let message = format!(
+                "{}: --outliers made {spikes} {} missing points, and --fill refuse keeps none; \
+                 add --fill harmonic or --fill nearest, or raise the threshold",
+                path.display(),
+                if spikes == 1 { "spike" } else { "spikes" }
+            );
+            return Err(Failure::refused("missing", message));
+        }
         let map = measurement.fill(self.fill.rule()).map_err(|e| Failure::in_file(path, &e))?;
-        Ok((map, missing))
+        Ok(Complete { map, missing, cleaned })
     }
+}
+
+/// A surface without missing points, and what was done to it.
+pub(crate) struct Complete {
+    pub(crate) map: HeightMap,
+    /// Points that were filled, spikes among them.
+    pub(crate) missing: usize,
+    /// What each step of cleaning did.
+    pub(crate) cleaned: Vec<Record>,
 }
 
 /// A single line of points is a profile; contact of surfaces needs both directions.
@@ -119,4 +141,13 @@ pub(crate) struct Input {
     pub(crate) file: PathBuf,
     #[command(flatten)]
     pub(crate) reading: Reading,
+    #[command(flatten)]
+    cleaning: CleaningOptions,
+}
+
+impl Input {
+    /// The surface, complete.
+    pub(crate) fn surface(&self) -> Result<Complete, Failure> {
+        self.reading.surface(&self.file, self.cleaning.asked())
+    }
 }

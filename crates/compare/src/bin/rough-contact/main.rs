@@ -4,6 +4,7 @@
 #![allow(clippy::print_stdout, reason = "a command-line tool prints")]
 
 mod args;
+mod cleaning;
 mod compare;
 mod info;
 mod input;

@@ -1,6 +1,7 @@
 //! `rough-contact model`: a closed-form model from a surface or from numbers.
 
 use crate::args::{self, Bodies, Common, List};
+use crate::cleaning::CleaningOptions;
 use crate::input::Reading;
 use crate::outcome::{Failure, Reply, variant};
 use crate::roughness::Source;
@@ -37,6 +38,8 @@ pub(crate) struct Model {
     source: Source,
     #[command(flatten)]
     reading: Reading,
+    #[command(flatten)]
+    cleaning: CleaningOptions,
 }
 
 fn names() -> clap::builder::PossibleValuesParser {
@@ -59,10 +62,21 @@ impl Model {
         let entry = compare::models::find(name).expect("clap accepts only these names");
         let modulus = self.bodies.required()?;
         let questions = self.questions()?;
-        let inputs =
-            self.source.inputs(entry.name, modulus, self.file.as_deref(), &self.reading)?;
+        let mut cleaned = Vec::new();
+        self.source.refuse_unused(entry.name, self.file.as_deref())?;
+        let inputs = if let Some(path) = &self.file {
+            let surface = self.reading.surface(path, self.cleaning.asked())?;
+            cleaned.clone_from(&surface.cleaned);
+            self.source.measured(entry.name, modulus, path, surface)?
+        } else {
+            self.cleaning.refuse_without_file()?;
+            self.source.typed(entry.name, modulus)?
+        };
         let answers = answer(entry, &inputs, &questions)?;
-        Ok(reply(entry, &inputs, &questions, &answers))
+        let mut reply = reply(entry, &inputs, &questions, &answers);
+        reply.text.insert_str(0, &text::cleaning(&cleaned));
+        reply.json["cleaning"] = compare::report::cleaning_json(&cleaned);
+        Ok(reply)
     }
 
     fn questions(&self) -> Result<Vec<Question>, Failure> {

@@ -1,7 +1,7 @@
 //! What a model is made from: typed numbers, or the statistics of a surface file.
 
 use crate::args::{self, List};
-use crate::input::Reading;
+use crate::input::Complete;
 use crate::outcome::Failure;
 use clap::{Args, ValueEnum};
 use compare::LevelName;
@@ -137,22 +137,8 @@ pub(crate) fn options_of(model: &str) -> Vec<&'static str> {
 }
 
 impl Source {
-    /// The inputs of `model`: from the numbers typed in, or from the file.
-    pub(crate) fn inputs(
-        &self,
-        model: &str,
-        modulus: ContactModulus,
-        file: Option<&Path>,
-        reading: &Reading,
-    ) -> Result<Inputs, Failure> {
-        self.refuse_unused(model, file)?;
-        match file {
-            Some(path) => self.measured(model, modulus, path, reading),
-            None => self.typed(model, modulus),
-        }
-    }
-
-    fn typed(&self, model: &str, modulus: ContactModulus) -> Result<Inputs, Failure> {
+    /// The inputs of `model` from the numbers typed in.
+    pub(crate) fn typed(&self, model: &str, modulus: ContactModulus) -> Result<Inputs, Failure> {
         let mut inputs = Inputs::new(modulus);
         inputs.gamma = self.gamma;
         inputs.max_amplitude_ratio = self.max_amplitude_ratio;
@@ -265,17 +251,17 @@ impl Source {
     }
 
     /// What the model needs of a measured surface, and nothing else.
-    fn measured(
+    pub(crate) fn measured(
         &self,
         model: &str,
         modulus: ContactModulus,
         path: &Path,
-        reading: &Reading,
+        surface: Complete,
     ) -> Result<Inputs, Failure> {
         let refused = |e: StatsError| Failure::in_file(path, &e);
         let form = args::form(self.level.unwrap_or(LevelName::Mean));
         let boundary = self.boundary.unwrap_or(Edges::Open).rule();
-        let (heights, missing) = reading.surface(path)?;
+        let Complete { map: heights, missing, .. } = surface;
         let mut inputs = Inputs::new(modulus);
         inputs.gamma = self.gamma;
         inputs.critical_area = self.critical_area;
@@ -306,7 +292,7 @@ impl Source {
     }
 
     /// An option that the model does not use is a mistake, not a wish.
-    fn refuse_unused(&self, model: &str, file: Option<&Path>) -> Result<(), Failure> {
+    pub(crate) fn refuse_unused(&self, model: &str, file: Option<&Path>) -> Result<(), Failure> {
         let used = options_of(model).join(" ");
         let used = |name: &str| used.split([' ', '[', ']']).any(|option| option == name);
         for (name, is_given) in self.given() {

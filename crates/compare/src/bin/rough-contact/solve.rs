@@ -1,7 +1,7 @@
 //! `rough-contact solve`: the deterministic solution.
 
 use crate::args::{self, Bodies, Common, List};
-use crate::input::Input;
+use crate::input::{Complete, Input};
 use crate::outcome::{Failure, Reply, variant};
 use crate::output::Folder;
 use crate::progress::Progress;
@@ -15,8 +15,6 @@ use std::path::PathBuf;
 
 #[derive(Args)]
 pub(crate) struct Solve {
-    #[command(flatten)]
-    input: Input,
     #[command(flatten)]
     bodies: Bodies,
     /// Mean pressures to solve for
@@ -45,6 +43,8 @@ pub(crate) struct Solve {
     /// Folder for pressure-000.npy and gap-000.npy of each load
     #[arg(long, value_name = "DIR")]
     maps: Option<PathBuf>,
+    #[command(flatten)]
+    input: Input,
 }
 
 /// A load that was solved for.
@@ -61,7 +61,7 @@ impl Solve {
             None => None,
             Some(path) => Some(Folder::prepare(path, &map_names(loads.len()), common.force)?),
         };
-        let (surface, _) = self.input.reading.surface(&self.input.file)?;
+        let Complete { map: surface, cleaned, .. } = self.input.surface()?;
         let surface = match self.level {
             LevelName::None => surface,
             form => surface_stats::level(&surface, args::form(form))
@@ -96,7 +96,10 @@ impl Solve {
             progress.step(&shown(loads[index]));
         }
         drop(progress);
-        Ok(self.reply(work, &surface, modulus.pascals()))
+        let mut reply = self.reply(work, &surface, modulus.pascals());
+        reply.text.insert_str(0, &text::cleaning(&cleaned));
+        reply.json["cleaning"] = compare::report::cleaning_json(&cleaned);
+        Ok(reply)
     }
 
     /// The loads in the order given; zero and negative ones are refused before any work.

@@ -1,7 +1,7 @@
 //! `rough-contact stats`: roughness statistics, each with its unit.
 
 use crate::args::{self, Common};
-use crate::input::Input;
+use crate::input::{Complete, Input};
 use crate::outcome::{Failure, Reply};
 use crate::roughness::Edges;
 use crate::text::{self, Table};
@@ -12,19 +12,19 @@ use surface_stats::{StatsOptions, SurfaceStatistics};
 
 #[derive(Args)]
 pub(crate) struct Stats {
-    #[command(flatten)]
-    input: Input,
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "mean")]
     level: LevelName,
     /// What lies beyond the edges: nothing, or the same map again
     #[arg(long, value_enum, default_value_t = Edges::Open)]
     boundary: Edges,
+    #[command(flatten)]
+    input: Input,
 }
 
 impl Stats {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
-        let (map, missing) = self.input.reading.surface(&self.input.file)?;
+        let Complete { map, missing, cleaned } = self.input.surface()?;
         let options = StatsOptions {
             level: args::form(self.level),
             boundary: self.boundary.rule(),
@@ -33,7 +33,9 @@ impl Stats {
         };
         let s = SurfaceStatistics::of(&map, &options)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-        Ok(Reply::new(self.describe(&s), compare::report::statistics_json(&s)))
+        let mut json = compare::report::statistics_json(&s);
+        json["cleaning"] = compare::report::cleaning_json(&cleaned);
+        Ok(Reply::new(text::cleaning(&cleaned) + &self.describe(&s), json))
     }
 
     fn describe(&self, s: &SurfaceStatistics) -> String {

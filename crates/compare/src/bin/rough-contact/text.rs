@@ -1,6 +1,7 @@
 //! Numbers and tables as people read them on a terminal.
 
 use std::fmt;
+use surface_stats::clean::Record;
 
 /// Two columns: a name and what it is.
 #[derive(Default)]
@@ -22,6 +23,11 @@ impl fmt::Display for Table {
         }
         Ok(())
     }
+}
+
+/// One line for each step of cleaning; nothing if there was none.
+pub(crate) fn cleaning(records: &[Record]) -> String {
+    records.iter().map(|record| format!("cleaned: {record}\n")).collect::<Vec<_>>().concat()
 }
 
 /// Columns of equal width under a header; the first is left-aligned, the others are not.

@@ -1,0 +1,79 @@
+//! Cleaning of the heights of a file, asked for step by step.
+
+use crate::args;
+use crate::outcome::Failure;
+use clap::Args;
+use compare::{Cleaning, FormName};
+use std::path::Path;
+use surface_io::Measurement;
+use surface_stats::Boundary;
+use surface_stats::clean::{self, Record};
+
+/// Done in this order on the valid points, before missing points are filled.
+#[derive(Args, Clone, Copy, Debug, Default)]
+#[command(next_help_heading = "Cleaning, in this order, before the fill")]
+pub(crate) struct CleaningOptions {
+    /// Make spikes missing points: those more than so many robust standard deviations from their
+    /// neighbours; 8 is usual
+    #[arg(long, value_name = "THRESHOLD", value_parser = threshold, allow_hyphen_values = true)]
+    outliers: Option<f64>,
+    /// Take a form off by least squares: plane, quadratic, polynomial:N, sphere or cylinder
+    #[arg(long, value_name = "FORM", value_parser = str::parse::<FormName>)]
+    form: Option<FormName>,
+    /// Take waves shorter than this off (Gaussian, ISO 16610-61)
+    #[arg(long, value_name = "CUTOFF", value_parser = args::length, allow_hyphen_values = true)]
+    s_filter: Option<f64>,
+    /// Take waves longer than this off (Gaussian, ISO 16610-61)
+    #[arg(long, value_name = "CUTOFF", value_parser = args::length, allow_hyphen_values = true)]
+    l_filter: Option<f64>,
+}
+
+fn threshold(text: &str) -> Result<f64, String> {
+    match args::number(text) {
+        Ok(value) if value > 0.0 => Ok(value),
+        Ok(value) => Err(format!("the threshold {value} must be greater than 0; 8 is usual")),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+impl CleaningOptions {
+    pub(crate) fn asked(self) -> Cleaning {
+        let Self { outliers, form, s_filter, l_filter } = self;
+        Cleaning { outliers, form, s_filter, l_filter }
+    }
+
+    /// Refuses cleaning where there is no file to be cleaned.
+    pub(crate) fn refuse_without_file(self) -> Result<(), Failure> {
+        if self.asked().is_empty() {
+            return Ok(());
+        }
+        let message = "--outliers, --form, --s-filter and --l-filter clean a surface FILE, and \
+                       none is given; name a FILE or leave them out";
+        Err(Failure::refused("usage", message))
+    }
+}
+
+/// A measurement after cleaning, with what each step did.
+pub(crate) fn apply(
+    path: &Path,
+    measurement: Measurement,
+    cleaning: Cleaning,
+) -> Result<(Measurement, Vec<Record>), Failure> {
+    if cleaning.is_empty() {
+        return Ok((measurement, Vec::new()));
+    }
+    cleaning.check(measurement.grid()).map_err(|e| Failure::in_file(path, &e))?;
+    let steps = cleaning.steps();
+    // A measured map ends at its edges, whatever is assumed beyond them later.
+    let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps, Boundary::Open);
+    measurement.edit(clean).map_err(|e| Failure::in_file(path, &e))
+}
+
+/// Spikes among the points that are missing after cleaning.
+pub(crate) fn spikes(records: &[Record]) -> usize {
+    let count = |record: &Record| match *record {
+        Record::Outliers { count, .. } => count,
+        _ => 0,
+    };
+    records.iter().map(count).sum()
+}
