@@ -170,6 +170,37 @@ fn solve_answers_in_the_order_asked_and_carries_the_load() {
     assert!(areas[1] < areas[2] && areas[2] < areas[0], "{areas:?}");
 }
 
+/// The interval holds the corrected area, the bound shrinks with the tolerance, and each is null
+/// with its reason, or for want of the flag, where it is not known.
+#[test]
+fn solve_states_how_wrong_it_may_be() {
+    let dir = folder();
+    let at = dir.path();
+    rough_contact(
+        at,
+        "synth --shape 128,128 --pixel 1um --hurst 0.8 --rolloff 64um --cutoff 12um \
+         --rms-gradient 0.1 --seed 3 --out smooth.x3p --json",
+    )
+    .answered();
+    let solve = |file: &str, more: &str| {
+        let line = format!("solve {file} --modulus 70GPa --pressure 700MPa {more} --json");
+        rough_contact(at, &line).answered()["points"][0].clone()
+    };
+    let loose = solve("smooth.x3p", "--certify --tolerance 1e-4");
+    let tight = solve("smooth.x3p", "--certify --tolerance 1e-8");
+    let interval = |p: &serde_json::Value| [0, 1].map(|k| number(&p["area_interval"][k]));
+    let [low, high] = interval(&loose);
+    let area = number(&tight["area_fraction_corrected"]);
+    assert!(low < area && area < high && high - low < 0.2 * area, "{low} {area} {high}");
+    let [wide, narrow] = [&loose, &tight].map(|p| number(&p["energy_bound"]));
+    assert!(wide < 1e-3 && narrow < 1e-3 * wide, "{wide} {narrow}");
+    assert!(loose["area_interval_reason"].is_null());
+
+    let free = solve("smooth.x3p", "--boundary free");
+    assert!(free["area_interval"].is_null() && free["energy_bound"].is_null());
+    assert!(free["area_interval_reason"].as_str().unwrap().contains("free"));
+}
+
 #[test]
 fn threads_boundaries_and_methods_agree_where_they_should() {
     let dir = folder();

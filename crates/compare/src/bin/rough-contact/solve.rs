@@ -9,7 +9,7 @@ use crate::text::{self, Columns};
 use clap::Args;
 use compare::{LevelName, MethodName, PrecisionName};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Boundary, Load, Precision, Solution, Solver, SolverError};
+use fft_bem_solver::{AreaAccuracy, Boundary, Load, Precision, Solution, Solver, SolverError};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -40,6 +40,9 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
     #[arg(default_value = "1e-4")]
     tolerance: f64,
+    /// Prove how wrong each answer may be, for one more FFT pair: energy_bound in the JSON
+    #[arg(long)]
+    certify: bool,
     /// Folder for pressure-000.npy and gap-000.npy of each load
     #[arg(long, value_name = "DIR")]
     maps: Option<PathBuf>,
@@ -78,6 +81,7 @@ impl Solve {
             .precision(precision)
             .tolerance(self.tolerance)
             .threads(common.threads())
+            .certified(self.certify)
             .build(surface.grid(), modulus)
             .map_err(|e| Failure::from_error(&e))?;
 
@@ -87,6 +91,7 @@ impl Solve {
             method: self.method.to_string(),
             points: loads.iter().map(|_| None).collect(),
             grid: surface.grid(),
+            accuracy: AreaAccuracy::of(&surface),
         };
         let mut progress = Progress::new(common.quiet, loads.len());
         // Rising load, each solution the start of the next.
@@ -156,6 +161,7 @@ struct Work {
     method: String,
     points: Vec<Option<Point>>,
     grid: Grid,
+    accuracy: AreaAccuracy,
 }
 
 impl Work {
@@ -164,7 +170,7 @@ impl Work {
             Ok(solution) => (Some(solution), None),
             Err(error) => (error.solution(), Some(error)),
         };
-        self.points[index] = Some(point(load, solution, error));
+        self.points[index] = Some(point(load, solution, error, &self.accuracy));
         if let Some(error) = error {
             let message = format!("{}: {error}", shown(load));
             self.report(match error {
@@ -232,13 +238,19 @@ fn shown(load: Load) -> String {
     }
 }
 
-fn point(load: Load, solution: Option<&Solution>, error: Option<&SolverError>) -> Point {
+fn point(
+    load: Load,
+    solution: Option<&Solution>,
+    error: Option<&SolverError>,
+    accuracy: &AreaAccuracy,
+) -> Point {
     let error_json = error.map(|e| json!({ "kind": variant(e), "message": e.to_string() }));
     let Some(solution) = solution else {
         let asked = if let Load::MeanPressure(p) = load { Some(p) } else { None };
         return Point {
             json: json!({
                 "mean_pressure": asked, "area_fraction": null, "area_fraction_corrected": null,
+                "area_interval": null, "area_interval_reason": null,
                 "mean_gap": if let Load::MeanGap(g) = load { Some(g) } else { None },
                 "approach": null, "max_pressure": null, "real_pressure": null,
                 "converged": false, "iterations": null, "transforms": null, "seconds": null,
@@ -249,11 +261,17 @@ fn point(load: Load, solution: Option<&Solution>, error: Option<&SolverError>) -
     };
     let (state, d) = (&solution.state, &solution.diagnostics);
     let real = state.real_pressure();
+    let (interval, reason) = match accuracy.interval(solution) {
+        Ok(interval) => (Some(interval), None),
+        Err(reason) => (None, Some(reason.to_string())),
+    };
     Point {
         json: json!({
             "mean_pressure": state.mean_pressure,
             "area_fraction": state.area_fraction,
             "area_fraction_corrected": d.area_fraction_corrected,
+            "area_interval": interval,
+            "area_interval_reason": reason,
             "mean_gap": state.mean_gap,
             "approach": solution.approach,
             "max_pressure": d.max_pressure,
