@@ -56,6 +56,36 @@ fn info_says_what_the_file_holds() {
 }
 
 #[test]
+fn areal_parameters_of_a_ramp_are_those_of_the_formula() {
+    // Rows of 41 heights from 0 to 4 um in equal steps: a staircase whose material ratio curve is
+    // straight but for the steps.
+    let dir = folder();
+    let at = dir.path();
+    matrix(at, "ramp.txt", 40, 41, |_, ix| 0.1 * ix as f64);
+    let line = "stats ramp.txt --pixel 1um --height-unit um --json";
+    assert!(rough_contact(at, line).answered().get("iso25178").is_none());
+    let iso = rough_contact(at, &format!("{line} --iso")).answered()["iso25178"].clone();
+    let near = |key: &str, expected: f64, tolerance: f64| {
+        let found = number(&iso[key]);
+        assert!((found / expected - 1.0).abs() < tolerance, "{key}: {found:e}, not {expected:e}");
+    };
+    near("Sp", 2e-6, 1e-9);
+    near("Sv", 2e-6, 1e-9);
+    near("Sz", 4e-6, 1e-9);
+    near("Sdq", 0.1, 1e-9);
+    near("Sdr", 1.01f64.sqrt() - 1.0, 1e-9);
+    near("Sk", 4.1e-6, 0.05); // of the straight line from 4.05 to -0.05 um
+    // By hand on the staircase: the height of ratio 2.5 % is 3.9 um, of 10 % 3.6 um, of 50 % 2 um,
+    // of 80 % 0.8 um. The curve joins steps by straight lines, which moves volumes by 1 %.
+    near("Sxp", 1.9e-6, 1e-6);
+    near("Vmp", (0.4 + 0.3 + 0.2 + 0.1) / 41.0 * 1e-6, 0.01);
+    near("Vvv", (0.8 + 0.7 + 0.6 + 0.5 + 0.4 + 0.3 + 0.2 + 0.1) / 41.0 * 1e-6, 0.01);
+
+    let text = rough_contact(at, &line.replace("--json", "--iso")).out;
+    assert!(text.contains("Sk, Spk, Svk") && text.contains("Vmp, Vmc, Vvc, Vvv"), "{text}");
+}
+
+#[test]
 fn stats_of_a_wave_are_those_of_the_formula() {
     // z = cos(2 pi 3 x / L) um over 60 columns: m0 = 1/2 um^2; forward slopes see
     // [2 sin(q dx/2)/dx]^2, second differences its square (MODELS 0.2).

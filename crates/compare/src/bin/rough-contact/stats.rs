@@ -2,13 +2,14 @@
 
 use crate::args::{self, Common};
 use crate::input::{Complete, Input};
+use crate::iso::Iso;
 use crate::outcome::{Failure, Reply};
 use crate::roughness::Edges;
 use crate::text::{self, Table};
 use clap::Args;
 use compare::LevelName;
 use std::fmt::Write as _;
-use surface_stats::{StatsOptions, SurfaceStatistics};
+use surface_stats::{StatsOptions, SurfaceStatistics, level};
 
 #[derive(Args)]
 pub(crate) struct Stats {
@@ -18,6 +19,9 @@ pub(crate) struct Stats {
     /// What lies beyond the edges: nothing, or the same map again
     #[arg(long, value_enum, default_value_t = Edges::Open)]
     boundary: Edges,
+    /// The areal parameters of ISO 25178-2 too: Sdr, Sal, Str, Std, the Sk family, volumes
+    #[arg(long)]
+    iso: bool,
     #[command(flatten)]
     input: Input,
 }
@@ -35,7 +39,15 @@ impl Stats {
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
         let mut json = compare::report::statistics_json(&s);
         json["cleaning"] = compare::report::cleaning_json(&cleaned);
-        Ok(Reply::new(text::cleaning(&cleaned) + &self.describe(&s), json))
+        let mut text = text::cleaning(&cleaned) + &self.describe(&s);
+        if self.iso {
+            let iso = level(&map, options.level)
+                .and_then(|map| Iso::of(&map, options.boundary))
+                .map_err(|e| Failure::in_file(&self.input.file, &e))?;
+            text = format!("{text}\nISO 25178-2\n{}", iso.describe());
+            json["iso25178"] = iso.json();
+        }
+        Ok(Reply::new(text, json))
     }
 
     fn describe(&self, s: &SurfaceStatistics) -> String {
