@@ -213,12 +213,12 @@ fn describe(
     settings: &Settings,
 ) -> Result<(HeightMap, SurfaceStatistics), StatsError> {
     let form = form(settings.level);
-    let (boundary, missing) = match origin {
-        Origin::Recipe(_) => (Boundary::Periodic, 0),
-        Origin::File(file) => (Boundary::Open, file.missing),
+    let (boundary, missing, height_step) = match origin {
+        Origin::Recipe(_) => (Boundary::Periodic, 0, None),
+        Origin::File(file) => (Boundary::Open, file.missing, file.height_step),
     };
     let fractal_range = settings.fractal_range;
-    let options = StatsOptions { level: form, boundary, fractal_range, missing };
+    let options = StatsOptions { level: form, boundary, fractal_range, missing, height_step };
     // From the heights as given, so that a tilt that is removed is still reported.
     let statistics = SurfaceStatistics::of(heights, &options)?;
     Ok((level(heights, form)?, statistics))

@@ -60,6 +60,10 @@ pub struct FileOrigin {
     /// What each step of it did. Not part of a run file, which repeats it.
     #[serde(skip)]
     pub cleaned: Vec<Record>,
+    /// Height step of the data before cleaning and filling (m), if they have one and it is still
+    /// in the heights. Not part of a run file either.
+    #[serde(skip)]
+    pub height_step: Option<f64>,
 }
 
 impl Origin {

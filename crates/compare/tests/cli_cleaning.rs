@@ -101,6 +101,30 @@ fn a_sphere_is_removed_and_its_radius_reported() {
     assert!((ratio - 1.0).abs() < 0.1, "{ratio}");
 }
 
+/// A form that is removed and points that are filled do not take away the steps of the data.
+#[test]
+fn height_steps_are_still_seen_after_a_form_is_removed() {
+    let dir = folder();
+    let at = dir.path();
+    // Smooth waves on the ball, in steps of 20 nm that make more than a quarter of m4.
+    let stepped = |iy, ix| {
+        let waves = 0.1 * (0.5 * ix as f64).sin() * (0.4 * iy as f64).cos();
+        ((ball(iy, ix) - rough(iy, ix) + waves) / 0.02).round() * 0.02
+    };
+    matrix(at, "stepped.txt", 48, 64, stepped);
+    let step = |options: &str| {
+        let found = stats(at, &format!("stepped.txt {options}"));
+        let warned = found["warnings"].to_string().contains("stepped");
+        (found["height_step"].as_f64(), warned)
+    };
+    for options in ["", "--form sphere", "--form sphere --outliers 8 --fill harmonic"] {
+        let (step, _) = step(options);
+        assert!((step.unwrap() / 20e-9 - 1.0).abs() < 1e-6, "{options}: {step:?}");
+    }
+    assert!(step("--form sphere").1, "no warning");
+    assert_eq!(step("--form sphere --s-filter 8um").0, None);
+}
+
 #[test]
 fn an_s_filter_changes_m4_and_is_repeated_from_the_run_file() {
     let dir = folder();

@@ -24,6 +24,9 @@ pub struct StatsOptions {
     pub fractal_range: Option<[f64; 2]>,
     /// Points of the map that were filled in, as its reader counted; passed through.
     pub missing: usize,
+    /// Height step of the data as measured (m), where filling or removing a form has hidden it;
+    /// by default it is looked for in the map.
+    pub height_step: Option<f64>,
 }
 
 /// Everything a contact model can ask of a surface. SI units; absent where undefined.
@@ -223,7 +226,7 @@ impl SurfaceStatistics {
             cutoff,
             max_amplitude_ratio: amplitudes.max_amplitude_ratio(),
             record_length: amplitudes.record_length(),
-            height_step: steps::height_step(map.heights()),
+            height_step: options.height_step.or_else(|| steps::height_step(map.heights())),
             noise_rms: noise.map(|n| n.rms),
             reliable_wavelength: reliable,
             warnings: Vec::new(),

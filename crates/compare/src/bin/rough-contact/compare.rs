@@ -136,7 +136,8 @@ impl Compare {
 fn from_file(path: &Path, reading: &Reading, cleaning: Cleaning) -> Result<Surface, Failure> {
     let measurement = reading.measurement(path)?;
     let format = measurement.format().name().to_owned();
-    let Complete { map, missing, cleaned } = reading.surface_of(path, measurement, cleaning)?;
+    let Complete { map, missing, cleaned, height_step } =
+        reading.surface_of(path, measurement, cleaning)?;
     let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
     let origin = FileOrigin {
         path: path.display().to_string(),
@@ -150,6 +151,7 @@ fn from_file(path: &Path, reading: &Reading, cleaning: Cleaning) -> Result<Surfa
         missing,
         cleaning,
         cleaned,
+        height_step,
     };
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
     Ok(Surface { name, origin: Origin::File(origin), heights: map })

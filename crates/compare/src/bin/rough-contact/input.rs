@@ -9,6 +9,7 @@ use contact_types::HeightMap;
 use std::path::{Path, PathBuf};
 use surface_io::{Measurement, ReadOptions};
 use surface_stats::clean::Record;
+use surface_stats::height_step;
 
 /// How missing points are filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -93,6 +94,9 @@ impl Reading {
         cleaning: Cleaning,
     ) -> Result<Complete, Failure> {
         refuse_profile(path, &measurement)?;
+        // Neither a removed form nor filled points take the steps away; only smoothing does.
+        let kept = cleaning.s_filter.is_none();
+        let height_step = kept.then(|| height_step(measurement.heights())).flatten();
         let (measurement, cleaned) = cleaning::apply(path, measurement, cleaning)?;
         let missing = measurement.missing();
         let spikes = cleaning::spikes(&cleaned);
@@ -106,7 +110,7 @@ impl Reading {
             return Err(Failure::refused("missing", message));
         }
         let map = measurement.fill(self.fill.rule()).map_err(|e| Failure::in_file(path, &e))?;
-        Ok(Complete { map, missing, cleaned })
+        Ok(Complete { map, missing, cleaned, height_step })
     }
 }
 
@@ -117,6 +121,8 @@ pub(crate) struct Complete {
     pub(crate) missing: usize,
     /// What each step of cleaning did.
     pub(crate) cleaned: Vec<Record>,
+    /// Height step of the data as measured, if they have one and it is still in the heights (m).
+    pub(crate) height_step: Option<f64>,
 }
 
 /// A single line of points is a profile; contact of surfaces needs both directions.

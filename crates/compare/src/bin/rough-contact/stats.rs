@@ -28,11 +28,12 @@ pub(crate) struct Stats {
 
 impl Stats {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
-        let Complete { map, missing, cleaned } = self.input.surface()?;
+        let Complete { map, missing, cleaned, height_step } = self.input.surface()?;
         let options = StatsOptions {
             level: args::form(self.level),
             boundary: self.boundary.rule(),
             missing,
+            height_step,
             ..StatsOptions::default()
         };
         let s = SurfaceStatistics::of(&map, &options)
