@@ -4,6 +4,7 @@ use crate::engine::{Engine, Run, gap_si, pressure_si};
 use crate::problem::Problem;
 use crate::{Boundary, Diagnostics, Load, Real, Residuals, Solution, certificate, fields};
 use contact_types::{ContactState, Grid};
+use grid_fft::parallel::prelude::*;
 
 /// Yastrebov, Anciaux & Molinari (2017), doi:10.1016/j.triboint.2017.04.023: area by which a count
 /// of pixels is too large, in pixels per edge of the contact line, for edges of all directions.
@@ -85,19 +86,28 @@ impl<T: Real> Engine<T> {
 /// map the neighbour is the opposite pixel, or, with a free boundary, empty.
 fn edges(grid: Grid, pressure: &[f64], boundary: Boundary) -> usize {
     let [ny, nx] = grid.shape();
-    let on = |iy: usize, ix: usize| pressure[iy * nx + ix] > 0.0;
+    let on = |p: f64| p > 0.0;
     let wraps = boundary == Boundary::Periodic;
-    let mut count = 0;
-    for iy in 0..ny {
-        for ix in 0..nx {
-            let here = on(iy, ix);
-            let right = if ix + 1 < nx { on(iy, ix + 1) } else { wraps && on(iy, 0) };
-            let below = if iy + 1 < ny { on(iy + 1, ix) } else { wraps && on(0, ix) };
-            count += usize::from(here != right) + usize::from(here != below);
-            if !wraps {
-                count += usize::from(ix == 0 && here) + usize::from(iy == 0 && here);
-            }
-        }
-    }
-    count
+    let row = |iy: usize| &pressure[iy * nx..(iy + 1) * nx];
+    let mut counts = vec![0_usize; ny];
+    counts.par_iter_mut().enumerate().for_each(|(iy, count)| {
+        let here = row(iy);
+        let (first, last) = (on(here[0]), on(here[nx - 1]));
+        let inner = here.windows(2).filter(|w| on(w[0]) != on(w[1])).count();
+        // Beyond the last row of an isolated map nothing touches.
+        let below = if iy + 1 < ny || wraps {
+            let pairs = here.iter().zip(row((iy + 1) % ny));
+            pairs.filter(|(a, b)| on(**a) != on(**b)).count()
+        } else {
+            here.iter().filter(|p| on(**p)).count()
+        };
+        let across = if wraps {
+            usize::from(last != first)
+        } else {
+            let above = if iy == 0 { here.iter().filter(|p| on(**p)).count() } else { 0 };
+            usize::from(last) + usize::from(first) + above
+        };
+        *count = inner + below + across;
+    });
+    counts.iter().sum()
 }

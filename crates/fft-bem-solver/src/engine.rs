@@ -323,11 +323,11 @@ fn first_guess<T: Real>(problem: &Problem<T>, level: f64) -> f64 {
 }
 
 pub(crate) fn pressure_si<T: Real>(state: &State<T>, unit: f64) -> Vec<f64> {
-    state.pressure.iter().map(|p| p.wide() * unit).collect()
+    fields::filled(state.pressure.len(), |i| state.pressure[i].wide() * unit)
 }
 
 pub(crate) fn gap_si<T: Real>(state: &State<T>, problem: &Problem<T>, level: f64) -> Vec<f64> {
     let unit = problem.units.height;
-    let gap = |(u, h): (&T, &T)| (u.wide() - h.wide() - level) * unit;
-    state.displacement.iter().zip(&problem.heights).map(gap).collect()
+    let (u, h) = (&state.displacement, &problem.heights);
+    fields::filled(u.len(), |i| (u[i].wide() - h[i].wide() - level) * unit)
 }

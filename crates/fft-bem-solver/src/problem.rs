@@ -60,7 +60,8 @@ impl<T: Real> Problem<T> {
         scaled: Grid,
         modulus: ContactModulus,
     ) -> Result<Self, SolverError> {
-        let (lowest, highest) = surface.range();
+        let raw = surface.heights();
+        let (lowest, highest) = (crate::fields::min(raw), crate::fields::max(raw));
         let flat = lowest >= highest;
         let length = fine_pixel(surface.grid());
         let height = if flat { length } else { highest - lowest };
@@ -74,7 +75,7 @@ impl<T: Real> Problem<T> {
                 way_out: "state the heights in metres and the modulus in pascals",
             });
         }
-        let heights: Vec<T> = surface.heights().iter().map(|h| units.scaled(*h)).collect();
+        let heights: Vec<T> = crate::fields::filled(raw.len(), |i| units.scaled(raw[i]));
         let mean_height = crate::fields::sum(&heights) / heights.len() as f64;
         Ok(Self { grid: scaled, heights, mean_height, units })
     }

@@ -439,9 +439,9 @@ fn begin_constant<T: Real>(
     operator: &mut dyn Compliance<T>,
     state: &mut State<T>,
 ) -> f64 {
-    state.pressure.fill(T::of(load));
+    passes::fill(load, &mut state.pressure);
     if operator.boundary() == Boundary::Periodic {
-        state.displacement.fill(T::zero());
+        passes::fill(0.0, &mut state.displacement);
         return 0.0;
     }
     operator.apply(&state.pressure, &mut state.displacement);
@@ -483,7 +483,7 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
     fn suspects_full_contact(&mut self, problem: &Problem<T>, mean_pressure: f64) -> (bool, f64) {
         passes::narrow(&problem.heights, problem.mean_height, &mut self.extended);
         self.stiffness.apply(&self.extended, &mut self.residual);
-        let least = self.residual.iter().fold(f32::INFINITY, |m, p| m.min(*p));
-        (mean_pressure + f64::from(least) >= -0.1 * mean_pressure, self.stiffness.cost)
+        let least = fields::min(&self.residual);
+        (mean_pressure + least >= -0.1 * mean_pressure, self.stiffness.cost)
     }
 }

@@ -390,6 +390,11 @@ pub(crate) fn narrow<T: Real>(field: &[T], constant: f64, out: &mut [f32]) {
     });
 }
 
+/// Makes a field constant.
+pub(crate) fn fill<T: Real>(value: f64, field: &mut [T]) {
+    field.par_chunks_mut(TASK).for_each(|piece| piece.fill(T::of(value)));
+}
+
 /// Multiplies a field.
 pub(crate) fn scale<T: Real>(factor: f64, field: &mut [T]) {
     let factor = T::of(factor);
@@ -486,8 +491,8 @@ fn inner_products<T: Real>(
 
 /// How far along the chord the pressure stays positive.
 pub(crate) fn reach<T: Real>(p: &[T], trial: &[T]) -> f64 {
-    let losses = p.iter().zip(trial).filter(|(p, q)| q < p);
-    losses.map(|(p, q)| p.wide() / (*p - *q).wide()).fold(f64::INFINITY, f64::min)
+    let reach = |p: T, q: T| if q < p { p.wide() / (p - q).wide() } else { f64::INFINITY };
+    crate::fields::least_of(p.len(), |i| reach(p[i], trial[i]))
 }
 
 /// `before = p + b1 (trial - p) + b2 (p - before)`, if that is nowhere negative and zero where

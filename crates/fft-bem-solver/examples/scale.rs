@@ -1,0 +1,105 @@
+//! One large solve: pairs, time and peak memory.
+//!
+//! ```console
+//! $ cargo run --release -p fft-bem-solver --example scale -- 8192 double 1e-10
+//! $ cargo run --release -p fft-bem-solver --example scale -- 16384 single 1e-3
+//! ```
+//! The time is that of the solve, after the surface is made and the solver built. Peak memory is
+//! that of the process (Linux, `VmHWM`), before the solve (making the surface) and after it.
+
+#![allow(clippy::print_stdout, reason = "a program that prints what it measured")]
+
+use contact_types::{ContactModulus, Grid};
+use fft_bem_solver::{HalfSpace, Iteration, Load, Precision, Solver};
+use std::error::Error;
+use std::ops::ControlFlow;
+use std::time::Instant;
+use surface_stats::synthesis::{Scale, SelfAffine};
+
+const LOAD: f64 = 0.05; // mean pressure / (E* rms gradient)
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [n, precision, tolerance] = arguments.as_slice() else {
+        return Err("usage: scale SIDE double|single TOLERANCE".into());
+    };
+    let n: usize = n.parse()?;
+    let precision = match precision.as_str() {
+        "double" => Precision::Double,
+        "single" => Precision::Single,
+        other => return Err(format!("{other} is neither double nor single").into()),
+    };
+    let grid = Grid::new([n, n], [1.0, 1.0])?;
+    let recipe = SelfAffine {
+        grid,
+        hurst: 0.8,
+        rolloff: n as f64 / 8.0,
+        cutoff: 8.0,
+        scale: Scale::RmsGradient(1.0),
+        seed: 1,
+        quantise: None,
+    };
+    let surface = recipe.generate()?;
+    let modulus = ContactModulus::from_pascals(1.0)?;
+    println!("{n} x {n}, {precision:?}, {} threads", rayon::current_num_threads());
+    println!("surface made, {}", peak_memory());
+    let pair = if precision == Precision::Double {
+        one_pair::<f64>(grid, modulus)?
+    } else {
+        one_pair::<f32>(grid, modulus)?
+    };
+    println!("one pair {pair:.3} s, {}", peak_memory());
+
+    let builder = Solver::builder().precision(precision).tolerance(tolerance.parse()?);
+    let mut solver = builder.build(grid, modulus)?;
+    let clock = Instant::now();
+    let mut watch = |it: &Iteration<'_>| {
+        let seconds = clock.elapsed().as_secs_f64();
+        println!(
+            "{:3} iterations {:6.2} pairs {:.1e} {seconds:.1} s",
+            it.number, it.transforms, it.residual
+        );
+        ControlFlow::Continue(())
+    };
+    let solution = solver.solve_observed(&surface, Load::MeanPressure(LOAD), &mut watch)?;
+    let d = &solution.diagnostics;
+    println!(
+        "{} iterations, {:.2} pairs, estimate {:.1e}, area {:.6}, {:.1} s, {}",
+        d.iterations,
+        d.transforms,
+        d.residuals.preconditioned,
+        solution.state.area_fraction,
+        d.seconds,
+        peak_memory()
+    );
+    Ok(())
+}
+
+/// Seconds of one FFT pair, the shortest of three.
+fn one_pair<T: fft_bem_solver::Real>(
+    grid: Grid,
+    modulus: ContactModulus,
+) -> Result<f64, Box<dyn Error>> {
+    let mut half_space = HalfSpace::<T>::new(grid, modulus);
+    let mut field = vec![T::zero(); grid.len()];
+    let mut best = f64::INFINITY;
+    for _ in 0..3 {
+        let clock = Instant::now();
+        half_space.displace(&mut field)?;
+        best = best.min(clock.elapsed().as_secs_f64());
+    }
+    Ok(best)
+}
+
+/// The most memory this process ever held.
+fn peak_memory() -> String {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let kib = status
+        .lines()
+        .find_map(|line| line.strip_prefix("VmHWM:"))
+        .and_then(|rest| rest.split_whitespace().next()?.parse::<f64>().ok());
+    match kib {
+        Some(kib) => format!("peak memory {:.2} GiB", kib / 1024.0 / 1024.0),
+        None => "peak memory unknown".into(),
+    }
+}
