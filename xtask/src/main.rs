@@ -5,6 +5,7 @@ mod bench;
 mod ci;
 mod compare;
 mod docs;
+mod edges;
 mod extremes;
 mod figures;
 mod generated;
@@ -25,6 +26,7 @@ Usage: cargo xtask <task> [options]
   figures [--check]         the figures that README and book show
   docs [--check]            the tables of models and formats in the book
   extremes [--check]        every model at the ends of its inputs; tables into the book
+  edges [--check]           maps that do not repeat: what each treatment of their edges does
   bench [ARGS]              the benchmarks; their table into the book
   surfaces --dir DIR --expected FILE
                             files of instruments against expected values, one line each
@@ -49,6 +51,7 @@ fn main() -> ExitCode {
         "validate" => validate::run(rest),
         "figures" => figures::run(rest),
         "docs" => docs::run(rest),
+        "edges" => edges::run(rest),
         "extremes" => extremes::run(rest),
         "bench" => bench::run(rest),
         "surfaces" => surfaces::run(rest),

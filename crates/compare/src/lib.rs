@@ -6,6 +6,8 @@
 
 pub mod accuracy;
 mod cleaning;
+mod edge_share;
+pub mod edge_study;
 pub mod models;
 pub mod quantity;
 mod recipe;
@@ -20,6 +22,7 @@ pub mod survey;
 mod verdict;
 
 pub use cleaning::{Cleaning, CleaningError, FormName};
+pub use edge_share::EdgeShare;
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use result::{
     Applies, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,

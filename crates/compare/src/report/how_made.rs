@@ -1,5 +1,6 @@
 //! How a report was made: program, inputs, material, solver, and how to repeat it.
 
+use super::edges::edge_words;
 use super::html::Page;
 use super::numbers::{METRES, PASCALS, chosen, duration, significant};
 use super::sections::{levelled, tolerance_words};
@@ -38,6 +39,14 @@ pub(super) fn section(page: &Page<'_>) -> String {
             let term = if page.several() { "its cleaning" } else { "Cleaning" };
             rows.push((term.into(), steps.join("<br>\n")));
         }
+    }
+    for surface in &page.comparison.surfaces {
+        let term = if page.several() {
+            format!("{}, edges", escape(&surface.name))
+        } else {
+            "Edges".into()
+        };
+        rows.push((term, edge_words(surface)));
     }
     rows.push((
         "Material".into(),

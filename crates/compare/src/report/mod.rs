@@ -11,6 +11,7 @@ mod axes;
 mod cost;
 mod csv;
 mod curves;
+mod edges;
 mod how_made;
 mod html;
 mod json;

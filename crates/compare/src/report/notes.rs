@@ -75,7 +75,9 @@ pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
     let said = matches!(surface.gate, Err(NoBar::Unresolved { .. }));
     let rest = surface.statistics.warnings.iter();
     let rest = rest.filter(|w| !(said && matches!(w, Warning::Unresolved { .. })));
+    let rest = rest.filter(|w| !matches!(w, Warning::EdgeJump { .. })); // needs the solution
     notes.extend(rest.map(warning));
+    notes.extend(super::edges::edge_note(surface));
     if let Origin::File(file) = &surface.origin
         && file.missing > 0
     {
@@ -241,12 +243,6 @@ fn warning(warning: &Warning) -> Note {
             Info,
             format!("{plateaus} flat tops beside {summits} summits."),
             "Height steps hide summits; the count depends on the step.",
-        ),
-        Warning::EdgeJump { ratio: r } => note(
-            Info,
-            format!("Edges do not match: they jump {} times the inner step.", ratio(r)),
-            "The solver repeats the map periodically, so the seam adds contact of its own; up to \
-             3\u{202F}% of the area, more at the lightest loads.",
         ),
         Warning::NoRolloff => note(
             Info,

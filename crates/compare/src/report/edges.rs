@@ -1,0 +1,86 @@
+//! What lay beyond the edges of a measured map, and how much it matters on this map.
+
+use super::notes::{Note, Weight};
+use super::numbers::{METRES, percent, quantity, signed_percent, signed_range, significant};
+use crate::edge_study::EdgeStudy;
+use crate::result::SurfaceComparison;
+use crate::{EdgeShare, Origin};
+use surface_stats::Warning;
+
+/// Error of the area from which the edges may change a conclusion.
+const MATTERS: f64 = 0.05;
+
+/// What the edges do to the area at the headline.
+struct Finding {
+    words: String,
+    /// Largest size of the error to expect.
+    worst: f64,
+}
+
+/// A measured map whose edges do not match: that, what was done, and how much it matters.
+pub(super) fn edge_note(surface: &SurfaceComparison) -> Option<Note> {
+    let jump = surface.statistics.warnings.iter().find_map(|w| match w {
+        Warning::EdgeJump { ratio } => Some(*ratio),
+        _ => None,
+    })?;
+    let finding = finding(surface);
+    let matters = finding.as_ref().is_some_and(|f| f.worst > MATTERS);
+    let words = finding.map_or(String::new(), |f| format!(" {}", f.words));
+    Some(Note {
+        weight: if matters { Weight::Check } else { Weight::Note },
+        claim: format!(
+            "Edges do not match: they jump {} times the inner step.",
+            significant(jump, 2)
+        ),
+        text: format!("The map was repeated as it is, jump included.{words}"),
+    })
+}
+
+/// For "How this was made": the treatment of the edges, and for a measured map its effect.
+pub(super) fn edge_words(surface: &SurfaceComparison) -> String {
+    match (&surface.origin, finding(surface)) {
+        (Origin::Recipe(_), _) => "Periodic, as made.".to_owned(),
+        (Origin::File(_), None) => "Repeated periodically as it is.".to_owned(),
+        (Origin::File(_), Some(f)) => format!("Repeated periodically as it is. {}", f.words),
+    }
+}
+
+fn finding(surface: &SurfaceComparison) -> Option<Finding> {
+    let grid = surface.surface.grid();
+    let share = EdgeShare::of(&surface.pressure, grid)?;
+    let direct = share.direct_effect();
+    let [dy, dx] = grid.pixel();
+    let [high, wide] = [dy, dx].map(|d| quantity(share.width as f64 * d, METRES, 2));
+    let strip = if high == wide { wide } else { format!("{wide} × {high}") };
+    let verdict = if share.attraction() > 1.25 {
+        "more than their share"
+    } else {
+        "no more than their share: the seam does not attract contact"
+    };
+    let gradient = surface.inputs.rms_gradient();
+    let load = surface.headline_pressure() / (surface.inputs.modulus.pascals() * gradient);
+    let seen = EdgeStudy::built_in().ask(load, direct);
+    let experience = seen.map_or(
+        "The study of edges has too few maps like it to say what follows.".to_owned(),
+        |e| {
+            format!(
+                "On {} crops of larger surfaces with a like strip, the area differed by {} from \
+                 that in natural surroundings (nine of ten).",
+                e.crops,
+                signed_range(e.low, e.high)
+            )
+        },
+    );
+    let worst = seen.map_or(direct.abs(), |e| e.low.abs().max(e.high.abs()));
+    Some(Finding {
+        words: format!(
+            "Its outer {strip} hold {} of the map, {} of the touching points and {} of the load, \
+             {verdict}. By itself that moves the area by {}. {experience}",
+            percent(share.map),
+            percent(share.contact),
+            percent(share.load),
+            signed_percent(direct),
+        ),
+        worst,
+    })
+}
