@@ -111,3 +111,21 @@ fn edges(grid: Grid, pressure: &[f64], boundary: Boundary) -> usize {
     });
     counts.iter().sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Four edges per pixel in contact, less two for every pair of neighbours: counted by hand.
+    #[test]
+    fn edges_across_the_border_count_as_the_boundary_says() {
+        let grid = Grid::new([3, 4], [1.0, 1.0]).unwrap();
+        let pressure = [
+            1.0, 1.0, 0.0, 0.0, //
+            0.0, 0.0, 0.0, 0.0, //
+            1.0, 0.0, 0.0, 0.0,
+        ];
+        assert_eq!(edges(grid, &pressure, Boundary::Periodic), 12 - 4);
+        assert_eq!(edges(grid, &pressure, Boundary::Free), 12 - 2);
+    }
+}
