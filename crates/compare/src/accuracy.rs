@@ -6,11 +6,7 @@
 //! area is still uncertain by a part of that correction, as long as the map resolves its own
 //! shortest waves.
 
-use fft_bem_solver::Diagnostics;
-use std::f64::consts::{LN_2, PI};
-
-/// Area fraction per contact-line length S_d that a raw count is high by, (π − 1 + ln 2)/24.
-pub const BOUNDARY_CORRECTION: f64 = (PI - 1.0 + LN_2) / 24.0;
+use fft_bem_solver::{BOUNDARY_CORRECTION, Diagnostics};
 
 /// Part of the correction that is left as uncertainty. Chosen so that the bar held in 95 of 100
 /// cases or more over shortest wavelengths of 2 to 32 pixels.

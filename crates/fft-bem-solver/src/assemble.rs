@@ -2,13 +2,12 @@
 
 use crate::engine::{Engine, Run, gap_si, pressure_si};
 use crate::problem::Problem;
-use crate::{Boundary, Diagnostics, Load, Real, Residuals, Solution, certificate, fields};
+use crate::{
+    BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Real, Residuals, Solution, certificate,
+    fields,
+};
 use contact_types::{ContactState, Grid};
 use grid_fft::parallel::prelude::*;
-
-/// Yastrebov, Anciaux & Molinari (2017), doi:10.1016/j.triboint.2017.04.023: area by which a count
-/// of pixels is too large, in pixels per edge of the contact line, for edges of all directions.
-const AREA_PER_EDGE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
 impl<T: Real> Engine<T> {
     pub(crate) fn solution(&mut self, problem: &Problem<T>, run: &Run, load: Load) -> Solution {
@@ -62,7 +61,8 @@ impl<T: Real> Engine<T> {
             seconds: run.clock.elapsed().as_secs_f64(),
             contact_pixels,
             contact_perimeter,
-            area_fraction_corrected: (area_fraction - AREA_PER_EDGE * contact_perimeter).max(0.0),
+            area_fraction_corrected: (area_fraction - BOUNDARY_CORRECTION * contact_perimeter)
+                .max(0.0),
             max_pressure: fields::max(&pressure).max(0.0),
             elastic_energy: 0.5 * work * units.pressure * units.height,
         };

@@ -42,7 +42,7 @@ mod solver;
 mod special_cases;
 pub mod validation;
 
-pub use accuracy::{AreaAccuracy, NoAreaInterval};
+pub use accuracy::{AreaAccuracy, BOUNDARY_CORRECTION, NoAreaInterval};
 pub use error::SolverError;
 pub use half_space::HalfSpace;
 pub use half_space_free::{FreeHalfSpace, love};

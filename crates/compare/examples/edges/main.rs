@@ -16,9 +16,8 @@ mod page;
 mod treatment;
 
 use compare::EdgeShare;
-use compare::accuracy::BOUNDARY_CORRECTION;
 use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{Load, Solver};
+use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solver};
 use rayon::prelude::*;
 use std::error::Error;
 use std::path::Path;

@@ -3,9 +3,9 @@
 use crate::ensemble::{PIXEL, Recipe, make};
 use compare::models::{MODELS, ModelEntry};
 use compare::survey::{Family, Row, peak_slope};
-use compare::{Comparison, LevelName, Origin, Settings, Surface, accuracy::BOUNDARY_CORRECTION};
+use compare::{Comparison, LevelName, Origin, Settings, Surface};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Load, Solution, Solver};
+use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solution, Solver};
 use std::error::Error;
 use std::ops::ControlFlow;
 

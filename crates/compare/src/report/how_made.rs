@@ -5,9 +5,9 @@ use super::html::Page;
 use super::numbers::{METRES, PASCALS, chosen, duration, significant};
 use super::sections::{levelled, tolerance_words};
 use super::svg::escape;
-use crate::accuracy::BOUNDARY_CORRECTION;
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::{FileOrigin, Origin, Recipe};
+use fft_bem_solver::BOUNDARY_CORRECTION;
 
 /// Program, inputs, settings, the command that repeats it.
 pub(super) fn section(page: &Page<'_>) -> String {
