@@ -6,6 +6,7 @@
 
 pub mod accuracy;
 mod cleaning;
+mod coarser;
 mod edge_share;
 pub mod edge_study;
 pub mod models;
@@ -22,6 +23,7 @@ pub mod survey;
 mod verdict;
 
 pub use cleaning::{Cleaning, CleaningError, FormName};
+pub use coarser::{COARSER, Coarser};
 pub use edge_share::EdgeShare;
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use result::{

@@ -3,7 +3,7 @@
 use crate::accuracy::NoBar;
 use crate::models::{BuildError, Inputs, ModelEntry};
 use crate::survey::Experience;
-use crate::{Origin, Settings, Spots};
+use crate::{Coarser, Origin, Settings, Spots};
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{Residuals, Solution};
 use surface_stats::SurfaceStatistics;
@@ -42,6 +42,9 @@ pub struct SurfaceComparison {
     pub gate: Result<(), NoBar>,
     /// The headline load once more on a twice finer grid, where the map has no bar of its own.
     pub refined: Option<Refined>,
+    /// The headline load on coarser grids; empty unless asked for, see
+    /// [`Comparison::solve_coarser`].
+    pub coarser: Vec<Coarser>,
     /// Index of the load of headline and maps.
     pub headline: usize,
     /// Pressure field at that load (Pa); empty if there is no solution.

@@ -198,6 +198,7 @@ fn compare(
         deterministic,
         gate,
         refined,
+        coarser: Vec::new(),
         headline,
         pressure,
         spots,
@@ -319,7 +320,7 @@ fn iteration_half_width(answer: &DeterministicAnswer) -> f64 {
         * answer.area_fraction_corrected
 }
 
-fn builder(settings: &Settings) -> SolverBuilder {
+pub(crate) fn builder(settings: &Settings) -> SolverBuilder {
     Solver::builder()
         .method(method(settings.method))
         .precision(precision(settings.precision))

@@ -31,7 +31,11 @@ fn small(names: &[&str]) -> Vec<Surface> {
 
 fn one() -> &'static Comparison {
     static ONE: OnceLock<Comparison> = OnceLock::new();
-    ONE.get_or_init(|| run(small(&["ground"]), Settings::default()))
+    ONE.get_or_init(|| {
+        let mut study = run(small(&["ground"]), Settings::default());
+        study.solve_coarser().unwrap();
+        study
+    })
 }
 
 fn three() -> &'static Comparison {
@@ -337,6 +341,30 @@ fn an_unresolved_map_gets_its_bar_from_a_finer_grid() {
 }
 
 /// A flat map has an answer, a reason for every model, and a report.
+/// Grids that were solved are in Fig. 4, in its caption and in the results; those that were not
+/// asked for are nowhere.
+#[test]
+fn coarser_grids_are_drawn_and_listed_where_they_were_solved() {
+    let page = html(one());
+    let figure = figures(&page).into_iter().find(|svg| svg.contains("Error against time")).unwrap();
+    let mut json = Vec::new();
+    write_json(one(), &provenance(), &mut json).unwrap();
+    let value: serde_json::Value = serde_json::from_slice(&json).unwrap();
+    let listed = value["surfaces"][0]["coarser"].as_array().unwrap();
+    // 96 x 96 points: an eighth of them a side are too few.
+    assert_eq!(listed.len(), 2);
+    for (grid, label) in listed.iter().zip(["½ grid", "¼ grid"]) {
+        assert!(figure.contains(label), "{label}");
+        let area = grid["area_fraction_corrected"].as_f64().unwrap();
+        let truth = one().surfaces[0].headline_answer().unwrap().area_fraction_corrected;
+        assert!((grid["area_error"].as_f64().unwrap() - (area / truth - 1.0)).abs() < 1e-12);
+    }
+    assert!(page.contains("1/2 to 1/4 as many points a side"));
+
+    let page = html(three());
+    assert!(!page.contains("½ grid") && !page.contains("as many points a side"));
+}
+
 #[test]
 fn a_flat_surface_is_answered() {
     let grid = Grid::new([16, 16], [1e-6, 1e-6]).unwrap();

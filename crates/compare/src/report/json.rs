@@ -59,6 +59,15 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "contact_perimeter": r.contact_perimeter,
             "seconds": r.seconds,
         })),
+        "coarser": s.coarser.iter().map(|c| json!({
+            "mean_pressure": s.headline_pressure(),
+            "factor": c.factor,
+            "shape": c.shape,
+            "area_fraction": c.area_fraction,
+            "area_fraction_corrected": c.area_fraction_corrected,
+            "area_error": c.error,
+            "seconds": c.seconds,
+        })).collect::<Vec<_>>(),
         "setup_seconds": s.setup_seconds,
         "deterministic": {
             "shape": grid.shape(),

@@ -8,6 +8,7 @@
 )]
 
 mod axes;
+mod coarser;
 mod cost;
 mod csv;
 mod curves;

@@ -9,7 +9,7 @@ use super::numbers::{
     signed_percent, significant,
 };
 use super::svg::escape;
-use super::{ReportError, cost, maps, statistics, surface_figures, tables, words};
+use super::{ReportError, coarser, cost, maps, statistics, surface_figures, tables, words};
 use crate::models;
 use crate::result::SurfaceComparison;
 use serde_json::json;
@@ -87,16 +87,18 @@ pub(super) fn over_load(
     );
     if let Some(routes) = cost_routes(surface) {
         let four = page.next_figure();
+        let full = surface.headline_answer().map_or(f64::NAN, |a| a.seconds);
         let floor = relative_uncertainty(surface);
         let caption = format!(
             "<b>Fig. {four}. What accuracy costs</b>, at {p}. Dashed: Pareto front; a point above \
-             or right of it is beaten on both counts.{} Set-up, once per map: statistics and \
+             or right of it is beaten on both counts.{}{} Set-up, once per map: statistics and \
              spectra {}.",
             if floor.is_some() {
                 ""
             } else {
                 " The deterministic solution carries no ± here and is not drawn."
             },
+            coarser::caption(surface, full),
             duration(surface.setup_seconds)
         );
         let svg = cost::figure(&routes, floor, &p, &format!("{id}-f{four}")).inline();
@@ -154,6 +156,7 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<cost::Route>> {
             bold: false,
         })
         .collect();
+    routes.extend(coarser::routes(surface));
     if routes.is_empty() {
         return None;
     }

@@ -1,5 +1,6 @@
 //! Sentences of the report. They state what was computed, say low and high, and name the number.
 
+use super::coarser;
 use super::numbers::{
     PASCALS, SPACE, chosen, duration, percent, plus_minus, quantity, quantity_plus_minus,
     signed_percent, significant, times,
@@ -81,7 +82,7 @@ pub(super) fn ranked(surface: &SurfaceComparison) -> Vec<Ranked<'_>> {
     list
 }
 
-/// The second sentence: which closed form, how wrong, how much faster.
+/// The second sentence: which closed form and which coarser grid, how wrong, how much faster.
 pub(super) fn recommendation(surface: &SurfaceComparison) -> String {
     let Some(answer) = surface.headline_answer() else { return String::new() };
     let relative = answer.uncertainty().map(|u| u / answer.area_fraction_corrected);
@@ -133,6 +134,7 @@ pub(super) fn recommendation(surface: &SurfaceComparison) -> String {
             duration(nearest.seconds)
         ));
     }
+    text.push_str(&coarser::sentence(surface, answer.seconds));
     let best = cheapest.unwrap_or(nearest);
     if best.model.verdict.answer == Applies::Caution && best.model.verdict.at_every_load {
         text.push_str(&format!(

@@ -233,8 +233,11 @@ fn study(
         }
         ControlFlow::Continue(())
     });
+    let mut comparison = comparison.map_err(|e| Failure::from_error(&e))?;
+    progress.working_on("coarser grids");
+    comparison.solve_coarser().map_err(|e| Failure::incomplete("coarser_grids", e.to_string()))?;
     drop(progress);
-    comparison.map_err(|e| Failure::from_error(&e))
+    Ok(comparison)
 }
 
 fn write(

@@ -1,0 +1,118 @@
+//! The headline load once more on coarser grids: what a cheaper deterministic answer would have
+//! cost in accuracy. Asked for when a report is written; a study alone does not need it.
+
+use crate::result::{Comparison, SurfaceComparison};
+use crate::study::builder;
+use contact_types::{ContactModulus, HeightMap, SurfaceError};
+use fft_bem_solver::Load;
+use surface_stats::Boundary;
+use surface_stats::clean::resample;
+
+/// Point spacings tried, in spacings of the map. Together they have
+/// 1/4 + 1/16 + 1/64 = 33 % of its points.
+pub const COARSER: [usize; 3] = [2, 4, 8];
+
+/// Points along the shorter side below which a grid is not tried.
+const FEWEST_POINTS: usize = 16;
+
+/// The map on fewer points: its waves up to the shortest the coarse grid holds, the others
+/// dropped; solved from nothing, to the tolerance of the study.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coarser {
+    /// Point spacing over that of the map.
+    pub factor: usize,
+    /// Points `[ny, nx]`.
+    pub shape: [usize; 2],
+    /// Points that carry pressure over all points.
+    pub area_fraction: f64,
+    /// That corrected for the contact line.
+    pub area_fraction_corrected: f64,
+    /// Signed relative error of the corrected area against that of the map as given.
+    pub error: f64,
+    /// Wall-clock time of the solution (s).
+    pub seconds: f64,
+}
+
+impl Comparison {
+    /// Solves the headline load of every surface on its coarser grids. A grid without a converged
+    /// solution, or with fewer than 16 points a side, is left out.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] if the modulus of the settings is none, which a finished study rules out.
+    pub fn solve_coarser(&mut self) -> Result<(), SurfaceError> {
+        let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
+        for surface in &mut self.surfaces {
+            let coarse = |factor| solve(surface, &self.settings, modulus, factor);
+            surface.coarser = COARSER.into_iter().filter_map(coarse).collect();
+        }
+        Ok(())
+    }
+}
+
+fn solve(
+    surface: &SurfaceComparison,
+    settings: &crate::Settings,
+    modulus: ContactModulus,
+    factor: usize,
+) -> Option<Coarser> {
+    let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction_corrected;
+    let map: HeightMap = coarsened(&surface.surface, factor)?;
+    let mut solver = builder(settings).build(map.grid(), modulus).ok()?;
+    let solution = solver.solve(&map, Load::MeanPressure(surface.headline_pressure())).ok()?;
+    let found = &solution.diagnostics;
+    (truth > 0.0).then(|| Coarser {
+        factor,
+        shape: map.grid().shape(),
+        area_fraction: solution.state.area_fraction,
+        area_fraction_corrected: found.area_fraction_corrected,
+        error: found.area_fraction_corrected / truth - 1.0,
+        seconds: found.seconds,
+    })
+}
+
+/// The map on `1/factor` as many points a side; `None` if too few are left.
+fn coarsened(map: &HeightMap, factor: usize) -> Option<HeightMap> {
+    let shape = map.grid().shape().map(|n| n / factor);
+    if shape.into_iter().any(|n| n < FEWEST_POINTS) {
+        return None;
+    }
+    resample(map, shape, Boundary::Periodic).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Settings, built_in_recipes};
+    use std::ops::ControlFlow;
+
+    /// The error is against the map's own answer. A map whose shortest wave is 8 points long
+    /// holds all of it at half the points, so that only the errors of the two grids are left, and
+    /// loses half of its waves at an eighth.
+    #[test]
+    fn dropping_no_wave_costs_little_and_dropping_waves_costs_area() {
+        let mut recipe = built_in_recipes().unwrap().remove(0);
+        (recipe.shape, recipe.quantise) = ([128, 128], None);
+        let [dy, dx] = recipe.pixel;
+        recipe.cutoff = 8.0 * dy.max(dx);
+        let settings = Settings::default();
+        let mut go = |_: crate::Progress<'_>| ControlFlow::Continue(());
+        let mut study = Comparison::run(vec![recipe.make().unwrap()], settings, &mut go).unwrap();
+        assert!(study.surfaces[0].coarser.is_empty(), "not asked for, not computed");
+        study.solve_coarser().unwrap();
+        let surface = &study.surfaces[0];
+        let shapes: Vec<[usize; 2]> = surface.coarser.iter().map(|c| c.shape).collect();
+        assert_eq!(shapes, [[64, 64], [32, 32], [16, 16]]);
+        let truth = surface.headline_answer().unwrap().area_fraction_corrected;
+        for c in &surface.coarser {
+            let error = c.area_fraction_corrected / truth - 1.0;
+            assert!((c.error - error).abs() < 1e-15);
+            assert!(c.area_fraction > c.area_fraction_corrected && c.seconds > 0.0);
+        }
+        // A smoother surface touches more.
+        let half = &surface.coarser[0];
+        let bar = 0.3 * (half.area_fraction - half.area_fraction_corrected)
+            + surface.headline_answer().unwrap().uncertainty().unwrap();
+        assert!((half.error * truth).abs() < bar, "{half:?}");
+        assert!(surface.coarser[2].error > 0.15, "{:?}", surface.coarser[2]);
+    }
+}
