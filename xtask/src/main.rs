@@ -1,6 +1,7 @@
 //! Developer tasks: `cargo xtask <task>`. One `match`, one file per task.
 #![allow(clippy::print_stdout, reason = "a command-line tool prints")]
 
+mod accuracy;
 mod bench;
 mod ci;
 mod compare;
@@ -27,6 +28,8 @@ Usage: cargo xtask <task> [options]
   docs [--check]            the tables of models and formats in the book
   extremes [--check]        every model at the ends of its inputs; tables into the book
   edges [--check]           maps that do not repeat: what each treatment of their edges does
+  accuracy [--check]        whether `--accuracy` keeps its word; table, figure, page
+                            (under half an hour, resumable)
   bench [ARGS]              the benchmarks; their table into the book
   surfaces --dir DIR --expected FILE
                             files of instruments against expected values, one line each
@@ -53,6 +56,7 @@ fn main() -> ExitCode {
         "docs" => docs::run(rest),
         "edges" => edges::run(rest),
         "extremes" => extremes::run(rest),
+        "accuracy" => accuracy::run(rest),
         "bench" => bench::run(rest),
         "surfaces" => surfaces::run(rest),
         "survey" => survey::run(rest),

@@ -7,9 +7,11 @@
 pub mod accuracy;
 mod cleaning;
 mod coarser;
+mod curve;
 mod edge_share;
 pub mod edge_study;
 pub mod models;
+pub mod plan;
 pub mod quantity;
 mod recipe;
 pub mod report;

@@ -2,6 +2,7 @@
 
 use crate::accuracy::NoBar;
 use crate::models::{BuildError, Inputs, ModelEntry};
+use crate::plan::Outcome;
 use crate::survey::Experience;
 use crate::{Coarser, Origin, Settings, Spots};
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
@@ -45,9 +46,13 @@ pub struct SurfaceComparison {
     /// The headline load on coarser grids; empty unless asked for, see
     /// [`Comparison::solve_coarser`].
     pub coarser: Vec<Coarser>,
+    /// What was chosen for the accuracy asked for, if one was.
+    pub plan: Option<Outcome>,
+    /// The heights on the grid that was solved, if it is not the given one.
+    pub solved: Option<HeightMap>,
     /// Index of the load of headline and maps.
     pub headline: usize,
-    /// Pressure field at that load (Pa); empty if there is no solution.
+    /// Pressure field at that load (Pa) on the grid solved; empty if there is no solution.
     pub pressure: Vec<f64>,
     /// Contact spots at that load.
     pub spots: Option<Spots>,
@@ -244,6 +249,11 @@ impl SurfaceComparison {
     /// The deterministic answer at the headline load.
     pub fn headline_answer(&self) -> Option<&DeterministicAnswer> {
         self.deterministic.get(self.headline)?.answer.as_ref()
+    }
+
+    /// The heights on the grid of the deterministic solution.
+    pub fn solved_map(&self) -> &HeightMap {
+        self.solved.as_ref().unwrap_or(&self.surface)
     }
 
     /// Pressure of the headline (Pa).

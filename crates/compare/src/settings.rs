@@ -19,6 +19,11 @@ pub struct Settings {
     pub level: LevelName,
     /// Solver method: `auto`, `chord`, `polonsky-keer` or `stanley-kato`.
     pub method: MethodName,
+    /// Half width of the interval around the area to stay within, relative to it, as 0.02. If
+    /// given, grid, precision and tolerance are chosen for each surface, and the two below are
+    /// not used.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<f64>,
     /// Floating-point precision of the solver: `f64` or `f32`.
     pub precision: PrecisionName,
     /// Relative rms pressure error at which the solver stops.
@@ -40,6 +45,7 @@ impl Default for Settings {
             headline: None,
             level: LevelName::Plane,
             method: MethodName::Auto,
+            accuracy: None,
             precision: PrecisionName::F64,
             tolerance: 1e-4,
             threads: 1,

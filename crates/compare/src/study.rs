@@ -1,7 +1,9 @@
 //! The study itself: statistics, the deterministic curve, every model over the loads.
 
 use crate::accuracy::{NoBar, map_gate, refined_half_width};
+use crate::curve::{Curve, ToCurve};
 use crate::models::{BuildError, Inputs, MODELS, ModelEntry, MomentSource};
+use crate::plan::{self, BadRequest, PlanError, Request, Task};
 use crate::result::{
     Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve, Refined,
     Spectral, SurfaceComparison,
@@ -13,7 +15,7 @@ use crate::{Origin, Settings, Surface, contact_spots, default_pressures};
 use contact_types::{
     ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
 };
-use fft_bem_solver::{Load, Method, Precision, Solution, Solver, SolverBuilder, SolverError};
+use fft_bem_solver::{Load, Method, Precision, Solver, SolverBuilder, SolverError};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -21,9 +23,6 @@ use std::time::{Duration, Instant};
 use surface_stats::clean::resample;
 use surface_stats::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes};
 use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, level};
-
-/// Area fraction the headline is looked for at.
-const TYPICAL_AREA: f64 = 0.02;
 
 /// What a study reports while it works.
 #[derive(Debug, Clone, Copy)]
@@ -94,6 +93,12 @@ pub enum StudyError {
         /// Why.
         source: Box<SolverError>,
     },
+    /// The accuracy asked for is none.
+    #[error(transparent)]
+    Accuracy {
+        /// Why.
+        source: BadRequest,
+    },
     /// The observer asked to stop.
     #[error("stopped")]
     Stopped,
@@ -162,24 +167,52 @@ fn compare(
     tell(Progress::Surface { name: &name, index, count, loads: pressures.len() })?;
 
     let mut curve = Curve::new(gate, settings.headline);
-    let mut solver = builder(settings)
-        .build(map.grid(), modulus)
-        .map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })?;
-    for (i, &p) in pressures.iter().enumerate() {
-        curve.take(p, solver.solve(&map, Load::MeanPressure(p)));
-        let area_fraction = curve.points[i].answer.as_ref().map(|a| a.area_fraction_corrected);
-        tell(Progress::Solved { index: i, mean_pressure: p, area_fraction })?;
-    }
-    drop(solver);
-    let Curve { points: mut deterministic, headline, pressure, .. } = curve;
-    let refined = refine(&map, modulus, settings, &mut deterministic[headline]);
+    let plan = match settings.accuracy {
+        None => {
+            let mut solver = builder(settings)
+                .build(map.grid(), modulus)
+                .map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })?;
+            for (i, &p) in pressures.iter().enumerate() {
+                curve.take(p, solver.solve(&map, Load::MeanPressure(p)));
+                tell(curve.news(i))?;
+            }
+            None
+        }
+        Some(accuracy) => {
+            let request =
+                Request::new(accuracy).map_err(|source| StudyError::Accuracy { source })?;
+            let task = Task {
+                map: &map,
+                height_step: statistics.height_step,
+                modulus,
+                pressures: &pressures,
+                request,
+                method: method(settings.method),
+                certified: false,
+                threads: settings.threads,
+            };
+            let mut sink = ToCurve {
+                curve: &mut curve,
+                given: map.grid(),
+                pressures: &pressures,
+                tell: &mut tell,
+            };
+            Some(plan::run(&task, &mut sink).map_err(|e| refused_plan(e, &name))?)
+        }
+    };
+    let Curve { points: mut deterministic, headline, pressure, solved, .. } = curve;
+    // A plan says itself what a finer grid would do.
+    let refined = match plan {
+        None => refine(&map, modulus, settings, &mut deterministic[headline]),
+        Some(_) => None,
+    };
     if let Some(value) = settings.headline
         && !same(deterministic[headline].mean_pressure, value)
     {
         return Err(StudyError::HeadlineNotComputed { value });
     }
 
-    let spots = contact_spots(&pressure, map.grid());
+    let spots = contact_spots(&pressure, solved.as_ref().unwrap_or(&map).grid());
     tell(Progress::Models)?;
     let alike = likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]);
     let models = MODELS
@@ -199,6 +232,8 @@ fn compare(
         gate,
         refined,
         coarser: Vec::new(),
+        plan,
+        solved,
         headline,
         pressure,
         spots,
@@ -315,6 +350,15 @@ fn refine(
     Some(refined)
 }
 
+fn refused_plan(error: PlanError, name: &str) -> StudyError {
+    let surface = name.to_owned();
+    match error {
+        PlanError::Statistics(source) => StudyError::Statistics { surface, source },
+        PlanError::Solver(source) => StudyError::Solver { surface, source: Box::new(source) },
+        PlanError::Stopped => StudyError::Stopped,
+    }
+}
+
 fn iteration_half_width(answer: &DeterministicAnswer) -> f64 {
     crate::accuracy::iteration_error(answer.residuals.preconditioned)
         * answer.area_fraction_corrected
@@ -342,58 +386,6 @@ fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) -> Vec
 /// Equal but for the rounding of a decimal.
 fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
-}
-
-/// The deterministic curve while it grows; of the fields only that of the headline is kept.
-struct Curve {
-    gate: Result<(), NoBar>,
-    wanted: Option<f64>,
-    points: Vec<DeterministicPoint>,
-    headline: usize,
-    score: f64,
-    pressure: Vec<f64>,
-}
-
-impl Curve {
-    fn new(gate: Result<(), NoBar>, wanted: Option<f64>) -> Self {
-        let (points, pressure) = (Vec::new(), Vec::new());
-        Self { gate, wanted, points, headline: 0, score: f64::INFINITY, pressure }
-    }
-
-    fn take(&mut self, mean_pressure: f64, result: Result<Solution, SolverError>) {
-        let (solution, trouble) = match result {
-            Ok(solution) => (Some(solution), None),
-            Err(SolverError::NotConverged(best)) => {
-                let reached = best.diagnostics.residuals.preconditioned;
-                let text =
-                    format!("not converged: relative rms pressure error about {reached:.1e}");
-                (Some(*best), Some(text))
-            }
-            Err(error) => (None, Some(error.to_string())),
-        };
-        let answer =
-            solution.as_ref().map(|s| DeterministicAnswer::of(s, trouble.is_none(), self.gate));
-        let score = self.distance(mean_pressure, answer.as_ref());
-        let index = self.points.len();
-        self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
-        if score < self.score {
-            self.score = score;
-            self.headline = index;
-            self.pressure = solution.map_or_else(Vec::new, |s| s.pressure);
-        }
-    }
-
-    /// How far a load is from the one wanted, or from the typical area; both as a ratio.
-    fn distance(&self, mean_pressure: f64, answer: Option<&DeterministicAnswer>) -> f64 {
-        match (self.wanted, answer) {
-            (Some(wanted), _) => (mean_pressure / wanted).ln().abs(),
-            (None, Some(a)) if a.area_fraction > 0.0 => {
-                let penalty = if a.converged { 0.0 } else { 50.0 };
-                (a.area_fraction / TYPICAL_AREA).ln().abs() + penalty
-            }
-            _ => 1e3,
-        }
-    }
 }
 
 /// Asks a model at every load, with its time.

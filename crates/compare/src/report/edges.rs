@@ -46,7 +46,7 @@ pub(super) fn edge_words(surface: &SurfaceComparison) -> String {
 }
 
 fn finding(surface: &SurfaceComparison) -> Option<Finding> {
-    let grid = surface.surface.grid();
+    let grid = surface.solved_map().grid();
     let share = EdgeShare::of(&surface.pressure, grid)?;
     let direct = share.direct_effect();
     let [dy, dx] = grid.pixel();

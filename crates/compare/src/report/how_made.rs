@@ -2,9 +2,10 @@
 
 use super::edges::edge_words;
 use super::html::Page;
-use super::numbers::{METRES, PASCALS, chosen, duration, significant};
+use super::numbers::{METRES, PASCALS, SPACE, chosen, duration, significant};
 use super::sections::{levelled, tolerance_words};
 use super::svg::escape;
+use crate::plan::Outcome;
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::{FileOrigin, Origin, Recipe};
 use fft_bem_solver::BOUNDARY_CORRECTION;
@@ -55,6 +56,15 @@ pub(super) fn section(page: &Page<'_>) -> String {
             chosen(settings.modulus, PASCALS)
         ),
     ));
+    for surface in &page.comparison.surfaces {
+        let Some(plan) = &surface.plan else { continue };
+        let term = if page.several() {
+            format!("{}, accuracy", escape(&surface.name))
+        } else {
+            "Accuracy".into()
+        };
+        rows.push((term, plan_words(plan)));
+    }
     rows.push(("Solver".into(), solver_words(page)));
     let list: String =
         rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();
@@ -110,6 +120,16 @@ fn map_words(surface: &SurfaceComparison) -> String {
     )
 }
 
+/// What was asked for, what was chosen for it, and where the models were asked.
+fn plan_words(plan: &Outcome) -> String {
+    format!(
+        "{}{SPACE}% of the area asked for at every load; chosen: {}. Models were given the map as \
+         it is",
+        significant(100.0 * plan.request.relative(), 2),
+        escape(&plan.explanation())
+    )
+}
+
 fn solver_words(page: &Page<'_>) -> String {
     let settings = &page.comparison.settings;
     let answers = || {
@@ -122,12 +142,15 @@ fn solver_words(page: &Page<'_>) -> String {
     let methods: std::collections::BTreeSet<&str> = answers().map(|a| a.method.as_str()).collect();
     let pairs: f64 = answers().map(|a: &DeterministicAnswer| a.transforms).sum();
     let seconds: f64 = answers().map(|a| a.seconds).sum();
+    let plan = page.comparison.surfaces.iter().find_map(|s| s.plan.as_ref());
+    let (precision, tolerance) =
+        plan.map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
     format!(
         "periodic half space, FFT; {}, {}; stop at a relative rms pressure error of {}; {} loads, \
          {} FFT pairs, {}; area corrected for the contact line, c = {}",
         methods.into_iter().collect::<Vec<_>>().join(", "),
-        settings.precision,
-        tolerance_words(settings.tolerance),
+        precision,
+        tolerance_words(tolerance),
         answers().count(),
         significant(pairs, 3),
         duration(seconds),

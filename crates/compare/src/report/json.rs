@@ -1,6 +1,7 @@
 //! `results.json`: everything, in SI units, for other programs. Absent numbers are `null`.
 
 use super::{Provenance, ReportError};
+use crate::plan::Outcome;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, SurfaceComparison,
 };
@@ -35,7 +36,12 @@ pub fn comparison(comparison: &Comparison, provenance: &Provenance) -> Value {
 }
 
 fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
-    let grid = s.surface.grid();
+    let grid = s.solved_map().grid();
+    let settings = &comparison.settings;
+    let (precision, tolerance) = s
+        .plan
+        .as_ref()
+        .map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
     let method = s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.method.clone()));
     json!({
         "name": s.name,
@@ -74,9 +80,10 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "pixel": grid.pixel(),
             "boundary": "periodic",
             "method": method,
-            "precision": comparison.settings.precision,
-            "modulus": comparison.settings.modulus,
-            "tolerance": comparison.settings.tolerance,
+            "precision": precision,
+            "modulus": settings.modulus,
+            "tolerance": tolerance,
+            "accuracy": s.plan.as_ref().map(accuracy),
             "points": s.deterministic.iter().map(point).collect::<Vec<_>>(),
         },
         "models": s.models.iter().map(|m| model(m, s)).collect::<Vec<_>>(),
@@ -175,6 +182,32 @@ fn answer(mean_pressure: f64, result: &Result<ContactState, ModelError>) -> Valu
             "error": { "message": e.to_string() },
         }),
     }
+}
+
+/// What was chosen for a request, and why.
+pub fn accuracy(outcome: &Outcome) -> Value {
+    json!({
+        "requested": outcome.request.relative(),
+        "met": outcome.met,
+        "given": outcome.given.shape(),
+        "grid": outcome.grid.shape(),
+        "factor": outcome.factor,
+        "precision": outcome.precision,
+        "tolerance": outcome.tolerance,
+        "half_width": outcome.half_width,
+        "transforms": outcome.transforms,
+        "work": outcome.work,
+        "seconds": outcome.seconds,
+        "given_up": outcome.given_up,
+        "next": outcome.next.map(|next| json!({
+            "grid": next.shape,
+            "factor": next.factor,
+            "half_width": next.half_width,
+            "seconds": next.seconds,
+        })),
+        "reason": outcome.reason,
+        "explanation": outcome.explanation(),
+    })
 }
 
 /// What cleaning did, one object per step in the order in which it was done.

@@ -7,6 +7,7 @@
     reason = "a page is text put together from pieces, once"
 )]
 
+mod accuracy_figure;
 mod axes;
 mod coarser;
 mod cost;
@@ -34,11 +35,12 @@ mod svg;
 mod tables;
 mod words;
 
+pub use accuracy_figure::write_accuracy;
 pub use csv::write as write_csv;
 pub use html::write as write_html;
 pub use json::{
-    cleaning as cleaning_json, comparison as comparison_json, statistics as statistics_json,
-    write as write_json,
+    accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,
+    statistics as statistics_json, write as write_json,
 };
 pub use palette::{
     BGT, Colour, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,

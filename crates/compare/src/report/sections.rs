@@ -251,13 +251,13 @@ pub(super) fn where_it_touches(
     surface: &SurfaceComparison,
     id: &str,
 ) -> Result<String, ReportError> {
-    let grid = surface.surface.grid();
+    let grid = surface.solved_map().grid();
     if surface.pressure.len() != grid.len() || grid.shape().contains(&1) {
         return Ok(String::new());
     }
     let h = page.heading();
     let p = chosen(surface.headline_pressure(), PASCALS);
-    let heights = surface.surface.heights();
+    let heights = surface.solved_map().heights();
     let window = maps::busiest_window(&surface.pressure, grid.shape());
     let n = page.next_figure();
     let key = format!("{id}-f{n}");
@@ -329,7 +329,9 @@ pub(super) fn the_surface(
     }
     out.push_str(&statistics::table(surface));
     out.push_str("</div>\n<div class=\"two\">\n");
-    if let Some(histogram) = surface_figures::histogram(heights, &surface.pressure) {
+    if let Some(histogram) =
+        surface_figures::histogram(surface.solved_map().heights(), &surface.pressure)
+    {
         let n = page.next_figure();
         let svg = surface_figures::heights(&histogram, &p, &format!("{id}-f{n}")).inline();
         let lowest = histogram.touching.iter().position(|v| *v > 0.0);

@@ -74,7 +74,7 @@ pub(super) fn key_numbers(surface: &SurfaceComparison) -> String {
         rows.push((
             "Touching points".into(),
             fixed(a.contact_pixels as f64, 0),
-            format!("of {}", fixed(surface.surface.grid().len() as f64, 0)),
+            format!("of {}", fixed(surface.solved_map().grid().len() as f64, 0)),
         ));
     }
     let (force, product) = load_words(surface);

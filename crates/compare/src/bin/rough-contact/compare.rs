@@ -5,9 +5,11 @@ use crate::cleaning::CleaningOptions;
 use crate::input::{Complete, Fill, Reading};
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
+use crate::planned;
 use crate::progress::Progress;
 use crate::text::{self, Columns};
 use clap::Args;
+use compare::plan::Request;
 use compare::report::{self, Provenance};
 use compare::{
     Cleaning, Comparison, FileOrigin, LevelName, MethodName, Origin, PrecisionName, RunFile,
@@ -51,10 +53,14 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
     #[arg(default_value = "1e-4")]
     tolerance: f64,
+    /// Error of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
+    #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["tolerance", "precision"])]
+    accuracy: Option<Request>,
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "pressure", "headline", "level", "fractal_range", "method", "precision",
-        "tolerance", "modulus", "young", "channel", "pixel", "height_unit", "fill", "crop",
+        "tolerance", "accuracy", "modulus", "young", "channel", "pixel", "height_unit", "fill", "crop",
         "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
@@ -91,7 +97,7 @@ impl Compare {
             describe(&comparison, folder.path()),
             report::comparison_json(&comparison, &provenance),
         );
-        reply.trouble = not_converged(&comparison);
+        reply.trouble = not_met(&comparison);
         // What was computed is printed even if it cannot be written.
         if let Err(failure) = write(&folder, &comparison, &provenance, &run_file) {
             reply.trouble = Some(failure);
@@ -113,6 +119,7 @@ impl Compare {
             method: self.method,
             precision: self.precision,
             tolerance: self.tolerance,
+            accuracy: self.accuracy.map(Request::relative),
             fractal_range: self.fractal_range,
             ..Settings::default()
         })
@@ -274,12 +281,24 @@ fn not_converged(comparison: &Comparison) -> Option<Failure> {
     (!lines.is_empty()).then(|| Failure::incomplete("not_converged", lines.join("\n")))
 }
 
+/// Loads that did not converge, and surfaces whose plan misses the accuracy asked for.
+fn not_met(comparison: &Comparison) -> Option<Failure> {
+    let unmet = comparison
+        .surfaces
+        .iter()
+        .filter_map(|surface| Some(planned::unmet(&surface.name, surface.plan.as_ref()?)?));
+    not_converged(comparison).into_iter().chain(unmet).reduce(Failure::and)
+}
+
 /// A short table per surface, and where the report is.
 fn describe(comparison: &Comparison, folder: &Path) -> String {
     let mut out = String::new();
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
         out.push_str(&text::cleaning(surface.origin.cleaned()));
+        if let Some(plan) = &surface.plan {
+            let _ = writeln!(out, "{}", plan.explanation());
+        }
         out.push('\n');
         let mut columns = Columns::new(&[
             "model",

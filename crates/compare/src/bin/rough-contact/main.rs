@@ -12,6 +12,7 @@ mod iso;
 mod model;
 mod outcome;
 mod output;
+mod planned;
 mod progress;
 mod roughness;
 mod solve;

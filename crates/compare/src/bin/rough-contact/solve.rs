@@ -4,11 +4,13 @@ use crate::args::{self, Bodies, Common, List};
 use crate::input::{Complete, Input};
 use crate::outcome::{Failure, Reply, variant};
 use crate::output::Folder;
+use crate::planned;
 use crate::progress::Progress;
 use crate::text::{self, Columns};
 use clap::Args;
+use compare::plan::Request;
 use compare::{LevelName, MethodName, PrecisionName};
-use contact_types::{Grid, HeightMap};
+use contact_types::Grid;
 use fft_bem_solver::{AreaAccuracy, Boundary, Load, Precision, Solution, Solver, SolverError};
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -40,6 +42,10 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
     #[arg(default_value = "1e-4")]
     tolerance: f64,
+    /// Error of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
+    #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["tolerance", "precision", "gap"])]
+    accuracy: Option<Request>,
     /// Prove how wrong each answer may be, for one more FFT pair: energy_bound in the JSON
     #[arg(long)]
     certify: bool,
@@ -49,6 +55,11 @@ pub(crate) struct Solve {
     #[command(flatten)]
     input: Input,
 }
+
+/// Why a free boundary has no plan.
+const FREE: &str = "--accuracy cannot be planned with --boundary free: the error of the area was \
+                    studied for periodic maps only; give --tolerance, or solve with \
+                    --boundary periodic";
 
 /// A load that was solved for.
 struct Point {
@@ -60,17 +71,47 @@ impl Solve {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
         let modulus = self.bodies.required()?;
         let loads = self.loads()?;
+        let free = self.boundary == "free";
+        if free && self.accuracy.is_some() {
+            return Err(Failure::refused("accuracy", FREE));
+        }
         let maps = match &self.maps {
             None => None,
             Some(path) => Some(Folder::prepare(path, &map_names(loads.len()), common.force)?),
         };
-        let Complete { map: surface, cleaned, .. } = self.input.surface()?;
+        let Complete { map: surface, cleaned, height_step, .. } = self.input.surface()?;
         let surface = match self.level {
             LevelName::None => surface,
             form => surface_stats::level(&surface, args::form(form))
                 .map_err(|e| Failure::in_file(&self.input.file, &e))?,
         };
-        let boundary = if self.boundary == "free" { Boundary::Free } else { Boundary::Periodic };
+        let mut work = Work {
+            maps,
+            trouble: None,
+            method: self.method.to_string(),
+            points: loads.iter().map(|_| None).collect(),
+            grid: surface.grid(),
+        };
+        let mut progress = Progress::new(common.quiet, loads.len());
+        if let Some(request) = self.accuracy {
+            let asked = planned::Asked {
+                surface: &surface,
+                height_step,
+                modulus,
+                request,
+                method: self.method,
+                certified: self.certify,
+                threads: common.threads(),
+            };
+            let outcome = asked.solve(&loads, &mut work, &mut progress)?;
+            drop(progress);
+            let mut reply = self.reply(work, modulus.pascals());
+            reply.text.insert_str(0, &text::cleaning(&cleaned));
+            reply.json["cleaning"] = compare::report::cleaning_json(&cleaned);
+            planned::state(&outcome, &mut reply);
+            return Ok(reply);
+        }
+        let boundary = if free { Boundary::Free } else { Boundary::Periodic };
         let precision = match self.precision {
             PrecisionName::F64 => Precision::Double,
             PrecisionName::F32 => Precision::Single,
@@ -85,23 +126,19 @@ impl Solve {
             .build(surface.grid(), modulus)
             .map_err(|e| Failure::from_error(&e))?;
 
-        let mut work = Work {
-            maps,
-            trouble: None,
-            method: self.method.to_string(),
-            points: loads.iter().map(|_| None).collect(),
-            grid: surface.grid(),
-            accuracy: AreaAccuracy::of(&surface),
-        };
-        let mut progress = Progress::new(common.quiet, loads.len());
+        let accuracy = AreaAccuracy::of(&surface);
         // Rising load, each solution the start of the next.
         for index in rising(&loads) {
             progress.working_on(&shown(loads[index]));
-            work.take(index, loads[index], &solver.solve(&surface, loads[index]));
+            let result = solver.solve(&surface, loads[index]);
+            let found = result.as_ref().ok().or_else(|| result.as_ref().err()?.solution());
+            let interval = found
+                .map_or(Err(String::new()), |s| accuracy.interval(s).map_err(|e| e.to_string()));
+            work.take(index, loads[index], &result, interval);
             progress.step(&shown(loads[index]));
         }
         drop(progress);
-        let mut reply = self.reply(work, &surface, modulus.pascals());
+        let mut reply = self.reply(work, modulus.pascals());
         reply.text.insert_str(0, &text::cleaning(&cleaned));
         reply.json["cleaning"] = compare::report::cleaning_json(&cleaned);
         Ok(reply)
@@ -122,7 +159,7 @@ impl Solve {
         Ok(gaps.iter().map(|&g| Load::MeanGap(g)).collect())
     }
 
-    fn reply(&self, work: Work, surface: &HeightMap, modulus: f64) -> Reply {
+    fn reply(&self, work: Work, modulus: f64) -> Reply {
         let mut columns = Columns::new(&[
             "mean pressure",
             "area",
@@ -140,8 +177,8 @@ impl Solve {
             points.push(point.json);
         }
         let json = json!({
-            "shape": surface.grid().shape(),
-            "pixel": surface.grid().pixel(),
+            "shape": work.grid.shape(),
+            "pixel": work.grid.pixel(),
             "level": self.level.name(),
             "boundary": self.boundary,
             "method": work.method,
@@ -155,22 +192,35 @@ impl Solve {
 }
 
 /// What is collected while the loads are solved. Fields go to the map files and are dropped.
-struct Work {
+pub(crate) struct Work {
     maps: Option<Folder>,
     trouble: Option<Failure>,
     method: String,
     points: Vec<Option<Point>>,
     grid: Grid,
-    accuracy: AreaAccuracy,
 }
 
 impl Work {
-    fn take(&mut self, index: usize, load: Load, result: &Result<Solution, SolverError>) {
+    /// Forgets what was taken: the loads are solved again, on `grid`.
+    pub(crate) fn begin(&mut self, grid: Grid) {
+        self.points.iter_mut().for_each(|point| *point = None);
+        self.trouble = None;
+        self.grid = grid;
+    }
+
+    /// A load by its place in the list, with the interval of its area or why there is none.
+    pub(crate) fn take(
+        &mut self,
+        index: usize,
+        load: Load,
+        result: &Result<Solution, SolverError>,
+        interval: Result<[f64; 2], String>,
+    ) {
         let (solution, error) = match result {
             Ok(solution) => (Some(solution), None),
             Err(error) => (error.solution(), Some(error)),
         };
-        self.points[index] = Some(point(load, solution, error, &self.accuracy));
+        self.points[index] = Some(point(load, solution, error, interval));
         if let Some(error) = error {
             let message = format!("{}: {error}", shown(load));
             self.report(match error {
@@ -219,7 +269,7 @@ fn positive(what: &str, value: f64, unit: &str, hint: &str) -> Result<(), Failur
 }
 
 /// Indices from the lightest load to the heaviest.
-fn rising(loads: &[Load]) -> Vec<usize> {
+pub(crate) fn rising(loads: &[Load]) -> Vec<usize> {
     let weight = |load: &Load| match *load {
         Load::MeanGap(gap) => -gap,
         Load::MeanPressure(load) | Load::Approach(load) => load,
@@ -230,7 +280,7 @@ fn rising(loads: &[Load]) -> Vec<usize> {
     order
 }
 
-fn shown(load: Load) -> String {
+pub(crate) fn shown(load: Load) -> String {
     match load {
         Load::MeanPressure(p) => text::pressure(p),
         Load::MeanGap(g) => format!("gap {}", text::length(g)),
@@ -242,7 +292,7 @@ fn point(
     load: Load,
     solution: Option<&Solution>,
     error: Option<&SolverError>,
-    accuracy: &AreaAccuracy,
+    interval: Result<[f64; 2], String>,
 ) -> Point {
     let error_json = error.map(|e| json!({ "kind": variant(e), "message": e.to_string() }));
     let Some(solution) = solution else {
@@ -261,9 +311,9 @@ fn point(
     };
     let (state, d) = (&solution.state, &solution.diagnostics);
     let real = state.real_pressure();
-    let (interval, reason) = match accuracy.interval(solution) {
+    let (interval, reason) = match interval {
         Ok(interval) => (Some(interval), None),
-        Err(reason) => (None, Some(reason.to_string())),
+        Err(reason) => (None, Some(reason)),
     };
     Point {
         json: json!({

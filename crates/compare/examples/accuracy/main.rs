@@ -1,0 +1,50 @@
+//! Does `--accuracy` keep its word? Every surface of an ensemble that took no part in the
+//! calibration, at three loads and five requests, against a tight solution on eight times as many
+//! points per side.
+//!
+//! `accuracy FOLDER [FIRST]` works through the ensemble (or its FIRST surfaces), one file of rows
+//! per surface in FOLDER, skipping those already there, and prints all rows as CSV. The result is
+//! the same whenever it is stopped and resumed and on any number of threads.
+//!
+//! `accuracy --page TABLE FOLDER` makes figure and tables of the book from that CSV.
+#![allow(clippy::print_stdout, reason = "its output is the table")]
+
+mod ensemble;
+mod measure;
+mod page;
+
+use rayon::prelude::*;
+use std::error::Error;
+use std::path::Path;
+use std::{env, fs};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut args = env::args().skip(1);
+    let usage = "usage: accuracy FOLDER [FIRST] | accuracy --page TABLE FOLDER";
+    let folder = args.next().ok_or(usage)?;
+    if folder == "--page" {
+        let (table, out) = (args.next().ok_or(usage)?, args.next().ok_or(usage)?);
+        return page::write(Path::new(&table), Path::new(&out));
+    }
+    let recipes = ensemble::recipes();
+    let first = args.next().map_or(Ok(recipes.len()), |n| n.parse())?.min(recipes.len());
+    fs::create_dir_all(&folder)?;
+    let file = |index: usize| Path::new(&folder).join(format!("{index:03}.csv"));
+    rayon::ThreadPoolBuilder::new().num_threads(2).build_global()?;
+    recipes[..first].par_iter().enumerate().try_for_each(|(index, recipe)| {
+        if file(index).exists() {
+            return Ok(());
+        }
+        let rows = measure::surface(index, recipe).map_err(|e| format!("{recipe:?}: {e}"))?;
+        // Written whole or not at all, so that a stopped run never leaves half a surface.
+        let part = file(index).with_extension("part");
+        let written = fs::write(&part, rows).and_then(|()| fs::rename(&part, file(index)));
+        eprintln!("{} of {first}: {recipe:?}", index + 1);
+        written.map_err(|e| e.to_string())
+    })?;
+    println!("{}", measure::HEADER);
+    for index in 0..first {
+        print!("{}", fs::read_to_string(file(index))?);
+    }
+    Ok(())
+}

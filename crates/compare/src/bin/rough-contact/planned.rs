@@ -1,0 +1,117 @@
+//! `solve --accuracy`: grid, precision and tolerance chosen for a request.
+
+use crate::args;
+use crate::outcome::{Failure, Reply};
+use crate::progress::Progress;
+use crate::solve::{Work, rising, shown};
+use compare::MethodName;
+use compare::accuracy::NoBar;
+use compare::plan::{self, Outcome, PlanError, Request, Sink, Task};
+use contact_types::{ContactModulus, HeightMap};
+use fft_bem_solver::{Load, Solution, SolverError};
+use std::ops::ControlFlow;
+
+/// What is to be solved, and how well.
+pub(crate) struct Asked<'a> {
+    pub(crate) surface: &'a HeightMap,
+    pub(crate) height_step: Option<f64>,
+    pub(crate) modulus: ContactModulus,
+    pub(crate) request: Request,
+    pub(crate) method: MethodName,
+    pub(crate) certified: bool,
+    pub(crate) threads: usize,
+}
+
+impl Asked<'_> {
+    /// Solves for mean pressures; what comes goes to `work`.
+    pub(crate) fn solve(
+        &self,
+        loads: &[Load],
+        work: &mut Work,
+        progress: &mut Progress,
+    ) -> Result<Outcome, Failure> {
+        let order = rising(loads);
+        let pressure = |i: &usize| match loads[*i] {
+            Load::MeanPressure(p) => p,
+            _ => f64::NAN, // clap refuses --gap beside --accuracy
+        };
+        let pressures: Vec<f64> = order.iter().map(pressure).collect();
+        let task = Task {
+            map: self.surface,
+            height_step: self.height_step,
+            modulus: self.modulus,
+            pressures: &pressures,
+            request: self.request,
+            method: args::solver_method(self.method),
+            certified: self.certified,
+            threads: self.threads,
+        };
+        let mut to = ToWork { loads, order: &order, work, progress };
+        plan::run(&task, &mut to).map_err(|e| match e {
+            PlanError::Statistics(e) => Failure::from_error(&e),
+            PlanError::Solver(e) => Failure::from_error(&e),
+            stopped @ PlanError::Stopped => Failure::from_error(&stopped),
+        })
+    }
+}
+
+/// Puts what comes by rising load into the order asked for.
+struct ToWork<'a> {
+    loads: &'a [Load],
+    order: &'a [usize],
+    work: &'a mut Work,
+    progress: &'a mut Progress,
+}
+
+impl Sink for ToWork<'_> {
+    fn begin(&mut self, map: &HeightMap) {
+        self.work.begin(map.grid());
+        self.progress.restart(self.loads.len());
+        let [ny, nx] = map.grid().shape();
+        self.progress.working_on(&format!("{ny} × {nx} points"));
+    }
+
+    fn take(
+        &mut self,
+        index: usize,
+        result: Result<Solution, SolverError>,
+        half_widths: Result<[f64; 2], NoBar>,
+    ) -> ControlFlow<()> {
+        let place = self.order[index];
+        let load = self.loads[place];
+        let area = result.as_ref().map_or(0.0, |s| s.diagnostics.area_fraction_corrected);
+        let interval = half_widths
+            .map(|[grid, iteration]| {
+                let half = grid + iteration;
+                [(area - half).max(0.0), (area + half).min(1.0)]
+            })
+            .map_err(|why| why.to_string());
+        self.work.take(place, load, &result, interval);
+        self.progress.step(&shown(load));
+        ControlFlow::Continue(())
+    }
+}
+
+/// Puts the plan into the reply: its line, its object, and the exit status if it is not met.
+pub(crate) fn state(outcome: &Outcome, reply: &mut Reply) {
+    let line = outcome.explanation();
+    reply.text.push_str(&format!("{line}\n"));
+    reply.json["accuracy"] = compare::report::accuracy_json(outcome);
+    reply.json["precision"] = outcome.precision.name().into();
+    reply.json["tolerance"] = outcome.tolerance.into();
+    if let Some(failure) = unmet("", outcome) {
+        reply.trouble = Some(match reply.trouble.take() {
+            None => failure,
+            Some(earlier) => earlier.and(failure),
+        });
+    }
+}
+
+/// A request that is not met ends with exit status 1.
+pub(crate) fn unmet(surface: &str, outcome: &Outcome) -> Option<Failure> {
+    let reason = outcome.reason.as_ref()?;
+    let percent = 100.0 * outcome.request.relative();
+    let of = if surface.is_empty() { String::new() } else { format!("{surface}: ") };
+    let message = format!("{of}an accuracy of {percent} % of the area is not met: {reason}");
+    Some(Failure::incomplete("accuracy_not_met", message))
+}

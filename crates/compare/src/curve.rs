@@ -1,0 +1,107 @@
+//! The deterministic curve while it is solved.
+
+use crate::accuracy::NoBar;
+use crate::plan::Sink;
+use crate::result::{DeterministicAnswer, DeterministicPoint};
+use crate::study::{Progress, StudyError};
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::{Solution, SolverError};
+use std::ops::ControlFlow;
+
+/// Area fraction the headline is looked for at.
+const TYPICAL_AREA: f64 = 0.02;
+
+/// The deterministic curve while it grows; of the fields only that of the headline is kept.
+pub(crate) struct Curve {
+    gate: Result<(), NoBar>,
+    wanted: Option<f64>,
+    pub(crate) points: Vec<DeterministicPoint>,
+    /// Index of the load of headline and maps.
+    pub(crate) headline: usize,
+    score: f64,
+    /// Pressure field of the headline (Pa).
+    pub(crate) pressure: Vec<f64>,
+    /// The map on the grid solved on, if it is not the given one.
+    pub(crate) solved: Option<HeightMap>,
+}
+
+impl Curve {
+    pub(crate) fn new(gate: Result<(), NoBar>, wanted: Option<f64>) -> Self {
+        let (points, pressure) = (Vec::new(), Vec::new());
+        let score = f64::INFINITY;
+        Self { gate, wanted, points, headline: 0, score, pressure, solved: None }
+    }
+
+    pub(crate) fn take(&mut self, mean_pressure: f64, result: Result<Solution, SolverError>) {
+        let (solution, trouble) = match result {
+            Ok(solution) => (Some(solution), None),
+            Err(SolverError::NotConverged(best)) => {
+                let reached = best.diagnostics.residuals.preconditioned;
+                let text =
+                    format!("not converged: relative rms pressure error about {reached:.1e}");
+                (Some(*best), Some(text))
+            }
+            Err(error) => (None, Some(error.to_string())),
+        };
+        let answer =
+            solution.as_ref().map(|s| DeterministicAnswer::of(s, trouble.is_none(), self.gate));
+        let score = self.distance(mean_pressure, answer.as_ref());
+        let index = self.points.len();
+        self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
+        if score < self.score {
+            self.score = score;
+            self.headline = index;
+            self.pressure = solution.map_or_else(Vec::new, |s| s.pressure);
+        }
+    }
+
+    /// What happened at a load.
+    pub(crate) fn news(&self, index: usize) -> Progress<'static> {
+        let DeterministicPoint { mean_pressure, answer, .. } = &self.points[index];
+        let area_fraction = answer.as_ref().map(|a| a.area_fraction_corrected);
+        Progress::Solved { index, mean_pressure: *mean_pressure, area_fraction }
+    }
+
+    /// How far a load is from the one wanted, or from the typical area; both as a ratio.
+    fn distance(&self, mean_pressure: f64, answer: Option<&DeterministicAnswer>) -> f64 {
+        match (self.wanted, answer) {
+            (Some(wanted), _) => (mean_pressure / wanted).ln().abs(),
+            (None, Some(a)) if a.area_fraction > 0.0 => {
+                let penalty = if a.converged { 0.0 } else { 50.0 };
+                (a.area_fraction / TYPICAL_AREA).ln().abs() + penalty
+            }
+            _ => 1e3,
+        }
+    }
+}
+
+/// A plan's solutions, put into the curve.
+pub(crate) struct ToCurve<'a> {
+    pub(crate) curve: &'a mut Curve,
+    pub(crate) given: Grid,
+    pub(crate) pressures: &'a [f64],
+    pub(crate) tell: &'a mut dyn FnMut(Progress<'_>) -> Result<(), StudyError>,
+}
+
+impl Sink for ToCurve<'_> {
+    fn begin(&mut self, map: &HeightMap) {
+        *self.curve = Curve::new(self.curve.gate, self.curve.wanted);
+        self.curve.solved = (map.grid() != self.given).then(|| map.clone());
+    }
+
+    fn take(
+        &mut self,
+        index: usize,
+        result: Result<Solution, SolverError>,
+        half_widths: Result<[f64; 2], NoBar>,
+    ) -> ControlFlow<()> {
+        self.curve.take(self.pressures[index], result);
+        if let Some(answer) = &mut self.curve.points[index].answer {
+            answer.half_width = half_widths;
+        }
+        match (self.tell)(self.curve.news(index)) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(_) => ControlFlow::Break(()),
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! Which grids a map can be solved on, and what is known of each before solving.
+
+use crate::accuracy::{NoBar, map_gate};
+use contact_types::{Grid, HeightMap};
+use std::borrow::Cow;
+use std::f64::consts::PI;
+use surface_stats::clean::{resample, resample_mirrored};
+use surface_stats::spectrum::{PowerSpectrum, Window};
+use surface_stats::{Boundary, StatsError};
+
+/// Points along a side over those of the given map.
+const FACTORS: [f64; 11] = [0.125, 0.1875, 0.25, 0.375, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0];
+/// Fewest points along a side of a coarsened map.
+const FEWEST: usize = 48;
+/// Most points a refined map may have: 4096 x 4096.
+pub const MOST_POINTS: usize = 1 << 24;
+/// Rms jump across the seam over that between neighbours inside, above which a map does not repeat.
+const SEAM: f64 = 2.0;
+/// Longest pixels over their width that the bars were studied for.
+const LONGEST_PIXEL: f64 = 2.0;
+
+/// A grid the map can be solved on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Candidate {
+    /// Points along a side over those of the given map, about.
+    pub factor: f64,
+    /// The grid.
+    pub grid: Grid,
+    /// Part of the rms gradient that this grid cannot hold (-).
+    pub lost: f64,
+    /// Whether this grid resolves the waves it holds.
+    pub gate: Result<(), NoBar>,
+}
+
+/// What can be said of a map before solving.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Candidates {
+    /// From coarse to fine; the given grid is one of them.
+    pub list: Vec<Candidate>,
+    /// Index of the given grid.
+    pub given: usize,
+    /// False if opposite edges do not meet; such a map is continued by its mirror images, not by
+    /// itself, where it is put on another grid.
+    pub repeats: bool,
+    /// Mean square slope across the lay over that along it, at least 1.
+    pub directions: f64,
+}
+
+impl Candidates {
+    /// One transform of the map. `height_step` is the step of its heights (m), if they have one.
+    ///
+    /// # Errors
+    /// [`StatsError`].
+    pub fn of(map: &HeightMap, height_step: Option<f64>) -> Result<Self, StatsError> {
+        let grid = map.grid();
+        let repeats = seam(map) <= SEAM;
+        let power = PowerSpectrum::of(map, if repeats { Window::None } else { Window::Hann })?;
+        let mut list: Vec<Held> =
+            FACTORS.iter().filter_map(|&factor| Held::new(grid, factor)).collect();
+        let mut along = [0.0; 2];
+        power.for_each(|q, weight, variance| {
+            along[0] += weight * variance * q[0] * q[0];
+            along[1] += weight * variance * q[1] * q[1];
+            list.iter_mut().for_each(|held| held.add(q, weight * variance));
+        });
+        let all = along[0] + along[1];
+        let candidates: Vec<Candidate> =
+            list.iter().map(|held| held.candidate(all, height_step)).collect();
+        let given = list.iter().position(|h| h.grid == grid).unwrap_or(0);
+        let least = along[0].min(along[1]);
+        let directions = if least > 0.0 { along[0].max(along[1]) / least } else { f64::INFINITY };
+        Ok(Self { list: candidates, given, repeats, directions })
+    }
+
+    /// The given grid.
+    pub fn as_given(&self) -> &Candidate {
+        &self.list[self.given]
+    }
+
+    /// The map on one of the grids.
+    ///
+    /// # Errors
+    /// [`StatsError`].
+    pub fn map<'a>(
+        &self,
+        map: &'a HeightMap,
+        on: &Candidate,
+    ) -> Result<Cow<'a, HeightMap>, StatsError> {
+        let shape = on.grid.shape();
+        Ok(match on.grid == map.grid() {
+            true => Cow::Borrowed(map),
+            false if self.repeats => Cow::Owned(resample(map, shape, Boundary::Periodic)?),
+            false => Cow::Owned(resample_mirrored(map, shape)?),
+        })
+    }
+}
+
+/// A grid while the waves it can hold are added up.
+struct Held {
+    factor: f64,
+    grid: Grid,
+    /// Highest wavenumber it can hold along y and x (rad/m); infinite if it holds all.
+    limit: [f64; 2],
+    /// Mean square gradient: of the waves it holds, and of what forward differences see of them.
+    held: f64,
+    seen: f64,
+}
+
+impl Held {
+    fn new(given: Grid, factor: f64) -> Option<Self> {
+        let is_given = (factor - 1.0).abs() < 1e-12;
+        let [ny, nx] = given.shape();
+        let [dy, dx] = given.pixel();
+        let shape = if is_given { [ny, nx] } else { [ny, nx].map(|n| fast(factor * n as f64)) };
+        let studied = ny.min(nx) >= FEWEST && dy.max(dx) <= LONGEST_PIXEL * dy.min(dx);
+        let fits = if factor < 1.0 {
+            shape[0].min(shape[1]) >= FEWEST && shape[0] < ny && shape[1] < nx
+        } else {
+            shape[0].saturating_mul(shape[1]) <= MOST_POINTS && shape[0] > ny && shape[1] > nx
+        };
+        if !(is_given || studied && fits) {
+            return None;
+        }
+        let [ly, lx] = given.size();
+        let pixel = if is_given { [dy, dx] } else { [ly / shape[0] as f64, lx / shape[1] as f64] };
+        let grid = Grid::new(shape, pixel).ok()?;
+        // A coarser grid cannot hold the wave of two of its pixels.
+        let limit = if factor < 1.0 { pixel.map(|d| PI / d * (1.0 - 1e-9)) } else { [f64::MAX; 2] };
+        Some(Self { factor, grid, limit, held: 0.0, seen: 0.0 })
+    }
+
+    fn add(&mut self, q: [f64; 2], variance: f64) {
+        if q[0].abs() >= self.limit[0] || q[1].abs() >= self.limit[1] {
+            return;
+        }
+        let pixel = self.grid.pixel();
+        for axis in 0..2 {
+            let difference = 2.0 * (0.5 * q[axis] * pixel[axis]).sin() / pixel[axis];
+            self.held += variance * q[axis] * q[axis];
+            self.seen += variance * difference * difference;
+        }
+    }
+
+    fn candidate(&self, all: f64, height_step: Option<f64>) -> Candidate {
+        let ratio = |a: f64, b: f64| if b > 0.0 { (a / b).sqrt() } else { 1.0 };
+        let [dy, dx] = self.grid.pixel();
+        // A step counts against the pixels it was measured on.
+        let pixel = dy.min(dx) * self.factor;
+        Candidate {
+            factor: self.factor,
+            grid: self.grid,
+            lost: (1.0 - ratio(self.held, all)).max(0.0),
+            gate: map_gate(ratio(self.seen, self.held), height_step, pixel, all.sqrt()),
+        }
+    }
+}
+
+/// The smallest even number not below `n` with no prime factor above 7: its transforms are fast.
+fn fast(n: f64) -> usize {
+    let smooth = |mut m: usize| {
+        for p in [2, 3, 5, 7] {
+            while m % p == 0 {
+                m /= p;
+            }
+        }
+        m == 1
+    };
+    let mut m = (n - 1e-9).ceil().max(2.0) as usize;
+    while m % 2 == 1 || !smooth(m) {
+        m += 1;
+    }
+    m
+}
+
+/// Rms jump between opposite edges over that between neighbours inside, the larger of the two axes.
+fn seam(map: &HeightMap) -> f64 {
+    let [ny, nx] = map.grid().shape();
+    let (mut across, mut inside) = ([0.0; 2], [0.0; 2]);
+    for iy in 0..ny {
+        for ix in 0..nx {
+            let here = map.at(iy, ix);
+            let down = (map.at((iy + 1) % ny, ix) - here).powi(2);
+            let right = (map.at(iy, (ix + 1) % nx) - here).powi(2);
+            let sums = if iy + 1 == ny { &mut across } else { &mut inside };
+            sums[0] += down / if iy + 1 == ny { 1.0 } else { (ny - 1) as f64 };
+            let sums = if ix + 1 == nx { &mut across } else { &mut inside };
+            sums[1] += right / if ix + 1 == nx { 1.0 } else { (nx - 1) as f64 };
+        }
+    }
+    let ratio = |axis: usize| {
+        if inside[axis] > 0.0 { (across[axis] / inside[axis]).sqrt() } else { 0.0 }
+    };
+    ratio(0).max(ratio(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    /// Two waves of 32 and 8 points on 256: a coarser grid holds the second down to more than two
+    /// of its points, and loses its part of the gradient below.
+    #[test]
+    fn what_a_coarser_grid_loses_is_known() {
+        let grid = Grid::new([256, 256], [1e-6, 1e-6]).unwrap();
+        let wave = |_: f64, x: f64| (TAU * x / 32e-6).sin() + 0.1 * (TAU * x / 8e-6).sin();
+        let map = HeightMap::from_fn(grid, wave).unwrap();
+        let found = Candidates::of(&map, None).unwrap();
+        assert!(found.repeats);
+        let kept = (1.0f64 / (1.0 + 0.01 * 16.0)).sqrt();
+        for c in &found.list {
+            let expected = if c.factor > 0.25 { 0.0 } else { 1.0 - kept };
+            assert!((c.lost - expected).abs() < 1e-9, "{c:?}");
+            assert!((c.grid.area() / grid.area() - 1.0).abs() < 1e-12);
+        }
+        assert_eq!(found.as_given().grid, grid);
+        assert_eq!(found.list.last().map(|c| c.grid.shape()), Some([1024, 1024]));
+    }
+
+    #[test]
+    fn a_ramp_does_not_repeat_and_profiles_stay_as_they_are() {
+        let grid = Grid::new([64, 96], [1.0, 1.0]).unwrap();
+        let tilted = HeightMap::from_fn(grid, |y, x| 0.1 * x + (0.3 * y).sin()).unwrap();
+        assert!(!Candidates::of(&tilted, None).unwrap().repeats);
+        for (shape, pixel) in [([1, 500], [1.0, 1.0]), ([500, 500], [3.0, 1.0])] {
+            let grid = Grid::new(shape, pixel).unwrap();
+            let map = HeightMap::from_fn(grid, |_, x| (0.2 * x).sin()).unwrap();
+            assert_eq!(Candidates::of(&map, None).unwrap().list.len(), 1);
+        }
+    }
+
+    #[test]
+    fn fast_sides_are_even_and_smooth() {
+        assert_eq!([500.5, 501.0, 2.2, 1001.0, 512.0].map(fast), [504, 504, 4, 1008, 512]);
+    }
+}

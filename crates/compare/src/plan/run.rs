@@ -1,0 +1,310 @@
+//! Solving with a request: from the coarsest grid that may do to the one that does.
+
+use super::outcome::{Next, Outcome, percent, plus_minus, points};
+use super::{Candidate, Candidates, Line, Request, bar};
+use crate::PrecisionName;
+use crate::accuracy::{NoBar, iteration_error};
+use contact_types::{ContactModulus, HeightMap};
+use fft_bem_solver::{Load, Method, Precision, Solution, Solver, SolverError};
+use std::ops::ControlFlow;
+use std::time::Instant;
+use surface_stats::StatsError;
+
+/// What is to be solved.
+#[derive(Debug, Clone, Copy)]
+pub struct Task<'a> {
+    /// Heights as given.
+    pub map: &'a HeightMap,
+    /// Step of its heights (m), if they have one.
+    pub height_step: Option<f64>,
+    /// Contact modulus.
+    pub modulus: ContactModulus,
+    /// Mean pressures (Pa), rising.
+    pub pressures: &'a [f64],
+    /// What is asked for.
+    pub request: Request,
+    /// Method of the solver.
+    pub method: Method,
+    /// Whether each solution comes with a rigorous bound of its pressure error.
+    pub certified: bool,
+    /// Threads of the solver.
+    pub threads: usize,
+}
+
+/// Where the solutions go.
+pub trait Sink {
+    /// A grid is begun. What was taken before was on a grid that is given up.
+    fn begin(&mut self, map: &HeightMap);
+
+    /// A load, by its index among the pressures, with its half widths in area fraction, from the
+    /// grid and from the iteration. `Break` ends everything.
+    fn take(
+        &mut self,
+        index: usize,
+        result: Result<Solution, SolverError>,
+        half_widths: Result<[f64; 2], NoBar>,
+    ) -> ControlFlow<()>;
+}
+
+/// Why nothing was solved to the end.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum PlanError {
+    /// Another grid could not be made.
+    #[error(transparent)]
+    Statistics(#[from] StatsError),
+    /// The solver refuses the settings.
+    #[error(transparent)]
+    Solver(#[from] SolverError),
+    /// The sink broke off.
+    #[error("stopped")]
+    Stopped,
+}
+
+/// One load on the grid tried last.
+struct Reached {
+    pressure: f64,
+    /// Relative half width, or why none.
+    width: Result<f64, String>,
+    /// The part of it that is the iteration's.
+    iteration: f64,
+    line: Option<Line>,
+}
+
+/// Solves every load on the cheapest grid whose budget meets the request at every load that any
+/// grid can meet it at. Grids are tried from coarse to fine; each is left at the first load that
+/// fails and that a finer one is expected to meet, for the coarsest of those. Where no grid is
+/// expected to meet it, the grid as given is as far as it goes.
+///
+/// # Errors
+/// [`PlanError`]. A load that is not solved or a request that is not met is a result.
+pub fn run(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Outcome, PlanError> {
+    let start = Instant::now();
+    let candidates = Candidates::of(task.map, task.height_step)?;
+    let mut current = first(task, &candidates);
+    let (mut given_up, mut work) = (Vec::new(), 0.0);
+    loop {
+        let begun = Instant::now();
+        let attempt = attempt(task, &candidates, current, sink)?;
+        work += attempt.transforms * candidates.list[current].grid.len() as f64 * bytes(task);
+        if let Some(finer) = attempt.leave_for {
+            given_up.push(candidates.list[current].grid.shape());
+            current = finer;
+            continue;
+        }
+        let last = begun.elapsed().as_secs_f64();
+        let mut outcome = conclude(task, &candidates, current, attempt, last);
+        outcome.seconds = start.elapsed().as_secs_f64();
+        outcome.given_up = given_up;
+        outcome.work = work;
+        return Ok(outcome);
+    }
+}
+
+/// Bytes of a number of the iteration.
+fn bytes(task: &Task<'_>) -> f64 {
+    match task.request.precision() {
+        PrecisionName::F64 => 8.0,
+        PrecisionName::F32 => 4.0,
+    }
+}
+
+/// The coarsest grid that resolves what it holds and loses too little to break the request by
+/// itself. Where the given map has no bar, no other grid can give it one.
+fn first(task: &Task<'_>, candidates: &Candidates) -> usize {
+    if candidates.as_given().gate.is_err() {
+        return candidates.given;
+    }
+    let room = task.request.relative() - iteration_error(task.request.tolerance());
+    let line = Line { area: 1.0, edges: 0.0 };
+    let may_do =
+        |c: &Candidate| c.gate.is_ok() && line.half_width(c, 1.0).is_ok_and(|lost| lost < room);
+    candidates.list.iter().position(may_do).unwrap_or(candidates.given).min(candidates.given)
+}
+
+struct Attempt {
+    loads: Vec<Reached>,
+    transforms: f64,
+    /// The finer grid that is expected to do, if this one does not.
+    leave_for: Option<usize>,
+}
+
+/// Every load on one grid, until one fails that a finer grid is expected to meet.
+fn attempt(
+    task: &Task<'_>,
+    candidates: &Candidates,
+    current: usize,
+    sink: &mut dyn Sink,
+) -> Result<Attempt, PlanError> {
+    let candidate = &candidates.list[current];
+    let map = candidates.map(task.map, candidate)?;
+    let mut solver = Solver::builder()
+        .method(task.method)
+        .precision(match task.request.precision() {
+            PrecisionName::F64 => Precision::Double,
+            PrecisionName::F32 => Precision::Single,
+        })
+        .tolerance(task.request.tolerance())
+        .certified(task.certified)
+        .threads(task.threads.max(1))
+        .build(map.grid(), task.modulus)?;
+    sink.begin(&map);
+    let mut attempt = Attempt { loads: Vec::new(), transforms: 0.0, leave_for: None };
+    for (index, &pressure) in task.pressures.iter().enumerate() {
+        let result = solver.solve(&map, Load::MeanPressure(pressure));
+        let half_widths = match &result {
+            Ok(solution) => bar(solution, candidate, candidates.directions),
+            Err(_) => Err(NoBar::NotConverged),
+        };
+        let reached = Reached::of(pressure, &result, half_widths);
+        attempt.transforms += result.as_ref().map_or(0.0, |s| s.diagnostics.transforms);
+        if !reached.meets(task.request) {
+            attempt.leave_for = better(task, candidates, current, &reached);
+        }
+        attempt.loads.push(reached);
+        if attempt.leave_for.is_some() {
+            return Ok(attempt);
+        }
+        if sink.take(index, result, half_widths).is_break() {
+            return Err(PlanError::Stopped);
+        }
+    }
+    Ok(attempt)
+}
+
+impl Reached {
+    fn of(
+        pressure: f64,
+        result: &Result<Solution, SolverError>,
+        half_widths: Result<[f64; 2], NoBar>,
+    ) -> Self {
+        let line = result.as_ref().ok().map(Line::of);
+        let residual = |s: &Solution| s.diagnostics.residuals.preconditioned;
+        let iteration = result.as_ref().map_or(0.0, |s| iteration_error(residual(s)));
+        let width = match (half_widths, line) {
+            (Ok([grid, iteration]), Some(line)) if grid + iteration > 0.0 => {
+                Ok((grid + iteration) / line.area)
+            }
+            (Ok(_), _) => Ok(0.0),
+            (Err(why), _) => Err(why.to_string()),
+        };
+        Self { pressure, width, iteration, line }
+    }
+
+    fn meets(&self, request: Request) -> bool {
+        self.width.as_ref().is_ok_and(|width| *width <= request.relative())
+    }
+}
+
+/// The coarsest finer grid on which the line found here is expected to have a bar within the
+/// request; if none has, not less than the grid that was given.
+fn better(
+    task: &Task<'_>,
+    candidates: &Candidates,
+    current: usize,
+    reached: &Reached,
+) -> Option<usize> {
+    let will_do = |finer: &usize| {
+        expected(candidates, current, *finer, reached)
+            .is_some_and(|width| width <= task.request.relative())
+    };
+    let fallback = (current < candidates.given).then_some(candidates.given);
+    (current + 1..candidates.list.len()).find(will_do).or(fallback)
+}
+
+/// Expected relative half width on another grid.
+fn expected(candidates: &Candidates, from: usize, to: usize, reached: &Reached) -> Option<f64> {
+    let (from, to) = (&candidates.list[from], &candidates.list[to]);
+    if to.gate.is_err() || candidates.as_given().gate.is_err() {
+        return None;
+    }
+    let scale = (from.grid.len() as f64 / to.grid.len() as f64).sqrt();
+    let line = reached.line?.on_pixels(scale);
+    let grid = line.half_width(to, candidates.directions).ok()?;
+    (line.area > 0.0).then(|| grid / line.area + reached.iteration)
+}
+
+fn conclude(
+    task: &Task<'_>,
+    candidates: &Candidates,
+    current: usize,
+    attempt: Attempt,
+    seconds: f64,
+) -> Outcome {
+    let Attempt { loads, transforms, .. } = attempt;
+    let candidate = &candidates.list[current];
+    let all: Option<Vec<f64>> = loads.iter().map(|l| l.width.clone().ok()).collect();
+    let half_width = all.map(|widths| widths.iter().copied().fold(0.0, f64::max));
+    let unmet: Vec<&Reached> = loads.iter().filter(|l| !l.meets(task.request)).collect();
+    let next = candidates.list.get(current + 1).filter(|_| candidates.as_given().gate.is_ok());
+    let next = next.map(|finer| {
+        let width = |l: &Reached| expected(candidates, current, current + 1, l);
+        let widths: Option<Vec<f64>> = loads.iter().map(width).collect();
+        Next {
+            shape: finer.grid.shape(),
+            factor: finer.factor,
+            half_width: widths.map(|w| w.iter().copied().fold(0.0, f64::max)),
+            seconds: seconds * finer.grid.len() as f64 / candidate.grid.len() as f64,
+        }
+    });
+    Outcome {
+        request: task.request,
+        met: unmet.is_empty(),
+        given: task.map.grid(),
+        grid: candidate.grid,
+        factor: candidate.factor,
+        precision: task.request.precision(),
+        tolerance: task.request.tolerance(),
+        half_width,
+        transforms,
+        work: 0.0,
+        seconds,
+        given_up: Vec::new(),
+        next: next.filter(|next| half_width.is_none_or(|h| h > 0.0) || next.half_width.is_none()),
+        reason: (!unmet.is_empty()).then(|| reason(task, candidates, current, &unmet)),
+    }
+}
+
+/// Why some loads miss the request: the first of them in words.
+fn reason(task: &Task<'_>, candidates: &Candidates, current: usize, unmet: &[&Reached]) -> String {
+    let given = candidates.as_given();
+    if let (Err(why), Some(Err(_))) = (given.gate, unmet.first().map(|l| &l.width)) {
+        return format!("{why}; no grid makes up for that");
+    }
+    let Some(first) = unmet.first() else { return String::new() };
+    let pressure = pascals(first.pressure);
+    let others = match unmet.len() {
+        1 => String::new(),
+        n => format!(" ({n} of {} loads miss it)", task.pressures.len()),
+    };
+    let here = match &first.width {
+        Ok(width) => format!("{} at {pressure}{others}", plus_minus(*width)),
+        Err(why) => format!("{why} at {pressure}{others}"),
+    };
+    let finest = candidates.list.len() - 1;
+    if finest == current {
+        return format!("{here}, and no finer grid is considered");
+    }
+    let grid = points(candidates.list[finest].grid.shape());
+    match expected(candidates, current, finest, first) {
+        Some(width) => format!("{here}; even {grid} points would leave ±{}", percent(width)),
+        None => format!("{here}; even {grid} points would not resolve the contacts"),
+    }
+}
+
+/// A pressure with three digits and its unit.
+fn pascals(value: f64) -> String {
+    let units = [(1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"), (1.0, "Pa")];
+    let (unit, name) = units.into_iter().find(|(u, _)| value >= *u).unwrap_or((1.0, "Pa"));
+    let number = value / unit;
+    let decimals = if number >= 100.0 {
+        0
+    } else if number >= 10.0 {
+        1
+    } else {
+        2
+    };
+    let text = format!("{number:.decimals$}");
+    let text =
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    format!("{text} {name}")
+}
