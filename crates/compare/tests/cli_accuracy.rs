@@ -105,3 +105,49 @@ fn what_cannot_be_planned_is_refused() {
     let gap = format!("{solve} --gap 10nm --accuracy 2%");
     refused(folder.path(), &gap, 2, &["--gap"]);
 }
+
+/// A study: its deterministic side on the grid that was chosen, models on the map as it is, the
+/// line in the text, in the report and in the results; `run.toml` repeats the request.
+#[test]
+fn a_study_takes_a_request_and_repeats_it() {
+    let folder = folder();
+    surface(folder.path(), 12.0, "");
+    let line = "compare map.npy --pixel 1um --height-unit m --modulus 1GPa --pressure 3MPa,10MPa \
+                --accuracy 15% --json --quiet --threads 2";
+    let first = rough_contact(folder.path(), &format!("{line} --out one")).answered();
+    let study = &first["surfaces"][0]["deterministic"];
+    let plan = &study["accuracy"];
+    assert_eq!(plan["met"], true, "{plan}");
+    assert_eq!(plan["given"], serde_json::json!([192, 192]));
+    assert_eq!(plan["grid"], study["shape"]);
+    assert!(plan["factor"].as_f64().unwrap() < 1.0, "{plan}");
+    for point in study["points"].as_array().unwrap() {
+        let [low, high] = [0, 1].map(|i| point["area_interval"][i].as_f64().unwrap());
+        let area = point["area_fraction_corrected"].as_f64().unwrap();
+        assert!((high - low) / area <= 0.3 && low < area && area < high);
+    }
+    // The models were given the map itself: the same inputs as in a study without a request.
+    let plain = line.replace("--accuracy 15% ", "");
+    let plain = rough_contact(folder.path(), &format!("{plain} --out plain")).answered();
+    assert_eq!(first["surfaces"][0]["inputs"], plain["surfaces"][0]["inputs"]);
+    assert_eq!(plain["surfaces"][0]["deterministic"]["accuracy"], Value::Null);
+
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert!(read("one/run.toml").contains("accuracy = 0.15"));
+    let explanation = plan["explanation"].as_str().unwrap();
+    assert!(read("one/report.html").contains(explanation), "{explanation}");
+
+    let repeat = "compare --from one/run.toml --out two --json --quiet --threads 1";
+    let second = rough_contact(folder.path(), repeat).answered();
+    let again = &second["surfaces"][0]["deterministic"];
+    assert_eq!(again["accuracy"]["grid"], plan["grid"]);
+    for (a, b) in areas(study).iter().zip(areas(again)) {
+        assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+    }
+    // The lightest load of a tight request is beyond the data: exit status 1, all of it written.
+    let tight = line.replace("15%", "0.1%");
+    let said = rough_contact(folder.path(), &format!("{tight} --out tight"));
+    assert_eq!(said.status, 1, "{}", said.err);
+    assert_eq!(said.json()["error"]["kind"], "accuracy_not_met");
+    assert!(read("tight/report.html").contains("not met"));
+}

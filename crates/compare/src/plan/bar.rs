@@ -1,6 +1,6 @@
 //! The error budget of an area on a grid that need not be the given one.
 //!
-//! Three parts, each calibrated on 112 maps of 256² points in seven families at five loads, on
+//! Three parts, each calibrated on 106 maps of 256² points in seven families at five loads, on
 //! grids from 1/8 to 2 times the given one, against the map on 1024² points:
 //! - what is left of the correction for the contact line (Yastrebov, Anciaux & Molinari 2017) after
 //!   it is subtracted: 30 % of it, more where most edges run along one axis;
@@ -8,7 +8,7 @@
 //!   random place the variance is 0.676 times its radius in pixels (Kendall 1948,
 //!   doi:10.1093/qmath/os-19.1.1), 0.085 per edge of its line, and the bar is twice the deviation;
 //! - the gradient that a coarser grid loses: the area at a light load is as 1/h'_rms. The largest
-//!   excess seen was 1.44 times the loss.
+//!   excess seen was 1.41 times the loss.
 
 use super::Candidate;
 use crate::accuracy::{NoBar, iteration_error};

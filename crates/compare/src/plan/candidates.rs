@@ -61,7 +61,9 @@ impl Candidates {
         power.for_each(|q, weight, variance| {
             along[0] += weight * variance * q[0] * q[0];
             along[1] += weight * variance * q[1] * q[1];
-            list.iter_mut().for_each(|held| held.add(q, weight * variance));
+            for held in &mut list {
+                held.add(q, weight * variance);
+            }
         });
         let all = along[0] + along[1];
         let candidates: Vec<Candidate> =
@@ -102,7 +104,7 @@ struct Held {
     /// Highest wavenumber it can hold along y and x (rad/m); infinite if it holds all.
     limit: [f64; 2],
     /// Mean square gradient: of the waves it holds, and of what forward differences see of them.
-    held: f64,
+    all: f64,
     seen: f64,
 }
 
@@ -126,7 +128,7 @@ impl Held {
         let grid = Grid::new(shape, pixel).ok()?;
         // A coarser grid cannot hold the wave of two of its pixels.
         let limit = if factor < 1.0 { pixel.map(|d| PI / d * (1.0 - 1e-9)) } else { [f64::MAX; 2] };
-        Some(Self { factor, grid, limit, held: 0.0, seen: 0.0 })
+        Some(Self { factor, grid, limit, all: 0.0, seen: 0.0 })
     }
 
     fn add(&mut self, q: [f64; 2], variance: f64) {
@@ -136,7 +138,7 @@ impl Held {
         let pixel = self.grid.pixel();
         for axis in 0..2 {
             let difference = 2.0 * (0.5 * q[axis] * pixel[axis]).sin() / pixel[axis];
-            self.held += variance * q[axis] * q[axis];
+            self.all += variance * q[axis] * q[axis];
             self.seen += variance * difference * difference;
         }
     }
@@ -149,8 +151,8 @@ impl Held {
         Candidate {
             factor: self.factor,
             grid: self.grid,
-            lost: (1.0 - ratio(self.held, all)).max(0.0),
-            gate: map_gate(ratio(self.seen, self.held), height_step, pixel, all.sqrt()),
+            lost: (1.0 - ratio(self.all, all)).max(0.0),
+            gate: map_gate(ratio(self.seen, self.all), height_step, pixel, all.sqrt()),
         }
     }
 }
@@ -159,7 +161,7 @@ impl Held {
 fn fast(n: f64) -> usize {
     let smooth = |mut m: usize| {
         for p in [2, 3, 5, 7] {
-            while m % p == 0 {
+            while m.is_multiple_of(p) {
                 m /= p;
             }
         }

@@ -95,7 +95,8 @@ impl Sink for ToWork<'_> {
 /// Puts the plan into the reply: its line, its object, and the exit status if it is not met.
 pub(crate) fn state(outcome: &Outcome, reply: &mut Reply) {
     let line = outcome.explanation();
-    reply.text.push_str(&format!("{line}\n"));
+    reply.text.push_str(&line);
+    reply.text.push('\n');
     reply.json["accuracy"] = compare::report::accuracy_json(outcome);
     reply.json["precision"] = outcome.precision.name().into();
     reply.json["tolerance"] = outcome.tolerance.into();
