@@ -122,9 +122,11 @@ fn map_words(surface: &SurfaceComparison) -> String {
 
 /// What was asked for, what was chosen for it, and where the models were asked.
 fn plan_words(plan: &Outcome) -> String {
+    let [ny, nx] = plan.given.shape();
+    let order = if ny == nx { "" } else { " (rows × columns)" };
     format!(
-        "{}{SPACE}% of the area asked for at every load; chosen: {}. Models were given the map as \
-         it is",
+        "{}{SPACE}% of the area asked for at every load; chosen: {}{order}. Models were given the \
+         map as it is",
         significant(100.0 * plan.request.relative(), 2),
         escape(&plan.explanation())
     )

@@ -53,6 +53,13 @@ pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
              the tolerance.",
         ));
     }
+    if let Some(plan) = &surface.plan
+        && let Some(reason) = &plan.reason
+    {
+        let asked = percent(plan.request.relative());
+        let claim = format!("The accuracy of {asked} asked for is not met at every load.");
+        notes.push(note(Weight::Check, claim, format!("{}.", capital(&escape(reason)))));
+    }
     let flat = surface.statistics.rms_height <= 0.0;
     if let (Err(reason), false, Some(refined)) = (surface.gate, flat, surface.refined) {
         let text = format!(

@@ -259,6 +259,12 @@ pub(super) fn budget(
                     significant(100.0 * refined.area_fraction_corrected, 3),
                     duration(refined.seconds)
                 )
+            } else if let Some(plan) = &surface.plan {
+                let [ny, nx] = plan.grid.shape();
+                format!(
+                    "what the contact-line correction leaves, chance, and the gradient that \
+                     {nx} × {ny} points cannot hold"
+                )
             } else {
                 format!(
                     "0.3 of the contact-line correction, which held in 95 to 100 of 100 maps whose \
