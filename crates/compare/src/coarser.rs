@@ -35,13 +35,14 @@ pub struct Coarser {
 
 impl Comparison {
     /// Solves the headline load of every surface on its coarser grids. A grid without a converged
-    /// solution, or with fewer than 16 points a side, is left out.
+    /// solution, or with fewer than 16 points a side, is left out; so is a surface whose grid was
+    /// chosen for an accuracy, which says itself what a coarser one would leave.
     ///
     /// # Errors
     /// [`SurfaceError`] if the modulus of the settings is none, which a finished study rules out.
     pub fn solve_coarser(&mut self) -> Result<(), SurfaceError> {
         let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
-        for surface in &mut self.surfaces {
+        for surface in self.surfaces.iter_mut().filter(|s| s.plan.is_none()) {
             let coarse = |factor| solve(surface, &self.settings, modulus, factor);
             surface.coarser = COARSER.into_iter().filter_map(coarse).collect();
         }
