@@ -128,7 +128,10 @@ impl<T: Real> Chord<T> {
         let h = &task.problem.heights[..];
         let (mut load, mut control) = match task.target {
             Target::Pressure(p) => (p, None),
-            Target::Level(level, guess) => (guess, Some(LevelControl::new(level, task.problem))),
+            Target::Level(level, guess) => {
+                let mean_height = task.problem.mean_height;
+                (guess, Some(LevelControl::new(level, mean_height, operator.boundary())))
+            }
         };
         self.events.clear();
         let mut is_lead = false; // the trial fields hold a guess that is not feasible
@@ -164,39 +167,18 @@ impl<T: Real> Chord<T> {
         };
         let (mut iteration, mut residual) = (0, f64::INFINITY);
         let end = loop {
-            if let Some(control) =
-                control.as_mut().filter(|_| iteration > 0 || start == Start::Warm)
-            {
-                let factor = control.correct(residual, load, h, state, &mut self.partial);
+            // Residual gap and contact set; with the level prescribed, once more at a better load.
+            let release = if now.a < FULL { RELEASE } else { 0.0 };
+            let (mut level, mut found) = self.look(h, release, is_lead, state);
+            if let Some(control) = &mut control {
+                let factor = self.towards_level(control, level, load, residual, is_lead, state);
                 load *= factor;
-                // The step before must stay one that changes no load.
-                passes::scale(factor, &mut self.before);
-                passes::scale(factor, &mut self.before_response);
-                is_lead = false;
+                (level, found) = self.look(h, RELEASE, is_lead, state);
             }
 
-            // Residual gap, contact set, preconditioned residual.
-            let [nx, rows] = [self.shape[1], self.rows];
-            let (p, u) = if is_lead {
-                (&self.trial[..], &self.response[..])
-            } else {
-                (&state.pressure[..], &state.displacement[..])
-            };
-            let [sum, contact] = passes::level_sums(p, u, h, &mut self.partial);
-            let level = sum / contact.max(1.0);
-            let release = if now.a < FULL { RELEASE } else { 0.0 };
-            let found = passes::residual(
-                [p, u, h],
-                level,
-                release,
-                rows,
-                nx,
-                &mut self.mask,
-                &mut self.residual,
-                &mut self.pyramid,
-                &mut self.partial,
-            );
+            // Preconditioned residual, and the trial it leads to.
             let mean = self.precondition(&found);
+            let [nx, rows] = [self.shape[1], self.rows];
             transforms += self.stiffness.cost;
             let base = (!is_lead).then_some(&state.pressure[..]);
             let [step2, p2] = passes::trial(
@@ -279,11 +261,74 @@ impl<T: Real> Chord<T> {
         Outcome { end, iterations: iteration, transforms, residual: residual.max(error) }
     }
 
-    /// `z = E^T S E r` on F, in place of the residual; returns its mean over F.
-    pub(crate) fn precondition(&mut self, found: &passes::Residual) -> f64 {
+    /// The residual gap g of the state, or of the lead, its contact set F, and `E g`. Returns the
+    /// level, the mean of `u - h` in contact.
+    pub(crate) fn look(
+        &mut self,
+        h: &[T],
+        release: f64,
+        is_lead: bool,
+        state: &State<T>,
+    ) -> (f64, passes::Residual) {
         let [nx, rows] = [self.shape[1], self.rows];
+        let (p, u) = if is_lead {
+            (&self.trial[..], &self.response[..])
+        } else {
+            (&state.pressure[..], &state.displacement[..])
+        };
+        let [sum, contact] = passes::level_sums(p, u, h, &mut self.partial);
+        let level = sum / contact.max(1.0);
+        let found = passes::residual(
+            [p, u, h],
+            level,
+            release,
+            rows,
+            nx,
+            &mut self.mask,
+            &mut self.residual,
+            &mut self.pyramid,
+            &mut self.partial,
+        );
         self.pyramid.extend_above();
         passes::push(&self.mask, &self.residual, &self.pyramid, rows, nx, &mut self.extended);
+        (level, found)
+    }
+
+    /// Scales everything to a load that should bring the level to its target; returns the factor.
+    /// `level` is where it is now, and `E g` says where it will settle.
+    fn towards_level(
+        &mut self,
+        control: &mut LevelControl,
+        level: f64,
+        load: f64,
+        residual: f64,
+        is_lead: bool,
+        state: &mut State<T>,
+    ) -> f64 {
+        let (p, u) = (&mut state.pressure, &mut state.displacement);
+        if control.wants_guess(residual) {
+            if is_lead {
+                control.guess(&self.trial, &self.response);
+            } else {
+                control.guess(p, u);
+            }
+        }
+        let rise = fields::sum(&self.extended) / self.extended.len() as f64;
+        let factor = control.factor(level + rise, load, residual);
+        // The step before must stay one that changes no load.
+        for field in [p, u, &mut self.before, &mut self.before_response] {
+            passes::scale(factor, field);
+        }
+        if is_lead {
+            passes::scale(factor, &mut self.trial);
+            passes::scale(factor, &mut self.response);
+        }
+        factor
+    }
+
+    /// `z = E^T S` of what `E` extended; returns its mean over F.
+    pub(crate) fn precondition(&mut self, found: &passes::Residual) -> f64 {
+        let [nx, rows] = [self.shape[1], self.rows];
         self.stiffness.apply(&self.extended, &mut self.residual);
         let (pyramid, partial) = (&mut self.pyramid, &mut self.partial);
         let sum = passes::transpose(&self.mask, &mut self.residual, pyramid, rows, nx, partial);

@@ -50,19 +50,8 @@ fn draw_the_fields() {
     chord.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
 
     // The passes of the next iteration, one by one.
-    let (rows, p, u) = (chord.rows, &state.pressure, &state.displacement);
-    let [sum, contact] = passes::level_sums(p, u, h, &mut chord.partial);
-    let found = passes::residual(
-        [p, u, h],
-        sum / contact,
-        0.0,
-        rows,
-        N,
-        &mut chord.mask,
-        &mut chord.residual,
-        &mut chord.pyramid,
-        &mut chord.partial,
-    );
+    let (rows, p) = (chord.rows, &state.pressure);
+    let (_, found) = chord.look(h, 0.0, false, &state);
     let set = chord.mask.clone();
     let residual = chord.residual.clone();
     let mean = chord.precondition(&found);
