@@ -10,6 +10,7 @@ mod edges;
 mod extremes;
 mod figures;
 mod generated;
+mod kappa;
 mod shell;
 mod surfaces;
 mod survey;
@@ -35,6 +36,8 @@ Usage: cargo xtask <task> [options]
                             files of instruments against expected values, one line each
   survey [--check]          every model on an ensemble of surfaces; table, figures, page
                             (under an hour, resumable)
+  kappa [--check]           area from light load to full contact against theory and published
+                            slopes; table, figures, page (half an hour, resumable)
   tidy                      layers, citations, pages, file lengths, dependency counts
   ci [--slow]               everything a change must pass, as the CI runs it
 
@@ -60,6 +63,7 @@ fn main() -> ExitCode {
         "bench" => bench::run(rest),
         "surfaces" => surfaces::run(rest),
         "survey" => survey::run(rest),
+        "kappa" => kappa::run(rest),
         "tidy" => tidy::run(rest),
         "ci" => ci::run(rest),
         "help" | "--help" | "-h" => {

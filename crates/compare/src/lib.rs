@@ -10,6 +10,7 @@ mod coarser;
 mod curve;
 mod edge_share;
 pub mod edge_study;
+pub mod light_load;
 pub mod models;
 pub mod plan;
 pub mod quantity;

@@ -38,7 +38,7 @@ fn cheapest(grids: &[Coarser]) -> Option<&Coarser> {
     grids.iter().take_while(|c| c.error.abs() <= WANTED).last()
 }
 
-/// " Cheapest grid within 10 %: 128 × 128 points (+1.2 %), 3.1 ms, 14 times faster."; empty if
+/// " Cheapest grid within 10 %: the map on 128 × 128 points (+1.2 %), 3.1 ms, 14 times faster."; empty if
 /// no coarser grid comes that near or none is faster.
 pub(super) fn sentence(surface: &SurfaceComparison, full_seconds: f64) -> String {
     let Some(grid) = cheapest(&surface.coarser).filter(|c| c.seconds < full_seconds) else {
@@ -46,7 +46,7 @@ pub(super) fn sentence(surface: &SurfaceComparison, full_seconds: f64) -> String
     };
     let [ny, nx] = grid.shape;
     format!(
-        " Cheapest grid within 10{SPACE}%: {ny} × {nx} points ({}), {}, {} times faster.",
+        " Cheapest grid within 10{SPACE}%: the map on {ny} × {nx} points ({}), {}, {} times faster.",
         signed_percent(grid.error),
         duration(grid.seconds),
         times(full_seconds / grid.seconds)

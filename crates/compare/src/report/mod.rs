@@ -17,6 +17,7 @@ mod edges;
 mod how_made;
 mod html;
 mod json;
+mod kappa_figures;
 mod labels;
 mod lines;
 mod maps;
@@ -41,6 +42,9 @@ pub use html::write as write_html;
 pub use json::{
     accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,
     statistics as statistics_json, write as write_json,
+};
+pub use kappa_figures::{
+    model_kappa, model_slope, write_kappa_bandwidth, write_kappa_full, write_kappa_load,
 };
 pub use palette::{
     BGT, Colour, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,

@@ -1,0 +1,37 @@
+//! The study of light load and full contact: table, figures, page.
+
+use crate::TaskResult;
+use crate::generated::{check_flag, keep, keep_section};
+use crate::shell::{self, output, read, root};
+use std::process::Command;
+
+const TABLE: &str = "fixtures/kappa.csv";
+
+/// Solves what is missing and writes table, figures and page; with `--check`, redoes figures and
+/// page from the committed table and compares.
+pub(crate) fn run(args: &[String]) -> TaskResult {
+    let check = check_flag(args)?;
+    let rows = root().join("target/kappa").display().to_string();
+    if !check {
+        let table = output(&mut kappa(&[&rows]))?;
+        let origin = "# Area of random surfaces from light load to full contact; made by \
+                      'cargo xtask kappa' from its own seeds, columns in \
+                      crates/compare/src/light_load.rs";
+        keep(TABLE, &format!("{origin}\n{table}"), false)?;
+    }
+    let folder = root().join("target/kappa-page");
+    let out = folder.display().to_string();
+    shell::run(&mut kappa(&["--page", TABLE, &out]))?;
+    for name in ["kappa-bandwidth.svg", "kappa-load.svg", "kappa-full.svg"] {
+        keep(&format!("docs/src/figures/{name}"), &read(&folder.join(name))?, check)?;
+    }
+    keep_section("docs/src/kappa.md", "kappa", &read(&folder.join("kappa.md"))?, check)
+}
+
+/// The example that does the work, built in release.
+fn kappa(args: &[&str]) -> Command {
+    let mut cargo = shell::cargo();
+    cargo.args(["run", "--quiet", "--release", "--locked", "--package", "compare"]);
+    cargo.args(["--example", "kappa", "--"]).args(args);
+    cargo
+}
