@@ -1,11 +1,11 @@
 //! The deterministic curve while it is solved.
 
-use crate::accuracy::NoBar;
+use crate::budget::Map;
 use crate::plan::Sink;
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use crate::study::{Progress, StudyError};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Solution, SolverError};
+use fft_bem_solver::{NoAreaInterval, Solution, SolverError};
 use std::ops::ControlFlow;
 
 /// Area fraction the headline is looked for at.
@@ -13,7 +13,7 @@ const TYPICAL_AREA: f64 = 0.02;
 
 /// The deterministic curve while it grows; of the fields only that of the headline is kept.
 pub(crate) struct Curve {
-    gate: Result<(), NoBar>,
+    map: Map,
     wanted: Option<f64>,
     pub(crate) points: Vec<DeterministicPoint>,
     /// Index of the load of headline and maps.
@@ -26,10 +26,10 @@ pub(crate) struct Curve {
 }
 
 impl Curve {
-    pub(crate) fn new(gate: Result<(), NoBar>, wanted: Option<f64>) -> Self {
+    pub(crate) fn new(map: Map, wanted: Option<f64>) -> Self {
         let (points, pressure) = (Vec::new(), Vec::new());
         let score = f64::INFINITY;
-        Self { gate, wanted, points, headline: 0, score, pressure, solved: None }
+        Self { map, wanted, points, headline: 0, score, pressure, solved: None }
     }
 
     pub(crate) fn take(&mut self, mean_pressure: f64, result: Result<Solution, SolverError>) {
@@ -44,7 +44,7 @@ impl Curve {
             Err(error) => (None, Some(error.to_string())),
         };
         let answer =
-            solution.as_ref().map(|s| DeterministicAnswer::of(s, trouble.is_none(), self.gate));
+            solution.as_ref().map(|s| DeterministicAnswer::of(s, trouble.is_none(), &self.map));
         let score = self.distance(mean_pressure, answer.as_ref());
         let index = self.points.len();
         self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
@@ -85,7 +85,7 @@ pub(crate) struct ToCurve<'a> {
 
 impl Sink for ToCurve<'_> {
     fn begin(&mut self, map: &HeightMap) {
-        *self.curve = Curve::new(self.curve.gate, self.curve.wanted);
+        *self.curve = Curve::new(self.curve.map.on(map.grid()), self.curve.wanted);
         self.curve.solved = (map.grid() != self.given).then(|| map.clone());
     }
 
@@ -93,11 +93,13 @@ impl Sink for ToCurve<'_> {
         &mut self,
         index: usize,
         result: Result<Solution, SolverError>,
-        half_widths: Result<[f64; 2], NoBar>,
+        half_widths: Result<[f64; 2], NoAreaInterval>,
     ) -> ControlFlow<()> {
         self.curve.take(self.pressures[index], result);
         if let Some(answer) = &mut self.curve.points[index].answer {
-            answer.half_width = half_widths;
+            let parts = half_widths.map(|[grid, _]| grid);
+            answer.budget = answer.budget.with_grid(parts, 1.0);
+            answer.budget.area.iteration = half_widths.map(|[_, iteration]| iteration);
         }
         match (self.tell)(self.curve.news(index)) {
             Ok(()) => ControlFlow::Continue(()),

@@ -4,7 +4,7 @@
 //!
 //! Nothing here opens a file or prints: the report writes to any [`std::io::Write`].
 
-pub mod accuracy;
+pub mod budget;
 mod cleaning;
 mod coarser;
 mod curve;
@@ -15,6 +15,7 @@ pub mod models;
 pub mod plan;
 pub mod quantity;
 mod recipe;
+mod refine;
 pub mod report;
 mod result;
 mod run_file;
@@ -25,13 +26,14 @@ mod surface;
 pub mod survey;
 mod verdict;
 
+pub use budget::{Budget, Estimate};
 pub use cleaning::{Cleaning, CleaningError, FormName};
 pub use coarser::{COARSER, Coarser};
 pub use edge_share::EdgeShare;
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use result::{
     Applies, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,
-    Refined, Spectral, SurfaceComparison, Verdict,
+    Spectral, SurfaceComparison, Verdict,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{

@@ -1,12 +1,12 @@
 //! What a study finds, as plain data.
 
-use crate::accuracy::NoBar;
+use crate::budget::{Budget, Map, grid};
 use crate::models::{BuildError, Inputs, ModelEntry};
 use crate::plan::Outcome;
 use crate::survey::Experience;
 use crate::{Coarser, Origin, Settings, Spots};
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{Residuals, Solution};
+use fft_bem_solver::{NoAreaInterval, Residuals, Solution};
 use surface_stats::SurfaceStatistics;
 
 /// A finished study.
@@ -39,10 +39,10 @@ pub struct SurfaceComparison {
     pub setup_seconds: f64,
     /// The deterministic solution at each load, by rising pressure.
     pub deterministic: Vec<DeterministicPoint>,
-    /// Why the whole map has no error bar, if it has none.
-    pub gate: Result<(), NoBar>,
-    /// The headline load once more on a twice finer grid, where the map has no bar of its own.
-    pub refined: Option<Refined>,
+    /// What the map says about the accuracy of answers on it.
+    pub map: Map,
+    /// Seconds spent on solutions on a twice finer grid, for loads that have no bar of their own.
+    pub refined_seconds: f64,
     /// The headline load on coarser grids; empty unless asked for, see
     /// [`Comparison::solve_coarser`].
     pub coarser: Vec<Coarser>,
@@ -58,17 +58,6 @@ pub struct SurfaceComparison {
     pub spots: Option<Spots>,
     /// Every model of the list.
     pub models: Vec<ModelComparison>,
-}
-
-/// A solution on the Fourier interpolation of the map to twice as many points along each side.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Refined {
-    /// Its corrected area fraction.
-    pub area_fraction_corrected: f64,
-    /// Its contact-line edges per point.
-    pub contact_perimeter: f64,
-    /// What it cost (s).
-    pub seconds: f64,
 }
 
 /// What the spectrum of a map says.
@@ -102,8 +91,12 @@ pub struct DeterministicAnswer {
     pub area_fraction: f64,
     /// That corrected for the contact line.
     pub area_fraction_corrected: f64,
-    /// Half width of the interval around the corrected area: grid, iteration; or why none.
-    pub half_width: Result<[f64; 2], NoBar>,
+    /// Area, gap, real pressure and stiffness with their errors by source.
+    pub budget: Budget,
+    /// The same load on a twice finer grid, where the given one has no bar of its own.
+    pub finer: Option<grid::Finer>,
+    /// Rigorous bound of the relative error in the energy norm, where it was asked for.
+    pub energy_bound: Option<f64>,
     /// Mean gap (m).
     pub mean_gap: Option<f64>,
     /// Approach since first touch (m).
@@ -131,18 +124,19 @@ pub struct DeterministicAnswer {
 }
 
 impl DeterministicAnswer {
-    /// From a solution; `gate` is what the map allows.
-    pub fn of(solution: &Solution, converged: bool, gate: Result<(), NoBar>) -> Self {
+    /// From a solution; `map` is what is known of the map it was found on.
+    pub fn of(solution: &Solution, converged: bool, map: &Map) -> Self {
         let d = &solution.diagnostics;
-        let half_width = if converged {
-            gate.and_then(|()| crate::accuracy::half_width(solution.state.area_fraction, d))
-        } else {
-            Err(NoBar::NotConverged)
-        };
+        let mut budget = Budget::of(solution, map);
+        if !converged {
+            budget = budget.with_grid(Err(NoAreaInterval::NotConverged), 1.0);
+        }
         Self {
             area_fraction: solution.state.area_fraction,
             area_fraction_corrected: d.area_fraction_corrected,
-            half_width,
+            budget,
+            finer: None,
+            energy_bound: d.energy_bound,
             mean_gap: solution.state.mean_gap,
             approach: solution.approach,
             max_pressure: d.max_pressure,
@@ -158,16 +152,14 @@ impl DeterministicAnswer {
         }
     }
 
-    /// Half width of the interval, all parts.
+    /// Half width of the interval around the corrected area from grid and iteration.
     pub fn uncertainty(&self) -> Option<f64> {
-        self.half_width.ok().map(|[grid, iteration]| grid + iteration)
+        self.budget.area.comparison_half_width().ok()
     }
 
-    /// `[low, high]` around the corrected area.
+    /// `[low, high]` around the corrected area, from grid and iteration.
     pub fn interval(&self) -> Option<[f64; 2]> {
-        let half = self.uncertainty()?;
-        let area = self.area_fraction_corrected;
-        Some([(area - half).max(0.0), (area + half).min(1.0)])
+        self.budget.area.comparison().ok()
     }
 }
 

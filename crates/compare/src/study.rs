@@ -1,12 +1,12 @@
 //! The study itself: statistics, the deterministic curve, every model over the loads.
 
-use crate::accuracy::{NoBar, map_gate, refined_half_width};
+use crate::budget::Map;
 use crate::curve::{Curve, ToCurve};
 use crate::models::{BuildError, Inputs, MODELS, ModelEntry, MomentSource};
 use crate::plan::{self, BadRequest, PlanError, Request, Task};
+use crate::refine::refine;
 use crate::result::{
-    Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve, Refined,
-    Spectral, SurfaceComparison,
+    Comparison, DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison,
 };
 use crate::settings::{LevelName, MethodName, PrecisionName};
 use crate::survey::{Query, Survey, peak_slope};
@@ -20,7 +20,6 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use surface_stats::clean::resample;
 use surface_stats::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes};
 use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, level};
 
@@ -153,12 +152,10 @@ fn compare(
     let setup = Instant::now();
     let (map, statistics) = describe(&heights, &origin, settings).map_err(refused)?;
     let inputs = model_inputs(&map, &statistics, modulus).map_err(refused)?;
-    let spectral = spectral(&map, &origin).map_err(refused)?;
+    let (spectral, known) = spectral(&map, &origin, &statistics).map_err(refused)?;
     let setup_seconds = setup.elapsed().as_secs_f64();
 
     let gradient = inputs.rms_gradient();
-    let [dy, dx] = map.grid().pixel();
-    let gate = map_gate(spectral.resolved, statistics.height_step, dy.min(dx), gradient);
     let pressures = loads(settings, modulus, gradient);
     let mut tell = |p: Progress<'_>| match progress(p) {
         ControlFlow::Continue(()) => Ok(()),
@@ -166,7 +163,7 @@ fn compare(
     };
     tell(Progress::Surface { name: &name, index, count, loads: pressures.len() })?;
 
-    let mut curve = Curve::new(gate, settings.headline);
+    let mut curve = Curve::new(known, settings.headline);
     let plan = match settings.accuracy {
         None => {
             let mut solver = builder(settings)
@@ -202,9 +199,9 @@ fn compare(
     };
     let Curve { points: mut deterministic, headline, pressure, solved, .. } = curve;
     // A plan says itself what a finer grid would do.
-    let refined = match plan {
-        None => refine(&map, modulus, settings, &mut deterministic[headline]),
-        Some(_) => None,
+    let refined_seconds = match plan {
+        None => refine(&map, &known, modulus, settings, &mut deterministic, headline),
+        Some(_) => 0.0,
     };
     if let Some(value) = settings.headline
         && !same(deterministic[headline].mean_pressure, value)
@@ -229,8 +226,8 @@ fn compare(
         spectral,
         setup_seconds,
         deterministic,
-        gate,
-        refined,
+        map: known,
+        refined_seconds,
         coarser: Vec::new(),
         plan,
         solved,
@@ -281,18 +278,25 @@ fn model_inputs(
 
 /// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann
 /// window otherwise, or the jump at the edges would count as roughness.
-fn spectral(map: &HeightMap, origin: &Origin) -> Result<Spectral, StatsError> {
+fn spectral(
+    map: &HeightMap,
+    origin: &Origin,
+    statistics: &SurfaceStatistics,
+) -> Result<(Spectral, Map), StatsError> {
     let window = match origin {
         Origin::Recipe(_) => Window::None,
         Origin::File(_) => Window::Hann,
     };
     let power = PowerSpectrum::of(map, window)?;
-    Ok(Spectral {
+    let repeats = window == Window::None || plan::repeats(map);
+    let known = Map::known(map, &power, statistics.height_step.unwrap_or(0.0), repeats);
+    let spectral = Spectral {
         moments: power.moments().0,
         resolved: power.resolved_gradient().unwrap_or(1.0),
         windowed: window != Window::None,
         psd: thinned(&power.rings()),
-    })
+    };
+    Ok((spectral, known))
 }
 
 /// The PSD in about 12 bins per octave of wavenumber, `[wavelength, C]`: what a figure can show.
@@ -314,42 +318,6 @@ fn thinned(rings: &[Ring]) -> Vec<[f64; 2]> {
     bins.into_iter().map(|(_, waves, c, q)| [TAU / (q / waves).exp(), c / waves]).collect()
 }
 
-/// Most points a refined map may have: 4096 x 4096.
-const MOST_REFINED: usize = 1 << 24;
-
-/// Solves the headline load on a twice finer grid if its area has no bar for want of resolution,
-/// and gives the area the bar that follows. `None` if none is needed, or the map is too large.
-fn refine(
-    map: &HeightMap,
-    modulus: ContactModulus,
-    settings: &Settings,
-    point: &mut DeterministicPoint,
-) -> Option<Refined> {
-    let answer = point.answer.as_mut()?;
-    let resolvable = matches!(
-        answer.half_width,
-        Err(NoBar::Unresolved { .. } | NoBar::Stepped { .. } | NoBar::FewPixels { .. })
-    );
-    let [ny, nx] = map.grid().shape();
-    if !resolvable || 4 * map.grid().len() > MOST_REFINED || ny.min(nx) < 4 {
-        return None;
-    }
-    let start = Instant::now();
-    let finer = resample(map, [2 * ny, 2 * nx], Boundary::Periodic).ok()?;
-    let mut solver = builder(settings).build(finer.grid(), modulus).ok()?;
-    let solution = solver.solve(&finer, Load::MeanPressure(point.mean_pressure)).ok()?;
-    let d = &solution.diagnostics;
-    let refined = Refined {
-        area_fraction_corrected: d.area_fraction_corrected,
-        contact_perimeter: d.contact_perimeter,
-        seconds: start.elapsed().as_secs_f64(),
-    };
-    let area = answer.area_fraction_corrected;
-    let grid = refined_half_width(area, refined.area_fraction_corrected, refined.contact_perimeter);
-    answer.half_width = Ok([grid, iteration_half_width(answer)]);
-    Some(refined)
-}
-
 fn refused_plan(error: PlanError, name: &str) -> StudyError {
     let surface = name.to_owned();
     match error {
@@ -357,11 +325,6 @@ fn refused_plan(error: PlanError, name: &str) -> StudyError {
         PlanError::Solver(source) => StudyError::Solver { surface, source: Box::new(source) },
         PlanError::Stopped => StudyError::Stopped,
     }
-}
-
-fn iteration_half_width(answer: &DeterministicAnswer) -> f64 {
-    crate::accuracy::iteration_error(answer.residuals.preconditioned)
-        * answer.area_fraction_corrected
 }
 
 pub(crate) fn builder(settings: &Settings) -> SolverBuilder {

@@ -42,7 +42,10 @@ mod solver;
 mod special_cases;
 pub mod validation;
 
-pub use accuracy::{AreaAccuracy, BOUNDARY_CORRECTION, NoAreaInterval};
+pub use accuracy::{
+    AREA_PER_RESIDUAL, AreaAccuracy, BOUNDARY_CORRECTION, LEFT_OF_CORRECTION, NoAreaInterval,
+    iteration_half_width, left_of_correction,
+};
 pub use error::SolverError;
 pub use half_space::HalfSpace;
 pub use half_space_free::{FreeHalfSpace, love};

@@ -15,6 +15,9 @@ pub enum Scale {
     RmsHeight(f64),
     /// Rms gradient of the map by its spectrum (-).
     RmsGradient(f64),
+    /// Rms gradient expected of the PSD (-): maps of different seeds scatter about it, as
+    /// different places on one surface do.
+    ExpectedRmsGradient(f64),
 }
 
 /// Recipe of a periodic Gaussian surface with the isotropic PSD
@@ -80,11 +83,16 @@ impl SelfAffine {
         let mut waves = fft.new_spectrum();
         fft.forward(&heights, &mut waves);
         let nq = fft.spectrum_shape()[1];
+        let [_, nx] = self.grid.shape();
         let mut kept = 0;
+        let mut expected = 0.0; // sum of filter² q² over the full plane
         for (i, wave) in waves.iter_mut().enumerate() {
-            let filter = self.filter(self.grid.wavenumber(i / nq, i % nq));
+            let q = self.grid.wavenumber(i / nq, i % nq);
+            let filter = self.filter(q);
             *wave *= filter;
             kept += usize::from(filter > 0.0);
+            let twice = if i % nq == 0 || 2 * (i % nq) == nx { 1.0 } else { 2.0 };
+            expected += twice * (filter * q).powi(2);
         }
         if kept == 0 {
             let [dy, dx] = self.grid.pixel();
@@ -104,6 +112,10 @@ impl SelfAffine {
         let factor = match self.scale {
             Scale::RmsHeight(rms) => rms / moments.rms_height(),
             Scale::RmsGradient(gradient) => gradient / moments.rms_gradient(),
+            // Each wave of white noise of unit variance has the variance 1 / points.
+            Scale::ExpectedRmsGradient(gradient) => {
+                gradient / (expected / self.grid.len() as f64).sqrt()
+            }
         };
         for h in &mut heights {
             *h *= factor;
@@ -149,7 +161,9 @@ impl SelfAffine {
         let [dy, dx] = self.grid.pixel();
         let (scale, value) = match self.scale {
             Scale::RmsHeight(rms) => ("rms height", rms),
-            Scale::RmsGradient(gradient) => ("rms gradient", gradient),
+            Scale::RmsGradient(gradient) | Scale::ExpectedRmsGradient(gradient) => {
+                ("rms gradient", gradient)
+            }
         };
         let positive = "must be finite and greater than 0";
         let usable = |x: f64| x.is_normal() && x > 0.0;

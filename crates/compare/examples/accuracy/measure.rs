@@ -1,10 +1,11 @@
 //! One surface: the truth, and what every request made of it.
 
 use crate::ensemble::Recipe;
-use compare::accuracy::NoBar;
 use compare::plan::{Candidates, Request, Sink, Task, run};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Method, Solution, Solver, SolverError};
+use fft_bem_solver::{
+    BOUNDARY_CORRECTION, Load, Method, NoAreaInterval, Solution, Solver, SolverError,
+};
 use std::error::Error;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
@@ -103,7 +104,7 @@ impl Sink for Area {
         &mut self,
         _: usize,
         result: Result<Solution, SolverError>,
-        _: Result<[f64; 2], NoBar>,
+        _: Result<[f64; 2], NoAreaInterval>,
     ) -> ControlFlow<()> {
         self.0 = result.map_or(f64::NAN, |s| s.diagnostics.area_fraction_corrected);
         ControlFlow::Continue(())

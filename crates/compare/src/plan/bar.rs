@@ -11,13 +11,9 @@
 //!   excess seen was 1.41 times the loss.
 
 use super::Candidate;
-use crate::accuracy::{NoBar, iteration_error};
-use fft_bem_solver::{BOUNDARY_CORRECTION, Solution};
+use crate::budget::iteration::area_error;
+use fft_bem_solver::{BOUNDARY_CORRECTION, NoAreaInterval, Solution, left_of_correction};
 
-/// Part of the correction left as uncertainty, for lines of all directions.
-const LEFT_OVER: f64 = 0.3;
-/// Ratio of mean square slopes up to which lines run in all directions.
-const ISOTROPIC: f64 = 3.0;
 /// Variance of the points inside a line, per edge of it.
 const VARIANCE: f64 = 0.676 / 8.0;
 /// Relative area error per relative loss of gradient.
@@ -51,19 +47,17 @@ impl Line {
     /// Half width from the grid, in area fraction.
     ///
     /// # Errors
-    /// [`NoBar::FewPixels`] or [`NoBar::Empty`].
-    pub fn half_width(self, on: &Candidate, directions: f64) -> Result<f64, NoBar> {
+    /// [`NoAreaInterval::SpotsTooSmall`] or [`NoAreaInterval::Empty`].
+    pub fn half_width(self, on: &Candidate, directions: f64) -> Result<f64, NoAreaInterval> {
         let correction = BOUNDARY_CORRECTION * self.edges;
         let raw = self.area + correction;
         if raw <= 0.0 {
-            return Err(NoBar::Empty);
+            return Err(NoAreaInterval::Empty);
         }
         if correction > MOST * raw {
-            return Err(NoBar::FewPixels { ratio: correction / raw });
+            return Err(NoAreaInterval::SpotsTooSmall { ratio: correction / raw });
         }
-        // Edges along an axis only have no correction at all, and all of it is in doubt.
-        let aligned = 1.0 - (ISOTROPIC / directions).min(1.0);
-        let left_over = (LEFT_OVER + (1.0 - LEFT_OVER) * aligned) * correction;
+        let left_over = left_of_correction(directions) * correction;
         let chance = 2.0 * (VARIANCE * self.edges / on.grid.len() as f64).sqrt();
         Ok(left_over.hypot(chance) + LOST * on.lost * self.area)
     }
@@ -72,15 +66,19 @@ impl Line {
 /// Half widths around the corrected area, in area fraction: from the grid and from the iteration.
 ///
 /// # Errors
-/// [`NoBar`] if this grid or this load has none.
-pub fn bar(solution: &Solution, on: &Candidate, directions: f64) -> Result<[f64; 2], NoBar> {
+/// [`NoAreaInterval`] if this grid or this load has none.
+pub fn bar(
+    solution: &Solution,
+    on: &Candidate,
+    directions: f64,
+) -> Result<[f64; 2], NoAreaInterval> {
     let d = &solution.diagnostics;
     if d.exact.is_some() {
         return Ok([0.0, 0.0]);
     }
     on.gate?;
     let grid = Line::of(solution).half_width(on, directions)?;
-    let iteration = iteration_error(d.residuals.preconditioned);
+    let iteration = area_error(d.residuals.preconditioned);
     Ok([grid, iteration * d.area_fraction_corrected])
 }
 
@@ -109,7 +107,7 @@ mod tests {
         let lay = line.half_width(&on(1 << 14, 0.0), 1e9).unwrap();
         assert!((lay / (BOUNDARY_CORRECTION * 0.05) - 1.0).abs() < 1e-2);
         let spots = Line { area: 0.01, edges: 0.05 }.half_width(&on(100, 0.0), 1.0);
-        assert!(matches!(spots, Err(NoBar::FewPixels { .. })));
+        assert!(matches!(spots, Err(NoAreaInterval::SpotsTooSmall { .. })));
     }
 
     /// The count of points in circles at random places varies as the budget says.

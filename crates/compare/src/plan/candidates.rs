@@ -1,7 +1,7 @@
 //! Which grids a map can be solved on, and what is known of each before solving.
 
-use crate::accuracy::{NoBar, map_gate};
 use contact_types::{Grid, HeightMap};
+use fft_bem_solver::{AreaAccuracy, NoAreaInterval};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 use surface_stats::clean::{resample, resample_mirrored};
@@ -29,7 +29,7 @@ pub struct Candidate {
     /// Part of the rms gradient that this grid cannot hold (-).
     pub lost: f64,
     /// Whether this grid resolves the waves it holds.
-    pub gate: Result<(), NoBar>,
+    pub gate: Result<(), NoAreaInterval>,
 }
 
 /// What can be said of a map before solving.
@@ -53,7 +53,7 @@ impl Candidates {
     /// [`StatsError`].
     pub fn of(map: &HeightMap, height_step: Option<f64>) -> Result<Self, StatsError> {
         let grid = map.grid();
-        let repeats = seam(map) <= SEAM;
+        let repeats = repeats(map);
         let power = PowerSpectrum::of(map, if repeats { Window::None } else { Window::Hann })?;
         let mut list: Vec<Held> =
             FACTORS.iter().filter_map(|&factor| Held::new(grid, factor)).collect();
@@ -152,7 +152,12 @@ impl Held {
             factor: self.factor,
             grid: self.grid,
             lost: (1.0 - ratio(self.all, all)).max(0.0),
-            gate: map_gate(ratio(self.seen, self.all), height_step, pixel, all.sqrt()),
+            gate: if all > 0.0 {
+                let step_ratio = height_step.unwrap_or(0.0) / (pixel * all.sqrt());
+                AreaAccuracy::known(self.grid, ratio(self.seen, self.all), step_ratio).gate()
+            } else {
+                Err(NoAreaInterval::Empty)
+            },
         }
     }
 }
@@ -172,6 +177,11 @@ fn fast(n: f64) -> usize {
         m += 1;
     }
     m
+}
+
+/// Whether opposite edges meet: the jump across them is of the size of those inside.
+pub(crate) fn repeats(map: &HeightMap) -> bool {
+    seam(map) <= SEAM
 }
 
 /// Rms jump between opposite edges over that between neighbours inside, the larger of the two axes.

@@ -13,6 +13,7 @@ mod request;
 mod run;
 
 pub use bar::{Line, bar};
+pub(crate) use candidates::repeats;
 pub use candidates::{Candidate, Candidates, MOST_POINTS};
 pub use outcome::{Next, Outcome};
 pub use request::{BadRequest, Request};

@@ -1,7 +1,7 @@
 //! What is asked for, and what follows for the iteration.
 
 use crate::PrecisionName;
-use crate::accuracy::iteration_error;
+use crate::budget::iteration::area_error;
 
 /// Part of the request that the iteration may use up.
 const ITERATION_SHARE: f64 = 0.2;
@@ -58,7 +58,7 @@ impl Request {
     /// Relative rms pressure error at which the solver may stop: the area error it leaves is at
     /// most a fifth of the request. Rounded down to one digit.
     pub fn tolerance(self) -> f64 {
-        let exact = (ITERATION_SHARE * self.0 / iteration_error(1.0)).max(TIGHTEST);
+        let exact = (ITERATION_SHARE * self.0 / area_error(1.0)).max(TIGHTEST);
         let decade = exact.log10().floor() as i32;
         // A quotient just below a whole digit is that digit.
         let digit = (exact / 10f64.powi(decade) + 1e-9).floor().max(1.0);
@@ -91,7 +91,7 @@ mod tests {
     fn the_iteration_takes_at_most_a_fifth() {
         for percent in [50.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.1, 0.01] {
             let request = Request::new(percent / 100.0).unwrap();
-            let share = iteration_error(request.tolerance()) / request.relative();
+            let share = area_error(request.tolerance()) / request.relative();
             assert!(share <= 0.2 + 1e-9 && share > 0.1, "{percent}: {share}");
         }
         assert_eq!(Request::new(0.02).unwrap().precision(), PrecisionName::F32);

@@ -3,9 +3,9 @@
 use super::outcome::{Next, Outcome, percent, plus_minus, points};
 use super::{Candidate, Candidates, Line, Request, bar};
 use crate::PrecisionName;
-use crate::accuracy::{NoBar, iteration_error};
+use crate::budget::iteration::area_error;
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Load, Method, Precision, Solution, Solver, SolverError};
+use fft_bem_solver::{Load, Method, NoAreaInterval, Precision, Solution, Solver, SolverError};
 use std::ops::ControlFlow;
 use std::time::Instant;
 use surface_stats::StatsError;
@@ -42,7 +42,7 @@ pub trait Sink {
         &mut self,
         index: usize,
         result: Result<Solution, SolverError>,
-        half_widths: Result<[f64; 2], NoBar>,
+        half_widths: Result<[f64; 2], NoAreaInterval>,
     ) -> ControlFlow<()>;
 }
 
@@ -114,7 +114,7 @@ fn first(task: &Task<'_>, candidates: &Candidates) -> usize {
     if candidates.as_given().gate.is_err() {
         return candidates.given;
     }
-    let room = task.request.relative() - iteration_error(task.request.tolerance());
+    let room = task.request.relative() - area_error(task.request.tolerance());
     let line = Line { area: 1.0, edges: 0.0 };
     let may_do =
         |c: &Candidate| c.gate.is_ok() && line.half_width(c, 1.0).is_ok_and(|lost| lost < room);
@@ -153,7 +153,7 @@ fn attempt(
         let result = solver.solve(&map, Load::MeanPressure(pressure));
         let half_widths = match &result {
             Ok(solution) => bar(solution, candidate, candidates.directions),
-            Err(_) => Err(NoBar::NotConverged),
+            Err(_) => Err(NoAreaInterval::NotConverged),
         };
         let reached = Reached::of(pressure, &result, half_widths);
         attempt.transforms += result.as_ref().map_or(0.0, |s| s.diagnostics.transforms);
@@ -175,11 +175,11 @@ impl Reached {
     fn of(
         pressure: f64,
         result: &Result<Solution, SolverError>,
-        half_widths: Result<[f64; 2], NoBar>,
+        half_widths: Result<[f64; 2], NoAreaInterval>,
     ) -> Self {
         let line = result.as_ref().ok().map(Line::of);
         let residual = |s: &Solution| s.diagnostics.residuals.preconditioned;
-        let iteration = result.as_ref().map_or(0.0, |s| iteration_error(residual(s)));
+        let iteration = result.as_ref().map_or(0.0, |s| area_error(residual(s)));
         let width = match (half_widths, line) {
             (Ok([grid, iteration]), Some(line)) if grid + iteration > 0.0 => {
                 Ok((grid + iteration) / line.area)

@@ -6,6 +6,7 @@ use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, SurfaceComparison,
 };
 use contact_types::{ContactState, ModelError};
+use fft_bem_solver::BOUNDARY_CORRECTION;
 use serde_json::{Value, json};
 use std::io::Write;
 use surface_stats::SurfaceStatistics;
@@ -59,12 +60,7 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "median_area": c.median_area,
             "largest_area": c.largest_area,
         })),
-        "refined": s.refined.map(|r| json!({
-            "mean_pressure": s.headline_pressure(),
-            "area_fraction_corrected": r.area_fraction_corrected,
-            "contact_perimeter": r.contact_perimeter,
-            "seconds": r.seconds,
-        })),
+        "refined": refined(s),
         "coarser": s.coarser.iter().map(|c| json!({
             "mean_pressure": s.headline_pressure(),
             "factor": c.factor,
@@ -90,6 +86,21 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     })
 }
 
+/// The headline load on a twice finer grid, if it was solved there.
+fn refined(s: &SurfaceComparison) -> Value {
+    let finer = s.headline_answer().and_then(|a| a.finer);
+    finer.map_or(Value::Null, |f| {
+        json!({
+            "mean_pressure": s.headline_pressure(),
+            "area_fraction_corrected": f.area,
+            "contact_perimeter": f.correction / BOUNDARY_CORRECTION,
+            "mean_gap": f.gap,
+            "seconds": s.refined_seconds,
+            "loads": s.deterministic.iter().filter_map(|p| p.answer.as_ref()?.finer).count(),
+        })
+    })
+}
+
 /// One load of the deterministic curve, with the keys of `solve --json`.
 fn point(p: &DeterministicPoint) -> Value {
     let Some(a) = &p.answer else {
@@ -102,32 +113,35 @@ fn point(p: &DeterministicPoint) -> Value {
         });
     };
     let real = |area: f64| (area > 0.0).then(|| p.mean_pressure / area);
-    json!({
-        "mean_pressure": p.mean_pressure,
-        "area_fraction": a.area_fraction,
-        "area_fraction_corrected": a.area_fraction_corrected,
-        "area_interval": a.interval(),
-        "area_interval_covers": "grid and iteration",
-        "no_interval_because": a.half_width.err().map(|r| r.to_string()),
-        "mean_gap": a.mean_gap,
-        "approach": a.approach,
-        "max_pressure": a.max_pressure,
-        "real_pressure": real(a.area_fraction),
-        "real_pressure_corrected": real(a.area_fraction_corrected),
-        "converged": a.converged,
-        "trouble": p.trouble,
-        "iterations": a.iterations,
-        "transforms": a.transforms,
-        "seconds": a.seconds,
-        "residuals": {
-            "preconditioned": a.residuals.preconditioned,
-            "complementarity": a.residuals.complementarity,
-            "penetration": a.residuals.penetration,
-        },
-        "duality_gap": a.duality_gap,
-        "contact_pixels": a.contact_pixels,
-        "contact_perimeter": a.contact_perimeter,
-    })
+    let mut point = json!({
+    "mean_pressure": p.mean_pressure,
+    "area_fraction": a.area_fraction,
+    "area_fraction_corrected": a.area_fraction_corrected,
+    "area_interval_covers": "grid and iteration",
+    "no_interval_because": a.budget.area.comparison_half_width().err().map(|r| r.to_string()),
+    "mean_gap": a.mean_gap,
+    "approach": a.approach,
+    "max_pressure": a.max_pressure,
+    "real_pressure": real(a.area_fraction),
+    "converged": a.converged,
+    "trouble": p.trouble,
+    "iterations": a.iterations,
+    "transforms": a.transforms,
+    "seconds": a.seconds,
+    "residuals": {
+        "preconditioned": a.residuals.preconditioned,
+        "complementarity": a.residuals.complementarity,
+        "penetration": a.residuals.penetration,
+    },
+    "duality_gap": a.duality_gap,
+    "energy_bound": a.energy_bound,
+    "contact_pixels": a.contact_pixels,
+    "contact_perimeter": a.contact_perimeter,
+    });
+    if let Value::Object(keys) = &mut point {
+        keys.extend(super::budget_json::keys(Some(&a.budget)));
+    }
+    point
 }
 
 fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {

@@ -9,6 +9,7 @@
 
 mod accuracy_figure;
 mod axes;
+mod budget_json;
 mod coarser;
 mod cost;
 mod csv;
@@ -37,6 +38,7 @@ mod tables;
 mod words;
 
 pub use accuracy_figure::write_accuracy;
+pub use budget_json::keys as budget_keys;
 pub use csv::write as write_csv;
 pub use html::write as write_html;
 pub use json::{

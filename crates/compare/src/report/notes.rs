@@ -3,8 +3,8 @@
 use super::numbers::{METRES, SPACE, percent, quantity, significant};
 use super::svg::escape;
 use crate::Origin;
-use crate::accuracy::NoBar;
 use crate::result::SurfaceComparison;
+use fft_bem_solver::NoAreaInterval;
 use surface_stats::Warning;
 use surface_stats::clean::{FormParameters, Record};
 
@@ -61,25 +61,29 @@ pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
         notes.push(note(Weight::Check, claim, format!("{}.", capital(&escape(reason)))));
     }
     let flat = surface.statistics.rms_height <= 0.0;
-    if let (Err(reason), false, Some(refined)) = (surface.gate, flat, surface.refined) {
+    let gate = surface.map.accuracy.gate();
+    let headline = surface.headline_answer();
+    if let (Err(reason), false, Some(finer)) = (gate, flat, headline.and_then(|a| a.finer)) {
+        let others = surface.deterministic.iter().filter_map(|p| p.answer.as_ref()?.finer).count();
         let text = format!(
             "{}. The ± is that of one more solution on a twice finer interpolation, whose area is \
-             {}{SPACE}%; other loads carry none.",
+             {}{SPACE}%; {}.",
             capital(&reason.to_string()),
-            significant(100.0 * refined.area_fraction_corrected, 3)
+            significant(100.0 * finer.area, 3),
+            if others > 1 { "so are those of the other loads" } else { "other loads carry none" }
         );
         notes.push(note(Weight::Check, "The grid does not resolve the contact.", text));
-    } else if let Err(reason) = surface.gate
+    } else if let Err(reason) = gate
         && !flat
     {
         notes.push(note(Weight::Check, "The area carries no ±.", no_bar(reason)));
-    } else if let Some(Err(reason)) = surface.headline_answer().map(|a| a.half_width)
+    } else if let Some(Err(reason)) = headline.map(|a| a.budget.area.comparison_half_width())
         && !flat
         && unsolved == 0
     {
         notes.push(note(Weight::Check, "The area at this load carries no ±.", no_bar(reason)));
     }
-    let said = matches!(surface.gate, Err(NoBar::Unresolved { .. }));
+    let said = matches!(gate, Err(NoAreaInterval::Unresolved { .. }));
     let rest = surface.statistics.warnings.iter();
     let rest = rest.filter(|w| !(said && matches!(w, Warning::Unresolved { .. })));
     let rest = rest.filter(|w| !matches!(w, Warning::EdgeJump { .. })); // needs the solution
@@ -153,14 +157,14 @@ fn capital(text: &str) -> String {
     text
 }
 
-fn no_bar(reason: NoBar) -> String {
+fn no_bar(reason: NoAreaInterval) -> String {
     let text = capital(&reason.to_string());
     let advice = match reason {
-        NoBar::Unresolved { .. } | NoBar::FewPixels { .. } => {
+        NoAreaInterval::Unresolved { .. } | NoAreaInterval::SpotsTooSmall { .. } => {
             " Measure finer, or remove short wavelengths and quote the cut-off."
         }
-        NoBar::Stepped { .. } => " Measure with finer steps.",
-        NoBar::Empty | NoBar::NotConverged => "",
+        NoAreaInterval::Stepped { .. } => " Measure with finer steps.",
+        _ => "",
     };
     format!(
         "{text}. Outside this limit the error of the area has reached tens of per cent.{advice}"
@@ -273,6 +277,10 @@ fn warning(warning: &Warning) -> Note {
     }
 }
 
+fn gate_is_open(surface: &SurfaceComparison) -> bool {
+    surface.map.accuracy.gate().is_ok()
+}
+
 /// What was tested and is fine, in one entry.
 fn passed(surface: &SurfaceComparison) -> Option<Note> {
     let warned = |test: fn(&Warning) -> bool| surface.statistics.warnings.iter().any(test);
@@ -301,7 +309,7 @@ fn passed(surface: &SurfaceComparison) -> Option<Note> {
         texts
             .push(format!("slopes differ {} times between directions", significant(anisotropy, 3)));
     }
-    if surface.gate.is_ok() {
+    if gate_is_open(surface) {
         claims.push("resolution");
         texts.push(format!(
             "finite differences see {} of the rms gradient",

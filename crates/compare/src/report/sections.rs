@@ -410,7 +410,8 @@ pub(super) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> Stri
     } else {
         String::new()
     };
-    let budget = match answer.half_width {
+    let parts = answer.budget.area.grid.and_then(|g| Ok([g, answer.budget.area.iteration?]));
+    let budget = match parts {
         Ok(parts) => tables::budget(answer, parts, surface, &p),
         Err(reason) => format!(
             "<p class=\"keep\"><b>The area carries no ±:</b> {}. Outside this limit no bar that \

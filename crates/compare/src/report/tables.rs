@@ -19,7 +19,7 @@ pub(super) fn key_numbers(surface: &SurfaceComparison) -> String {
     let p = chosen(surface.headline_pressure(), PASCALS);
     let mut rows: Vec<(String, String, String)> = Vec::new();
     if let Some(a) = surface.headline_answer() {
-        let covers = match a.half_width {
+        let covers = match a.budget.area.comparison_half_width() {
             Ok(_) => "grid and iteration; not another map of the same surface".to_owned(),
             Err(reason) => format!("no ±: {}", escape(&reason.to_string())),
         };
@@ -165,7 +165,7 @@ fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
         answer.map_or("–".into(), words::area),
         spread_words(surface),
         answer.map_or("–".into(), |a| duration(a.seconds)),
-        match (answer, &surface.gate) {
+        match (answer, surface.map.accuracy.gate()) {
             (None, _) => applies(Applies::No, "no solution at this load"),
             (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),
             (_, Err(reason)) => applies(Applies::Caution, &reason.to_string()),
@@ -252,12 +252,12 @@ pub(super) fn budget(
             "",
             "Grid",
             grid,
-            if let Some(refined) = surface.refined {
+            if let Some(refined) = answer.finer {
                 format!(
                     "one more solution on the twice finer interpolation of the map reads \
                      {}{SPACE}%, in {}; the bar covers the difference twice",
-                    significant(100.0 * refined.area_fraction_corrected, 3),
-                    duration(refined.seconds)
+                    significant(100.0 * refined.area, 3),
+                    duration(surface.refined_seconds)
                 )
             } else if let Some(plan) = &surface.plan {
                 let [ny, nx] = plan.grid.shape();

@@ -5,10 +5,10 @@ use crate::outcome::{Failure, Reply};
 use crate::progress::Progress;
 use crate::solve::{Work, rising, shown};
 use compare::MethodName;
-use compare::accuracy::NoBar;
+use compare::budget::{Budget, Map};
 use compare::plan::{self, Outcome, PlanError, Request, Sink, Task};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Load, Solution, SolverError};
+use fft_bem_solver::{Load, NoAreaInterval, Solution, SolverError};
 use std::ops::ControlFlow;
 
 /// What is to be solved, and how well.
@@ -46,7 +46,8 @@ impl Asked<'_> {
             certified: self.certified,
             threads: self.threads,
         };
-        let mut to = ToWork { loads, order: &order, work, progress };
+        let map = Map::of(self.surface).map_err(|e| Failure::from_error(&e))?;
+        let mut to = ToWork { loads, order: &order, work, progress, map };
         plan::run(&task, &mut to).map_err(|e| match e {
             PlanError::Statistics(e) => Failure::from_error(&e),
             PlanError::Solver(e) => Failure::from_error(&e),
@@ -61,11 +62,13 @@ struct ToWork<'a> {
     order: &'a [usize],
     work: &'a mut Work,
     progress: &'a mut Progress,
+    map: Map,
 }
 
 impl Sink for ToWork<'_> {
     fn begin(&mut self, map: &HeightMap) {
         self.work.begin(map.grid());
+        self.map = self.map.on(map.grid());
         self.progress.restart(self.loads.len());
         let [ny, nx] = map.grid().shape();
         self.progress.working_on(&format!("{ny} × {nx} points"));
@@ -75,18 +78,15 @@ impl Sink for ToWork<'_> {
         &mut self,
         index: usize,
         result: Result<Solution, SolverError>,
-        half_widths: Result<[f64; 2], NoBar>,
+        half_widths: Result<[f64; 2], NoAreaInterval>,
     ) -> ControlFlow<()> {
         let place = self.order[index];
         let load = self.loads[place];
-        let area = result.as_ref().map_or(0.0, |s| s.diagnostics.area_fraction_corrected);
-        let interval = half_widths
-            .map(|[grid, iteration]| {
-                let half = grid + iteration;
-                [(area - half).max(0.0), (area + half).min(1.0)]
-            })
-            .map_err(|why| why.to_string());
-        self.work.take(place, load, &result, interval);
+        let budget = result.as_ref().ok().map(|solution| {
+            let grid = half_widths.map(|[grid, _]| grid);
+            Budget::of(solution, &self.map).with_grid(grid, 1.0)
+        });
+        self.work.take(place, load, &result, budget);
         self.progress.step(&shown(load));
         ControlFlow::Continue(())
     }

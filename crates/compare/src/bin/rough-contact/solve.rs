@@ -8,10 +8,11 @@ use crate::planned;
 use crate::progress::Progress;
 use crate::text::{self, Columns};
 use clap::Args;
+use compare::budget::{Budget, Map, Stiffness, grid};
 use compare::plan::Request;
 use compare::{LevelName, MethodName, PrecisionName};
-use contact_types::Grid;
-use fft_bem_solver::{AreaAccuracy, Boundary, Load, Precision, Solution, Solver, SolverError};
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::{Boundary, Load, NoAreaInterval, Precision, Solution, Solver, SolverError};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -49,6 +50,9 @@ pub(crate) struct Solve {
     /// Prove how wrong each answer may be, for one more FFT pair: energy_bound in the JSON
     #[arg(long)]
     certify: bool,
+    /// Contact stiffness too, -dp/d(mean gap), from two more solutions beside each load
+    #[arg(long, conflicts_with = "accuracy")]
+    stiffness: bool,
     /// Folder for pressure-000.npy and gap-000.npy of each load
     #[arg(long, value_name = "DIR")]
     maps: Option<PathBuf>,
@@ -126,15 +130,13 @@ impl Solve {
             .build(surface.grid(), modulus)
             .map_err(|e| Failure::from_error(&e))?;
 
-        let accuracy = AreaAccuracy::of(&surface);
+        let map = Map::of(&surface).map_err(|e| Failure::in_file(&self.input.file, &e))?;
         // Rising load, each solution the start of the next.
         for index in rising(&loads) {
             progress.working_on(&shown(loads[index]));
             let result = solver.solve(&surface, loads[index]);
-            let found = result.as_ref().ok().or_else(|| result.as_ref().err()?.solution());
-            let interval = found
-                .map_or(Err(String::new()), |s| accuracy.interval(s).map_err(|e| e.to_string()));
-            work.take(index, loads[index], &result, interval);
+            let budget = self.budget(&result, &mut solver, &surface, &map);
+            work.take(index, loads[index], &result, budget);
             progress.step(&shown(loads[index]));
         }
         drop(progress);
@@ -142,6 +144,33 @@ impl Solve {
         reply.text.insert_str(0, &text::cleaning(&cleaned));
         reply.json["cleaning"] = compare::report::cleaning_json(&cleaned);
         Ok(reply)
+    }
+
+    /// The errors of a solution, with its stiffness if that was asked for.
+    fn budget(
+        &self,
+        result: &Result<Solution, SolverError>,
+        solver: &mut Solver,
+        surface: &HeightMap,
+        map: &Map,
+    ) -> Option<Budget> {
+        let solution = match result {
+            Ok(solution) => solution,
+            Err(error) => {
+                let none = Err(NoAreaInterval::NotConverged);
+                return Some(Budget::of(error.solution()?, map).with_grid(none, 1.0));
+            }
+        };
+        let budget = Budget::of(solution, map);
+        if !self.stiffness {
+            return Some(budget);
+        }
+        // Loads beside one that was solved are no reason to fail: without them there is no number.
+        let near = Stiffness::near(solver, surface, map, solution.state.mean_pressure);
+        Some(match near {
+            Ok(Some(found)) => budget.with_stiffness(&found, map, grid::line_share(solution)),
+            _ => budget,
+        })
     }
 
     /// The loads in the order given; zero and negative ones are refused before any work.
@@ -160,17 +189,23 @@ impl Solve {
     }
 
     fn reply(&self, work: Work, modulus: f64) -> Reply {
-        let mut columns = Columns::new(&[
+        let mut headings = vec![
             "mean pressure",
             "area",
             "corrected",
+            "±",
+            "± sample",
             "mean gap",
             "real pressure",
             "highest",
             "FFT pairs",
             "residual",
             "time",
-        ]);
+        ];
+        if self.stiffness {
+            headings.push("stiffness");
+        }
+        let mut columns = Columns::new(&headings);
         let mut points = Vec::new();
         for point in work.points.into_iter().flatten() {
             columns.row(point.cells);
@@ -208,19 +243,19 @@ impl Work {
         self.grid = grid;
     }
 
-    /// A load by its place in the list, with the interval of its area or why there is none.
+    /// A load by its place in the list, with the errors of its numbers.
     pub(crate) fn take(
         &mut self,
         index: usize,
         load: Load,
         result: &Result<Solution, SolverError>,
-        interval: Result<[f64; 2], String>,
+        budget: Option<Budget>,
     ) {
         let (solution, error) = match result {
             Ok(solution) => (Some(solution), None),
             Err(error) => (error.solution(), Some(error)),
         };
-        self.points[index] = Some(point(load, solution, error, interval));
+        self.points[index] = Some(point(load, solution.zip(budget.as_ref()), error));
         if let Some(error) = error {
             let message = format!("{}: {error}", shown(load));
             self.report(match error {
@@ -288,70 +323,68 @@ pub(crate) fn shown(load: Load) -> String {
     }
 }
 
-fn point(
-    load: Load,
-    solution: Option<&Solution>,
-    error: Option<&SolverError>,
-    interval: Result<[f64; 2], String>,
-) -> Point {
+fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverError>) -> Point {
     let error_json = error.map(|e| json!({ "kind": variant(e), "message": e.to_string() }));
-    let Some(solution) = solution else {
+    let Some((solution, budget)) = found else {
         let asked = if let Load::MeanPressure(p) = load { Some(p) } else { None };
-        return Point {
-            json: json!({
+        let mut json = json!({
                 "mean_pressure": asked, "area_fraction": null, "area_fraction_corrected": null,
-                "area_interval": null, "area_interval_reason": null,
                 "mean_gap": if let Load::MeanGap(g) = load { Some(g) } else { None },
                 "approach": null, "max_pressure": null, "real_pressure": null,
                 "converged": false, "iterations": null, "transforms": null, "seconds": null,
                 "residuals": null, "duality_gap": null, "error": error_json,
-            }),
-            cells: vec![shown(load), "refused".to_owned()],
-        };
+        });
+        with_keys(&mut json, None);
+        return Point { json, cells: vec![shown(load), "refused".to_owned()] };
     };
     let (state, d) = (&solution.state, &solution.diagnostics);
     let real = state.real_pressure();
-    let (interval, reason) = match interval {
-        Ok(interval) => (Some(interval), None),
-        Err(reason) => (None, Some(reason)),
-    };
-    Point {
-        json: json!({
-            "mean_pressure": state.mean_pressure,
-            "area_fraction": state.area_fraction,
-            "area_fraction_corrected": d.area_fraction_corrected,
-            "area_interval": interval,
-            "area_interval_reason": reason,
-            "mean_gap": state.mean_gap,
-            "approach": solution.approach,
-            "max_pressure": d.max_pressure,
-            "real_pressure": real,
-            "converged": error.is_none(),
-            "iterations": d.iterations,
-            "transforms": d.transforms,
-            "seconds": d.seconds,
-            "residuals": {
-                "preconditioned": d.residuals.preconditioned,
-                "complementarity": d.residuals.complementarity,
-                "penetration": d.residuals.penetration,
-            },
-            "duality_gap": d.duality_gap,
-            "energy_bound": d.energy_bound,
-            "contact_pixels": d.contact_pixels,
-            "contact_perimeter": d.contact_perimeter,
-            "exact": d.exact,
-            "error": error_json,
-        }),
-        cells: vec![
-            text::pressure(state.mean_pressure),
-            text::percent(state.area_fraction),
-            text::percent(d.area_fraction_corrected),
-            state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
-            real.map_or_else(|| "–".to_owned(), text::pressure),
-            text::pressure(d.max_pressure),
-            text::number(d.transforms),
-            format!("{:.1e}", d.residuals.preconditioned),
-            text::seconds(d.seconds),
-        ],
+    let mut json = json!({
+        "mean_pressure": state.mean_pressure,
+        "area_fraction": state.area_fraction,
+        "area_fraction_corrected": d.area_fraction_corrected,
+        "mean_gap": state.mean_gap,
+        "approach": solution.approach,
+        "max_pressure": d.max_pressure,
+        "real_pressure": real,
+        "converged": error.is_none(),
+        "iterations": d.iterations,
+        "transforms": d.transforms,
+        "seconds": d.seconds,
+        "residuals": {
+            "preconditioned": d.residuals.preconditioned,
+            "complementarity": d.residuals.complementarity,
+            "penetration": d.residuals.penetration,
+        },
+        "duality_gap": d.duality_gap,
+        "energy_bound": d.energy_bound,
+        "contact_pixels": d.contact_pixels,
+        "contact_perimeter": d.contact_perimeter,
+        "exact": d.exact,
+        "error": error_json,
+    });
+    with_keys(&mut json, Some(budget));
+    let real = budget.real_pressure();
+    let mut cells = vec![
+        text::pressure(state.mean_pressure),
+        text::percent(state.area_fraction),
+        text::percent(d.area_fraction_corrected),
+        text::relative(budget.area.comparison_half_width().ok(), budget.area.value),
+        text::relative(budget.area.prediction_half_width(), budget.area.value),
+        state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
+        real.map_or_else(|| "–".to_owned(), |r| text::pressure(r.value())),
+        text::pressure(d.max_pressure),
+        text::number(d.transforms),
+        format!("{:.1e}", d.residuals.preconditioned),
+        text::seconds(d.seconds),
+    ];
+    cells.extend(budget.stiffness.map(|k| text::stiffness(k.value)));
+    Point { json, cells }
+}
+
+/// Adds the keys of the budget, all `null` without one.
+fn with_keys(point: &mut Value, budget: Option<&Budget>) {
+    if let Value::Object(keys) = point {
+        keys.extend(compare::report::budget_keys(budget));
     }
 }

@@ -104,6 +104,19 @@ pub(crate) fn percent(fraction: f64) -> String {
     format!("{} %", digits(100.0 * fraction))
 }
 
+/// A stiffness per area, such as `1.23e13 Pa/m`.
+pub(crate) fn stiffness(pascals_per_metre: f64) -> String {
+    format!("{pascals_per_metre:.2e} Pa/m")
+}
+
+/// A half width as a share of its value, such as `±2.1 %`; a dash where there is none.
+pub(crate) fn relative(half_width: Option<f64>, value: f64) -> String {
+    match half_width {
+        Some(half) if value > 0.0 => format!("±{} %", significant(100.0 * half / value, 2)),
+        _ => "–".to_owned(),
+    }
+}
+
 /// A value with its uncertainty to one digit (two if it starts with 1), such as `1.96 ± 0.12 %`.
 pub(crate) fn plus_minus(value: f64, uncertainty: f64, unit: &str) -> String {
     if !(uncertainty.is_normal() && uncertainty > 0.0) {

@@ -1,0 +1,145 @@
+//! One surface: the answers on the grid as given, on two and on four times as many points along
+//! each side, and on the given grid when the iteration stops early.
+
+use crate::ensemble::{Recipe, make};
+use contact_types::{ContactModulus, HeightMap};
+use fft_bem_solver::{Load, Solution, Solver};
+use std::error::Error;
+use std::fmt::Write as _;
+use surface_stats::spectrum::{PowerSpectrum, Window};
+use surface_stats::{Boundary, DirectionalMoments, height_step};
+
+/// Contact modulus \[Pa\]; every number kept is free of it.
+const MODULUS: f64 = 1e11;
+/// Mean pressure over E* h'_rms.
+const LOADS: [f64; 5] = [0.003, 0.01, 0.03, 0.1, 0.3];
+/// Tolerance of what is compared between grids.
+const TIGHT: f64 = 1e-6;
+/// Tolerances whose iteration error is looked at.
+const LOOSE: [f64; 3] = [1e-2, 1e-3, 1e-4];
+/// Relative change of the load for the stiffness.
+const STEP: f64 = 0.02;
+
+/// First line of the table.
+pub(crate) fn header() -> String {
+    let mut line =
+        String::from("surface,class,hurst,cutoff,rolloff,resolution,resolution_hann,step,load");
+    for grid in ["1", "2", "4"] {
+        let _ = write!(line, ",count{grid},edges{grid},gap{grid},stiffness{grid}");
+    }
+    for tolerance in ["2", "3", "4"] {
+        let _ = write!(
+            line,
+            ",area_e{tolerance},gap_e{tolerance},residual_e{tolerance},eta_e{tolerance}"
+        );
+    }
+    line
+}
+
+/// What is kept of a solution.
+struct Answer {
+    count: f64,
+    edges: f64,
+    gap: f64,
+    stiffness: f64,
+}
+
+/// The rows of one surface, one per load.
+pub(crate) fn surface(index: usize, recipe: &Recipe) -> Result<String, Box<dyn Error>> {
+    let map = make(recipe, 1)?;
+    let modulus = ContactModulus::from_pascals(MODULUS)?;
+    let n = map.grid().len() as f64;
+    let mean = map.mean();
+    let rms = (map.heights().iter().map(|h| (h - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let moments = DirectionalMoments::of(&map, Boundary::Periodic)?.isotropic(rms * rms);
+    let gradient = moments.rms_gradient();
+    let resolution = |window| -> Result<f64, Box<dyn Error>> {
+        Ok(PowerSpectrum::of(&map, window)?.resolved_gradient().unwrap_or(1.0))
+    };
+    let [dy, dx] = map.grid().pixel();
+    let step = height_step(map.heights()).map_or(0.0, |q| q / (gradient * dy.min(dx)));
+    let fixed = [
+        recipe.hurst,
+        recipe.cutoff,
+        recipe.rolloff,
+        resolution(Window::None)?,
+        resolution(Window::Hann)?,
+        step,
+    ];
+
+    let pressures = LOADS.map(|x| x * MODULUS * gradient);
+    let mut grids = Vec::new();
+    for factor in [1, 2, 4] {
+        grids.push(answers(&make(recipe, factor)?, modulus, &pressures, rms)?);
+    }
+    let mut rows = String::new();
+    for (k, &pressure) in pressures.iter().enumerate() {
+        let _ = write!(rows, "{index},{}", recipe.name);
+        let answers = grids.iter().flat_map(|g| {
+            let a = &g[k];
+            [a.count, a.edges, a.gap, a.stiffness]
+        });
+        let numbers = fixed.into_iter().chain([LOADS[k]]).chain(answers);
+        let early = early(&map, modulus, pressure, rms)?;
+        for value in numbers.chain(early) {
+            let _ = write!(rows, ",{}", six(value));
+        }
+        rows.push('\n');
+    }
+    Ok(rows)
+}
+
+/// Area, gap over rms height and stiffness times rms height over E* at every load.
+fn answers(
+    map: &HeightMap,
+    modulus: ContactModulus,
+    pressures: &[f64],
+    rms: f64,
+) -> Result<Vec<Answer>, Box<dyn Error>> {
+    let mut solver = Solver::builder().tolerance(TIGHT).threads(1).build(map.grid(), modulus)?;
+    let mut list = Vec::new();
+    for &pressure in pressures {
+        let at = solver.solve(map, Load::MeanPressure(pressure))?;
+        let more = solver.solve(map, Load::MeanPressure((1.0 + STEP) * pressure))?;
+        let (gap, next) = (gap(&at)?, gap(&more)?);
+        list.push(Answer {
+            count: at.state.area_fraction,
+            edges: at.diagnostics.contact_perimeter,
+            gap: gap / rms,
+            stiffness: STEP.ln_1p() * pressure / (gap - next) * rms / modulus.pascals(),
+        });
+    }
+    Ok(list)
+}
+
+/// Corrected area, gap, residual and energy bound where the iteration stops early.
+fn early(
+    map: &HeightMap,
+    modulus: ContactModulus,
+    pressure: f64,
+    rms: f64,
+) -> Result<Vec<f64>, Box<dyn Error>> {
+    let mut list = Vec::new();
+    for tolerance in LOOSE {
+        let solver = Solver::builder().tolerance(tolerance).threads(1).certified(true);
+        let found = solver.build(map.grid(), modulus)?.solve(map, Load::MeanPressure(pressure))?;
+        let d = &found.diagnostics;
+        list.extend([
+            d.area_fraction_corrected,
+            gap(&found)? / rms,
+            d.residuals.preconditioned,
+            d.energy_bound.ok_or("no energy bound")?,
+        ]);
+    }
+    Ok(list)
+}
+
+fn gap(solution: &Solution) -> Result<f64, Box<dyn Error>> {
+    Ok(solution.state.mean_gap.ok_or("no mean gap")?)
+}
+
+/// Six significant digits.
+fn six(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().expect("a formatted number parses");
+    format!("{rounded}")
+}
