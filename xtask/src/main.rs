@@ -3,6 +3,7 @@
 
 mod accuracy;
 mod bench;
+mod budget;
 mod ci;
 mod compare;
 mod docs;
@@ -38,6 +39,8 @@ Usage: cargo xtask <task> [options]
                             (under an hour, resumable)
   kappa [--check]           area from light load to full contact against theory and published
                             slopes; table, figures, page (half an hour, resumable)
+  budget [--check]          how often the stated error bars held; tables, figure, page
+                            (half an hour, resumable)
   tidy                      layers, citations, pages, file lengths, dependency counts
   ci [--slow]               everything a change must pass, as the CI runs it
 
@@ -61,6 +64,7 @@ fn main() -> ExitCode {
         "extremes" => extremes::run(rest),
         "accuracy" => accuracy::run(rest),
         "bench" => bench::run(rest),
+        "budget" => budget::run(rest),
         "surfaces" => surfaces::run(rest),
         "survey" => survey::run(rest),
         "kappa" => kappa::run(rest),

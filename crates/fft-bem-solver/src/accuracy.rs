@@ -208,9 +208,22 @@ impl AreaAccuracy {
         if found.boundary == Boundary::Free {
             return Err(NoAreaInterval::NotStudied("the free boundary"));
         }
+        self.half_width_of(solution.state.area_fraction, found.contact_perimeter)
+    }
+
+    /// The same from the raw area fraction and the contact-line edges per pixel of a periodic
+    /// problem.
+    ///
+    /// # Errors
+    /// [`NoAreaInterval`] where no such interval is known to hold, with the reason.
+    pub fn half_width_of(
+        &self,
+        area_fraction: f64,
+        contact_perimeter: f64,
+    ) -> Result<f64, NoAreaInterval> {
         self.gate()?;
-        let correction = BOUNDARY_CORRECTION * found.contact_perimeter;
-        let ratio = correction / solution.state.area_fraction;
+        let correction = BOUNDARY_CORRECTION * contact_perimeter;
+        let ratio = correction / area_fraction;
         if ratio > MOST_CORRECTION {
             return Err(NoAreaInterval::SpotsTooSmall { ratio });
         }

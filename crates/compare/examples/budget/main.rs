@@ -4,10 +4,14 @@
 //! `budget FOLDER [FIRST]` works through the surfaces (or the FIRST of them) on two threads, one
 //! file of rows per surface in FOLDER, skipping those already there, and prints all rows as CSV.
 //! The result is the same whenever it is stopped and resumed and on any number of threads.
+//!
+//! `budget --realisations FOLDER` does the same with realisations of families of surfaces;
+//! `budget --page TABLE REALISATIONS FOLDER` makes figure and tables of the book from both.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
 mod ensemble;
 mod measure;
+mod page;
 mod realisations;
 
 use rayon::prelude::*;
@@ -20,6 +24,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = args.next().ok_or("usage: budget FOLDER [FIRST]")?;
     if folder == "--realisations" {
         return sample(Path::new(&args.next().ok_or("usage: budget --realisations FOLDER")?));
+    }
+    if folder == "--page" {
+        let usage = "usage: budget --page TABLE REALISATIONS FOLDER";
+        let [table, sample, out] = [args.next(), args.next(), args.next()];
+        let (table, sample) = (table.ok_or(usage)?, sample.ok_or(usage)?);
+        let out = out.ok_or(usage)?;
+        return page::write(Path::new(&table), Path::new(&sample), Path::new(&out));
     }
     let recipes = ensemble::recipes();
     let first = args.next().map_or(Ok(recipes.len()), |n| n.parse())?.min(recipes.len());

@@ -1,6 +1,6 @@
 //! Families of surfaces: realisations of one spectrum, and what one of them says of the others.
 
-use compare::budget::sample::{area_scatter, moment_scatter};
+use compare::budget::sample::{PARTS, area_scatter, moment_scatter};
 use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, Solver};
 use std::error::Error;
@@ -44,7 +44,7 @@ pub(crate) const FAMILIES: [[f64; 3]; 20] = [
 ];
 
 pub(crate) fn header() -> &'static str {
-    "family,hurst,cutoff,rolloff,seed,load,area,gap,stiffness,blocks4,blocks8,blocks16,height,gradient"
+    "family,seed,load,area,gap,stiffness,blocks,height"
 }
 
 /// The rows of one realisation, one per load.
@@ -63,7 +63,7 @@ pub(crate) fn realisation(family: usize, seed: usize) -> Result<String, Box<dyn 
     .generate()?;
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let mut solver = Solver::builder().tolerance(1e-5).threads(1).build(grid, modulus)?;
-    let [height, gradient] = moment_scatter(&PowerSpectrum::of(&map, Window::None)?);
+    let [height, _] = moment_scatter(&PowerSpectrum::of(&map, Window::None)?);
     let mut rows = String::new();
     for load in LOADS {
         let pressure = load * MODULUS * GRADIENT;
@@ -71,11 +71,11 @@ pub(crate) fn realisation(family: usize, seed: usize) -> Result<String, Box<dyn 
         let more = solver.solve(&map, Load::MeanPressure(1.02 * pressure))?;
         let gap = found.state.mean_gap.ok_or("no gap")?;
         let stiffness = 0.02f64.ln_1p() * pressure / (gap - more.state.mean_gap.ok_or("no gap")?);
-        let _ = write!(rows, "{family},{hurst},{cutoff},{rolloff},{seed},{load}");
+        let _ = write!(rows, "{family},{seed},{load}");
         let area = found.diagnostics.area_fraction_corrected;
-        let blocks = [4, 8, 16].map(|m| area_scatter(&found.pressure, grid, m).unwrap_or(0.0));
-        for value in [area, gap, stiffness].into_iter().chain(blocks).chain([height, gradient]) {
-            let _ = write!(rows, ",{value:.5e}");
+        let blocks = area_scatter(&found.pressure, grid, PARTS).unwrap_or(0.0);
+        for value in [area, gap, stiffness, blocks, height] {
+            let _ = write!(rows, ",{value:.4e}");
         }
         rows.push('\n');
     }

@@ -8,7 +8,7 @@ use super::Map;
 use fft_bem_solver::{AREA_PER_RESIDUAL, Diagnostics};
 
 /// Gap error over (rms height times relative rms pressure error).
-const GAP: f64 = 0.6;
+pub const GAP: f64 = 0.6;
 
 /// Relative error of the area at this relative rms pressure error.
 pub fn area_error(residual: f64) -> f64 {

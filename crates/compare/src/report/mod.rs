@@ -9,6 +9,7 @@
 
 mod accuracy_figure;
 mod axes;
+mod budget_figure;
 mod budget_json;
 mod coarser;
 mod cost;
@@ -38,6 +39,7 @@ mod tables;
 mod words;
 
 pub use accuracy_figure::write_accuracy;
+pub use budget_figure::{BarErrors, write_budget};
 pub use budget_json::keys as budget_keys;
 pub use csv::write as write_csv;
 pub use html::write as write_html;
