@@ -91,6 +91,22 @@ fn what_the_data_cannot_support_is_said() {
     }
 }
 
+/// A single point in contact is solved exactly and says nothing about the area of the surface;
+/// contact everywhere has no line and no error of the grid.
+#[test]
+fn one_point_of_contact_is_no_accuracy_and_full_contact_is() {
+    let folder = folder();
+    let solve = surface(folder.path(), 12.0, "");
+    let said = rough_contact(folder.path(), &format!("{solve} --pressure 1mPa --accuracy 5%"));
+    let answer = said.json();
+    assert_eq!((said.status, &answer["accuracy"]["met"]), (1, &Value::Bool(false)), "{answer}");
+    assert_eq!(answer["accuracy"]["half_width"], Value::Null);
+    let full = format!("{solve} --pressure 10GPa --accuracy 0.1%");
+    let answer = rough_contact(folder.path(), &full).answered();
+    assert_eq!(answer["points"][0]["area_fraction"], 1.0);
+    assert_eq!(answer["accuracy"]["met"], true);
+}
+
 #[test]
 fn what_cannot_be_planned_is_refused() {
     let folder = folder();

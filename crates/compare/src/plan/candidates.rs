@@ -10,8 +10,8 @@ use surface_stats::{Boundary, StatsError};
 
 /// Points along a side over those of the given map.
 const FACTORS: [f64; 11] = [0.125, 0.1875, 0.25, 0.375, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0];
-/// Fewest points along a side of a coarsened map.
-const FEWEST: usize = 48;
+/// Fewest points along a side of a coarsened map, and of a map that is refined.
+const FEWEST: [usize; 2] = [48, 8];
 /// Most points a refined map may have: 4096 x 4096.
 pub const MOST_POINTS: usize = 1 << 24;
 /// Rms jump across the seam over that between neighbours inside, above which a map does not repeat.
@@ -114,9 +114,10 @@ impl Held {
         let [ny, nx] = given.shape();
         let [dy, dx] = given.pixel();
         let shape = if is_given { [ny, nx] } else { [ny, nx].map(|n| fast(factor * n as f64)) };
-        let studied = ny.min(nx) >= FEWEST && dy.max(dx) <= LONGEST_PIXEL * dy.min(dx);
+        let [coarsened, refined] = FEWEST;
+        let studied = ny.min(nx) >= refined && dy.max(dx) <= LONGEST_PIXEL * dy.min(dx);
         let fits = if factor < 1.0 {
-            shape[0].min(shape[1]) >= FEWEST && shape[0] < ny && shape[1] < nx
+            shape[0].min(shape[1]) >= coarsened && shape[0] < ny && shape[1] < nx
         } else {
             shape[0].saturating_mul(shape[1]) <= MOST_POINTS && shape[0] > ny && shape[1] > nx
         };

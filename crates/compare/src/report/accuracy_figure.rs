@@ -26,11 +26,8 @@ pub fn write_accuracy(answers: &[[f64; 2]], out: &mut impl Write) -> io::Result<
     frame.draw(&mut canvas);
     let (from, to) = (frame.at([0.3, 0.3]), frame.at([17.0, 17.0]));
     canvas.line(from, to, Stroke::solid(DETERMINISTIC, 0.8));
-    canvas.text(&Text {
-        colour: INK2,
-        size: 9.0,
-        ..Text::new([right + 4.0, to[1] + 3.0], "as asked")
-    });
+    let [x, y] = frame.at([0.33, 0.8]);
+    canvas.text(&Text { colour: INK2, size: 9.0, ..Text::new([x, y], "as asked") });
 
     let mut requests: Vec<f64> = answers.iter().map(|a| a[0]).collect();
     requests.sort_by(f64::total_cmp);
