@@ -3,7 +3,7 @@
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{AreaAccuracy, NoAreaInterval};
 use std::borrow::Cow;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use surface_stats::clean::{resample, resample_mirrored};
 use surface_stats::spectrum::{PowerSpectrum, Window};
 use surface_stats::{Boundary, StatsError};
@@ -57,14 +57,7 @@ impl Candidates {
         let power = PowerSpectrum::of(map, if repeats { Window::None } else { Window::Hann })?;
         let mut list: Vec<Held> =
             FACTORS.iter().filter_map(|&factor| Held::new(grid, factor)).collect();
-        let mut along = [0.0; 2];
-        power.for_each(|q, weight, variance| {
-            along[0] += weight * variance * q[0] * q[0];
-            along[1] += weight * variance * q[1] * q[1];
-            for held in &mut list {
-                held.add(q, weight * variance);
-            }
-        });
+        let along = add_up(&power, grid, &mut list);
         let all = along[0] + along[1];
         let candidates: Vec<Candidate> =
             list.iter().map(|held| held.candidate(all, height_step)).collect();
@@ -132,16 +125,12 @@ impl Held {
         Some(Self { factor, grid, limit, all: 0.0, seen: 0.0 })
     }
 
-    fn add(&mut self, q: [f64; 2], variance: f64) {
-        if q[0].abs() >= self.limit[0] || q[1].abs() >= self.limit[1] {
-            return;
-        }
-        let pixel = self.grid.pixel();
-        for axis in 0..2 {
-            let difference = 2.0 * (0.5 * q[axis] * pixel[axis]).sin() / pixel[axis];
-            self.all += variance * q[axis] * q[axis];
-            self.seen += variance * difference * difference;
-        }
+    /// Adds the waves with this component along an axis.
+    fn add(&mut self, axis: usize, q: f64, variance: f64) {
+        let pixel = self.grid.pixel()[axis];
+        let difference = 2.0 * (0.5 * q * pixel).sin() / pixel;
+        self.all += variance * q * q;
+        self.seen += variance * difference * difference;
     }
 
     fn candidate(&self, all: f64, height_step: Option<f64>) -> Candidate {
@@ -161,6 +150,39 @@ impl Held {
             },
         }
     }
+}
+
+/// Adds the waves of a map up for every grid; answers with the mean square slopes along y and x.
+///
+/// A wave belongs to the coarsest grid that can hold it, and all finer ones hold it too; what
+/// counts of it on each are its components along the axes. So variances are summed over those
+/// first, and the sine of each component is taken once per grid and not once per wave.
+fn add_up(power: &PowerSpectrum, grid: Grid, list: &mut [Held]) -> [f64; 2] {
+    let limits: Vec<[f64; 2]> = list.iter().filter(|h| h.factor < 1.0).map(|h| h.limit).collect();
+    let step = grid.size().map(|length| TAU / length);
+    let none = grid.shape().map(|n| vec![0.0; n / 2 + 1]);
+    let mut sums = vec![none; limits.len() + 1];
+    power.for_each(|q, weight, variance| {
+        let holds = |limit: &[f64; 2]| q[0].abs() < limit[0] && q[1].abs() < limit[1];
+        let class = limits.iter().position(holds).unwrap_or(limits.len());
+        for axis in 0..2 {
+            let component = (q[axis].abs() / step[axis]).round() as usize;
+            sums[class][axis][component] += weight * variance;
+        }
+    });
+    let mut along = [0.0; 2];
+    for (class, sums) in sums.iter().enumerate() {
+        for axis in 0..2 {
+            for (component, variance) in sums[axis].iter().enumerate() {
+                let q = component as f64 * step[axis];
+                along[axis] += variance * q * q;
+                for held in &mut list[class..] {
+                    held.add(axis, q, *variance);
+                }
+            }
+        }
+    }
+    along
 }
 
 /// The smallest even number not below `n` with no prime factor above 7: its transforms are fast.
@@ -209,7 +231,6 @@ fn seam(map: &HeightMap) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::TAU;
 
     /// Two waves of 32 and 8 points on 256: a coarser grid holds the second down to more than two
     /// of its points, and loses its part of the gradient below.
