@@ -282,9 +282,10 @@ pub(super) fn where_it_touches(
         out.push_str(&figure(
             &zoom.inline(),
             &format!(
-                "<b>Boxed area</b>, enlarged {} times. One square is one point of the map, \
+                "<b>Boxed area</b>, enlarged {} times. One square is one point of the {}, \
                  {spacing}.",
-                significant(grid.shape()[1] as f64 / window[3] as f64, 2)
+                significant(grid.shape()[1] as f64 / window[3] as f64, 2),
+                if surface.solved.is_some() { "grid solved on" } else { "map" }
             ),
         ));
     }
