@@ -4,13 +4,15 @@
 //! $ cargo run --release -p fft-bem-solver --example scale -- 8192 double 1e-10
 //! $ cargo run --release -p fft-bem-solver --example scale -- 16384 single 1e-3
 //! ```
-//! The time is that of the solve, after the surface is made and the solver built. Peak memory is
-//! that of the process (Linux, `VmHWM`), before the solve (making the surface) and after it.
+//! `free` as a fourth argument makes the map an isolated body. The time is that of the solve, after
+//! the surface is made and the solver built. Peak memory is that of the process (Linux, `VmHWM`):
+//! first of making the surface, then, counted anew, of the solve. The solver takes the surface over
+//! and returns no maps.
 
 #![allow(clippy::print_stdout, reason = "a program that prints what it measured")]
 
 use contact_types::{ContactModulus, Grid};
-use fft_bem_solver::{HalfSpace, Iteration, Load, Precision, Solver};
+use fft_bem_solver::{Boundary, HalfSpace, Iteration, Load, Maps, Precision, Solver};
 use std::error::Error;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -20,8 +22,14 @@ const LOAD: f64 = 0.05; // mean pressure / (E* rms gradient)
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [n, precision, tolerance] = arguments.as_slice() else {
-        return Err("usage: scale SIDE double|single TOLERANCE".into());
+    let (Some([n, precision, tolerance]), rest) = (arguments.first_chunk(), arguments.get(3..))
+    else {
+        return Err("usage: scale SIDE double|single TOLERANCE [free]".into());
+    };
+    let boundary = match rest.unwrap_or_default() {
+        [] => Boundary::Periodic,
+        [word] if word == "free" => Boundary::Free,
+        other => return Err(format!("{other:?} is not `free`").into()),
     };
     let n: usize = n.parse()?;
     let precision = match precision.as_str() {
@@ -42,16 +50,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     let surface = recipe.generate()?;
     let modulus = ContactModulus::from_pascals(1.0)?;
     println!("{n} x {n}, {precision:?}, {} threads", rayon::current_num_threads());
-    println!("surface made, {}", peak_memory());
+    println!("surface made, peak memory {:.2} GiB", peak_memory());
     let pair = if precision == Precision::Double {
         one_pair::<f64>(grid, modulus)?
     } else {
         one_pair::<f32>(grid, modulus)?
     };
-    println!("one pair {pair:.3} s, {}", peak_memory());
+    println!("one pair {pair:.3} s");
 
     let builder = Solver::builder().precision(precision).tolerance(tolerance.parse()?);
-    let mut solver = builder.build(grid, modulus)?;
+    let mut solver = builder.boundary(boundary).maps(Maps::None).build(grid, modulus)?;
+    solver.take_surface(surface)?;
+    forget_peak();
     let clock = Instant::now();
     let mut watch = |it: &Iteration<'_>| {
         let seconds = clock.elapsed().as_secs_f64();
@@ -61,16 +71,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         );
         ControlFlow::Continue(())
     };
-    let solution = solver.solve_observed(&surface, Load::MeanPressure(LOAD), &mut watch)?;
+    let solution = solver.solve_again(Load::MeanPressure(LOAD), &mut watch)?;
     let d = &solution.diagnostics;
     println!(
-        "{} iterations, {:.2} pairs, estimate {:.1e}, area {:.6}, {:.1} s, {}",
+        "{} iterations, {:.2} pairs, estimate {:.1e}, area {:.6}, {:.1} s, peak memory {:.2} GiB, \
+         {:.2} doubles per pixel",
         d.iterations,
         d.transforms,
         d.residuals.preconditioned,
         solution.state.area_fraction,
         d.seconds,
-        peak_memory()
+        peak_memory(),
+        peak_memory() * f64::from(1 << 27) / (n * n) as f64,
     );
     Ok(())
 }
@@ -91,15 +103,15 @@ fn one_pair<T: fft_bem_solver::Real>(
     Ok(best)
 }
 
-/// The most memory this process ever held.
-fn peak_memory() -> String {
+/// The most memory this process held (GiB), not a number where the system does not say.
+fn peak_memory() -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let kib = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))
-        .and_then(|rest| rest.split_whitespace().next()?.parse::<f64>().ok());
-    match kib {
-        Some(kib) => format!("peak memory {:.2} GiB", kib / 1024.0 / 1024.0),
-        None => "peak memory unknown".into(),
-    }
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let kib = line.and_then(|rest| rest.split_whitespace().next()?.parse::<f64>().ok());
+    kib.map_or(f64::NAN, |kib| kib / 1024.0 / 1024.0)
+}
+
+/// From now on the peak is counted anew, where the system can do that (Linux).
+fn forget_peak() {
+    let _ = std::fs::write("/proc/self/clear_refs", "5");
 }

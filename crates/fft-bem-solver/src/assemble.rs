@@ -1,9 +1,9 @@
 //! From a scaled state to the solution in SI units with its diagnostics.
 
-use crate::engine::{Engine, Run, gap_si, pressure_si};
+use crate::engine::{Engine, Run};
 use crate::problem::Problem;
 use crate::{
-    BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Real, Residuals, Solution, certificate,
+    BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, certificate,
     fields,
 };
 use contact_types::{ContactState, Grid};
@@ -17,27 +17,27 @@ impl<T: Real> Engine<T> {
             Some(_) => Some(0.0),
             None => {
                 let (operator, state) = self.parts();
-                let n = state.pressure.len();
-                let (mut gap, mut scratch) = (Vec::with_capacity(n), vec![T::zero(); n]);
-                let level = T::of(state.level);
-                let pairs = state.displacement.iter().zip(&problem.heights);
-                gap.extend(pairs.map(|(u, h)| *u - *h - level));
-                let error = certificate::energy_error(state, &gap, &mut scratch, operator);
+                let mut scratch = vec![T::zero(); state.pressure.len()];
+                let (u, h, level) = (&state.displacement, &problem.heights, T::of(state.level));
+                let gap = |i: usize| u[i] - h[i] - level;
+                let error = certificate::energy_error(state, gap, &mut scratch, operator);
                 transforms += error.transforms;
                 error.relative.is_finite().then_some(error.relative)
             }
         };
         let (units, settings, state) = (problem.units, self.settings, &self.state);
-        let pressure = pressure_si(state, units.pressure);
-        let gap = gap_si(state, problem, state.level);
-        let n = pressure.len() as f64;
-        let load_sum = fields::sum(&pressure);
-        let lowest = fields::min(&gap);
-        let contact_pixels = fields::contact_count(&pressure);
-        let contact_perimeter = edges(problem.grid, &pressure, settings.boundary) as f64 / n;
+        let (p, u, h, level) =
+            (&state.pressure, &state.displacement, &problem.heights, state.level);
+        let pressure = |i: usize| p[i].wide() * units.pressure;
+        let gap = |i: usize| (u[i].wide() - h[i].wide() - level) * units.height;
+        let (pixels, n) = (p.len(), p.len() as f64);
+        let load_sum = fields::sum_of(pixels, pressure);
+        let lowest = fields::least_of(pixels, gap);
+        let contact_pixels = fields::contact_count(p);
+        let contact_perimeter = edges(problem.grid, p, settings.boundary) as f64 / n;
         let area_fraction = contact_pixels as f64 / n;
-        let complementarity = fields::sum_of(pressure.len(), |i| pressure[i] * gap[i].abs());
-        let work = fields::dot(&state.pressure, &state.displacement) / n;
+        let complementarity = fields::sum_of(pixels, |i| pressure(i) * gap(i).abs());
+        let work = fields::dot(p, u) / n;
         let residuals = Residuals {
             preconditioned: run.outcome.residual,
             complementarity: if load_sum > 0.0 {
@@ -47,7 +47,7 @@ impl<T: Real> Engine<T> {
             },
             penetration: (-lowest / units.height).max(0.0),
         };
-        let duality_gap = fields::sum_of(pressure.len(), |i| pressure[i] * (gap[i] - lowest)) / n;
+        let duality_gap = fields::sum_of(pixels, |i| pressure(i) * (gap(i) - lowest)) / n;
         let diagnostics = Diagnostics {
             method: settings.method,
             boundary: settings.boundary,
@@ -63,30 +63,36 @@ impl<T: Real> Engine<T> {
             contact_perimeter,
             area_fraction_corrected: (area_fraction - BOUNDARY_CORRECTION * contact_perimeter)
                 .max(0.0),
-            max_pressure: fields::max(&pressure).max(0.0),
+            max_pressure: (fields::max(p) * units.pressure).max(0.0),
             elastic_energy: 0.5 * work * units.pressure * units.height,
         };
         let mean_pressure = match load {
             Load::MeanPressure(p) => p,
             _ => load_sum / n,
         };
+        let map = |value: &(dyn Fn(usize) -> f64 + Sync)| fields::filled(pixels, value);
+        let (pressure_map, gap_map) = match settings.maps {
+            Maps::None => (Vec::new(), Vec::new()),
+            Maps::Pressure => (map(&pressure), Vec::new()),
+            Maps::PressureAndGap => (map(&pressure), map(&gap)),
+        };
         let state = ContactState {
             mean_pressure,
             area_fraction,
             separation: Some(-(problem.mean_height + state.level) * units.height),
-            mean_gap: Some(fields::sum(&gap) / n),
+            mean_gap: Some(fields::sum_of(pixels, gap) / n),
             caveat: None,
         };
         let approach = self.state.level * units.height;
-        Solution { state, approach, pressure, gap, diagnostics }
+        Solution { state, approach, pressure: pressure_map, gap: gap_map, diagnostics }
     }
 }
 
 /// Edges between a pixel in contact and a neighbour (of four) that is not. Across the edge of the
 /// map the neighbour is the opposite pixel, or, with a free boundary, empty.
-fn edges(grid: Grid, pressure: &[f64], boundary: Boundary) -> usize {
+fn edges<T: Real>(grid: Grid, pressure: &[T], boundary: Boundary) -> usize {
     let [ny, nx] = grid.shape();
-    let on = |p: f64| p > 0.0;
+    let on = |p: T| p > T::zero();
     let wraps = boundary == Boundary::Periodic;
     let row = |iy: usize| &pressure[iy * nx..(iy + 1) * nx];
     let mut counts = vec![0_usize; ny];

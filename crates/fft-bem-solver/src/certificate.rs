@@ -49,20 +49,20 @@ fn violation<T: Real>(pressure: T, gap: T) -> T {
 /// constant; `scratch` is overwritten.
 pub(crate) fn energy_error<T: Real>(
     state: &State<T>,
-    gap: &[T],
+    gap: impl Fn(usize) -> T + Sync,
     scratch: &mut [T],
     operator: &mut dyn Compliance<T>,
 ) -> EnergyError {
     let p = &state.pressure;
     for (i, r) in scratch.iter_mut().enumerate() {
-        *r = violation(p[i], gap[i]);
+        *r = violation(p[i], gap(i));
     }
     if !operator.invert(scratch) {
         return EnergyError { relative: f64::INFINITY, transforms: 0.0 };
     }
     let twice_bound = fields::sum_of(p.len(), |i| {
-        let r = violation(p[i], gap[i]);
-        let mu = gap[i] - r;
+        let r = violation(p[i], gap(i));
+        let mu = gap(i) - r;
         r.wide() * scratch[i].wide() + 2.0 * p[i].wide() * mu.wide()
     });
     let energy = fields::dot(p, &state.displacement).abs();
@@ -121,7 +121,7 @@ impl Patience {
         if plain > self.worthwhile.max(30.0 * T::ATTAINABLE) && !is_rounding {
             return Verdict { is_converged: false, residual: None, transforms: 0.0 };
         }
-        let bound = energy_error(state, gap, scratch, operator);
+        let bound = energy_error(state, |i| gap[i], scratch, operator);
         let relative = if bound.relative.is_finite() { CAUTION * bound.relative } else { plain };
         self.since += 1;
         if relative <= 0.5 * self.best {

@@ -5,7 +5,7 @@ use crate::methods::{
 };
 use crate::problem::Problem;
 use crate::{
-    Boundary, FreeHalfSpace, HalfSpace, Iteration, Load, Method, Observer, Precision, Real,
+    Boundary, FreeHalfSpace, HalfSpace, Iteration, Load, Maps, Method, Observer, Precision, Real,
     Solution, SolverError, control, fields, special_cases,
 };
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -20,6 +20,7 @@ pub(crate) struct Settings {
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: Option<usize>,
     pub(crate) certified: bool,
+    pub(crate) maps: Maps,
     pub(crate) modulus: ContactModulus,
 }
 
@@ -72,20 +73,25 @@ impl<T: Real> Engine<T> {
         self.is_warm = false;
     }
 
+    /// Makes `surface` the one to be solved.
+    pub(crate) fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
+        if self.problem.as_ref().is_some_and(|known| known.is_of(surface)) {
+            return Ok(());
+        }
+        self.is_warm = false;
+        self.closing_load = None;
+        self.problem = None;
+        self.problem = Some(Problem::new(surface, self.scaled, self.settings.modulus)?);
+        Ok(())
+    }
+
     pub(crate) fn solve(
         &mut self,
-        surface: &HeightMap,
         load: Load,
         observer: &mut dyn Observer,
+        clock: Instant,
     ) -> Result<Solution, SolverError> {
-        let clock = Instant::now();
-        let problem = if let Some(known) = self.problem.take().filter(|p| p.is_of(surface)) {
-            known
-        } else {
-            self.is_warm = false;
-            self.closing_load = None;
-            Problem::new(surface, self.scaled, self.settings.modulus)?
-        };
+        let problem = self.problem.take().ok_or(SolverError::NoSurface)?;
         let result = self.solve_problem(&problem, load, observer, clock);
         self.problem = Some(problem);
         result

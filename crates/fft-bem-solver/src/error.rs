@@ -64,6 +64,9 @@ pub enum SolverError {
         /// What it must be.
         limit: &'static str,
     },
+    /// [`Solver::solve_again`](crate::Solver::solve_again) before any surface was given.
+    #[error("no surface is known: give one with take_surface or solve first")]
+    NoSurface,
     /// The numbers of the problem leave the range of the floating-point type.
     #[error(
         "{quantity} = {value:e} leaves the range in which the solver can compute; \
@@ -77,7 +80,8 @@ pub enum SolverError {
         /// What to do instead.
         way_out: &'static str,
     },
-    /// The iteration limit was reached first. The best iterate is inside.
+    /// The iteration limit was reached first. The last iterate is inside; to keep the best one would
+    /// take memory for two more fields.
     #[error(
         "not converged after {} iterations: estimated relative pressure error {:.2e}; \
          allow more iterations or a larger tolerance",

@@ -1,34 +1,39 @@
-//! Sums over fields. Each is made of partial sums over blocks of fixed length, so that the result
+//! Sums over fields. Each is a tree of partial sums over blocks of fixed length, so that the result
 //! does not depend on the number of threads, and is accumulated in `f64`.
 
 use crate::Real;
-use grid_fft::parallel::prelude::*;
+use grid_fft::parallel::{join, prelude::*};
 use std::ops::Range;
 
 /// Pixels per partial sum.
 const BLOCK: usize = 4096;
 
-/// `piece(range)` of every block of `0..n`, in order.
-fn by_blocks(n: usize, piece: impl Fn(Range<usize>) -> f64 + Sync) -> Vec<f64> {
-    let mut partial = vec![0.0; n.div_ceil(BLOCK)];
-    let block = |(k, x): (usize, &mut f64)| *x = piece(k * BLOCK..((k + 1) * BLOCK).min(n));
-    if partial.len() > 4 {
-        partial.par_iter_mut().enumerate().for_each(block);
-    } else {
-        partial.iter_mut().enumerate().for_each(block);
+/// Combines `piece(range)` of all blocks of `range`, two by two.
+fn by_blocks(
+    range: Range<usize>,
+    piece: &(impl Fn(Range<usize>) -> f64 + Sync),
+    combine: &(impl Fn(f64, f64) -> f64 + Sync),
+) -> f64 {
+    let blocks = range.len().div_ceil(BLOCK);
+    if blocks <= 1 {
+        return piece(range);
     }
-    partial
+    let middle = range.start + blocks / 2 * BLOCK;
+    let (left, right) = (range.start..middle, middle..range.end);
+    let both = [left, right].map(|half| move || by_blocks(half, piece, combine));
+    let [left, right] = both;
+    let (a, b) = if blocks > 4 { join(left, right) } else { (left(), right()) };
+    combine(a, b)
 }
 
 /// Sum of `term(i)` over `0..n`.
 pub(crate) fn sum_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
-    by_blocks(n, |range| range.map(&term).sum()).iter().sum()
+    by_blocks(0..n, &|range| range.map(&term).sum(), &|a, b| a + b)
 }
 
 /// Least `term(i)` over `0..n`; `+inf` if there is none.
 pub(crate) fn least_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
-    let piece = |range: Range<usize>| range.map(&term).fold(f64::INFINITY, f64::min);
-    by_blocks(n, piece).into_iter().fold(f64::INFINITY, f64::min)
+    by_blocks(0..n, &|range| range.map(&term).fold(f64::INFINITY, f64::min), &f64::min)
 }
 
 /// `value(i)` for every pixel.

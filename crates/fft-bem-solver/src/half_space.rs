@@ -79,6 +79,26 @@ impl<T: Real> HalfSpace<T> {
         self.transform.apply(pressure, symbol, displacement);
     }
 
+    /// [`displacement`](Self::displacement), and what `sums(first pixel, rows)` makes of each
+    /// finished block of rows, while it is in cache; there are [`pieces`](Self::pieces) of them.
+    pub(crate) fn displacement_with<R: Send>(
+        &mut self,
+        pressure: &[T],
+        displacement: &mut [T],
+        sums: &(dyn Fn(usize, &[T]) -> R + Sync),
+        results: &mut [R],
+    ) {
+        let nx = self.grid.shape()[1];
+        let symbol = |kx: usize, column: &mut [T]| self.compliance(kx, column);
+        let finish = |row: usize, rows: &mut [T]| sums(row * nx, rows);
+        self.transform.apply_with(pressure, symbol, displacement, finish, results);
+    }
+
+    /// Number of blocks of rows of [`displacement_with`](Self::displacement_with).
+    pub(crate) fn pieces(shape: [usize; 2]) -> usize {
+        shape[0].div_ceil(Convolution::<T>::BLOCK_ROWS)
+    }
+
     /// Wavenumbers of the waves `(0..=ny/2, kx)`.
     fn wavenumbers(&self, kx: usize) -> impl Iterator<Item = f64> {
         let qx2 = self.grid.wavenumber(0, kx).powi(2);

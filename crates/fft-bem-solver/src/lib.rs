@@ -51,6 +51,6 @@ pub use half_space::HalfSpace;
 pub use half_space_free::{FreeHalfSpace, love};
 pub use observer::{Iteration, Observer};
 pub use real::Real;
-pub use settings::{Boundary, Load, Method, Precision};
+pub use settings::{Boundary, Load, Maps, Method, Precision};
 pub use solution::{Diagnostics, Residuals, Solution};
 pub use solver::{Solver, SolverBuilder};

@@ -18,6 +18,8 @@ pub trait Real:
     fn wide(self) -> f64;
     /// The nearest `f32`.
     fn narrow(self) -> f32;
+    /// The memory of a field as numbers of single precision, at least as many.
+    fn as_single(field: &mut [Self]) -> &mut [f32];
     /// The larger of two numbers.
     #[must_use]
     fn larger(self, other: Self) -> Self {
@@ -37,6 +39,9 @@ impl Real for f64 {
     fn narrow(self) -> f32 {
         self as f32
     }
+    fn as_single(field: &mut [Self]) -> &mut [f32] {
+        bytemuck::cast_slice_mut(field)
+    }
 }
 
 impl Real for f32 {
@@ -50,5 +55,8 @@ impl Real for f32 {
     }
     fn narrow(self) -> f32 {
         self
+    }
+    fn as_single(field: &mut [Self]) -> &mut [f32] {
+        field
     }
 }

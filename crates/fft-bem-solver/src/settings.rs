@@ -50,6 +50,20 @@ pub enum Precision {
     Single,
 }
 
+/// Which maps a solution carries, at 8 bytes per pixel each. The numbers of a solution do not need
+/// them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Maps {
+    /// None: both fields are empty.
+    None,
+    /// The pressure; the gap is empty.
+    Pressure,
+    /// Pressure and gap.
+    #[default]
+    PressureAndGap,
+}
+
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]

@@ -10,22 +10,23 @@ pub struct Solution {
     pub state: ContactState,
     /// How far the flat has moved since first touch (m); see [`Load::Approach`](crate::Load).
     pub approach: f64,
-    /// Pressure (Pa), row-major, `ny * nx`; 0 outside the contact.
+    /// Pressure (Pa), row-major, `ny * nx`; 0 outside the contact. Empty if [`Maps`](crate::Maps)
+    /// says so.
     pub pressure: Vec<f64>,
     /// Gap (m), row-major, `ny * nx`, counted so that its pressure-weighted mean is 0. What is
-    /// left of it in contact, and negative values, are the residual of the iteration.
+    /// left of it in contact, and negative values, are the residual of the iteration. Empty if
+    /// [`Maps`](crate::Maps) says so.
     pub gap: Vec<f64>,
     /// How the answer was found and how accurate it is.
     pub diagnostics: Diagnostics,
 }
 
 impl std::fmt::Debug for Solution {
-    /// Everything but the maps, of which only the number of pixels is shown.
+    /// Everything but the maps.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Solution")
             .field("state", &self.state)
             .field("approach", &self.approach)
-            .field("pixels", &self.pressure.len())
             .field("diagnostics", &self.diagnostics)
             .finish_non_exhaustive()
     }

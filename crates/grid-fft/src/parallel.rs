@@ -32,6 +32,17 @@ pub fn for_each_index(count: usize, work: impl Fn(usize) + Sync + Send) {
     (0..count).for_each(work);
 }
 
+/// Calls both functions, at the same time if a thread is free.
+pub fn join<A: Send, B: Send>(
+    a: impl FnOnce() -> A + Send,
+    b: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    #[cfg(feature = "parallel")]
+    return rayon::join(a, b);
+    #[cfg(not(feature = "parallel"))]
+    (a(), b())
+}
+
 /// The slice methods of rayon, or the same names run by the standard library on one thread.
 pub mod prelude {
     #[cfg(not(feature = "parallel"))]

@@ -22,7 +22,7 @@
 use super::coarse_lead::CoarseLead;
 use super::extension::Pyramid;
 use super::extrapolation::Earlier;
-use super::passes::{self, Partial, Products};
+use super::passes::{self, Estimate, Partial, Products};
 use super::stiffness::Stiffness;
 use super::sweep::{self, Sweep};
 use super::{
@@ -30,8 +30,9 @@ use super::{
     level_control::LevelControl,
 };
 use crate::problem::Problem;
-use crate::{Boundary, Real, certificate, fields, projection};
+use crate::{Boundary, HalfSpace, Real, certificate, fields, projection};
 use contact_types::Grid;
+use std::f64::consts::FRAC_PI_2;
 
 /// Below this chord length the step was a poor guess: take it as it is, and release nodes.
 const FULL: f64 = 0.7;
@@ -51,13 +52,15 @@ pub(crate) enum Kind {
 }
 
 /// The method with its memory: the trial and the iterate before (pressure and displacement each),
-/// two fields in single precision, the pyramid and the coarse grids.
+/// one field in single precision, the contact set, the pyramid and the coarse grids.
 pub(crate) struct Chord<T: Real> {
+    grid: Grid,
     pub(crate) shape: [usize; 2],
     pub(crate) rows: usize,
+    /// Longer side of the map.
+    longest: f64,
     pub(crate) mask: Vec<u8>,
     pub(crate) residual: Vec<f32>,
-    pub(crate) extended: Vec<f32>,
     pub(crate) pyramid: Pyramid,
     pub(crate) stiffness: Stiffness,
     pub(crate) sweep: Sweep,
@@ -66,7 +69,6 @@ pub(crate) struct Chord<T: Real> {
     pub(crate) before: Vec<T>,
     pub(crate) before_response: Vec<T>,
     pub(crate) partial: Vec<Partial>,
-    lead: Option<Box<CoarseLead<T>>>,
     /// On a load curve.
     earlier: Option<Box<Earlier<T>>>,
     /// Tests: make every step of this kind.
@@ -82,8 +84,11 @@ struct Memory {
     alpha: f64,
     /// Chord length of the last step.
     a: f64,
-    /// Whether `before` holds the iterate before this one.
+    /// Whether `before` holds the iterate before this one, and `<d, K d>` of the step from it.
     has_before: bool,
+    dkd: f64,
+    /// Sum over the contact of `u - h` and the number of its nodes, if known.
+    sums: Option<[f64; 2]>,
     /// Smallest estimate that was a halving, and the iterations since.
     best: f64,
     since: usize,
@@ -96,12 +101,16 @@ impl<T: Real> Chord<T> {
         let ([_, nx], n) = (scaled.shape(), scaled.len());
         let pyramid = Pyramid::new(scaled.shape(), scaled.pixel());
         let rows = passes::rows_per_task(&pyramid, scaled.shape());
+        let pieces = passes::tasks(n, rows, nx).max(HalfSpace::<T>::pieces(scaled.shape()));
         Self {
+            grid: scaled,
             shape: scaled.shape(),
             rows,
+            longest: (0..2)
+                .map(|a| scaled.shape()[a] as f64 * scaled.pixel()[a])
+                .fold(1.0, f64::max),
             mask: vec![0; n],
             residual: vec![0.0; n],
-            extended: vec![0.0; n],
             stiffness: Stiffness::new(scaled.shape(), scaled.pixel()),
             sweep: Sweep::new(pyramid.levels.first()),
             pyramid,
@@ -109,8 +118,7 @@ impl<T: Real> Chord<T> {
             response: vec![T::zero(); n],
             before: vec![T::zero(); n],
             before_response: vec![T::zero(); n],
-            partial: vec![Partial::default(); passes::tasks(n, rows, nx)],
-            lead: CoarseLead::new(scaled).map(Box::new),
+            partial: vec![Partial::default(); pieces],
             earlier: None,
             force: None,
             events: Vec::new(),
@@ -146,7 +154,8 @@ impl<T: Real> Chord<T> {
             if let Some(earlier) = &mut self.earlier {
                 earlier.forget();
             }
-            if let Some(lead) = &mut self.lead {
+            // Its memory is needed for the first trial alone.
+            if let Some(mut lead) = CoarseLead::new(self.grid) {
                 let guess = (&mut self.trial[..], &mut self.response[..]);
                 let found = lead.find(task, load, guess);
                 transforms += found.transforms;
@@ -161,6 +170,8 @@ impl<T: Real> Chord<T> {
             alpha: 1.5,
             a: if is_guess { 1.0 } else { 0.0 },
             has_before: false,
+            dkd: 0.0,
+            sums: None,
             best: f64::INFINITY,
             since: 0,
             kind: self.force.unwrap_or(Kind::Chord),
@@ -169,32 +180,25 @@ impl<T: Real> Chord<T> {
         let end = loop {
             // Residual gap and contact set; with the level prescribed, once more at a better load.
             let release = if now.a < FULL { RELEASE } else { 0.0 };
-            let (mut level, mut found) = self.look(h, release, is_lead, state);
+            let sums = now.sums.take().filter(|_| !is_lead);
+            let (mut level, mut found) = self.look(h, sums, release, is_lead, state);
             if let Some(control) = &mut control {
                 let factor = self.towards_level(control, level, load, residual, is_lead, state);
                 load *= factor;
-                (level, found) = self.look(h, RELEASE, is_lead, state);
+                now.dkd *= factor * factor;
+                (level, found) = self.look(h, None, RELEASE, is_lead, state);
             }
 
             // Preconditioned residual, and the trial it leads to.
-            let mean = self.precondition(&found);
-            let [nx, rows] = [self.shape[1], self.rows];
+            self.precondition(is_lead);
             transforms += self.stiffness.cost;
             let base = (!is_lead).then_some(&state.pressure[..]);
-            let [step2, p2] = passes::trial(
-                base,
-                &self.residual,
-                mean,
-                now.tau,
-                &self.mask,
-                rows,
-                nx,
-                &self.pyramid,
-                &mut self.trial,
-                &mut self.sweep,
-                &mut self.partial,
-            );
-            residual = (step2 / p2).sqrt();
+            let estimate = self.make_trial(base, now.tau, &found);
+            residual = estimate.residual;
+            if !is_lead && residual <= task.tolerance {
+                let fields = [&state.displacement[..], h];
+                residual = self.credible(&estimate, fields, level);
+            }
             let error = control.as_ref().map_or(0.0, |c| c.error.abs());
             let step = Step { iteration, transforms, residual: residual.max(error), state };
             if watch(&step).is_break() {
@@ -233,27 +237,26 @@ impl<T: Real> Chord<T> {
                 level
             };
             let mut kind = now.kind;
-            let products = loop {
-                let is_trial = match kind {
+            let (products, scale) = loop {
+                let scale = match kind {
                     Kind::Chord => self.sweep_trial(&found, load),
                     Kind::Gradient | Kind::FaceCg => {
                         self.gradient_trial(h, base_level, now.alpha, load, state);
-                        true
+                        Some(1.0)
                     }
                 };
-                if is_trial {
-                    operator.apply(&self.trial, &mut self.response);
+                if let Some(scale) = scale {
+                    let products = self.respond(operator, scale, h, base_level, &now, state);
                     transforms += 1.0;
-                    let products = self.products(h, base_level, now.has_before, state);
                     if products.theta() > 0.0 || kind != Kind::Chord {
-                        break products;
+                        break (products, scale);
                     }
                 }
                 kind = Kind::Gradient; // the chord does not descend: projected gradients always do
                 self.events.push((iteration, kind));
             };
             is_lead = false;
-            self.advance(kind, &products, &mut now, state);
+            self.advance(kind, &products, scale, &mut now, h, state);
             iteration += 1;
         };
         state.level = certificate::level(state, h);
@@ -262,35 +265,36 @@ impl<T: Real> Chord<T> {
     }
 
     /// The residual gap g of the state, or of the lead, its contact set F, and `E g`. Returns the
-    /// level, the mean of `u - h` in contact.
+    /// level, the mean of `u - h` in contact; `sums` if it is known already.
     pub(crate) fn look(
         &mut self,
         h: &[T],
+        sums: Option<[f64; 2]>,
         release: f64,
         is_lead: bool,
         state: &State<T>,
     ) -> (f64, passes::Residual) {
-        let [nx, rows] = [self.shape[1], self.rows];
+        let size = [self.rows, self.shape[1]];
         let (p, u) = if is_lead {
             (&self.trial[..], &self.response[..])
         } else {
             (&state.pressure[..], &state.displacement[..])
         };
-        let [sum, contact] = passes::level_sums(p, u, h, &mut self.partial);
+        let [sum, contact] = sums.unwrap_or_else(|| passes::level_sums(p, u, h, &mut self.partial));
         let level = sum / contact.max(1.0);
         let found = passes::residual(
             [p, u, h],
             level,
             release,
-            rows,
-            nx,
+            size,
             &mut self.mask,
             &mut self.residual,
             &mut self.pyramid,
             &mut self.partial,
         );
         self.pyramid.extend_above();
-        passes::push(&self.mask, &self.residual, &self.pyramid, rows, nx, &mut self.extended);
+        let extended = room(&mut self.response, &mut self.before_response, is_lead);
+        passes::push(&self.mask, &self.residual, &self.pyramid, size, extended);
         (level, found)
     }
 
@@ -313,30 +317,64 @@ impl<T: Real> Chord<T> {
                 control.guess(p, u);
             }
         }
-        let rise = fields::sum(&self.extended) / self.extended.len() as f64;
+        let extended = room(&mut self.response, &mut self.before_response, is_lead);
+        let rise = fields::sum(extended) / extended.len() as f64;
         let factor = control.factor(level + rise, load, residual);
-        // The step before must stay one that changes no load.
-        for field in [p, u, &mut self.before, &mut self.before_response] {
-            passes::scale(factor, field);
-        }
+        passes::scale(factor, p);
+        passes::scale(factor, u);
         if is_lead {
             passes::scale(factor, &mut self.trial);
             passes::scale(factor, &mut self.response);
+        } else {
+            // The step before must stay one that changes no load.
+            passes::scale(factor, &mut self.before);
+            passes::scale(factor, &mut self.before_response);
         }
         factor
     }
 
-    /// `z = E^T S` of what `E` extended; returns its mean over F.
-    pub(crate) fn precondition(&mut self, found: &passes::Residual) -> f64 {
-        let [nx, rows] = [self.shape[1], self.rows];
-        self.stiffness.apply(&self.extended, &mut self.residual);
-        let (pyramid, partial) = (&mut self.pyramid, &mut self.partial);
-        let sum = passes::transpose(&self.mask, &mut self.residual, pyramid, rows, nx, partial);
-        sum / found.active.max(1) as f64
+    /// `y = S E r`, in place of the residual, and all of `z = E^T y` but the last step down to the
+    /// finest grid, which [`make_trial`](Self::make_trial) does.
+    pub(crate) fn precondition(&mut self, is_lead: bool) {
+        let extended = room(&mut self.response, &mut self.before_response, is_lead);
+        self.stiffness.apply(extended, &mut self.residual);
+        passes::gather(&self.mask, &self.residual, &mut self.pyramid);
+        self.pyramid.restrict_above();
     }
 
-    /// Sweeps, clips and scales the trial; false if nothing is left of it.
-    pub(crate) fn sweep_trial(&mut self, found: &passes::Residual, load: f64) -> bool {
+    /// `trial = p - tau z` on F, `p` elsewhere; without `p`, the trial field holds it.
+    pub(crate) fn make_trial(
+        &mut self,
+        p: Option<&[T]>,
+        tau: f64,
+        found: &passes::Residual,
+    ) -> Estimate {
+        passes::trial(
+            p,
+            &self.residual,
+            tau,
+            &self.mask,
+            found.active,
+            [self.rows, self.shape[1]],
+            &self.pyramid,
+            &mut self.trial,
+            &mut self.sweep,
+            &mut self.partial,
+        )
+    }
+
+    /// The estimate, unless even the softest wave of the grid would resist the residual gap more: then
+    /// the preconditioner is at fault, and the stiffest wave bounds the error instead.
+    fn credible(&mut self, estimate: &Estimate, fields: [&[T]; 2], level: f64) -> f64 {
+        let gap2 = passes::residual_norm2(fields, level, &self.mask, &mut self.partial);
+        let stiffest = FRAC_PI_2 * (gap2 / estimate.p2).sqrt(); // |q|/2 at pi per finer pixel
+        let softest = 2.0 / self.longest * stiffest;
+        if estimate.residual < 0.01 * softest { stiffest } else { estimate.residual }
+    }
+
+    /// Sweeps and clips the trial. Returns the factor that gives it the load: the trial is that many
+    /// times the field. `None` if nothing is left of it.
+    pub(crate) fn sweep_trial(&mut self, found: &passes::Residual, load: f64) -> Option<f64> {
         let total = load * self.trial.len() as f64;
         self.sweep.run(
             &mut self.pyramid,
@@ -350,19 +388,19 @@ impl<T: Real> Chord<T> {
             &self.mask,
             &self.sweep,
             &self.pyramid,
-            self.rows,
-            self.shape[1],
+            [self.rows, self.shape[1]],
             &mut self.trial,
             &mut self.partial,
         );
-        let is_usable = sum > 0.0 && sum.is_finite();
-        if is_usable && sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total {
+        if sum <= 0.0 || !sum.is_finite() {
+            return None;
+        }
+        if sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total {
             // Much was clipped: the contact is far from settled, and small loads do not belong.
             projection::onto_admissible(&mut self.trial, load);
-        } else if is_usable {
-            passes::scale(total / sum, &mut self.trial);
+            return Some(1.0);
         }
-        is_usable
+        Some(total / sum)
     }
 
     /// `trial = p - alpha g`, projected on the pressures that are positive and carry the load.
@@ -374,23 +412,42 @@ impl<T: Real> Chord<T> {
         projection::onto_admissible(&mut self.trial, load);
     }
 
-    fn products(&mut self, h: &[T], level: f64, has_before: bool, state: &State<T>) -> Products {
-        passes::products(
-            [&state.pressure, &state.displacement, h],
-            level,
-            [&self.trial, &self.response],
-            has_before.then_some([&self.before[..], &self.before_response[..]]),
-            &mut self.partial,
-        )
+    /// `K trial`, the one pair, and the inner products along the chord to `scale` times the trial.
+    fn respond(
+        &mut self,
+        operator: &mut dyn Compliance<T>,
+        scale: f64,
+        h: &[T],
+        level: f64,
+        now: &Memory,
+        state: &State<T>,
+    ) -> Products {
+        let (p, u, q) = (&state.pressure[..], &state.displacement[..], &self.trial[..]);
+        let before = if now.has_before { &self.before[..] } else { p }; // without one, d = 0
+        let sums = |from: usize, v: &[T]| {
+            let piece = from..from + v.len();
+            let [p, u, h, q, b] = [p, u, h, q, before].map(|x| &x[piece.clone()]);
+            passes::inner_products([p, u, h], level, [q, v], scale, b)
+        };
+        let sums = operator.apply_and_sum(q, &mut self.response, &sums, &mut self.partial);
+        Products::new(sums, if now.has_before { now.dkd } else { 0.0 })
     }
 
     /// Goes along the chord, or to the minimum over the chord and the step before.
-    fn advance(&mut self, kind: Kind, k: &Products, now: &mut Memory, state: &mut State<T>) {
+    fn advance(
+        &mut self,
+        kind: Kind,
+        k: &Products,
+        scale: f64,
+        now: &mut Memory,
+        h: &[T],
+        state: &mut State<T>,
+    ) {
         let theta = k.theta();
         if kind == Kind::Chord {
             now.a = if theta < FULL { theta } else { 1.0 };
             if theta > 1.0 && !k.has_dropped {
-                now.a = theta.min(passes::reach(&state.pressure, &self.trial).max(1.0));
+                now.a = theta.min(passes::reach(&state.pressure, &self.trial, scale).max(1.0));
             }
             now.tau = (now.tau * theta.clamp(0.7, 1.4)).clamp(TAU[0], TAU[1]);
         } else {
@@ -399,25 +456,50 @@ impl<T: Real> Chord<T> {
                 now.alpha = k.ss / k.sks; // Barzilai & Borwein (1988), doi:10.1093/imanum/8.1.141
             }
         }
-        let (p, u) = (&mut state.pressure, &mut state.displacement);
-        let plane = k.plane_minimum().filter(|_| now.has_before && kind == Kind::Chord);
-        let is_plane = plane.is_some_and(|b| {
-            passes::plane_point(p, &self.trial, b, &mut self.before, &mut self.partial)
-        });
-        if let (true, Some(b)) = (is_plane, plane) {
-            passes::combine(u, &self.response, b, &mut self.before_response);
+        // A node that the trial drops would keep a part of its load: then only the chord will do.
+        let is_searchable = now.has_before && kind == Kind::Chord && !k.has_dropped;
+        let plane = k.plane_minimum().filter(|_| is_searchable);
+        let step = plane.and_then(|b| Some((b, self.combine(scale, b, true, h, state)?)));
+        let (b, sums) = if let Some((b, sums)) = step {
             now.a = 1.0;
+            (b, Some(sums))
         } else if (now.a - 1.0).abs() < f64::EPSILON {
+            let fields = [&mut self.trial[..], &mut self.response[..]];
+            let sums = passes::settle(fields, scale, h, &mut self.partial);
             std::mem::swap(&mut self.before, &mut self.trial);
             std::mem::swap(&mut self.before_response, &mut self.response);
+            ([1.0, 0.0], Some(sums))
         } else {
-            passes::along_chord(p, &self.trial, now.a, &mut self.before);
-            passes::combine(u, &self.response, [now.a, 0.0], &mut self.before_response);
-        }
+            let b = [now.a, 0.0];
+            (b, self.combine(scale, b, false, h, state))
+        };
         // `before` holds the new iterate: exchange it with the old one.
-        std::mem::swap(p, &mut self.before);
-        std::mem::swap(u, &mut self.before_response);
+        std::mem::swap(&mut state.pressure, &mut self.before);
+        std::mem::swap(&mut state.displacement, &mut self.before_response);
         now.has_before = true;
+        now.dkd = k.curvature(b);
+        now.sums = sums;
+    }
+
+    /// `before = p + b1 s + b2 d`, see [`passes::combine`].
+    fn combine(
+        &mut self,
+        scale: f64,
+        b: [f64; 2],
+        must_fit: bool,
+        h: &[T],
+        state: &State<T>,
+    ) -> Option<[f64; 2]> {
+        passes::combine(
+            [&state.pressure, &state.displacement],
+            [&self.trial, &self.response],
+            scale,
+            b,
+            must_fit,
+            h,
+            [&mut self.before, &mut self.before_response],
+            &mut self.partial,
+        )
     }
 }
 
@@ -463,19 +545,16 @@ impl Memory {
     }
 }
 
-impl Products {
-    /// Where the energy is least along the chord.
-    fn theta(&self) -> f64 {
-        if self.sks > 0.0 { -self.gs / self.sks } else { 1.0 }
-    }
-
-    /// Where it is least over the plane of the chord and the step before, `[b1, b2]`.
-    fn plane_minimum(&self) -> Option<[f64; 2]> {
-        let determinant = self.sks * self.dkd - self.skd * self.skd;
-        let b1 = (self.gd * self.skd - self.gs * self.dkd) / determinant;
-        let b2 = (self.gs * self.skd - self.gd * self.sks) / determinant;
-        (determinant > 1e-6 * self.sks * self.dkd && b1 > 0.3).then_some([b1, b2])
-    }
+/// Room for a field in single precision until the displacement of the trial is computed: its place,
+/// or, if that holds the lead, the place of the step before the first.
+pub(crate) fn room<'a, T: Real>(
+    response: &'a mut [T],
+    before_response: &'a mut [T],
+    is_lead: bool,
+) -> &'a mut [f32] {
+    let free = if is_lead { before_response } else { response };
+    let n = free.len();
+    &mut T::as_single(free)[..n]
 }
 
 /// The constant pressure; its displacement is zero on a periodic half space. Returns the pairs.
@@ -526,8 +605,9 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
 
     /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive.
     fn suspects_full_contact(&mut self, problem: &Problem<T>, mean_pressure: f64) -> (bool, f64) {
-        passes::narrow(&problem.heights, problem.mean_height, &mut self.extended);
-        self.stiffness.apply(&self.extended, &mut self.residual);
+        let heights = room(&mut self.response, &mut self.before_response, false);
+        passes::narrow(&problem.heights, problem.mean_height, heights);
+        self.stiffness.apply(heights, &mut self.residual);
         let least = fields::min(&self.residual);
         (mean_pressure + least >= -0.1 * mean_pressure, self.stiffness.cost)
     }

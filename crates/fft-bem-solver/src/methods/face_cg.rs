@@ -1,7 +1,7 @@
 //! Conjugate gradients on the face of the nodes in contact, preconditioned by the cheap `S`: the
 //! last resort of the chord iteration.
 
-use super::chord::Chord;
+use super::chord::{Chord, room};
 use super::transfer::ON;
 use super::{Compliance, State};
 use crate::{Real, fields, projection};
@@ -21,10 +21,11 @@ pub(crate) fn step<T: Real>(
     let (p, u) = (&mut state.pressure, &mut state.displacement);
     let gap = |i: usize| (u[i] - h[i]).wide() - level;
     let mask = &mut work.mask;
+    let residual = room(&mut work.response, &mut work.before_response, false);
     for i in 0..n {
-        work.extended[i] = if mask[i] == ON { gap(i) as f32 } else { 0.0 };
+        residual[i] = if mask[i] == ON { gap(i) as f32 } else { 0.0 };
     }
-    work.stiffness.apply(&work.extended, &mut work.residual);
+    work.stiffness.apply(residual, &mut work.residual);
     let z = &mut work.residual;
     centre(mask, z);
     // A node without load that the step would pull on does not take part.

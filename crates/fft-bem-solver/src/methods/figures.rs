@@ -5,8 +5,8 @@
 //! ```
 //! writes `docs/src/figures/chord-fields.png`.
 
-use super::chord::Chord;
-use super::{ContactMethod, Start, State, Target, Task, passes};
+use super::chord::{self, Chord};
+use super::{ContactMethod, Start, State, Target, Task};
 use crate::HalfSpace;
 use crate::problem::{self, Problem};
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -50,28 +50,22 @@ fn draw_the_fields() {
     chord.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
 
     // The passes of the next iteration, one by one.
-    let (rows, p) = (chord.rows, &state.pressure);
-    let (_, found) = chord.look(h, 0.0, false, &state);
+    let p = &state.pressure;
+    let (_, found) = chord.look(h, None, 0.0, false, &state);
     let set = chord.mask.clone();
     let residual = chord.residual.clone();
-    let mean = chord.precondition(&found);
-    let extended = chord.extended.clone();
-    let step = chord.residual.clone();
-    passes::trial(
-        Some(p),
-        &chord.residual,
-        mean,
-        1.0,
-        &chord.mask,
-        rows,
-        N,
-        &chord.pyramid,
-        &mut chord.trial,
-        &mut chord.sweep,
-        &mut chord.partial,
-    );
-    let trial: Vec<f32> = chord.trial.iter().map(|p| *p as f32).collect();
-    assert!(chord.sweep_trial(&found, load));
+    let extended = chord::room(&mut chord.response, &mut chord.before_response, false).to_vec();
+    chord.precondition(false);
+    chord.make_trial(Some(p), 1.0, &found);
+    let shift = f64::from(chord.sweep.shift);
+    let trial: Vec<f32> = chord
+        .trial
+        .iter()
+        .zip(&set)
+        .map(|(p, m)| (if *m == 1 { p + shift } else { *p }) as f32)
+        .collect();
+    let step: Vec<f32> = p.iter().zip(&trial).map(|(p, t)| *p as f32 - t).collect();
+    assert!(chord.sweep_trial(&found, load).is_some());
     let swept: Vec<f32> = chord.trial.iter().map(|p| *p as f32).collect();
 
     let heights: Vec<f32> = h.iter().map(|h| *h as f32).collect();

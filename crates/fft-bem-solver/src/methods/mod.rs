@@ -39,6 +39,7 @@ mod transfer;
 use crate::problem::Problem;
 use crate::{Boundary, FreeHalfSpace, HalfSpace, Method, Real, SolverError};
 use contact_types::Grid;
+use passes::Partial;
 use std::ops::ControlFlow;
 
 pub(crate) use chord::Chord;
@@ -47,9 +48,21 @@ pub(crate) use polonsky_keer::PolonskyKeer;
 pub(crate) use stanley_kato::StanleyKato;
 
 /// `u = K p` and, where it is diagonal, its inverse.
-pub(crate) trait Compliance<T>: Send {
+pub(crate) trait Compliance<T: Real>: Send {
     /// `displacement = K pressure`.
     fn apply(&mut self, pressure: &[T], displacement: &mut [T]);
+    /// As [`apply`](Self::apply), and adds up what `sums(first pixel, piece)` makes of each finished
+    /// piece of the displacement, in order; `partial` is scratch.
+    fn apply_and_sum(
+        &mut self,
+        pressure: &[T],
+        displacement: &mut [T],
+        sums: &(dyn Fn(usize, &[T]) -> Partial + Sync),
+        partial: &mut [Partial],
+    ) -> Partial {
+        self.apply(pressure, displacement);
+        passes::sums(displacement, sums, partial)
+    }
     /// Replaces `w` by `B w`, where `<w, B w> >= <w, K^-1 w>`; periodic: `B = K^-1` on fields of mean
     /// zero. False, and nothing done, if there is no such `B` that costs one pair.
     fn invert(&mut self, field: &mut [T]) -> bool;
@@ -60,6 +73,17 @@ pub(crate) trait Compliance<T>: Send {
 impl<T: Real> Compliance<T> for HalfSpace<T> {
     fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
         self.displacement(pressure, displacement);
+    }
+    fn apply_and_sum(
+        &mut self,
+        pressure: &[T],
+        displacement: &mut [T],
+        sums: &(dyn Fn(usize, &[T]) -> Partial + Sync),
+        partial: &mut [Partial],
+    ) -> Partial {
+        let partial = &mut partial[..Self::pieces(self.grid().shape())];
+        self.displacement_with(pressure, displacement, sums, partial);
+        passes::total(partial)
     }
     fn invert(&mut self, field: &mut [T]) -> bool {
         self.press(field).is_ok()
@@ -164,7 +188,7 @@ pub(crate) struct Outcome {
 }
 
 /// One way of solving the contact problem.
-pub(crate) trait ContactMethod<T>: Send {
+pub(crate) trait ContactMethod<T: Real>: Send {
     /// Solves the task, see the module documentation.
     fn solve(
         &mut self,

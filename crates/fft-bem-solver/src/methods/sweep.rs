@@ -26,7 +26,9 @@ const DROPPED: u8 = 3;
 pub(crate) struct Sweep {
     /// Smallest trial pressure below each cell of the first level.
     pub(crate) smallest: Vec<f32>,
-    /// What the sweeps have added to each node below a cell.
+    /// What belongs to the step but is not in the trial: a constant on the contact.
+    pub(crate) shift: f32,
+    /// What is added to each node below a cell: the shift, and what the sweeps hand on.
     pub(crate) added: Vec<f32>,
     /// For each row of cells, the last mark set below it.
     marks: Vec<u8>,
@@ -39,11 +41,12 @@ impl Sweep {
     pub(crate) fn new(first: Option<&Level>) -> Self {
         let Some(level) = first else {
             let (smallest, added, marks, found) = (vec![], vec![], vec![], vec![]);
-            return Self { smallest, added, marks, found };
+            return Self { smallest, shift: 0.0, added, marks, found };
         };
         let [my, mx] = level.transfer.coarse;
         Self {
             smallest: vec![0.0; my * mx],
+            shift: 0.0,
             added: vec![0.0; my * mx],
             marks: vec![0; my],
             found: vec![(0.0, 0); my.div_ceil(level.rows_per_task())],
@@ -65,10 +68,10 @@ impl Sweep {
         if pyramid.levels.is_empty() {
             return; // up to 4 x 4 pixels: E^T is the restriction to the contact
         }
-        self.added.fill(0.0);
+        self.added.fill(self.shift);
         if has_released {
             self.marks.fill(RELEASED); // they can be anywhere
-            self.spread(pyramid, trial, mask, RELEASED);
+            self.spread(pyramid, trial, mask, RELEASED, -self.shift); // they have no part in it
         }
         let mut left = active;
         for round in 0..ROUNDS {
@@ -79,7 +82,7 @@ impl Sweep {
             left -= count;
             self.drop_negative(pyramid, trial, mask, DROPPED + round);
             pyramid.reweigh_above();
-            self.spread(pyramid, trial, mask, DROPPED + round);
+            self.spread(pyramid, trial, mask, DROPPED + round, 0.0);
         }
     }
 
@@ -158,8 +161,15 @@ impl Sweep {
             );
     }
 
-    /// `added += E^T` of the load on the nodes with this mark.
-    fn spread<T: Real>(&mut self, pyramid: &mut Pyramid, trial: &[T], mask: &[u8], mark: u8) {
+    /// `added += E^T` of the load on the nodes with this mark, `trial + added + shift`.
+    fn spread<T: Real>(
+        &mut self,
+        pyramid: &mut Pyramid,
+        trial: &[T],
+        mask: &[u8],
+        mark: u8,
+        shift: f32,
+    ) {
         let level = &mut pyramid.levels[0];
         let (t, rows) = (level.transfer, level.rows_per_task());
         let (nx, [my, mx]) = (t.fine[1], t.coarse);
@@ -185,7 +195,8 @@ impl Sweep {
                             for (i, _) in block.iter().enumerate().filter(|b| *b.1 == mark) {
                                 let i = 16 * k + i;
                                 let column = if t.halved[1] { (ix + i) >> 1 } else { ix + i };
-                                line[i] += factor * (p[i].wide() as f32 + above[column]);
+                                let load = p[i].wide() as f32 + (above[column] + shift);
+                                line[i] += factor * load;
                             }
                         }
                     }

@@ -222,6 +222,20 @@ impl Transfer {
         }
     }
 
+    /// Adds the transpose of `down` to part of fine row `i`, from the even column `ix` on.
+    pub(crate) fn add_down_transposed(
+        &self,
+        i: usize,
+        ix: usize,
+        coarse: &[f32],
+        fine: &mut [f32],
+    ) {
+        let mx = self.coarse[1];
+        let above = &coarse[self.parent(i) * mx..][..mx];
+        let first = if self.halved[1] { ix / 2 } else { ix };
+        self.add_down_transposed_row(i, &above[first..], fine);
+    }
+
     /// Adds row `i` of the transpose of `down` to a fine row.
     pub(crate) fn add_down_transposed_row(&self, i: usize, coarse_row: &[f32], fine: &mut [f32]) {
         let share = self.share(0, i);

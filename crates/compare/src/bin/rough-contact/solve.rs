@@ -12,8 +12,11 @@ use compare::budget::{Budget, Map, Stiffness, grid};
 use compare::plan::Request;
 use compare::{LevelName, MethodName, PrecisionName};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Boundary, Load, NoAreaInterval, Precision, Solution, Solver, SolverError};
+use fft_bem_solver::{
+    Boundary, Iteration, Load, Maps, NoAreaInterval, Precision, Solution, Solver, SolverError,
+};
 use serde_json::{Value, json};
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 #[derive(Args)]
@@ -127,15 +130,28 @@ impl Solve {
             .tolerance(self.tolerance)
             .threads(common.threads())
             .certified(self.certify)
+            // The budget of errors looks at the pressure.
+            .maps(if work.maps.is_some() { Maps::PressureAndGap } else { Maps::Pressure })
             .build(surface.grid(), modulus)
             .map_err(|e| Failure::from_error(&e))?;
 
         let map = Map::of(&surface).map_err(|e| Failure::in_file(&self.input.file, &e))?;
+        // Only the stiffness needs the map again.
+        let (kept, taken) = if self.stiffness {
+            (Some(surface), Ok(()))
+        } else {
+            (None, solver.take_surface(surface))
+        };
+        let mut watch = |_: &Iteration<'_>| ControlFlow::Continue(());
         // Rising load, each solution the start of the next.
         for index in rising(&loads) {
             progress.working_on(&shown(loads[index]));
-            let result = solver.solve(&surface, loads[index]);
-            let budget = self.budget(&result, &mut solver, &surface, &map);
+            let result = match (&kept, &taken) {
+                (Some(surface), _) => solver.solve(surface, loads[index]),
+                (None, Ok(())) => solver.solve_again(loads[index], &mut watch),
+                (None, Err(error)) => Err(error.clone()),
+            };
+            let budget = self.budget(&result, &mut solver, kept.as_ref(), &map);
             work.take(index, loads[index], &result, budget);
             progress.step(&shown(loads[index]));
         }
@@ -151,7 +167,7 @@ impl Solve {
         &self,
         result: &Result<Solution, SolverError>,
         solver: &mut Solver,
-        surface: &HeightMap,
+        surface: Option<&HeightMap>,
         map: &Map,
     ) -> Option<Budget> {
         let solution = match result {
@@ -162,9 +178,7 @@ impl Solve {
             }
         };
         let budget = Budget::of(solution, map);
-        if !self.stiffness {
-            return Some(budget);
-        }
+        let Some(surface) = surface else { return Some(budget) };
         // Loads beside one that was solved are no reason to fail: without them there is no number.
         let near = Stiffness::near(solver, surface, map, solution.state.mean_pressure);
         Some(match near {
