@@ -96,8 +96,9 @@ impl Level {
                 {
                     let pair = pairs.next().expect("a coarse row has children");
                     t.down_weight_row([&pair[..nx], &pair[pair.len() - nx..]], weight);
+                    let share = if t.lacks_row(pair.len() / nx) { 0.5 } else { 1.0 };
                     for (w, d) in weight.iter_mut().zip(inverse) {
-                        (*w, *d) = capacity.of(*w);
+                        (*w, *d) = capacity.of(share * *w);
                     }
                 }
             });
@@ -187,9 +188,10 @@ pub(crate) fn pull_rows<W: Weight>(
         // Two rows, or the single one twice.
         let last = w.len() - nx;
         t.down_row([&w[..nx], &w[last..]], [&v[..nx], &v[last..]], weight, value);
+        let share = if t.lacks_row(w.len() / nx) { 0.5 } else { 1.0 };
         for ((w, d), v) in weight.iter_mut().zip(inverse).zip(value) {
-            (*w, *d) = capacity.of(*w);
-            *v *= *d;
+            (*w, *d) = capacity.of(share * *w);
+            *v *= share * *d;
         }
     }
 }

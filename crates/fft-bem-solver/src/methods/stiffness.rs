@@ -69,7 +69,7 @@ impl Stiffness {
         });
         let radius =
             [0, 1].map(|a| if shape[a] < SHORTEST { 2.min(shape[a] / 2) } else { factor[a] / 2 });
-        let coarse = [0, 1].map(|a| shape[a].div_ceil(factor[a]));
+        let coarse = [0, 1].map(|a| cells(shape[a], factor[a]));
         let transform = Convolution::new(coarse);
         let is_exact = factor == [1, 1];
         let taps = if is_exact { Default::default() } else { stencil(shape, pixel, radius) };
@@ -142,49 +142,51 @@ impl Stiffness {
         let ([_, nx], [fy, fx]) = (self.shape, self.factor);
         let cx = self.transform.shape()[1];
         let [share_y, share_x] = &self.shares;
+        let cy = self.transform.shape()[0];
         let rows = (TASK / (fy * nx)).max(1);
-        self.mean.par_chunks_mut(rows * cx).zip(x.par_chunks(rows * fy * nx)).enumerate().for_each(
-            |(task, (mean, x))| {
-                for (r, (mean, x)) in mean.chunks_exact_mut(cx).zip(x.chunks(fy * nx)).enumerate() {
-                    mean.fill(0.0);
-                    let first = (task * rows + r) * fy;
-                    for (i, x) in x.chunks_exact(nx).enumerate() {
-                        let share = share_y[first + i];
-                        // All full cells have equal shares; the last may not.
-                        let full = nx / fx * fx;
-                        if fx == 4 {
-                            for (m, x) in mean.iter_mut().zip(x.as_chunks::<4>().0) {
-                                *m += 0.25 * share * ((x[0] + x[1]) + (x[2] + x[3]));
-                            }
-                        } else {
-                            let weight = share / fx as f32;
-                            for (m, x) in mean.iter_mut().zip(x.chunks_exact(fx)) {
-                                *m += weight * x.iter().sum::<f32>();
-                            }
+        self.mean.par_chunks_mut(rows * cx).enumerate().for_each(|(task, mean)| {
+            for (r, mean) in mean.chunks_exact_mut(cx).enumerate() {
+                mean.fill(0.0);
+                let j = task * rows + r;
+                let last = if j + 1 == cy { share_y.len() } else { (j + 1) * fy };
+                for i in j * fy..last {
+                    let (share, x) = (share_y[i], &x[i * nx..(i + 1) * nx]);
+                    // All cells but the last are full and have equal shares.
+                    let (regular, end) = mean.split_at_mut(cx - 1);
+                    if fx == 4 {
+                        for (m, x) in regular.iter_mut().zip(x.as_chunks::<4>().0) {
+                            *m += 0.25 * share * ((x[0] + x[1]) + (x[2] + x[3]));
                         }
-                        if full < nx {
-                            let rest = x[full..].iter().zip(&share_x[full..]);
-                            mean[cx - 1] += share * rest.map(|(x, w)| x * w).sum::<f32>();
+                    } else {
+                        let weight = share / fx as f32;
+                        for (m, x) in regular.iter_mut().zip(x.chunks_exact(fx)) {
+                            *m += weight * x.iter().sum::<f32>();
                         }
                     }
+                    let begin = (cx - 1) * fx;
+                    let tail = x[begin..].iter().zip(&share_x[begin..]);
+                    end[0] += share * tail.map(|(x, w)| x * w).sum::<f32>();
                 }
-            },
-        );
+            }
+        });
     }
 
     /// `y = stencil * x + replicate(smooth)`.
     fn stencil_and_smooth(&self, x: &[f32], y: &mut [f32]) {
         let ([ny, nx], [fy, fx], [ry, rx]) = (self.shape, self.factor, self.radius);
-        let cx = self.transform.shape()[1];
+        let [cy, cx] = self.transform.shape();
         let row = |i: usize| &x[i * nx..(i + 1) * nx];
         let rows = (TASK / nx).max(1);
         y.par_chunks_mut(rows * nx).enumerate().for_each(|(task, y)| {
             let mut line = [0.0_f32; TILE + 2 * MAX_RADIUS];
             for (r, y) in y.chunks_exact_mut(nx).enumerate() {
                 let i = task * rows + r;
-                let smooth = &self.smooth[i / fy * cx..][..cx];
+                let smooth = &self.smooth[(i / fy).min(cy - 1) * cx..][..cx];
                 for (y, s) in y.chunks_mut(fx).zip(smooth) {
                     y.fill(*s);
+                }
+                if cx * fx < nx {
+                    y[cx * fx..].fill(smooth[cx - 1]);
                 }
                 for dy in 0..=ry {
                     let (above, below) = (row((i + ny - dy) % ny), row((i + dy) % ny));
@@ -289,22 +291,17 @@ fn block_response(phase: [f64; 2], factor: [usize; 2]) -> f64 {
     response
 }
 
-/// Weight of each of `n` pixels in its cell of `factor` pixels: repeated means of two, where the
-/// last may stand alone.
+/// Number of cells of `factor` pixels along `n`: the last has as many as are left, but one pixel
+/// that is left over of four belongs to the cell before.
+fn cells(n: usize, factor: usize) -> usize {
+    if 2 * (n % factor) < factor { n / factor } else { n.div_ceil(factor) }
+}
+
+/// Weight of each of `n` pixels in the mean of its cell.
 fn shares(n: usize, factor: usize) -> Vec<f32> {
-    let mut shares = vec![1.0; n];
-    let (mut width, mut count) = (1, n); // pixels per entry and number of entries so far
-    while width < factor {
-        let singles = if count % 2 == 1 { count - 1 } else { count };
-        for (i, share) in shares.iter_mut().enumerate() {
-            if i / width < singles {
-                *share *= 0.5;
-            }
-        }
-        width *= 2;
-        count = count.div_ceil(2);
-    }
-    shares
+    let begin = (cells(n, factor) - 1) * factor; // of the last cell
+    let share = |i: usize| if i < begin { factor } else { n - begin };
+    (0..n).map(|i| 1.0 / share(i) as f32).collect()
 }
 
 #[cfg(test)]
@@ -348,13 +345,26 @@ mod tests {
         }
     }
 
+    /// A constant has no stiffness, whatever is left over at the edges.
+    #[test]
+    fn a_constant_has_no_stiffness() {
+        for shape in [[64, 65], [66, 67], [17, 18], [19, 21], [1, 33], [5, 29], [33, 8]] {
+            for pixel in [[1.0, 1.0], [1.0, 2.0], [4.0, 1.0]] {
+                let mut s = Stiffness::new(shape, pixel);
+                let mut y = vec![f32::NAN; shape[0] * shape[1]];
+                s.apply(&vec![1.0; y.len()], &mut y);
+                assert!(y.iter().all(|y| y.abs() < 1e-5), "{shape:?} {pixel:?}");
+            }
+        }
+    }
+
     #[test]
     fn shares_of_a_cell_sum_to_one() {
         for n in 1..40 {
-            for factor in [1, 2, 4] {
-                for cell in shares(n, factor).chunks(factor) {
-                    assert!((cell.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{n} {factor}");
-                }
+            for factor in [1, 2, 4].into_iter().filter(|f| *f <= n) {
+                let (shares, cells) = (shares(n, factor), cells(n, factor));
+                let sum: f32 = shares.iter().sum();
+                assert!((sum - cells as f32).abs() < 1e-4, "{n} {factor}");
             }
         }
     }

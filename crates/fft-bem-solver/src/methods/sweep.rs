@@ -140,10 +140,9 @@ impl Sweep {
                         if smallest[c] + added[c] < 0.0 {
                             marks[c / mx] = mark;
                             let mut rest = f32::INFINITY;
-                            let (mut nodes, mut filled) = (0.0, 0.0);
+                            let mut filled = 0.0;
                             for node in nodes_below(&t, task * rows + c / mx, c % mx) {
                                 let i = node - origin;
-                                nodes += 1.0;
                                 if mask[i] == ON {
                                     if trial[i].wide() + f64::from(added[c]) < 0.0 {
                                         mask[i] = mark;
@@ -154,7 +153,7 @@ impl Sweep {
                                 }
                             }
                             smallest[c] = rest;
-                            (weight[c], inverse[c]) = capacity.of(filled / nodes);
+                            (weight[c], inverse[c]) = capacity.of(filled * t.node_share());
                         }
                     }
                 },
@@ -205,7 +204,6 @@ impl Sweep {
         });
         pyramid.restrict_above();
         let level = &pyramid.levels[0];
-        // down^T hands each node the same share of its cell, but for single rows and columns.
         let share = level.transfer.node_share();
         self.added.par_chunks_mut(rows * mx).zip(level.value.par_chunks(rows * mx)).for_each(
             |(added, value)| {
@@ -214,9 +212,6 @@ impl Sweep {
                 }
             },
         );
-        level.transfer.for_single_cells(|cell, extra| {
-            self.added[cell] += (extra - 1.0) * share * level.value[cell];
-        });
     }
 }
 

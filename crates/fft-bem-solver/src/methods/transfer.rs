@@ -1,8 +1,10 @@
 //! Transfer of fields between a grid and the grid with one or both axes halved, row by row.
 //!
-//! A coarse cell has two children along a halved axis, but for the last one of an odd axis, which
-//! has a single child. Four linear maps are needed: the mean of the children (`down`), cell-centred
-//! linear interpolation with periodic wrap (`up`), and the transposes of both.
+//! A coarse cell has two children along a halved axis, but for the last one of an odd axis, whose
+//! second child is missing and counts as empty. Four linear maps are needed: half the sum of the
+//! children (`down`), cell-centred linear interpolation with periodic wrap (`up`), and the transposes
+//! of both. (If a single child counted for a whole cell, the seam of an odd grid would be a line of
+//! pixels that catches the load of cells as wide as the coarsest, and be slow to settle.)
 
 /// Columns of the coarse grid handled at a time, so that lines fit the stack.
 const TILE: usize = 256;
@@ -56,38 +58,18 @@ impl Transfer {
         if self.halved[0] { i / 2 } else { i }
     }
 
-    /// Share of its parent that a fine row or column holds: a half, or all of it.
-    fn share(&self, axis: usize, i: usize) -> f32 {
-        let n = self.fine[axis];
-        let is_single = n % 2 == 1 && i + 1 == n;
-        if self.halved[axis] && !is_single { 0.5 } else { 1.0 }
+    /// Whether only the first of the rows of a coarse row exists, if `rows` of them are left.
+    pub(crate) fn lacks_row(&self, rows: usize) -> bool {
+        self.halved[0] && rows == 1
     }
 
-    /// Share of its cell that `down^T` hands to each node, but for the cells of
-    /// [`for_single_cells`](Self::for_single_cells).
+    /// Share of its cell that `down^T` hands to each node.
     pub(crate) fn node_share(&self) -> f32 {
         self.halved.iter().map(|&h| if h { 0.5 } else { 1.0 }).product()
     }
 
-    /// Calls `cell(index, factor)` for every cell with fewer children than the others: those of
-    /// the last row or column of an odd axis, whose nodes get `factor` times the usual share.
-    pub(crate) fn for_single_cells(&self, mut cell: impl FnMut(usize, f32)) {
-        let [my, mx] = self.coarse;
-        let single = |axis: usize| self.halved[axis] && self.fine[axis] % 2 == 1;
-        let factor = |axis: usize, j: usize| {
-            if single(axis) && j + 1 == self.coarse[axis] { 2.0 } else { 1.0 }
-        };
-        if single(1) {
-            (0..my).for_each(|j| cell(j * mx + mx - 1, 2.0 * factor(0, j)));
-        }
-        if single(0) {
-            let rest = if single(1) { mx - 1 } else { mx };
-            (0..rest).for_each(|c| cell((my - 1) * mx + c, 2.0));
-        }
-    }
-
-    /// One row of `down(w)` and of `down(w v)`: means over the children. `w` and `v` are the two
-    /// rows of [`children`](Self::children).
+    /// One row of `down(w)` and of `down(w v)`. `w` and `v` are the two rows of
+    /// [`children`](Self::children); where the second is missing, the result is to be halved.
     pub(crate) fn down_row<W: Weight>(
         &self,
         w: [&[W]; 2],
@@ -116,11 +98,12 @@ impl Transfer {
                 0.25 * ((a[0] * va[j][0] + a[1] * va[j][1]) + (b[0] * vb[j][0] + b[1] * vb[j][1]));
         }
         if self.fine[1] % 2 == 1 {
-            (mass[pairs], value[pairs]) = cell(2 * pairs);
+            let (m, s) = cell(2 * pairs); // half of its cell
+            (mass[pairs], value[pairs]) = (0.5 * m, 0.5 * s);
         }
     }
 
-    /// One row of `down(w)`.
+    /// One row of `down(w)`, likewise.
     pub(crate) fn down_weight_row(&self, w: [&[f32]; 2], mass: &mut [f32]) {
         let cell = |i: usize| 0.5 * (w[0][i] + w[1][i]);
         if !self.halved[1] {
@@ -135,7 +118,7 @@ impl Transfer {
             *m = 0.25 * ((a[0] + a[1]) + (b[0] + b[1]));
         }
         if self.fine[1] % 2 == 1 {
-            mass[pairs] = cell(2 * pairs);
+            mass[pairs] = 0.5 * cell(2 * pairs);
         }
     }
 
@@ -238,7 +221,7 @@ impl Transfer {
 
     /// Adds row `i` of the transpose of `down` to a fine row.
     pub(crate) fn add_down_transposed_row(&self, i: usize, coarse_row: &[f32], fine: &mut [f32]) {
-        let share = self.share(0, i);
+        let share = if self.halved[0] { 0.5 } else { 1.0 };
         if !self.halved[1] {
             for (x, c) in fine.iter_mut().zip(coarse_row) {
                 *x += share * c;
@@ -252,7 +235,7 @@ impl Transfer {
             x[1] += half * c;
         }
         if let ([x], Some(c)) = (single, coarse_row.last()) {
-            *x += share * c;
+            *x += half * c;
         }
     }
 }
@@ -274,8 +257,11 @@ mod tests {
             let rows = t.children(j).map(|i| &fine[i * nx..(i + 1) * nx]);
             let (mut mass, mut value) = (vec![0.0; t.coarse[1]], vec![0.0; t.coarse[1]]);
             t.down_row([&ones[..], &ones[..]], rows, &mut mass, &mut value);
-            assert!(mass.iter().all(|m| (m - 1.0).abs() < 1e-6));
-            out.extend(value);
+            let share = if t.halved[0] && 2 * j + 1 == t.fine[0] { 0.5 } else { 1.0 };
+            let is_cut = |c: usize| t.halved[1] && 2 * c + 1 == nx;
+            let expected = |c: usize| if is_cut(c) { 0.5 } else { 1.0 };
+            assert!(mass.iter().enumerate().all(|(c, m)| (m - expected(c)).abs() < 1e-6));
+            out.extend(value.iter().map(|v| share * v));
         }
         out
     }
@@ -322,7 +308,7 @@ mod tests {
 
     proptest! {
         /// `<down x, y> = <x, down^T y>` and `<up y, x> = <y, up^T x>`; a constant stays a
-        /// constant under both. Odd and even sides, single rows, lines longer than a tile.
+        /// constant under `up`. Odd and even sides, single rows, lines longer than a tile.
         #[test]
         fn transposes_are_transposes(
             ny in 1usize..12, nx in prop_oneof![1usize..12, 500usize..1100],
@@ -335,9 +321,10 @@ mod tests {
             let size = 1e-6 * (ny * nx) as f64;
             prop_assert!((dot(&down(&t, &x), &y) - dot(&x, &down_transposed(&t, &y))).abs() < size);
             prop_assert!((dot(&up(&t, &y), &x) - dot(&y, &up_transposed(&t, &x))).abs() < size);
-            for v in up(&t, &vec![1.0; n]).iter().chain(&down(&t, &vec![1.0; ny * nx])) {
-                prop_assert!((v - 1.0).abs() < 1e-6);
-            }
+            prop_assert!(up(&t, &vec![1.0; n]).iter().all(|v| (v - 1.0).abs() < 1e-6));
+            // A node is handed the same share whether its sibling exists or not.
+            let share = t.node_share();
+            prop_assert!(down_transposed(&t, &vec![1.0; n]).iter().all(|v| (v - share).abs() < 1e-6));
         }
     }
 
