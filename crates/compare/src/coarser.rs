@@ -1,12 +1,13 @@
 //! The headline load once more on coarser grids: what a cheaper deterministic answer would have
 //! cost in accuracy. Asked for when a report is written; a study alone does not need it.
 
+use crate::plan::repeats;
 use crate::result::{Comparison, SurfaceComparison};
 use crate::study::builder;
 use contact_types::{ContactModulus, HeightMap, SurfaceError};
 use fft_bem_solver::Load;
 use surface_stats::Boundary;
-use surface_stats::clean::resample;
+use surface_stats::clean::{resample, resample_mirrored};
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
@@ -15,8 +16,8 @@ pub const COARSER: [usize; 3] = [2, 4, 8];
 /// Points along the shorter side below which a grid is not tried.
 const FEWEST_POINTS: usize = 16;
 
-/// The map on fewer points: its waves up to the shortest the coarse grid holds, the others
-/// dropped; solved from nothing, to the tolerance of the study.
+/// The map on fewer points: its waves up to the shortest the coarse grid holds (its cosines if it
+/// does not repeat), the others dropped; solved from nothing, to the tolerance of the study.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coarser {
     /// Point spacing over that of the map.
@@ -71,13 +72,18 @@ fn solve(
     })
 }
 
-/// The map on `1/factor` as many points a side; `None` if too few are left.
+/// The map on `1/factor` as many points a side, by its waves if it repeats and by its cosines
+/// otherwise, so that the jump at its edges does not ring; `None` if too few points are left.
 fn coarsened(map: &HeightMap, factor: usize) -> Option<HeightMap> {
     let shape = map.grid().shape().map(|n| n / factor);
     if shape.into_iter().any(|n| n < FEWEST_POINTS) {
         return None;
     }
-    resample(map, shape, Boundary::Periodic).ok()
+    if repeats(map) {
+        resample(map, shape, Boundary::Periodic).ok()
+    } else {
+        resample_mirrored(map, shape).ok()
+    }
 }
 
 #[cfg(test)]

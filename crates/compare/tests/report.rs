@@ -360,6 +360,12 @@ fn coarser_grids_are_drawn_and_listed_where_they_were_solved() {
         assert!((grid["area_error"].as_f64().unwrap() - (area / truth - 1.0)).abs() < 1e-12);
     }
     assert!(page.contains("1/2 to 1/4 as many points a side"));
+    // The headline names a grid only if it is within 10 %, with points in the order x, y.
+    let near = listed.iter().take_while(|g| g["area_error"].as_f64().unwrap().abs() <= 0.1).last();
+    match near.map(|g| g["shape"].clone()) {
+        Some(shape) => assert!(page.contains(&format!("{} × {} points (", shape[1], shape[0]))),
+        None => assert!(!page.contains("Cheapest grid")),
+    }
 
     let page = html(three());
     assert!(!page.contains("½ grid") && !page.contains("as many points a side"));

@@ -46,7 +46,7 @@ pub(super) fn sentence(surface: &SurfaceComparison, full_seconds: f64) -> String
     };
     let [ny, nx] = grid.shape;
     format!(
-        " Cheapest grid within 10{SPACE}%: the map on {ny} × {nx} points ({}), {}, {} times faster.",
+        " Cheapest grid within 10{SPACE}%: the map on {nx} × {ny} points ({}), {}, {} times faster.",
         signed_percent(grid.error),
         duration(grid.seconds),
         times(full_seconds / grid.seconds)

@@ -134,7 +134,6 @@ pub(super) fn recommendation(surface: &SurfaceComparison) -> String {
             duration(nearest.seconds)
         ));
     }
-    text.push_str(&coarser::sentence(surface, answer.seconds));
     let best = cheapest.unwrap_or(nearest);
     if best.model.verdict.answer == Applies::Caution && best.model.verdict.at_every_load {
         text.push_str(&format!(
@@ -142,6 +141,7 @@ pub(super) fn recommendation(surface: &SurfaceComparison) -> String {
             best.model.verdict.reason.trim_end_matches('.')
         ));
     }
+    text.push_str(&coarser::sentence(surface, answer.seconds));
     text
 }
 
