@@ -64,7 +64,7 @@ fn duration(ns: f64) -> String {
 }
 
 /// Where the numbers come from.
-fn machine() -> Result<String, String> {
+pub(crate) fn machine() -> Result<String, String> {
     let cpu = std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| {
         let line = text.lines().find(|l| l.starts_with("model name"))?;
         Some(line.split_once(':')?.1.trim().to_owned())

@@ -1,4 +1,5 @@
-//! Tables of the book that repeat what the code knows: models and formats.
+//! Tables of the book that repeat what the code knows: models and formats; and the page drawn
+//! from the measurements of cost.
 
 use crate::TaskResult;
 use crate::generated::{check_flag, keep_section};
@@ -12,7 +13,8 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let models = list("model")?;
     keep_section("docs/src/models.md", "models", &model_table(&models), check)?;
     let formats = list("info")?;
-    keep_section("docs/src/formats.md", "formats", &format_table(&formats), check)
+    keep_section("docs/src/formats.md", "formats", &format_table(&formats), check)?;
+    crate::tradeoff::redraw(check)
 }
 
 /// What `rough-contact COMMAND --list --json` prints.

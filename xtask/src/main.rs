@@ -16,6 +16,7 @@ mod shell;
 mod surfaces;
 mod survey;
 mod tidy;
+mod tradeoff;
 mod validate;
 
 use std::process::ExitCode;
@@ -41,6 +42,9 @@ Usage: cargo xtask <task> [options]
                             slopes; table, figures, page (half an hour, resumable)
   budget [--check]          how often the stated error bars held; tables, figure, page
                             (half an hour, resumable)
+  tradeoff [--quick | --figures-only | --check | --methods]
+                            time against true error, models and solver; table, figures, page
+                            (under 10 minutes; wants a quiet machine)
   tidy                      layers, citations, pages, file lengths, dependency counts
   ci [--slow]               everything a change must pass, as the CI runs it
 
@@ -68,6 +72,7 @@ fn main() -> ExitCode {
         "surfaces" => surfaces::run(rest),
         "survey" => survey::run(rest),
         "kappa" => kappa::run(rest),
+        "tradeoff" => tradeoff::run(rest),
         "tidy" => tidy::run(rest),
         "ci" => ci::run(rest),
         "help" | "--help" | "-h" => {

@@ -24,6 +24,7 @@ mod spots;
 mod study;
 mod surface;
 pub mod survey;
+pub mod tradeoff;
 mod verdict;
 
 pub use budget::{Budget, Estimate};

@@ -5,6 +5,7 @@ use super::labels::place_near;
 use super::numbers::{SPACE, percent};
 use super::palette::{BAND, DETERMINISTIC_LOOK, INK2, LINE, Look};
 use super::svg::{COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
+use crate::tradeoff::front;
 
 /// One way to an answer.
 #[derive(Debug, Clone)]
@@ -19,29 +20,6 @@ pub(super) struct Route {
     pub error: f64,
     /// Bold label.
     pub bold: bool,
-}
-
-/// The front of routes that no other beats in both time and error, from fast to accurate. It
-/// stops at the first route within `floor`, the reference's own uncertainty: below that errors
-/// cannot be ranked.
-pub(super) fn front(routes: &[Route], floor: f64) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..routes.len()).collect();
-    order.sort_by(|&a, &b| {
-        routes[a]
-            .seconds
-            .total_cmp(&routes[b].seconds)
-            .then(routes[a].error.total_cmp(&routes[b].error))
-    });
-    let mut front: Vec<usize> = Vec::new();
-    for i in order {
-        if front.last().is_none_or(|&last| routes[i].error < routes[last].error) {
-            front.push(i);
-            if routes[i].error <= floor {
-                break;
-            }
-        }
-    }
-    front
 }
 
 /// Error against time per load. `floor` is the uncertainty of the reference; `None` if it has
@@ -84,7 +62,8 @@ pub(super) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
         let y = frame.y.at((100.0 * r.error).max(lo / 2.5));
         [frame.x.at(r.seconds.max(fastest / 3.0)), y]
     };
-    let steps: Vec<[f64; 2]> = front(routes, floor.unwrap_or(0.0))
+    let costs: Vec<[f64; 2]> = routes.iter().map(|r| [r.seconds, r.error]).collect();
+    let steps: Vec<[f64; 2]> = front(&costs, floor.unwrap_or(0.0))
         .windows(2)
         .flat_map(|w| {
             let (a, b) = (place(&routes[w[0]]), place(&routes[w[1]]));
@@ -129,7 +108,7 @@ pub(super) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
 }
 
 /// "10 ns", "1 µs", "0.1 ms", "1 s", "100 s".
-fn time_tick(seconds: f64) -> String {
+pub(super) fn time_tick(seconds: f64) -> String {
     let (scale, unit) = match seconds {
         s if s < 0.5e-6 => (1e-9, "ns"),
         s if s < 0.5e-4 => (1e-6, "µs"),
@@ -153,23 +132,6 @@ pub(super) fn deterministic(seconds: f64, uncertainty: f64) -> Route {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn route(seconds: f64, error: f64) -> Route {
-        Route { seconds, error, ..deterministic(1.0, 1.0) }
-    }
-
-    #[test]
-    fn front_is_not_beaten_and_stops_at_the_floor() {
-        let routes = [
-            route(1e-8, 3.0),
-            route(1e-6, 0.2),
-            route(1e-5, 0.3),
-            route(1e-3, 0.008),
-            route(1.0, 0.001),
-        ];
-        assert_eq!(front(&routes, 0.0), [0, 1, 3, 4]);
-        assert_eq!(front(&routes, 0.01), [0, 1, 3]);
-    }
 
     #[test]
     fn time_ticks_read_well() {

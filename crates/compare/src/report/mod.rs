@@ -36,6 +36,7 @@ mod surface_figures;
 mod survey_figures;
 mod svg;
 mod tables;
+mod tradeoff_figures;
 mod words;
 
 pub use accuracy_figure::write_accuracy;
@@ -55,6 +56,7 @@ pub use palette::{
 };
 pub use panels::{write_area_svg, write_pressure_svg};
 pub use survey_figures::{write_survey_map, write_survey_slopes};
+pub use tradeoff_figures::{write_tradeoff_area, write_tradeoff_pressure};
 
 use std::time::{SystemTime, UNIX_EPOCH};
 

@@ -74,6 +74,8 @@ pub(super) const COLOURS: [Colour; 15] = [
 pub enum Marker {
     /// Filled dot.
     Dot,
+    /// Open circle.
+    Ring,
     /// Open square.
     Square,
     /// Open triangle, point up.

@@ -7,6 +7,7 @@ use super::palette::{DETERMINISTIC, INK, INK2, LINE, Look, Marker};
 use super::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use crate::models::find;
 use crate::survey::{Family, Row, Survey};
+use crate::tradeoff::median;
 use std::io::{self, Write};
 
 /// Lower ends of the bins of bandwidth; the last is open.
@@ -15,14 +16,6 @@ const BANDWIDTHS: [f64; 5] = [1.5, 4.0, 8.0, 16.0, 32.0];
 const MODELS: [&str; 4] = ["gw", "bgt", "greenwood-elliptical", "persson"];
 /// Load of the scatter figure.
 const LIGHT: f64 = 0.01;
-
-/// Median of a list; `None` if it is empty.
-pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    let middle = *values.get(n / 2)?;
-    Some(if n.is_multiple_of(2) { f64::midpoint(values[n / 2 - 1], middle) } else { middle })
-}
 
 /// Loads of the survey, rising.
 fn loads(survey: &Survey) -> Vec<f64> {
@@ -67,7 +60,7 @@ pub fn write_survey_map(survey: &Survey, out: &mut impl Write) -> io::Result<()>
                         && (low..high).contains(&r.bandwidth)
                 };
                 let errors = survey.rows().iter().filter(inside);
-                let errors = errors.filter_map(|r| r.errors[column]).collect();
+                let errors = errors.filter_map(|r| r.errors[column]);
                 let Some(error) = median(errors) else { continue };
                 range = [range[0].min(error), range[1].max(error)];
                 let x = x0 + i as f64 * CELL[0];

@@ -323,6 +323,20 @@ impl Canvas {
                 );
                 return;
             }
+            Marker::Ring => {
+                let _ = write!(
+                    self.body,
+                    "<circle class=\"f-paper s-{}\" cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" \
+                     stroke=\"{}\" stroke-width=\"1.1\"/>",
+                    look.colour.class,
+                    num(x),
+                    num(y),
+                    num(0.85 * r),
+                    PAPER.light,
+                    look.colour.light
+                );
+                return;
+            }
             Marker::Cross => return self.path(&cross(0.85, 0.85), Stroke::solid(look.colour, 1.3)),
             Marker::Plus => return self.path(&cross(1.1, 0.0), Stroke::solid(look.colour, 1.3)),
             Marker::Square => {

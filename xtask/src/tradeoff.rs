@@ -1,0 +1,73 @@
+//! Time against true error: every closed form, and the solver over methods, grids, precisions and
+//! tolerances. Measures, then draws the figures and the page from the table.
+
+use crate::TaskResult;
+use crate::bench::machine;
+use crate::generated::{keep, keep_section};
+use crate::shell::{self, output, read, root};
+use std::process::Command;
+
+const TABLE: &str = "fixtures/tradeoff.csv";
+const PAGE: &str = "docs/src/tradeoff.md";
+const METHODS: &str = "docs/src/solver/method.md";
+
+/// Measures and writes table, figures and page. `--quick` does so on a small grid, in seconds, into
+/// `target/tradeoff-quick`; `--figures-only` draws the committed table again; `--check` verifies
+/// that figures and page follow from it; `--methods` measures the methods' work for equal error.
+pub(crate) fn run(args: &[String]) -> TaskResult {
+    match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => {
+            keep(TABLE, &measure(&[])?, false)?;
+            redraw(false)
+        }
+        ["--quick"] => {
+            let folder = root().join("target/tradeoff-quick");
+            let (table, out) = (folder.join("tradeoff.csv"), folder.display().to_string());
+            keep("target/tradeoff-quick/tradeoff.csv", &measure(&["--quick"])?, false)?;
+            shell::run(&mut tradeoff(&["--page", &table.display().to_string(), &out]))?;
+            println!("wrote figures and page into {out}");
+            Ok(())
+        }
+        ["--figures-only"] => redraw(false),
+        ["--check"] => redraw(true),
+        ["--methods"] => methods(),
+        ref other => Err(format!(
+            "unknown arguments {other:?}; one of --quick, --figures-only, --check, --methods, or none"
+        )),
+    }
+}
+
+/// Figures and page from the committed table, or whether they are what they would be.
+pub(crate) fn redraw(check: bool) -> TaskResult {
+    let folder = root().join("target/tradeoff-page");
+    shell::run(&mut tradeoff(&["--page", TABLE, &folder.display().to_string()]))?;
+    for name in ["tradeoff-area.svg", "tradeoff-pressure.svg"] {
+        keep(&format!("docs/src/figures/{name}"), &read(&folder.join(name))?, check)?;
+    }
+    keep_section(PAGE, "tradeoff", &read(&folder.join("tradeoff.md"))?, check)
+}
+
+/// The table with the machine it was measured on.
+fn measure(args: &[&str]) -> Result<String, String> {
+    let machine = machine()?;
+    let table = output(&mut tradeoff(args))?;
+    Ok(format!("# Made by 'cargo xtask tradeoff'.\n# {}\n{table}", machine.trim()))
+}
+
+/// Pairs and seconds of each method to equal true errors, into the page on how the solver works.
+fn methods() -> TaskResult {
+    let mut example = shell::cargo();
+    example.args(["run", "--quiet", "--release", "--locked", "--package", "fft-bem-solver"]);
+    let found = output(example.args(["--example", "work_table", "--", "1001", "1024"]))?;
+    let rows: Vec<&str> = found.lines().filter(|line| line.starts_with('|')).collect();
+    let text = format!("{}\n{}", machine()?, rows.join("\n"));
+    keep_section(METHODS, "methods", &text, false)
+}
+
+/// The example that does the work, built in release.
+fn tradeoff(args: &[&str]) -> Command {
+    let mut cargo = shell::cargo();
+    cargo.args(["run", "--quiet", "--release", "--locked", "--package", "compare"]);
+    cargo.args(["--example", "tradeoff", "--"]).args(args);
+    cargo
+}
