@@ -15,7 +15,7 @@ use crate::{Origin, Settings, Surface, contact_spots, default_pressures};
 use contact_types::{
     ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
 };
-use fft_bem_solver::{Load, Method, Precision, Solver, SolverBuilder, SolverError};
+use fft_bem_solver::{Load, Maps, Method, Precision, Solver, SolverBuilder, SolverError};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -186,6 +186,7 @@ fn compare(
                 request,
                 method: method(settings.method),
                 certified: false,
+                maps: Maps::Pressure,
                 threads: settings.threads,
             };
             let mut sink = ToCurve {

@@ -4,7 +4,7 @@ use crate::ensemble::Recipe;
 use compare::plan::{Candidates, Request, Sink, Task, run};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{
-    BOUNDARY_CORRECTION, Load, Method, NoAreaInterval, Solution, Solver, SolverError,
+    BOUNDARY_CORRECTION, Load, Maps, Method, NoAreaInterval, Solution, Solver, SolverError,
 };
 use std::error::Error;
 use std::fmt::Write as _;
@@ -58,6 +58,7 @@ pub(crate) fn surface(index: usize, recipe: &Recipe) -> Result<String, Box<dyn E
                 request: Request::new(request)?,
                 method: Method::Auto,
                 certified: false,
+                maps: Maps::None,
                 threads: 1,
             };
             let mut found = Area(f64::NAN);

@@ -5,7 +5,9 @@ use super::{Candidate, Candidates, Line, Request, bar};
 use crate::PrecisionName;
 use crate::budget::iteration::area_error;
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Load, Method, NoAreaInterval, Precision, Solution, Solver, SolverError};
+use fft_bem_solver::{
+    Load, Maps, Method, NoAreaInterval, Precision, Solution, Solver, SolverError,
+};
 use std::ops::ControlFlow;
 use std::time::Instant;
 use surface_stats::StatsError;
@@ -27,6 +29,8 @@ pub struct Task<'a> {
     pub method: Method,
     /// Whether each solution comes with a rigorous bound of its pressure error.
     pub certified: bool,
+    /// Which maps the solutions carry.
+    pub maps: Maps,
     /// Threads of the solver.
     pub threads: usize,
 }
@@ -145,6 +149,7 @@ fn attempt(
         })
         .tolerance(task.request.tolerance())
         .certified(task.certified)
+        .maps(task.maps)
         .threads(task.threads.max(1))
         .build(map.grid(), task.modulus)?;
     sink.begin(&map);

@@ -8,7 +8,7 @@ use compare::MethodName;
 use compare::budget::{Budget, Map};
 use compare::plan::{self, Outcome, PlanError, Request, Sink, Task};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Load, NoAreaInterval, Solution, SolverError};
+use fft_bem_solver::{Load, Maps, NoAreaInterval, Solution, SolverError};
 use std::ops::ControlFlow;
 
 /// What is to be solved, and how well.
@@ -19,6 +19,8 @@ pub(crate) struct Asked<'a> {
     pub(crate) request: Request,
     pub(crate) method: MethodName,
     pub(crate) certified: bool,
+    /// Whether pressure and gap are written.
+    pub(crate) fields: bool,
     pub(crate) threads: usize,
 }
 
@@ -44,6 +46,7 @@ impl Asked<'_> {
             request: self.request,
             method: args::solver_method(self.method),
             certified: self.certified,
+            maps: if self.fields { Maps::PressureAndGap } else { Maps::Pressure },
             threads: self.threads,
         };
         let map = Map::of(self.surface).map_err(|e| Failure::from_error(&e))?;

@@ -108,6 +108,7 @@ impl Solve {
                 request,
                 method: self.method,
                 certified: self.certify,
+                fields: self.maps.is_some(),
                 threads: common.threads(),
             };
             let outcome = asked.solve(&loads, &mut work, &mut progress)?;
