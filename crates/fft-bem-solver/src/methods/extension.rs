@@ -161,7 +161,7 @@ impl Level {
                 for (i, ((value, weight), inverse)) in lines.enumerate() {
                     let j = t.parent(task * rows + i);
                     let above = &coarser.value[j * mx..(j + 1) * mx];
-                    t.add_down_transposed_row(task * rows + i, above, value);
+                    t.add_down_transposed_row(above, value);
                     for ((x, w), d) in value.iter_mut().zip(weight).zip(inverse) {
                         *x *= w * d;
                     }

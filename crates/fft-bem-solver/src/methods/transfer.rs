@@ -216,12 +216,12 @@ impl Transfer {
         let mx = self.coarse[1];
         let above = &coarse[self.parent(i) * mx..][..mx];
         let first = if self.halved[1] { ix / 2 } else { ix };
-        self.add_down_transposed_row(i, &above[first..], fine);
+        self.add_down_transposed_row(&above[first..], fine);
     }
 
-    /// Adds row `i` of the transpose of `down` to a fine row.
-    pub(crate) fn add_down_transposed_row(&self, i: usize, coarse_row: &[f32], fine: &mut [f32]) {
-        let share = if self.halved[0] { 0.5 } else { 1.0 };
+    /// Adds a row of the transpose of `down`, from the coarse row above, to a fine row.
+    pub(crate) fn add_down_transposed_row(&self, coarse_row: &[f32], fine: &mut [f32]) {
+        let share = self.node_share();
         if !self.halved[1] {
             for (x, c) in fine.iter_mut().zip(coarse_row) {
                 *x += share * c;
@@ -229,13 +229,12 @@ impl Transfer {
             return;
         }
         let (pairs, single) = fine.as_chunks_mut::<2>();
-        let half = 0.5 * share;
         for (x, c) in pairs.iter_mut().zip(coarse_row) {
-            x[0] += half * c;
-            x[1] += half * c;
+            x[0] += share * c;
+            x[1] += share * c;
         }
         if let ([x], Some(c)) = (single, coarse_row.last()) {
-            *x += half * c;
+            *x += share * c;
         }
     }
 }
@@ -272,7 +271,6 @@ mod tests {
         for i in 0..ny {
             let j = t.parent(i);
             t.add_down_transposed_row(
-                i,
                 &coarse[j * mx..(j + 1) * mx],
                 &mut out[i * nx..(i + 1) * nx],
             );
