@@ -6,6 +6,7 @@
 
 pub mod budget;
 mod cleaning;
+mod closer;
 mod coarser;
 mod curve;
 mod edge_share;
@@ -29,6 +30,7 @@ mod verdict;
 
 pub use budget::{Budget, Estimate};
 pub use cleaning::{Cleaning, CleaningError, FormName};
+pub use closer::{Choice, ChoiceKind, Closer};
 pub use coarser::{COARSER, Coarser};
 pub use edge_share::EdgeShare;
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};

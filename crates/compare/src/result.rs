@@ -4,7 +4,7 @@ use crate::budget::{Budget, Map, grid};
 use crate::models::{BuildError, Inputs, ModelEntry};
 use crate::plan::Outcome;
 use crate::survey::Experience;
-use crate::{Coarser, Origin, Settings, Spots};
+use crate::{Closer, Coarser, Origin, Settings, Spots};
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{NoAreaInterval, Residuals, Solution};
 use surface_stats::SurfaceStatistics;
@@ -46,6 +46,8 @@ pub struct SurfaceComparison {
     /// The headline load on coarser grids; empty unless asked for, see
     /// [`Comparison::solve_coarser`].
     pub coarser: Vec<Coarser>,
+    /// A closer look at the headline, see [`Comparison::look_closer`]; `None` unless asked for.
+    pub closer: Option<Closer>,
     /// What was chosen for the accuracy asked for, if one was.
     pub plan: Option<Outcome>,
     /// The heights on the grid that was solved, if it is not the given one.

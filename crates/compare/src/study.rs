@@ -230,6 +230,7 @@ fn compare(
         map: known,
         refined_seconds,
         coarser: Vec::new(),
+        closer: None,
         plan,
         solved,
         headline,

@@ -34,6 +34,7 @@ fn one() -> &'static Comparison {
     ONE.get_or_init(|| {
         let mut study = run(small(&["ground"]), Settings::default());
         study.solve_coarser().unwrap();
+        study.look_closer().unwrap();
         study
     })
 }
@@ -294,7 +295,17 @@ fn the_headline_agrees_with_table_and_csv() {
     let bold = &h1[h1.find("<b>").unwrap() + 3..h1.find("</b>").unwrap()];
     let printed: f64 = bold.split(' ').next().unwrap().parse().unwrap();
     assert!((printed / area - 1.0).abs() < 0.03, "{printed} {area}");
-    assert!(page.matches(bold).count() >= 4, "headline, key number, table, read-out");
+    assert!(page.matches(bold).count() >= 2, "headline and key number: prediction");
+    // The model table and the read-out carry the narrower comparison.
+    let budget = surface.headline_answer().unwrap().budget.area;
+    let comparison = budget.comparison_half_width().unwrap();
+    assert!(budget.prediction_half_width().unwrap() > comparison);
+    let row = &page[page.find("data-k=\"a-det\"").unwrap()..];
+    let cell = &row[row.find('>').unwrap() + 1..row.find("</td>").unwrap()];
+    assert!(page.matches(cell).count() >= 3, "table, read-out, slider: {cell}");
+    let spread: f64 =
+        cell.split("± ").nth(1).unwrap().split('\u{202F}').next().unwrap().parse().unwrap();
+    assert!((spread / (100.0 * comparison) - 1.0).abs() < 0.35, "{spread} {comparison}");
 }
 
 /// The same study gives the same bytes, times excepted.
@@ -340,6 +351,33 @@ fn an_unresolved_map_gets_its_bar_from_a_finer_grid() {
     assert!(
         page.contains("The grid does not resolve the contact.") && page.contains("twice finer")
     );
+}
+
+/// The closer look of a report: a proven bound, a stiffness with both intervals, choices with what
+/// they do, and all of it on the page and in the results.
+#[test]
+fn the_budget_has_every_source_and_choices_are_listed() {
+    let surface = &one().surfaces[0];
+    let answer = surface.headline_answer().unwrap();
+    let eta = answer.energy_bound.unwrap();
+    assert!(eta > 0.0 && eta < 1e-3, "{eta}");
+    let stiffness = answer.budget.stiffness.unwrap();
+    let [low, high] = stiffness.comparison().unwrap();
+    let [lowest, highest] = stiffness.prediction().unwrap();
+    assert!(lowest < low && low < stiffness.value && stiffness.value < high && high < highest);
+    // The slope of the curve between the loads beside the headline holds it.
+    let gap = |i: usize| surface.deterministic[i].answer.as_ref().unwrap().mean_gap.unwrap();
+    let load = |i: usize| surface.deterministic[i].mean_pressure;
+    let h = surface.headline;
+    let slope =
+        surface.headline_pressure() * (load(h + 1) / load(h - 1)).ln() / (gap(h - 1) - gap(h + 1));
+    assert!((stiffness.value / slope - 1.0).abs() < 0.1, "{} {slope}", stiffness.value);
+    assert!(!surface.closer.as_ref().unwrap().choices.is_empty());
+    let page = html(one());
+    for words in ["Comparison ±", "Finite sample", "Prediction ±", "Choices that move the answer"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
 }
 
 /// A flat map has an answer, a reason for every model, and a report.

@@ -126,7 +126,10 @@ fn case(table: &Table, row: usize, class: &'static str, map: &Map) -> Case {
             finer.area_half_width(given) / truth + left * given / truth,
         ],
         gap: [(get("gap_e4") - get("gap4")) / get("gap4"), gap_half / get("gap4")],
-        stiffness: [get("stiffness1") / get("stiffness4") - 1.0, grid::stiffness_half_width(share)],
+        stiffness: [
+            get("stiffness1") / get("stiffness4") - 1.0,
+            grid::stiffness_half_width(map, share),
+        ],
     }
 }
 

@@ -13,6 +13,8 @@ const GAP: f64 = 0.012;
 const GAP_AT_SEAM: f64 = 0.08;
 /// Relative error of the stiffness over the share of the contact line.
 const STIFFNESS: f64 = 0.15;
+/// The same on a map whose edges do not match.
+const STIFFNESS_AT_SEAM: f64 = 0.25;
 
 /// Share of the contact line: correction over corrected area, 0 without a line (-).
 pub fn line_share(solution: &Solution) -> f64 {
@@ -28,8 +30,9 @@ pub fn gap_half_width(map: &Map, line_share: f64) -> f64 {
 }
 
 /// Relative half width of the stiffness at this share of the contact line.
-pub fn stiffness_half_width(line_share: f64) -> f64 {
-    STIFFNESS * line_share
+pub fn stiffness_half_width(map: &Map, line_share: f64) -> f64 {
+    let part = if map.repeats { STIFFNESS } else { STIFFNESS_AT_SEAM };
+    part * line_share
 }
 
 /// What a solution on twice as many points along each side says of the one on the given grid.

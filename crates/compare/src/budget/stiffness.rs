@@ -68,7 +68,7 @@ impl Budget {
     #[must_use]
     pub fn with_stiffness(mut self, found: &Stiffness, map: &Map, line_share: f64) -> Self {
         let k = found.value;
-        let relative = grid::stiffness_half_width(line_share) + DIFFERENCE;
+        let relative = grid::stiffness_half_width(map, line_share) + DIFFERENCE;
         let area_scatter = self.area_scatter.unwrap_or(0.0);
         self.stiffness = Some(Estimate {
             value: k,

@@ -15,7 +15,7 @@ pub struct BarErrors {
 }
 
 /// Half widths drawn to either side.
-const REACH: f64 = 1.6;
+const REACH: f64 = 1.8;
 /// Height of a row.
 const ROW: f64 = 13.0;
 

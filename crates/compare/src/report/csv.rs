@@ -15,7 +15,9 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
     let mut header = String::from(
         "surface,mean_pressure [Pa],area_fraction_deterministic [-],area_fraction_low [-],\
          area_fraction_high [-],area_fraction_counted [-],real_pressure_deterministic [Pa],\
-         real_pressure_low [Pa],real_pressure_high [Pa],mean_gap_deterministic [m]",
+         real_pressure_low [Pa],real_pressure_high [Pa],mean_gap_deterministic [m],\
+         area_fraction_prediction_low [-],area_fraction_prediction_high [-],mean_gap_low [m],\
+         mean_gap_high [m]",
     );
     for model in in_study() {
         let name = model.replace('-', "_");
@@ -54,6 +56,11 @@ fn write_surface(surface: &SurfaceComparison, out: &mut impl Write) -> io::Resul
             real(interval.map(|b| b[0])),
             answer.and_then(|a| a.mean_gap),
         ];
+        let prediction = answer.and_then(|a| a.budget.area.prediction());
+        let gap = answer.and_then(|a| a.budget.mean_gap?.comparison().ok());
+        for range in [prediction, gap] {
+            cells.extend([range.map(|r| r[0]), range.map(|r| r[1])]);
+        }
         for model in in_study() {
             let line = lines.models.iter().find(|l| l.name == model);
             let area = line.and_then(|l| l.area[i]);

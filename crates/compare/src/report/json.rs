@@ -61,6 +61,10 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "largest_area": c.largest_area,
         })),
         "refined": refined(s),
+        "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|c| json!({
+            "choice": c.kind.name(),
+            "area_effect": c.effect,
+        })).collect::<Vec<_>>()),
         "coarser": s.coarser.iter().map(|c| json!({
             "mean_pressure": s.headline_pressure(),
             "factor": c.factor,

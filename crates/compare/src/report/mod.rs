@@ -9,6 +9,7 @@
 
 mod accuracy_figure;
 mod axes;
+mod budget;
 mod budget_figure;
 mod budget_json;
 mod coarser;

@@ -1,5 +1,6 @@
 //! The sections of one surface, in the order of the report.
 
+use super::budget;
 use super::curves::{self, Use};
 use super::html::Page;
 use super::lines::Lines;
@@ -411,9 +412,8 @@ pub(super) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> Stri
     } else {
         String::new()
     };
-    let parts = answer.budget.area.grid.and_then(|g| Ok([g, answer.budget.area.iteration?]));
-    let budget = match parts {
-        Ok(parts) => tables::budget(answer, parts, surface, &p),
+    let budget = match answer.budget.area.comparison_half_width() {
+        Ok(_) => budget::table(answer, surface, &p),
         Err(reason) => format!(
             "<p class=\"keep\"><b>The area carries no ±:</b> {}. Outside this limit no bar that \
              is free of further solving holds.</p>\n",
@@ -421,11 +421,11 @@ pub(super) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> Stri
         ),
     };
     format!(
-        "<{h}>How accurate the deterministic answer is</{h}>\n<div class=\"two\">\n<div>{budget}\
-         </div>\n<div><p style=\"margin-top:0\">{conditions}</p><p>{counted}</p></div></div>\n\
-         <p class=\"why\">Not covered: the finite sample (another map of the same surface), \
-         plastic flow, friction, adhesion, and the instrument’s own calibration and transfer \
-         function.</p>\n"
+        "<{h}>How accurate the deterministic answer is</{h}>\n{budget}<div class=\"two\">\n\
+         <div>{}</div>\n<div><p style=\"margin-top:0\">{conditions}</p><p>{counted}</p></div></div>\n\
+         <p class=\"why\">Not covered: plastic flow, friction, adhesion, waves longer than the map, \
+         and the instrument’s own calibration and transfer function.</p>\n",
+        budget::choices(surface)
     )
 }
 

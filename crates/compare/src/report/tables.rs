@@ -2,15 +2,15 @@
 
 use super::html::Page;
 use super::numbers::{
-    METRES, PASCALS, SPACE, chosen, duration, fixed, percent, quantity, signed_percent,
-    signed_range, significant, unit_for,
+    METRES, PASCALS, SPACE, chosen, duration, fixed, percent, quantity, quantity_plus_minus,
+    signed_percent, signed_range, significant, unit_for,
 };
 use super::palette::{DETERMINISTIC_LOOK, Look};
-use super::sections::{load_words, spread_words, tolerance_words};
+use super::sections::{load_words, spread_words};
 use super::svg::{Canvas, Stroke, escape};
 use super::words;
 use crate::models;
-use crate::result::{Applies, DeterministicAnswer, ModelComparison, SurfaceComparison};
+use crate::result::{Applies, ModelComparison, SurfaceComparison};
 use crate::survey::Experience;
 use contact_types::{ContactState, ModelError};
 
@@ -19,18 +19,23 @@ pub(super) fn key_numbers(surface: &SurfaceComparison) -> String {
     let p = chosen(surface.headline_pressure(), PASCALS);
     let mut rows: Vec<(String, String, String)> = Vec::new();
     if let Some(a) = surface.headline_answer() {
-        let covers = match a.budget.area.comparison_half_width() {
-            Ok(_) => "grid and iteration; not another map of the same surface".to_owned(),
-            Err(reason) => format!("no ±: {}", escape(&reason.to_string())),
+        let alone = a.uncertainty().filter(|u| *u > 0.0).map(|u| u / a.area_fraction_corrected);
+        let covers = match (a.budget.area.comparison_half_width(), a.budget.area.sample) {
+            (Ok(_), Some(_)) => format!(
+                "grid, iteration and finite sample (95{SPACE}%); without the sample ±{}",
+                alone.map_or("0".into(), percent)
+            ),
+            (Ok(_), None) => "grid and iteration; not another map of the same surface".to_owned(),
+            (Err(reason), _) => format!("no ±: {}", escape(&reason.to_string())),
         };
         rows.push((
             "Real contact area <i>A</i><sub>r</sub>/<i>A</i><sub>n</sub>".into(),
-            words::area(a),
+            words::area_prediction(a),
             covers,
         ));
         rows.push((
             "Mean real pressure".into(),
-            words::real_pressure(surface.headline_pressure(), a),
+            words::real_pressure_prediction(a),
             if a.uncertainty().is_some() {
                 "load over that area; same ±"
             } else {
@@ -50,10 +55,27 @@ pub(super) fn key_numbers(surface: &SurfaceComparison) -> String {
             } else {
                 String::new()
             };
+            let half = a.budget.mean_gap.and_then(|g| g.prediction_half_width());
+            let value = match half {
+                Some(half) => quantity_plus_minus(gap, half, METRES),
+                None => quantity(gap, METRES, 3),
+            };
             rows.push((
                 "Mean gap".into(),
-                format!("{}{relative}", quantity(gap, METRES, 3)),
-                "average over the whole map".into(),
+                format!("{value}{relative}"),
+                "average over the whole map; ± as above".into(),
+            ));
+        }
+        if let Some(k) = a.budget.stiffness {
+            let micro = 1e-6; // Pa per metre -> Pa per micrometre
+            let value = match k.prediction_half_width() {
+                Some(half) => quantity_plus_minus(k.value * micro, half * micro, PASCALS),
+                None => quantity(k.value * micro, PASCALS, 3),
+            };
+            rows.push((
+                "Contact stiffness".into(),
+                format!("{value}/µm"),
+                "−d<i>p</i>/d(mean gap), from two loads beside this one".into(),
             ));
         }
         if let Some(spots) = surface.spots {
@@ -224,61 +246,5 @@ fn model_row(page: &mut Page<'_>, surface: &SurfaceComparison, model: &ModelComp
         model_area(&curve.points[surface.headline]),
         key("e"),
         duration(curve.seconds)
-    )
-}
-
-/// The parts of the ± at the headline load, as shares of the area.
-pub(super) fn budget(
-    answer: &DeterministicAnswer,
-    [grid, iteration]: [f64; 2],
-    surface: &SurfaceComparison,
-    at: &str,
-) -> String {
-    let area = answer.area_fraction_corrected.max(f64::MIN_POSITIVE);
-    let total = grid + iteration;
-    let row = |class: &str, name: &str, part: f64, why: String| {
-        format!(
-            "<tr{class}><th scope=\"row\">{name}</th><td class=\"n\">{}</td><td class=\"bar\"><i \
-             style=\"width:{}%\"></i></td><td class=\"why\">{why}</td></tr>\n",
-            percent(part / area),
-            if total > 0.0 { fixed((100.0 * part / total).max(1.0), 0) } else { "1".into() }
-        )
-    };
-    let settings_tolerance = tolerance_words(answer.residuals.preconditioned.max(1e-16));
-    format!(
-        "<table class=\"bud\"><caption>Error budget of the area at {at}, share of the \
-         area</caption><tbody>\n{}{}{}</tbody></table>\n",
-        row(
-            "",
-            "Grid",
-            grid,
-            if let Some(refined) = answer.finer {
-                format!(
-                    "one more solution on the twice finer interpolation of the map reads \
-                     {}{SPACE}%, in {}; the bar covers the difference twice",
-                    significant(100.0 * refined.area, 3),
-                    duration(surface.refined_seconds)
-                )
-            } else if let Some(plan) = &surface.plan {
-                let [ny, nx] = plan.grid.shape();
-                format!(
-                    "what the contact-line correction leaves, chance, and the gradient that \
-                     {nx} × {ny} points cannot hold"
-                )
-            } else {
-                format!(
-                    "0.3 of the contact-line correction, which held in 95 to 100 of 100 maps whose \
-                 finite differences see 94{SPACE}% of the gradient (here {})",
-                    percent(surface.spectral.resolved)
-                )
-            }
-        ),
-        row(
-            "",
-            "Iteration stopped early",
-            iteration,
-            format!("9 × the relative rms pressure error left, {settings_tolerance}")
-        ),
-        row(" class=\"sum\"", "Both", total, "their sum; the ± of the headline".into())
     )
 }

@@ -35,6 +35,25 @@ pub(super) fn real_pressure(mean_pressure: f64, answer: &DeterministicAnswer) ->
     }
 }
 
+/// "1.96 ± 0.25 %": with the finite sample on top, where this map can tell.
+pub(super) fn area_prediction(answer: &DeterministicAnswer) -> String {
+    let Some(half) = answer.budget.area.prediction_half_width() else { return area(answer) };
+    let value = 100.0 * answer.area_fraction_corrected;
+    format!("{}{SPACE}%", plus_minus(value, 100.0 * half))
+}
+
+/// Mean real pressure with the finite sample on top. Its ± is that of the area, to first order.
+pub(super) fn real_pressure_prediction(answer: &DeterministicAnswer) -> String {
+    let budget = &answer.budget;
+    match (budget.real_pressure(), budget.area.prediction_half_width()) {
+        (Some(real), Some(half)) => {
+            let spread = real.value() * half / budget.area.value;
+            quantity_plus_minus(real.value(), spread, PASCALS)
+        }
+        _ => real_pressure(budget.mean_pressure, answer),
+    }
+}
+
 /// The first sentence, as HTML.
 pub(super) fn headline(surface: &SurfaceComparison) -> String {
     let p = chosen(surface.headline_pressure(), PASCALS);
@@ -52,8 +71,8 @@ pub(super) fn headline(surface: &SurfaceComparison) -> String {
         "{opening}{}t {p}, {about}<b>{}</b> of the surface touches; the mean real pressure is \
          {about}<b>{}</b>.",
         if opening.is_empty() { 'A' } else { 'a' },
-        area(answer),
-        real_pressure(surface.headline_pressure(), answer)
+        area_prediction(answer),
+        real_pressure_prediction(answer)
     )
 }
 

@@ -243,6 +243,7 @@ fn study(
     let mut comparison = comparison.map_err(|e| Failure::from_error(&e))?;
     progress.working_on("coarser grids");
     comparison.solve_coarser().map_err(|e| Failure::incomplete("coarser_grids", e.to_string()))?;
+    comparison.look_closer().map_err(|e| Failure::incomplete("closer_look", e.to_string()))?;
     drop(progress);
     Ok(comparison)
 }

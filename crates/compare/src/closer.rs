@@ -1,0 +1,180 @@
+//! A closer look at the headline: proof of its iteration error, its stiffness, and what other
+//! choices in preparing the map would have made of its area. Asked for when a report is written; a
+//! study alone does not need it.
+
+use crate::budget::{Map, Stiffness};
+use crate::result::{Comparison, SurfaceComparison};
+use crate::study::builder;
+use crate::{Origin, Settings};
+use contact_types::{ContactModulus, Grid, HeightMap, SurfaceError};
+use fft_bem_solver::{BOUNDARY_CORRECTION, Load};
+use std::time::Instant;
+use surface_stats::clean::{resample, resample_mirrored};
+use surface_stats::{Boundary, Level, level};
+
+/// Points a side above which the choices are compared on a coarser grid.
+const MOST_POINTS: usize = 1024;
+
+/// What a closer look found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Closer {
+    /// Other choices, each with the relative change of the area it makes.
+    pub choices: Vec<Choice>,
+    /// Wall-clock time of all of it (s).
+    pub seconds: f64,
+}
+
+/// Another choice in preparing the map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// What it is.
+    pub kind: ChoiceKind,
+    /// Area with it over area without, less 1.
+    pub effect: f64,
+}
+
+/// A choice that was tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum ChoiceKind {
+    /// A paraboloid removed too.
+    Paraboloid,
+    /// Waves shorter than this (m), twice the shortest of the map, removed.
+    Cutoff(f64),
+    /// Mirror images at the edges instead of the same map again.
+    Mirrored,
+}
+
+impl ChoiceKind {
+    /// Name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Paraboloid => "paraboloid",
+            Self::Cutoff(_) => "twice_the_shortest_wavelength",
+            Self::Mirrored => "mirrored",
+        }
+    }
+}
+
+impl Comparison {
+    /// Looks closer at the headline of every surface that has a converged one on the grid as given.
+    /// Costs about five solutions like it, for a map whose edges do not match about ten.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] if the modulus of the settings is none, which a finished study rules out.
+    pub fn look_closer(&mut self) -> Result<(), SurfaceError> {
+        let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
+        for surface in self.surfaces.iter_mut().filter(|s| s.plan.is_none()) {
+            let start = Instant::now();
+            let is_solved = surface.headline_answer().is_some_and(|a| a.converged);
+            if !is_solved || surface.map.rms_height <= 0.0 {
+                continue;
+            }
+            certify(surface, &self.settings, modulus);
+            let choices = choices(surface, &self.settings, modulus);
+            let seconds = start.elapsed().as_secs_f64();
+            surface.closer = Some(Closer { choices, seconds });
+        }
+        Ok(())
+    }
+}
+
+/// Solves the headline once more with the rigorous bound, then the loads beside it.
+fn certify(surface: &mut SurfaceComparison, settings: &Settings, modulus: ContactModulus) {
+    let pressure = surface.headline_pressure();
+    let map: Map = surface.map;
+    let Ok(mut solver) = builder(settings).certified(true).build(surface.surface.grid(), modulus)
+    else {
+        return;
+    };
+    let Ok(solution) = solver.solve(&surface.surface, Load::MeanPressure(pressure)) else { return };
+    let near = Stiffness::near(&mut solver, &surface.surface, &map, pressure);
+    let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
+    let Some(answer) = answer else { return };
+    answer.energy_bound = solution.diagnostics.energy_bound;
+    if let Ok(Some(found)) = near
+        && answer.area_fraction_corrected > 0.0
+    {
+        let line = BOUNDARY_CORRECTION * answer.contact_perimeter / answer.area_fraction_corrected;
+        answer.budget = answer.budget.with_stiffness(&found, &map, line);
+    }
+}
+
+/// What other choices do to the area; those that cannot be tried on this map are left out.
+fn choices(
+    surface: &SurfaceComparison,
+    settings: &Settings,
+    modulus: ContactModulus,
+) -> Vec<Choice> {
+    let area = |map: &HeightMap| -> Option<f64> {
+        let mut solver = builder(settings).build(map.grid(), modulus).ok()?;
+        let solution = solver.solve(map, Load::MeanPressure(surface.headline_pressure())).ok()?;
+        Some(solution.diagnostics.area_fraction_corrected).filter(|a| *a > 0.0)
+    };
+    let repeats = surface.map.repeats;
+    let on = |map: &HeightMap, shape: [usize; 2]| match repeats {
+        true => resample(map, shape, Boundary::Periodic).ok(),
+        false => resample_mirrored(map, shape).ok(),
+    };
+    let shape = surface.surface.grid().shape();
+    if shape[0].min(shape[1]) < 16 {
+        return Vec::new(); // profiles, and maps too small to lose a wave
+    }
+    let factor = shape[0].max(shape[1]).div_ceil(MOST_POINTS);
+    let used = if factor > 1 {
+        on(&surface.surface, shape.map(|n| (n / factor).max(16)))
+    } else {
+        Some(surface.surface.clone())
+    };
+    let Some(used) = used else { return Vec::new() };
+    let Some(reference) = area(&used) else { return Vec::new() };
+    let mut list = Vec::new();
+    let mut tried = |kind, with: Option<f64>, without: f64| {
+        list.extend(with.map(|a| Choice { kind, effect: a / without - 1.0 }));
+    };
+    let is_levelled = matches!(surface.statistics.level, Level::Plane);
+    if matches!(surface.origin, Origin::File(_)) && is_levelled {
+        let form = level(&used, Level::Quadratic).ok();
+        tried(ChoiceKind::Paraboloid, form.and_then(|m| area(&m)), reference);
+    }
+    let [dy, dx] = used.grid().pixel();
+    let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
+    let [ny, nx] = used.grid().size().map(|side| (side / shortest).floor() as usize);
+    if ny.min(nx) >= 16 {
+        let smooth = on(&used, [ny, nx]).and_then(|m| on(&m, used.grid().shape()));
+        tried(ChoiceKind::Cutoff(2.0 * shortest), smooth.and_then(|m| area(&m)), reference);
+    }
+    if !repeats {
+        // Half the points a side: its mirror images have as many as the map.
+        let half = on(&used, used.grid().shape().map(|n| n / 2));
+        let pair = half.and_then(|h| Some([area(&h)?, area(&mirrored(&h)?)?]));
+        if let Some([as_it_is, mirrored]) = pair {
+            tried(ChoiceKind::Mirrored, Some(mirrored), as_it_is);
+        }
+    }
+    list
+}
+
+/// The map and its three mirror images, which repeat without a jump.
+fn mirrored(map: &HeightMap) -> Option<HeightMap> {
+    let [ny, nx] = map.grid().shape();
+    let grid = Grid::new([2 * ny, 2 * nx], map.grid().pixel()).ok()?;
+    let place = |i: usize, n: usize| if i < n { i } else { 2 * n - 1 - i };
+    let heights = (0..grid.len()).map(|i| map.at(place(i / (2 * nx), ny), place(i % (2 * nx), nx)));
+    HeightMap::new(grid, heights.collect()).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mirror_images_meet_at_every_edge() {
+        let grid = Grid::new([2, 3], [1.0, 2.0]).unwrap();
+        let map = HeightMap::new(grid, vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).unwrap();
+        let whole = mirrored(&map).unwrap();
+        let row = |y: usize| (0..6).map(|x| whole.at(y, x)).collect::<Vec<_>>();
+        assert_eq!(row(0), [1.0, 2.0, 3.0, 3.0, 2.0, 1.0]);
+        assert_eq!((row(0), row(1)), (row(3), row(2)));
+    }
+}
