@@ -1,0 +1,267 @@
+//! The parts of a chord iteration, in the order in which the loop calls them.
+
+use super::{Chord, FULL, Kind, Memory, TAU};
+use crate::methods::level_control::LevelControl;
+use crate::methods::passes::{self, Estimate, Products};
+use crate::methods::{Compliance, State, sweep};
+use crate::{Real, fields, projection};
+use std::f64::consts::FRAC_PI_2;
+
+impl<T: Real> Chord<T> {
+    /// The residual gap g of the state, or of the lead, its contact set F, and `E g`. Returns the
+    /// level, the mean of `u - h` in contact; `sums` if it is known already.
+    pub(crate) fn look(
+        &mut self,
+        h: &[T],
+        sums: Option<[f64; 2]>,
+        release: f64,
+        is_lead: bool,
+        state: &State<T>,
+    ) -> (f64, passes::Residual) {
+        let size = [self.rows, self.shape[1]];
+        let (p, u) = if is_lead {
+            (&self.trial[..], &self.response[..])
+        } else {
+            (&state.pressure[..], &state.displacement[..])
+        };
+        let [sum, contact] = sums.unwrap_or_else(|| passes::level_sums(p, u, h, &mut self.partial));
+        let level = sum / contact.max(1.0);
+        let found = passes::residual(
+            [p, u, h],
+            level,
+            release,
+            size,
+            &mut self.mask,
+            &mut self.residual,
+            &mut self.pyramid,
+            &mut self.partial,
+        );
+        self.pyramid.extend_above();
+        let extended = room(&mut self.response, &mut self.before_response, is_lead);
+        passes::push(&self.mask, &self.residual, &self.pyramid, size, extended);
+        (level, found)
+    }
+
+    /// Scales everything to a load that should bring the level to its target; returns the factor.
+    /// `level` is where it is now, and `E g` says where it will settle.
+    pub(super) fn towards_level(
+        &mut self,
+        control: &mut LevelControl,
+        level: f64,
+        load: f64,
+        residual: f64,
+        is_lead: bool,
+        state: &mut State<T>,
+    ) -> f64 {
+        let (p, u) = (&mut state.pressure, &mut state.displacement);
+        if control.wants_guess(residual) {
+            if is_lead {
+                control.guess(&self.trial, &self.response);
+            } else {
+                control.guess(p, u);
+            }
+        }
+        let extended = room(&mut self.response, &mut self.before_response, is_lead);
+        let rise = fields::sum(extended) / extended.len() as f64;
+        let factor = control.factor(level + rise, load, residual);
+        passes::scale(factor, p);
+        passes::scale(factor, u);
+        if is_lead {
+            passes::scale(factor, &mut self.trial);
+            passes::scale(factor, &mut self.response);
+        } else {
+            // The step before must stay one that changes no load.
+            passes::scale(factor, &mut self.before);
+            passes::scale(factor, &mut self.before_response);
+        }
+        factor
+    }
+
+    /// `y = S E r`, in place of the residual, and all of `z = E^T y` but the last step down to the
+    /// finest grid, which [`make_trial`](Self::make_trial) does.
+    pub(crate) fn precondition(&mut self, is_lead: bool) {
+        let extended = room(&mut self.response, &mut self.before_response, is_lead);
+        self.stiffness.apply(extended, &mut self.residual);
+        passes::gather(&self.mask, &self.residual, &mut self.pyramid);
+        self.pyramid.restrict_above();
+    }
+
+    /// `trial = p - tau z` on F, `p` elsewhere; without `p`, the trial field holds it.
+    pub(crate) fn make_trial(
+        &mut self,
+        p: Option<&[T]>,
+        tau: f64,
+        found: &passes::Residual,
+    ) -> Estimate {
+        passes::trial(
+            p,
+            &self.residual,
+            tau,
+            &self.mask,
+            found.active,
+            [self.rows, self.shape[1]],
+            &self.pyramid,
+            &mut self.trial,
+            &mut self.sweep,
+            &mut self.partial,
+        )
+    }
+
+    /// The estimate, unless even the softest wave of the grid would resist the residual gap more: then
+    /// the preconditioner is at fault, and the stiffest wave bounds the error instead.
+    pub(super) fn credible(&mut self, estimate: &Estimate, fields: [&[T]; 2], level: f64) -> f64 {
+        let gap2 = passes::residual_norm2(fields, level, &self.mask, &mut self.partial);
+        let stiffest = FRAC_PI_2 * (gap2 / estimate.p2).sqrt(); // |q|/2 at pi per finer pixel
+        let softest = 2.0 / self.longest * stiffest;
+        if estimate.residual < 0.01 * softest { stiffest } else { estimate.residual }
+    }
+
+    /// Sweeps and clips the trial. Returns the factor that gives it the load: the trial is that many
+    /// times the field. `None` if nothing is left of it.
+    pub(crate) fn sweep_trial(&mut self, found: &passes::Residual, load: f64) -> Option<f64> {
+        let total = load * self.trial.len() as f64;
+        self.sweep.run(
+            &mut self.pyramid,
+            &self.trial,
+            &mut self.mask,
+            found.active,
+            found.has_released,
+            total,
+        );
+        let sum = passes::finish_trial(
+            &self.mask,
+            &self.sweep,
+            &self.pyramid,
+            [self.rows, self.shape[1]],
+            &mut self.trial,
+            &mut self.partial,
+        );
+        if sum <= 0.0 || !sum.is_finite() {
+            return None;
+        }
+        if sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total {
+            // Much was clipped: the contact is far from settled, and small loads do not belong.
+            projection::onto_admissible(&mut self.trial, load);
+            return Some(1.0);
+        }
+        Some(total / sum)
+    }
+
+    /// `trial = p - alpha g`, projected on the pressures that are positive and carry the load.
+    pub(super) fn gradient_trial(
+        &mut self,
+        h: &[T],
+        level: f64,
+        alpha: f64,
+        load: f64,
+        state: &State<T>,
+    ) {
+        let (p, u) = (&state.pressure, &state.displacement);
+        for (i, t) in self.trial.iter_mut().enumerate() {
+            *t = p[i] - T::of(alpha) * (u[i] - h[i] - T::of(level));
+        }
+        projection::onto_admissible(&mut self.trial, load);
+    }
+
+    /// `K trial`, the one pair, and the inner products along the chord to `scale` times the trial.
+    pub(super) fn respond(
+        &mut self,
+        operator: &mut dyn Compliance<T>,
+        scale: f64,
+        h: &[T],
+        level: f64,
+        now: &Memory,
+        state: &State<T>,
+    ) -> Products {
+        let (p, u, q) = (&state.pressure[..], &state.displacement[..], &self.trial[..]);
+        let before = if now.has_before { &self.before[..] } else { p }; // without one, d = 0
+        let sums = |from: usize, v: &[T]| {
+            let piece = from..from + v.len();
+            let [p, u, h, q, b] = [p, u, h, q, before].map(|x| &x[piece.clone()]);
+            passes::inner_products([p, u, h], level, [q, v], scale, b)
+        };
+        let sums = operator.apply_and_sum(q, &mut self.response, &sums, &mut self.partial);
+        Products::new(sums, if now.has_before { now.dkd } else { 0.0 })
+    }
+
+    /// Goes along the chord, or to the minimum over the chord and the step before.
+    pub(super) fn advance(
+        &mut self,
+        kind: Kind,
+        k: &Products,
+        scale: f64,
+        now: &mut Memory,
+        h: &[T],
+        state: &mut State<T>,
+    ) {
+        let theta = k.theta();
+        if kind == Kind::Chord {
+            now.a = if theta < FULL { theta } else { 1.0 };
+            if theta > 1.0 && !k.has_dropped {
+                now.a = theta.min(passes::reach(&state.pressure, &self.trial, scale).max(1.0));
+            }
+            now.tau = (now.tau * theta.clamp(0.7, 1.4)).clamp(TAU[0], TAU[1]);
+        } else {
+            now.a = theta.clamp(0.0, 1.0);
+            if k.sks > 0.0 {
+                now.alpha = k.ss / k.sks; // Barzilai & Borwein (1988), doi:10.1093/imanum/8.1.141
+            }
+        }
+        // A node that the trial drops would keep a part of its load: then only the chord will do.
+        let is_searchable = now.has_before && kind == Kind::Chord && !k.has_dropped;
+        let plane = k.plane_minimum().filter(|_| is_searchable);
+        let step = plane.and_then(|b| Some((b, self.combine(scale, b, true, h, state)?)));
+        let (b, sums) = if let Some((b, sums)) = step {
+            now.a = 1.0;
+            (b, Some(sums))
+        } else if (now.a - 1.0).abs() < f64::EPSILON {
+            let fields = [&mut self.trial[..], &mut self.response[..]];
+            let sums = passes::settle(fields, scale, h, &mut self.partial);
+            std::mem::swap(&mut self.before, &mut self.trial);
+            std::mem::swap(&mut self.before_response, &mut self.response);
+            ([1.0, 0.0], Some(sums))
+        } else {
+            let b = [now.a, 0.0];
+            (b, self.combine(scale, b, false, h, state))
+        };
+        // `before` holds the new iterate: exchange it with the old one.
+        std::mem::swap(&mut state.pressure, &mut self.before);
+        std::mem::swap(&mut state.displacement, &mut self.before_response);
+        now.has_before = true;
+        now.dkd = k.curvature(b);
+        now.sums = sums;
+    }
+
+    /// `before = p + b1 s + b2 d`, see [`passes::combine`].
+    pub(super) fn combine(
+        &mut self,
+        scale: f64,
+        b: [f64; 2],
+        must_fit: bool,
+        h: &[T],
+        state: &State<T>,
+    ) -> Option<[f64; 2]> {
+        passes::combine(
+            [&state.pressure, &state.displacement],
+            [&self.trial, &self.response],
+            scale,
+            b,
+            must_fit,
+            h,
+            [&mut self.before, &mut self.before_response],
+            &mut self.partial,
+        )
+    }
+}
+
+/// Room for a field in single precision until the displacement of the trial is computed: its place,
+/// or, if that holds the lead, the place of the step before the first.
+pub(crate) fn room<'a, T: Real>(
+    response: &'a mut [T],
+    before_response: &'a mut [T],
+    is_lead: bool,
+) -> &'a mut [f32] {
+    let free = if is_lead { before_response } else { response };
+    let n = free.len();
+    &mut T::as_single(free)[..n]
+}
