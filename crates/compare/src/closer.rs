@@ -112,9 +112,12 @@ fn choices(
         Some(solution.diagnostics.area_fraction_corrected).filter(|a| *a > 0.0)
     };
     let repeats = surface.map.repeats;
-    let on = |map: &HeightMap, shape: [usize; 2]| match repeats {
-        true => resample(map, shape, Boundary::Periodic).ok(),
-        false => resample_mirrored(map, shape).ok(),
+    let on = |map: &HeightMap, shape: [usize; 2]| {
+        if repeats {
+            resample(map, shape, Boundary::Periodic).ok()
+        } else {
+            resample_mirrored(map, shape).ok()
+        }
     };
     let shape = surface.surface.grid().shape();
     if shape[0].min(shape[1]) < 16 {

@@ -64,7 +64,7 @@ pub(crate) fn write(surfaces: &Path, sample: &Path, folder: &Path) -> Result<(),
     ];
     write_budget(&groups, &mut File::create(folder.join("budget.svg"))?)?;
     let sample = Table::read(sample)?;
-    let page = by_class(&cases) + &outside(&cases) + &early(&table)? + &realisations(&sample);
+    let page = by_class(&cases) + &outside(&cases) + &early(&table) + &realisations(&sample);
     fs::write(folder.join("budget.md"), page)?;
     Ok(())
 }
@@ -196,7 +196,7 @@ fn outside(cases: &[Case]) -> String {
 }
 
 /// How far the answers move when the iteration stops early.
-fn early(table: &Table) -> Result<String, Box<dyn Error>> {
+fn early(table: &Table) -> String {
     let mut page = String::from(
         "\nIteration stopped early, all surfaces and loads, against 1e−6: how often the stated part \
          of the iteration alone held, and the error relative to the part.\n\n\
@@ -233,7 +233,7 @@ fn early(table: &Table) -> Result<String, Box<dyn Error>> {
             100.0 * gap_held as f64 / n as f64,
         );
     }
-    Ok(page)
+    page
 }
 
 /// Coverage of the finite-sample interval for the mean over realisations.

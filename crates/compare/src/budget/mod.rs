@@ -235,7 +235,7 @@ pub struct RealPressure<'a> {
 
 impl RealPressure<'_> {
     /// The number (Pa).
-    pub fn value(&self) -> f64 {
+    pub fn value(self) -> f64 {
         self.budget.mean_pressure / self.budget.area.value
     }
 
@@ -243,16 +243,16 @@ impl RealPressure<'_> {
     ///
     /// # Errors
     /// Why there is none.
-    pub fn comparison(&self) -> Result<[f64; 2], NoAreaInterval> {
+    pub fn comparison(self) -> Result<[f64; 2], NoAreaInterval> {
         self.budget.area.comparison().map(|area| self.turned(area))
     }
 
     /// `[low, high]` from grid, iteration and finite sample (Pa).
-    pub fn prediction(&self) -> Option<[f64; 2]> {
+    pub fn prediction(self) -> Option<[f64; 2]> {
         self.budget.area.prediction().map(|area| self.turned(area))
     }
 
-    fn turned(&self, [low, high]: [f64; 2]) -> [f64; 2] {
+    fn turned(self, [low, high]: [f64; 2]) -> [f64; 2] {
         [self.budget.mean_pressure / high, self.budget.mean_pressure / low]
     }
 }

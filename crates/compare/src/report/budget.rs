@@ -57,7 +57,7 @@ pub(super) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, a
         row(
             " class=\"sum\"",
             "Prediction ±",
-            |e| e.prediction_half_width(),
+            Estimate::prediction_half_width,
             "root of the squares: the ± of the headline",
         ),
     ];

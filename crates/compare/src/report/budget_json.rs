@@ -1,6 +1,6 @@
 //! A budget as keys of a point in JSON, the same for `solve --json` and `results.json`.
 
-use crate::budget::{Budget, Estimate};
+use crate::budget::{Budget, Estimate, RealPressure};
 use serde_json::{Map, Value, json};
 
 /// Intervals `[low, high]` of every number: `NAME_interval` from grid and iteration, to compare
@@ -25,7 +25,7 @@ pub fn keys(budget: Option<&Budget>) -> Map<String, Value> {
     let bounded = |interval: [f64; 2]| Some(interval).filter(|i| i[1].is_finite());
     let comparison = real.and_then(|r| bounded(r.comparison().ok()?));
     let prediction = real.and_then(|r| bounded(r.prediction()?));
-    keys.insert("real_pressure_corrected".into(), json!(real.map(|r| r.value())));
+    keys.insert("real_pressure_corrected".into(), json!(real.map(RealPressure::value)));
     keys.insert("real_pressure_interval".into(), json!(comparison));
     keys.insert("real_pressure_prediction_interval".into(), json!(prediction));
     keys.insert("stiffness".into(), json!(stiffness.map(|s| s.value)));

@@ -89,7 +89,7 @@ impl Sink for ToWork<'_> {
             let grid = half_widths.map(|[grid, _]| grid);
             Budget::of(solution, &self.map).with_grid(grid, 1.0)
         });
-        self.work.take(place, load, &result, budget);
+        self.work.take(place, load, &result, budget.as_ref());
         self.progress.step(&shown(load));
         ControlFlow::Continue(())
     }

@@ -152,8 +152,8 @@ impl Solve {
                 (None, Ok(())) => solver.solve_again(loads[index], &mut watch),
                 (None, Err(error)) => Err(error.clone()),
             };
-            let budget = self.budget(&result, &mut solver, kept.as_ref(), &map);
-            work.take(index, loads[index], &result, budget);
+            let budget = Self::budget(&result, &mut solver, kept.as_ref(), &map);
+            work.take(index, loads[index], &result, budget.as_ref());
             progress.step(&shown(loads[index]));
         }
         drop(progress);
@@ -165,7 +165,6 @@ impl Solve {
 
     /// The errors of a solution, with its stiffness if that was asked for.
     fn budget(
-        &self,
         result: &Result<Solution, SolverError>,
         solver: &mut Solver,
         surface: Option<&HeightMap>,
@@ -264,13 +263,13 @@ impl Work {
         index: usize,
         load: Load,
         result: &Result<Solution, SolverError>,
-        budget: Option<Budget>,
+        budget: Option<&Budget>,
     ) {
         let (solution, error) = match result {
             Ok(solution) => (Some(solution), None),
             Err(error) => (error.solution(), Some(error)),
         };
-        self.points[index] = Some(point(load, solution.zip(budget.as_ref()), error));
+        self.points[index] = Some(point(load, solution.zip(budget), error));
         if let Some(error) = error {
             let message = format!("{}: {error}", shown(load));
             self.report(match error {
