@@ -49,13 +49,25 @@ impl Taken {
         }
     }
 
-    /// Writes a label near a point if there is room within `inside`.
+    /// Writes a label near a point within `inside`; where it is crowded, further off and with a
+    /// hairline to its point.
     fn label(&mut self, canvas: &mut Canvas, at: [f64; 2], text: &Text<'_>, inside: Rect) {
         let size = [text_width(text.content, text.size, text.bold), text.size];
-        if let Some(r) = place_near(at, size, &self.0, inside) {
+        let far = (0..6).flat_map(|ring| {
+            let [dx, dy] = [10.0 * f64::from(ring), 9.0 * f64::from(ring)];
+            [[0.0, dy], [dx, dy], [-dx, dy], [0.0, -dy], [dx, -dy], [-dx, -dy]]
+        });
+        for [dx, dy] in far {
+            let near = [at[0] + dx, at[1] + dy];
+            let Some(r) = place_near(near, size, &self.0, inside) else { continue };
             self.0.push(r);
+            if dx.abs() + dy.abs() > 0.0 {
+                let end = [at[0].clamp(r[0], r[2]), at[1].clamp(r[1], r[3])];
+                canvas.line(at, end, Stroke::solid(text.colour, 0.5));
+            }
             let at = [r[0], r[1] + 0.78 * text.size];
             canvas.label(&Text { at, halo: true, ..text.clone() });
+            return;
         }
     }
 }
