@@ -13,6 +13,7 @@ fn run_all(slow: bool) -> TaskResult {
         step(&["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"]),
         documentation(),
         step(&["xtask", "docs", "--check"]),
+        step(&["xtask", "costs", "--check"]),
         step(&["test", "--workspace", "--locked"]),
     ];
     if slow {

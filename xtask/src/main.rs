@@ -6,6 +6,8 @@ mod bench;
 mod budget;
 mod ci;
 mod compare;
+mod costs;
+mod dependencies;
 mod docs;
 mod edges;
 mod extremes;
@@ -30,6 +32,8 @@ Usage: cargo xtask <task> [options]
   figures [--check]         the figures that README and book show
   docs [--check]            the tables of models and formats in the book
   extremes [--check]        every model at the ends of its inputs; tables into the book
+  costs [--check | --build] what each crate brings along and each call allocates; with --build
+                            how long each takes to build from clean (minutes)
   edges [--check]           maps that do not repeat: what each treatment of their edges does
   accuracy [--check]        whether `--accuracy` keeps its word; table, figure, page
                             (under half an hour, resumable)
@@ -63,6 +67,7 @@ fn main() -> ExitCode {
         "compare" => compare::run(rest),
         "validate" => validate::run(rest),
         "figures" => figures::run(rest),
+        "costs" => costs::run(rest),
         "docs" => docs::run(rest),
         "edges" => edges::run(rest),
         "extremes" => extremes::run(rest),

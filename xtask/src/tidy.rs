@@ -1,40 +1,11 @@
 //! Checks of the architecture that no compiler makes. `docs/src/architecture.md` says why.
 
 use crate::TaskResult;
+use crate::dependencies::{LAYERS, brought_along};
 use crate::shell::{cargo, files, output, root};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-
-/// The layer picture: which crate of ours may depend on which, and how many crates from the
-/// registry it may pull in with its default features.
-const LAYERS: &[(&str, u8, &[&str], usize)] = &[
-    ("contact-types", 0, &[], 10),
-    ("grid-fft", 0, &["contact-types"], 20),
-    ("surface-io", 1, &["contact-types"], 40),
-    ("surface-stats", 1, &["contact-types", "grid-fft"], 60),
-    ("gw-closed-form", 1, &["contact-types"], 10),
-    // Bush-Gibson-Thomas is the Greenwood-Williamson integral averaged over curvatures.
-    ("asperity-models", 1, &["contact-types", "gw-closed-form"], 10),
-    ("multiscale-models", 1, &["contact-types"], 10),
-    ("fft-bem-solver", 1, &["contact-types", "grid-fft"], 30),
-    (
-        "compare",
-        2,
-        &[
-            "contact-types",
-            "grid-fft",
-            "surface-io",
-            "surface-stats",
-            "gw-closed-form",
-            "asperity-models",
-            "multiscale-models",
-            "fft-bem-solver",
-        ],
-        130,
-    ),
-    ("xtask", 3, &[], 10),
-];
 
 /// A file longer than this is reported: think again whether it is about one thing.
 const LONG_FILE: usize = 500;
@@ -98,26 +69,10 @@ fn layers(packages: &BTreeMap<String, Value>, faults: &mut Vec<String>) {
 fn dependency_counts(packages: &BTreeMap<String, Value>, faults: &mut Vec<String>) -> TaskResult {
     println!("registry crates that each crate brings along (limit)");
     for &(name, _, _, limit) in LAYERS.iter().filter(|row| packages.contains_key(row.0)) {
-        let tree = output(cargo().args([
-            "tree",
-            "--locked",
-            "--package",
-            name,
-            "--edges",
-            "normal",
-            "--prefix",
-            "none",
-            "--format",
-            "{p}",
-        ]))?;
-        let names: BTreeSet<&str> = tree
-            .lines()
-            .filter_map(|line| line.split_whitespace().next())
-            .filter(|dependency| !packages.contains_key(*dependency))
-            .collect();
-        println!("  {name:<18} {:>3} ({limit})", names.len());
-        if names.len() > limit {
-            faults.push(format!("{name} brings {} registry crates, limit {limit}", names.len()));
+        let count = brought_along(name)?.from_registry.len();
+        println!("  {name:<18} {count:>3} ({limit})");
+        if count > limit {
+            faults.push(format!("{name} brings {count} registry crates, limit {limit}"));
         }
     }
     Ok(())

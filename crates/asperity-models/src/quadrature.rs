@@ -95,9 +95,7 @@ impl Correlation {
             Frame::Plain { h }
         };
         let mut sum = [0.0; N];
-        let breaks = self.breaks(&frame);
-        for pair in breaks.windows(2) {
-            let (from, to) = (pair[0], pair[1]);
+        for [from, to] in self.breaks(&frame).panels() {
             let (root, low, high) = self.substitution(&frame, from, to);
             let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
             for &[x, w] in &GAUSS_32 {
@@ -168,8 +166,8 @@ impl Correlation {
         (summit, exponent.exp() * step * FRAC_1_SQRT_2PI)
     }
 
-    /// Panel ends, in frame coordinates.
-    fn breaks(self, frame: &Frame) -> Vec<f64> {
+    /// Where panels must end, in frame coordinates.
+    fn breaks(self, frame: &Frame) -> Breaks {
         let Self { rho, s } = self;
         let (low, high, touch) = match *frame {
             Frame::Tail { h } => ((-rho * h / s).max(-REACH), REACH, None),
@@ -185,28 +183,63 @@ impl Correlation {
             }
             Frame::Plain { .. } => (0.0, REACH, None),
         };
-        let mut breaks = vec![low, high];
+        let mut breaks = Breaks::between(low, high);
         if let Some(touch) = touch {
             // Overlap powers have their bend at `touch`, as sharp as w: panels grow away from it.
             let mut offset = 4.0 * s / rho;
             while offset > 0.0 && offset < high - low {
-                breaks.extend(
-                    [touch - offset, touch + offset].iter().filter(|b| low < **b && **b < high),
-                );
+                breaks.add(touch - offset);
+                breaks.add(touch + offset);
                 offset *= 8.0;
             }
         }
-        breaks.sort_by(f64::total_cmp);
-        let widest = WIDEST.min(0.25 * (high - low));
-        let mut fine = vec![low];
-        for pair in breaks.windows(2) {
-            let parts = ((pair[1] - pair[0]) / widest).ceil().max(1.0);
-            for k in 1..parts as u32 {
-                fine.push(pair[0] + (pair[1] - pair[0]) * f64::from(k) / parts);
-            }
-            fine.push(pair[1]);
+        breaks.sorted()
+    }
+}
+
+/// Most breaks there can be: s > 0 is at least 1e-8, so that its offsets reach the width of the
+/// window, 30 at most, in eleven steps of 8.
+const MOST_BREAKS: usize = 32;
+
+/// Ends of panels. An array, because a question to a model allocates nothing.
+struct Breaks {
+    at: [f64; MOST_BREAKS],
+    count: usize,
+}
+
+impl Breaks {
+    fn between(low: f64, high: f64) -> Self {
+        let mut at = [0.0; MOST_BREAKS];
+        at[..2].copy_from_slice(&[low, high]);
+        Self { at, count: 2 }
+    }
+
+    /// Adds a break if it lies inside.
+    fn add(&mut self, position: f64) {
+        if self.at[0] < position && position < self.at[1] {
+            self.at[self.count] = position;
+            self.count += 1;
         }
-        fine
+    }
+
+    fn sorted(mut self) -> Self {
+        self.at[..self.count].sort_unstable_by(f64::total_cmp);
+        self
+    }
+
+    /// The panels `[from, to]` between the breaks, none wider than `WIDEST` or a quarter of all.
+    fn panels(&self) -> impl Iterator<Item = [f64; 2]> {
+        let ends = &self.at[..self.count];
+        let widest = WIDEST.min(0.25 * (ends[self.count - 1] - ends[0]));
+        ends.windows(2).flat_map(move |pair| {
+            let (from, width) = (pair[0], pair[1] - pair[0]);
+            let parts = (width / widest).ceil().max(1.0) as u32;
+            let end = move |k| match k {
+                k if k == parts => pair[1],
+                k => from + width * f64::from(k) / f64::from(parts),
+            };
+            (0..parts).map(move |k| [end(k), end(k + 1)])
+        })
     }
 }
 

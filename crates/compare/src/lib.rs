@@ -9,6 +9,7 @@ mod cleaning;
 mod closer;
 mod coarser;
 mod curve;
+mod describe;
 mod edge_share;
 pub mod edge_study;
 pub mod light_load;

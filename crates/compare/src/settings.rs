@@ -1,5 +1,6 @@
 //! Everything a user can choose about a study.
 
+use crate::models::{MODELS, ModelEntry};
 use serde::{Deserialize, Serialize};
 
 /// Settings of a study. SI units.
@@ -30,6 +31,10 @@ pub struct Settings {
     pub tolerance: f64,
     /// Threads the solver may use.
     pub threads: usize,
+    /// Names of the models to ask, of [`MODELS`](crate::models::MODELS); absent: every one that a
+    /// height map gives all it needs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub models: Option<Vec<String>>,
     /// Wavelengths `[shortest, longest]` between which the fractal dimension is fitted (m);
     /// absent: chosen from the spectrum.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -49,8 +54,18 @@ impl Default for Settings {
             precision: PrecisionName::F64,
             tolerance: 1e-4,
             threads: 1,
+            models: None,
             fractal_range: None,
         }
+    }
+}
+
+impl Settings {
+    /// The rows of the models to ask, in the order of the list.
+    pub fn asked_models(&self) -> impl Iterator<Item = &'static ModelEntry> {
+        let asked =
+            |name: &str| self.models.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
+        MODELS.iter().filter(move |m| m.in_study && asked(m.name))
     }
 }
 

@@ -1,27 +1,25 @@
 //! The study itself: statistics, the deterministic curve, every model over the loads.
 
-use crate::budget::Map;
 use crate::curve::{Curve, ToCurve};
-use crate::models::{BuildError, Inputs, MODELS, ModelEntry, MomentSource};
+use crate::describe::{describe, model_inputs, spectral};
+use crate::models::{BuildError, Inputs, MODELS, ModelEntry};
 use crate::plan::{self, BadRequest, PlanError, Request, Task};
 use crate::refine::refine;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison,
 };
-use crate::settings::{LevelName, MethodName, PrecisionName};
+use crate::settings::{MethodName, PrecisionName};
 use crate::survey::{Query, Survey, peak_slope};
 use crate::verdict::verdict;
-use crate::{Origin, Settings, Surface, contact_spots, default_pressures};
+use crate::{Settings, Surface, contact_spots, default_pressures};
 use contact_types::{
     ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
 };
 use fft_bem_solver::{Load, Maps, Method, Precision, Solver, SolverBuilder, SolverError};
-use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use surface_stats::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes};
-use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, level};
+use surface_stats::{StatsError, SurfaceStatistics};
 
 /// What a study reports while it works.
 #[derive(Debug, Clone, Copy)]
@@ -76,6 +74,15 @@ pub enum StudyError {
         /// The value (Pa).
         value: f64,
     },
+    /// A name that is no model of the study.
+    #[error("the study has no model '{name}'; it has {}", model_names())]
+    UnknownModel {
+        /// The name.
+        name: String,
+    },
+    /// The list of models is empty.
+    #[error("the list of models is empty; name at least one of {}", model_names())]
+    NoModel,
     /// Statistics refuse the surface.
     #[error("{surface}: {source}")]
     Statistics {
@@ -103,6 +110,12 @@ pub enum StudyError {
     Stopped,
 }
 
+/// Names of the models of a study, for a message.
+fn model_names() -> String {
+    let names: Vec<&str> = MODELS.iter().filter(|m| m.in_study).map(|m| m.name).collect();
+    names.join(", ")
+}
+
 impl Comparison {
     /// Runs a study. `progress` is told what happens and may stop it.
     ///
@@ -120,6 +133,7 @@ impl Comparison {
         }
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
         check_pressures(&settings)?;
+        check_models(&settings)?;
         let count = surfaces.len();
         let mut done = Vec::with_capacity(count);
         for (index, surface) in surfaces.into_iter().enumerate() {
@@ -140,6 +154,16 @@ fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
     }
 }
 
+fn check_models(settings: &Settings) -> Result<(), StudyError> {
+    let Some(names) = &settings.models else { return Ok(()) };
+    let is_known = |name: &str| MODELS.iter().any(|m| m.in_study && m.name == name);
+    match names.iter().find(|name| !is_known(name)) {
+        Some(name) => Err(StudyError::UnknownModel { name: name.clone() }),
+        None if names.is_empty() => Err(StudyError::NoModel),
+        None => Ok(()),
+    }
+}
+
 fn compare(
     surface: Surface,
     modulus: ContactModulus,
@@ -150,9 +174,11 @@ fn compare(
     let Surface { name, origin, heights } = surface;
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
     let setup = Instant::now();
-    let (map, statistics) = describe(&heights, &origin, settings).map_err(refused)?;
-    let inputs = model_inputs(&map, &statistics, modulus).map_err(refused)?;
-    let (spectral, known) = spectral(&map, &origin, &statistics).map_err(refused)?;
+    let (map, statistics, spectra) = describe(&heights, &origin, settings).map_err(refused)?;
+    drop(heights);
+    let (spectral, known) = spectral(&map, &spectra.power, &statistics);
+    let inputs = model_inputs(&map, &statistics, spectra.amplitudes, modulus, settings);
+    drop(spectra.power);
     let setup_seconds = setup.elapsed().as_secs_f64();
 
     let gradient = inputs.rms_gradient();
@@ -213,9 +239,8 @@ fn compare(
     let spots = contact_spots(&pressure, solved.as_ref().unwrap_or(&map).grid());
     tell(Progress::Models)?;
     let alike = likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]);
-    let models = MODELS
-        .iter()
-        .filter(|m| m.in_study)
+    let models = settings
+        .asked_models()
         .map(|entry| ask(entry, &inputs, &deterministic, &statistics, alike.as_ref()))
         .collect();
     Ok(SurfaceComparison {
@@ -238,86 +263,6 @@ fn compare(
         spots,
         models,
     })
-}
-
-/// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
-/// does not.
-fn describe(
-    heights: &HeightMap,
-    origin: &Origin,
-    settings: &Settings,
-) -> Result<(HeightMap, SurfaceStatistics), StatsError> {
-    let form = form(settings.level);
-    let (boundary, missing, height_step) = match origin {
-        Origin::Recipe(_) => (Boundary::Periodic, 0, None),
-        Origin::File(file) => (Boundary::Open, file.missing, file.height_step),
-    };
-    let fractal_range = settings.fractal_range;
-    let options = StatsOptions { level: form, boundary, fractal_range, missing, height_step };
-    // From the heights as given, so that a tilt that is removed is still reported.
-    let statistics = SurfaceStatistics::of(heights, &options)?;
-    Ok((level(heights, form)?, statistics))
-}
-
-/// One set of moments for all models, by finite differences: they stay inside the map, so that a
-/// map that does not repeat brings no jump at its edges, and they see less of the noise near two
-/// points than the spectrum does.
-fn model_inputs(
-    map: &HeightMap,
-    statistics: &SurfaceStatistics,
-    modulus: ContactModulus,
-) -> Result<Inputs, StatsError> {
-    Ok(Inputs {
-        moments: Some(statistics.moments()).filter(|m| m.m2 > 0.0 && m.m4 > 0.0),
-        source: MomentSource::FiniteDifferences,
-        amplitudes: Some(amplitudes(map, Axis::X)?),
-        fractal: statistics.fractal(),
-        dimension: statistics.dimension,
-        nominal_area: Some(map.grid().area()),
-        ..Inputs::new(modulus)
-    })
-}
-
-/// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann
-/// window otherwise, or the jump at the edges would count as roughness.
-fn spectral(
-    map: &HeightMap,
-    origin: &Origin,
-    statistics: &SurfaceStatistics,
-) -> Result<(Spectral, Map), StatsError> {
-    let window = match origin {
-        Origin::Recipe(_) => Window::None,
-        Origin::File(_) => Window::Hann,
-    };
-    let power = PowerSpectrum::of(map, window)?;
-    let repeats = window == Window::None || plan::repeats(map);
-    let known = Map::known(map, &power, statistics.height_step.unwrap_or(0.0), repeats);
-    let spectral = Spectral {
-        moments: power.moments().0,
-        resolved: power.resolved_gradient().unwrap_or(1.0),
-        windowed: window != Window::None,
-        psd: thinned(&power.rings()),
-    };
-    Ok((spectral, known))
-}
-
-/// The PSD in about 12 bins per octave of wavenumber, `[wavelength, C]`: what a figure can show.
-fn thinned(rings: &[Ring]) -> Vec<[f64; 2]> {
-    let mut bins: Vec<(i64, f64, f64, f64)> = Vec::new(); // bin, waves, sum C, sum ln q
-    for ring in rings.iter().filter(|r| r.wavenumber > 0.0) {
-        let bin = (12.0 * ring.wavenumber.log2()).floor() as i64;
-        let waves = ring.waves as f64;
-        let (c, q) = (waves * ring.psd, waves * ring.wavenumber.ln());
-        match bins.last_mut() {
-            Some(last) if last.0 == bin => {
-                last.1 += waves;
-                last.2 += c;
-                last.3 += q;
-            }
-            _ => bins.push((bin, waves, c, q)),
-        }
-    }
-    bins.into_iter().map(|(_, waves, c, q)| [TAU / (q / waves).exp(), c / waves]).collect()
 }
 
 fn refused_plan(error: PlanError, name: &str) -> StudyError {
@@ -425,15 +370,6 @@ fn timed(
     }
     passes.sort();
     (answers, passes[passes.len() / 2].as_secs_f64() / loads.len().max(1) as f64)
-}
-
-fn form(name: LevelName) -> Level {
-    match name {
-        LevelName::None => Level::None,
-        LevelName::Mean => Level::Mean,
-        LevelName::Plane => Level::Plane,
-        LevelName::Quadratic => Level::Quadratic,
-    }
 }
 
 fn method(name: MethodName) -> Method {

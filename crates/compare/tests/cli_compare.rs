@@ -75,6 +75,48 @@ fn a_report_from_files_and_its_repetition() {
     refused(at, "compare --from report/run.toml --pressure 1MPa --out third", 2, &["--pressure"]);
 }
 
+/// Only the models asked for are in the study, in text, JSON, CSV, page and repetition.
+#[test]
+fn a_study_of_chosen_models() {
+    let dir = folder();
+    let at = dir.path();
+    let synth = "synth --shape 48,48 --pixel 1um --hurst 0.8 --rolloff 24um --cutoff 6um \
+                 --rms-height 0.2um --seed 1 --out a.x3p";
+    assert_eq!(rough_contact(at, synth).status, 0);
+    let study = "compare a.x3p --modulus 110GPa --pressure 200MPa";
+    let names = |folder: &str| -> Vec<String> {
+        let text = std::fs::read_to_string(at.join(folder).join("results.json")).unwrap();
+        let results: Value = serde_json::from_str(&text).unwrap();
+        let models = results["surfaces"][0]["models"].as_array().unwrap().clone();
+        models.iter().map(|m| m["model"].as_str().unwrap().to_owned()).collect()
+    };
+    let said = rough_contact(at, &format!("{study} --models persson,gw --out two"));
+    assert_eq!(said.status, 0, "{}", said.err);
+    assert!(said.out.contains("Persson") && !said.out.contains("Bush"), "{}", said.out);
+    assert_eq!(names("two"), ["gw", "persson"]);
+    let csv = std::fs::read_to_string(at.join("two/curves.csv")).unwrap();
+    let header = csv.lines().next().unwrap();
+    assert!(header.contains("area_fraction_gw") && !header.contains("bgt"), "{header}");
+    assert_eq!(header.split(',').count(), csv.lines().nth(1).unwrap().split(',').count());
+    let page = std::fs::read_to_string(at.join("two/report.html")).unwrap();
+    assert!(page.contains("Persson") && !page.contains("Majumdar"));
+    assert_eq!(rough_contact(at, "compare --from two/run.toml --out again --quiet").status, 0);
+    assert_eq!(names("again"), ["gw", "persson"]);
+
+    assert_eq!(rough_contact(at, &format!("{study} --out all --quiet")).status, 0);
+    assert_eq!(names("all").len(), 7);
+
+    refused(at, &format!("{study} --models gw,archard --out r"), 2, &["archard", "persson"]);
+    refused(at, "compare --from two/run.toml --models gw --out r", 2, &["--models"]);
+    let run = std::fs::read_to_string(at.join("two/run.toml")).unwrap();
+    for (list, part) in [("[\"green\"]", "no model 'green'"), ("[]", "empty")] {
+        let changed = run.replace("[\"persson\", \"gw\"]", list);
+        assert_ne!(changed, run);
+        std::fs::write(at.join("changed.toml"), changed).unwrap();
+        refused(at, "compare --from changed.toml --out r", 2, &[part, "persson"]);
+    }
+}
+
 #[test]
 fn what_a_study_refuses() {
     let dir = folder();

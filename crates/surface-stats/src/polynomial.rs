@@ -94,8 +94,8 @@ impl Polynomial {
 
     /// Coefficients of the polynomial along the row where the Legendre polynomials of y have
     /// these values: the form is `sum_k a_k P_k(u)` there.
-    fn along_row(&self, rows: &[f64]) -> Vec<f64> {
-        let mut along = vec![0.0; self.degree + 1];
+    fn along_row(&self, rows: &[f64]) -> [f64; MAX_DEGREE + 1] {
+        let mut along = [0.0; MAX_DEGREE + 1];
         for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
             along[kx] += coefficient * rows[ky];
         }
@@ -112,7 +112,7 @@ impl Polynomial {
         for (iy, row) in heights.chunks_exact(nx).enumerate() {
             let rows = legendre(scaled(iy, ny));
             let along = self.along_row(&rows);
-            let (mut sums, mut missing) = (vec![0.0; k], false);
+            let (mut sums, mut missing) = ([0.0; MAX_DEGREE + 1], false);
             for (ix, h) in row.iter().enumerate() {
                 if h.is_nan() {
                     missing = true;

@@ -1,15 +1,17 @@
 //! The one call most users need.
 
-use crate::fractal::{self, PowerLaw};
-use crate::noise::{NoiseFloor, white_noise_moments};
+use crate::fractal::PowerLaw;
+use crate::noise::white_noise_moments;
 use crate::polynomial::Polynomial;
-use crate::spectrum::{Axis, PowerSpectrum, Ring, Window, amplitudes_of_levelled};
+use crate::spectral_scales::{SpectralScales, check_range};
+use crate::spectrum::{Axis, PowerSpectrum, Window, amplitudes_of_levelled};
 use crate::{
     Boundary, DirectionalMoments, HeightStatistics, Level, StatsError, Summits, Warning, scale,
     steps,
 };
-use contact_types::{AsperityStatistics, FractalParameters, HeightMap, SpectralMoments};
-use std::f64::consts::TAU;
+use contact_types::{
+    AmplitudeSpectrum, AsperityStatistics, FractalParameters, HeightMap, SpectralMoments,
+};
 
 /// How statistics are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -137,6 +139,14 @@ pub struct SurfaceStatistics {
     pub warnings: Vec<Warning>,
 }
 
+/// The spectra that [`SurfaceStatistics`] are taken from, of the levelled map.
+pub struct Spectra {
+    /// All waves: of the map as it repeats, or, with an open boundary, under a Hann window.
+    pub power: PowerSpectrum,
+    /// Amplitudes of the rows.
+    pub amplitudes: AmplitudeSpectrum,
+}
+
 impl SurfaceStatistics {
     /// Takes all statistics of a map. Needs the memory of two further copies of it.
     ///
@@ -144,6 +154,17 @@ impl SurfaceStatistics {
     /// [`StatsError::TooSmall`] below 3 x 3 pixels, [`StatsError::OutOfRange`] for heights or
     /// pixels beyond what can be squared, [`StatsError::BadSetting`] for an empty fit range.
     pub fn of(map: &HeightMap, options: &StatsOptions) -> Result<Self, StatsError> {
+        Self::with_spectra(map, options).map(|(statistics, _)| statistics)
+    }
+
+    /// The same, with the spectra it had to compute, for who needs them too.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of).
+    pub fn with_spectra(
+        map: &HeightMap,
+        options: &StatsOptions,
+    ) -> Result<(Self, Spectra), StatsError> {
         scale::check(map)?;
         check_range(options.fractal_range)?;
         let (grid, periodic) = (map.grid(), options.boundary == Boundary::Periodic);
@@ -154,6 +175,7 @@ impl SurfaceStatistics {
             0.0
         };
         let form = Polynomial::fit(grid, map.heights(), degree)?;
+        let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
         let mut heights = map.heights().to_vec();
         form.remove_from(&mut heights);
         let surface = HeightMap::new(grid, heights)?;
@@ -166,30 +188,22 @@ impl SurfaceStatistics {
 
         let power = PowerSpectrum::of_field(grid, surface.heights());
         let (spectral, _) = power.moments();
-        let (rings, resolved) = if periodic {
-            (power.rings(), power.resolved_gradient())
+        let power = if periodic {
+            drop(surface);
+            power
         } else {
             drop(power);
             let mut heights = surface.into_heights();
             Window::Hann.apply(grid, &mut heights);
-            let power = PowerSpectrum::of_field(grid, &heights);
-            (power.rings(), power.resolved_gradient())
+            PowerSpectrum::of_field(grid, &heights)
         };
+        let resolved = power.resolved_gradient();
 
-        let [dy, dx] = grid.pixel();
         let rms_height = distribution.rms_height;
         let moments = differences.isotropic(rms_height * rms_height);
-        // A floor at the rounding of the transform is no noise.
-        let noise =
-            NoiseFloor::of(&rings, [dy, dx]).filter(|n| n.rms > 1e-9 * distribution.rms_height);
-        let reliable = noise.and_then(|n| n.reliable);
-        let (cutoff, rolloff) = scales(&rings, 2.0 * dy.min(dx), reliable);
-        let [ly, lx] = grid.size();
-        let range = options
-            .fractal_range
-            .or_else(|| cutoff.map(|short| [short, rolloff.unwrap_or(0.5 * ly.min(lx))]));
-        let radial = range.and_then(|r| fractal::fit_radial(&rings, r));
-        let fractal = radial.as_ref().map(PowerLaw::fractal_of_surface);
+        let scales =
+            SpectralScales::of_rings(&power.rings(), grid, rms_height, options.fractal_range);
+        let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
 
         let mut statistics = Self {
             shape: grid.shape(),
@@ -218,17 +232,17 @@ impl SurfaceStatistics {
             anisotropy: differences.anisotropy().filter(|r| r.is_finite()),
             asperities: AsperityStatistics::from_moments(moments),
             summits,
-            hurst: radial.map(|fit| fit.hurst()),
+            hurst: scales.power_law.map(|fit| fit.hurst()),
             dimension: fractal.map(|(dimension, _)| dimension),
             roughness: fractal.and_then(|(_, g)| g).map(|g| g.roughness),
-            fractal_range: radial.and(range),
-            rolloff,
-            cutoff,
+            fractal_range: scales.fractal_range,
+            rolloff: scales.rolloff,
+            cutoff: scales.cutoff,
             max_amplitude_ratio: amplitudes.max_amplitude_ratio(),
             record_length: amplitudes.record_length(),
-            height_step: options.height_step.or_else(|| steps::height_step(map.heights())),
-            noise_rms: noise.map(|n| n.rms),
-            reliable_wavelength: reliable,
+            height_step,
+            noise_rms: scales.noise.map(|n| n.rms),
+            reliable_wavelength: scales.noise.and_then(|n| n.reliable),
             warnings: Vec::new(),
         };
         let (low, high) = map.range();
@@ -236,7 +250,7 @@ impl SurfaceStatistics {
         let directional = differences.anisotropy();
         statistics.warnings =
             statistics.judge(tilt, spacing, edge_jump, directional, resolved.unwrap_or(1.0));
-        Ok(statistics)
+        Ok((statistics, Spectra { power, amplitudes }))
     }
 
     /// m0, m2, m4 by finite differences.
@@ -336,15 +350,6 @@ impl SurfaceStatistics {
     }
 }
 
-/// Cut-off and roll-off wavelength, from the waves that stand out of the noise.
-fn scales(rings: &[Ring], two_pixels: f64, reliable: Option<f64>) -> (Option<f64>, Option<f64>) {
-    let shortest = reliable.unwrap_or(0.0);
-    let end = rings.iter().rposition(|r| TAU / r.wavenumber >= shortest).map_or(0, |i| i + 1);
-    let cutoff = fractal::cutoff(&rings[..end], two_pixels);
-    let rolloff = cutoff.and_then(|short| fractal::rolloff(rings, short));
-    (cutoff, rolloff.map(|r| r.wavelength))
-}
-
 /// Rms difference across the seams between opposite edges over that of neighbours inside; 0 for
 /// a flat map.
 fn edge_jump(map: &HeightMap) -> f64 {
@@ -360,18 +365,4 @@ fn edge_jump(map: &HeightMap) -> f64 {
         inside += across(ny / 2, ix, ny / 2 - 1, ix).powi(2);
     }
     if inside > 0.0 { (seam / inside).sqrt() } else { 0.0 }
-}
-
-fn check_range(range: Option<[f64; 2]>) -> Result<(), StatsError> {
-    let Some([short, long]) = range else { return Ok(()) };
-    let requirement = "wavelengths must be finite and greater than 0, the shorter one first";
-    for (setting, value, holds) in [
-        ("shortest wavelength of the fractal fit", short, short.is_finite() && short > 0.0),
-        ("longest wavelength of the fractal fit", long, long.is_finite() && long > short),
-    ] {
-        if !holds {
-            return Err(StatsError::BadSetting { setting, value, requirement });
-        }
-    }
-    Ok(())
 }

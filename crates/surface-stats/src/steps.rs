@@ -10,8 +10,8 @@ const SAMPLE: usize = 100_000;
 /// happen by chance. NaN is skipped.
 pub fn height_step(heights: &[f64]) -> Option<f64> {
     let stride = heights.len().div_ceil(SAMPLE).max(1);
-    let mut sample: Vec<f64> =
-        heights.iter().step_by(stride).copied().filter(|h| h.is_finite()).collect();
+    let mut sample = Vec::with_capacity(heights.len().div_ceil(stride));
+    sample.extend(heights.iter().step_by(stride).copied().filter(|h| h.is_finite()));
     sample.sort_unstable_by(f64::total_cmp);
     let points = sample.len();
     // Two computations of one integer may differ in the last bits.

@@ -1,7 +1,6 @@
 //! `curves.csv`: every number the figures over the load draw, units in the header.
 
 use super::lines::Lines;
-use crate::models::MODELS;
 use crate::result::{Comparison, SurfaceComparison};
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -19,7 +18,8 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
          area_fraction_prediction_low [-],area_fraction_prediction_high [-],mean_gap_low [m],\
          mean_gap_high [m]",
     );
-    for model in in_study() {
+    let models: Vec<&str> = comparison.settings.asked_models().map(|m| m.name).collect();
+    for model in &models {
         let name = model.replace('-', "_");
         let _ = write!(
             header,
@@ -28,16 +28,16 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
     }
     writeln!(out, "{header}")?;
     for surface in &comparison.surfaces {
-        write_surface(surface, out)?;
+        write_surface(surface, &models, out)?;
     }
     Ok(())
 }
 
-fn in_study() -> impl Iterator<Item = &'static str> {
-    MODELS.iter().filter(|m| m.in_study).map(|m| m.name)
-}
-
-fn write_surface(surface: &SurfaceComparison, out: &mut impl Write) -> io::Result<()> {
+fn write_surface(
+    surface: &SurfaceComparison,
+    models: &[&str],
+    out: &mut impl Write,
+) -> io::Result<()> {
     let lines = Lines::of(surface);
     let name = quoted(&surface.name);
     for (i, &p) in lines.pressures.iter().enumerate() {
@@ -61,8 +61,8 @@ fn write_surface(surface: &SurfaceComparison, out: &mut impl Write) -> io::Resul
         for range in [prediction, gap] {
             cells.extend([range.map(|r| r[0]), range.map(|r| r[1])]);
         }
-        for model in in_study() {
-            let line = lines.models.iter().find(|l| l.name == model);
+        for model in models {
+            let line = lines.models.iter().find(|l| l.name == *model);
             let area = line.and_then(|l| l.area[i]);
             let error = line.and_then(|l| lines.errors(l)[i]);
             cells.extend([area, real(area), error]);

@@ -3,6 +3,7 @@
 use crate::outcome::Failure;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use compare::models::MODELS;
 use compare::quantity::{self, Dimension, QuantityError};
 use compare::{LevelName, MethodName, PrecisionName};
 use contact_types::{ContactModulus, Elastic};
@@ -178,6 +179,11 @@ pub(crate) fn method() -> impl TypedValueParser<Value = MethodName> {
 
 pub(crate) fn precision() -> impl TypedValueParser<Value = PrecisionName> {
     one_of(PrecisionName::ALL, PrecisionName::name)
+}
+
+/// A model that a study can ask.
+pub(crate) fn study_models() -> PossibleValuesParser {
+    PossibleValuesParser::new(MODELS.iter().filter(|m| m.in_study).map(|m| m.name))
 }
 
 /// What the solver calls a method.

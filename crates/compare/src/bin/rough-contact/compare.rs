@@ -37,6 +37,9 @@ pub(crate) struct Compare {
     /// Pressure of headline and contact map, one of --pressure [default: at about 2 % contact]
     #[arg(long, value_name = "P", value_parser = args::pressure, allow_hyphen_values = true)]
     headline: Option<f64>,
+    /// Models to ask, such as gw,persson [default: every one that a surface gives all it needs]
+    #[arg(long, value_name = "LIST", value_parser = args::study_models(), value_delimiter = ',')]
+    models: Option<Vec<String>>,
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "plane")]
     level: LevelName,
@@ -59,9 +62,9 @@ pub(crate) struct Compare {
     accuracy: Option<Request>,
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
-        "files", "pressure", "headline", "level", "fractal_range", "method", "precision",
-        "tolerance", "accuracy", "modulus", "young", "channel", "pixel", "height_unit", "fill", "crop",
-        "outliers", "form", "s_filter", "l_filter",
+        "files", "pressure", "headline", "models", "level", "fractal_range", "method",
+        "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
+        "height_unit", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
@@ -115,6 +118,7 @@ impl Compare {
             modulus,
             pressures: self.pressure.as_ref().map(|List(pressures)| pressures.clone()),
             headline: self.headline,
+            models: self.models.clone(),
             level: self.level,
             method: self.method,
             precision: self.precision,

@@ -14,10 +14,10 @@ use multiscale_models::{SelfAffineSpectrum, SphereLevel};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::path::Path;
+use surface_stats::fractal::PowerLaw;
 use surface_stats::spectrum::{Axis, amplitudes, radial};
 use surface_stats::{
-    Boundary, DirectionalMoments, HeightStatistics, StatsError, StatsOptions, SurfaceStatistics,
-    level,
+    Boundary, DirectionalMoments, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
 };
 
 /// Roughness typed in.
@@ -269,9 +269,10 @@ impl Source {
         if model == "majumdar-bhushan" {
             let options =
                 StatsOptions { level: form, boundary, missing, ..StatsOptions::default() };
-            let statistics = SurfaceStatistics::of(&heights, &options).map_err(refused)?;
-            inputs.fractal = statistics.fractal();
-            inputs.dimension = statistics.dimension;
+            let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
+            let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
+            inputs.dimension = fractal.map(|(dimension, _)| dimension);
+            inputs.fractal = fractal.and_then(|(_, parameters)| parameters);
             return Ok(inputs);
         }
         let map = level(&heights, form).map_err(refused)?;

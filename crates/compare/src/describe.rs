@@ -1,0 +1,100 @@
+//! From a surface to what models and the report need of it, each computed once.
+
+use crate::budget::Map;
+use crate::models::{Assumes, Inputs, MomentSource};
+use crate::plan;
+use crate::result::Spectral;
+use crate::settings::LevelName;
+use crate::{Origin, Settings};
+use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
+use std::f64::consts::TAU;
+use surface_stats::spectrum::{PowerSpectrum, Ring};
+use surface_stats::{Boundary, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
+
+/// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
+/// does not.
+pub(crate) fn describe(
+    heights: &HeightMap,
+    origin: &Origin,
+    settings: &Settings,
+) -> Result<(HeightMap, SurfaceStatistics, Spectra), StatsError> {
+    let form = form(settings.level);
+    let (boundary, missing, height_step) = match origin {
+        Origin::Recipe(_) => (Boundary::Periodic, 0, None),
+        Origin::File(file) => (Boundary::Open, file.missing, file.height_step),
+    };
+    let fractal_range = settings.fractal_range;
+    let options = StatsOptions { level: form, boundary, fractal_range, missing, height_step };
+    // From the heights as given, so that a tilt that is removed is still reported.
+    let (statistics, spectra) = SurfaceStatistics::with_spectra(heights, &options)?;
+    Ok((level(heights, form)?, statistics, spectra))
+}
+
+/// One set of moments for all models, by finite differences: they stay inside the map, so that a
+/// map that does not repeat brings no jump at its edges, and they see less of the noise near two
+/// points than the spectrum does. Amplitudes are kept for the models that are asked and need them.
+pub(crate) fn model_inputs(
+    map: &HeightMap,
+    statistics: &SurfaceStatistics,
+    amplitudes: AmplitudeSpectrum,
+    modulus: ContactModulus,
+    settings: &Settings,
+) -> Inputs {
+    let has_use = settings.asked_models().any(|m| m.assumes == Assumes::Amplitudes);
+    Inputs {
+        moments: Some(statistics.moments()).filter(|m| m.m2 > 0.0 && m.m4 > 0.0),
+        source: MomentSource::FiniteDifferences,
+        amplitudes: Some(amplitudes).filter(|_| has_use),
+        fractal: statistics.fractal(),
+        dimension: statistics.dimension,
+        nominal_area: Some(map.grid().area()),
+        ..Inputs::new(modulus)
+    }
+}
+
+/// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann
+/// window otherwise, or the jump at the edges would count as roughness.
+pub(crate) fn spectral(
+    map: &HeightMap,
+    power: &PowerSpectrum,
+    statistics: &SurfaceStatistics,
+) -> (Spectral, Map) {
+    let windowed = statistics.boundary == Boundary::Open;
+    let repeats = !windowed || plan::repeats(map);
+    let known = Map::known(map, power, statistics.height_step.unwrap_or(0.0), repeats);
+    let spectral = Spectral {
+        moments: power.moments().0,
+        resolved: power.resolved_gradient().unwrap_or(1.0),
+        windowed,
+        psd: thinned(&power.rings()),
+    };
+    (spectral, known)
+}
+
+/// The PSD in about 12 bins per octave of wavenumber, `[wavelength, C]`: what a figure can show.
+fn thinned(rings: &[Ring]) -> Vec<[f64; 2]> {
+    let mut bins: Vec<(i64, f64, f64, f64)> = Vec::new(); // bin, waves, sum C, sum ln q
+    for ring in rings.iter().filter(|r| r.wavenumber > 0.0) {
+        let bin = (12.0 * ring.wavenumber.log2()).floor() as i64;
+        let waves = ring.waves as f64;
+        let (c, q) = (waves * ring.psd, waves * ring.wavenumber.ln());
+        match bins.last_mut() {
+            Some(last) if last.0 == bin => {
+                last.1 += waves;
+                last.2 += c;
+                last.3 += q;
+            }
+            _ => bins.push((bin, waves, c, q)),
+        }
+    }
+    bins.into_iter().map(|(_, waves, c, q)| [TAU / (q / waves).exp(), c / waves]).collect()
+}
+
+fn form(name: LevelName) -> Level {
+    match name {
+        LevelName::None => Level::None,
+        LevelName::Mean => Level::Mean,
+        LevelName::Plane => Level::Plane,
+        LevelName::Quadratic => Level::Quadratic,
+    }
+}

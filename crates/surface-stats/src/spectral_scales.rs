@@ -1,0 +1,126 @@
+//! What the spectrum of a map says of its scales: noise, cut-off, roll-off, power law.
+
+use crate::fractal::{self, PowerLaw};
+use crate::noise::NoiseFloor;
+use crate::polynomial::Polynomial;
+use crate::spectrum::{PowerSpectrum, Ring, Window};
+use crate::{Boundary, HeightStatistics, StatsError, StatsOptions, scale};
+use contact_types::{Grid, HeightMap};
+use std::f64::consts::TAU;
+
+/// Scales and power law of a radial PSD.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectralScales {
+    /// Noise at the level where the PSD stops falling; absent if it falls to the end.
+    pub noise: Option<NoiseFloor>,
+    /// 99.9 % of the gradient variance that stands out of the noise is at longer wavelengths (m);
+    /// two pixels at least.
+    pub cutoff: Option<f64>,
+    /// Wavelength beyond which the PSD is flat (m); absent if the map shows none.
+    pub rolloff: Option<f64>,
+    /// Power law between the wavelengths of `fractal_range`; absent if they hold less than four
+    /// bins or an octave.
+    pub power_law: Option<PowerLaw>,
+    /// Shortest and longest wavelength of the power law (m).
+    pub fractal_range: Option<[f64; 2]>,
+}
+
+impl SpectralScales {
+    /// Levels and transforms a map for these scales alone: all that the model of Majumdar and
+    /// Bhushan needs, without the moments, summits and profiles of
+    /// [`SurfaceStatistics`](crate::SurfaceStatistics). Same numbers as there. Needs the memory of
+    /// two further copies of the map.
+    ///
+    /// # Errors
+    /// As [`SurfaceStatistics::of`](crate::SurfaceStatistics::of), but no map is too small.
+    pub fn of(map: &HeightMap, options: &StatsOptions) -> Result<Self, StatsError> {
+        scale::check(map)?;
+        check_range(options.fractal_range)?;
+        let degree = options.level.degree().unwrap_or(0);
+        let mut heights = map.heights().to_vec();
+        Polynomial::fit(map.grid(), map.heights(), degree)?.remove_from(&mut heights);
+        let levelled = HeightMap::new(map.grid(), heights)?;
+        let rms_height = HeightStatistics::of(&levelled).rms_height;
+        let mut heights = levelled.into_heights();
+        if options.boundary == Boundary::Open {
+            Window::Hann.apply(map.grid(), &mut heights);
+        }
+        let rings = PowerSpectrum::of_field(map.grid(), &heights).rings();
+        Ok(Self::of_rings(&rings, map.grid(), rms_height, options.fractal_range))
+    }
+
+    /// From the radial PSD of a map of known rms height.
+    pub(crate) fn of_rings(
+        rings: &[Ring],
+        grid: Grid,
+        rms_height: f64,
+        fractal_range: Option<[f64; 2]>,
+    ) -> Self {
+        let ([dy, dx], [ly, lx]) = (grid.pixel(), grid.size());
+        // A floor at the rounding of the transform is no noise.
+        let noise = NoiseFloor::of(rings, [dy, dx]).filter(|n| n.rms > 1e-9 * rms_height);
+        let reliable = noise.and_then(|n| n.reliable);
+        let (cutoff, rolloff) = ends(rings, 2.0 * dy.min(dx), reliable);
+        let found = cutoff.map(|short| [short, rolloff.unwrap_or(0.5 * ly.min(lx))]);
+        let range = fractal_range.or(found);
+        let power_law = range.and_then(|r| fractal::fit_radial(rings, r));
+        Self { noise, cutoff, rolloff, power_law, fractal_range: power_law.and(range) }
+    }
+}
+
+/// Cut-off and roll-off wavelength, from the waves that stand out of the noise.
+fn ends(rings: &[Ring], two_pixels: f64, reliable: Option<f64>) -> (Option<f64>, Option<f64>) {
+    let shortest = reliable.unwrap_or(0.0);
+    let end = rings.iter().rposition(|r| TAU / r.wavenumber >= shortest).map_or(0, |i| i + 1);
+    let cutoff = fractal::cutoff(&rings[..end], two_pixels);
+    let rolloff = cutoff.and_then(|short| fractal::rolloff(rings, short));
+    (cutoff, rolloff.map(|r| r.wavelength))
+}
+
+pub(crate) fn check_range(range: Option<[f64; 2]>) -> Result<(), StatsError> {
+    let Some([short, long]) = range else { return Ok(()) };
+    let requirement = "wavelengths must be finite and greater than 0, the shorter one first";
+    for (setting, value, holds) in [
+        ("shortest wavelength of the fractal fit", short, short.is_finite() && short > 0.0),
+        ("longest wavelength of the fractal fit", long, long.is_finite() && long > short),
+    ] {
+        if !holds {
+            return Err(StatsError::BadSetting { setting, value, requirement });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SurfaceStatistics;
+    use crate::synthesis::{Scale, SelfAffine};
+
+    /// Alone or among all statistics: the same numbers, on a crop, with every level.
+    #[test]
+    fn the_scales_alone_are_those_of_all_statistics() {
+        let recipe = SelfAffine {
+            grid: Grid::new([90, 128], [1.5e-6, 1e-6]).unwrap(),
+            hurst: 0.7,
+            rolloff: 30e-6,
+            cutoff: 4e-6,
+            scale: Scale::RmsHeight(1e-6),
+            seed: 3,
+            quantise: Some(1e-8),
+        };
+        let map = recipe.generate().unwrap();
+        for boundary in [Boundary::Open, Boundary::Periodic] {
+            for level in [crate::Level::None, crate::Level::Quadratic] {
+                let options = StatsOptions { level, boundary, ..StatsOptions::default() };
+                let all = SurfaceStatistics::of(&map, &options).unwrap();
+                let some = SpectralScales::of(&map, &options).unwrap();
+                let fractal = some.power_law.map(|p| p.fractal_of_surface());
+                assert_eq!(all.dimension, fractal.map(|f| f.0));
+                assert_eq!(all.fractal(), fractal.and_then(|f| f.1));
+                assert_eq!((all.cutoff, all.rolloff), (some.cutoff, some.rolloff));
+                assert!(all.dimension.is_some());
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The page "what each part costs": dependencies, allocations, build times.
+
+use crate::TaskResult;
+use crate::bench::machine;
+use crate::dependencies::{LAYERS, brought_along};
+use crate::generated::keep_section;
+use crate::shell::{self, cargo, output, root};
+use std::fmt::Write;
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+const PAGE: &str = "docs/src/costs.md";
+
+/// Writes the tables of dependencies and allocations, or checks that they are current; or
+/// measures the builds.
+pub(crate) fn run(args: &[String]) -> TaskResult {
+    let check = match args {
+        [] => false,
+        [flag] if flag == "--check" => true,
+        [flag] if flag == "--build" => return keep_section(PAGE, "builds", &builds()?, false),
+        other => return Err(format!("unknown arguments {other:?}; there are --check and --build")),
+    };
+    keep_section(PAGE, "dependencies", &dependencies()?, check)?;
+    let mut example = cargo();
+    example.args(["run", "--quiet", "--release", "--locked", "-p", "compare"]);
+    let allocations = output(example.args(["--example", "costs"]))?;
+    keep_section(PAGE, "allocations", &allocations, check)
+}
+
+/// Our crates but the tasks.
+fn packages() -> impl Iterator<Item = &'static str> {
+    LAYERS.iter().map(|row| row.0).filter(|name| *name != "xtask")
+}
+
+fn dependencies() -> Result<String, String> {
+    let mut table = String::from("| crate | of ours | from the registry | limit |\n");
+    table.push_str("|---|---:|---:|---:|\n");
+    for package in packages() {
+        let along = brought_along(package)?;
+        let limit = LAYERS.iter().find(|row| row.0 == package).map_or(0, |row| row.3);
+        let (own, others) = (along.own.len(), along.from_registry.len());
+        let _ = writeln!(table, "| `{package}` | {own} | {others} | {limit} |");
+    }
+    Ok(table)
+}
+
+/// Programs whose size is shown: package, arguments that build it, where it lies.
+const PROGRAMS: [(&str, [&str; 2], &str); 3] = [
+    ("gw-closed-form", ["--example", "by_hand"], "examples/by_hand"),
+    ("fft-bem-solver", ["--example", "hertz"], "examples/hertz"),
+    ("compare", ["--bin", "rough-contact"], "rough-contact"),
+];
+
+/// Builds every crate from nothing, then once more alone.
+fn builds() -> Result<String, String> {
+    let target = root().join("target/costs");
+    let mut table = machine()?;
+    table.push_str("Optimised builds (`--release`) with two jobs.\n\n");
+    table.push_str("| crate | from clean | of it the crate itself |\n|---|---:|---:|\n");
+    for package in packages() {
+        if target.exists() {
+            std::fs::remove_dir_all(&target).map_err(|e| format!("cannot clean: {e}"))?;
+        }
+        let all = seconds(build(&target, package).arg("--lib"))?;
+        let mut clean = cargo();
+        clean.args(["clean", "--release", "--quiet", "-p", package, "--target-dir"]).arg(&target);
+        shell::run(&mut clean)?;
+        let alone = seconds(build(&target, package).arg("--lib"))?;
+        let _ = writeln!(table, "| `{package}` | {all:.1} s | {alone:.1} s |");
+    }
+    table.push_str("\n| program, stripped | size |\n|---|---:|\n");
+    for (package, args, path) in PROGRAMS {
+        shell::run(build(&target, package).args(args))?;
+        let file = target.join("release").join(path);
+        let size = std::fs::metadata(&file).map_err(|e| format!("no {}: {e}", file.display()))?;
+        let (_, name) = path.rsplit_once('/').unwrap_or(("", path));
+        let megabytes = size.len() as f64 / 1e6;
+        let _ = writeln!(table, "| `{name}` of `{package}` | {megabytes:.2} MB |");
+    }
+    Ok(table)
+}
+
+fn build(target: &Path, package: &str) -> Command {
+    let mut build = cargo();
+    build.args(["build", "--quiet", "--release", "--locked", "--jobs", "2", "-p", package]);
+    build.arg("--target-dir").arg(target).env("CARGO_PROFILE_RELEASE_STRIP", "symbols");
+    build
+}
+
+fn seconds(command: &mut Command) -> Result<f64, String> {
+    let start = Instant::now();
+    shell::run(command)?;
+    Ok(start.elapsed().as_secs_f64())
+}
