@@ -8,7 +8,7 @@ use contact_types::{
     ContactModel, ContactModulus, FractalParameters, Grid, HeightMap, SeparationModel,
     SpectralMoments,
 };
-use fft_bem_solver::{Load, Solver};
+use fft_bem_solver::{Load, Maps, Solver};
 use grid_fft::GridFft;
 use gw_closed_form::GreenwoodWilliamson;
 use multiscale_models::{
@@ -190,15 +190,26 @@ fn statistics(map: &HeightMap) -> Vec<Case> {
 fn solves(map: &HeightMap) -> Vec<Case> {
     let package = "fft-bem-solver";
     let load = Load::MeanPressure(0.01 * 115e9 * 0.1);
-    let build = || Solver::builder().build(map.grid(), steel()).expect("good settings");
-    let mut warm = build();
-    black_box(warm.solve(map, load).expect("converges"));
+    let with =
+        |maps| Solver::builder().maps(maps).build(map.grid(), steel()).expect("good settings");
+    let heavier = Load::MeanPressure(0.02 * 115e9 * 0.1);
+    let mut warm = [Maps::None, Maps::PressureAndGap].map(with);
+    for solver in &mut warm {
+        black_box(solver.solve(map, load).expect("converges"));
+    }
+    let [bare, full] = &mut warm;
     vec![
+        Case::on(package, "build and solve one load", map, || {
+            black_box(with(Maps::None).solve(map, load).expect("converges"));
+        }),
         Case::on(package, "build and solve one load, with maps", map, || {
-            black_box(build().solve(map, load).expect("converges"));
+            black_box(with(Maps::PressureAndGap).solve(map, load).expect("converges"));
+        }),
+        Case::on(package, "one more load", map, || {
+            black_box(bare.solve(map, heavier).expect("converges"));
         }),
         Case::on(package, "one more load, with maps", map, || {
-            black_box(warm.solve(map, Load::MeanPressure(0.02 * 115e9 * 0.1)).expect("converges"));
+            black_box(full.solve(map, heavier).expect("converges"));
         }),
     ]
 }

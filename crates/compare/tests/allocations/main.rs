@@ -17,7 +17,9 @@ const LIMITS: &[(&str, f64)] = &[
     ("scales and power law (for Majumdar–Bhushan)", 2.2),
     ("all statistics, periodic", 2.2),
     ("all statistics, open", 2.2),
-    ("build and solve one load, with maps", 13.1),
+    ("build and solve one load", 11.0),
+    ("build and solve one load, with maps", 13.0),
+    ("one more load", 0.1),
     ("one more load, with maps", 2.1),
     ("study of 128 × 128 points at three loads, beside its solver", 3.5),
 ];
