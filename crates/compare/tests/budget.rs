@@ -64,11 +64,13 @@ fn comparison_intervals_hold_the_refined_numbers() {
     }
 }
 
+type Quantity = fn(&Budget) -> compare::Estimate;
+
 /// Prediction intervals against the mean of the family, and they are no wider than they need be.
 #[test]
 fn prediction_intervals_hold_the_mean_of_their_family() {
     let budgets: Vec<Budget> = (950..970).map(|seed| answer(&surface(seed), 0.03, 1e-4)).collect();
-    let quantities: [(&str, fn(&Budget) -> compare::Estimate); 3] = [
+    let quantities: [(&str, Quantity); 3] = [
         ("area", |b| b.area),
         ("gap", |b| b.mean_gap.unwrap()),
         ("stiffness", |b| b.stiffness.unwrap()),

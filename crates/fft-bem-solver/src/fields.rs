@@ -7,13 +7,15 @@ use std::ops::Range;
 
 /// Pixels per partial sum.
 const BLOCK: usize = 4096;
+/// Independent partial sums within a block.
+const LANES: usize = 4;
 
 /// Combines `piece(range)` of all blocks of `range`, two by two.
-fn by_blocks(
+fn by_blocks<A: Send>(
     range: Range<usize>,
-    piece: &(impl Fn(Range<usize>) -> f64 + Sync),
-    combine: &(impl Fn(f64, f64) -> f64 + Sync),
-) -> f64 {
+    piece: &(impl Fn(Range<usize>) -> A + Sync),
+    combine: &(impl Fn(A, A) -> A + Sync),
+) -> A {
     let blocks = range.len().div_ceil(BLOCK);
     if blocks <= 1 {
         return piece(range);
@@ -29,6 +31,21 @@ fn by_blocks(
 /// Sum of `term(i)` over `0..n`.
 pub(crate) fn sum_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     by_blocks(0..n, &|range| range.map(&term).sum(), &|a, b| a + b)
+}
+
+/// Sums of `value(i)` over the `i` of `0..n` where it is positive, and the number of these.
+pub(crate) fn positive_part(n: usize, value: impl Fn(usize) -> f64 + Sync) -> [f64; 2] {
+    let piece = |range: Range<usize>| {
+        let mut lanes = [[0.0; 2]; LANES]; // additions need not wait for one another
+        for (k, i) in range.enumerate() {
+            let x = value(i);
+            let [sum, count] = &mut lanes[k % LANES];
+            *sum += x.max(0.0);
+            *count += if x > 0.0 { 1.0 } else { 0.0 };
+        }
+        lanes.into_iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
+    };
+    by_blocks(0..n, &piece, &|a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
 /// Least `term(i)` over `0..n`; `+inf` if there is none.

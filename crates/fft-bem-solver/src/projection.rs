@@ -6,27 +6,22 @@ use crate::{Real, fields};
 /// projection on the admissible pressures.
 ///
 /// The load carried is a convex, piecewise linear function of `c`; Newton's method from the side
-/// where too much is carried follows it to the end in a few passes.
+/// where too much is carried follows it to the end in a few passes. It is there when a step leaves
+/// the carrying pixels as they were: on one piece the step is exact.
 pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
     let n = field.len();
     let total = load * n as f64;
     // Everything positive at this shift carries at least the total.
     let mut shift = load - fields::sum(field) / n as f64;
-    for _ in 0..100 {
-        let carries = |i: usize| field[i].wide() + shift > 0.0;
-        let count = fields::sum_of(n, |i| f64::from(u8::from(carries(i))));
-        if count <= 0.0 {
+    let mut before = f64::INFINITY;
+    loop {
+        let [carried, count] = fields::positive_part(n, |i| field[i].wide() + shift);
+        // Fewer from step to step, so that this ends.
+        if count <= 0.0 || count >= before {
             break;
         }
-        let excess = fields::sum_of(n, |i| (field[i].wide() + shift).max(0.0)) - total;
-        if excess.abs() <= 1e-15 * total {
-            break;
-        }
-        let step = excess / count;
-        if (shift - step).to_bits() == shift.to_bits() {
-            break;
-        }
-        shift -= step;
+        before = count;
+        shift -= (carried - total) / count;
     }
     for p in field.iter_mut() {
         *p = T::of((p.wide() + shift).max(0.0));

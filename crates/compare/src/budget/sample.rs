@@ -22,25 +22,34 @@ pub const PARTS: usize = 8;
 
 /// 95 % half width over the standard errors of area by blocks and of rms height, whose squares
 /// add: what twelve families of 30 maps ask for.
-const AREA: [f64; 2] = [3.0, 0.5];
+const AREA: [f64; 2] = [3.2, 0.5];
 /// The same of the gap, which follows the rms height alone.
 const GAP: f64 = 3.2;
 /// The same of the stiffness: of the area that carries, and of the heights it closes over.
-const STIFFNESS: [f64; 2] = [4.5, 2.5];
+const STIFFNESS: [f64; 2] = [4.5, 2.8];
 
 /// Relative 95 % half width of the area over maps of the same surface.
 pub fn area_half_width(area_scatter: f64, height_scatter: f64) -> f64 {
-    (AREA[0] * area_scatter).hypot(AREA[1] * height_scatter)
+    (AREA[0] * area_scatter).hypot(AREA[1] * doubted(height_scatter))
 }
 
 /// Relative 95 % half width of the stiffness over maps of the same surface.
 pub fn stiffness_half_width(area_scatter: f64, height_scatter: f64) -> f64 {
-    (STIFFNESS[0] * area_scatter).hypot(STIFFNESS[1] * height_scatter)
+    (STIFFNESS[0] * area_scatter).hypot(STIFFNESS[1] * doubted(height_scatter))
 }
 
 /// Relative 95 % half width of the mean gap over maps of the same surface.
 pub fn gap_half_width(height_scatter: f64) -> f64 {
-    GAP * height_scatter
+    GAP * doubted(height_scatter)
+}
+
+/// The scatter `h` of the rms height, widened because it is itself found from few waves where it is
+/// large: by Student's quantile over the normal one at 97.5 %, in its expansion for many degrees of
+/// freedom `ν` (Abramowitz & Stegun 26.7.5), `1 + 1.21/ν + 1.44/ν²`. `h = ½/√N` means `N = 1/(4h²)`
+/// waves of equal weight, half of them independent: `ν = 1/(8h²)`.
+fn doubted(height_scatter: f64) -> f64 {
+    let one_over_freedom = 8.0 * height_scatter * height_scatter;
+    height_scatter * (1.0 + one_over_freedom * (1.21 + one_over_freedom * 1.44))
 }
 
 /// Relative standard error of the area by the residuals of a line through load and area of `parts`
@@ -117,6 +126,16 @@ mod tests {
         assert!((uneven.unwrap() - 0.6f64.sqrt() / 6.0).abs() < 1e-12);
         assert_eq!(area_scatter(&[0.0; 64], grid, 2), None);
         assert_eq!(area_scatter(&[1.0; 63], grid, 2), None);
+    }
+
+    /// Student's quantile at 97.5 % is 2.228 for 10 degrees of freedom and 2.776 for 4.
+    #[test]
+    fn few_waves_widen_like_students_quantile() {
+        for (freedom, quantile) in [(10.0_f64, 2.228), (4.0, 2.776)] {
+            let h = (1.0 / (8.0 * freedom)).sqrt();
+            let ratio = doubted(h) / h;
+            assert!((ratio - quantile / 1.95996).abs() < 0.03, "{ratio}");
+        }
     }
 
     /// n waves of equal amplitude, all along x, with q and -q: the variance of each is known to
