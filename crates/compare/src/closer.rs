@@ -3,14 +3,14 @@
 //! study alone does not need it.
 
 use crate::budget::{Map, Stiffness};
+use crate::regrid::regrid;
 use crate::result::{Comparison, SurfaceComparison};
 use crate::study::builder;
 use crate::{Origin, Settings};
 use contact_types::{ContactModulus, Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load};
 use std::time::Instant;
-use surface_stats::clean::{resample, resample_mirrored};
-use surface_stats::{Boundary, Level, level};
+use surface_stats::{Level, level};
 
 /// Points a side above which the choices are compared on a coarser grid.
 const MOST_POINTS: usize = 1024;
@@ -112,13 +112,7 @@ fn choices(
         Some(solution.diagnostics.area_fraction_corrected).filter(|a| *a > 0.0)
     };
     let repeats = surface.map.repeats;
-    let on = |map: &HeightMap, shape: [usize; 2]| {
-        if repeats {
-            resample(map, shape, Boundary::Periodic).ok()
-        } else {
-            resample_mirrored(map, shape).ok()
-        }
-    };
+    let on = |map: &HeightMap, shape: [usize; 2]| regrid(map, shape, repeats).ok();
     let shape = surface.surface.grid().shape();
     if shape[0].min(shape[1]) < 16 {
         return Vec::new(); // profiles, and maps too small to lose a wave

@@ -2,12 +2,11 @@
 //! cost in accuracy. Asked for when a report is written; a study alone does not need it.
 
 use crate::plan::repeats;
+use crate::regrid::regrid;
 use crate::result::{Comparison, SurfaceComparison};
 use crate::study::builder;
 use contact_types::{ContactModulus, HeightMap, SurfaceError};
 use fft_bem_solver::Load;
-use surface_stats::Boundary;
-use surface_stats::clean::{resample, resample_mirrored};
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
@@ -79,11 +78,7 @@ fn coarsened(map: &HeightMap, factor: usize) -> Option<HeightMap> {
     if shape.into_iter().any(|n| n < FEWEST_POINTS) {
         return None;
     }
-    if repeats(map) {
-        resample(map, shape, Boundary::Periodic).ok()
-    } else {
-        resample_mirrored(map, shape).ok()
-    }
+    regrid(map, shape, repeats(map)).ok()
 }
 
 #[cfg(test)]

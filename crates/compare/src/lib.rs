@@ -18,6 +18,7 @@ pub mod plan;
 pub mod quantity;
 mod recipe;
 mod refine;
+mod regrid;
 pub mod report;
 mod result;
 mod run_file;

@@ -2,13 +2,12 @@
 
 use crate::Settings;
 use crate::budget::{Map, grid::Finer};
+use crate::regrid::regrid;
 use crate::result::DeterministicPoint;
 use crate::study::builder;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, NoAreaInterval};
 use std::time::Instant;
-use surface_stats::Boundary;
-use surface_stats::clean::{resample, resample_mirrored};
 
 /// Most points times loads that are solved on twice finer grids: 16 loads of 2048 x 2048.
 const MOST_REFINED: usize = 1 << 26;
@@ -43,11 +42,7 @@ pub(crate) fn refine(
     if wanted.is_empty() || !fits(1) || ny.min(nx) < 4 {
         return 0.0;
     }
-    let finer = if known.repeats {
-        resample(map, [2 * ny, 2 * nx], Boundary::Periodic).ok()
-    } else {
-        resample_mirrored(map, [2 * ny, 2 * nx]).ok()
-    };
+    let finer = regrid(map, [2 * ny, 2 * nx], known.repeats).ok();
     let solver = finer.as_ref().and_then(|f| builder(settings).build(f.grid(), modulus).ok());
     let (Some(finer), Some(mut solver)) = (finer, solver) else { return 0.0 };
     for i in wanted {

@@ -1,12 +1,12 @@
 //! Which grids a map can be solved on, and what is known of each before solving.
 
+use crate::regrid::regrid;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{AreaAccuracy, NoAreaInterval};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
-use surface_stats::clean::{resample, resample_mirrored};
+use surface_stats::StatsError;
 use surface_stats::spectrum::{PowerSpectrum, Window};
-use surface_stats::{Boundary, StatsError};
 
 /// Points along a side over those of the given map.
 const FACTORS: [f64; 11] = [0.125, 0.1875, 0.25, 0.375, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0];
@@ -84,8 +84,7 @@ impl Candidates {
         let shape = on.grid.shape();
         Ok(match on.grid == map.grid() {
             true => Cow::Borrowed(map),
-            false if self.repeats => Cow::Owned(resample(map, shape, Boundary::Periodic)?),
-            false => Cow::Owned(resample_mirrored(map, shape)?),
+            false => Cow::Owned(regrid(map, shape, self.repeats)?),
         })
     }
 }

@@ -1,0 +1,18 @@
+//! The same surface on another number of points.
+
+use contact_types::HeightMap;
+use surface_stats::clean::{resample, resample_mirrored};
+use surface_stats::{Boundary, StatsError};
+
+/// The map on `shape` points: by its waves if it repeats, by its cosines otherwise, so that the jump
+/// at its edges does not ring.
+///
+/// # Errors
+/// [`StatsError`].
+pub(crate) fn regrid(
+    map: &HeightMap,
+    shape: [usize; 2],
+    repeats: bool,
+) -> Result<HeightMap, StatsError> {
+    if repeats { resample(map, shape, Boundary::Periodic) } else { resample_mirrored(map, shape) }
+}
