@@ -82,9 +82,10 @@ impl Candidates {
         on: &Candidate,
     ) -> Result<Cow<'a, HeightMap>, StatsError> {
         let shape = on.grid.shape();
-        Ok(match on.grid == map.grid() {
-            true => Cow::Borrowed(map),
-            false => Cow::Owned(regrid(map, shape, self.repeats)?),
+        Ok(if on.grid == map.grid() {
+            Cow::Borrowed(map)
+        } else {
+            Cow::Owned(regrid(map, shape, self.repeats)?)
         })
     }
 }
