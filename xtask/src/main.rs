@@ -31,7 +31,7 @@ Usage: cargo xtask <task> [options]
   validate [--check]        the solver against exact solutions; table into the book
   figures [--check]         the figures that README and book show
   docs [--check]            the tables of models and formats in the book
-  extremes [--check]        every model at the ends of its inputs; tables into the book
+  extremes [--check]        models, statistics, solver at their extremes; tables into the book
   costs [--check | --build] what each crate brings along and each call allocates; with --build
                             how long each takes to build from clean (minutes)
   edges [--check]           maps that do not repeat: what each treatment of their edges does

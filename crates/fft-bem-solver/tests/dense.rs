@@ -1,88 +1,13 @@
-//! The solution of small problems by dense linear algebra, from the definition of the periodic
-//! half space and the conditions of contact alone, against every method.
+//! Every method against the solution of small problems by dense linear algebra.
 
 mod common;
+#[path = "common/dense.rs"]
+mod dense;
 
 use approx::assert_relative_eq;
 use common::{Uniform, unit_modulus};
 use contact_types::{Grid, HeightMap};
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
 use fft_bem_solver::{Load, Method, Solver};
-use std::f64::consts::TAU;
-
-/// `K[i][j]`: displacement of pixel i under unit pressure on pixel j, as the defining sum over
-/// waves, `1/(ny nx) sum_q 2/|q| cos q (x_i - x_j)` (E* = 1 Pa).
-fn compliance(grid: Grid) -> Mat<f64> {
-    let [ny, nx] = grid.shape();
-    let signed = |k: usize, n: usize| if 2 * k <= n { k as f64 } else { k as f64 - n as f64 };
-    let [ly, lx] = grid.size();
-    let kernel = |iy: usize, ix: usize| {
-        let mut sum = 0.0;
-        for ky in 0..ny {
-            for kx in 0..nx {
-                if (ky, kx) != (0, 0) {
-                    let q = TAU * (signed(ky, ny) / ly).hypot(signed(kx, nx) / lx);
-                    let turns = (ky * iy) as f64 / ny as f64 + (kx * ix) as f64 / nx as f64;
-                    sum += 2.0 / q * (TAU * turns).cos();
-                }
-            }
-        }
-        sum / (ny * nx) as f64
-    };
-    let table: Vec<f64> = (0..ny * nx).map(|i| kernel(i / nx, i % nx)).collect();
-    Mat::from_fn(ny * nx, ny * nx, |i, j| {
-        let dy = (i / nx + ny - j / nx) % ny;
-        let dx = (i % nx + nx - j % nx) % nx;
-        table[dy * nx + dx]
-    })
-}
-
-/// Pressure and approach by an active set: solve on the contact, drop tension, take in overlap,
-/// until neither is left. The conditions are checked at the end, so a wrong set cannot pass.
-fn dense_solution(map: &HeightMap, mean_pressure: f64) -> (Vec<f64>, f64) {
-    let k = compliance(map.grid());
-    let (n, h) = (map.grid().len(), map.heights());
-    let top = map.range().1;
-    let mut contact = vec![true; n];
-    for _ in 0..200 {
-        let on: Vec<usize> = (0..n).filter(|&i| contact[i]).collect();
-        let m = on.len();
-        // [K -1; -1' 0] [p; level] = [h; -load]
-        let system = Mat::from_fn(m + 1, m + 1, |a, b| match (a < m, b < m) {
-            (true, true) => k[(on[a], on[b])],
-            (false, false) => 0.0,
-            _ => -1.0,
-        });
-        let right =
-            Mat::from_fn(
-                m + 1,
-                1,
-                |a, _| {
-                    if a < m { h[on[a]] - top } else { -mean_pressure * n as f64 }
-                },
-            );
-        let x = system.lblt(Side::Lower).solve(&right);
-        let level = x[(m, 0)];
-        let mut p = vec![0.0; n];
-        for (a, &i) in on.iter().enumerate() {
-            p[i] = x[(a, 0)];
-        }
-        let gap = |i: usize| (0..n).map(|j| k[(i, j)] * p[j]).sum::<f64>() - (h[i] - top) - level;
-        let tension: Vec<usize> = on.iter().copied().filter(|&i| p[i] < 0.0).collect();
-        if tension.is_empty() {
-            let worst = (0..n).filter(|&i| !contact[i]).min_by(|&i, &j| gap(i).total_cmp(&gap(j)));
-            match worst.filter(|&i| gap(i) < -1e-14) {
-                None => return (p, level),
-                Some(i) => contact[i] = true,
-            }
-        }
-        for i in tension {
-            contact[i] = false;
-        }
-    }
-    panic!("the active set did not settle");
-}
 
 #[test]
 fn every_method_finds_the_dense_solution() {
@@ -94,7 +19,7 @@ fn every_method_finds_the_dense_solution() {
         let heights = (0..grid.len()).map(|_| random.normal()).collect();
         let map = HeightMap::new(grid, heights).unwrap();
         for load in [1e-3, 0.03, 0.2, 0.6, 3.0] {
-            let (pressure, approach) = dense_solution(&map, load);
+            let known = dense::solution(&map, load);
             for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
                 let mut solver = Solver::builder()
                     .method(method)
@@ -102,10 +27,14 @@ fn every_method_finds_the_dense_solution() {
                     .build(grid, unit_modulus())
                     .unwrap();
                 let found = solver.solve(&map, Load::MeanPressure(load)).unwrap();
-                assert_relative_eq!(found.approach, approach, max_relative = 1e-9);
+                assert_relative_eq!(found.approach, known.approach, max_relative = 1e-9);
                 let scale = found.diagnostics.max_pressure;
-                for (p, q) in found.pressure.iter().zip(&pressure) {
+                for (p, q) in found.pressure.iter().zip(&known.pressure) {
                     assert!((p - q).abs() < 1e-9 * scale, "{method} {shape:?} {load}: {p} {q}");
+                }
+                let (bottom, top) = map.range();
+                for (g, known) in found.gap.iter().zip(&known.gap) {
+                    assert!((g - known).abs() < 1e-9 * (top - bottom), "{method} {shape:?} {load}");
                 }
             }
         }

@@ -2,7 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
 
+#[path = "common/extremes.rs"]
+mod cases;
 mod common;
+#[path = "common/dense.rs"]
+mod dense;
 
 use common::{Uniform, self_affine, unit_grid, unit_modulus};
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -37,6 +41,21 @@ fn check(found: &Solution, load: f64) {
     let r = found.diagnostics.residuals;
     assert!(r.preconditioned <= 1e-6 || found.diagnostics.exact.is_some(), "{r:?}");
     assert!(r.complementarity < 1e-4 && r.penetration < 1e-4, "{r:?}");
+}
+
+/// Every line of the table in the book, each with its limits.
+#[test]
+fn known_solutions_at_the_extremes() {
+    let cases = cases::cases();
+    assert!(cases.len() >= 24, "only {} lines", cases.len());
+    for case in cases {
+        let (found, limits) = (case.errors, case.limits);
+        let holds = found.iter().zip(limits).all(|(error, limit)| *error <= limit);
+        let (what, extreme, known, pairs) =
+            (case.what, case.extreme, case.compared_with, case.pairs);
+        let place = format!("{what}, {extreme}, against {known}, {pairs} pairs");
+        assert!(holds, "{place}: {found:?}, limits {limits:?}");
+    }
 }
 
 /// Slopes from 1e-12 to 1e3, moduli from 1 Pa to 1 TPa, pixels from nm to m: the same contact.

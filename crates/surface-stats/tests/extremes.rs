@@ -1,11 +1,25 @@
 //! No map gives NaN: a typed error or finite values, at every extreme.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up its case must fail")]
 
+mod common;
+
 use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
 use surface_stats::clean::{Form, OutlierRule, find_outliers, fit_form, gaussian_filter};
 use surface_stats::iso25178::{Autocorrelation, Hybrid, MaterialRatioCurve, texture_direction};
 use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, Warning};
+
+/// Every line of the table in the book, each with its limit.
+#[test]
+fn closed_forms_at_the_extremes() {
+    let cases = common::extremes::cases();
+    assert!(cases.len() >= 28, "only {} lines", cases.len());
+    for case in cases {
+        let (error, limit) = (case.error, case.limit);
+        let place = format!("{}, {}, against {}", case.what, case.extreme, case.compared_with);
+        assert!(error <= limit, "{place}: {error:e}, limit {limit:e}");
+    }
+}
 
 fn ripple(iy: usize, ix: usize) -> f64 {
     (0.9 * iy as f64).sin() + (1.7 * ix as f64 + 0.3 * iy as f64).cos()
