@@ -34,6 +34,8 @@ pub(crate) struct Engine<T> {
     problem: Option<Problem<T>>,
     /// Mean pressure that closes every gap of the problem, once it is known.
     closing_load: Option<f64>,
+    /// Mean pressure below which the method does not expect that, once it was asked.
+    suspected_closing_load: Option<f64>,
     is_warm: bool,
 }
 
@@ -60,6 +62,7 @@ impl<T: Real> Engine<T> {
             state: State::new(scaled.len()),
             problem: None,
             closing_load: None,
+            suspected_closing_load: None,
             is_warm: false,
         })
     }
@@ -80,6 +83,7 @@ impl<T: Real> Engine<T> {
         }
         self.is_warm = false;
         self.closing_load = None;
+        self.suspected_closing_load = None;
         self.problem = None;
         self.problem = Some(Problem::new(surface, self.scaled, self.settings.modulus)?);
         Ok(())
@@ -273,9 +277,13 @@ impl<T: Real> Engine<T> {
         if self.closing_load.is_some_and(|least| load < least) {
             return (None, spent);
         }
-        let (is_suspected, cost) = self.method.suspects_full_contact(problem, load);
-        spent += cost;
-        if is_suspected {
+        let suspected = self.suspected_closing_load.unwrap_or_else(|| {
+            let (suspected, cost) = self.method.suspected_closing_load(problem);
+            spent += cost;
+            suspected
+        });
+        self.suspected_closing_load = Some(suspected);
+        if load >= suspected {
             // A warm state is still needed if this fails.
             let mut field = match start {
                 Start::Cold => std::mem::take(&mut state.pressure),

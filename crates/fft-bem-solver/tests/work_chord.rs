@@ -5,8 +5,9 @@
 
 mod common;
 
-use common::{self_affine, unit_grid, unit_modulus};
+use common::{measured_like, self_affine, unit_grid, unit_modulus};
 use fft_bem_solver::{Load, Method, Solver};
+use std::ops::ControlFlow;
 
 /// Hurst exponent, load, and iterations and pairs to three tolerances.
 type Work = (f64, f64, [(usize, f64); 3]);
@@ -36,4 +37,24 @@ fn pairs_and_iterations() {
         found.push((hurst, load, work));
     }
     assert_eq!(found, expected, "iterations or pairs changed");
+}
+
+/// A curve of 16 loads over two decades on a map that is stepped and does not repeat: iterations of
+/// all its loads together.
+#[test]
+fn iterations_along_a_curve() {
+    let n = 256;
+    let surface = measured_like(n, 1);
+    let loads: Vec<f64> = (0..16).map(|k| 0.005 * 200_f64.powf(f64::from(k) / 15.0)).collect();
+    let found = [1e-2, 1e-4, 1e-6].map(|tolerance| {
+        let builder = Solver::builder().method(Method::Chord).tolerance(tolerance);
+        let mut solver = builder.build(unit_grid(n, n), unit_modulus()).unwrap();
+        let mut iterations = 0;
+        solver.curve(&surface, &loads, |_, result| {
+            iterations += result.unwrap().diagnostics.iterations;
+            ControlFlow::Continue(())
+        });
+        iterations
+    });
+    assert_eq!(found, [36, 72, 102], "iterations changed");
 }

@@ -165,6 +165,9 @@ impl<T: Real> Chord<T> {
                 load *= factor;
                 now.dkd *= factor * factor;
                 (level, found) = self.look(h, None, RELEASE, is_lead, state);
+            } else if start == Start::Warm && iteration == 0 {
+                // The contact of another load: the step will close much that it leaves open.
+                found = self.look_ahead(h, level, release, is_lead, state);
             }
 
             // Preconditioned residual, and the trial it leads to.
@@ -289,12 +292,12 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
         true
     }
 
-    /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive.
-    fn suspects_full_contact(&mut self, problem: &Problem<T>, mean_pressure: f64) -> (bool, f64) {
+    /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive, above `-0.1 P`.
+    fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
         let heights = room(&mut self.response, &mut self.before_response, false);
         passes::narrow(&problem.heights, problem.mean_height, heights);
         self.stiffness.apply(heights, &mut self.residual);
         let least = fields::min(&self.residual);
-        (mean_pressure + least >= -0.1 * mean_pressure, self.stiffness.cost)
+        (-least / 1.1, self.stiffness.cost)
     }
 }

@@ -210,11 +210,11 @@ pub(crate) trait ContactMethod<T: Real>: Send {
         let _ = is_on;
     }
 
-    /// Whether it is worth one pair to see if `mean_pressure` closes every gap, and what finding
-    /// that out cost in pairs. A method that spends many pairs anyway just says yes.
-    fn suspects_full_contact(&mut self, problem: &Problem<T>, mean_pressure: f64) -> (bool, f64) {
-        let _ = (problem, mean_pressure);
-        (true, 0.0)
+    /// The mean pressure from which it is worth one pair to see if every gap closes, and what finding
+    /// that out cost in pairs. A method that spends many pairs anyway says: from any.
+    fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
+        let _ = problem;
+        (0.0, 0.0)
     }
 }
 

@@ -18,7 +18,6 @@ impl<T: Real> Chord<T> {
         is_lead: bool,
         state: &State<T>,
     ) -> (f64, passes::Residual) {
-        let size = [self.rows, self.shape[1]];
         let (p, u) = if is_lead {
             (&self.trial[..], &self.response[..])
         } else {
@@ -26,10 +25,46 @@ impl<T: Real> Chord<T> {
         };
         let [sum, contact] = sums.unwrap_or_else(|| passes::level_sums(p, u, h, &mut self.partial));
         let level = sum / contact.max(1.0);
+        (level, self.contact_set(h, level, release, is_lead, false, state))
+    }
+
+    /// Looks again, a step ahead: `E g` is what the step will take from the gap, in contact and
+    /// beside it. A node with a smaller gap would overlap after the step and belongs to F now. Call
+    /// it after [`look`](Self::look) with the same arguments.
+    pub(super) fn look_ahead(
+        &mut self,
+        h: &[T],
+        level: f64,
+        release: f64,
+        is_lead: bool,
+        state: &State<T>,
+    ) -> passes::Residual {
+        self.contact_set(h, level, release, is_lead, true, state)
+    }
+
+    /// F, the residual on it and `E g`; with `is_ahead`, F grows by what the last `E g` closes.
+    fn contact_set(
+        &mut self,
+        h: &[T],
+        level: f64,
+        release: f64,
+        is_lead: bool,
+        is_ahead: bool,
+        state: &State<T>,
+    ) -> passes::Residual {
+        let size = [self.rows, self.shape[1]];
+        let (p, u, extended) = if is_lead {
+            let extended = room(&mut [], &mut self.before_response, true);
+            (&self.trial[..], &self.response[..], extended)
+        } else {
+            let extended = room(&mut self.response, &mut [], false);
+            (&state.pressure[..], &state.displacement[..], extended)
+        };
         let found = passes::residual(
             [p, u, h],
             level,
             release,
+            is_ahead.then_some(&*extended),
             size,
             &mut self.mask,
             &mut self.residual,
@@ -39,7 +74,7 @@ impl<T: Real> Chord<T> {
         self.pyramid.extend_above();
         let extended = room(&mut self.response, &mut self.before_response, is_lead);
         passes::push(&self.mask, &self.residual, &self.pyramid, size, extended);
-        (level, found)
+        found
     }
 
     /// Scales everything to a load that should bring the level to its target; returns the factor.

@@ -29,12 +29,14 @@ pub(crate) struct Residual {
 }
 
 /// The set `F = {p > release max(g, 0)} or {g < 0}`, the residual `g = u - h - level` on it, and
-/// the first level of the pyramid over it.
-#[allow(clippy::too_many_arguments, reason = "a pass over eight fields")]
+/// the first level of the pyramid over it. With `closing`, how much the next step will lower the gap
+/// where it is not in contact yet, nodes that it would make overlap, `g <= closing`, belong to F.
+#[allow(clippy::too_many_arguments, reason = "a pass over nine fields")]
 pub(crate) fn residual<T: Real>(
     [p, u, h]: [&[T]; 3],
     level: f64,
     release: f64,
+    closing: Option<&[f32]>,
     [rows, nx]: [usize; 2],
     mask: &mut [u8],
     residual: &mut [f32],
@@ -42,11 +44,15 @@ pub(crate) fn residual<T: Real>(
     partial: &mut [Partial],
 ) -> Residual {
     let (level, release) = (T::of(level), T::of(release));
-    let piece = |p: &[T], u: &[T], h: &[T], mask: &mut [u8], r: &mut [f32]| -> Partial {
+    let piece = |task: usize, p: &[T], u: &[T], h: &[T], mask: &mut [u8], r: &mut [f32]| {
+        let closing = closing.map(|e| &e[task * rows * nx..][..p.len()]);
         let (mut active, mut released) = (0_u32, 0_u32);
-        for ((((p, u), h), m), r) in p.iter().zip(u).zip(h).zip(mask).zip(r) {
+        for (i, ((((p, u), h), m), r)) in p.iter().zip(u).zip(h).zip(mask).zip(r).enumerate() {
             let g = *u - *h - level;
-            let on = (*p > release * g.larger(T::zero())) | (g < T::zero());
+            let mut on = (*p > release * g.larger(T::zero())) | (g < T::zero());
+            if let Some(closing) = closing {
+                on |= g.narrow() <= closing[i];
+            }
             let carries = *p > T::zero();
             *m = if on {
                 ON
@@ -71,7 +77,9 @@ pub(crate) fn residual<T: Real>(
         .zip(mask.par_chunks_mut(chunk))
         .zip(residual.par_chunks_mut(chunk));
     match pyramid.levels.first_mut() {
-        None => fields.for_each(|(((((partial, p), u), h), m), r)| *partial = piece(p, u, h, m, r)),
+        None => fields.enumerate().for_each(|(task, (((((partial, p), u), h), m), r))| {
+            *partial = piece(task, p, u, h, m, r);
+        }),
         Some(first) => {
             let (t, capacity) = (first.transfer, first.capacity);
             let coarse = chunk / (t.rows_per_coarse_row() * nx) * t.coarse[1];
@@ -79,10 +87,13 @@ pub(crate) fn residual<T: Real>(
                 .zip(first.weight.par_chunks_mut(coarse))
                 .zip(first.inverse.par_chunks_mut(coarse))
                 .zip(first.value.par_chunks_mut(coarse))
-                .for_each(|((((((((partial, p), u), h), m), r), weight), inverse), value)| {
-                    *partial = piece(p, u, h, m, r);
-                    pull_rows(&t, capacity, m, r, Rows { weight, inverse, value });
-                });
+                .enumerate()
+                .for_each(
+                    |(task, ((((((((partial, p), u), h), m), r), weight), inverse), value))| {
+                        *partial = piece(task, p, u, h, m, r);
+                        pull_rows(&t, capacity, m, r, Rows { weight, inverse, value });
+                    },
+                );
         }
     }
     let [active, released] = total(&partial[..used]);
