@@ -56,7 +56,7 @@ const PROGRAMS: [(&str, [&str; 2], &str); 3] = [
 fn builds() -> Result<String, String> {
     let target = root().join("target/costs");
     let mut table = machine()?;
-    table.push_str("Optimised builds (`--release`) with two jobs.\n\n");
+    table.push_str("Optimised builds (`--release`) with four jobs.\n\n");
     table.push_str("| crate | from clean | of it the crate itself |\n|---|---:|---:|\n");
     for package in packages() {
         if target.exists() {
@@ -83,7 +83,7 @@ fn builds() -> Result<String, String> {
 
 fn build(target: &Path, package: &str) -> Command {
     let mut build = cargo();
-    build.args(["build", "--quiet", "--release", "--locked", "--jobs", "2", "-p", package]);
+    build.args(["build", "--quiet", "--release", "--locked", "--jobs", "4", "-p", package]);
     build.arg("--target-dir").arg(target).env("CARGO_PROFILE_RELEASE_STRIP", "symbols");
     build
 }
