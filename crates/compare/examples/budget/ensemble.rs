@@ -1,6 +1,7 @@
 //! The surfaces of the study: 256 x 256 points of about 1 um, rms gradient near 0.1, in classes,
 //! drawn by low-discrepancy sequences, so that any first part of a class covers its ranges.
 
+use crate::drawing::{bent, log_between, van_der_corput};
 use contact_types::{Grid, HeightMap};
 use std::error::Error;
 use surface_stats::clean::resample;
@@ -99,21 +100,6 @@ fn recipe(class: Class, name: &'static str, i: usize, seed: u64) -> Recipe {
     Recipe { class, name, hurst: 0.3 + 0.6 * a, cutoff, rolloff, strength, seed }
 }
 
-/// Digits of `i` in `base`, mirrored at the point: a number between 0 and 1.
-fn van_der_corput(mut i: usize, base: usize) -> f64 {
-    let (mut value, mut place) = (0.0, 1.0 / base as f64);
-    while i > 0 {
-        value += (i % base) as f64 * place;
-        i /= base;
-        place /= base as f64;
-    }
-    value
-}
-
-fn log_between(low: f64, high: f64, t: f64) -> f64 {
-    low * (high / low).powf(t)
-}
-
 /// The map of a recipe as a user would give it to the solver (`factor` 1), or the surface through
 /// its points on `factor` times as many along each side. A map that repeats is band-limited, so
 /// that these are fixed by it; of a crop they are cut from its larger map, which knows what lies
@@ -161,10 +147,10 @@ fn given(recipe: &Recipe) -> Result<HeightMap, Box<dyn Error>> {
     Ok(match recipe.class {
         Class::Resolved | Class::Short | Class::Cropped => waves(square, recipe.seed).generate()?,
         Class::Skewed => {
-            bent(&waves(square, recipe.seed).generate()?, recipe.strength, 1.0, recipe)?
+            bent(&waves(square, recipe.seed).generate()?, recipe.strength, 1.0, recipe.cutoff)?
         }
         Class::Tailed => {
-            bent(&waves(square, recipe.seed).generate()?, 0.0, recipe.strength, recipe)?
+            bent(&waves(square, recipe.seed).generate()?, 0.0, recipe.strength, recipe.cutoff)?
         }
         Class::Anisotropic => {
             // Made on pixels that are short in y, then called square: lengths along y come out
@@ -194,22 +180,4 @@ fn given(recipe: &Recipe) -> Result<HeightMap, Box<dyn Error>> {
             waves(grid, recipe.seed).generate()?
         }
     })
-}
-
-/// Heights through sinh((asinh z + bend) / tails) (Jones & Pewsey 2009), then without the waves
-/// shorter than the cut-off that this makes.
-fn bent(
-    map: &HeightMap,
-    bend: f64,
-    tails: f64,
-    recipe: &Recipe,
-) -> Result<HeightMap, Box<dyn Error>> {
-    let grid = map.grid();
-    let n = grid.len() as f64;
-    let rms = (map.heights().iter().map(|h| h * h).sum::<f64>() / n).sqrt();
-    let change = |h: &f64| rms * (((h / rms).asinh() + bend) / tails).sinh();
-    let bent = HeightMap::new(grid, map.heights().iter().map(change).collect())?;
-    let kept = ((2.0 * POINTS as f64 / recipe.cutoff) as usize).min(POINTS);
-    let coarse = resample(&bent, [kept, kept], Boundary::Periodic)?;
-    Ok(resample(&coarse, grid.shape(), Boundary::Periodic)?)
 }

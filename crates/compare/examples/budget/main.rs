@@ -9,6 +9,8 @@
 //! `budget --page TABLE REALISATIONS FOLDER` makes figure and tables of the book from both.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
+#[path = "../common/drawing.rs"]
+mod drawing;
 mod ensemble;
 mod measure;
 mod page;

@@ -1,6 +1,7 @@
 //! The surfaces of the survey: 256 x 256 points of 1 um, rms gradient near 0.1, drawn from four
 //! families by low-discrepancy sequences, so that any first part of the list covers the ranges.
 
+use crate::drawing::{bent, log_between, van_der_corput};
 use compare::survey::Family;
 use contact_types::{Grid, HeightMap};
 use std::error::Error;
@@ -78,32 +79,17 @@ fn recipe(family: Family, i: usize, seed: u64) -> Recipe {
     }
 }
 
-/// Digits of `i` in `base`, mirrored at the point: a number between 0 and 1.
-fn van_der_corput(mut i: usize, base: usize) -> f64 {
-    let (mut value, mut place) = (0.0, 1.0 / base as f64);
-    while i > 0 {
-        value += (i % base) as f64 * place;
-        i /= base;
-        place /= base as f64;
-    }
-    value
-}
-
-fn log_between(low: f64, high: f64, t: f64) -> f64 {
-    low * (high / low).powf(t)
-}
-
 /// The map of a recipe and the same map on twice as many points, which has no steps.
 pub(crate) fn make(recipe: &Recipe) -> Result<[HeightMap; 2], Box<dyn Error>> {
     // A lay along x: the map is made on pixels that are short in y, then called square, so that
     // lengths along y come out `stretch` times longer.
     let made = Grid::new([POINTS, POINTS], [PIXEL / recipe.stretch, PIXEL])?;
-    let shortest = recipe.cutoff.max(2.0) * PIXEL;
+    let shortest = recipe.cutoff.max(2.0);
     let map = SelfAffine {
         grid: made,
         hurst: recipe.hurst,
         rolloff: recipe.rolloff * PIXEL,
-        cutoff: shortest,
+        cutoff: shortest * PIXEL,
         scale: Scale::RmsGradient(GRADIENT),
         seed: recipe.seed,
         quantise: None,
@@ -112,7 +98,7 @@ pub(crate) fn make(recipe: &Recipe) -> Result<[HeightMap; 2], Box<dyn Error>> {
     let square = Grid::new([POINTS, POINTS], [PIXEL, PIXEL])?;
     let mut map = HeightMap::new(square, map.into_heights())?;
     if recipe.family == Family::Skewed {
-        map = bent(&map, recipe)?;
+        map = bent(&map, recipe.bend, recipe.tails, shortest)?;
     }
     let fine = resample(&map, [2 * POINTS, 2 * POINTS], Boundary::Periodic)?;
     if recipe.step > 0.0 {
@@ -121,17 +107,4 @@ pub(crate) fn make(recipe: &Recipe) -> Result<[HeightMap; 2], Box<dyn Error>> {
         map = HeightMap::new(square, rounded)?;
     }
     Ok([map, fine])
-}
-
-/// Heights through sinh((asinh z + bend) / tails) (Jones & Pewsey 2009), then without the waves
-/// shorter than the cut-off that this makes.
-fn bent(map: &HeightMap, recipe: &Recipe) -> Result<HeightMap, Box<dyn Error>> {
-    let grid = map.grid();
-    let n = grid.len() as f64;
-    let rms = (map.heights().iter().map(|h| h * h).sum::<f64>() / n).sqrt();
-    let bend = |h: &f64| rms * (((h / rms).asinh() + recipe.bend) / recipe.tails).sinh();
-    let bent = HeightMap::new(grid, map.heights().iter().map(bend).collect())?;
-    let kept = ((2.0 * POINTS as f64 / recipe.cutoff.max(2.0)) as usize).min(POINTS);
-    let coarse = resample(&bent, [kept, kept], Boundary::Periodic)?;
-    Ok(resample(&coarse, grid.shape(), Boundary::Periodic)?)
 }

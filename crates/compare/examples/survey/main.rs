@@ -7,6 +7,8 @@
 //! `survey --page TABLE FOLDER` makes the figures and the summary of the book from that CSV.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
+#[path = "../common/drawing.rs"]
+mod drawing;
 mod ensemble;
 mod measure;
 mod page;
