@@ -127,7 +127,7 @@ impl<T: Real> Chord<T> {
             if let (Some(earlier), Target::Pressure(load)) = (&mut self.earlier, task.target) {
                 is_lead = earlier.guess(load, state, guess);
             }
-            load = rescale(control.as_ref().map_or(Some(load), |_| None), state);
+            load = rescale(control.is_none().then_some(load), state);
         } else {
             if let Some(earlier) = &mut self.earlier {
                 earlier.forget();
