@@ -11,15 +11,17 @@
 
 #![allow(clippy::print_stdout, reason = "a program that prints a table")]
 
-use contact_types::{ContactModulus, Grid, HeightMap};
+#[path = "common/surface.rs"]
+mod surface;
+
+use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Iteration, Load, Precision, Real, Solver};
 use grid_fft::{Convolution, parallel};
 use std::error::Error;
 use std::ops::ControlFlow;
 use std::time::Instant;
-use surface_stats::synthesis::{Scale, SelfAffine};
+use surface::{LOAD, surface};
 
-const LOAD: f64 = 0.05; // mean pressure / (E* rms gradient)
 const REPEATS: usize = 9;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -43,16 +45,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     Ok(())
-}
-
-/// H = 0.8 from an eighth of the side down to 8 pixels, rms gradient 1, unit pixels.
-fn surface(n: usize) -> Result<HeightMap, Box<dyn Error>> {
-    let grid = Grid::new([n, n], [1.0, 1.0])?;
-    let rolloff = n as f64 / 8.0;
-    let scale = Scale::RmsGradient(1.0);
-    let recipe =
-        SelfAffine { grid, hurst: 0.8, rolloff, cutoff: 8.0, scale, seed: 1, quantise: None };
-    Ok(recipe.generate()?)
 }
 
 /// Least seconds of a pair and of an iteration.

@@ -11,14 +11,18 @@
 
 #![allow(clippy::print_stdout, reason = "a program that prints what it measured")]
 
-use contact_types::{ContactModulus, Grid};
-use fft_bem_solver::{Boundary, HalfSpace, Iteration, Load, Maps, Precision, Solver};
+#[path = "common/pair.rs"]
+mod pair;
+#[path = "common/surface.rs"]
+mod surface;
+
+use contact_types::ContactModulus;
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, Precision, Solver};
+use pair::one_pair;
 use std::error::Error;
 use std::ops::ControlFlow;
 use std::time::Instant;
-use surface_stats::synthesis::{Scale, SelfAffine};
-
-const LOAD: f64 = 0.05; // mean pressure / (E* rms gradient)
+use surface::{LOAD, surface};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -37,24 +41,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         "single" => Precision::Single,
         other => return Err(format!("{other} is neither double nor single").into()),
     };
-    let grid = Grid::new([n, n], [1.0, 1.0])?;
-    let recipe = SelfAffine {
-        grid,
-        hurst: 0.8,
-        rolloff: n as f64 / 8.0,
-        cutoff: 8.0,
-        scale: Scale::RmsGradient(1.0),
-        seed: 1,
-        quantise: None,
-    };
-    let surface = recipe.generate()?;
+    let surface = surface(n)?;
+    let grid = surface.grid();
     let modulus = ContactModulus::from_pascals(1.0)?;
     println!("{n} x {n}, {precision:?}, {} threads", rayon::current_num_threads());
     println!("surface made, peak memory {:.2} GiB", memory("VmHWM:"));
     let pair = if precision == Precision::Double {
-        one_pair::<f64>(grid, modulus)?
+        one_pair::<f64>(grid, modulus, 3)?
     } else {
-        one_pair::<f32>(grid, modulus)?
+        one_pair::<f32>(grid, modulus, 3)?
     };
     let gib = |doubles: f64| doubles * (n * n) as f64 / f64::from(1 << 27);
     let held = memory("VmRSS:") - gib(1.0);
@@ -87,22 +82,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         (memory("VmHWM:") - held) / gib(1.0),
     );
     Ok(())
-}
-
-/// Seconds of one FFT pair, the shortest of three.
-fn one_pair<T: fft_bem_solver::Real>(
-    grid: Grid,
-    modulus: ContactModulus,
-) -> Result<f64, Box<dyn Error>> {
-    let mut half_space = HalfSpace::<T>::new(grid, modulus);
-    let mut field = vec![T::zero(); grid.len()];
-    let mut best = f64::INFINITY;
-    for _ in 0..3 {
-        let clock = Instant::now();
-        half_space.displace(&mut field)?;
-        best = best.min(clock.elapsed().as_secs_f64());
-    }
-    Ok(best)
 }
 
 /// Memory of this process (GiB), now or at most; not a number where the system does not say.

@@ -9,15 +9,20 @@
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program that prints a table")]
 
-use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{HalfSpace, Iteration, Load, Method, Solution, Solver, SolverError};
+#[path = "common/pair.rs"]
+mod pair;
+#[path = "common/surface.rs"]
+mod surface;
+
+use contact_types::{ContactModulus, HeightMap};
+use fft_bem_solver::{Iteration, Load, Method, Solution, Solver, SolverError};
+use pair::one_pair;
 use std::error::Error;
 use std::ops::ControlFlow;
 use std::time::Instant;
-use surface_stats::synthesis::{Scale, SelfAffine};
+use surface::{LOAD, surface};
 
 const ERRORS: [f64; 3] = [1e-2, 1e-4, 1e-6];
-const LOAD: f64 = 0.05; // mean pressure / (E* rms gradient)
 const MOST_SECONDS: f64 = 120.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -30,7 +35,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let exact =
             solver(&surface, Method::Chord, 1e-12, 4)?.solve(&surface, Load::MeanPressure(LOAD))?;
         for threads in [1, 4] {
-            let pair = one_pair(surface.grid(), threads)?;
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+            let modulus = ContactModulus::from_pascals(1.0)?;
+            let pair = pool.install(|| one_pair::<f64>(surface.grid(), modulus, 10))?;
             for method in [Method::Chord, Method::PolonskyKeer, Method::StanleyKato] {
                 let work = work(&surface, method, threads, &exact)?;
                 let show = |k: usize, digits: usize| {
@@ -51,16 +58,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     Ok(())
-}
-
-/// H = 0.8 from an eighth of the side down to 8 pixels, rms gradient 1, unit pixels.
-fn surface(n: usize) -> Result<HeightMap, Box<dyn Error>> {
-    let grid = Grid::new([n, n], [1.0, 1.0])?;
-    let rolloff = n as f64 / 8.0;
-    let scale = Scale::RmsGradient(1.0);
-    let recipe =
-        SelfAffine { grid, hurst: 0.8, rolloff, cutoff: 8.0, scale, seed: 1, quantise: None };
-    Ok(recipe.generate()?)
 }
 
 fn solver(
@@ -111,24 +108,6 @@ fn work(
         Ok(_) | Err(SolverError::Stopped(_) | SolverError::NotConverged(_)) => Ok(reached),
         Err(error) => Err(error.into()),
     }
-}
-
-/// Shortest of several runs of one FFT pair, in seconds.
-fn one_pair(grid: Grid, threads: usize) -> Result<f64, Box<dyn Error>> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-    let modulus = ContactModulus::from_pascals(1.0)?;
-    let best = pool.install(|| -> Result<f64, SolverError> {
-        let mut half_space = HalfSpace::<f64>::new(grid, modulus);
-        let mut field: Vec<f64> = (0..grid.len()).map(|i| (i % 97) as f64).collect();
-        let mut best = f64::INFINITY;
-        for _ in 0..10 {
-            let clock = Instant::now();
-            half_space.displace(&mut field)?;
-            best = best.min(clock.elapsed().as_secs_f64());
-        }
-        Ok(best)
-    })?;
-    Ok(best)
 }
 
 /// Mean pairs per load and seconds of a curve from 0.005 to 1.
