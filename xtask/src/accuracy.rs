@@ -2,8 +2,7 @@
 
 use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, output, read, root};
-use std::process::Command;
+use crate::shell::{self, example, output, read, root};
 
 const TABLE: &str = "fixtures/accuracy.csv";
 const PAGE: &str = "docs/src/accuracy.md";
@@ -14,22 +13,14 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     let rows = root().join("target/accuracy").display().to_string();
     if !check {
-        let table = output(&mut accuracy(&[&rows]))?;
+        let table = output(example("compare", "accuracy").arg(&rows))?;
         let origin = "# Requests against true errors of the area; made by 'cargo xtask accuracy' \
                       from its own seeds, columns in crates/compare/examples/accuracy/measure.rs";
         keep(TABLE, &format!("{origin}\n{table}"), false)?;
     }
     let folder = root().join("target/accuracy-page");
     let out = folder.display().to_string();
-    shell::run(&mut accuracy(&["--page", TABLE, &out]))?;
+    shell::run(example("compare", "accuracy").args(["--page", TABLE, &out]))?;
     keep("docs/src/figures/accuracy.svg", &read(&folder.join("accuracy.svg"))?, check)?;
     keep_section(PAGE, "accuracy", &read(&folder.join("accuracy.md"))?, check)
-}
-
-/// The example that does the work, built in release.
-fn accuracy(args: &[&str]) -> Command {
-    let mut cargo = shell::cargo();
-    cargo.args(["run", "--quiet", "--release", "--locked", "--package", "compare"]);
-    cargo.args(["--example", "accuracy", "--"]).args(args);
-    cargo
 }

@@ -4,7 +4,7 @@ use crate::TaskResult;
 use crate::bench::machine;
 use crate::dependencies::{LAYERS, brought_along};
 use crate::generated::keep_section;
-use crate::shell::{self, cargo, output, root};
+use crate::shell::{self, cargo, example, output, root};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -22,9 +22,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
         other => return Err(format!("unknown arguments {other:?}; there are --check and --build")),
     };
     keep_section(PAGE, "dependencies", &dependencies()?, check)?;
-    let mut example = cargo();
-    example.args(["run", "--quiet", "--release", "--locked", "-p", "compare"]);
-    let allocations = output(example.args(["--example", "costs"]))?;
+    let allocations = output(&mut example("compare", "costs"))?;
     keep_section(PAGE, "allocations", &allocations, check)
 }
 

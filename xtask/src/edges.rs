@@ -2,15 +2,13 @@
 
 use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, cargo, read, root};
+use crate::shell::{self, example, read, root};
 
 /// Runs the study and writes its rows and tables, or checks that they are current.
 pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     let folder = root().join("target/edges");
-    let mut study = cargo();
-    study.args(["run", "--quiet", "--release", "--locked", "--package", "compare"]);
-    shell::run(study.args(["--example", "edges", "--"]).arg(&folder))?;
+    shell::run(example("compare", "edges").arg(&folder))?;
     let origin = "# Area of crops treated as periodic against the area in natural surroundings; \
                   made by 'cargo xtask edges' from its own seeds, columns in \
                   crates/compare/src/edge_study.rs";

@@ -2,7 +2,7 @@
 
 use crate::TaskResult;
 use crate::generated::{check_flag, keep_section};
-use crate::shell::{cargo, output};
+use crate::shell::{example, output};
 
 /// Crates with an example `extremes`, each with a section of its name in the page; what the summary
 /// calls it; and how many of the last columns are errors.
@@ -25,9 +25,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
                        refused, or beyond the doubles |\n|---|---|---|---|---|---|---|\n"
             .to_owned();
     for (package, part, errors) in CRATES {
-        let mut example = cargo();
-        example.args(["run", "--quiet", "--release", "--locked", "-p", package]);
-        let table = output(example.args(["--example", "extremes"]))?;
+        let table = output(&mut example(package, "extremes"))?;
         summary += &counts(part, &table, errors);
         let table: String = table.lines().map(|row| banded(row, errors)).collect();
         keep_section("docs/src/extremes.md", package, &table, check)?;

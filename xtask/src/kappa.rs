@@ -2,8 +2,7 @@
 
 use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, output, read, root};
-use std::process::Command;
+use crate::shell::{self, example, output, read, root};
 
 const TABLE: &str = "fixtures/kappa.csv";
 
@@ -13,7 +12,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     let rows = root().join("target/kappa").display().to_string();
     if !check {
-        let table = output(&mut kappa(&[&rows]))?;
+        let table = output(example("compare", "kappa").arg(&rows))?;
         let origin = "# Area of random surfaces from light load to full contact; made by \
                       'cargo xtask kappa' from its own seeds, columns in \
                       crates/compare/src/light_load.rs";
@@ -21,17 +20,9 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     }
     let folder = root().join("target/kappa-page");
     let out = folder.display().to_string();
-    shell::run(&mut kappa(&["--page", TABLE, &out]))?;
+    shell::run(example("compare", "kappa").args(["--page", TABLE, &out]))?;
     for name in ["kappa-bandwidth.svg", "kappa-load.svg", "kappa-full.svg"] {
         keep(&format!("docs/src/figures/{name}"), &read(&folder.join(name))?, check)?;
     }
     keep_section("docs/src/kappa.md", "kappa", &read(&folder.join("kappa.md"))?, check)
-}
-
-/// The example that does the work, built in release.
-fn kappa(args: &[&str]) -> Command {
-    let mut cargo = shell::cargo();
-    cargo.args(["run", "--quiet", "--release", "--locked", "--package", "compare"]);
-    cargo.args(["--example", "kappa", "--"]).args(args);
-    cargo
 }

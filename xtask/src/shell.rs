@@ -20,10 +20,26 @@ pub(crate) fn cargo() -> Command {
 /// `rough-contact ARGS`, built in release. Relative paths are the caller's: the command runs
 /// where the task was started.
 pub(crate) fn rough_contact(args: &[String]) -> Command {
+    let mut command = released("compare", ["--bin", "rough-contact"]);
+    command.args(args);
+    command
+}
+
+/// The example `name` of a crate, built in release; its arguments are to follow. It runs in the
+/// repository root.
+pub(crate) fn example(package: &str, name: &str) -> Command {
+    let mut command = released(package, ["--example", name]);
+    command.current_dir(root());
+    command
+}
+
+/// A program of a crate, built in release and run where the task was started; its arguments are to
+/// follow.
+pub(crate) fn released(package: &str, program: [&str; 2]) -> Command {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.args(["run", "--quiet", "--release", "--locked", "--manifest-path"]);
-    cargo.arg(root().join("crates/compare/Cargo.toml"));
-    cargo.args(["--bin", "rough-contact", "--"]).args(args);
+    cargo.arg(root().join("crates").join(package).join("Cargo.toml"));
+    cargo.args(program).arg("--");
     cargo
 }
 

@@ -2,8 +2,7 @@
 
 use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, output, read, root};
-use std::process::Command;
+use crate::shell::{self, example, output, read, root};
 
 const TABLE: &str = "fixtures/survey.csv";
 const PAGE: &str = "docs/src/survey.md";
@@ -14,24 +13,16 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     let rows = root().join("target/survey").display().to_string();
     if !check {
-        let table = output(&mut survey(&[&rows]))?;
+        let table = output(example("compare", "survey").arg(&rows))?;
         let origin = "# Errors of closed-form models against the deterministic area; made by \
                       'cargo xtask survey' from its own seeds, columns in crates/compare/src/survey.rs";
         keep(TABLE, &format!("{origin}\n{table}"), false)?;
     }
     let folder = root().join("target/survey-page");
     let out = folder.display().to_string();
-    shell::run(&mut survey(&["--page", TABLE, &out]))?;
+    shell::run(example("compare", "survey").args(["--page", TABLE, &out]))?;
     for name in ["survey-map.svg", "survey-slopes.svg"] {
         keep(&format!("docs/src/figures/{name}"), &read(&folder.join(name))?, check)?;
     }
     keep_section(PAGE, "survey", &read(&folder.join("survey.md"))?, check)
-}
-
-/// The example that does the work, built in release.
-fn survey(args: &[&str]) -> Command {
-    let mut cargo = shell::cargo();
-    cargo.args(["run", "--quiet", "--release", "--locked", "--package", "compare"]);
-    cargo.args(["--example", "survey", "--"]).args(args);
-    cargo
 }

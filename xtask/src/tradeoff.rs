@@ -4,8 +4,8 @@
 use crate::TaskResult;
 use crate::bench::machine;
 use crate::generated::{keep, keep_section};
-use crate::shell::{self, output, read, root};
-use std::process::Command;
+use crate::shell::{self, example, output, read, root};
+use std::path::Path;
 
 const TABLE: &str = "fixtures/tradeoff.csv";
 const PAGE: &str = "docs/src/tradeoff.md";
@@ -22,10 +22,10 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
         }
         ["--quick"] => {
             let folder = root().join("target/tradeoff-quick");
-            let (table, out) = (folder.join("tradeoff.csv"), folder.display().to_string());
+            let table = folder.join("tradeoff.csv");
             keep("target/tradeoff-quick/tradeoff.csv", &measure(&["--quick"])?, false)?;
-            shell::run(&mut tradeoff(&["--page", &table.display().to_string(), &out]))?;
-            println!("wrote figures and page into {out}");
+            draw(&table, &folder)?;
+            println!("wrote figures and page into {}", folder.display());
             Ok(())
         }
         ["--figures-only"] => redraw(false),
@@ -40,34 +40,29 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
 /// Figures and page from the committed table, or whether they are what they would be.
 pub(crate) fn redraw(check: bool) -> TaskResult {
     let folder = root().join("target/tradeoff-page");
-    shell::run(&mut tradeoff(&["--page", TABLE, &folder.display().to_string()]))?;
+    draw(Path::new(TABLE), &folder)?;
     for name in ["tradeoff-area.svg", "tradeoff-pressure.svg"] {
         keep(&format!("docs/src/figures/{name}"), &read(&folder.join(name))?, check)?;
     }
     keep_section(PAGE, "tradeoff", &read(&folder.join("tradeoff.md"))?, check)
 }
 
+/// Figures and page of a table, into `folder`.
+fn draw(table: &Path, folder: &Path) -> TaskResult {
+    shell::run(example("compare", "tradeoff").arg("--page").args([table, folder]))
+}
+
 /// The table with the machine it was measured on.
 fn measure(args: &[&str]) -> Result<String, String> {
     let machine = machine()?;
-    let table = output(&mut tradeoff(args))?;
+    let table = output(example("compare", "tradeoff").args(args))?;
     Ok(format!("# Made by 'cargo xtask tradeoff'.\n# {}\n{table}", machine.trim()))
 }
 
 /// Pairs and seconds of each method to equal true errors, into the page on how the solver works.
 fn methods() -> TaskResult {
-    let mut example = shell::cargo();
-    example.args(["run", "--quiet", "--release", "--locked", "--package", "fft-bem-solver"]);
-    let found = output(example.args(["--example", "work_table", "--", "1001", "1024"]))?;
+    let found = output(example("fft-bem-solver", "work_table").args(["1001", "1024"]))?;
     let rows: Vec<&str> = found.lines().filter(|line| line.starts_with('|')).collect();
     let text = format!("{}\n{}", machine()?, rows.join("\n"));
     keep_section(METHODS, "methods", &text, false)
-}
-
-/// The example that does the work, built in release.
-fn tradeoff(args: &[&str]) -> Command {
-    let mut cargo = shell::cargo();
-    cargo.args(["run", "--quiet", "--release", "--locked", "--package", "compare"]);
-    cargo.args(["--example", "tradeoff", "--"]).args(args);
-    cargo
 }
