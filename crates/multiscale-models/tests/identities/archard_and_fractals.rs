@@ -1,0 +1,105 @@
+//! Archard's levels and the fractal distributions of spots.
+
+use crate::pascals;
+use crate::quadrature::{geometric_integral, integral};
+use approx::assert_relative_eq;
+use contact_types::{ContactModel, FractalParameters};
+use multiscale_models::{Archard, MajumdarBhushan, YanKomvopoulos};
+use std::f64::consts::PI;
+
+/// Two levels: the area of the features under the Hertz pressure of the smooth sphere.
+#[test]
+fn archard_is_the_integral_over_the_hertz_spot() {
+    let (k, fine, m, load) = (0.7, 0.3, 50.0, 3.0);
+    let spot = k * f64::powf(load, 2.0 / 3.0);
+    let peak = 1.5 * load / spot;
+    // Over r^2/a^2 = s: area = spot int_0^1 m fine (p(s)/m)^(2/3) ds, p = peak sqrt(1 - s)
+    let expected =
+        spot * integral(0.0, 1.0, |s| m * fine * (peak * (1.0 - s).sqrt() / m).powf(2.0 / 3.0));
+    let model = Archard::from_constants(vec![k, fine], vec![1.0, m]).unwrap();
+    assert_relative_eq!(model.area(load).unwrap(), expected, max_relative = 1e-12);
+}
+
+#[test]
+fn fractal_loads_are_the_integrals_over_the_spots() {
+    let e = 2e10;
+    for d in [1.1, 1.49999, 1.5, 1.5 + 1e-12, 1.9] {
+        let (g, area, critical) = (1e-9, 1e-4, 1e-13);
+        let surface = FractalParameters { dimension: d, roughness: g };
+        let model = MajumdarBhushan::new(surface, area, pascals(e))
+            .unwrap()
+            .with_critical_area(critical)
+            .unwrap();
+        let fraction = 0.02;
+        let largest = (2.0 - d) / d * fraction * area;
+        assert_relative_eq!(model.largest_spot(fraction).unwrap(), largest, max_relative = 1e-15);
+        let number = |a: f64| 0.5 * d * largest.powf(0.5 * d) * a.powf(-0.5 * d - 1.0);
+        let load = |a: f64| 4.0 * PI.sqrt() / 3.0 * e * g.powf(d - 1.0) * a.powf((3.0 - d) / 2.0);
+        let expected = geometric_integral(critical, largest, 8.0, |a| number(a) * load(a)) / area;
+        assert_relative_eq!(
+            model.pressure_at_area(fraction).unwrap(),
+            expected,
+            max_relative = 1e-13
+        );
+        let back = model.at_pressure(expected).unwrap().area_fraction;
+        assert_relative_eq!(back, fraction, max_relative = 1e-12);
+    }
+    for d in [2.1, 2.5, 2.5 - 1e-12, 2.8] {
+        let (g, area, critical) = (1e-9, 1e-4, 1e-13);
+        let model = YanKomvopoulos::new(d, g, area, pascals(e))
+            .unwrap()
+            .with_critical_area(critical)
+            .unwrap();
+        let largest: f64 = 1e-8;
+        let s = 0.5 * (d - 1.0);
+        let number = |a: f64| s * largest.powf(s) * a.powf(-s - 1.0);
+        let load = |a: f64| {
+            ((11.0 - 2.0 * d) / 2.0).exp2() / (3.0 * PI.powf((4.0 - d) / 2.0))
+                * 1.5_f64.ln().sqrt()
+                * g.powf(d - 2.0)
+                * e
+                * a.powf((4.0 - d) / 2.0)
+        };
+        let expected = geometric_integral(critical, largest, 8.0, |a| number(a) * load(a)) / area;
+        let found = model.pressure_at_largest_spot(largest).unwrap();
+        assert_relative_eq!(found, expected, max_relative = 1e-13);
+        // Real area: half of each elastic spot, all of each plastic one.
+        let elastic = geometric_integral(critical, largest, 8.0, |a| 0.5 * number(a) * a);
+        let plastic = geometric_integral(1e-80 * critical, critical, 1e4, |a| number(a) * a);
+        let state = model.at_pressure(expected).unwrap();
+        assert_relative_eq!(state.area_fraction, (elastic + plastic) / area, max_relative = 1e-7);
+    }
+}
+
+#[test]
+fn hardness_makes_small_spots_plastic() {
+    let (e, hardness) = (2e10, 4e8);
+    let surface = FractalParameters { dimension: 1.4, roughness: 1e-9 };
+    let model = MajumdarBhushan::new(surface, 1e-4, pascals(e)).unwrap();
+    let hard = model.with_hardness(hardness).unwrap();
+    let critical = hard.critical_area();
+    // At a_c the deformation G^(D-1) a^(1-D/2) is (pi H/2E*)^2 times the radius a^(D/2)/(pi^2 G^(D-1)).
+    let g = 1e-9_f64.powf(0.4);
+    let radius = critical.powf(0.7) / (PI * PI * g);
+    assert_relative_eq!(
+        g * critical.powf(0.3),
+        (PI * hardness / (2.0 * e)).powi(2) * radius,
+        max_relative = 1e-13
+    );
+    // While all spots are plastic the real pressure is the hardness.
+    let light = 0.5 * hardness * 1.4 / 0.6 * critical / 1e-4;
+    let state = hard.at_pressure(light).unwrap();
+    assert_relative_eq!(state.real_pressure().unwrap(), hardness, max_relative = 1e-14);
+    // Above, elastic and plastic loads add up.
+    let fraction = 0.01;
+    let elastic = model.with_critical_area(critical).unwrap().pressure_at_area(fraction).unwrap();
+    let largest = model.largest_spot(fraction).unwrap();
+    let plastic = hardness * 1.4 / 0.6 * largest.powf(0.7) * critical.powf(0.3) / 1e-4;
+    let total = hard.pressure_at_area(fraction).unwrap();
+    assert_relative_eq!(total, elastic + plastic, max_relative = 1e-14);
+    assert_relative_eq!(
+        hard.at_pressure(total).unwrap().area_fraction,
+        fraction,
+        max_relative = 1e-13
+    );
+}

@@ -1,0 +1,115 @@
+//! Persson's area and pressure distribution.
+
+use crate::pascals;
+use crate::quadrature::integral;
+use crate::spectrum::Definition;
+use approx::assert_relative_eq;
+use contact_types::{ContactModel, RoughnessSpectrum, Shell, SpectralMoments};
+use multiscale_models::special::erf;
+use multiscale_models::{AreaLaw, Persson, SelfAffineSpectrum};
+use std::f64::consts::PI;
+
+#[test]
+fn pressure_distribution_has_its_moments() {
+    let (e, m2) = (5e9, 0.013);
+    let model =
+        Persson::from_moments(SpectralMoments { m0: 1.0, m2, m4: 1.0 }, pascals(e)).unwrap();
+    let deviation = e * f64::sqrt(m2 / 2.0);
+    for x in [1e-6, 0.1, 1.0, 4.0] {
+        let p = x * deviation;
+        let distribution = model.pressure_distribution(p).unwrap();
+        let moment = |n: i32| {
+            let top = p + 12.0 * deviation;
+            integral(0.0, top, |s| (s / p).powi(n) * distribution.density(s))
+        };
+        let area = model.at_pressure(p).unwrap().area_fraction;
+        assert_relative_eq!(moment(0), area, max_relative = 1e-13);
+        assert_relative_eq!(moment(1), 1.0, max_relative = 1e-13);
+        let mean_square = distribution.mean_square().unwrap() / (p * p);
+        assert_relative_eq!(moment(2), mean_square, max_relative = 1e-13);
+        assert_relative_eq!(distribution.open_fraction(), 1.0 - area, epsilon = 1e-15);
+    }
+}
+
+#[test]
+fn light_load_slope_of_the_area() {
+    // A E* g_rms / p -> sqrt(8/pi); with the reduced diffusion sqrt(8/(pi gamma)).
+    let moments = SpectralMoments { m0: 1.0, m2: 0.02, m4: 1.0 };
+    let model = Persson::from_moments(moments, pascals(1e9)).unwrap();
+    let slope = |model: &Persson| {
+        let state = model.at_pressure(1.0).unwrap();
+        state.area_fraction * 1e9 * moments.rms_gradient() / 1.0
+    };
+    assert_relative_eq!(slope(&model), (8.0 / PI).sqrt(), max_relative = 1e-14);
+    let reduced = model.with_gamma(0.45).unwrap().with_area_law(AreaLaw::ReducedDiffusion);
+    assert_relative_eq!(slope(&reduced), (8.0 / (0.45 * PI)).sqrt(), max_relative = 1e-6);
+}
+
+/// The reduced diffusion as the differential equation it is, integrated from the full-contact
+/// end, where `V_eff = V`, with Runge's fourth-order rule in ln V.
+#[test]
+fn reduced_diffusion_solves_its_equation() {
+    let gamma = 0.45;
+    let model = Persson::from_moments(SpectralMoments { m0: 1.0, m2: 1.0, m4: 1.0 }, pascals(1.0))
+        .unwrap()
+        .with_gamma(gamma)
+        .unwrap()
+        .with_area_law(AreaLaw::ReducedDiffusion);
+    let rate = |ln_v: f64, v_eff: f64| {
+        let area = erf((2.0 * v_eff).powf(-0.5)); // p = 1
+        ln_v.exp() * (gamma + (1.0 - gamma) * area * area)
+    };
+    let (start, steps) = ((0.5 / 36.0_f64).ln(), 20_000);
+    for x in [1.0, 0.1, 0.01] {
+        let end = (0.5 / f64::powi(x, 2)).ln();
+        let h = (end - start) / f64::from(steps);
+        let (mut t, mut v) = (start, start.exp());
+        for _ in 0..steps {
+            let k1 = rate(t, v);
+            let k2 = rate(t + 0.5 * h, v + 0.5 * h * k1);
+            let k3 = rate(t + 0.5 * h, v + 0.5 * h * k2);
+            let k4 = rate(t + h, v + h * k3);
+            v += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+            t += h;
+        }
+        // p/(E* sqrt m2) = x with E* = m2 = 1.
+        let area = model.area_fraction(x).unwrap();
+        assert_relative_eq!(area, erf((2.0 * v).powf(-0.5)), max_relative = 1e-11);
+        assert_relative_eq!(model.pressure_at_area(area).unwrap(), x, max_relative = 1e-13);
+    }
+    let plain = model.clone().with_gamma(1.0).unwrap();
+    assert_relative_eq!(plain.area_fraction(0.3).unwrap(), erf(0.3), max_relative = 1e-15);
+}
+
+#[test]
+fn magnification_cuts_the_spectrum() {
+    let q = [2.0, 5.0, 60.0];
+    let definition = Definition::new(0.8, q, 1.0);
+    let spectrum = SelfAffineSpectrum::from_wavenumbers(0.8, q, 1.0).unwrap();
+    let model = Persson::from_self_affine(spectrum, pascals(1.0)).unwrap();
+    for zeta in [1.5, 2.4, 7.0, 29.0] {
+        let m2 = PI * definition.moment(3, zeta * q[0]);
+        let area = model.area_fraction_at_magnification(0.5, zeta).unwrap();
+        assert_relative_eq!(area, erf(0.5 / m2.sqrt()), max_relative = 1e-13);
+    }
+    let all = model.area_fraction(0.5).unwrap();
+    for (zeta, expected) in [(0.5, 1.0), (1.0, 1.0), (30.0, all), (1e9, all)] {
+        let area = model.area_fraction_at_magnification(0.5, zeta).unwrap();
+        assert_relative_eq!(area, expected, max_relative = 1e-15);
+    }
+    // Shells: a wavenumber on a shell includes it.
+    let shells =
+        vec![Shell { wavenumber: 1.0, variance: 2.0 }, Shell { wavenumber: 3.0, variance: 2.0 }];
+    let model =
+        Persson::from_spectrum(RoughnessSpectrum::new(shells).unwrap(), pascals(1.0)).unwrap();
+    assert_relative_eq!(
+        model.area_fraction_up_to(0.5, 2.9).unwrap(),
+        erf(0.5),
+        max_relative = 1e-15
+    );
+    assert_relative_eq!(
+        model.area_fraction_up_to(0.5, 3.0).unwrap(),
+        erf(0.5 / f64::sqrt(10.0)),
+        max_relative = 1e-15
+    );
+}

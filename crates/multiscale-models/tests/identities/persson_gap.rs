@@ -1,0 +1,123 @@
+//! Persson's mean gap and the moments below it: continuous spectra and shells.
+
+use crate::pascals;
+use crate::spectrum::{Definition, SPECTRA};
+use approx::assert_relative_eq;
+use contact_types::{RoughnessSpectrum, Shell};
+use multiscale_models::special::{erf, erfc, half_e1_of_square};
+use multiscale_models::{Persson, SelfAffineSpectrum};
+use std::f64::consts::PI;
+
+#[test]
+fn moments_of_the_self_affine_spectrum() {
+    for (hurst, q) in SPECTRA {
+        let definition = Definition::new(hurst, q, 2.5);
+        let moments = SelfAffineSpectrum::from_wavenumbers(hurst, q, 2.5).unwrap().moments();
+        assert_relative_eq!(moments.m0, 2.5, max_relative = 1e-15);
+        assert_relative_eq!(moments.m2, PI * definition.moment(3, q[2]), max_relative = 1e-13);
+        assert_relative_eq!(
+            moments.m4,
+            0.75 * PI * definition.moment(5, q[2]),
+            max_relative = 1e-13
+        );
+    }
+}
+
+#[test]
+fn mean_gap_is_the_printed_integral() {
+    for (hurst, q) in SPECTRA {
+        let definition = Definition::new(hurst, q, 1.0);
+        let spectrum = SelfAffineSpectrum::from_wavenumbers(hurst, q, 1.0).unwrap();
+        let slope = spectrum.moments().m2.sqrt();
+        for gamma in [1.0, 0.45] {
+            let model = Persson::from_self_affine(spectrum, pascals(1.0))
+                .unwrap()
+                .with_gamma(gamma)
+                .unwrap();
+            for x in [0.01, 0.3, 1.7] {
+                let expected = definition.mean_gap(x * slope, gamma);
+                assert_relative_eq!(
+                    model.mean_gap(x * slope).unwrap(),
+                    expected,
+                    max_relative = 1e-11
+                );
+            }
+        }
+    }
+}
+
+/// On a shell q is constant, and for gamma = 1 the integrals over it are elementary:
+/// `int_0^r E1(P^2/s^2)/2 ds = r [E1(x^2)/2 - e^{-x^2} + x sqrt(pi) erfc x]`, x = P/r, and so on.
+#[test]
+fn shells_have_their_closed_forms() {
+    let shells: Vec<_> = (1..40)
+        .map(f64::from)
+        .map(|i| Shell {
+            wavenumber: 1e4 * i,
+            variance: 1e-14 * (0.5 + (7.0 * i).sin().powi(2)) / i,
+        })
+        .collect();
+    let e = 3e9;
+    let spectrum = RoughnessSpectrum::new(shells.clone()).unwrap();
+    let model = Persson::from_spectrum(&spectrum, pascals(e)).unwrap();
+    for load in [1e-8, 1e-3, 0.1, 0.9] {
+        let x_all = load * spectrum.moments().m2.sqrt();
+        let x = |r: f64| x_all / r;
+        let gap = |r: f64| {
+            let x = x(r);
+            r * (half_e1_of_square(x) - (-x * x).exp() + x * PI.sqrt() * erfc(x))
+        };
+        let slope = |r: f64| r * ((-x(r) * x(r)).exp() - x(r) * PI.sqrt() * erfc(x(r)));
+        let energy = |r: f64| 0.5 * r * r * erf(x(r)) + x_all / PI.sqrt() * slope(r);
+        let sum = |f: &dyn Fn(f64) -> f64| {
+            let (mut m2, mut below, mut sum) = (0.0, 0.0, 0.0);
+            for shell in &shells {
+                m2 += 0.5 * shell.variance * shell.wavenumber.powi(2);
+                let above = f(m2.sqrt());
+                sum += (above - below) / shell.wavenumber;
+                below = above;
+            }
+            sum
+        };
+        let p = x_all * e;
+        let two = 2.0 / PI.sqrt();
+        assert_relative_eq!(model.mean_gap(p).unwrap(), two * sum(&gap), max_relative = 1e-12);
+        assert_relative_eq!(
+            model.stiffness(p).unwrap(),
+            p / (two * sum(&slope)),
+            max_relative = 1e-12
+        );
+        assert_relative_eq!(
+            model.elastic_energy(p).unwrap(),
+            e * sum(&energy),
+            max_relative = 1e-12
+        );
+    }
+}
+
+/// Shells thin enough to stand for a continuous spectrum: the error falls with their square.
+#[test]
+fn shells_converge_to_the_continuous_spectrum() {
+    let q = [1.0, 3.0, 40.0];
+    let spectrum = SelfAffineSpectrum::from_wavenumbers(0.7, q, 1.0).unwrap();
+    let definition = Definition::new(0.7, q, 1.0);
+    let p = 0.1 * spectrum.moments().m2.sqrt();
+    let exact = Persson::from_self_affine(spectrum, pascals(1.0)).unwrap().mean_gap(p).unwrap();
+    let error = |n: i32| {
+        let edge = |i: i32| (f64::from(i) / f64::from(n) * (40.0_f64).ln()).exp();
+        let shells = (0..n)
+            .map(|i| {
+                let (lo, hi) = (edge(i), edge(i + 1));
+                // Variance and slope of the shell both right: its wavenumber is their ratio.
+                let part = |m| 2.0 * PI * (definition.moment(m, hi) - definition.moment(m, lo));
+                Shell { variance: part(1), wavenumber: (part(3) / part(1)).sqrt() }
+            })
+            .collect();
+        let shells = RoughnessSpectrum::new(shells).unwrap();
+        let gap = Persson::from_spectrum(shells, pascals(1.0)).unwrap().mean_gap(p).unwrap();
+        (gap / exact - 1.0).abs()
+    };
+    let (coarse, fine) = (error(40), error(80));
+    assert!(fine < 1e-3, "{fine:.1e}");
+    assert!((coarse / fine).log2() > 1.5, "order {:.2}", (coarse / fine).log2());
+}
