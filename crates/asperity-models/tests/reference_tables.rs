@@ -1,6 +1,7 @@
 //! Against 34-digit values.
 #![allow(clippy::unwrap_used, reason = "tests: a panic is the report")]
 
+#[path = "../../gw-closed-form/tests/common/mod.rs"]
 mod common;
 use asperity_models::{
     BushGibsonThomas, GreenwoodElliptical, MeanCurvature, SummitLaw, SummitModel, nayak,
