@@ -214,6 +214,18 @@ fn infinite_heights_are_refused_by_name() {
 }
 
 /// Heights as files have them at their worst: ties, steps, spikes of fifty decades, signed zeros.
+/// Two peaks and a pit of 5e59 m in a flat map, a case that the random maps below once found.
+#[test]
+fn huge_peaks_and_a_pit() {
+    let map = map([10, 4], [1.0, 1.0], |iy, ix| match (iy, ix) {
+        (5 | 9, 3) => 5e59,
+        (7, 3) => -5e59,
+        _ => 0.0,
+    });
+    all_finite(&map);
+    further_parameters(&map);
+}
+
 fn odd_height() -> impl Strategy<Value = f64> {
     prop_oneof![
         4 => (-20i32..20).prop_map(|k| f64::from(k) * 1e-8),
