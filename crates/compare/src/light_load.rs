@@ -6,6 +6,7 @@
 //! under light load is nearly `kappa x`. Persson's theory has kappa = sqrt(8/π), the summit models
 //! the limit sqrt(2π) at loads too light for any surface.
 
+use crate::quantity::round_to_digits;
 use std::fmt::Write as _;
 
 /// First line of the table.
@@ -50,7 +51,7 @@ impl Row {
         );
         for v in [self.bandwidth, self.closing, self.load, self.area, self.grid, self.gap] {
             // Writing to a String cannot fail.
-            let _ = write!(line, ",{}", six(v));
+            let _ = write!(line, ",{}", round_to_digits(v, 6));
         }
         line
     }
@@ -73,11 +74,6 @@ impl Row {
             gap: number(10)?,
         })
     }
-}
-
-fn six(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    format!("{rounded}")
 }
 
 /// The rows of a table with its header; lines that begin with `#` are remarks. `None` if a line

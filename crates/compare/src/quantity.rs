@@ -292,15 +292,15 @@ fn range(
         i if i + 1 == count => last,
         i => {
             let t = i as f64 / (count - 1) as f64;
-            round_digits((first.ln() * (1.0 - t) + last.ln() * t).exp())
+            round_to_digits((first.ln() * (1.0 - t) + last.ln() * t).exp(), 13) // so that the decades of a range are the decades
         }
     };
     Ok((0..count).map(step).collect())
 }
 
-/// Rounded to 13 significant digits, so that the decades of a range are the decades.
-fn round_digits(value: f64) -> f64 {
-    format!("{value:.12e}").parse().unwrap_or(value)
+/// The nearest number of `digits` significant decimal digits; what is not finite stays.
+pub fn round_to_digits(value: f64, digits: usize) -> f64 {
+    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
 
 /// Length in bytes of the decimal number at the start of `text`; 0 if there is none.
@@ -372,6 +372,17 @@ fn missing_unit(number: &str, dimension: Dimension) -> QuantityError {
 mod tests {
     use super::*;
     use Dimension::{Area, Length, Number, PerArea, Pressure};
+
+    #[test]
+    fn rounding_keeps_the_leading_digits() {
+        let text = |value, digits| round_to_digits(value, digits).to_string();
+        assert_eq!(text(0.123_456, 4), "0.1235");
+        assert_eq!(text(-98_765.4, 2), "-99000");
+        assert_eq!(text(9.9996e-7, 4), "0.000001");
+        assert_eq!(text(0.0, 6), "0");
+        assert_eq!(text(f64::INFINITY, 3), "inf");
+        assert!(round_to_digits(f64::NAN, 3).is_nan());
+    }
 
     /// The doubles on the right are what the compiler makes of the decimal: correctly rounded.
     #[test]

@@ -6,8 +6,8 @@
 //! fitted, so a claim is never more than a range of what was seen, with the number of surfaces
 //! behind it.
 
+use crate::quantity::round_to_digits;
 use contact_types::HeightMap;
-use std::fmt::Write as _;
 use std::sync::OnceLock;
 
 /// How a surface of the survey was made.
@@ -96,12 +96,10 @@ impl Row {
             self.area,
             self.bar,
         ];
-        // Writing to a String cannot fail.
-        for value in numbers {
-            let _ = write!(line, ",{}", four(value));
-        }
-        for error in &self.errors {
-            let _ = write!(line, ",{}", error.map_or(String::new(), four));
+        let errors = self.errors.iter().copied();
+        for value in numbers.into_iter().map(Some).chain(errors) {
+            let cell = value.map_or(String::new(), |v| round_to_digits(v, 4).to_string());
+            line = line + "," + &cell;
         }
         line
     }
@@ -125,12 +123,6 @@ impl Row {
             errors: cells.get(12..)?.iter().map(|c| c.parse().ok()).collect(),
         })
     }
-}
-
-/// Four significant digits, without an exponent where a plain number is short.
-fn four(value: f64) -> String {
-    let rounded: f64 = format!("{value:.3e}").parse().expect("a formatted number parses");
-    format!("{rounded}")
 }
 
 /// A surface at a load, as the survey sees it; fields as in [`Row`].

@@ -3,6 +3,8 @@
 //!
 //! The table is a CSV whose lines beginning with `#` say where it comes from.
 
+use crate::edge_study::quantile;
+use crate::quantity::round_to_digits;
 use std::fmt::Write as _;
 
 /// One way to an answer, in one case: a surface at a load.
@@ -114,7 +116,7 @@ impl Row {
 
 /// Six significant digits, with an exponent where it is shorter.
 fn six(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().expect("a formatted number parses");
+    let rounded = round_to_digits(value, 6);
     let (plain, power) = (format!("{rounded}"), format!("{rounded:e}"));
     if plain.len() <= power.len() { plain } else { power }
 }
@@ -236,9 +238,7 @@ fn same(a: Option<f64>, b: Option<f64>) -> bool {
 pub fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
-    let n = values.len();
-    let middle = *values.get(n / 2)?;
-    Some(if n.is_multiple_of(2) { f64::midpoint(values[n / 2 - 1], middle) } else { middle })
+    quantile(&values, 0.5)
 }
 
 /// The points `[cost, error]` that no other beats in both, from cheap to accurate. The list stops

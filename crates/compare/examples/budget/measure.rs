@@ -2,6 +2,7 @@
 //! each side, and on the given grid when the iteration stops early.
 
 use crate::ensemble::{Recipe, make};
+use compare::quantity::round_to_digits;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Solution, Solver};
 use std::error::Error;
@@ -82,7 +83,7 @@ pub(crate) fn surface(index: usize, recipe: &Recipe) -> Result<String, Box<dyn E
         let numbers = fixed.into_iter().chain([LOADS[k]]).chain(answers);
         let early = early(&map, modulus, pressure, rms)?;
         for value in numbers.chain(early) {
-            let _ = write!(rows, ",{}", six(value));
+            let _ = write!(rows, ",{}", round_to_digits(value, 6));
         }
         rows.push('\n');
     }
@@ -136,10 +137,4 @@ fn early(
 
 fn gap(solution: &Solution) -> Result<f64, Box<dyn Error>> {
     Ok(solution.state.mean_gap.ok_or("no mean gap")?)
-}
-
-/// Six significant digits.
-fn six(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().expect("a formatted number parses");
-    format!("{rounded}")
 }

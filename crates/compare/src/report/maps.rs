@@ -5,6 +5,7 @@ use super::numbers::{METRES, PASCALS, chosen, significant, unit_for};
 use super::palette::{HEIGHT_RAMP, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
 use super::png::Picture;
 use super::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
+use crate::quantity::round_to_digits;
 use contact_types::Grid;
 
 /// Depth of the hill shading in OKLab lightness.
@@ -248,7 +249,7 @@ fn pressure_top(pressure: &[f64]) -> (f64, bool) {
     contact.sort_by(f64::total_cmp);
     let Some(&highest) = contact.last() else { return (1.0, false) };
     let high = contact[(contact.len() - 1) * 99 / 100];
-    let rounded: f64 = format!("{high:.1e}").parse().unwrap_or(high);
+    let rounded = round_to_digits(high, 2);
     (rounded, highest > rounded)
 }
 
