@@ -15,6 +15,13 @@ pub const COARSER: [usize; 3] = [2, 4, 8];
 /// Points along the shorter side below which a grid is not tried.
 const FEWEST_POINTS: usize = 16;
 
+/// A short solution is repeated this often, so that its time is its own and not that of what else
+/// the machine did just then.
+const REPEATS: usize = 5;
+
+/// Seconds after which a solution is not repeated.
+const SHORT: f64 = 0.05;
+
 /// The map on fewer points: its waves up to the shortest the coarse grid holds (its cosines if it
 /// does not repeat), the others dropped; solved from nothing, to the tolerance of the study.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +36,7 @@ pub struct Coarser {
     pub area_fraction_corrected: f64,
     /// Signed relative error of the corrected area against that of the map as given.
     pub error: f64,
-    /// Wall-clock time of the solution (s).
+    /// Wall-clock time of the solution (s), the shortest of up to five runs within 0.05 s.
     pub seconds: f64,
 }
 
@@ -59,15 +66,25 @@ fn solve(
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction_corrected;
     let map: HeightMap = coarsened(&surface.surface, factor)?;
     let mut solver = builder(settings).build(map.grid(), modulus).ok()?;
-    let solution = solver.solve(&map, Load::MeanPressure(surface.headline_pressure())).ok()?;
+    let load = Load::MeanPressure(surface.headline_pressure());
+    let solution = solver.solve(&map, load).ok()?;
     let found = &solution.diagnostics;
+    let (mut seconds, mut spent) = (found.seconds, found.seconds);
+    for _ in 1..REPEATS {
+        if spent + seconds > SHORT {
+            break;
+        }
+        solver.forget();
+        let again = solver.solve(&map, load).ok()?.diagnostics.seconds;
+        (seconds, spent) = (seconds.min(again), spent + again);
+    }
     (truth > 0.0).then(|| Coarser {
         factor,
         shape: map.grid().shape(),
         area_fraction: solution.state.area_fraction,
         area_fraction_corrected: found.area_fraction_corrected,
         error: found.area_fraction_corrected / truth - 1.0,
-        seconds: found.seconds,
+        seconds,
     })
 }
 
