@@ -7,9 +7,10 @@ use crate::regrid::regrid;
 use crate::result::{Comparison, SurfaceComparison};
 use crate::study::builder;
 use crate::{Origin, Settings};
-use contact_types::{ContactModulus, Grid, HeightMap, SurfaceError};
+use contact_types::{ContactModulus, HeightMap, SurfaceError};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load};
 use std::time::Instant;
+use surface_stats::clean::mirrored;
 use surface_stats::{Level, level};
 
 /// Points a side above which the choices are compared on a coarser grid.
@@ -144,34 +145,10 @@ fn choices(
     if !repeats {
         // Half the points a side: its mirror images have as many as the map.
         let half = on(&used, used.grid().shape().map(|n| n / 2));
-        let pair = half.and_then(|h| Some([area(&h)?, area(&mirrored(&h)?)?]));
+        let pair = half.and_then(|h| Some([area(&h)?, area(&mirrored(&h).ok()?)?]));
         if let Some([as_it_is, mirrored]) = pair {
             tried(ChoiceKind::Mirrored, Some(mirrored), as_it_is);
         }
     }
     list
-}
-
-/// The map and its three mirror images, which repeat without a jump.
-fn mirrored(map: &HeightMap) -> Option<HeightMap> {
-    let [ny, nx] = map.grid().shape();
-    let grid = Grid::new([2 * ny, 2 * nx], map.grid().pixel()).ok()?;
-    let place = |i: usize, n: usize| if i < n { i } else { 2 * n - 1 - i };
-    let heights = (0..grid.len()).map(|i| map.at(place(i / (2 * nx), ny), place(i % (2 * nx), nx)));
-    HeightMap::new(grid, heights.collect()).ok()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn mirror_images_meet_at_every_edge() {
-        let grid = Grid::new([2, 3], [1.0, 2.0]).unwrap();
-        let map = HeightMap::new(grid, vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).unwrap();
-        let whole = mirrored(&map).unwrap();
-        let row = |y: usize| (0..6).map(|x| whole.at(y, x)).collect::<Vec<_>>();
-        assert_eq!(row(0), [1.0, 2.0, 3.0, 3.0, 2.0, 1.0]);
-        assert_eq!((row(0), row(1)), (row(3), row(2)));
-    }
 }

@@ -1,8 +1,9 @@
 //! What can be put beyond the edges of a map that does not repeat.
 
-use contact_types::{Grid, HeightMap};
+use contact_types::HeightMap;
 use fft_bem_solver::Boundary;
 use std::f64::consts::PI;
+use surface_stats::clean::mirrored;
 
 /// A way to hand a map that does not repeat to the solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,27 +42,20 @@ impl Treatment {
 
     /// The map the solver gets. Its first quarter is the given map if mirrored.
     pub(crate) fn apply(self, map: &HeightMap) -> HeightMap {
-        let [ny, nx] = map.grid().shape();
-        let built = match self {
-            Self::Periodic | Self::Free => return map.clone(),
+        match self {
+            Self::Periodic | Self::Free => map.clone(),
             Self::Tapered => {
+                let [ny, nx] = map.grid().shape();
                 let mean = map.mean();
                 let height = |i: usize| {
                     let window = tukey(i / nx, ny) * tukey(i % nx, nx);
                     mean + window * (map.heights()[i] - mean)
                 };
                 HeightMap::new(map.grid(), (0..map.grid().len()).map(height).collect())
+                    .expect("finite heights stay finite")
             }
-            Self::Mirrored => {
-                let fold = |i: usize, n: usize| if i < n { i } else { 2 * n - 1 - i };
-                let heights = (0..4 * ny * nx)
-                    .map(|i| map.at(fold(i / (2 * nx), ny), fold(i % (2 * nx), nx)))
-                    .collect();
-                let grid = Grid::new([2 * ny, 2 * nx], map.grid().pixel());
-                grid.and_then(|grid| HeightMap::new(grid, heights))
-            }
-        };
-        built.expect("finite heights stay finite")
+            Self::Mirrored => mirrored(map).expect("a crop is far below the most points"),
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Another grid over the same area for maps that do not repeat.
+//! Maps that do not repeat, continued by their mirror images.
 
 use crate::StatsError;
 use contact_types::{Grid, HeightMap};
@@ -28,12 +28,29 @@ pub fn resample_mirrored(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap
     Ok(HeightMap::new(grid, heights)?)
 }
 
+/// The map and its mirror images, `[2 ny, 2 nx]` points: a map that repeats without a jump at its
+/// edges, only with a kink. The given map is its first quarter.
+///
+/// # Errors
+/// [`StatsError::Surface`] if that are too many points.
+pub fn mirrored(map: &HeightMap) -> Result<HeightMap, StatsError> {
+    let [ny, nx] = map.grid().shape();
+    let grid = Grid::new([2 * ny, 2 * nx], map.grid().pixel())?;
+    let mut heights = Vec::with_capacity(grid.len());
+    let rows = map.heights().chunks_exact(nx);
+    for row in rows.clone().chain(rows.rev()) {
+        heights.extend_from_slice(row);
+        heights.extend(row.iter().rev());
+    }
+    Ok(HeightMap::new(grid, heights)?)
+}
+
 /// Every row of `n` points on `m` points. With `x` continued by its mirror image to 2n points, wave
 /// k is `2 exp(iπk/2n)` times the cosine coefficient `Σ x_j cos(πk(j + ½)/n)`.
 fn along_rows(field: &[f64], n: usize, m: usize) -> Vec<f64> {
     let (mut from, mut to) = (GridFft::new([1, 2 * n]), GridFft::new([1, 2 * m]));
     let (mut old, mut new) = (from.new_spectrum(), to.new_spectrum());
-    let (mut doubled, mut mirrored) = (vec![0.0; 2 * n], vec![0.0; 2 * m]);
+    let (mut doubled, mut regridded) = (vec![0.0; 2 * n], vec![0.0; 2 * m]);
     let scale = m as f64 / n as f64;
     let shift = |k: usize| {
         let angle = 0.5 * PI * k as f64 * (1.0 / m as f64 - 1.0 / n as f64);
@@ -49,8 +66,8 @@ fn along_rows(field: &[f64], n: usize, m: usize) -> Vec<f64> {
         for (k, shift) in shifts.iter().enumerate() {
             new[k] = old[k] * shift;
         }
-        to.inverse(&mut new, &mut mirrored);
-        result.extend_from_slice(&mirrored[..m]);
+        to.inverse(&mut new, &mut regridded);
+        result.extend_from_slice(&regridded[..m]);
     }
     result
 }
@@ -72,6 +89,18 @@ mod tests {
             5.0 + (3.0 * x).cos() + 0.7 * (4.0 * x).cos() * (2.0 * y).cos() - (5.0 * y).cos()
         };
         HeightMap::new(grid, (0..grid.len()).map(wave).collect()).unwrap()
+    }
+
+    #[test]
+    fn mirror_images_meet_at_every_edge() {
+        let grid = Grid::new([2, 3], [1.0, 2.0]).unwrap();
+        let map = HeightMap::new(grid, vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).unwrap();
+        let whole = mirrored(&map).unwrap();
+        assert_eq!((whole.grid().shape(), whole.grid().pixel()), ([4, 6], [1.0, 2.0]));
+        let row = |y: usize| (0..6).map(|x| whole.at(y, x)).collect::<Vec<_>>();
+        assert_eq!(row(0), [1.0, 2.0, 3.0, 3.0, 2.0, 1.0]);
+        assert_eq!(row(1), [4.0, 5.0, 6.0, 6.0, 5.0, 4.0]);
+        assert_eq!((row(0), row(1)), (row(3), row(2)));
     }
 
     #[test]

@@ -12,7 +12,7 @@ mod transform;
 
 pub use form::{FittedForm, Form, FormParameters, fit_form};
 pub use gaussian::{gaussian_filter, l_filter, s_filter};
-pub use mirror::resample_mirrored;
+pub use mirror::{mirrored, resample_mirrored};
 pub use outliers::{OutlierRule, Outliers, find_outliers};
 pub use plan::{Record, Step, apply};
 pub use transform::{Facing, combine, equivalent, flip, resample};
