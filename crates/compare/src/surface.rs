@@ -47,6 +47,9 @@ pub struct FileOrigin {
     /// Metres per height unit of the file, if given by the user and not by the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub height_unit: Option<f64>,
+    /// What the columns of a text file are, if given by the user: `matrix` or `list`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub layout: Option<String>,
     /// Crop `[y0, x0, ny, nx]` in pixels, if asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub crop: Option<[usize; 4]>,

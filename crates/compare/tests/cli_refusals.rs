@@ -52,6 +52,43 @@ fn what_the_file_does_not_say_is_asked_for() {
     assert_eq!(rough_contact(at, &format!("stats hole.txt {SCALES} --fill nearest")).status, 0);
 }
 
+/// Three numbers to a row may be x y z or three heights: which they were taken for is said, the
+/// other can be asked for, also by the run file.
+#[test]
+fn what_three_columns_are() {
+    let dir = folder();
+    let at = dir.path();
+    matrix(at, "heights.txt", 20, 3, wavy);
+    refused(at, &format!("stats heights.txt {SCALES}"), 2, &["list x y z", "--layout matrix"]);
+    refused(at, &format!("stats heights.txt {SCALES} --layout rows"), 2, &["matrix", "list"]);
+    let said = rough_contact(at, &format!("stats heights.txt {SCALES} --layout matrix --json"));
+    assert_eq!(said.answered()["shape"], serde_json::json!([20, 3]));
+    assert!(said.err.is_empty(), "{}", said.err);
+    matrix(at, "wide.txt", 6, 9, wavy);
+    refused(at, &format!("info wide.txt {SCALES} --layout list"), 2, &["9 columns"]);
+
+    // A list with a hole could be heights in steps.
+    let list = "0 0 1\n0 1 5\n0 2 2\n1 0 4\n1 1 3\n1 2 1\n2 0 2\n2 1 2\n";
+    file(at, "list.txt", list);
+    let options = format!("{SCALES} --fill nearest");
+    let said = rough_contact(at, &format!("stats list.txt {options} --json"));
+    assert_eq!(said.answered()["shape"], serde_json::json!([3, 3]));
+    assert!(said.err.contains("list.txt: three columns, read as a list"), "{}", said.err);
+    let known = rough_contact(at, &format!("info list.txt {SCALES} --json")).answered();
+    assert!(known["ambiguity"].as_str().unwrap().contains("--layout matrix"), "{known}");
+    let said = rough_contact(at, &format!("stats list.txt {options} --layout list"));
+    assert!(said.status == 0 && said.err.is_empty(), "{}", said.err);
+
+    let study = "compare heights.txt --modulus 1GPa --layout matrix --quiet --out one";
+    let study = format!("{study} {SCALES} --pressure 1MPa,2MPa");
+    let said = rough_contact(at, &study);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let said = rough_contact(at, "compare --from one/run.toml --quiet --out two");
+    assert_eq!(said.status, 0, "{}", said.err);
+    let run = std::fs::read_to_string(at.join("two/run.toml")).unwrap();
+    assert!(run.contains("layout = \"matrix\""), "{run}");
+}
+
 #[test]
 fn loads_and_moduli() {
     let dir = folder();

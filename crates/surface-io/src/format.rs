@@ -117,7 +117,24 @@ impl FormatSpec {
     /// # Errors
     /// As [`read_bytes`](crate::read_bytes).
     pub fn read(&self, bytes: &[u8], options: &ReadOptions) -> Result<Measurement, ReadError> {
-        let contents = (self.parse)(bytes, &options.limits)?;
+        let limits = &options.limits;
+        let contents = match options.layout {
+            None => (self.parse)(bytes, limits)?,
+            Some(layout) if self.format == Format::Text => {
+                formats::table::parse_as(bytes, limits, Some(layout))?
+            }
+            Some(layout) => {
+                let feature = format!(
+                    "--layout {} (only the columns of a text can be more than one thing; leave it \
+                     out)",
+                    layout.name()
+                );
+                return Err(ReadError::Unsupported {
+                    format: self.format,
+                    feature: feature.into(),
+                });
+            }
+        };
         crate::read::finish(self.format, contents, options)
     }
 }

@@ -50,6 +50,8 @@ pub(crate) struct Channel<'a> {
     pub(crate) is_profile: bool,
     /// Largest deviation from even spacing in steps, where it cannot be neglected.
     pub(crate) uneven: Option<f64>,
+    /// How it was read, where the file could mean something else.
+    pub(crate) ambiguity: Option<&'static str>,
     pub(crate) decode: Decode<'a>,
 }
 
@@ -73,6 +75,7 @@ impl<'a> Channel<'a> {
             pixel,
             is_profile: shape[0] == 1 && shape[1] > 1,
             uneven: None,
+            ambiguity: None,
             decode: Box::new(decode),
         }
     }
@@ -157,6 +160,7 @@ pub struct Measurement {
     pub(crate) metadata: BTreeMap<String, String>,
     pub(crate) is_profile: bool,
     pub(crate) uneven: Option<f64>,
+    pub(crate) ambiguity: Option<&'static str>,
 }
 
 impl Measurement {
@@ -205,6 +209,12 @@ impl Measurement {
     /// evenly spaced as far as the digits of the file can tell.
     pub fn uneven(&self) -> Option<f64> {
         self.uneven
+    }
+
+    /// How the file was read, where its numbers could as well mean something else, and the option
+    /// that settles it.
+    pub fn ambiguity(&self) -> Option<&'static str> {
+        self.ambiguity
     }
 
     /// Lowest, highest and mean height of the points that are there, in metres; `None` if none is.
@@ -269,6 +279,7 @@ impl Measurement {
             metadata,
             is_profile: ny == 1 && nx > 1,
             uneven: self.uneven,
+            ambiguity: self.ambiguity,
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::format::{self, Format, FormatSpec};
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::{ChannelInfo, Limits, Measurement, Place, ReadError};
+use crate::{ChannelInfo, Layout, Limits, Measurement, Place, ReadError};
 use contact_types::Grid;
 use std::borrow::Cow;
 use std::fs::File;
@@ -20,6 +20,9 @@ pub struct ReadOptions {
     /// Metres per unit of the heights in the file. Overrides the file, which is then noted in
     /// the metadata.
     pub height_unit: Option<f64>,
+    /// What the columns of a text file are; default is what its header and numbers say, and three
+    /// columns without a header a list x y z.
+    pub layout: Option<Layout>,
     /// What reading may cost.
     pub limits: Limits,
 }
@@ -185,6 +188,7 @@ pub(crate) fn finish(
         metadata,
         is_profile: channel.is_profile,
         uneven: channel.uneven,
+        ambiguity: channel.ambiguity,
     })
 }
 

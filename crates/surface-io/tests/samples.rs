@@ -3,7 +3,9 @@
 mod common;
 
 use common::{assert_sample, samples};
-use surface_io::{Fill, FillError, ReadError, ReadOptions, read, read_bytes, read_channels_bytes};
+use surface_io::{
+    Fill, FillError, Layout, ReadError, ReadOptions, read, read_bytes, read_channels_bytes,
+};
 
 #[test]
 fn every_sample_is_read_right() {
@@ -78,6 +80,50 @@ fn a_pixel_against_the_coordinates_is_refused() {
     assert!(matches!(error, ReadError::PixelContradicts { .. }), "{error}");
     options.pixel = Some([2e-6, 1e-6]);
     assert_eq!(read_bytes(list, &options).unwrap().grid().shape(), [3, 2]);
+}
+
+/// Rows of three numbers without a header: what they are taken for is said unless it is plain, the
+/// other reading can be asked for, and a refusal names both.
+#[test]
+fn three_bare_columns_are_a_list_unless_told_otherwise() {
+    let scaled = |layout| ReadOptions {
+        pixel: Some([1e-6; 2]),
+        height_unit: Some(1.0),
+        layout,
+        ..ReadOptions::default()
+    };
+    let shape = |text: &str, layout| {
+        let found = read_bytes(text.as_bytes(), &scaled(layout)).unwrap();
+        (found.grid().shape(), found.ambiguity().is_some())
+    };
+    // Two points a side may be heights; three, all there, are not by chance.
+    let small = "0 0 5\n0 1 6\n1 0 7\n1 1 8\n";
+    assert_eq!(shape(small, None), ([2, 2], true));
+    assert_eq!(shape(small, Some(Layout::List)), ([2, 2], false));
+    assert_eq!(shape(small, Some(Layout::Matrix)), ([4, 3], false));
+    assert_eq!(shape(&format!("x y z\n{small}"), None), ([2, 2], false));
+    let list = "0 0 0\n0 1 1\n0 2 2\n1 0 3\n1 1 4\n1 2 5\n2 0 6\n2 1 7\n2 2 8\n";
+    assert_eq!(shape(list, None), ([3, 3], false));
+    assert_eq!(shape(list.rsplit_once("2 2").unwrap().0, None), ([3, 3], true));
+    let heights = read_bytes(small.as_bytes(), &scaled(Some(Layout::Matrix))).unwrap();
+    assert_eq!(heights.heights()[9..], [1.0, 1.0, 8.0]);
+
+    for text in ["1 2 3\n4 5 6\n7 8 9\n", "0.3 0.1 7\n0.7 0.2 1\n0.9 1.5 3\n", "1 1 0\n1 1 2\n"] {
+        let error = read_bytes(text.as_bytes(), &scaled(None)).unwrap_err().to_string();
+        assert!(error.contains("list x y z") && error.contains("--layout matrix"), "{error}");
+        assert_eq!(shape(text, Some(Layout::Matrix)).0, [text.lines().count(), 3]);
+        assert!(read_bytes(text.as_bytes(), &scaled(Some(Layout::List))).is_err());
+    }
+    // Columns that are named are what their names say.
+    let error = read_bytes(b"x [um] y [um] z [um]\n1 2 3\n4 5 6\n7 8 9\n", &scaled(None));
+    assert!(!error.unwrap_err().to_string().contains("--layout"));
+    assert_eq!(shape("1 5\n2 3\n", None), ([1, 2], true));
+    assert_eq!(shape("1 5\n2 3\n", Some(Layout::Matrix)), ([2, 2], false));
+    let error = read_bytes(b"1 2 3 4\n5 6 7 8\n", &scaled(Some(Layout::List))).unwrap_err();
+    assert!(error.to_string().contains("4 columns"), "{error}");
+    let map = samples().into_iter().find(|s| s.name == "npy").unwrap();
+    let error = read_bytes(&map.bytes, &scaled(Some(Layout::Matrix))).unwrap_err();
+    assert!(error.to_string().contains("--layout matrix"), "{error}");
 }
 
 #[test]

@@ -32,7 +32,7 @@ impl Line {
         if let Some(i) = turn {
             return Err(format!(
                 "position {} ({}) does not continue in the direction of the points before ({}): \
-                 two columns are read as a profile x, z",
+                 two columns are read as a profile x, z; if they are heights, give --layout matrix",
                 i + 2,
                 x[i + 1],
                 x[i]
@@ -64,6 +64,8 @@ pub(crate) struct Map {
     pub(crate) shape: [usize; 2],
     pub(crate) step: [f64; 2],
     pub(crate) heights: Vec<f64>,
+    /// Every point of the grid is in the list.
+    pub(crate) is_complete: bool,
 }
 
 /// Puts a list of x y z (row-major, three columns) on the grid its coordinates form. Points of
@@ -75,9 +77,8 @@ pub(crate) fn grid(values: &[f64], digits: [Digits; 2], limits: &Limits) -> Resu
     limits.check_points(Format::Text, [ny, nx])?;
     if nx.saturating_mul(ny) > n.saturating_mul(2) {
         return Err(unsupported(format!(
-            "a list of {n} points that fill less than half of their {ny} x {nx} grid; grid \
-             them first (a matrix of three columns needs a header `# Width: ...`, `# Height: \
-             ...`)"
+            "a list x y z of {n} points that fill less than half of their {ny} x {nx} grid and are \
+             to be put on a grid first"
         )));
     }
     let mut heights = vec![f64::NAN; nx * ny];
@@ -98,7 +99,7 @@ pub(crate) fn grid(values: &[f64], digits: [Digits; 2], limits: &Limits) -> Resu
         (Some(step), None) | (None, Some(step)) => [step; 2],
         (None, None) => return Err(unsupported("a single point".into())),
     };
-    Ok(Map { shape: [ny, nx], step, heights })
+    Ok(Map { shape: [ny, nx], step, heights, is_complete: n == nx * ny })
 }
 
 fn unsupported(feature: String) -> ReadError {
@@ -159,8 +160,8 @@ impl Axis {
             }
         }
         Err(unsupported(format!(
-            "a list whose {all} different {name} are not evenly spaced; interpolate to a grid \
-             first"
+            "a list x y z whose {all} different {name} are not evenly spaced and are to be \
+             interpolated to a grid first"
         )))
     }
 

@@ -10,7 +10,7 @@
 //! | `pixel size`, `dx`, `dy` with unit | spacing of a matrix |
 //! | `Value units`, `z-unit` | unit of the heights |
 //! | units in column titles | `X [mm]`, `X_(microns)`, `x in µm`, `µm µm` |
-//! | three columns | x y z on a grid in any order (row 0 = smallest y); `X;Y;valid` is a profile |
+//! | three columns | x y z on a grid in any order (row 0 = smallest y); `X;Y;valid` is a profile; unless `--layout matrix` |
 //! | a first row and a first column that count 0, 1, 2, … around an empty corner | no heights: left out |
 //! | two columns | a profile, if x only rises or only falls |
 //!
@@ -23,7 +23,7 @@ use super::scattered::{self, Line};
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::text::{self, Digits, Separator, Table};
 use crate::units::{length, metres_per, quantity};
-use crate::{Format, Limits, ReadError};
+use crate::{Format, Layout, Limits, ReadError};
 use std::collections::BTreeMap;
 
 const FORMAT: Format = Format::Text;
@@ -32,7 +32,23 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     text::is_text(bytes)
 }
 
+/// What a list of three columns could also be, behind a refusal or an answer.
+const OR_MATRIX: &str = "if the three columns are heights, give --layout matrix";
+const READ_AS_PROFILE: &str =
+    "two columns, read as a profile x z; if they are heights, give --layout matrix";
+const READ_AS_LIST: &str =
+    "three columns, read as a list x y z; if they are heights, give --layout matrix";
+
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    parse_as(bytes, limits, None)
+}
+
+/// Reads in the layout asked for, or in the one that header and columns say.
+pub(crate) fn parse_as<'a>(
+    bytes: &'a [u8],
+    limits: &Limits,
+    layout: Option<Layout>,
+) -> Result<Contents<'a>, ReadError> {
     let text = text::decode(bytes);
     let mut table = Table::parse(&text, FORMAT)?;
     limits.check_points(FORMAT, [table.values.len(), 1])?;
@@ -68,8 +84,19 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         titles.get(column).is_some_and(|c| names.iter().any(|n| c.name.eq_ignore_ascii_case(n)))
     };
 
-    let is_map = header.size.is_some() || header.pixel.is_some();
-    let channel = if is_map || kept > 3 {
+    let says_map = kept > 3 || header.size.is_some() || header.pixel.is_some();
+    let is_map = layout.map_or(says_map, |layout| layout == Layout::Matrix);
+    if layout == Some(Layout::List) && kept > 3 {
+        return Err(ReadError::Unsupported {
+            format: FORMAT,
+            feature: format!(
+                "--layout list with {kept} columns (a list has x y z or x z; leave out \
+                 --layout to read a matrix)"
+            )
+            .into(),
+        });
+    }
+    let channel = if is_map {
         matrix(&header, values, [rows, kept])
     } else if kept == 3 && named(2, &["valid"]) {
         let (x, mut z) = (column(&values, 0, 3), column(&values, 1, 3));
@@ -80,7 +107,13 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         }
         profile(&x, z, digits[0], [unit(0), unit(1)], &header)?
     } else if kept == 3 {
-        let map = scattered::grid(&values, [digits[0], digits[1]], limits)?;
+        // Coordinates have units, or are called so; other columns may be heights.
+        let is_told = layout.is_some()
+            || unit(0).is_some()
+            || ["x", "y"].iter().enumerate().all(|(i, name)| named(i, &[name]));
+        let map = scattered::grid(&values, [digits[0], digits[1]], limits)
+            .map_err(|error| if is_told { error } else { or_matrix(error) })?;
+        let is_plain = map.is_complete && map.shape.iter().all(|&n| n > 2);
         let z_unit = header.value_unit.clone().or_else(|| unit(2));
         let scale = unit(0).as_deref().and_then(metres_per);
         let scale_y = unit(1).as_deref().and_then(metres_per).or(scale);
@@ -89,19 +122,41 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             _ => Pixel::Steps(map.step),
         };
         let heights = map.heights;
-        Channel::new(header.name(), z_unit.as_deref(), map.shape, pixel, move || Ok(heights))
+        let name = header.name();
+        let mut channel =
+            Channel::new(name, z_unit.as_deref(), map.shape, pixel, move || Ok(heights));
+        channel.ambiguity = (!is_told && !is_plain).then_some(READ_AS_LIST);
+        channel
     } else if kept == 2 {
         let (x, z) = (column(&values, 0, 2), column(&values, 1, 2));
-        profile(&x, z, digits[0], [unit(0), unit(1)], &header)?
+        let mut channel = profile(&x, z, digits[0], [unit(0), unit(1)], &header)?;
+        let is_told = layout.is_some() || unit(0).is_some() || named(0, &["x"]);
+        channel.ambiguity = (!is_told).then_some(READ_AS_PROFILE);
+        channel
     } else {
         return Err(ReadError::Unsupported {
             format: FORMAT,
             feature: "a single column of numbers (a profile needs a column x before the heights, \
-                      a map needs rows)"
+                      a map needs rows; --layout matrix reads one point to a row)"
                 .into(),
         });
     };
     Ok(Contents { channels: vec![channel], metadata: header.metadata })
+}
+
+/// A refusal of a list that may be no list.
+fn or_matrix(error: ReadError) -> ReadError {
+    match error {
+        ReadError::Unsupported { format, feature } => {
+            ReadError::Unsupported { format, feature: format!("{feature} ({OR_MATRIX})").into() }
+        }
+        ReadError::Malformed { format, place, what } => ReadError::Malformed {
+            format,
+            place,
+            what: format!("{what} (read as a list x y z; {OR_MATRIX})").into(),
+        },
+        other => other,
+    }
 }
 
 /// Takes away a first row and a first column that only count 0, 1, 2, ... around an empty corner,

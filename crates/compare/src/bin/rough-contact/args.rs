@@ -7,6 +7,7 @@ use compare::models::MODELS;
 use compare::quantity::{self, Dimension, QuantityError};
 use compare::{LevelName, MethodName, PrecisionName};
 use contact_types::{ContactModulus, Elastic};
+use surface_io::Layout;
 
 /// Options of every command.
 #[derive(Args)]
@@ -179,6 +180,10 @@ pub(crate) fn method() -> impl TypedValueParser<Value = MethodName> {
 
 pub(crate) fn precision() -> impl TypedValueParser<Value = PrecisionName> {
     one_of(PrecisionName::ALL, PrecisionName::name)
+}
+
+pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {
+    one_of(Layout::ALL, Layout::name)
 }
 
 /// A model that a study can ask.

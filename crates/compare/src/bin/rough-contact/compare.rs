@@ -19,6 +19,7 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use surface_io::Layout;
 
 /// What the folder receives.
 const OUTPUTS: [&str; 6] =
@@ -64,7 +65,7 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "pressure", "headline", "models", "level", "fractal_range", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
-        "height_unit", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
+        "height_unit", "layout", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
@@ -157,6 +158,7 @@ fn from_file(path: &Path, reading: &Reading, cleaning: Cleaning) -> Result<Surfa
         channel: reading.channel.clone(),
         pixel: reading.pixel,
         height_unit: reading.height_unit,
+        layout: reading.layout.map(|layout| layout.name().to_owned()),
         crop: reading.crop,
         fill: reading.fill.name().to_owned(),
         missing,
@@ -197,10 +199,19 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<Surface, Failure> {
         );
         Failure::refused("syntax", message)
     })?;
+    let layout = match &file.layout {
+        None => None,
+        Some(name) => Some(Layout::of_name(name).ok_or_else(|| {
+            let message =
+                format!("{}: layout = \"{name}\" is none of matrix, list", run_file.display());
+            Failure::refused("syntax", message)
+        })?),
+    };
     let reading = Reading {
         channel: file.channel.clone(),
         pixel: file.pixel,
         height_unit: file.height_unit,
+        layout,
         fill,
         crop: file.crop,
     };

@@ -53,6 +53,7 @@ fn object(m: &Measurement) -> Value {
         "channels": channels,
         "is_profile": m.is_profile(),
         "uneven_steps": m.uneven(),
+        "ambiguity": m.ambiguity(),
         "metadata": m.metadata(),
     })
 }
@@ -84,6 +85,9 @@ fn describe(m: &Measurement) -> String {
     }
     if let Some(uneven) = m.uneven() {
         table.row("note", format!("points not evenly spaced: up to {uneven:.2} steps off"));
+    }
+    if let Some(reading) = m.ambiguity() {
+        table.row("note", reading);
     }
     for channel in m.channels() {
         let unit = channel.unit.as_deref().unwrap_or("no unit");

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use compare::{Cleaning, quantity};
 use contact_types::HeightMap;
 use std::path::{Path, PathBuf};
-use surface_io::{Measurement, ReadOptions};
+use surface_io::{Layout, Measurement, ReadOptions};
 use surface_stats::clean::Record;
 use surface_stats::height_step;
 
@@ -58,6 +58,9 @@ pub(crate) struct Reading {
     /// Unit of the heights, if the file does not say
     #[arg(long, value_name = "U", value_parser = quantity::parse_length_unit)]
     pub(crate) height_unit: Option<f64>,
+    /// What the columns of a text file are [default: what its header and numbers say]
+    #[arg(long, value_name = "WHAT", value_parser = args::layout())]
+    pub(crate) layout: Option<Layout>,
     /// What to do with missing points
     #[arg(long, value_enum, default_value_t, value_name = "RULE")]
     pub(crate) fill: Fill,
@@ -73,6 +76,7 @@ impl Reading {
         options.channel.clone_from(&self.channel);
         options.pixel = self.pixel;
         options.height_unit = self.height_unit;
+        options.layout = self.layout;
         let measurement =
             surface_io::read(path, &options).map_err(|e| Failure::in_file(path, &e))?;
         match self.crop {
@@ -93,6 +97,9 @@ impl Reading {
         measurement: Measurement,
         cleaning: Cleaning,
     ) -> Result<Complete, Failure> {
+        if let Some(reading) = measurement.ambiguity() {
+            eprintln!("rough-contact: {}: {reading}", path.display());
+        }
         refuse_profile(path, &measurement)?;
         // Neither a removed form nor filled points take the steps away; only smoothing does.
         let kept = cleaning.s_filter.is_none();

@@ -1,0 +1,28 @@
+//! What the columns of a text file are.
+
+/// What the columns of a text file are, where it can be more than one thing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// Heights, every row a row of the map.
+    Matrix,
+    /// Coordinates and a height: x y z, or x z of a profile.
+    List,
+}
+
+impl Layout {
+    /// Every layout.
+    pub const ALL: &'static [Self] = &[Self::Matrix, Self::List];
+
+    /// Its name as `--layout` takes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Matrix => "matrix",
+            Self::List => "list",
+        }
+    }
+
+    /// The layout of that name.
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|layout| layout.name() == name)
+    }
+}
