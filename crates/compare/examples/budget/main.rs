@@ -5,48 +5,56 @@
 //! file of rows per surface in FOLDER, skipping those already there, and prints all rows as CSV.
 //! The result is the same whenever it is stopped and resumed and on any number of threads.
 //!
-//! `budget --realisations FOLDER` does the same with realisations of families of surfaces;
-//! `budget --page TABLE REALISATIONS FOLDER` makes figure and tables of the book from both.
+//! `budget --fresh FOLDER` does the same with maps that took no part in fixing the constants,
+//! `budget --realisations FOLDER` with realisations of families of surfaces;
+//! `budget --page TABLE FRESH REALISATIONS FOLDER` makes figure and tables of the book from all.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
 #[path = "../common/drawing.rs"]
 mod drawing;
 mod ensemble;
+mod families;
+mod fresh;
 mod measure;
 mod page;
 mod realisations;
+mod sample_page;
+mod table;
 
+use measure::Surface;
 use rayon::prelude::*;
 use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut args = env::args().skip(1);
-    let folder = args.next().ok_or("usage: budget FOLDER [FIRST]")?;
-    if folder == "--realisations" {
-        return sample(Path::new(&args.next().ok_or("usage: budget --realisations FOLDER")?));
+    let args: Vec<String> = env::args().skip(1).collect();
+    let words: Vec<&str> = args.iter().map(String::as_str).collect();
+    match words[..] {
+        ["--realisations", folder] => sample(Path::new(folder)),
+        ["--page", table, fresh, sample, folder] => {
+            page::write([table, fresh, sample].map(Path::new), Path::new(folder))
+        }
+        ["--fresh", folder] => study(Path::new(folder), &fresh::recipes(), usize::MAX),
+        [folder] => study(Path::new(folder), &ensemble::recipes(), usize::MAX),
+        [folder, first] => study(Path::new(folder), &ensemble::recipes(), first.parse()?),
+        _ => Err("usage: budget FOLDER [FIRST] | budget --fresh FOLDER | \
+                  budget --realisations FOLDER | \
+                  budget --page TABLE FRESH REALISATIONS FOLDER"
+            .into()),
     }
-    if folder == "--page" {
-        let usage = "usage: budget --page TABLE REALISATIONS FOLDER";
-        let [table, sample, out] = [args.next(), args.next(), args.next()];
-        let (table, sample) = (table.ok_or(usage)?, sample.ok_or(usage)?);
-        let out = out.ok_or(usage)?;
-        return page::write(Path::new(&table), Path::new(&sample), Path::new(&out));
-    }
-    let recipes = ensemble::recipes();
-    let first = args.next().map_or(Ok(recipes.len()), |n| n.parse())?.min(recipes.len());
-    fs::create_dir_all(&folder)?;
+}
+
+/// The rows of the first of these surfaces.
+fn study<S: Surface>(folder: &Path, surfaces: &[S], first: usize) -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all(folder)?;
+    let surfaces = &surfaces[..first.min(surfaces.len())];
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build()?;
     let rows: Vec<Result<String, String>> = pool.install(|| {
-        let work = |index: usize| {
-            kept(Path::new(&folder), index, || measure::surface(index, &recipes[index]))
+        let work = |(index, surface): (usize, &S)| {
+            kept(folder, index, || measure::surface(index, surface)).map_err(|e| e.to_string())
         };
-        (0..first)
-            .into_par_iter()
-            .with_max_len(1)
-            .map(|i| work(i).map_err(|e| e.to_string()))
-            .collect()
+        surfaces.par_iter().enumerate().with_max_len(1).map(work).collect()
     });
     println!("{}", measure::header());
     for rows in rows {
@@ -77,7 +85,7 @@ fn sample(folder: &Path) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build()?;
     println!("{}", realisations::header());
-    for family in 0..realisations::FAMILIES.len() {
+    for family in 0..families::FAMILIES.len() {
         let rows = kept(folder, family, || {
             let one = |seed| realisations::realisation(family, seed).map_err(|e| e.to_string());
             let all: Result<Vec<String>, String> =

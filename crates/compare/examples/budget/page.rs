@@ -1,36 +1,17 @@
 //! What the book says of the study, from its tables: how often each stated interval held.
 
-use crate::ensemble::{CLASSES, make, recipes};
-use crate::realisations::FAMILIES;
-use compare::budget::{Map, grid, iteration, sample};
+use crate::ensemble::{self, CLASSES};
+use crate::fresh;
+use crate::measure::Surface;
+use crate::sample_page::realisations;
+use crate::table::Table;
+use compare::budget::{Map, grid, iteration};
 use compare::report::{BarErrors, write_budget};
 use fft_bem_solver::{BOUNDARY_CORRECTION, NoAreaInterval};
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::path::Path;
-
-/// A table read by the names of its columns.
-pub(crate) struct Table {
-    names: Vec<String>,
-    rows: Vec<Vec<String>>,
-}
-
-impl Table {
-    fn read(path: &Path) -> Result<Self, Box<dyn Error>> {
-        let text = fs::read_to_string(path)?;
-        let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-        let cells = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<String>>();
-        let names = cells(lines.next().ok_or("an empty table")?);
-        Ok(Self { names, rows: lines.map(cells).collect() })
-    }
-
-    /// A number by row and column.
-    fn get(&self, row: usize, column: &str) -> f64 {
-        let place = self.names.iter().position(|n| n == column);
-        place.and_then(|k| self.rows[row].get(k)?.parse().ok()).unwrap_or(f64::NAN)
-    }
-}
 
 /// What is stated about one answer and what was true: half width and error over value.
 struct Case {
@@ -45,28 +26,42 @@ struct Case {
     stiffness: [f64; 2],
 }
 
-/// Writes `budget.svg` and `budget.md` into `folder`.
-pub(crate) fn write(surfaces: &Path, sample: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
-    let table = Table::read(surfaces)?;
-    let cases = cases(&table)?;
+/// Writes `budget.svg` and `budget.md` into `folder`, from the tables of the study, of the maps that
+/// took no part and of the realisations.
+pub(crate) fn write(tables: [&Path; 3], folder: &Path) -> Result<(), Box<dyn Error>> {
+    let [study, fresh, sample] = tables.map(Table::read);
+    let (study, fresh) = (study?, fresh?);
+    let used = cases(&study, &ensemble::recipes())?;
+    let unused = cases(&fresh, &fresh::recipes())?;
     fs::create_dir_all(folder)?;
+    write_budget(&groups(&used), &mut File::create(folder.join("budget.svg"))?)?;
+    write_budget(&groups(&unused), &mut File::create(folder.join("budget-fresh.svg"))?)?;
+    let page = [
+        "### The maps of the study\n\n".to_owned(),
+        by_class(&used, |count| count),
+        outside(&used),
+        early(&study),
+        "\n### Maps that took no part\n\n".to_owned(),
+        by_class(&unused, |_| fresh::EACH),
+        outside(&unused),
+        early(&fresh),
+        "\n### Finite sample\n\n".to_owned(),
+        realisations(&sample?),
+    ];
+    fs::write(folder.join("budget.md"), page.concat())?;
+    Ok(())
+}
+
+/// Errors over half widths by number and class, for the figure.
+fn groups(cases: &[Case]) -> [(&'static str, Vec<BarErrors>); 3] {
     let group = |title, value: fn(&Case) -> [f64; 2]| {
         let classes = CLASSES.iter().map(|&(_, _, class)| BarErrors {
             class: class.to_owned(),
-            ratios: stated(&cases, class).map(|c| value(c)[0] / value(c)[1]).collect(),
+            ratios: stated(cases, class).map(|c| value(c)[0] / value(c)[1]).collect(),
         });
-        (title, classes.collect::<Vec<_>>())
+        (title, classes.collect())
     };
-    let groups = [
-        group("Area", |c| c.area),
-        group("Mean gap", |c| c.gap),
-        group("Stiffness", |c| c.stiffness),
-    ];
-    write_budget(&groups, &mut File::create(folder.join("budget.svg"))?)?;
-    let sample = Table::read(sample)?;
-    let page = by_class(&cases) + &outside(&cases) + &early(&table) + &realisations(&sample);
-    fs::write(folder.join("budget.md"), page)?;
-    Ok(())
+    [group("Area", |c| c.area), group("Mean gap", |c| c.gap), group("Stiffness", |c| c.stiffness)]
 }
 
 /// Cases inside the gate.
@@ -74,18 +69,17 @@ fn stated<'a>(cases: &'a [Case], class: &'a str) -> impl Iterator<Item = &'a Cas
     cases.iter().filter(move |c| c.class == class && c.gate.is_ok())
 }
 
-fn cases(table: &Table) -> Result<Vec<Case>, Box<dyn Error>> {
-    let recipes = recipes();
+fn cases<S: Surface>(table: &Table, surfaces: &[S]) -> Result<Vec<Case>, Box<dyn Error>> {
     let mut known: Option<(usize, Map)> = None;
     let mut cases = Vec::new();
-    for row in 0..table.rows.len() {
+    for row in 0..table.len() {
         let surface = table.get(row, "surface") as usize;
         let map = match known {
             Some((index, map)) if index == surface => map,
-            _ => Map::of(&make(&recipes[surface], 1)?)?,
+            _ => Map::of(&surfaces[surface].make(1)?)?,
         };
         known = Some((surface, map));
-        cases.push(case(table, row, recipes[surface].name, &map));
+        cases.push(case(table, row, surfaces[surface].name(), &map));
     }
     Ok(cases)
 }
@@ -127,15 +121,15 @@ fn case(table: &Table, row: usize, class: &'static str, map: &Map) -> Case {
         ],
         gap: [(get("gap_e4") - get("gap4")) / get("gap4"), gap_half / get("gap4")],
         stiffness: [
-            get("stiffness1") / get("stiffness4") - 1.0,
-            grid::stiffness_half_width(map, share),
+            get("stiffness_e4") / get("stiffness4") - 1.0,
+            grid::stiffness_half_width(map, share) + get("stiffness_left_e4"),
         ],
     }
 }
 
 /// "151 of 157 (96 %), ±2.8 %".
-fn held<'a>(cases: impl Iterator<Item = &'a Case>, value: fn(&Case) -> [f64; 2]) -> String {
-    let pairs: Vec<[f64; 2]> = cases.map(value).collect();
+fn held(cases: &[&Case], value: fn(&Case) -> [f64; 2]) -> String {
+    let pairs: Vec<[f64; 2]> = cases.iter().map(|c| value(c)).collect();
     let inside = pairs.iter().filter(|[error, half]| error.abs() <= *half).count();
     let n = pairs.len();
     if n == 0 {
@@ -146,26 +140,31 @@ fn held<'a>(cases: impl Iterator<Item = &'a Case>, value: fn(&Case) -> [f64; 2])
     format!("{inside} of {n}, ±{:.2} %", 100.0 * widths[n / 2])
 }
 
-fn by_class(cases: &[Case]) -> String {
+fn by_class(cases: &[Case], count: impl Fn(usize) -> usize) -> String {
     let mut page = String::from(
         "Inside the gate: how many intervals held the truth, and the median half width.\n\n\
          | surfaces | area, real pressure | mean gap | stiffness | area error, 95 % below |\n\
          |---|---|---|---|---|\n",
     );
-    for (_, count, class) in CLASSES {
-        let mut sizes: Vec<f64> =
-            stated(cases, class).map(|c| (c.area[0] / c.area[1]).abs()).collect();
+    let mut line = |name: &str, cases: &[&Case]| {
+        let mut sizes: Vec<f64> = cases.iter().map(|c| (c.area[0] / c.area[1]).abs()).collect();
         sizes.sort_by(f64::total_cmp);
         let at = sizes.get((0.95 * (sizes.len().max(1) - 1) as f64).round() as usize);
         let _ = writeln!(
             page,
-            "| {class} ({count}) | {} | {} | {} | {} half widths |",
-            held(stated(cases, class), |c| c.area),
-            held(stated(cases, class), |c| c.gap),
-            held(stated(cases, class), |c| c.stiffness),
+            "| {name} | {} | {} | {} | {} half widths |",
+            held(cases, |c| c.area),
+            held(cases, |c| c.gap),
+            held(cases, |c| c.stiffness),
             at.map_or("–".into(), |s| format!("{s:.2}")),
         );
+    };
+    for (_, number, class) in CLASSES {
+        let cases: Vec<&Case> = stated(cases, class).collect();
+        line(&format!("{class} ({})", count(number)), &cases);
     }
+    let all: Vec<&Case> = cases.iter().filter(|c| c.gate.is_ok()).collect();
+    line("**all**", &all);
     page
 }
 
@@ -176,22 +175,15 @@ fn outside(cases: &[Case]) -> String {
          needed.\n\n\
          | refused for | plain bar, had it been stated | refined bar |\n|---|---|---|\n",
     );
+    let mut line = |name: &str, gate: Result<(), &str>| {
+        let cases: Vec<&Case> = cases.iter().filter(|c| c.gate == gate).collect();
+        let [plain, refined] = [held(&cases, |c| c.area), held(&cases, |c| c.refined)];
+        let _ = writeln!(page, "| {name} | {plain} | {refined} |");
+    };
     for reason in ["stepped", "small spots", "short waves"] {
-        let sel = || cases.iter().filter(|c| c.gate == Err(reason));
-        let _ = writeln!(
-            page,
-            "| {reason} | {} | {} |",
-            held(sel(), |c| c.area),
-            held(sel(), |c| c.refined)
-        );
+        line(reason, Err(reason));
     }
-    let inside = || cases.iter().filter(|c| c.gate.is_ok());
-    let _ = writeln!(
-        page,
-        "| nothing | {} | {} |",
-        held(inside(), |c| c.area),
-        held(inside(), |c| c.refined)
-    );
+    line("nothing", Ok(()));
     page
 }
 
@@ -207,7 +199,7 @@ fn early(table: &Table) -> String {
         let mut residuals = Vec::new();
         let (mut ratios, mut errors) = (Vec::new(), Vec::new());
         let (mut area_held, mut gap_held) = (0, 0);
-        for row in 0..table.rows.len() {
+        for row in 0..table.len() {
             let get = |column: &str| table.get(row, &format!("{column}_e{power}"));
             let area = corrected(table, row, "1")[0];
             let residual = get("residual");
@@ -235,89 +227,3 @@ fn early(table: &Table) -> String {
     }
     page
 }
-
-/// Coverage of the finite-sample interval for the mean over realisations.
-fn realisations(table: &Table) -> String {
-    let mut page = String::from(
-        "\nFinite sample: scatter over 30 realisations at four loads (from 0.003 to 0.2 of \
-         E\\* h′rms) beside the median stated half width, and how many of the 120 intervals held \
-         the mean of their family. The families below the line took no part in the calibration.\n\n\
-         | H, shortest, roll-off (points) | area: scatter | stated | held | gap: scatter | stated | \
-         held | stiffness: held |\n|---|---|---|---|---|---|---|---|\n",
-    );
-    let mut totals = [[0usize; 4]; 2]; // calibration, check: area, gap, stiffness, all
-    for (family, [hurst, cutoff, rolloff]) in FAMILIES.iter().enumerate() {
-        if family == CALIBRATION {
-            page.push_str("| **check** | | | | | | | |\n");
-        }
-        let rows: Vec<usize> =
-            (0..table.rows.len()).filter(|r| table.get(*r, "family") as usize == family).collect();
-        let mut held = [0usize; 3];
-        let mut spread = [[f64::INFINITY, 0.0_f64]; 2];
-        let mut stated = [Vec::new(), Vec::new()];
-        let mut loads: Vec<f64> = rows.iter().map(|r| table.get(*r, "load")).collect();
-        loads.sort_by(f64::total_cmp);
-        loads.dedup();
-        for load in &loads {
-            let same = |r: &&usize| (table.get(**r, "load") / load - 1.0).abs() < 1e-9;
-            let rows: Vec<usize> = rows.iter().filter(same).copied().collect();
-            let n = rows.len() as f64;
-            for (k, name) in ["area", "gap", "stiffness"].iter().enumerate() {
-                let mean = rows.iter().map(|r| table.get(*r, name)).sum::<f64>() / n;
-                let square =
-                    rows.iter().map(|r| (table.get(*r, name) / mean - 1.0).powi(2)).sum::<f64>();
-                for &r in &rows {
-                    let (blocks, height) = (table.get(r, "blocks"), table.get(r, "height"));
-                    let half = match k {
-                        0 => sample::area_half_width(blocks, height),
-                        1 => sample::gap_half_width(height),
-                        _ => sample::stiffness_half_width(blocks, height),
-                    };
-                    let value = table.get(r, name);
-                    held[k] += usize::from((value - mean).abs() <= half * value);
-                    if k < 2 {
-                        stated[k].push(half);
-                    }
-                }
-                if k < 2 {
-                    let scatter = (square / (n - 1.0)).sqrt();
-                    spread[k] = [spread[k][0].min(scatter), spread[k][1].max(scatter)];
-                }
-            }
-        }
-        let total = &mut totals[usize::from(family >= CALIBRATION)];
-        for (sum, part) in total.iter_mut().zip(held.iter().chain([&rows.len()])) {
-            *sum += part;
-        }
-        for list in &mut stated {
-            list.sort_by(f64::total_cmp);
-        }
-        let range = |s: [f64; 2]| format!("{:.1}–{:.1} %", 100.0 * s[0], 100.0 * s[1]);
-        let width = |list: &[f64]| format!("±{:.1} %", 100.0 * list[list.len() / 2]);
-        let _ = writeln!(
-            page,
-            "| {hurst}, {cutoff}, {rolloff} | {} | {} | {} | {} | {} | {} | {} |",
-            range(spread[0]),
-            width(&stated[0]),
-            held[0],
-            range(spread[1]),
-            width(&stated[1]),
-            held[1],
-            held[2]
-        );
-    }
-    for (name, [area, gap, stiffness, n]) in ["calibration", "check"].iter().zip(totals) {
-        let part = |k: usize| 100.0 * k as f64 / n as f64;
-        let _ = writeln!(
-            page,
-            "| **all of {name}** | | | {:.1} % | | | {:.1} % | {:.1} % |",
-            part(area),
-            part(gap),
-            part(stiffness)
-        );
-    }
-    page
-}
-
-/// Families that fixed the constants.
-const CALIBRATION: usize = 12;

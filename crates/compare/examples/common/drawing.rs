@@ -24,19 +24,28 @@ pub(crate) fn log_between(low: f64, high: f64, t: f64) -> f64 {
 }
 
 /// Heights through sinh((asinh z + bend) / tails) (Jones & Pewsey 2009), z in units of their rms:
-/// a positive bend gives positive skewness, `tails` below 1 heavier tails. Then without the waves
-/// shorter than `cutoff` pixels that this makes.
+/// a positive bend gives positive skewness, `tails` below 1 heavier tails.
 pub(crate) fn bent(
     map: &HeightMap,
     bend: f64,
     tails: f64,
     cutoff: f64,
 ) -> Result<HeightMap, Box<dyn Error>> {
+    bent_by(map, |z| ((z.asinh() + bend) / tails).sinh(), cutoff)
+}
+
+/// Heights, in units of their rms, through `change`. Then without the waves shorter than `cutoff`
+/// pixels that this makes.
+pub(crate) fn bent_by(
+    map: &HeightMap,
+    change: impl Fn(f64) -> f64,
+    cutoff: f64,
+) -> Result<HeightMap, Box<dyn Error>> {
     let grid = map.grid();
     let n = grid.len() as f64;
     let rms = (map.heights().iter().map(|h| h * h).sum::<f64>() / n).sqrt();
-    let change = |h: &f64| rms * (((h / rms).asinh() + bend) / tails).sinh();
-    let bent = HeightMap::new(grid, map.heights().iter().map(change).collect())?;
+    let heights = map.heights().iter().map(|h| rms * change(h / rms)).collect();
+    let bent = HeightMap::new(grid, heights)?;
     let kept = grid.shape().map(|points| ((2.0 * points as f64 / cutoff) as usize).min(points));
     Ok(resample(&resample(&bent, kept, Boundary::Periodic)?, grid.shape(), Boundary::Periodic)?)
 }
