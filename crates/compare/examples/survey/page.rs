@@ -18,8 +18,29 @@ pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
     write_survey_map(&survey, &mut File::create(folder.join("survey-map.svg"))?)?;
     write_survey_slopes(&survey, &mut File::create(folder.join("survey-slopes.svg"))?)?;
-    fs::write(folder.join("survey.md"), summary(&survey) + &check(&survey))?;
+    fs::write(folder.join("survey.md"), bars(&survey) + &summary(&survey) + &check(&survey))?;
     Ok(())
+}
+
+/// How well the reference is known, which is what no error of a model can be read below.
+fn bars(survey: &Survey) -> String {
+    let mut page = String::from(
+        "Half width of the reference (%), median and largest:\n\n| load p/(E\\* h′rms) |",
+    );
+    let loads = || survey.rows().iter().take_while(|r| r.surface == 0).map(|r| r.load);
+    for load in loads() {
+        let _ = write!(page, " {load} |");
+    }
+    let _ = write!(page, "\n|---|{}\n| ± |", "---|".repeat(loads().count()));
+    for load in loads() {
+        let same = |r: &&Row| (r.load / load - 1.0).abs() < 1e-6;
+        let mut bars: Vec<f64> = survey.rows().iter().filter(same).map(|r| r.bar).collect();
+        bars.sort_by(f64::total_cmp);
+        let largest = bars.last().copied().unwrap_or(f64::NAN);
+        let _ = write!(page, " {:.1}, {:.1} |", 100.0 * bars[bars.len() / 2], 100.0 * largest);
+    }
+    page + "\n\nMedian error (%) and, in brackets, the range from 5 to 95 % of the surfaces; n where \
+            a model answers on some of them only:\n\n"
 }
 
 /// Median and 5 to 95 % range of each model's error, by family and load.
@@ -50,11 +71,14 @@ fn summary(survey: &Survey) -> String {
                 let mut errors: Vec<f64> = rows.iter().filter_map(|r| r.errors[column]).collect();
                 errors.sort_by(f64::total_cmp);
                 let at = |part: f64| errors[(part * (errors.len() - 1) as f64).round() as usize];
-                let cell = if errors.is_empty() {
+                let mut cell = if errors.is_empty() {
                     "–".into()
                 } else {
                     format!("{} ({} to {})", percent(at(0.5)), percent(at(0.05)), percent(at(0.95)))
                 };
+                if errors.len() < rows.len() {
+                    let _ = write!(cell, ", n = {}", errors.len());
+                }
                 let _ = write!(page, " {cell} |");
             }
             page.push('\n');
@@ -86,12 +110,13 @@ fn check(survey: &Survey) -> String {
         }
         widths.sort_by(f64::total_cmp);
         let answered = widths.len();
+        let Some(width) = widths.get(answered / 2) else { continue };
         let _ = writeln!(
             page,
             "| {} | {asked} | {answered} | {held} ({:.1} %) | {:.0} points |",
             find(model).map_or(model.as_str(), |e| e.label),
             100.0 * held as f64 / answered as f64,
-            100.0 * widths[answered / 2]
+            100.0 * width
         );
     }
     page

@@ -55,7 +55,8 @@ impl Axis {
         x.is_finite() && x >= a.min(b) - 1e-6 && x <= a.max(b) + 1e-6
     }
 
-    /// Labelled ticks: decades over two decades or more, 1-2-5 below, round steps when linear.
+    /// Labelled ticks: decades over two decades or more, 1-2-5 or finer below, round steps when
+    /// linear.
     pub(super) fn major(&self) -> Vec<f64> {
         let (lo, hi) = (self.data[0].min(self.data[1]), self.data[0].max(self.data[1]));
         let candidates: Vec<f64> = match self.spacing {
@@ -76,7 +77,8 @@ impl Axis {
                         .filter(|&v| self.holds(v))
                         .collect()
                 };
-                // Decades over two decades or more; below that the coarsest set with three.
+                // Decades over two decades or more; below that the coarsest set with three that
+                // reaches both ends.
                 let finer: [&[f64]; 4] = [
                     &[1.0, 2.0, 5.0],
                     &[1.0, 2.0, 3.0, 4.0, 6.0, 8.0],
@@ -86,7 +88,13 @@ impl Axis {
                 if decades >= 2.0 {
                     ticks(&[1.0])
                 } else {
-                    finer.into_iter().map(ticks).find(|t| t.len() >= 3).unwrap_or_else(|| {
+                    // A third of the axis beyond the last tick is too much to guess.
+                    let reaches = |t: &[f64]| {
+                        let beyond = |tick: f64, end: f64| (end / tick).log10() <= decades / 3.0;
+                        beyond(lo, t[0]) && beyond(t[t.len() - 1], hi)
+                    };
+                    let sets = || finer.into_iter().map(ticks).filter(|t| t.len() >= 3);
+                    sets().find(|t| reaches(t)).or_else(|| sets().next()).unwrap_or_else(|| {
                         // Less than a tenth: as on a linear axis.
                         Self { spacing: Spacing::Linear, ..*self }.major()
                     })
@@ -238,6 +246,9 @@ mod tests {
         let narrow = Axis::log([0.08, 3.0], [0.0, 100.0]);
         assert_eq!(narrow.major().len(), 5); // 0.1 0.2 0.5 1 2
         assert_eq!(narrow.tick_text(0.2), "0.2");
+        // Coarser sets would leave the part above 1 to be guessed.
+        let last = Axis::log([0.49, 1.93], [0.0, 100.0]).major().pop();
+        assert_eq!(last, Some(1.5));
         assert_eq!(wide.tick_text(1e-6), "10⁻⁶");
         assert!((wide.at(25.0_f64.sqrt() * 0.5) - 100.0 / 3.0).abs() < 1e-9);
     }

@@ -105,7 +105,7 @@ pub fn write_survey_map(survey: &Survey, out: &mut impl Write) -> io::Result<()>
     .write_standalone(out)
 }
 
-/// Persson's and the elliptical model's area over the deterministic one at a light load, against
+/// Persson's area over the deterministic one at a light load, with the bar of the latter, against
 /// the relative slope of the highest points: all families.
 ///
 /// # Errors
@@ -146,6 +146,9 @@ pub fn write_survey_slopes(survey: &Survey, out: &mut impl Write) -> io::Result<
         canvas.text(&Text::new([COLUMN - 62.0, y], label));
         for row in rows.iter().filter(|r| r.family == family) {
             let Some(y) = ratio(row) else { continue };
+            let [low, high] =
+                [1.0 - row.bar, 1.0 + row.bar].map(|f| frame.at([row.peak_slope, y * f]));
+            canvas.line(low, high, Stroke::solid(LINE, 0.6));
             canvas.marker(frame.at([row.peak_slope, y]), 2.0, look);
             logs.push([row.peak_slope.ln(), y.ln()]);
         }
