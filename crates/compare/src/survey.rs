@@ -251,6 +251,10 @@ pub struct Experience {
 /// Fewest surfaces a range may stand on.
 pub const FEWEST: usize = 5;
 
+/// Model whose error follows a number of its own, the fractal dimension, more than anything
+/// surfaces are compared by: ranges from like surfaces held it in 88 of 100 cases only.
+const NOT_QUOTED: &str = "majumdar-bhushan";
+
 /// The table of the survey.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Survey {
@@ -290,9 +294,10 @@ impl Survey {
     }
 
     /// The range of a model's error on surfaces like `query`; `None` if fewer than [`FEWEST`]
-    /// such surfaces are in the survey, or the model is not.
+    /// such surfaces are in the survey, or the model is not, or likeness does not tell its error
+    /// (Majumdar–Bhushan).
     pub fn ask(&self, model: &str, query: &Query) -> Option<Experience> {
-        self.ask_without(model, query, None)
+        (model != NOT_QUOTED).then(|| self.ask_without(model, query, None)).flatten()
     }
 
     /// The same without one surface, to see whether the others would have told its error.
@@ -365,7 +370,7 @@ mod tests {
         }
         let query = Query::from(&survey.rows()[0]);
         for model in survey.models() {
-            assert!(survey.ask(model, &query).is_some(), "{model}");
+            assert_eq!(survey.ask(model, &query).is_some(), model != NOT_QUOTED, "{model}");
         }
     }
 

@@ -86,7 +86,7 @@ impl Map {
         let relief = moments.rms_gradient() * dy.min(dx);
         let step_ratio = if relief > 0.0 { step / relief } else { 0.0 };
         let resolution = power.resolved_gradient().unwrap_or(1.0);
-        let [height_scatter, _] = sample::moment_scatter(power);
+        let height_scatter = sample::height_scatter(surface, power);
         Self {
             accuracy: AreaAccuracy::known(grid, resolution, step_ratio).with_slopes([y, x]),
             repeats,
