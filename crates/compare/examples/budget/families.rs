@@ -23,6 +23,18 @@ enum Kind {
     TwoLevels,
     /// Roughness that is strong in some places and weak in others.
     Patchy,
+    /// A lay of 4 : 1.
+    Lay,
+    /// Two lays of 5 : 1 across each other.
+    CrossHatched,
+    /// Few high plateaus, with a fine roughness: positive skewness.
+    Pillars,
+    /// Deep pits in a smoother ground.
+    Pitted,
+    /// Rough, but for wide smooth places.
+    PartlyPolished,
+    /// Log-normal heights.
+    LogNormal,
 }
 
 /// What a family was used for.
@@ -32,6 +44,8 @@ pub(crate) enum Role {
     Calibration,
     /// Seen when the factors were widened.
     Widening,
+    /// Solved once to check the factors of then; seen when those of gap and stiffness were widened.
+    Check,
     /// Solved once, after the factors were fixed.
     Fresh,
 }
@@ -49,15 +63,20 @@ const fn old(role: Role, spectrum: [f64; 3]) -> Family {
     Family { role, kind: Kind::SelfAffine(spectrum), shape: [256, 256] }
 }
 
+const fn check(kind: Kind, shape: [usize; 2]) -> Family {
+    Family { role: Role::Check, kind, shape }
+}
+
 const fn fresh(kind: Kind, shape: [usize; 2]) -> Family {
     Family { role: Role::Fresh, kind, shape }
 }
 
 const SQUARE: [usize; 2] = [240, 240];
 const OBLONG: [usize; 2] = [180, 360];
+const WIDE: [usize; 2] = [192, 320];
 
 /// All of them. The table keeps their places: new ones go to the end.
-pub(crate) const FAMILIES: [Family; 34] = [
+pub(crate) const FAMILIES: [Family; 48] = [
     old(Role::Calibration, [0.3, 4.0, 64.0]),
     old(Role::Calibration, [0.3, 8.0, 32.0]),
     old(Role::Calibration, [0.3, 8.0, 128.0]),
@@ -78,20 +97,34 @@ pub(crate) const FAMILIES: [Family; 34] = [
     old(Role::Widening, [0.9, 8.0, 32.0]),
     old(Role::Widening, [0.6, 4.0, 200.0]),
     old(Role::Widening, [0.85, 16.0, 40.0]),
-    fresh(Kind::SelfAffine([0.2, 5.0, 40.0]), SQUARE),
-    fresh(Kind::SelfAffine([0.35, 10.0, 120.0]), SQUARE),
-    fresh(Kind::SelfAffine([0.45, 20.0, 80.0]), SQUARE),
-    fresh(Kind::SelfAffine([0.55, 5.0, 240.0]), SQUARE),
-    fresh(Kind::SelfAffine([0.65, 12.0, 60.0]), OBLONG),
-    fresh(Kind::SelfAffine([0.75, 3.0, 30.0]), SQUARE),
-    fresh(Kind::SelfAffine([0.75, 6.0, 160.0]), OBLONG),
-    fresh(Kind::SelfAffine([0.95, 5.0, 20.0]), SQUARE),
-    fresh(Kind::SelfAffine([0.95, 10.0, 200.0]), SQUARE),
-    fresh(Kind::SelfAffine([1.0, 8.0, 48.0]), SQUARE),
-    fresh(Kind::GroundNoisy, SQUARE),
-    fresh(Kind::PlateauHoned, SQUARE),
-    fresh(Kind::TwoLevels, SQUARE),
-    fresh(Kind::Patchy, SQUARE),
+    check(Kind::SelfAffine([0.2, 5.0, 40.0]), SQUARE),
+    check(Kind::SelfAffine([0.35, 10.0, 120.0]), SQUARE),
+    check(Kind::SelfAffine([0.45, 20.0, 80.0]), SQUARE),
+    check(Kind::SelfAffine([0.55, 5.0, 240.0]), SQUARE),
+    check(Kind::SelfAffine([0.65, 12.0, 60.0]), OBLONG),
+    check(Kind::SelfAffine([0.75, 3.0, 30.0]), SQUARE),
+    check(Kind::SelfAffine([0.75, 6.0, 160.0]), OBLONG),
+    check(Kind::SelfAffine([0.95, 5.0, 20.0]), SQUARE),
+    check(Kind::SelfAffine([0.95, 10.0, 200.0]), SQUARE),
+    check(Kind::SelfAffine([1.0, 8.0, 48.0]), SQUARE),
+    check(Kind::GroundNoisy, SQUARE),
+    check(Kind::PlateauHoned, SQUARE),
+    check(Kind::TwoLevels, SQUARE),
+    check(Kind::Patchy, SQUARE),
+    fresh(Kind::SelfAffine([0.25, 6.0, 30.0]), SQUARE),
+    fresh(Kind::SelfAffine([0.4, 4.0, 90.0]), WIDE),
+    fresh(Kind::SelfAffine([0.5, 12.0, 180.0]), SQUARE),
+    fresh(Kind::SelfAffine([0.6, 8.0, 40.0]), WIDE),
+    fresh(Kind::SelfAffine([0.7, 10.0, 100.0]), SQUARE),
+    fresh(Kind::SelfAffine([0.8, 3.0, 220.0]), SQUARE),
+    fresh(Kind::SelfAffine([0.85, 14.0, 56.0]), WIDE),
+    fresh(Kind::SelfAffine([0.9, 6.0, 70.0]), SQUARE),
+    fresh(Kind::Lay, SQUARE),
+    fresh(Kind::CrossHatched, SQUARE),
+    fresh(Kind::Pillars, SQUARE),
+    fresh(Kind::Pitted, SQUARE),
+    fresh(Kind::PartlyPolished, SQUARE),
+    fresh(Kind::LogNormal, SQUARE),
 ];
 
 impl fmt::Display for Family {
@@ -104,6 +137,12 @@ impl fmt::Display for Family {
             Kind::PlateauHoned => write!(f, "plateau-honed")?,
             Kind::TwoLevels => write!(f, "two levels")?,
             Kind::Patchy => write!(f, "patchy")?,
+            Kind::Lay => write!(f, "lay")?,
+            Kind::CrossHatched => write!(f, "cross-hatched")?,
+            Kind::Pillars => write!(f, "pillars")?,
+            Kind::Pitted => write!(f, "pitted")?,
+            Kind::PartlyPolished => write!(f, "partly polished")?,
+            Kind::LogNormal => write!(f, "log-normal")?,
         }
         let [ny, nx] = self.shape;
         if ny == nx { Ok(()) } else { write!(f, "; {nx} × {ny}") }
@@ -115,7 +154,7 @@ impl Family {
     pub(crate) fn generate(&self, place: usize, seed: usize) -> Result<HeightMap, Box<dyn Error>> {
         let seed = match self.role {
             Role::Calibration | Role::Widening => 20_000 + 1000 * place + seed,
-            Role::Fresh => 400_000 + 1000 * place + seed,
+            Role::Check | Role::Fresh => 400_000 + 1000 * place + seed,
         } as u64;
         let square = Grid::new(self.shape, [PIXEL, PIXEL])?;
         let map = |heights| Ok(HeightMap::new(square, heights)?);
@@ -145,6 +184,43 @@ impl Family {
                 let strength = waves(square, [0.8, 40.0, 80.0], GRADIENT, seed)?;
                 let rough = waves(square, [0.7, 5.0, 40.0], GRADIENT, seed + 500)?;
                 map(pairs(&strength, &rough, |s, h| (1.0 + 0.8 * (s / HEIGHT).tanh()) * h))
+            }
+            Kind::Lay => {
+                let short = Grid::new(self.shape, [PIXEL / 4.0, PIXEL])?;
+                map(waves(short, [0.7, 5.0, 40.0], GRADIENT, seed)?.into_heights())
+            }
+            Kind::CrossHatched => {
+                let [ny, nx] = self.shape;
+                let short = Grid::new(self.shape, [PIXEL / 5.0, PIXEL])?;
+                let right = waves(short, [0.8, 6.0, 36.0], GRADIENT, seed)?;
+                let left = waves(short, [0.8, 6.0, 36.0], GRADIENT, seed + 500)?;
+                let sum = |i: usize| {
+                    let (iy, ix) = (i / nx, i % nx);
+                    right.at(iy, (ix + iy) % nx) + left.at(iy, (ix + ny - iy) % nx)
+                };
+                map((0..ny * nx).map(sum).collect())
+            }
+            Kind::Pillars => {
+                let coarse = waves(square, [0.8, 12.0, 48.0], GRADIENT, seed)?;
+                let fine = waves(square, [0.5, 4.0, 20.0], 0.5 * GRADIENT, seed + 500)?;
+                let height = 0.5 * HEIGHT;
+                map(pairs(&coarse, &fine, |h, fine| {
+                    height * (2.0 * (h - height) / height).tanh() + fine
+                }))
+            }
+            Kind::Pitted => {
+                let pits = waves(square, [0.8, 16.0, 48.0], GRADIENT, seed)?;
+                let ground = waves(square, [0.8, 5.0, 40.0], 0.5 * GRADIENT, seed + 500)?;
+                map(pairs(&pits, &ground, |p, h| h - 2.0 * (p - 0.5 * HEIGHT).max(0.0)))
+            }
+            Kind::PartlyPolished => {
+                let place = waves(square, [0.9, 60.0, 120.0], GRADIENT, seed)?;
+                let rough = waves(square, [0.6, 5.0, 30.0], GRADIENT, seed + 500)?;
+                map(pairs(&place, &rough, |s, h| if s > 0.0 { 0.2 * h } else { h }))
+            }
+            Kind::LogNormal => {
+                let coarse = waves(square, [0.7, 6.0, 60.0], GRADIENT, seed)?;
+                map(coarse.heights().iter().map(|h| HEIGHT * (0.5 * h / HEIGHT).exp()).collect())
             }
         }
     }

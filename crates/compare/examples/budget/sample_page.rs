@@ -32,7 +32,8 @@ pub(crate) fn realisations(table: &Table) -> String {
     );
     let roles = [
         (Role::Calibration, "fixed the factors"),
-        (Role::Widening, "seen when they were widened"),
+        (Role::Widening, "were seen when they were widened"),
+        (Role::Check, "checked them, and were seen when they were widened again"),
         (Role::Fresh, "took no part"),
     ];
     let mut sums = String::new();
