@@ -94,7 +94,8 @@ fn percent(error: f64) -> String {
 /// Every surface left out once: how often the others tell its error.
 fn check(survey: &Survey) -> String {
     let mut page = String::from(
-        "\n| model | asked | answered | range held the error | median width of the range |\n\
+        "\nEach surface left out once, and the others asked:\n\n\
+         | model | asked | answered | range held the error | median width of the range |\n\
          |---|---|---|---|---|\n",
     );
     for (column, model) in survey.models().iter().enumerate() {
