@@ -208,7 +208,7 @@ mod tests {
     fn rough_and_smooth_halves_scatter_as_their_squares_do() {
         let grid = Grid::new([64, 4096], [1.0, 1.0]).unwrap();
         let rough = |ix: usize| if ix < 2048 { 2.0 } else { 1.0 };
-        let sign = |iy: usize, ix: usize| if (iy + ix) % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = |iy: usize, ix: usize| if (iy + ix).is_multiple_of(2) { 1.0 } else { -1.0 };
         let heights = (0..64 * 4096).map(|i| rough(i % 4096) * sign(i / 4096, i)).collect();
         let map = HeightMap::new(grid, heights).unwrap();
         let found = scatter_by_squares(&map);
