@@ -1,6 +1,6 @@
 //! Many loads on one surface.
 
-use crate::{Load, Solution, Solver, SolverError};
+use crate::{Iteration, Load, Observer, Solution, Solver, SolverError};
 use contact_types::HeightMap;
 use std::ops::ControlFlow;
 
@@ -14,13 +14,28 @@ impl Solver {
         &mut self,
         surface: &HeightMap,
         mean_pressures: &[f64],
+        each: impl FnMut(usize, Result<Solution, SolverError>) -> ControlFlow<()>,
+    ) {
+        let mut observer = |_: &Iteration<'_>| ControlFlow::Continue(());
+        self.curve_observed(surface, mean_pressures, &mut observer, each);
+    }
+
+    /// As [`curve`](Self::curve) while `observer` looks on: at every load its iterations are counted
+    /// from 0 again. Where it breaks, that load is [`SolverError::Stopped`] and the curve goes on
+    /// unless `each` ends it.
+    pub fn curve_observed(
+        &mut self,
+        surface: &HeightMap,
+        mean_pressures: &[f64],
+        observer: &mut dyn Observer,
         mut each: impl FnMut(usize, Result<Solution, SolverError>) -> ControlFlow<()>,
     ) {
         let mut order: Vec<usize> = (0..mean_pressures.len()).collect();
         order.sort_by(|&i, &j| mean_pressures[i].total_cmp(&mean_pressures[j]));
         self.extrapolate(true);
         for index in order {
-            let result = self.solve(surface, Load::MeanPressure(mean_pressures[index]));
+            let load = Load::MeanPressure(mean_pressures[index]);
+            let result = self.solve_observed(surface, load, observer);
             if each(index, result).is_break() {
                 break;
             }

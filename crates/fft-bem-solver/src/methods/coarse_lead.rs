@@ -46,13 +46,11 @@ impl<T: Real> CoarseLead<T> {
         if halved == [false, false] {
             return None;
         }
-        let first = Transfer::new(scaled.shape(), halved);
-        let second = Transfer::new(first.coarse, halved);
+        let first = Transfer::new(scaled.shape(), halved).with_cut_cells();
+        let second = Transfer::new(first.coarse, halved).with_cut_cells();
         let mut pixel = scaled.pixel();
         for axis in 0..2 {
-            if halved[axis] {
-                pixel[axis] *= 4.0;
-            }
+            pixel[axis] *= scaled.shape()[axis] as f64 / second.coarse[axis] as f64;
         }
         let grid = Grid::new(second.coarse, pixel).ok()?;
         let unit = crate::problem::fine_pixel(grid);
@@ -135,8 +133,8 @@ impl<T: Real> CoarseLead<T> {
 
     /// Heights of the coarse grid: repeated means over the children.
     fn average(&mut self, heights: &[T]) {
-        let half = down(&self.transfers[0], heights);
-        self.problem.heights = down(&self.transfers[1], &half);
+        let half = means(&self.transfers[0], heights);
+        self.problem.heights = means(&self.transfers[1], &half);
     }
 
     /// Linear interpolation to the fine grid, times `factor`.
@@ -159,17 +157,17 @@ impl<T: Real> CoarseLead<T> {
     }
 }
 
-/// Means over the children.
-fn down<T: Real>(t: &Transfer, fine: &[T]) -> Vec<T> {
+/// Means over the cells.
+fn means<T: Real>(t: &Transfer, fine: &[T]) -> Vec<T> {
     let ([_, nx], [my, mx]) = (t.fine, t.coarse);
-    let half = T::of(0.5);
     let mut out = vec![T::zero(); my * mx];
     out.par_chunks_mut(mx).enumerate().for_each(|(j, row)| {
-        let [a, b] = t.children(j).map(|i| &fine[i * nx..(i + 1) * nx]);
-        for (c, x) in row.iter_mut().enumerate() {
-            let [l, r] = if t.halved[1] { [2 * c, (2 * c + 1).min(nx - 1)] } else { [c, c] };
-            *x = half * (half * (a[l] + a[r]) + half * (b[l] + b[r]));
-        }
+        let mut line = vec![0.0_f32; mx];
+        t.down_row_of(j, &mut line, |iy, share, ix, line| {
+            let x = &fine[iy * nx + ix..][..line.len()];
+            line.iter_mut().zip(x).for_each(|(l, x)| *l += share * x.narrow());
+        });
+        row.iter_mut().zip(line).for_each(|(x, l)| *x = T::of(f64::from(l)));
     });
     out
 }

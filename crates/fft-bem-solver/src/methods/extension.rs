@@ -67,8 +67,45 @@ impl Level {
         (TASK / (self.transfer.fine[1] * self.transfer.rows_per_coarse_row())).max(1)
     }
 
+    /// Pulls weights, and values if there are any, of the next finer level whose pixels this one cuts.
+    fn pull_cut(&mut self, w: &[f32], v: Option<&[f32]>) {
+        let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
+        let (nx, mx) = (t.fine[1], t.coarse[1]);
+        self.weight
+            .par_chunks_mut(rows * mx)
+            .zip(self.inverse.par_chunks_mut(rows * mx))
+            .zip(self.value.par_chunks_mut(rows * mx))
+            .enumerate()
+            .for_each(|(task, ((weight, inverse), value))| {
+                let lines = weight
+                    .chunks_exact_mut(mx)
+                    .zip(inverse.chunks_exact_mut(mx))
+                    .zip(value.chunks_exact_mut(mx));
+                for (r, ((weight, inverse), value)) in lines.enumerate() {
+                    let j = task * rows + r;
+                    t.down_row_of(j, weight, |iy, share, ix, line| {
+                        let w = &w[iy * nx + ix..][..line.len()];
+                        line.iter_mut().zip(w).for_each(|(l, w)| *l += share * w);
+                    });
+                    for (w, d) in weight.iter_mut().zip(inverse.iter_mut()) {
+                        (*w, *d) = capacity.of(*w);
+                    }
+                    let Some(v) = v else { continue };
+                    t.down_row_of(j, value, |iy, share, ix, line| {
+                        let w = w[iy * nx + ix..][..line.len()].iter();
+                        let fields = line.iter_mut().zip(w.zip(&v[iy * nx + ix..]));
+                        fields.for_each(|(l, (w, v))| *l += share * w * v);
+                    });
+                    value.iter_mut().zip(inverse.iter()).for_each(|(v, d)| *v *= d);
+                }
+            });
+    }
+
     /// Pulls weights and values of the next finer level.
     fn pull(&mut self, w: &[f32], v: &[f32]) {
+        if self.transfer.has_cut_cells() {
+            return self.pull_cut(w, Some(v));
+        }
         let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
         let (fine, coarse) = (rows * t.rows_per_coarse_row() * t.fine[1], rows * t.coarse[1]);
         w.par_chunks(fine)
@@ -83,6 +120,9 @@ impl Level {
 
     /// Pulls weights alone.
     fn pull_weights(&mut self, w: &[f32]) {
+        if self.transfer.has_cut_cells() {
+            return self.pull_cut(w, None);
+        }
         let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
         let (nx, mx) = (t.fine[1], t.coarse[1]);
         let (fine, coarse) = (rows * t.rows_per_coarse_row() * nx, rows * mx);
@@ -159,9 +199,13 @@ impl Level {
                     .zip(weight.chunks_exact(nx))
                     .zip(inverse.chunks_exact(nx));
                 for (i, ((value, weight), inverse)) in lines.enumerate() {
-                    let j = t.parent(task * rows + i);
-                    let above = &coarser.value[j * mx..(j + 1) * mx];
-                    t.add_down_transposed_row(above, value);
+                    let i = task * rows + i;
+                    if t.has_cut_cells() {
+                        t.add_down_row_of_transposed(i, &coarser.value, value);
+                    } else {
+                        let above = &coarser.value[t.parent(i) * mx..][..mx];
+                        t.add_down_transposed_row(above, value);
+                    }
                     for ((x, w), d) in value.iter_mut().zip(weight).zip(inverse) {
                         *x *= w * d;
                     }
@@ -225,6 +269,8 @@ impl Pyramid {
             let finest = divisible(0).min(divisible(1));
             let halved = [0, 1].map(|a| n[a] > 1 && d[a] < 1.5 * finest);
             let transfer = Transfer::new(n, halved);
+            // The sweep needs nodes of the finest grid that belong to one cell each.
+            let transfer = if levels.is_empty() { transfer } else { transfer.with_cut_cells() };
             for axis in 0..2 {
                 if halved[axis] {
                     d[axis] *= 2.0;

@@ -20,6 +20,8 @@
 
 mod chord;
 mod coarse_lead;
+mod cut_cells;
+mod equal_cells;
 mod extension;
 mod extrapolation;
 mod face_cg;

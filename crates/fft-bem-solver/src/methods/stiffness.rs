@@ -9,6 +9,7 @@
 //! the quarter-resolution grid the long ones, at 1/20 of the cost of a transform at full size.
 //! `B`, the response of the block mean, makes the long waves come out at full strength.
 
+use super::equal_cells::Cells;
 use grid_fft::Convolution;
 use grid_fft::parallel::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -31,8 +32,8 @@ pub(crate) struct Stiffness {
     radius: [usize; 2],
     /// Stencil of `dy` in `0..=radius[0]`, `dx` in `0..=radius[1]`; it is even in both.
     taps: [[f32; MAX_RADIUS + 1]; MAX_RADIUS + 1],
-    /// Weight of each row and column in the mean of its coarse cell.
-    shares: [Vec<f32>; 2],
+    /// The coarse cells along each axis.
+    cells: [Cells; 2],
     transform: Convolution<f32>,
     /// Symbol of the coarse part, `kx`-major, `ky` in `0..=cy/2`.
     symbol: Vec<f32>,
@@ -69,13 +70,14 @@ impl Stiffness {
         });
         let radius =
             [0, 1].map(|a| if shape[a] < SHORTEST { 2.min(shape[a] / 2) } else { factor[a] / 2 });
-        let coarse = [0, 1].map(|a| cells(shape[a], factor[a]));
+        let cells = [0, 1].map(|a| Cells::new(shape[a], factor[a]));
+        let coarse = [cells[0].len(), cells[1].len()];
         let transform = Convolution::new(coarse);
         let is_exact = factor == [1, 1];
         let taps = if is_exact { Default::default() } else { stencil(shape, pixel, radius) };
         let size = coarse[0] * coarse[1];
         let (sy, sx) = (coarse[0] / 2 + 1, coarse[1] / 2 + 1);
-        let coarse_pixel = [0, 1].map(|a| factor[a] as f64 * pixel[a]);
+        let coarse_pixel = [0, 1].map(|a| shape[a] as f64 / coarse[a] as f64 * pixel[a]);
         let mut symbol = vec![0.0; sy * sx];
         for kx in 0..sx {
             for ky in 0..sy {
@@ -84,9 +86,8 @@ impl Stiffness {
                     q
                 } else {
                     // Phases per pixel of the finest grid.
-                    let phase = [ky, kx].into_iter().zip(coarse).zip(factor);
-                    let mut phase = phase.map(|((k, c), f)| TAU * k as f64 / (c * f) as f64);
-                    let phase = [phase.next().unwrap_or(0.0), phase.next().unwrap_or(0.0)];
+                    let phase =
+                        [TAU * ky as f64 / shape[0] as f64, TAU * kx as f64 / shape[1] as f64];
                     let b = block_response(phase, factor).max(0.3);
                     (q - stencil_symbol(&taps, radius, phase)) / (b * b)
                 } as f32;
@@ -97,7 +98,7 @@ impl Stiffness {
             factor,
             radius,
             taps: taps.map(|row| row.map(|t| t as f32)),
-            shares: [shares(shape[0], factor[0]), shares(shape[1], factor[1])],
+            cells,
             transform,
             symbol,
             mean: vec![0.0; size],
@@ -139,33 +140,15 @@ impl Stiffness {
 
     /// Means over the coarse cells.
     fn average(&mut self, x: &[f32]) {
-        let ([_, nx], [fy, fx]) = (self.shape, self.factor);
+        let ([_, nx], [fy, _]) = (self.shape, self.factor);
         let cx = self.transform.shape()[1];
-        let [share_y, share_x] = &self.shares;
-        let cy = self.transform.shape()[0];
+        let [along_y, along_x] = &self.cells;
         let rows = (TASK / (fy * nx)).max(1);
         self.mean.par_chunks_mut(rows * cx).enumerate().for_each(|(task, mean)| {
             for (r, mean) in mean.chunks_exact_mut(cx).enumerate() {
                 mean.fill(0.0);
-                let j = task * rows + r;
-                let last = if j + 1 == cy { share_y.len() } else { (j + 1) * fy };
-                for i in j * fy..last {
-                    let (share, x) = (share_y[i], &x[i * nx..(i + 1) * nx]);
-                    // All cells but the last are full and have equal shares.
-                    let (regular, end) = mean.split_at_mut(cx - 1);
-                    if fx == 4 {
-                        for (m, x) in regular.iter_mut().zip(x.as_chunks::<4>().0) {
-                            *m += 0.25 * share * ((x[0] + x[1]) + (x[2] + x[3]));
-                        }
-                    } else {
-                        let weight = share / fx as f32;
-                        for (m, x) in regular.iter_mut().zip(x.chunks_exact(fx)) {
-                            *m += weight * x.iter().sum::<f32>();
-                        }
-                    }
-                    let begin = (cx - 1) * fx;
-                    let tail = x[begin..].iter().zip(&share_x[begin..]);
-                    end[0] += share * tail.map(|(x, w)| x * w).sum::<f32>();
+                for (i, share) in along_y.pixels(task * rows + r) {
+                    along_x.add_means(share, &x[i * nx..(i + 1) * nx], mean);
                 }
             }
         });
@@ -173,20 +156,18 @@ impl Stiffness {
 
     /// `y = stencil * x + replicate(smooth)`.
     fn stencil_and_smooth(&self, x: &[f32], y: &mut [f32]) {
-        let ([ny, nx], [fy, fx], [ry, rx]) = (self.shape, self.factor, self.radius);
-        let [cy, cx] = self.transform.shape();
+        let ([ny, nx], [ry, rx]) = (self.shape, self.radius);
+        let cx = self.transform.shape()[1];
+        let [along_y, along_x] = &self.cells;
         let row = |i: usize| &x[i * nx..(i + 1) * nx];
         let rows = (TASK / nx).max(1);
         y.par_chunks_mut(rows * nx).enumerate().for_each(|(task, y)| {
             let mut line = [0.0_f32; TILE + 2 * MAX_RADIUS];
             for (r, y) in y.chunks_exact_mut(nx).enumerate() {
                 let i = task * rows + r;
-                let smooth = &self.smooth[(i / fy).min(cy - 1) * cx..][..cx];
-                for (y, s) in y.chunks_mut(fx).zip(smooth) {
-                    y.fill(*s);
-                }
-                if cx * fx < nx {
-                    y[cx * fx..].fill(smooth[cx - 1]);
+                y.fill(0.0);
+                for (j, share) in along_y.cells_of(i) {
+                    along_x.replicate(share, &self.smooth[j * cx..(j + 1) * cx], y);
                 }
                 for dy in 0..=ry {
                     let (above, below) = (row((i + ny - dy) % ny), row((i + dy) % ny));
@@ -291,19 +272,6 @@ fn block_response(phase: [f64; 2], factor: [usize; 2]) -> f64 {
     response
 }
 
-/// Number of cells of `factor` pixels along `n`: the last has as many as are left, but one pixel
-/// that is left over of four belongs to the cell before.
-fn cells(n: usize, factor: usize) -> usize {
-    if 2 * (n % factor) < factor { n / factor } else { n.div_ceil(factor) }
-}
-
-/// Weight of each of `n` pixels in the mean of its cell.
-fn shares(n: usize, factor: usize) -> Vec<f32> {
-    let begin = (cells(n, factor) - 1) * factor; // of the last cell
-    let share = |i: usize| if i < begin { factor } else { n - begin };
-    (0..n).map(|i| 1.0 / share(i) as f32).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -354,17 +322,6 @@ mod tests {
                 let mut y = vec![f32::NAN; shape[0] * shape[1]];
                 s.apply(&vec![1.0; y.len()], &mut y);
                 assert!(y.iter().all(|y| y.abs() < 1e-5), "{shape:?} {pixel:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn shares_of_a_cell_sum_to_one() {
-        for n in 1..40 {
-            for factor in [1, 2, 4].into_iter().filter(|f| *f <= n) {
-                let (shares, cells) = (shares(n, factor), cells(n, factor));
-                let sum: f32 = shares.iter().sum();
-                assert!((sum - cells as f32).abs() < 1e-4, "{n} {factor}");
             }
         }
     }

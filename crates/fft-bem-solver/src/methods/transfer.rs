@@ -1,10 +1,11 @@
 //! Transfer of fields between a grid and the grid with one or both axes halved, row by row.
 //!
-//! A coarse cell has two children along a halved axis, but for the last one of an odd axis, whose
-//! second child is missing and counts as empty. Four linear maps are needed: half the sum of the
-//! children (`down`), cell-centred linear interpolation with periodic wrap (`up`), and the transposes
-//! of both. (If a single child counted for a whole cell, the seam of an odd grid would be a line of
-//! pixels that catches the load of cells as wide as the coarsest, and be slow to settle.)
+//! A coarse cell has two children along a halved axis, but for an odd one: there the second child
+//! of the last cell is missing and counts as empty, or the cells are all equally wide and cut pixels
+//! ([`Cut`]). Four linear maps are needed: half the sum of the children, or the mean over the cell
+//! (`down`), cell-centred linear interpolation with periodic wrap (`up`), and the transposes of both.
+
+use super::cut_cells::Cut;
 
 /// Columns of the coarse grid handled at a time, so that lines fit the stack.
 const TILE: usize = 256;
@@ -35,22 +36,25 @@ pub(crate) struct Transfer {
     pub(crate) fine: [usize; 2],
     pub(crate) coarse: [usize; 2],
     pub(crate) halved: [bool; 2],
+    /// Axes whose cells cut pixels.
+    pub(super) cut: [Option<Cut>; 2],
 }
 
 impl Transfer {
     pub(crate) fn new(fine: [usize; 2], halved: [bool; 2]) -> Self {
         let half = |axis: usize| if halved[axis] { fine[axis].div_ceil(2) } else { fine[axis] };
-        Self { fine, coarse: [half(0), half(1)], halved }
+        Self { fine, coarse: [half(0), half(1)], halved, cut: [None; 2] }
+    }
+
+    /// The same with cells that cut pixels along odd axes.
+    pub(crate) fn with_cut_cells(self) -> Self {
+        let cut = [0, 1].map(|a| if self.halved[a] { Cut::new(self.fine[a]) } else { None });
+        Self { cut, ..self }
     }
 
     /// Fine rows that make up one coarse row: a whole number of pairs.
     pub(crate) fn rows_per_coarse_row(&self) -> usize {
         if self.halved[0] { 2 } else { 1 }
-    }
-
-    /// The fine rows below coarse row `j`; the same row twice where there is only one.
-    pub(crate) fn children(&self, j: usize) -> [usize; 2] {
-        if self.halved[0] { [2 * j, (2 * j + 1).min(self.fine[0] - 1)] } else { [j, j] }
     }
 
     /// The coarse row above fine row `i`.
@@ -126,22 +130,23 @@ impl Transfer {
     pub(crate) fn up_row(&self, i: usize, coarse: &[f32], mut piece: impl FnMut(usize, &[f32])) {
         let [my, mx] = self.coarse;
         let row = |j: usize| &coarse[j * mx..(j + 1) * mx];
-        let (near, far) = if self.halved[0] {
-            let j = i / 2;
-            let other = if i.is_multiple_of(2) { (j + my - 1) % my } else { (j + 1) % my };
-            (row(j), row(other))
-        } else {
-            (row(i), row(i))
+        let j = self.parent(i);
+        let (other, part) = match (self.halved[0], self.cut[0]) {
+            (false, _) => (j, 0.25),
+            (_, Some(cut)) => cut.interpolation(i),
+            (_, None) if i.is_multiple_of(2) => ((j + my - 1) % my, 0.25),
+            (_, None) => ((j + 1) % my, 0.25),
         };
+        let (near, far) = (row(j), row(other));
         let mut between = [0.0_f32; TILE + 2]; // rows combined, with one cell beyond each end
         let mut line = [[0.0_f32; 2]; TILE];
         for first in (0..mx).step_by(TILE) {
             let width = TILE.min(mx - first);
-            let at = |j: usize| 0.75 * near[j] + 0.25 * far[j];
+            let at = |j: usize| (1.0 - part) * near[j] + part * far[j];
             let inner = &mut between[1..=width];
             let (a, b) = (&near[first..][..width], &far[first..][..width]);
             for ((t, a), b) in inner.iter_mut().zip(a).zip(b) {
-                *t = 0.75 * a + 0.25 * b;
+                *t = (1.0 - part) * a + part * b;
             }
             if !self.halved[1] {
                 piece(first, inner);
@@ -150,12 +155,17 @@ impl Transfer {
             between[0] = at((first + mx - 1) % mx);
             between[width + 1] = at((first + width) % mx);
             let (left, right) = (&between[..width], &between[2..width + 2]);
+            let columns = (2 * width).min(self.fine[1] - 2 * first);
+            if let Some(cut) = self.cut[1] {
+                cut.interpolate(first, &between[..width + 2], &mut line[..width]);
+                piece(2 * first, &line[..width].as_flattened()[..columns]);
+                continue;
+            }
             for (((x, l), c), r) in
                 line[..width].iter_mut().zip(left).zip(&between[1..=width]).zip(right)
             {
                 *x = [0.75 * c + 0.25 * l, 0.75 * c + 0.25 * r];
             }
-            let columns = (2 * width).min(self.fine[1] - 2 * first);
             piece(2 * first, &line[..width].as_flattened()[..columns]);
         }
     }
@@ -171,9 +181,14 @@ impl Transfer {
         let ([ny, nx], [my, mx]) = (self.fine, self.coarse);
         // The fine rows that interpolate from coarse row j, and how much they take from it.
         let (below, above) = (2 * ((j + my - 1) % my) + 1, 2 * ((j + 1) % my));
-        let both = [(2 * j, 0.75), (2 * j + 1, 0.75), (above, 0.25), (below, 0.25)];
-        let rows: &[(usize, f32)] = if self.halved[0] { &both } else { &[(j, 1.0)] };
-        let mut line = [0.0_f32; 2 * TILE + 2];
+        let pairs = [(2 * j, 0.75), (2 * j + 1, 0.75), (above, 0.25), (below, 0.25)];
+        let cut = self.cut[0].map(|cut| cut.interpolated(j));
+        let rows: &[(usize, f32)] = match &cut {
+            _ if !self.halved[0] => &[(j, 1.0)],
+            Some(cut) => cut,
+            None => &pairs,
+        };
+        let mut line = [0.0_f32; 2 * TILE + 3];
         for first in (0..mx).step_by(TILE) {
             let width = TILE.min(mx - first);
             let out = &mut out[first..first + width];
@@ -184,23 +199,96 @@ impl Transfer {
                 }
                 continue;
             }
-            // Fine columns 2 first - 1 ..= 2 (first + width), wrapped; an odd axis lacks its last.
-            let line = &mut line[..2 * width + 2];
+            // Fine columns 2 first - 2 ..= 2 (first + width), wrapped; an odd axis lacks its last.
+            let line = &mut line[..2 * width + 3];
             line.fill(0.0);
-            let begin = (2 * first).saturating_sub(1);
+            let begin = (2 * first).saturating_sub(2);
             let end = (2 * (first + width) + 1).min(nx);
-            let skip = usize::from(first == 0);
+            let skip = if first == 0 { 2 } else { 0 };
             for &(iy, factor) in rows.iter().filter(|r| r.0 < ny) {
                 add(iy, factor, begin, &mut line[skip..skip + end - begin]);
-                if first == 0 && nx.is_multiple_of(2) {
-                    add(iy, factor, nx - 1, &mut line[..1]);
+                if first == 0 {
+                    add(iy, factor, 2 * mx - 2, &mut line[..nx + 2 - 2 * mx]);
                 }
                 if first + width == mx {
-                    add(iy, factor, 0, &mut line[2 * width + 1..]);
+                    add(iy, factor, 0, &mut line[2 * width + 2..]);
                 }
             }
+            if let Some(cut) = self.cut[1] {
+                cut.interpolate_transposed(first, line, out);
+                continue;
+            }
+            let line = &line[1..];
             for (o, window) in out.iter_mut().zip(line.windows(4).step_by(2)) {
                 *o = 0.25 * (window[0] + window[3]) + 0.75 * (window[1] + window[2]);
+            }
+        }
+    }
+
+    /// Whether the cells of an axis cut pixels: then the two functions below are to be used for
+    /// `down`. They do for any axis, but the four others are faster.
+    pub(crate) fn has_cut_cells(&self) -> bool {
+        self.cut.iter().any(Option::is_some)
+    }
+
+    /// Row `j` of `down`. `add(iy, factor, first column, line)` must add `factor` times the fine
+    /// values from that column on to the line.
+    pub(crate) fn down_row_of(
+        &self,
+        j: usize,
+        out: &mut [f32],
+        mut add: impl FnMut(usize, f32, usize, &mut [f32]),
+    ) {
+        let ([ny, nx], mx) = (self.fine, self.coarse[1]);
+        let [left, middle, right] = self.cut[0].map_or([0.0, 0.5, 0.5], |cut| cut.shares(j));
+        let three = [((2 * j).saturating_sub(1), left), (2 * j, middle), (2 * j + 1, right)];
+        let rows: &[(usize, f32)] = if self.halved[0] { &three } else { &[(j, 1.0)] };
+        let mut line = [0.0_f32; 2 * TILE + 1];
+        for first in (0..mx).step_by(TILE) {
+            let width = TILE.min(mx - first);
+            let out = &mut out[first..first + width];
+            // Fine columns 2 first - 1 .. 2 (first + width), those that exist; or the same columns.
+            let (begin, end, skip) = match self.halved[1] {
+                true if first == 0 => (0, 2 * width, 1),
+                true => (2 * first - 1, 2 * (first + width), 0),
+                false => (first, first + width, 0),
+            };
+            let end = end.min(nx);
+            line.fill(0.0);
+            for &(iy, share) in rows.iter().filter(|r| r.0 < ny && r.1 > 0.0) {
+                add(iy, share, begin, &mut line[skip..skip + end - begin]);
+            }
+            match self.cut[1] {
+                Some(cut) => cut.average(first, &line[..=2 * width], out),
+                None if self.halved[1] => {
+                    for (o, x) in out.iter_mut().zip(line[1..].as_chunks::<2>().0) {
+                        *o = 0.5 * (x[0] + x[1]);
+                    }
+                }
+                None => out.copy_from_slice(&line[..width]),
+            }
+        }
+    }
+
+    /// Adds the transpose of `down` to fine row `i`.
+    pub(crate) fn add_down_row_of_transposed(&self, i: usize, coarse: &[f32], fine: &mut [f32]) {
+        let mx = self.coarse[1];
+        let two = match (self.halved[0], self.cut[0]) {
+            (false, _) => [(i, 1.0), (i, 0.0)],
+            (_, None) => [(i / 2, 0.5), (i / 2, 0.0)],
+            (_, Some(cut)) => cut.parents(i),
+        };
+        for (j, share) in two.into_iter().filter(|r| r.1 > 0.0) {
+            let above = &coarse[j * mx..(j + 1) * mx];
+            match self.cut[1] {
+                Some(cut) => cut.average_transposed(share, above, fine),
+                None if self.halved[1] => {
+                    for (x, c) in fine.as_chunks_mut::<2>().0.iter_mut().zip(above) {
+                        x[0] += 0.5 * share * c;
+                        x[1] += 0.5 * share * c;
+                    }
+                }
+                None => fine.iter_mut().zip(above).for_each(|(x, c)| *x += share * c),
             }
         }
     }
@@ -253,7 +341,19 @@ mod tests {
         let ones = vec![1.0_f32; nx];
         let mut out = Vec::new();
         for j in 0..t.coarse[0] {
-            let rows = t.children(j).map(|i| &fine[i * nx..(i + 1) * nx]);
+            if t.has_cut_cells() {
+                let mut value = vec![f32::NAN; t.coarse[1]];
+                t.down_row_of(j, &mut value, |iy, share, ix, line| {
+                    for (l, x) in line.iter_mut().zip(&fine[iy * nx + ix..]) {
+                        *l += share * x;
+                    }
+                });
+                out.extend(value);
+                continue;
+            }
+            let last = t.fine[0] - 1;
+            let children = if t.halved[0] { [2 * j, (2 * j + 1).min(last)] } else { [j, j] };
+            let rows = children.map(|i| &fine[i * nx..(i + 1) * nx]);
             let (mut mass, mut value) = (vec![0.0; t.coarse[1]], vec![0.0; t.coarse[1]]);
             t.down_row([&ones[..], &ones[..]], rows, &mut mass, &mut value);
             let share = if t.halved[0] && 2 * j + 1 == t.fine[0] { 0.5 } else { 1.0 };
@@ -269,6 +369,10 @@ mod tests {
         let ([ny, nx], mx) = (t.fine, t.coarse[1]);
         let mut out = vec![0.0; ny * nx];
         for i in 0..ny {
+            if t.has_cut_cells() {
+                t.add_down_row_of_transposed(i, coarse, &mut out[i * nx..(i + 1) * nx]);
+                continue;
+            }
             let j = t.parent(i);
             t.add_down_transposed_row(
                 &coarse[j * mx..(j + 1) * mx],
@@ -310,19 +414,46 @@ mod tests {
         #[test]
         fn transposes_are_transposes(
             ny in 1usize..12, nx in prop_oneof![1usize..12, 500usize..1100],
-            hy: bool, hx: bool, seed in 0u8..100,
+            hy: bool, hx: bool, is_cut: bool, seed in 0u8..100,
         ) {
             prop_assume!(hy || hx);
             let t = Transfer::new([ny, nx], [hy, hx]);
+            let t = if is_cut { t.with_cut_cells() } else { t };
             let n = t.coarse[0] * t.coarse[1];
             let (x, y) = (values(ny * nx, f32::from(seed)), values(n, f32::from(seed) + 0.5));
             let size = 1e-6 * (ny * nx) as f64;
             prop_assert!((dot(&down(&t, &x), &y) - dot(&x, &down_transposed(&t, &y))).abs() < size);
             prop_assert!((dot(&up(&t, &y), &x) - dot(&y, &up_transposed(&t, &x))).abs() < size);
             prop_assert!(up(&t, &vec![1.0; n]).iter().all(|v| (v - 1.0).abs() < 1e-6));
-            // A node is handed the same share whether its sibling exists or not.
-            let share = t.node_share();
+            // A node is handed the same share whether its sibling exists or not, and wherever its
+            // cells are cut.
+            let size = |a: usize| if t.cut[a].is_some() { t.coarse[a] as f32 / t.fine[a] as f32 }
+                else if t.halved[a] { 0.5 } else { 1.0 };
+            let share = size(0) * size(1);
             prop_assert!(down_transposed(&t, &vec![1.0; n]).iter().all(|v| (v - share).abs() < 1e-6));
+            // Means of a constant are that constant, unless a missing child counts as empty.
+            let is_whole = t.cut.iter().zip(t.fine).zip(t.halved)
+                .all(|((cut, n), halved)| cut.is_some() || !halved || n % 2 == 0);
+            if is_whole {
+                prop_assert!(down(&t, &vec![1.0; ny * nx]).iter().all(|v| (v - 1.0).abs() < 1e-6));
+            }
+        }
+    }
+
+    /// Cut cells: interpolation between true positions, away from the wrap.
+    #[test]
+    fn interpolation_is_linear_between_cut_cells() {
+        let t = Transfer::new([15, 21], [true, true]).with_cut_cells();
+        let width = [15.0 / 8.0, 21.0 / 11.0];
+        let at = |i: usize, width: f32| (i as f32 + 0.5) * width;
+        let coarse: Vec<f32> =
+            (0..8 * 11).map(|i| 2.0 * at(i / 11, width[0]) + at(i % 11, width[1])).collect();
+        let fine = up(&t, &coarse);
+        for iy in 1..14 {
+            for ix in 1..20 {
+                let expected = 2.0 * at(iy, 1.0) + at(ix, 1.0);
+                assert!((fine[iy * 21 + ix] - expected).abs() < 1e-4, "{iy} {ix}");
+            }
         }
     }
 

@@ -1,0 +1,118 @@
+//! Halving an odd axis: cells that are all equally wide and cut pixels.
+//!
+//! `n = 2 m - 1` pixels make `m` cells of `n/m` pixels: nearly two. Cell c holds all of pixel `2 c`
+//! and a part of its neighbours, `c/m` of pixel `2 c - 1` and `(m - 1 - c)/m` of pixel `2 c + 1`. So
+//! the axis keeps its length and has no seam. (With a cell of one pixel at its end, coarser levels
+//! would see the axis longer by up to the widest cell, and what they interpolate would jump there.)
+
+/// An axis of an odd number of pixels with its cells.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cut {
+    cells: usize,
+    per_pixel: f32,
+}
+
+impl Cut {
+    /// `None` if the pixels can be paired, or if there is but one.
+    pub(crate) fn new(pixels: usize) -> Option<Self> {
+        let is_odd = pixels > 1 && pixels % 2 == 1;
+        is_odd.then(|| Self { cells: pixels.div_ceil(2), per_pixel: 1.0 / pixels as f32 })
+    }
+
+    /// Distance of the centre of pixel `2 c` from that of cell c, in cells: from -1/4 to 1/4.
+    fn even(&self, c: usize) -> f32 {
+        (c as f32 - 0.5 * (self.cells - 1) as f32) * self.per_pixel
+    }
+
+    /// The same of pixel `2 c + 1`: from 1/4 to 3/4.
+    fn odd(&self, c: usize) -> f32 {
+        (c as f32 + 0.5 * (self.cells + 1) as f32) * self.per_pixel
+    }
+
+    fn left(&self, c: usize) -> usize {
+        if c == 0 { self.cells - 1 } else { c - 1 }
+    }
+
+    fn right(&self, c: usize) -> usize {
+        if c + 1 == self.cells { 0 } else { c + 1 }
+    }
+
+    /// Pixel i is interpolated between the cell i/2 and another: which, and how much of that.
+    pub(crate) fn interpolation(&self, i: usize) -> (usize, f32) {
+        let c = i / 2;
+        let f = if i.is_multiple_of(2) { self.even(c) } else { self.odd(c) };
+        (if f < 0.0 { self.left(c) } else { self.right(c) }, f.abs())
+    }
+
+    /// Interpolates the pixels below cells `first..`; `cells` has one more at each end.
+    pub(crate) fn interpolate(&self, first: usize, cells: &[f32], pixels: &mut [[f32; 2]]) {
+        let (left, right) = (cells, &cells[2..]);
+        for (k, (((x, l), c), r)) in
+            pixels.iter_mut().zip(left).zip(&cells[1..]).zip(right).enumerate()
+        {
+            let (f, g) = (self.even(first + k), self.odd(first + k));
+            let side = if f < 0.0 { l } else { r };
+            *x = [(1.0 - f.abs()) * c + f.abs() * side, (1.0 - g) * c + g * r];
+        }
+    }
+
+    /// The pixels that are interpolated from cell c, and how much of it they take. A pixel beyond
+    /// the last is to be left out.
+    pub(crate) fn interpolated(&self, c: usize) -> [(usize, f32); 5] {
+        let (l, r) = (self.left(c), self.right(c));
+        [
+            (2 * l, self.even(l).max(0.0)),
+            (2 * l + 1, self.odd(l)),
+            (2 * c, 1.0 - self.even(c).abs()),
+            (2 * c + 1, 1.0 - self.odd(c)),
+            (2 * r, (-self.even(r)).max(0.0)),
+        ]
+    }
+
+    /// What the cells `first..` gather from `pixels`, which begin at `2 first - 2`.
+    pub(crate) fn interpolate_transposed(&self, first: usize, pixels: &[f32], cells: &mut [f32]) {
+        for ((k, out), x) in cells.iter_mut().enumerate().zip(pixels.windows(5).step_by(2)) {
+            let taken = self.interpolated(first + k);
+            *out = taken.iter().zip(x).map(|(t, x)| t.1 * x).sum();
+        }
+    }
+
+    /// Shares of the pixels `2 c - 1`, `2 c`, `2 c + 1` in cell c; the first and the last cell lack
+    /// one of them.
+    pub(crate) fn shares(&self, c: usize) -> [f32; 3] {
+        [c, self.cells, self.cells - 1 - c].map(|x| x as f32 * self.per_pixel)
+    }
+
+    /// Means over the cells `first..` of `pixels`, which begin at `2 first - 1`.
+    pub(crate) fn average(&self, first: usize, pixels: &[f32], cells: &mut [f32]) {
+        for ((k, out), x) in cells.iter_mut().enumerate().zip(pixels.windows(3).step_by(2)) {
+            let [a, b, c] = self.shares(first + k);
+            *out = a * x[0] + b * x[1] + c * x[2];
+        }
+    }
+
+    /// The cells that pixel i is part of, and its share in each.
+    pub(crate) fn parents(&self, i: usize) -> [(usize, f32); 2] {
+        let c = i / 2;
+        let [_, all, right] = self.shares(c);
+        if i.is_multiple_of(2) {
+            [(c, all), (c, 0.0)]
+        } else {
+            [(c, right), (c + 1, self.shares(c + 1)[0])]
+        }
+    }
+
+    /// Adds `factor` times the transpose of [`average`](Self::average).
+    pub(crate) fn average_transposed(&self, factor: f32, cells: &[f32], pixels: &mut [f32]) {
+        let all = factor * self.cells as f32 * self.per_pixel;
+        let (pairs, last) = pixels.as_chunks_mut::<2>();
+        for (c, (x, both)) in pairs.iter_mut().zip(cells.windows(2)).enumerate() {
+            let (right, left) = (self.shares(c)[2], self.shares(c + 1)[0]);
+            x[0] += all * both[0];
+            x[1] += factor * (right * both[0] + left * both[1]);
+        }
+        if let ([x], Some(c)) = (last, cells.last()) {
+            *x += all * c;
+        }
+    }
+}
