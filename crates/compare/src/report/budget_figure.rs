@@ -14,7 +14,7 @@ pub struct BarErrors {
     pub ratios: Vec<f64>,
 }
 
-/// Half widths drawn to either side.
+/// Fewest half widths drawn to either side; more where a case lies beyond.
 const REACH: f64 = 1.8;
 /// Height of a row.
 const ROW: f64 = 13.0;
@@ -25,7 +25,9 @@ const ROW: f64 = 13.0;
 /// # Errors
 /// Whatever the writer reports.
 pub fn write_budget(groups: &[(&str, Vec<BarErrors>)], out: &mut impl Write) -> io::Result<()> {
-    let x = Axis::linear([-REACH, REACH], [96.0, COLUMN - 34.0]);
+    let ratios = || groups.iter().flat_map(|(_, classes)| classes).flat_map(|c| &c.ratios);
+    let reach = ratios().fold(REACH, |far, r| far.max(1.05 * r.abs()));
+    let x = Axis::linear([-reach, reach], [96.0, COLUMN - 34.0]);
     let mut canvas = Canvas::default();
     let mut y = 6.0;
     let (mut inside, mut all) = (0, 0);
@@ -58,19 +60,19 @@ pub fn write_budget(groups: &[(&str, Vec<BarErrors>)], out: &mut impl Write) -> 
                 continue;
             }
             let at = |part: f64| sorted[(part * (n - 1) as f64).round() as usize];
-            let place = |r: f64| x.at(r.clamp(-REACH, REACH));
-            let ends = [place(at(0.025)), place(at(0.975))];
+            let ends = [x.at(at(0.025)), x.at(at(0.975))];
             canvas.line([ends[0], middle], [ends[1], middle], Stroke::solid(DETERMINISTIC, 1.6));
-            canvas.marker([place(at(0.5)), middle], 2.4, mark);
+            canvas.marker([x.at(at(0.5)), middle], 2.4, mark);
             for r in sorted.iter().filter(|r| r.abs() > 1.0) {
-                canvas.marker([place(*r), middle], 2.2, cross);
+                canvas.marker([x.at(*r), middle], 2.2, cross);
             }
         }
         y = bottom;
     }
     let axis = y + 4.0;
-    canvas.line([x.at(-REACH), axis], [x.at(REACH), axis], Stroke::solid(LINE, 0.8));
-    for tick in [-1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5] {
+    canvas.line([x.at(-reach), axis], [x.at(reach), axis], Stroke::solid(LINE, 0.8));
+    let far = reach.floor() as i32;
+    for tick in (-far..=far).map(f64::from) {
         canvas.line([x.at(tick), axis], [x.at(tick), axis + 3.0], Stroke::solid(LINE, 0.8));
         canvas.text(&Text {
             colour: INK2,
