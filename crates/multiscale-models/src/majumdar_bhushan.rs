@@ -1,10 +1,10 @@
 //! Majumdar and Bhushan's fractal model, elastic part.
 
 use crate::require;
-use crate::spots::{Critical, Spots};
+use crate::spots::{self, Critical, Spots};
 use crate::wide::Wide;
 use contact_types::{
-    Caveat, Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError,
+    Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError,
 };
 use std::f64::consts::PI;
 
@@ -251,19 +251,7 @@ impl ContactModel for MajumdarBhushan {
         };
         let area = (spot * self.spots().area_share() / self.nominal_area).value();
         let area_fraction = require::representable(MODEL, "area fraction", area)?;
-        let largest_fraction = (spot / self.nominal_area).value();
-        let beyond = |quantity, value, reason| {
-            Some(Caveat::BeyondModel { quantity, value, limit: 1.0, reason })
-        };
-        let caveat = if area_fraction <= 0.0 && mean_pressure > 0.0 {
-            Some(Caveat::Underflow { quantity: "area fraction" })
-        } else if area_fraction > 1.0 {
-            beyond("area fraction", area_fraction, "the spots cover more than the nominal area")
-        } else if largest_fraction > 1.0 {
-            beyond("largest spot", largest_fraction, "one spot is larger than the nominal area")
-        } else {
-            None
-        };
-        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+        let largest_fraction = (spot / self.nominal_area).value().min(f64::MAX);
+        Ok(spots::state(mean_pressure, area_fraction, largest_fraction))
     }
 }

@@ -10,6 +10,24 @@
 //! ```
 
 use crate::wide::Wide;
+use contact_types::{Caveat, ContactState};
+
+/// The answer at a load, with what must be known of it: `largest_fraction` is the largest spot over
+/// the nominal area.
+pub(crate) fn state(mean_pressure: f64, area_fraction: f64, largest_fraction: f64) -> ContactState {
+    let beyond =
+        |quantity, value, reason| Some(Caveat::BeyondModel { quantity, value, limit: 1.0, reason });
+    let caveat = if area_fraction <= 0.0 && mean_pressure > 0.0 {
+        Some(Caveat::Underflow { quantity: "area fraction" })
+    } else if area_fraction > 1.0 {
+        beyond("area fraction", area_fraction, "the spots cover more than the nominal area")
+    } else if largest_fraction > 1.0 {
+        beyond("largest spot", largest_fraction, "one spot is larger than the nominal area")
+    } else {
+        None
+    };
+    ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat }
+}
 
 /// A population of spots.
 #[derive(Debug, Clone, Copy)]

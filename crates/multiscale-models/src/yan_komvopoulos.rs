@@ -1,9 +1,9 @@
 //! Yan and Komvopoulos' fractal surface in three dimensions.
 
 use crate::require;
-use crate::spots::{Critical, Spots};
+use crate::spots::{self, Critical, Spots};
 use crate::wide::Wide;
-use contact_types::{Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError};
+use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError};
 use std::f64::consts::PI;
 
 const MODEL: &str = "Yan-Komvopoulos";
@@ -235,18 +235,6 @@ impl ContactModel for YanKomvopoulos {
         let area_fraction = (area / self.nominal_area).value();
         require::representable(MODEL, "area fraction", area_fraction)?;
         let largest_fraction = (largest / self.nominal_area).value().min(f64::MAX);
-        let beyond = |quantity, value, reason| {
-            Some(Caveat::BeyondModel { quantity, value, limit: 1.0, reason })
-        };
-        let caveat = if area_fraction <= 0.0 && mean_pressure > 0.0 {
-            Some(Caveat::Underflow { quantity: "area fraction" })
-        } else if area_fraction > 1.0 {
-            beyond("area fraction", area_fraction, "the spots cover more than the nominal area")
-        } else if largest_fraction > 1.0 {
-            beyond("largest spot", largest_fraction, "one spot is larger than the nominal area")
-        } else {
-            None
-        };
-        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+        Ok(spots::state(mean_pressure, area_fraction, largest_fraction))
     }
 }
