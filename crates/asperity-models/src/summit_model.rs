@@ -4,7 +4,7 @@ use crate::kernel_tables::MEAN;
 use crate::kernels::Kernel;
 use crate::quadrature::{Correlation, Summit};
 use contact_types::{
-    Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, SeparationModel,
+    Citation, ContactModel, ContactModulus, ContactState, ModelError, SeparationModel,
     SpectralMoments,
 };
 use gw_closed_form::inverse;
@@ -288,7 +288,7 @@ impl<L: SummitLaw> ContactModel for SummitModel<L> {
         // The last Newton step, on p itself: a large logarithm has lost digits.
         let separation = (h - missing * load / slope) * self.moments.rms_height();
         let separation = Self::finite(separation, "mean pressure", mean_pressure)?;
-        Ok(contact_state(mean_pressure, area, separation))
+        Ok(ContactState::of_isolated_summits(mean_pressure, area, separation))
     }
 }
 
@@ -296,39 +296,18 @@ impl<L: SummitLaw> SeparationModel for SummitModel<L> {
     fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError> {
         let h = self.dimensionless(separation)?;
         if h > FARTHEST {
-            return Ok(contact_state(0.0, 0.0, separation));
+            return Ok(ContactState::of_isolated_summits(0.0, 0.0, separation));
         }
         let [load, area] =
             self.correlation.integrate(h, |summit| [load_of::<L>(summit), area_of::<L>(summit)]);
         let pressure = gaussian(self.pressure_scale() * load, h);
         let area = gaussian(self.area_scale() * area, h);
         let pressure = Self::finite(pressure, "separation", separation)?;
-        Ok(contact_state(pressure, Self::finite(area, "separation", separation)?, separation))
-    }
-}
-
-/// The answer, with what must be known about it.
-fn contact_state(mean_pressure: f64, area_fraction: f64, separation: f64) -> ContactState {
-    let caveat = if mean_pressure < f64::MIN_POSITIVE {
-        Some(Caveat::Underflow { quantity: "mean pressure" })
-    } else if area_fraction < f64::MIN_POSITIVE {
-        Some(Caveat::Underflow { quantity: "area fraction" })
-    } else if area_fraction > MAX_ISOLATED_AREA {
-        Some(Caveat::BeyondModel {
-            quantity: "area fraction",
-            value: area_fraction,
-            limit: MAX_ISOLATED_AREA,
-            reason: "contacts are no longer isolated",
-        })
-    } else {
-        None
-    };
-    ContactState {
-        mean_pressure,
-        area_fraction,
-        separation: Some(separation),
-        mean_gap: None,
-        caveat,
+        Ok(ContactState::of_isolated_summits(
+            pressure,
+            Self::finite(area, "separation", separation)?,
+            separation,
+        ))
     }
 }
 
@@ -361,8 +340,6 @@ fn gaussian(x: f64, h: f64) -> f64 {
     if h > 0.0 { times_gaussian(x, h) } else { x }
 }
 
-/// Where contacts are usually taken to be isolated no longer (a choice, not a theorem).
-const MAX_ISOLATED_AREA: f64 = 0.1;
 /// In rms heights: (1e60)^{7/2} is still a double.
 const FARTHEST: f64 = 1e60;
 /// Seven were the most needed in any test.

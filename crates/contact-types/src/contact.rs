@@ -74,7 +74,32 @@ pub struct ContactState {
     pub caveat: Option<Caveat>,
 }
 
+/// Area fraction at which contacts are usually taken to be isolated no longer (a choice, not a
+/// theorem).
+const MOST_ISOLATED_AREA: f64 = 0.1;
+
 impl ContactState {
+    /// The answer of a theory whose summits do not feel each other, at a separation (m), with a caveat
+    /// where so much touches that they would, and where a number is below the normal doubles.
+    pub fn of_isolated_summits(mean_pressure: f64, area_fraction: f64, separation: f64) -> Self {
+        let caveat = if mean_pressure < f64::MIN_POSITIVE {
+            Some(Caveat::Underflow { quantity: "mean pressure" })
+        } else if area_fraction < f64::MIN_POSITIVE {
+            Some(Caveat::Underflow { quantity: "area fraction" })
+        } else if area_fraction > MOST_ISOLATED_AREA {
+            Some(Caveat::BeyondModel {
+                quantity: "area fraction",
+                value: area_fraction,
+                limit: MOST_ISOLATED_AREA,
+                reason: "contacts are no longer isolated",
+            })
+        } else {
+            None
+        };
+        let separation = Some(separation);
+        Self { mean_pressure, area_fraction, separation, mean_gap: None, caveat }
+    }
+
     /// Mean pressure on the real area, F / A_r \[Pa\]; `None` where nothing touches.
     pub fn real_pressure(&self) -> Option<f64> {
         let pressure = self.mean_pressure / self.area_fraction;

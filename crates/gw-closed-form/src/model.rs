@@ -208,33 +208,19 @@ impl GreenwoodWilliamson {
     }
 
     fn state(&self, mean_pressure: f64, area_fraction: f64, separation: f64) -> ContactState {
-        let caveat = if mean_pressure < f64::MIN_POSITIVE {
-            Some(Caveat::Underflow { quantity: "mean pressure" })
-        } else if area_fraction < f64::MIN_POSITIVE {
-            Some(Caveat::Underflow { quantity: "area fraction" })
-        } else if let Some(value) = self.bandwidth.filter(|&b| b < 1.5 - 1e-12) {
-            Some(Caveat::BeyondModel {
-                quantity: "bandwidth",
-                value,
-                limit: 1.5,
-                reason: "no isotropic Gaussian surface has so narrow a spectrum",
-            })
-        } else if area_fraction > MAX_ISOLATED_AREA {
-            Some(Caveat::BeyondModel {
-                quantity: "area fraction",
-                value: area_fraction,
-                limit: MAX_ISOLATED_AREA,
-                reason: "contacts are no longer isolated",
-            })
-        } else {
-            None
-        };
-        ContactState {
-            mean_pressure,
-            area_fraction,
-            separation: Some(separation),
-            mean_gap: None,
-            caveat,
+        let state = ContactState::of_isolated_summits(mean_pressure, area_fraction, separation);
+        let narrow = self.bandwidth.filter(|&b| b < 1.5 - 1e-12);
+        match (state.caveat, narrow) {
+            (Some(Caveat::Underflow { .. }), _) | (_, None) => state,
+            (_, Some(value)) => ContactState {
+                caveat: Some(Caveat::BeyondModel {
+                    quantity: "bandwidth",
+                    value,
+                    limit: 1.5,
+                    reason: "no isotropic Gaussian surface has so narrow a spectrum",
+                }),
+                ..state
+            },
         }
     }
 }
@@ -292,9 +278,6 @@ impl SeparationModel for GreenwoodWilliamson {
         Ok(self.state(pressure, area, separation))
     }
 }
-
-/// Where contacts are usually taken to be isolated no longer (a choice, not a theorem).
-const MAX_ISOLATED_AREA: f64 = 0.1;
 
 /// α where J_n(α) is the quotient, also where no double can hold that.
 fn alpha_of(order: Order, quotient: Quotient) -> Result<f64, ModelError> {
