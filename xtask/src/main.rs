@@ -46,9 +46,10 @@ Usage: cargo xtask <task> [options]
                             slopes; table, figures, page (half an hour, resumable)
   budget [--check]          how often the stated error bars held; tables, figure, page
                             (half an hour, resumable)
-  tradeoff [--quick | --figures-only | --check | --methods]
+  tradeoff [--quick | --figures-only | --check | --repeat | --methods]
                             time against true error, models and solver; table, figures, page
-                            (under 10 minutes; wants a quiet machine)
+                            (under 10 minutes; wants a quiet machine); --repeat measures again
+                            and says how far the times moved
   tidy                      layers, citations, pages, file lengths, dependency counts
   ci [--slow]               everything a change must pass, as the CI runs it
 

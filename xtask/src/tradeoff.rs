@@ -13,7 +13,9 @@ const METHODS: &str = "docs/src/solver/method.md";
 
 /// Measures and writes table, figures and page. `--quick` does so on a small grid, in seconds, into
 /// `target/tradeoff-quick`; `--figures-only` draws the committed table again; `--check` verifies
-/// that figures and page follow from it; `--methods` measures the methods' work for equal error.
+/// that figures and page follow from it; `--repeat` measures a second time and writes how far its
+/// times are from those of the committed table; `--methods` measures the methods' work for equal
+/// error.
 pub(crate) fn run(args: &[String]) -> TaskResult {
     match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => {
@@ -30,9 +32,10 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
         }
         ["--figures-only"] => redraw(false),
         ["--check"] => redraw(true),
+        ["--repeat"] => repeat(),
         ["--methods"] => methods(),
         ref other => Err(format!(
-            "unknown arguments {other:?}; one of --quick, --figures-only, --check, --methods, or none"
+            "unknown arguments {other:?}; one of --quick, --figures-only, --check, --repeat, --methods, or none"
         )),
     }
 }
@@ -52,11 +55,29 @@ fn draw(table: &Path, folder: &Path) -> TaskResult {
     shell::run(example("compare", "tradeoff").arg("--page").args([table, folder]))
 }
 
-/// The table with the machine it was measured on.
+/// The table with the machine it was measured on, and how busy that was.
 fn measure(args: &[&str]) -> Result<String, String> {
     let machine = machine()?;
+    let before = load_average();
     let table = output(example("compare", "tradeoff").args(args))?;
-    Ok(format!("# Made by 'cargo xtask tradeoff'.\n# {}\n{table}", machine.trim()))
+    let load = before.zip(load_average()).map_or(String::new(), |(before, after)| {
+        format!("# Load average of the machine: {before} before, {after} at the end, this run included.\n")
+    });
+    Ok(format!("# Made by 'cargo xtask tradeoff'.\n# {}\n{load}{table}", machine.trim()))
+}
+
+/// Load average over the last minute, where the system tells.
+fn load_average() -> Option<String> {
+    let text = std::fs::read_to_string("/proc/loadavg").ok()?;
+    text.split_whitespace().next().map(str::to_owned)
+}
+
+/// A second measurement beside the committed one, into the page.
+fn repeat() -> TaskResult {
+    let second = "target/tradeoff-repeat/tradeoff.csv";
+    keep(second, &measure(&[])?, false)?;
+    let found = output(example("compare", "tradeoff").args(["--repeat", TABLE, second]))?;
+    keep_section(PAGE, "repeat", &found, false)
 }
 
 /// Pairs and seconds of each method to equal true errors, into the page on how the solver works.

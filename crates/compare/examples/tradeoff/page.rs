@@ -28,8 +28,7 @@ pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
 /// The generated part of the page.
 pub(crate) fn page(table: &Table) -> String {
     let found = ways(table.rows.iter());
-    let cases = found.iter().map(|w| w.cases).max().unwrap_or(0);
-    let everywhere: Vec<&Way<'_>> = found.iter().filter(|w| w.cases == cases).collect();
+    let everywhere = everywhere(&found);
     let mut page = String::new();
     for line in &table.origin {
         let _ = writeln!(page, "{line}  ");
@@ -47,7 +46,7 @@ pub(crate) fn page(table: &Table) -> String {
         percent(low),
         percent(high)
     );
-    choice(&mut page, &everywhere, cases);
+    choice(&mut page, &found);
     spread(&mut page, &everywhere, one_pair);
     close_up(&mut page, table, one_pair);
     page
@@ -60,19 +59,34 @@ fn pair(table: &Table) -> Option<f64> {
     table.rows.iter().find(is_it).map(|r| r.seconds)
 }
 
+/// Ways that were measured in all cases.
+fn everywhere<'a>(found: &'a [Way<'a>]) -> Vec<&'a Way<'a>> {
+    let cases = found.iter().map(|w| w.cases).max().unwrap_or(0);
+    found.iter().filter(|w| w.cases == cases).collect()
+}
+
 /// The cheapest way that stayed below each error in every case, the truth's own half width added.
 /// Grids are compared at one tolerance and precision, so that their times are far apart and the
 /// choice does not hang on the last per cent of a clock.
-fn choice(page: &mut String, found: &[&Way<'_>], cases: usize) {
+pub(crate) fn cheapest<'a>(found: &'a [Way<'a>]) -> Vec<(f64, Option<&'a Way<'a>>)> {
+    let mut fits = everywhere(found);
+    fits.retain(|w| w.area == AreaOf::Model || is_default(w.row));
+    let best = |wanted: f64| {
+        let good = fits.iter().copied().filter(|w| w.worst <= wanted);
+        good.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
+    };
+    WANTED.into_iter().map(|wanted| (wanted, best(wanted))).collect()
+}
+
+fn choice(page: &mut String, found: &[Way<'_>]) {
+    let cases = found.iter().map(|w| w.cases).max().unwrap_or(0);
     let _ = writeln!(
         page,
         "| real area within | cheapest way that stayed there in all {cases} cases | its largest \
          error | time per load |\n|---|---|---|---|"
     );
-    let fits = |w: &&&Way<'_>| w.area == AreaOf::Model || is_default(w.row);
-    for wanted in WANTED {
-        let good = found.iter().filter(fits).filter(|w| w.worst <= wanted);
-        let Some(best) = good.min_by(|a, b| a.seconds.total_cmp(&b.seconds)) else {
+    for (wanted, best) in cheapest(found) {
+        let Some(best) = best else {
             let _ = writeln!(page, "| {} | none of these | – | – |", percent(wanted));
             continue;
         };
@@ -92,7 +106,7 @@ fn is_default(row: &Row) -> bool {
     row.method == "chord" && row.precision.as_deref() == Some("f64") && is(row.tolerance, DEFAULT)
 }
 
-fn name(way: &Way<'_>) -> String {
+pub(crate) fn name(way: &Way<'_>) -> String {
     let grid = || grid_name(way.row);
     match way.area {
         AreaOf::Model => model_name(way.row),
@@ -214,7 +228,7 @@ fn digits(value: f64) -> String {
     format!("{value:.*}", places as usize)
 }
 
-fn percent(fraction: f64) -> String {
+pub(crate) fn percent(fraction: f64) -> String {
     format!("{}\u{202F}%", digits(100.0 * fraction))
 }
 
@@ -268,6 +282,15 @@ mod tests {
         for word in ["Persson", "½ of the points", "2 × finer", "stanley-kato", "(stopped)"] {
             assert!(page.contains(word), "{word} is not in\n{page}");
         }
+        let mut again = table.clone();
+        again.rows.iter_mut().for_each(|row| row.seconds *= 1.25);
+        let repeat = crate::repeat::compare(&table, &again);
+        assert!(
+            repeat.contains("1.25 | 1.25 to 1.25") && repeat.contains("is the same"),
+            "{repeat}"
+        );
+        again.rows.iter_mut().for_each(|row| row.pairs = row.pairs.map(|pairs| 1.1 * pairs));
+        assert!(crate::repeat::compare(&table, &again).contains("10\u{202F}% of a number"));
         assert!(!page.contains("NaN") && !page.contains("inf"), "{page}");
         let [mut area, mut pressure] = [Vec::new(), Vec::new()];
         write_tradeoff_area(&table, &mut area).unwrap();
