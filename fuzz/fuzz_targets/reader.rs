@@ -4,7 +4,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use std::sync::OnceLock;
-use surface_io::{FORMATS, FormatSpec, Limits, ReadOptions, read_bytes, read_channels_bytes};
+use surface_io::{FORMATS, FormatSpec, Layout, Limits, ReadOptions, read_bytes, read_channels_bytes};
 
 /// `None` for the target `any`, which recognises the format itself.
 fn format() -> Option<&'static FormatSpec> {
@@ -28,7 +28,9 @@ fuzz_target!(|bytes: &[u8]| {
         height_unit: Some(1e-9),
         ..options.clone()
     };
-    for options in [options, given] {
+    let [matrix, list] =
+        [Layout::Matrix, Layout::List].map(|l| ReadOptions { layout: Some(l), ..given.clone() });
+    for options in [options, given, matrix, list] {
         let result = match format() {
             Some(spec) => spec.read(bytes, &options),
             None => read_bytes(bytes, &options),

@@ -5,7 +5,9 @@ mod common;
 use common::binary::{gzip, npy, x3p_main, zip};
 use common::{assert_sample, samples};
 use std::fmt::Write as _;
-use surface_io::{FORMATS, Limits, ReadError, ReadOptions, read_bytes, read_channels_bytes};
+use surface_io::{
+    FORMATS, Layout, Limits, ReadError, ReadOptions, read_bytes, read_channels_bytes,
+};
 
 /// Small limits: a file of a few kilobytes has no business asking for more.
 fn tight() -> Limits {
@@ -61,12 +63,14 @@ fn every_single_byte_corruption_is_survived() {
 fn every_reader_survives_every_file() {
     for spec in FORMATS {
         for sample in samples() {
-            let options = ReadOptions { limits: tight(), ..sample.options.clone() };
             for length in [0, 1, 3, 4, 5, 8, 17, 33, 100, 400, sample.bytes.len()] {
                 let bytes = &sample.bytes[..length.min(sample.bytes.len())];
-                if let Ok(found) = spec.read(bytes, &options) {
-                    let [ny, nx] = found.grid().shape();
-                    assert_eq!(found.heights().len(), ny * nx);
+                for layout in [None, Some(Layout::Matrix), Some(Layout::List)] {
+                    let options = ReadOptions { limits: tight(), layout, ..sample.options.clone() };
+                    if let Ok(found) = spec.read(bytes, &options) {
+                        let [ny, nx] = found.grid().shape();
+                        assert_eq!(found.heights().len(), ny * nx);
+                    }
                 }
             }
         }
