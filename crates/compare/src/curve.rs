@@ -1,11 +1,11 @@
 //! The deterministic curve while it is solved.
 
-use crate::budget::Map;
+use crate::budget::{Budget, Map};
 use crate::plan::Sink;
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use crate::study::{Progress, StudyError};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{NoAreaInterval, Solution, SolverError};
+use fft_bem_solver::{Solution, SolverError};
 use std::ops::ControlFlow;
 
 /// Area fraction the headline is looked for at.
@@ -93,13 +93,11 @@ impl Sink for ToCurve<'_> {
         &mut self,
         index: usize,
         result: Result<Solution, SolverError>,
-        half_widths: Result<[f64; 2], NoAreaInterval>,
+        budget: Option<Budget>,
     ) -> ControlFlow<()> {
         self.curve.take(self.pressures[index], result);
-        if let Some(answer) = &mut self.curve.points[index].answer {
-            let parts = half_widths.map(|[grid, _]| grid);
-            answer.budget = answer.budget.with_grid(parts, 1.0);
-            answer.budget.area.iteration = half_widths.map(|[_, iteration]| iteration);
+        if let (Some(answer), Some(budget)) = (&mut self.curve.points[index].answer, budget) {
+            answer.budget = budget;
         }
         match (self.tell)(self.curve.news(index)) {
             Ok(()) => ControlFlow::Continue(()),

@@ -36,6 +36,7 @@ pub use closer::{Choice, ChoiceKind, Closer};
 pub use coarser::{COARSER, Coarser};
 pub use edge_share::EdgeShare;
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
+pub use refine::{NotRefined, TwiceFiner};
 pub use result::{
     Applies, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,
     Spectral, SurfaceComparison, Verdict,

@@ -131,7 +131,7 @@ impl DeterministicAnswer {
         let d = &solution.diagnostics;
         let mut budget = Budget::of(solution, map);
         if !converged {
-            budget = budget.with_grid(Err(NoAreaInterval::NotConverged), 1.0);
+            budget = budget.with_grid(Err(NoAreaInterval::NotConverged), 0.0);
         }
         Self {
             area_fraction: solution.state.area_fraction,

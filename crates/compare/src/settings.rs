@@ -134,6 +134,26 @@ names! {
     }
 }
 
+impl From<PrecisionName> for fft_bem_solver::Precision {
+    fn from(name: PrecisionName) -> Self {
+        match name {
+            PrecisionName::F64 => Self::Double,
+            PrecisionName::F32 => Self::Single,
+        }
+    }
+}
+
+impl From<MethodName> for fft_bem_solver::Method {
+    fn from(name: MethodName) -> Self {
+        match name {
+            MethodName::Auto => Self::Auto,
+            MethodName::Chord => Self::Chord,
+            MethodName::PolonskyKeer => Self::PolonskyKeer,
+            MethodName::StanleyKato => Self::StanleyKato,
+        }
+    }
+}
+
 /// Nominal pressures for a surface nobody chose loads for, in Pa, rising.
 ///
 /// The load that matters is `p / (E* h'_rms)`: the real area fraction is about twice it while

@@ -8,14 +8,13 @@ use crate::refine::refine;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison,
 };
-use crate::settings::{MethodName, PrecisionName};
 use crate::survey::{Query, Survey, peak_slope};
 use crate::verdict::verdict;
 use crate::{Settings, Surface, contact_spots, default_pressures};
 use contact_types::{
     ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
 };
-use fft_bem_solver::{Load, Maps, Method, Precision, Solver, SolverBuilder, SolverError};
+use fft_bem_solver::{Boundary, Load, Maps, Solver, SolverBuilder, SolverError};
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -204,13 +203,15 @@ fn compare(
         Some(accuracy) => {
             let request =
                 Request::new(accuracy).map_err(|source| StudyError::Accuracy { source })?;
+            let loads: Vec<Load> = pressures.iter().map(|&p| Load::MeanPressure(p)).collect();
             let task = Task {
                 map: &map,
-                height_step: statistics.height_step,
+                known: &known,
                 modulus,
-                pressures: &pressures,
+                loads: &loads,
+                boundary: Boundary::Periodic,
                 request,
-                method: method(settings.method),
+                method: settings.method.into(),
                 certified: false,
                 maps: Maps::Pressure,
                 threads: settings.threads,
@@ -276,8 +277,8 @@ fn refused_plan(error: PlanError, name: &str) -> StudyError {
 
 pub(crate) fn builder(settings: &Settings) -> SolverBuilder {
     Solver::builder()
-        .method(method(settings.method))
-        .precision(precision(settings.precision))
+        .method(settings.method.into())
+        .precision(settings.precision.into())
         .tolerance(settings.tolerance)
         .threads(settings.threads.max(1))
 }
@@ -370,20 +371,4 @@ fn timed(
     }
     passes.sort();
     (answers, passes[passes.len() / 2].as_secs_f64() / loads.len().max(1) as f64)
-}
-
-fn method(name: MethodName) -> Method {
-    match name {
-        MethodName::Auto => Method::Auto,
-        MethodName::Chord => Method::Chord,
-        MethodName::PolonskyKeer => Method::PolonskyKeer,
-        MethodName::StanleyKato => Method::StanleyKato,
-    }
-}
-
-fn precision(name: PrecisionName) -> Precision {
-    match name {
-        PrecisionName::F64 => Precision::Double,
-        PrecisionName::F32 => Precision::Single,
-    }
 }

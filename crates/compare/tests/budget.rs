@@ -90,3 +90,34 @@ fn prediction_intervals_hold_the_mean_of_their_family() {
         assert!(half < 6.0 * scatter, "{name}: ±{half:e} for a scatter of {scatter:e}");
     }
 }
+
+/// At one gap for all of a family: load and area of each map with its prediction interval against
+/// the mean over the family, which is what a large map has.
+#[test]
+fn predictions_at_a_given_gap_hold_the_mean_of_their_family() {
+    let modulus = ContactModulus::from_pascals(1e9).unwrap();
+    let budgets: Vec<Budget> = (950..980)
+        .map(|seed| {
+            let map = surface(seed);
+            let mut solver = Solver::builder().build(map.grid(), modulus).unwrap();
+            let solution = solver.solve(&map, Load::MeanGap(2.5e-7)).unwrap();
+            Budget::of(&solution, &Map::of(&map).unwrap()).at_given_gap(&solution)
+        })
+        .collect();
+    let quantities: [(&str, Quantity); 2] = [("load", |b| b.mean_pressure), ("area", |b| b.area)];
+    for (name, quantity) in quantities {
+        let all: Vec<_> = budgets.iter().map(quantity).collect();
+        let n = all.len() as f64;
+        let mean = all.iter().map(|e| e.value).sum::<f64>() / n;
+        let held = all.iter().filter(|e| {
+            let [low, high] = e.prediction().unwrap();
+            (low..=high).contains(&mean)
+        });
+        let held = held.count();
+        assert!(held >= 27, "{name}: {held} of 30");
+        let scatter = (all.iter().map(|e| (e.value - mean).powi(2)).sum::<f64>() / n).sqrt();
+        let half = all.iter().map(|e| e.prediction_half_width().unwrap()).sum::<f64>() / n;
+        assert!(half < 6.0 * scatter, "{name}: ±{half:e} for a scatter of {scatter:e}");
+    }
+    assert!(budgets.iter().all(|b| b.mean_gap.unwrap().prediction_half_width() == Some(0.0)));
+}

@@ -4,8 +4,38 @@
 mod cli;
 
 use cli::{folder, refused, rough_contact};
+use contact_types::{ContactModulus, Grid, HeightMap};
+use fft_bem_solver::{Load, Solver};
 use serde_json::Value;
 use std::path::Path;
+use surface_io::ReadOptions;
+use surface_stats::Boundary;
+use surface_stats::clean::resample;
+
+/// A load on four times as many points along each side.
+struct Truth {
+    pressure: f64,
+    area: f64,
+    gap: f64,
+}
+
+/// `map.npy` in `folder` on four times as many points a side, pressed by these loads.
+fn truths(folder: &Path, pressures: &[f64]) -> Vec<Truth> {
+    let options =
+        ReadOptions { pixel: Some([1e-6; 2]), height_unit: Some(1.0), ..Default::default() };
+    let read = surface_io::read(folder.join("map.npy"), &options).unwrap();
+    let map =
+        HeightMap::new(Grid::new([192; 2], [1e-6; 2]).unwrap(), read.heights().to_vec()).unwrap();
+    let fine = resample(&map, [768; 2], Boundary::Periodic).unwrap();
+    let modulus = ContactModulus::from_pascals(1e9).unwrap();
+    let mut solver = Solver::builder().tolerance(1e-6).build(fine.grid(), modulus).unwrap();
+    let solve = |&pressure: &f64| {
+        let solution = solver.solve(&fine, Load::MeanPressure(pressure)).unwrap();
+        let area = solution.diagnostics.area_fraction_corrected;
+        Truth { pressure, area, gap: solution.state.mean_gap.unwrap() }
+    };
+    pressures.iter().map(solve).collect()
+}
 
 /// A surface of 192² points of 1 um with these shortest waves (um), and how to read it.
 fn surface(folder: &Path, cutoff: f64, more: &str) -> &'static str {
@@ -116,10 +146,80 @@ fn what_cannot_be_planned_is_refused() {
     refused(folder.path(), &line("--accuracy 0%"), 2, &["0 %", "greater than 0"]);
     refused(folder.path(), &line("--accuracy 2% --tolerance 1e-3"), 2, &["--tolerance"]);
     refused(folder.path(), &line("--accuracy 2% --precision f32"), 2, &["--precision"]);
-    let free = line("--accuracy 2% --boundary free");
-    refused(folder.path(), &free, 2, &["--boundary free", "--tolerance"]);
-    let gap = format!("{solve} --gap 10nm --accuracy 2%");
-    refused(folder.path(), &gap, 2, &["--gap"]);
+    refused(folder.path(), &line("--accuracy 2% --refine"), 2, &["--refine", "--accuracy"]);
+    refused(folder.path(), &line("--accuracy 200%"), 2, &["200 %", "at most 50 %"]);
+    let free = format!("{solve} --gap 10nm --accuracy 2% --boundary free");
+    refused(folder.path(), &free, 2, &["--gap", "--boundary free", "--pressure"]);
+}
+
+/// Areas at gaps and the loads that belong to them: the map on four times as many points a side is
+/// pressed to its gaps by loads, and the same gaps are asked for on the map as given. The wide gap
+/// beyond the first contact is no accuracy, and the message says where contact begins.
+#[test]
+fn a_given_gap_has_an_area_and_a_load_with_their_intervals() {
+    let folder = folder();
+    let solve = surface(folder.path(), 12.0, "");
+    let fine = truths(folder.path(), &[2e6, 8e6, 30e6]);
+    let gaps: Vec<String> = fine.iter().map(|t| format!("{}m", t.gap)).collect();
+    for (request, bound) in [("--accuracy 10%", 0.1), ("--accuracy 3%", 0.03), ("", 0.1)] {
+        let line = format!("{solve} --gap {} {request}", gaps.join(","));
+        let answer = rough_contact(folder.path(), &line).answered();
+        for (point, truth) in answer["points"].as_array().unwrap().iter().zip(&fine) {
+            for (name, exact) in [("area", truth.area), ("mean_pressure", truth.pressure)] {
+                let interval = &point[format!("{name}_interval")];
+                let [low, high] = [0, 1].map(|i| interval[i].as_f64().unwrap());
+                assert!(low < exact && exact < high, "{request} {name}: {low} {exact} {high}");
+                assert!((high - low) / exact < 2.1 * bound, "{request} {name}: {low} {high}");
+            }
+            let gap = &point["mean_gap"];
+            assert_eq!(point["mean_gap_interval"], serde_json::json!([gap, gap]));
+        }
+    }
+    let said = rough_contact(folder.path(), &format!("{solve} --gap 1mm --accuracy 5%"));
+    assert_eq!((said.status, said.json()["points"][0]["area_fraction"].as_f64()), (1, Some(0.0)));
+    assert!(
+        said.err.contains("nothing touches at a mean gap of 1\u{202F}mm; the first contact"),
+        "{}",
+        said.err
+    );
+}
+
+/// Loads outside the gate, by pressure and by gap: without --refine no interval, the reason, and the
+/// option that buys one; with it an interval that holds the area on four times the points, and what
+/// it cost. A load that has its interval is not solved twice.
+#[test]
+fn refining_buys_the_interval_that_the_map_does_not_have() {
+    let folder = folder();
+    let solve = surface(folder.path(), 2.0, "");
+    let plain = format!("{solve} --pressure 3MPa,15MPa");
+    let none = rough_contact(folder.path(), &plain).answered();
+    assert_eq!(none["points"][0]["area_interval"], Value::Null);
+    assert_eq!(none["points"][0]["refined"], Value::Null);
+    let text = rough_contact(folder.path(), &plain.replace("--json", "")).out;
+    assert!(text.contains("no ± at 3.00 MPa, 15.0 MPa: finite differences"), "{text}");
+    assert!(text.contains("--refine gives one from a twice finer grid"), "{text}");
+
+    let fine = truths(folder.path(), &[3e6, 15e6]);
+    for more in ["--pressure 3MPa,15MPa --refine", "--gap GAPS --refine"] {
+        let gaps: Vec<String> = fine.iter().map(|t| format!("{}m", t.gap)).collect();
+        let line = format!("{solve} {}", more.replace("GAPS", &gaps.join(",")));
+        let answer = rough_contact(folder.path(), &line).answered();
+        for (point, truth) in answer["points"].as_array().unwrap().iter().zip(&fine) {
+            let [low, high] = [0, 1].map(|i| point["area_interval"][i].as_f64().unwrap());
+            assert!(low < truth.area && truth.area < high, "{more}: {low} {} {high}", truth.area);
+            let [low, high] = [0, 1].map(|i| point["mean_pressure_interval"][i].as_f64().unwrap());
+            let load = truth.pressure;
+            assert!(
+                low <= load * (1.0 + 1e-9) && load <= high * (1.0 + 1e-9),
+                "{more}: {low} {load} {high}"
+            );
+            assert_eq!(point["refined"]["shape"], serde_json::json!([384, 384]));
+            assert!(point["refined"]["seconds"].as_f64().unwrap() > 0.0);
+        }
+    }
+    let resolved = surface(folder.path(), 12.0, "");
+    let answer = rough_contact(folder.path(), &format!("{resolved} --pressure 10MPa --refine"));
+    assert_eq!(answer.answered()["points"][0]["refined"], Value::Null);
 }
 
 /// A study: its deterministic side on the grid that was chosen, models on the map as it is, the

@@ -13,6 +13,21 @@ pub const BOUNDARY_CORRECTION: f64 = (PI - 1.0 + LN_2) / 24.0;
 /// Part of the correction that is left as uncertainty where its edges run in all directions.
 pub const LEFT_OF_CORRECTION: f64 = 0.3;
 
+/// The same of an isolated contact, whose edge of the map is part of the contact line.
+const LEFT_OF_CORRECTION_FREE: f64 = 0.4;
+
+/// Variance of the number of points inside a closed line at a random place on their grid, per edge
+/// of the line: 0.676 per radius of a circle (Kendall 1948, doi:10.1093/qmath/os-19.1.1), which has
+/// 8 edges per radius.
+const POINTS_INSIDE: f64 = 0.676 / 8.0;
+
+/// Waves, by their part in the mean square gradient, below which a surface is a regular pattern.
+const FEW_WAVES: f64 = 2.5;
+
+/// Points by which an area may be wrong per edge of the contact line of a regular pattern: half a
+/// point to either side of the count, from which the correction has moved away.
+const TOGETHER: f64 = 0.5 + BOUNDARY_CORRECTION;
+
 /// Ratio of mean square slopes up to which edges run in all directions.
 const ISOTROPIC: f64 = 3.0;
 
@@ -54,8 +69,13 @@ pub struct AreaAccuracy {
     pub step_ratio: f64,
     /// Mean square slope across the lay over that along it, at least 1.
     pub directions: f64,
-    shape: [usize; 2],
-    pixel_ratio: f64,
+    /// Independent waves of equal weight that would make a mean square gradient as certain as
+    /// this one: `(sum S)^2 / sum S^2` over half the plane. A sine has 1, a rough map hundreds;
+    /// infinite if not looked at.
+    pub waves: f64,
+    /// What lies beyond the edges.
+    pub boundary: Boundary,
+    grid: Grid,
 }
 
 /// Why there is no interval for an area.
@@ -137,28 +157,50 @@ impl AreaAccuracy {
         let mut spectrum = fft.new_spectrum();
         fft.forward(&h, &mut spectrum);
         let nq = nx / 2 + 1;
-        let mut along = [0.0; 2];
+        let (mut along, mut squares) = ([0.0; 2], 0.0);
         for (i, wave) in spectrum.iter().enumerate() {
             let (iy, ix) = (i / nq, i % nq);
             let twice = if ix == 0 || 2 * ix == nx { 1.0 } else { 2.0 };
             let q = grid.wave_vector(iy, ix);
             along[0] += twice * q[0] * q[0] * wave.norm_sqr();
             along[1] += twice * q[1] * q[1] * wave.norm_sqr();
+            squares += twice * ((q[0] * q[0] + q[1] * q[1]) * wave.norm_sqr()).powi(2);
         }
-        let (by_differences, by_spectrum) =
-            ((differences / n).sqrt(), (along[0] + along[1]).sqrt() / n);
+        let all = along[0] + along[1];
+        // Waves q and -q are one.
+        let waves = if squares > 0.0 { 0.5 * all * all / squares } else { f64::INFINITY };
+        let (by_differences, by_spectrum) = ((differences / n).sqrt(), all.sqrt() / n);
         let ratio = |a: f64, b: f64| if b > 0.0 { a / b } else { 1.0 };
         let step = height_step(h);
         let step_ratio = if step > 0.0 { ratio(step, by_spectrum * dy.min(dx)) } else { 0.0 };
-        Self::known(grid, ratio(by_differences, by_spectrum), step_ratio).with_slopes(along)
+        Self::known(grid, ratio(by_differences, by_spectrum), step_ratio)
+            .with_slopes(along)
+            .with_waves(waves)
     }
 
     /// From what is known already. For a map that does not repeat, take `resolution` under a
     /// window: the jump at its edges would count as waves that are not resolved.
     pub fn known(grid: Grid, resolution: f64, step_ratio: f64) -> Self {
-        let [dy, dx] = grid.pixel();
-        let pixel_ratio = (dy / dx).max(dx / dy);
-        Self { resolution, step_ratio, directions: 1.0, shape: grid.shape(), pixel_ratio }
+        let (directions, waves) = (1.0, f64::INFINITY);
+        Self { resolution, step_ratio, directions, waves, boundary: Boundary::Periodic, grid }
+    }
+
+    /// The same waves on another grid, which resolves them as well or better.
+    #[must_use]
+    pub fn on(self, grid: Grid) -> Self {
+        Self { grid, ..self }
+    }
+
+    /// The same map pressed with another boundary.
+    #[must_use]
+    pub fn with_boundary(self, boundary: Boundary) -> Self {
+        Self { boundary, ..self }
+    }
+
+    /// The same with the number of [`waves`](Self::waves) that carry its gradient.
+    #[must_use]
+    pub fn with_waves(self, waves: f64) -> Self {
+        Self { waves, ..self }
     }
 
     /// The same with the mean square slopes along y and x, in any common unit.
@@ -178,10 +220,11 @@ impl AreaAccuracy {
     /// # Errors
     /// The reason if it does not.
     pub fn gate(&self) -> Result<(), NoAreaInterval> {
-        if self.shape.contains(&1) {
+        if self.grid.shape().contains(&1) {
             return Err(NoAreaInterval::NotStudied("profiles"));
         }
-        if self.pixel_ratio > 2.0 {
+        let [dy, dx] = self.grid.pixel();
+        if (dy / dx).max(dx / dy) > 2.0 {
             return Err(NoAreaInterval::NotStudied("pixels longer than twice their width"));
         }
         let Self { resolution, step_ratio, .. } = *self;
@@ -195,8 +238,8 @@ impl AreaAccuracy {
         Ok(())
     }
 
-    /// Half width of the interval around the corrected area that the pixels of this grid leave:
-    /// 0.3 of the correction, more on a map with a strong lay ([`left_of_correction`]).
+    /// Half width of the interval around the corrected area that the pixels of this grid leave, as
+    /// [`line_half_width`](Self::line_half_width) of a map inside the gate; 0 where no pixel is cut.
     ///
     /// # Errors
     /// [`NoAreaInterval`] where no such interval is known to hold, with the reason.
@@ -205,14 +248,11 @@ impl AreaAccuracy {
         if found.contact_pixels == 0 || found.contact_perimeter <= 0.0 {
             return Ok(0.0); // nothing or everything: no pixel is cut
         }
-        if found.boundary == Boundary::Free {
-            return Err(NoAreaInterval::NotStudied("the free boundary"));
-        }
-        self.half_width_of(solution.state.area_fraction, found.contact_perimeter)
+        let here = self.with_boundary(found.boundary);
+        here.half_width_of(solution.state.area_fraction, found.contact_perimeter)
     }
 
-    /// The same from the raw area fraction and the contact-line edges per pixel of a periodic
-    /// problem.
+    /// The same from the raw area fraction and the contact-line edges per pixel.
     ///
     /// # Errors
     /// [`NoAreaInterval`] where no such interval is known to hold, with the reason.
@@ -222,12 +262,46 @@ impl AreaAccuracy {
         contact_perimeter: f64,
     ) -> Result<f64, NoAreaInterval> {
         self.gate()?;
-        let correction = BOUNDARY_CORRECTION * contact_perimeter;
-        let ratio = correction / area_fraction;
+        self.line_half_width(area_fraction, contact_perimeter)
+    }
+
+    /// The same without a look at the gate: for a grid that is known to resolve the map.
+    ///
+    /// # Errors
+    /// [`NoAreaInterval::SpotsTooSmall`].
+    pub fn line_half_width(
+        &self,
+        area_fraction: f64,
+        contact_perimeter: f64,
+    ) -> Result<f64, NoAreaInterval> {
+        let ratio = BOUNDARY_CORRECTION * contact_perimeter / area_fraction;
         if ratio > MOST_CORRECTION {
             return Err(NoAreaInterval::SpotsTooSmall { ratio });
         }
-        Ok(left_of_correction(self.directions) * correction)
+        Ok(self.line_left_over(contact_perimeter))
+    }
+
+    /// What a contact line of `contact_perimeter` edges per pixel leaves in doubt of the corrected
+    /// area: a part of the correction ([`left_of_correction`]), and chance. A line through a grid of
+    /// points takes in a few more or less of them; twice the standard deviation. On a regular
+    /// pattern, which one or two waves make, the points along a line come in all at once: half a
+    /// point per edge.
+    pub fn line_left_over(&self, contact_perimeter: f64) -> f64 {
+        let left_over = self.left_of_correction() * BOUNDARY_CORRECTION * contact_perimeter;
+        let chance = 2.0 * (POINTS_INSIDE * contact_perimeter / self.grid.len() as f64).sqrt();
+        let is_regular = self.boundary == Boundary::Periodic && self.waves < FEW_WAVES;
+        let together = if is_regular { TOGETHER * contact_perimeter } else { 0.0 };
+        left_over.hypot(chance).max(together)
+    }
+
+    /// Part of the correction that is left as uncertainty on this map: [`left_of_correction`], with
+    /// 0.4 in place of 0.3 for an isolated contact.
+    pub fn left_of_correction(&self) -> f64 {
+        let least = match self.boundary {
+            Boundary::Periodic => LEFT_OF_CORRECTION,
+            Boundary::Free => LEFT_OF_CORRECTION_FREE,
+        };
+        left_of_correction(self.directions).max(least)
     }
 
     /// The interval for the area fraction of `solution`, found on the surface this was made from:
@@ -319,6 +393,67 @@ mod tests {
         assert_relative_eq!(left_of_correction(3.0), 0.3);
         assert_relative_eq!(left_of_correction(4.0), 0.3 + 0.7 * 0.25);
         assert_relative_eq!(left_of_correction(f64::INFINITY), 1.0);
+    }
+
+    fn smooth(side: usize) -> AreaAccuracy {
+        AreaAccuracy::known(Grid::new([side, side], [1.0, 1.0]).unwrap(), 1.0, 0.0)
+    }
+
+    #[test]
+    fn many_edges_leave_a_part_of_the_correction_and_few_leave_chance() {
+        let wide = smooth(1 << 14).half_width_of(0.1, 0.05).unwrap();
+        assert_relative_eq!(wide, 0.3 * BOUNDARY_CORRECTION * 0.05, max_relative = 1e-3);
+        // One circle of radius 10 pixels on 100 x 100 points: deviation 2.6 pixels.
+        let narrow = 1e4 * smooth(100).half_width_of(0.0314, 80.0 / 1e4).unwrap();
+        let expected = (0.3 * BOUNDARY_CORRECTION * 80.0).hypot(2.0 * 6.76f64.sqrt());
+        assert_relative_eq!(narrow, expected, max_relative = 1e-9);
+        let lay = smooth(1 << 14).with_slopes([1.0, 1e9]).half_width_of(0.1, 0.05).unwrap();
+        assert_relative_eq!(lay, BOUNDARY_CORRECTION * 0.05, max_relative = 1e-2);
+        let isolated = smooth(1 << 14).with_boundary(Boundary::Free).line_left_over(0.05);
+        assert_relative_eq!(isolated, 0.4 * BOUNDARY_CORRECTION * 0.05, max_relative = 1e-3);
+        assert_relative_eq!(smooth(99).with_waves(2.0).line_left_over(0.05), 0.05 * TOGETHER);
+        let spots = smooth(100).half_width_of(0.01, 0.05);
+        assert!(matches!(spots, Err(NoAreaInterval::SpotsTooSmall { .. })));
+    }
+
+    /// The count of points in circles at random places varies as the budget says.
+    #[test]
+    fn variance_of_the_points_in_a_circle() {
+        let (radius, trials) = (9.3f64, 4000);
+        let place = |k: usize, by: f64| (k as f64 * by).fract();
+        let count = |k: usize| {
+            let (x0, y0) = (place(k, 0.754_877_666), place(k, 0.569_840_290));
+            let inside = |i: i32, j: i32| {
+                (f64::from(i) - x0).powi(2) + (f64::from(j) - y0).powi(2) < radius * radius
+            };
+            let points = (-11..=12).flat_map(|i| (-11..=12).map(move |j| (i, j)));
+            points.filter(|&(i, j)| inside(i, j)).count() as f64
+        };
+        let counts: Vec<f64> = (0..trials).map(count).collect();
+        let mean = counts.iter().sum::<f64>() / f64::from(trials as u32);
+        let square = counts.iter().map(|c| (c - mean).powi(2)).sum::<f64>();
+        let variance = square / f64::from(trials as u32);
+        // It swings about the mean over radii by half of it.
+        assert!((0.4..1.6).contains(&(variance / (8.0 * POINTS_INSIDE * radius))), "{variance}");
+    }
+
+    /// One wave, an egg box of two, and ten of equal slope.
+    #[test]
+    fn waves_are_counted_by_their_part_in_the_gradient() {
+        let grid = Grid::new([64, 64], [1.0, 1.0]).unwrap();
+        let waves = |ks: &[[f64; 2]]| {
+            let wave = |y: f64, x: f64| -> f64 {
+                let one = |k: &[f64; 2]| {
+                    (TAU * (k[0] * y + k[1] * x) / 64.0 + k[0] * k[1]).cos() / k[0].hypot(k[1])
+                };
+                ks.iter().map(one).sum()
+            };
+            AreaAccuracy::of(&HeightMap::from_fn(grid, wave).unwrap()).waves
+        };
+        assert_relative_eq!(waves(&[[0.0, 3.0]]), 1.0, max_relative = 1e-9);
+        assert_relative_eq!(waves(&[[2.0, 2.0], [2.0, -2.0]]), 2.0, max_relative = 1e-9);
+        let ten: Vec<[f64; 2]> = (1..11).map(|k| [f64::from(k), f64::from(11 - k)]).collect();
+        assert_relative_eq!(waves(&ten), 10.0, max_relative = 1e-9);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //! calibration, at three loads and five requests, against a tight solution on eight times as many
 //! points per side.
 //!
-//! `accuracy FOLDER [FIRST]` works through the ensemble (or its FIRST surfaces), one file of rows
+//! `accuracy FOLDER [EVERY]` works through the ensemble (or every EVERY-th of it), one file of rows
 //! per surface in FOLDER, skipping those already there, and prints all rows as CSV. The result is
 //! the same whenever it is stopped and resumed and on any number of threads.
 //!
@@ -20,18 +20,20 @@ use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut args = env::args().skip(1);
-    let usage = "usage: accuracy FOLDER [FIRST] | accuracy --page TABLE FOLDER";
+    let usage = "usage: accuracy FOLDER [EVERY] | accuracy --page TABLE FOLDER";
     let folder = args.next().ok_or(usage)?;
     if folder == "--page" {
         let (table, out) = (args.next().ok_or(usage)?, args.next().ok_or(usage)?);
         return page::write(Path::new(&table), Path::new(&out));
     }
     let recipes = ensemble::recipes();
-    let first = args.next().map_or(Ok(recipes.len()), |n| n.parse())?.min(recipes.len());
+    let every = args.next().map_or(Ok(1), |n| n.parse::<usize>())?.max(1);
+    let chosen: Vec<usize> = (0..recipes.len()).step_by(every).collect();
     fs::create_dir_all(&folder)?;
     let file = |index: usize| Path::new(&folder).join(format!("{index:03}.csv"));
     rayon::ThreadPoolBuilder::new().num_threads(2).build_global()?;
-    recipes[..first].par_iter().enumerate().try_for_each(|(index, recipe)| {
+    chosen.par_iter().try_for_each(|&index| {
+        let recipe = &recipes[index];
         if file(index).exists() {
             return Ok(());
         }
@@ -39,11 +41,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         // Written whole or not at all, so that a stopped run never leaves half a surface.
         let part = file(index).with_extension("part");
         let written = fs::write(&part, rows).and_then(|()| fs::rename(&part, file(index)));
-        eprintln!("{} of {first}: {recipe:?}", index + 1);
+        eprintln!("{} of {}: {recipe:?}", index + 1, recipes.len());
         written.map_err(|e| e.to_string())
     })?;
     println!("{}", measure::HEADER);
-    for index in 0..first {
+    for index in chosen {
         print!("{}", fs::read_to_string(file(index))?);
     }
     Ok(())

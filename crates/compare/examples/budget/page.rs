@@ -99,7 +99,13 @@ fn case(table: &Table, row: usize, class: &'static str, map: &Map) -> Case {
     let plain = map.accuracy.half_width_of(get("count1"), get("edges1"));
     let left = iteration::area_error(residual);
     let left_over = fft_bem_solver::left_of_correction(map.accuracy.directions);
-    let finer = grid::Finer { area: twice, correction: finer_line, gap: None, left_over };
+    let finer = grid::Finer {
+        area: twice,
+        correction: finer_line,
+        gap: None,
+        pressure: f64::NAN,
+        bar: left_over * finer_line,
+    };
     let share = line / given;
     let (rms, answer) = (map.rms_height, get("area_e4"));
     let gap_half = grid::gap_half_width(map, share) / rms + iteration::GAP * residual;

@@ -5,7 +5,9 @@
 //! `0.118 S_d / A`.
 
 use super::Map;
-use fft_bem_solver::{BOUNDARY_CORRECTION, Solution, left_of_correction};
+use contact_types::Grid;
+use fft_bem_solver::{BOUNDARY_CORRECTION, Solution};
+use surface_stats::spectrum::PowerSpectrum;
 
 /// Gap error over (rms height times share of the contact line), on a map that repeats.
 const GAP: f64 = 0.012;
@@ -21,6 +23,18 @@ pub fn line_share(solution: &Solution) -> f64 {
     let found = &solution.diagnostics;
     let correction = BOUNDARY_CORRECTION * found.contact_perimeter;
     if correction > 0.0 { correction / found.area_fraction_corrected } else { 0.0 }
+}
+
+/// Independent waves of equal weight that would carry the gradient as this spectrum does, for
+/// [`AreaAccuracy::waves`](fft_bem_solver::AreaAccuracy). Waves q and -q are one.
+pub fn waves(power: &PowerSpectrum) -> f64 {
+    let (mut sum, mut squares) = (0.0, 0.0);
+    power.for_each(|[qy, qx], weight, variance| {
+        let slope = variance * (qy * qy + qx * qx);
+        sum += weight * slope;
+        squares += weight * slope * slope;
+    });
+    if squares > 0.0 { 0.5 * sum * sum / squares } else { f64::INFINITY }
 }
 
 /// Half width of the mean gap (m) at this share of the contact line.
@@ -44,19 +58,24 @@ pub struct Finer {
     pub correction: f64,
     /// Its mean gap (m).
     pub gap: Option<f64>,
-    /// Part of its correction left as uncertainty.
-    pub left_over: f64,
+    /// Its mean pressure (Pa).
+    pub pressure: f64,
+    /// Half width that its own contact line leaves, as on a map inside the gate.
+    pub bar: f64,
 }
 
 impl Finer {
-    /// From the solution.
-    pub fn of(solution: &Solution, map: &Map) -> Self {
+    /// From the solution on `grid`, twice as fine as that of `map`.
+    pub fn of(solution: &Solution, map: &Map, grid: Grid) -> Self {
         let found = &solution.diagnostics;
+        let correction = BOUNDARY_CORRECTION * found.contact_perimeter;
+        let own = map.accuracy.on(grid).with_boundary(found.boundary);
         Self {
-            left_over: left_of_correction(map.accuracy.directions),
             area: found.area_fraction_corrected,
-            correction: BOUNDARY_CORRECTION * found.contact_perimeter,
+            correction,
             gap: solution.state.mean_gap,
+            pressure: solution.state.mean_pressure,
+            bar: own.line_left_over(found.contact_perimeter),
         }
     }
 
@@ -64,12 +83,18 @@ impl Finer {
     /// finer grid, as much again or the bar of the finer grid, whichever is larger.
     pub fn area_half_width(&self, given: f64) -> f64 {
         let moved = (self.area - given).abs();
-        moved + moved.max(self.left_over * self.correction)
+        moved + moved.max(self.bar)
     }
 
     /// Half width around the mean gap on the given grid (m): twice what refining moved.
     pub fn gap_half_width(&self, given: f64) -> Option<f64> {
         self.gap.map(|gap| 2.0 * (gap - given).abs())
+    }
+
+    /// Half width around the mean pressure that belongs to a given gap (Pa): twice what refining
+    /// moved.
+    pub fn pressure_half_width(&self, given: f64) -> f64 {
+        2.0 * (self.pressure - given).abs()
     }
 }
 
@@ -79,9 +104,11 @@ mod tests {
 
     #[test]
     fn a_refined_bar_covers_both_areas_and_what_is_left() {
-        let finer = Finer { area: 0.023, correction: 0.01, gap: Some(2.5e-7), left_over: 0.3 };
+        let finer =
+            Finer { area: 0.023, correction: 0.01, gap: Some(2.5e-7), pressure: 3e6, bar: 0.003 };
         assert!((finer.area_half_width(0.020) - (0.003 + 0.003)).abs() < 1e-15);
-        assert!((finer.area_half_width(0.0225) - (0.0005 + 0.3 * 0.01)).abs() < 1e-15);
+        assert!((finer.area_half_width(0.0225) - (0.0005 + 0.003)).abs() < 1e-15);
         assert!((finer.gap_half_width(2e-7).unwrap() - 1e-7).abs() < 1e-18);
+        assert!((finer.pressure_half_width(2.9e6) - 2e5).abs() < 1e-6);
     }
 }

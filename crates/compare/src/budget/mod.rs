@@ -30,16 +30,22 @@
 //! the bar that holds outside the gate. Of a solution on a *coarsened* map, whose
 //! bar comes from elsewhere, replace the part of the grid with [`Budget::with_grid`]; the parts of
 //! iteration and sample stay.
+//!
+//! # At a given gap
+//! [`Budget::of`] takes the load as given. Where the gap was, [`Budget::at_given_gap`] moves what is
+//! not known of the gap over to the load, and to the area that follows it.
 
+mod given_gap;
 pub mod grid;
 pub mod iteration;
 pub mod sample;
 mod stiffness;
 
+pub use given_gap::{Given, area_per_load, least_fall};
 pub use stiffness::Stiffness;
 
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{AreaAccuracy, NoAreaInterval, Solution};
+use fft_bem_solver::{AreaAccuracy, Boundary, NoAreaInterval, Solution};
 use surface_stats::spectrum::{PowerSpectrum, Window};
 use surface_stats::{StatsError, height_step};
 
@@ -64,11 +70,19 @@ impl Map {
     /// # Errors
     /// [`StatsError::OutOfRange`].
     pub fn of(surface: &HeightMap) -> Result<Self, StatsError> {
+        Self::with_step(surface, height_step(surface.heights()))
+    }
+
+    /// The same of a map whose heights came in steps of `step` (m), if in any, before it was
+    /// levelled or cleaned: afterwards the heights do not show them.
+    ///
+    /// # Errors
+    /// [`StatsError::OutOfRange`].
+    pub fn with_step(surface: &HeightMap, step: Option<f64>) -> Result<Self, StatsError> {
         let repeats = crate::plan::repeats(surface);
         let window = if repeats { Window::None } else { Window::Hann };
         let power = PowerSpectrum::of(surface, window)?;
-        let step = height_step(surface.heights()).unwrap_or(0.0);
-        Ok(Self::known(surface, &power, step, repeats))
+        Ok(Self::known(surface, &power, step.unwrap_or(0.0), repeats))
     }
 
     /// The same map on another grid: its accuracy there comes from elsewhere.
@@ -88,7 +102,9 @@ impl Map {
         let resolution = power.resolved_gradient().unwrap_or(1.0);
         let height_scatter = sample::height_scatter(surface, power);
         Self {
-            accuracy: AreaAccuracy::known(grid, resolution, step_ratio).with_slopes([y, x]),
+            accuracy: AreaAccuracy::known(grid, resolution, step_ratio)
+                .with_slopes([y, x])
+                .with_waves(grid::waves(power)),
             repeats,
             rms_height: moments.rms_height(),
             height_scatter,
@@ -140,6 +156,12 @@ impl Estimate {
         Some(self.around(self.prediction_half_width()?))
     }
 
+    /// A number that was prescribed.
+    pub(crate) fn exact(value: f64) -> Self {
+        let none = Ok(0.0);
+        Self { value, grid: none, iteration: none, sample: Some(0.0), most: f64::INFINITY }
+    }
+
     fn around(&self, half: f64) -> [f64; 2] {
         [(self.value - half).max(0.0), (self.value + half).min(self.most)]
     }
@@ -148,11 +170,13 @@ impl Estimate {
 /// The numbers of one deterministic solution with their errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Budget {
-    /// Load over nominal area (Pa).
-    pub mean_pressure: f64,
+    /// Whether the load or the gap was prescribed; what was has no error.
+    pub given: Given,
+    /// Load over nominal area (Pa); exact if it was given.
+    pub mean_pressure: Estimate,
     /// Area fraction, corrected for the contact line (-).
     pub area: Estimate,
-    /// Mean gap (m).
+    /// Mean gap (m); exact if it was given.
     pub mean_gap: Option<Estimate>,
     /// Contact stiffness, -dp/d(mean gap) (Pa/m), if it was computed.
     pub stiffness: Option<Estimate>,
@@ -167,24 +191,32 @@ impl Budget {
         let found = &solution.diagnostics;
         let area = found.area_fraction_corrected;
         let iteration = fft_bem_solver::iteration_half_width(found);
-        let is_flat = map.rms_height <= 0.0 || found.contact_pixels == 0;
-        let gate = if is_flat {
+        let gate = if found.contact_pixels == 0 {
             Err(NoAreaInterval::Empty)
         } else {
             map.accuracy.grid_half_width(solution)
         };
         let line = grid::line_share(solution);
-        let scatter = sample::area_scatter(&solution.pressure, map.grid, sample::PARTS);
+        // An isolated contact is no sample of a surface that goes on.
+        let goes_on = found.boundary == Boundary::Periodic;
+        let scatter = goes_on
+            .then(|| sample::area_scatter(&solution.pressure, map.grid, sample::PARTS))
+            .flatten();
         let relative = scatter.map(|s| sample::area_half_width(s, map.height_scatter));
         let gap = |gap: f64| Estimate {
             value: gap,
-            grid: gate.map(|_| grid::gap_half_width(map, line)),
+            grid: if goes_on {
+                gate.map(|_| grid::gap_half_width(map, line))
+            } else {
+                Err(NoAreaInterval::NotStudied("the gap of an isolated contact"))
+            },
             iteration: iteration.map(|_| iteration::gap_half_width(map, found)),
-            sample: Some(gap * sample::gap_half_width(map.height_scatter)),
+            sample: goes_on.then(|| gap * sample::gap_half_width(map.height_scatter)),
             most: f64::INFINITY,
         };
         Self {
-            mean_pressure: solution.state.mean_pressure,
+            given: Given::Load,
+            mean_pressure: Estimate::exact(solution.state.mean_pressure),
             area: Estimate {
                 value: area,
                 grid: gate,
@@ -200,12 +232,15 @@ impl Budget {
 
     /// The same with another half width of the area from the grid, or the reason why there is
     /// none, in units of the area fraction: for a solution on a grid whose bar is not that of
-    /// [`AreaAccuracy`]. `factor` is by how much the parts of gap and stiffness from the grid grow.
+    /// [`AreaAccuracy`]. `more` is by how much the part of the gap from the grid grows (m).
     #[must_use]
-    pub fn with_grid(mut self, area: Result<f64, NoAreaInterval>, factor: f64) -> Self {
+    pub fn with_grid(mut self, area: Result<f64, NoAreaInterval>, more: f64) -> Self {
         self.area.grid = area;
-        for other in [&mut self.mean_gap, &mut self.stiffness].into_iter().flatten() {
-            other.grid = area.and(other.grid.map(|half| factor * half));
+        if let Some(gap) = &mut self.mean_gap {
+            gap.grid = area.and(gap.grid.map(|half| half + more));
+        }
+        if let Some(stiffness) = &mut self.stiffness {
+            stiffness.grid = area.and(stiffness.grid);
         }
         self
     }
@@ -215,8 +250,16 @@ impl Budget {
     #[must_use]
     pub fn refined(mut self, finer: &grid::Finer) -> Self {
         self.area.grid = Ok(finer.area_half_width(self.area.value));
-        if let Some(gap) = &mut self.mean_gap {
-            gap.grid = finer.gap_half_width(gap.value).map_or(gap.grid, Ok);
+        match self.given {
+            Given::Load => {
+                if let Some(gap) = &mut self.mean_gap {
+                    gap.grid = finer.gap_half_width(gap.value).map_or(gap.grid, Ok);
+                }
+            }
+            Given::Gap => {
+                let load = &mut self.mean_pressure;
+                load.grid = Ok(finer.pressure_half_width(load.value));
+            }
         }
         self
     }
@@ -236,7 +279,7 @@ pub struct RealPressure<'a> {
 impl RealPressure<'_> {
     /// The number (Pa).
     pub fn value(self) -> f64 {
-        self.budget.mean_pressure / self.budget.area.value
+        self.budget.mean_pressure.value / self.budget.area.value
     }
 
     /// `[low, high]` from grid and iteration (Pa); infinite if the area may be 0.
@@ -253,6 +296,6 @@ impl RealPressure<'_> {
     }
 
     fn turned(self, [low, high]: [f64; 2]) -> [f64; 2] {
-        [self.budget.mean_pressure / high, self.budget.mean_pressure / low]
+        [high, low].map(|area| self.budget.mean_pressure.value / area)
     }
 }

@@ -1,8 +1,9 @@
 //! Which grids a map can be solved on, and what is known of each before solving.
 
+use crate::budget::Map;
 use crate::regrid::regrid;
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{AreaAccuracy, NoAreaInterval};
+use fft_bem_solver::{AreaAccuracy, Boundary};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 use surface_stats::StatsError;
@@ -28,8 +29,8 @@ pub struct Candidate {
     pub grid: Grid,
     /// Part of the rms gradient that this grid cannot hold (-).
     pub lost: f64,
-    /// Whether this grid resolves the waves it holds.
-    pub gate: Result<(), NoAreaInterval>,
+    /// Whether this grid resolves the waves it holds, and what a contact line on it leaves.
+    pub accuracy: AreaAccuracy,
 }
 
 /// What can be said of a map before solving.
@@ -39,32 +40,31 @@ pub struct Candidates {
     pub list: Vec<Candidate>,
     /// Index of the given grid.
     pub given: usize,
-    /// False if opposite edges do not meet; such a map is continued by its mirror images, not by
-    /// itself, where it is put on another grid.
-    pub repeats: bool,
-    /// Mean square slope across the lay over that along it, at least 1.
-    pub directions: f64,
+    /// Whether a map put on another grid is continued by itself; by its mirror images if opposite
+    /// edges do not meet, or if the contact is isolated.
+    continued: bool,
 }
 
 impl Candidates {
-    /// One transform of the map. `height_step` is the step of its heights (m), if they have one.
+    /// One transform of the map, of which `known` tells the rest.
     ///
     /// # Errors
     /// [`StatsError`].
-    pub fn of(map: &HeightMap, height_step: Option<f64>) -> Result<Self, StatsError> {
+    pub fn of(map: &HeightMap, known: &Map, boundary: Boundary) -> Result<Self, StatsError> {
         let grid = map.grid();
-        let repeats = repeats(map);
-        let power = PowerSpectrum::of(map, if repeats { Window::None } else { Window::Hann })?;
+        let window = if known.repeats { Window::None } else { Window::Hann };
+        let power = PowerSpectrum::of(map, window)?;
         let mut list: Vec<Held> =
             FACTORS.iter().filter_map(|&factor| Held::new(grid, factor)).collect();
-        let along = add_up(&power, grid, &mut list);
-        let all = along[0] + along[1];
-        let candidates: Vec<Candidate> =
-            list.iter().map(|held| held.candidate(all, height_step)).collect();
+        let all = add_up(&power, grid, &mut list);
+        if all <= 0.0 {
+            list.retain(|held| held.grid == grid); // a flat map is the same on any grid
+        }
+        let on_given = known.accuracy.with_boundary(boundary);
+        let candidates = list.iter().map(|held| held.candidate(all, &on_given)).collect();
         let given = list.iter().position(|h| h.grid == grid).unwrap_or(0);
-        let least = along[0].min(along[1]);
-        let directions = if least > 0.0 { along[0].max(along[1]) / least } else { f64::INFINITY };
-        Ok(Self { list: candidates, given, repeats, directions })
+        let continued = known.repeats && boundary == Boundary::Periodic;
+        Ok(Self { list: candidates, given, continued })
     }
 
     /// The given grid.
@@ -85,7 +85,7 @@ impl Candidates {
         Ok(if on.grid == map.grid() {
             Cow::Borrowed(map)
         } else {
-            Cow::Owned(regrid(map, shape, self.repeats)?)
+            Cow::Owned(regrid(map, shape, self.continued)?)
         })
     }
 }
@@ -133,31 +133,23 @@ impl Held {
         self.seen += variance * difference * difference;
     }
 
-    fn candidate(&self, all: f64, height_step: Option<f64>) -> Candidate {
+    /// `all` is the mean square gradient of the map. A step of its heights counts against the pixels
+    /// it was measured on, those of the given grid.
+    fn candidate(&self, all: f64, given: &AreaAccuracy) -> Candidate {
         let ratio = |a: f64, b: f64| if b > 0.0 { (a / b).sqrt() } else { 1.0 };
-        let [dy, dx] = self.grid.pixel();
-        // A step counts against the pixels it was measured on.
-        let pixel = dy.min(dx) * self.factor;
-        Candidate {
-            factor: self.factor,
-            grid: self.grid,
-            lost: (1.0 - ratio(self.all, all)).max(0.0),
-            gate: if all > 0.0 {
-                let step_ratio = height_step.unwrap_or(0.0) / (pixel * all.sqrt());
-                AreaAccuracy::known(self.grid, ratio(self.seen, self.all), step_ratio).gate()
-            } else {
-                Err(NoAreaInterval::Empty)
-            },
-        }
+        let mut accuracy = given.on(self.grid);
+        accuracy.resolution = ratio(self.seen, self.all);
+        let lost = (1.0 - ratio(self.all, all)).max(0.0);
+        Candidate { factor: self.factor, grid: self.grid, lost, accuracy }
     }
 }
 
-/// Adds the waves of a map up for every grid; answers with the mean square slopes along y and x.
+/// Adds the waves of a map up for every grid; answers with the mean square gradient.
 ///
 /// A wave belongs to the coarsest grid that can hold it, and all finer ones hold it too; what
 /// counts of it on each are its components along the axes. So variances are summed over those
 /// first, and the sine of each component is taken once per grid and not once per wave.
-fn add_up(power: &PowerSpectrum, grid: Grid, list: &mut [Held]) -> [f64; 2] {
+fn add_up(power: &PowerSpectrum, grid: Grid, list: &mut [Held]) -> f64 {
     let limits: Vec<[f64; 2]> = list.iter().filter(|h| h.factor < 1.0).map(|h| h.limit).collect();
     let step = grid.size().map(|length| TAU / length);
     let none = grid.shape().map(|n| vec![0.0; n / 2 + 1]);
@@ -170,19 +162,19 @@ fn add_up(power: &PowerSpectrum, grid: Grid, list: &mut [Held]) -> [f64; 2] {
             sums[class][axis][component] += weight * variance;
         }
     });
-    let mut along = [0.0; 2];
+    let mut all = 0.0;
     for (class, sums) in sums.iter().enumerate() {
         for axis in 0..2 {
             for (component, variance) in sums[axis].iter().enumerate() {
                 let q = component as f64 * step[axis];
-                along[axis] += variance * q * q;
+                all += variance * q * q;
                 for held in &mut list[class..] {
                     held.add(axis, q, *variance);
                 }
             }
         }
     }
-    along
+    all
 }
 
 /// The smallest even number not below `n` with no prime factor above 7: its transforms are fast.
@@ -239,8 +231,9 @@ mod tests {
         let grid = Grid::new([256, 256], [1e-6, 1e-6]).unwrap();
         let wave = |_: f64, x: f64| (TAU * x / 32e-6).sin() + 0.1 * (TAU * x / 8e-6).sin();
         let map = HeightMap::from_fn(grid, wave).unwrap();
-        let found = Candidates::of(&map, None).unwrap();
-        assert!(found.repeats);
+        let known = Map::with_step(&map, None).unwrap();
+        assert!(known.repeats);
+        let found = Candidates::of(&map, &known, Boundary::Periodic).unwrap();
         let kept = (1.0f64 / (1.0 + 0.01 * 16.0)).sqrt();
         for c in &found.list {
             let expected = if c.factor > 0.25 { 0.0 } else { 1.0 - kept };
@@ -255,11 +248,13 @@ mod tests {
     fn a_ramp_does_not_repeat_and_profiles_stay_as_they_are() {
         let grid = Grid::new([64, 96], [1.0, 1.0]).unwrap();
         let tilted = HeightMap::from_fn(grid, |y, x| 0.1 * x + (0.3 * y).sin()).unwrap();
-        assert!(!Candidates::of(&tilted, None).unwrap().repeats);
+        assert!(!Map::of(&tilted).unwrap().repeats);
         for (shape, pixel) in [([1, 500], [1.0, 1.0]), ([500, 500], [3.0, 1.0])] {
             let grid = Grid::new(shape, pixel).unwrap();
             let map = HeightMap::from_fn(grid, |_, x| (0.2 * x).sin()).unwrap();
-            assert_eq!(Candidates::of(&map, None).unwrap().list.len(), 1);
+            let known = Map::of(&map).unwrap();
+            let found = Candidates::of(&map, &known, Boundary::Periodic).unwrap();
+            assert_eq!(found.list.len(), 1);
         }
     }
 

@@ -12,7 +12,7 @@ mod outcome;
 mod request;
 mod run;
 
-pub use bar::{Line, bar};
+pub use bar::{Line, budget};
 pub(crate) use candidates::repeats;
 pub use candidates::{Candidate, Candidates, MOST_POINTS};
 pub use outcome::{Next, Outcome};

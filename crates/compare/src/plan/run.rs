@@ -1,13 +1,13 @@
 //! Solving with a request: from the coarsest grid that may do to the one that does.
 
 use super::outcome::{Next, Outcome, percent, plus_minus, points};
-use super::{Candidate, Candidates, Line, Request, bar};
+use super::{Candidate, Candidates, Line, Request, budget};
 use crate::PrecisionName;
 use crate::budget::iteration::area_error;
+use crate::budget::{Budget, Map};
+use crate::report::numbers::{METRES, PASCALS, chosen};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{
-    Load, Maps, Method, NoAreaInterval, Precision, Solution, Solver, SolverError,
-};
+use fft_bem_solver::{Boundary, Load, Maps, Method, Solution, Solver, SolverError};
 use std::ops::ControlFlow;
 use std::time::Instant;
 use surface_stats::StatsError;
@@ -17,12 +17,14 @@ use surface_stats::StatsError;
 pub struct Task<'a> {
     /// Heights as given.
     pub map: &'a HeightMap,
-    /// Step of its heights (m), if they have one.
-    pub height_step: Option<f64>,
+    /// What is known of it.
+    pub known: &'a Map,
     /// Contact modulus.
     pub modulus: ContactModulus,
-    /// Mean pressures (Pa), rising.
-    pub pressures: &'a [f64],
+    /// Mean pressures, rising, or mean gaps, falling.
+    pub loads: &'a [Load],
+    /// What lies beyond the edges.
+    pub boundary: Boundary,
     /// What is asked for.
     pub request: Request,
     /// Method of the solver.
@@ -40,13 +42,13 @@ pub trait Sink {
     /// A grid is begun. What was taken before was on a grid that is given up.
     fn begin(&mut self, map: &HeightMap);
 
-    /// A load, by its index among the pressures, with its half widths in area fraction, from the
-    /// grid and from the iteration. `Break` ends everything.
+    /// A load, by its index among the loads, with its error budget on this grid if it was solved.
+    /// `Break` ends everything.
     fn take(
         &mut self,
         index: usize,
         result: Result<Solution, SolverError>,
-        half_widths: Result<[f64; 2], NoAreaInterval>,
+        budget: Option<Budget>,
     ) -> ControlFlow<()>;
 }
 
@@ -66,7 +68,7 @@ pub enum PlanError {
 
 /// One load on the grid tried last.
 struct Reached {
-    pressure: f64,
+    load: Load,
     /// Relative half width, or why none.
     width: Result<f64, String>,
     /// The part of it that is the iteration's.
@@ -83,7 +85,7 @@ struct Reached {
 /// [`PlanError`]. A load that is not solved or a request that is not met is a result.
 pub fn run(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Outcome, PlanError> {
     let start = Instant::now();
-    let candidates = Candidates::of(task.map, task.height_step)?;
+    let candidates = Candidates::of(task.map, task.known, task.boundary)?;
     let mut current = first(task, &candidates);
     let (mut given_up, mut work) = (Vec::new(), 0.0);
     loop {
@@ -115,13 +117,14 @@ fn bytes(task: &Task<'_>) -> f64 {
 /// The coarsest grid that resolves what it holds and loses too little to break the request by
 /// itself. Where the given map has no bar, no other grid can give it one.
 fn first(task: &Task<'_>, candidates: &Candidates) -> usize {
-    if candidates.as_given().gate.is_err() {
+    if candidates.as_given().accuracy.gate().is_err() {
         return candidates.given;
     }
     let room = task.request.relative() - area_error(task.request.tolerance());
-    let line = Line { area: 1.0, edges: 0.0 };
-    let may_do =
-        |c: &Candidate| c.gate.is_ok() && line.half_width(c, 1.0).is_ok_and(|lost| lost < room);
+    let line = Line { area: 1.0, edges: 0.0, fall: None };
+    let may_do = |c: &Candidate| {
+        c.accuracy.gate().is_ok() && line.half_width(c, task.known).is_ok_and(|lost| lost < room)
+    };
     candidates.list.iter().position(may_do).unwrap_or(candidates.given).min(candidates.given)
 }
 
@@ -143,10 +146,8 @@ fn attempt(
     let map = candidates.map(task.map, candidate)?;
     let mut solver = Solver::builder()
         .method(task.method)
-        .precision(match task.request.precision() {
-            PrecisionName::F64 => Precision::Double,
-            PrecisionName::F32 => Precision::Single,
-        })
+        .boundary(task.boundary)
+        .precision(task.request.precision().into())
         .tolerance(task.request.tolerance())
         .certified(task.certified)
         .maps(task.maps)
@@ -154,13 +155,10 @@ fn attempt(
         .build(map.grid(), task.modulus)?;
     sink.begin(&map);
     let mut attempt = Attempt { loads: Vec::new(), transforms: 0.0, leave_for: None };
-    for (index, &pressure) in task.pressures.iter().enumerate() {
-        let result = solver.solve(&map, Load::MeanPressure(pressure));
-        let half_widths = match &result {
-            Ok(solution) => bar(solution, candidate, candidates.directions),
-            Err(_) => Err(NoAreaInterval::NotConverged),
-        };
-        let reached = Reached::of(pressure, &result, half_widths);
+    for (index, &load) in task.loads.iter().enumerate() {
+        let result = solver.solve(&map, load);
+        let budget = result.as_ref().ok().map(|s| budget(s, load, candidate, task.known));
+        let reached = Reached::of(load, &result, budget.as_ref());
         attempt.transforms += result.as_ref().map_or(0.0, |s| s.diagnostics.transforms);
         if !reached.meets(task.request) {
             attempt.leave_for = better(task, candidates, current, &reached);
@@ -169,7 +167,7 @@ fn attempt(
         if attempt.leave_for.is_some() {
             return Ok(attempt);
         }
-        if sink.take(index, result, half_widths).is_break() {
+        if sink.take(index, result, budget).is_break() {
             return Err(PlanError::Stopped);
         }
     }
@@ -177,22 +175,15 @@ fn attempt(
 }
 
 impl Reached {
-    fn of(
-        pressure: f64,
-        result: &Result<Solution, SolverError>,
-        half_widths: Result<[f64; 2], NoAreaInterval>,
-    ) -> Self {
-        let line = result.as_ref().ok().map(Line::of);
-        let residual = |s: &Solution| s.diagnostics.residuals.preconditioned;
-        let iteration = result.as_ref().map_or(0.0, |s| area_error(residual(s)));
-        let width = match (half_widths, line) {
-            (Ok([grid, iteration]), Some(line)) if grid + iteration > 0.0 => {
-                Ok((grid + iteration) / line.area)
-            }
-            (Ok(_), _) => Ok(0.0),
-            (Err(why), _) => Err(why.to_string()),
+    fn of(load: Load, result: &Result<Solution, SolverError>, budget: Option<&Budget>) -> Self {
+        let line = result.as_ref().ok().map(|solution| Line::of(solution, load));
+        let Some(area) = budget.map(|b| b.area) else {
+            let why = result.as_ref().err().map_or_else(String::new, ToString::to_string);
+            return Self { load, width: Err(why), iteration: 0.0, line };
         };
-        Self { pressure, width, iteration, line }
+        let share = |half: f64| if half > 0.0 { half / area.value } else { 0.0 };
+        let width = area.comparison_half_width().map(share).map_err(|why| why.to_string());
+        Self { load, width, iteration: area.iteration.map_or(0.0, share), line }
     }
 
     fn meets(&self, request: Request) -> bool {
@@ -209,7 +200,7 @@ fn better(
     reached: &Reached,
 ) -> Option<usize> {
     let will_do = |finer: &usize| {
-        expected(candidates, current, *finer, reached)
+        expected(task, candidates, [current, *finer], reached)
             .is_some_and(|width| width <= task.request.relative())
     };
     let fallback = (current < candidates.given).then_some(candidates.given);
@@ -217,14 +208,19 @@ fn better(
 }
 
 /// Expected relative half width on another grid.
-fn expected(candidates: &Candidates, from: usize, to: usize, reached: &Reached) -> Option<f64> {
+fn expected(
+    task: &Task<'_>,
+    candidates: &Candidates,
+    [from, to]: [usize; 2],
+    reached: &Reached,
+) -> Option<f64> {
     let (from, to) = (&candidates.list[from], &candidates.list[to]);
-    if to.gate.is_err() || candidates.as_given().gate.is_err() {
+    if to.accuracy.gate().is_err() || candidates.as_given().accuracy.gate().is_err() {
         return None;
     }
     let scale = (from.grid.len() as f64 / to.grid.len() as f64).sqrt();
     let line = reached.line?.on_pixels(scale);
-    let grid = line.half_width(to, candidates.directions).ok()?;
+    let grid = line.half_width(to, task.known).ok()?;
     (line.area > 0.0).then(|| grid / line.area + reached.iteration)
 }
 
@@ -240,9 +236,10 @@ fn conclude(
     let all: Option<Vec<f64>> = loads.iter().map(|l| l.width.clone().ok()).collect();
     let half_width = all.map(|widths| widths.iter().copied().fold(0.0, f64::max));
     let unmet: Vec<&Reached> = loads.iter().filter(|l| !l.meets(task.request)).collect();
-    let next = candidates.list.get(current + 1).filter(|_| candidates.as_given().gate.is_ok());
+    let next =
+        candidates.list.get(current + 1).filter(|_| candidates.as_given().accuracy.gate().is_ok());
     let next = next.map(|finer| {
-        let width = |l: &Reached| expected(candidates, current, current + 1, l);
+        let width = |l: &Reached| expected(task, candidates, [current, current + 1], l);
         let widths: Option<Vec<f64>> = loads.iter().map(width).collect();
         Next {
             shape: finer.grid.shape(),
@@ -271,45 +268,45 @@ fn conclude(
 
 /// Why some loads miss the request: the first of them in words.
 fn reason(task: &Task<'_>, candidates: &Candidates, current: usize, unmet: &[&Reached]) -> String {
-    let given = candidates.as_given();
-    if let (Err(why), Some(Err(_))) = (given.gate, unmet.first().map(|l| &l.width)) {
-        return format!("{why}; no grid makes up for that");
-    }
     let Some(first) = unmet.first() else { return String::new() };
-    let pressure = pascals(first.pressure);
+    if let (Err(why), Err(_)) = (candidates.as_given().accuracy.gate(), &first.width) {
+        return why.to_string();
+    }
     let others = match unmet.len() {
         1 => String::new(),
-        n => format!(" ({n} of {} loads miss it)", task.pressures.len()),
+        n => format!(" ({n} of {} loads miss it)", task.loads.len()),
     };
+    let at = shown(first.load);
+    if let (Load::MeanGap(_), Some(line)) = (first.load, first.line)
+        && line.area <= 0.0
+        && line.edges <= 0.0
+    {
+        let touch = task.map.range().1 - task.map.mean();
+        let touch = chosen(touch, METRES);
+        return format!(
+            "nothing touches at {at}{others}; the first contact of this map is at {touch}"
+        );
+    }
     let here = match &first.width {
-        Ok(width) => format!("{} at {pressure}{others}", plus_minus(*width)),
-        Err(why) => format!("{why} at {pressure}{others}"),
+        Ok(width) => format!("{} at {at}{others}", plus_minus(*width)),
+        Err(why) => format!("at {at}{others} {why}"),
     };
     let finest = candidates.list.len() - 1;
     if finest == current {
         return format!("{here}, and no finer grid is considered");
     }
     let grid = points(candidates.list[finest].grid.shape());
-    match expected(candidates, current, finest, first) {
+    match expected(task, candidates, [current, finest], first) {
         Some(width) => format!("{here}; even {grid} points would leave ±{}", percent(width)),
         None => format!("{here}; even {grid} points would not resolve the contacts"),
     }
 }
 
-/// A pressure with three digits and its unit.
-fn pascals(value: f64) -> String {
-    let units = [(1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"), (1.0, "Pa")];
-    let (unit, name) = units.into_iter().find(|(u, _)| value >= *u).unwrap_or((1.0, "Pa"));
-    let number = value / unit;
-    let decimals = if number >= 100.0 {
-        0
-    } else if number >= 10.0 {
-        1
-    } else {
-        2
-    };
-    let text = format!("{number:.decimals$}");
-    let text =
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    format!("{text} {name}")
+/// "2 MPa", "a mean gap of 30 nm".
+fn shown(load: Load) -> String {
+    match load {
+        Load::MeanGap(gap) => format!("a mean gap of {}", chosen(gap, METRES)),
+        Load::MeanPressure(load) | Load::Approach(load) => chosen(load, PASCALS),
+        _ => format!("{load:?}"),
+    }
 }

@@ -91,7 +91,7 @@ fn grid_words(answer: &DeterministicAnswer, surface: &SurfaceComparison) -> Stri
              points cannot hold"
         );
     }
-    let left = fft_bem_solver::left_of_correction(surface.map.accuracy.directions);
+    let left = surface.map.accuracy.left_of_correction();
     format!(
         "{} of the contact-line correction, for maps whose finite differences see \
          94{SPACE}% of the gradient (here {})",

@@ -4,7 +4,7 @@ use crate::budget::{Budget, Estimate, RealPressure};
 use serde_json::{Map, Value, json};
 
 /// Intervals `[low, high]` of every number: `NAME_interval` from grid and iteration, to compare
-/// with; `NAME_prediction_interval` with the finite sample on top; `null` where there is none.
+/// with (of what was prescribed, a load or a gap, the number itself twice); `NAME_prediction_interval` with the finite sample on top; `null` where there is none.
 /// Stiffness (Pa/m) and its intervals are `null` if it was not computed. `budget` lists the half
 /// widths by source.
 pub fn keys(budget: Option<&Budget>) -> Map<String, Value> {
@@ -12,7 +12,10 @@ pub fn keys(budget: Option<&Budget>) -> Map<String, Value> {
     let area = budget.map(|b| b.area);
     let gap = budget.and_then(|b| b.mean_gap);
     let stiffness = budget.and_then(|b| b.stiffness);
-    for (name, estimate) in [("area", area), ("mean_gap", gap), ("stiffness", stiffness)] {
+    let load = budget.map(|b| b.mean_pressure);
+    let all =
+        [("mean_pressure", load), ("area", area), ("mean_gap", gap), ("stiffness", stiffness)];
+    for (name, estimate) in all {
         let comparison = estimate.and_then(|e| e.comparison().ok());
         keys.insert(format!("{name}_interval"), json!(comparison));
         let prediction = estimate.and_then(|e| e.prediction());

@@ -26,7 +26,7 @@ mod lines;
 mod maps;
 mod multiples;
 mod notes;
-mod numbers;
+pub(crate) mod numbers;
 mod overview;
 mod palette;
 mod panels;

@@ -161,7 +161,7 @@ fn fixed_significant(value: f64, digits: i32) -> String {
 
 /// A decimal multiple of an SI unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Unit {
+pub(crate) struct Unit {
     /// How many SI units one of these is.
     pub scale: f64,
     /// How it is written.
@@ -169,7 +169,7 @@ pub(super) struct Unit {
 }
 
 /// Multiples of the pascal.
-pub(super) const PASCALS: &[Unit] = &[
+pub(crate) const PASCALS: &[Unit] = &[
     Unit { scale: 1e-3, name: "mPa" },
     Unit { scale: 1.0, name: "Pa" },
     Unit { scale: 1e3, name: "kPa" },
@@ -179,7 +179,7 @@ pub(super) const PASCALS: &[Unit] = &[
 ];
 
 /// Multiples of the metre.
-pub(super) const METRES: &[Unit] = &[
+pub(crate) const METRES: &[Unit] = &[
     Unit { scale: 1e-15, name: "fm" },
     Unit { scale: 1e-12, name: "pm" },
     Unit { scale: 1e-9, name: "nm" },
@@ -218,7 +218,7 @@ pub(super) fn quantity(value: f64, units: &[Unit], digits: i32) -> String {
 }
 
 /// "10 MPa", "2.5 kPa": a value that was chosen, with as many digits as it needs up to four.
-pub(super) fn chosen(value: f64, units: &[Unit]) -> String {
+pub(crate) fn chosen(value: f64, units: &[Unit]) -> String {
     let unit = unit_for(value, units);
     let number = value / unit.scale;
     let digits = (1..4)

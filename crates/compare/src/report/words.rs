@@ -50,7 +50,7 @@ pub(super) fn real_pressure_prediction(answer: &DeterministicAnswer) -> String {
             let spread = real.value() * half / budget.area.value;
             quantity_plus_minus(real.value(), spread, PASCALS)
         }
-        _ => real_pressure(budget.mean_pressure, answer),
+        _ => real_pressure(budget.mean_pressure.value, answer),
     }
 }
 

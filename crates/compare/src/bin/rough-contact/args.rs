@@ -191,16 +191,6 @@ pub(crate) fn study_models() -> PossibleValuesParser {
     PossibleValuesParser::new(MODELS.iter().filter(|m| m.in_study).map(|m| m.name))
 }
 
-/// What the solver calls a method.
-pub(crate) fn solver_method(method: MethodName) -> fft_bem_solver::Method {
-    match method {
-        MethodName::Auto => fft_bem_solver::Method::Auto,
-        MethodName::Chord => fft_bem_solver::Method::Chord,
-        MethodName::PolonskyKeer => fft_bem_solver::Method::PolonskyKeer,
-        MethodName::StanleyKato => fft_bem_solver::Method::StanleyKato,
-    }
-}
-
 /// What surface-stats calls a form.
 pub(crate) fn form(level: LevelName) -> surface_stats::Level {
     match level {

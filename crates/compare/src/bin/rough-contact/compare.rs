@@ -302,7 +302,7 @@ fn not_met(comparison: &Comparison) -> Option<Failure> {
     let unmet = comparison
         .surfaces
         .iter()
-        .filter_map(|surface| planned::unmet(&surface.name, surface.plan.as_ref()?));
+        .filter_map(|surface| planned::unmet(&surface.name, surface.plan.as_ref()?, ""));
     not_converged(comparison).into_iter().chain(unmet).reduce(Failure::and)
 }
 

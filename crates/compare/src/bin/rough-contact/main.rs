@@ -8,6 +8,7 @@ mod cleaning;
 mod compare;
 mod info;
 mod input;
+mod intervals;
 mod iso;
 mod model;
 mod outcome;

@@ -1,6 +1,5 @@
 //! `solve --accuracy`: grid, precision and tolerance chosen for a request.
 
-use crate::args;
 use crate::outcome::{Failure, Reply};
 use crate::progress::Progress;
 use crate::solve::{Work, rising, shown};
@@ -8,13 +7,14 @@ use compare::MethodName;
 use compare::budget::{Budget, Map};
 use compare::plan::{self, Outcome, PlanError, Request, Sink, Task};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Load, Maps, NoAreaInterval, Solution, SolverError};
+use fft_bem_solver::{Boundary, Load, Maps, Solution, SolverError};
 use std::ops::ControlFlow;
 
 /// What is to be solved, and how well.
 pub(crate) struct Asked<'a> {
     pub(crate) surface: &'a HeightMap,
-    pub(crate) height_step: Option<f64>,
+    pub(crate) known: &'a Map,
+    pub(crate) boundary: Boundary,
     pub(crate) modulus: ContactModulus,
     pub(crate) request: Request,
     pub(crate) method: MethodName,
@@ -25,7 +25,7 @@ pub(crate) struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    /// Solves for mean pressures; what comes goes to `work`.
+    /// Solves for the loads; what comes goes to `work`.
     pub(crate) fn solve(
         &self,
         loads: &[Load],
@@ -33,24 +33,20 @@ impl Asked<'_> {
         progress: &mut Progress,
     ) -> Result<Outcome, Failure> {
         let order = rising(loads);
-        let pressure = |i: &usize| match loads[*i] {
-            Load::MeanPressure(p) => p,
-            _ => f64::NAN, // clap refuses --gap beside --accuracy
-        };
-        let pressures: Vec<f64> = order.iter().map(pressure).collect();
+        let risen: Vec<Load> = order.iter().map(|&i| loads[i]).collect();
         let task = Task {
             map: self.surface,
-            height_step: self.height_step,
+            known: self.known,
             modulus: self.modulus,
-            pressures: &pressures,
+            loads: &risen,
+            boundary: self.boundary,
             request: self.request,
-            method: args::solver_method(self.method),
+            method: self.method.into(),
             certified: self.certified,
             maps: if self.fields { Maps::PressureAndGap } else { Maps::Pressure },
             threads: self.threads,
         };
-        let map = Map::of(self.surface).map_err(|e| Failure::from_error(&e))?;
-        let mut to = ToWork { loads, order: &order, work, progress, map };
+        let mut to = ToWork { loads, order: &order, work, progress };
         plan::run(&task, &mut to).map_err(|e| match e {
             PlanError::Statistics(e) => Failure::from_error(&e),
             PlanError::Solver(e) => Failure::from_error(&e),
@@ -65,13 +61,11 @@ struct ToWork<'a> {
     order: &'a [usize],
     work: &'a mut Work,
     progress: &'a mut Progress,
-    map: Map,
 }
 
 impl Sink for ToWork<'_> {
     fn begin(&mut self, map: &HeightMap) {
         self.work.begin(map.grid());
-        self.map = self.map.on(map.grid());
         self.progress.restart(self.loads.len());
         let [ny, nx] = map.grid().shape();
         self.progress.working_on(&format!("{ny} × {nx} points"));
@@ -81,29 +75,29 @@ impl Sink for ToWork<'_> {
         &mut self,
         index: usize,
         result: Result<Solution, SolverError>,
-        half_widths: Result<[f64; 2], NoAreaInterval>,
+        budget: Option<Budget>,
     ) -> ControlFlow<()> {
         let place = self.order[index];
         let load = self.loads[place];
-        let budget = result.as_ref().ok().map(|solution| {
-            let grid = half_widths.map(|[grid, _]| grid);
-            Budget::of(solution, &self.map).with_grid(grid, 1.0)
-        });
-        self.work.take(place, load, &result, budget.as_ref());
+        self.work.take(place, load, &result, budget.as_ref(), None);
         self.progress.step(&shown(load));
         ControlFlow::Continue(())
     }
 }
 
-/// Puts the plan into the reply: its line, its object, and the exit status if it is not met.
-pub(crate) fn state(outcome: &Outcome, reply: &mut Reply) {
+/// Puts the plan into the reply: its line, its object, and the exit status if it is not met, with
+/// the way out if loads without a bar are `refinable`.
+pub(crate) fn state(outcome: &Outcome, refinable: bool, reply: &mut Reply) {
     let line = outcome.explanation();
     reply.text.push_str(&line);
     reply.text.push('\n');
     reply.json["accuracy"] = compare::report::accuracy_json(outcome);
     reply.json["precision"] = outcome.precision.name().into();
     reply.json["tolerance"] = outcome.tolerance.into();
-    if let Some(failure) = unmet("", outcome) {
+    let refine =
+        "; --refine instead of --accuracy gives the interval that a twice finer grid leaves";
+    let way_out = if refinable { refine } else { "" };
+    if let Some(failure) = unmet("", outcome, way_out) {
         reply.trouble = Some(match reply.trouble.take() {
             None => failure,
             Some(earlier) => earlier.and(failure),
@@ -112,10 +106,11 @@ pub(crate) fn state(outcome: &Outcome, reply: &mut Reply) {
 }
 
 /// A request that is not met ends with exit status 1.
-pub(crate) fn unmet(surface: &str, outcome: &Outcome) -> Option<Failure> {
+pub(crate) fn unmet(surface: &str, outcome: &Outcome, way_out: &str) -> Option<Failure> {
     let reason = outcome.reason.as_ref()?;
     let percent = 100.0 * outcome.request.relative();
     let of = if surface.is_empty() { String::new() } else { format!("{surface}: ") };
-    let message = format!("{of}an accuracy of {percent} % of the area is not met: {reason}");
+    let message =
+        format!("{of}an accuracy of {percent} % of the area is not met: {reason}{way_out}");
     Some(Failure::incomplete("accuracy_not_met", message))
 }

@@ -21,11 +21,8 @@ pub(crate) struct Validate {
 
 impl Validate {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
-        let options = Options {
-            method: args::solver_method(self.method),
-            finest: self.finest,
-            ..Options::default()
-        };
+        let options =
+            Options { method: self.method.into(), finest: self.finest, ..Options::default() };
         let mut progress = Progress::new(common.quiet, 0);
         let mut last = String::new();
         let rows = validation::run(&options, |row| {
