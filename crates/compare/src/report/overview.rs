@@ -140,19 +140,21 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
                 quantity(s.statistics.rms_height, METRES, 3),
                 significant(s.inputs.rms_gradient(), 2),
                 chosen(s.headline_pressure(), PASCALS),
-                answer.map_or("–".into(), words::area),
-                answer.map_or("–".into(), |a| words::real_pressure(s.headline_pressure(), a)),
+                answer.map_or("–".into(), words::area_prediction),
+                answer.map_or("–".into(), words::real_pressure_prediction),
                 nearest.as_ref().map_or("–".into(), |r| format!(
-                    "{} ({})",
+                    "{} ({}), {}",
                     r.model.entry.label,
-                    signed_percent(r.error)
+                    signed_percent(r.error),
+                    duration(r.seconds)
                 )),
                 answer.map_or("–".into(), |a| duration(a.seconds)),
             )
         })
         .collect();
     format!(
-        "<table class=\"over\"><caption>Each surface at one load</caption><thead><tr><th \
+        "<table class=\"over\"><caption>Each surface at one load; ± of grid, iteration and \
+         finite sample</caption><thead><tr><th \
          scope=\"col\">Surface</th><th scope=\"col\" class=\"n\"><i>Sq</i></th><th scope=\"col\" \
          class=\"n\"><i>Sdq</i></th><th scope=\"col\" class=\"n\">Load</th><th scope=\"col\" \
          class=\"n\">Area</th><th scope=\"col\" class=\"n\">Real pressure</th><th \

@@ -51,7 +51,7 @@ pub(super) fn key_numbers(surface: &SurfaceComparison) -> String {
         if let Some(gap) = a.mean_gap {
             let sq = surface.statistics.rms_height;
             let relative = if sq > 0.0 {
-                format!(" = {}{SPACE}Sq", significant(gap / sq, 3))
+                format!(", {}{SPACE}Sq", significant(gap / sq, 3))
             } else {
                 String::new()
             };
@@ -62,8 +62,8 @@ pub(super) fn key_numbers(surface: &SurfaceComparison) -> String {
             };
             rows.push((
                 "Mean gap".into(),
-                format!("{value}{relative}"),
-                "average over the whole map; ± as above".into(),
+                value,
+                format!("average over the whole map{relative}; ± as above"),
             ));
         }
         if let Some(k) = a.budget.stiffness {

@@ -54,6 +54,12 @@ pub(super) fn real_pressure_prediction(answer: &DeterministicAnswer) -> String {
     }
 }
 
+/// The upper end of the area where its grid and iteration leave no lower one: all that is known.
+fn at_most(answer: &DeterministicAnswer) -> Option<f64> {
+    let [low, high] = answer.interval()?;
+    (low <= 0.0).then(|| answer.budget.area.prediction().map_or(high, |[_, high]| high))
+}
+
 /// The first sentence, as HTML.
 pub(super) fn headline(surface: &SurfaceComparison) -> String {
     let p = chosen(surface.headline_pressure(), PASCALS);
@@ -64,6 +70,14 @@ pub(super) fn headline(surface: &SurfaceComparison) -> String {
     };
     if answer.contact_pixels == 0 {
         return format!("At {p} nothing touches.");
+    }
+    if let Some(most) = at_most(answer) {
+        return format!(
+            "At {p}, at most <b>{}{SPACE}%</b> of the surface touches, and the mean real pressure is \
+             at least <b>{}</b>: this map does not resolve its contacts.",
+            significant(100.0 * most, 2),
+            quantity(surface.headline_pressure() / most, PASCALS, 2)
+        );
     }
     let opening = if answer.converged { "" } else { "Not converged: " };
     let about = if answer.uncertainty().is_some() { "" } else { "about " };
@@ -109,11 +123,14 @@ pub(super) fn recommendation(surface: &SurfaceComparison) -> String {
     let Some(nearest) = ranked.first() else {
         return "No closed form answers at this load.".into();
     };
-    let faster = |r: &Ranked<'_>| times(answer.seconds / r.seconds);
+    let faster = |r: &Ranked<'_>| {
+        let ratio = times(answer.seconds / r.seconds);
+        format!("{ratio} times faster than this solution ({})", duration(answer.seconds))
+    };
     if relative.is_some_and(|u| u > WANTED) {
         return format!(
             "The ± itself exceeds 10{SPACE}%, so the closed forms cannot be ranked at \
-             10{SPACE}%. By the numbers alone {} is nearest ({}), {}, {} times faster.",
+             10{SPACE}%. By the numbers alone {} is nearest ({}), {}, {}.",
             nearest.model.entry.title,
             signed_percent(nearest.error),
             duration(nearest.seconds),
@@ -127,7 +144,7 @@ pub(super) fn recommendation(surface: &SurfaceComparison) -> String {
         .min_by(|a, b| a.seconds.total_cmp(&b.seconds));
     match cheapest {
         Some(r) => text.push_str(&format!(
-            "Cheapest closed form within 10{SPACE}%: {} ({}), {}, {} times faster.",
+            "Cheapest closed form within 10{SPACE}%: {} ({}), {}, {}.",
             r.model.entry.title,
             signed_percent(r.error),
             duration(r.seconds),
@@ -135,7 +152,7 @@ pub(super) fn recommendation(surface: &SurfaceComparison) -> String {
         )),
         None => text.push_str(&format!(
             "No closed form comes within 10{SPACE}% at this load. The nearest, {}, reads {} {} and \
-             takes {}, {} times faster.",
+             takes {}, {}.",
             nearest.model.entry.title,
             percent(nearest.error),
             if nearest.error < 0.0 { "low" } else { "high" },
