@@ -80,7 +80,9 @@ impl Comparison {
     }
 }
 
-/// Solves the headline once more with the rigorous bound, then the loads beside it.
+/// Solves the headline once more with the rigorous bound, then from there the loads beside it, for
+/// the stiffness. They need a start near by, which the curve has not kept; so the bound costs one FFT
+/// pair here, where it would cost one at every load of the curve.
 fn certify(surface: &mut SurfaceComparison, settings: &Settings, modulus: ContactModulus) {
     let pressure = surface.headline_pressure();
     let map: Map = surface.map;
