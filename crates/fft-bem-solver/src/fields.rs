@@ -2,6 +2,7 @@
 //! does not depend on the number of threads, and is accumulated in `f64`.
 
 use crate::Real;
+use crate::simd::vectorised;
 use grid_fft::parallel::{join, prelude::*};
 use std::ops::Range;
 
@@ -33,19 +34,29 @@ pub(crate) fn sum_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     by_blocks(0..n, &|range| range.map(&term).sum(), &|a, b| a + b)
 }
 
-/// Sums of `value(i)` over the `i` of `0..n` where it is positive, and the number of these.
-pub(crate) fn positive_part(n: usize, value: impl Fn(usize) -> f64 + Sync) -> [f64; 2] {
+/// Sum of `x + shift` over the pixels where it is positive, and the number of these.
+pub(crate) fn positive_part<T: Real>(field: &[T], shift: f64) -> [f64; 2] {
     let piece = |range: Range<usize>| {
-        let mut lanes = [[0.0; 2]; LANES]; // additions need not wait for one another
-        for (k, i) in range.enumerate() {
-            let x = value(i);
-            let [sum, count] = &mut lanes[k % LANES];
-            *sum += x.max(0.0);
-            *count += if x > 0.0 { 1.0 } else { 0.0 };
-        }
-        lanes.into_iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
+        let mut lanes = [[0.0; LANES]; 2]; // additions need not wait for one another
+        vectorised!({
+            let (whole, rest) = field[range].as_chunks::<LANES>();
+            for x in whole {
+                for lane in 0..LANES {
+                    let x = x[lane].wide() + shift;
+                    let is_positive = f64::from(u8::from(x > 0.0));
+                    lanes[0][lane] += is_positive * x;
+                    lanes[1][lane] += is_positive;
+                }
+            }
+            for x in rest {
+                let x = x.wide() + shift;
+                lanes[0][0] += x.max(0.0);
+                lanes[1][0] += f64::from(u8::from(x > 0.0));
+            }
+        });
+        lanes.map(|lanes| lanes.iter().sum())
     };
-    by_blocks(0..n, &piece, &|a, b| [a[0] + b[0], a[1] + b[1]])
+    by_blocks(0..field.len(), &piece, &|a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
 /// Least `term(i)` over `0..n`; `+inf` if there is none.
@@ -64,9 +75,28 @@ pub(crate) fn filled<T: Real>(n: usize, value: impl Fn(usize) -> T + Sync) -> Ve
     field
 }
 
+/// Replaces every value `x` by `new(x)`.
+pub(crate) fn change<T: Real>(field: &mut [T], new: impl Fn(T) -> T + Sync + Send) {
+    field.par_chunks_mut(BLOCK).for_each(|block| {
+        for x in block {
+            *x = new(*x);
+        }
+    });
+}
+
 /// Sum of a field.
 pub(crate) fn sum<T: Real>(a: &[T]) -> f64 {
-    sum_of(a.len(), |i| a[i].wide())
+    let piece = |range: Range<usize>| {
+        let mut lanes = [0.0; LANES];
+        let (whole, rest) = a[range].as_chunks::<LANES>();
+        for x in whole {
+            for lane in 0..LANES {
+                lanes[lane] += x[lane].wide();
+            }
+        }
+        lanes.iter().sum::<f64>() + rest.iter().map(|x| x.wide()).sum::<f64>()
+    };
+    by_blocks(0..a.len(), &piece, &|a, b| a + b)
 }
 
 /// Inner product of two fields.

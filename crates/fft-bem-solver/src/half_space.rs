@@ -1,5 +1,7 @@
 //! Pressure to displacement on a periodic half space.
 
+use crate::methods::{Partial, RowWork};
+use crate::simd::vectorised;
 use crate::{Real, SolverError};
 use contact_types::{ContactModulus, Grid};
 use grid_fft::Convolution;
@@ -10,14 +12,15 @@ pub struct HalfSpace<T: Real> {
     modulus: ContactModulus,
     transform: Convolution<T>,
     /// Square of the wavenumber along y, `ky` in `0..=ny/2`.
-    qy2: Vec<f64>,
+    qy2: Vec<T>,
 }
 
 impl<T: Real> HalfSpace<T> {
     /// Plans the transforms for `grid`.
     pub fn new(grid: Grid, modulus: ContactModulus) -> Self {
         let transform = Convolution::new(grid.shape());
-        let qy2 = (0..=grid.shape()[0] / 2).map(|ky| grid.wavenumber(ky, 0).powi(2)).collect();
+        let qy2 = |ky| T::of(grid.wavenumber(ky, 0).powi(2));
+        let qy2 = (0..=grid.shape()[0] / 2).map(qy2).collect();
         Self { grid, modulus, transform, qy2 }
     }
 
@@ -64,10 +67,11 @@ impl<T: Real> HalfSpace<T> {
     /// [`SolverError::Shape`] if `field` does not have `ny * nx` pixels; it is then untouched.
     pub fn press(&mut self, field: &mut [T]) -> Result<(), SolverError> {
         self.check(field.len())?;
-        let e_star = self.modulus.pascals();
+        let factor = T::of(0.5 * self.modulus.pascals());
         self.transform.apply_in_place(field, |kx, column| {
-            for (s, q) in column.iter_mut().zip(self.wavenumbers(kx)) {
-                *s = T::of(0.5 * e_star * q);
+            let qx2 = self.qx2(kx);
+            for (s, qy2) in column.iter_mut().zip(&self.qy2) {
+                *s = factor * (*qy2 + qx2).root();
             }
         });
         Ok(())
@@ -79,38 +83,56 @@ impl<T: Real> HalfSpace<T> {
         self.transform.apply(pressure, symbol, displacement);
     }
 
-    /// [`displacement`](Self::displacement), and what `sums(first pixel, rows)` makes of each
-    /// finished block of rows, while it is in cache; there are [`pieces`](Self::pieces) of them.
-    pub(crate) fn displacement_with<R: Send>(
+    /// [`displacement`](Self::displacement), with work on blocks of rows while they are in cache: see
+    /// [`Convolution::apply_around`].
+    pub(crate) fn displacement_around(
         &mut self,
-        pressure: &[T],
+        pressure: &mut [T],
         displacement: &mut [T],
-        sums: &(dyn Fn(usize, &[T]) -> R + Sync),
-        results: &mut [R],
-    ) {
+        gap: &mut [f32],
+        work: RowWork<'_, T>,
+        results: &mut [Partial],
+    ) -> Option<T> {
         let nx = self.grid.shape()[1];
         let symbol = |kx: usize, column: &mut [T]| self.compliance(kx, column);
-        let finish = |row: usize, rows: &mut [T]| sums(row * nx, rows);
-        self.transform.apply_with(pressure, symbol, displacement, finish, results);
+        let RowWork { prepare, factor, finish, .. } = work;
+        let prepare = |row: usize, p: &mut [T]| prepare(row * nx, p);
+        let factor = |sums: &[Partial]| factor(sums).map(T::of);
+        let finish = |row: usize, factor: T, p: &mut [T], u: &mut [T], gap: &mut [f32]| {
+            finish(row * nx, factor, [p, u], gap)
+        };
+        let transform = &self.transform;
+        transform.apply_around(
+            pressure,
+            prepare,
+            factor,
+            symbol,
+            displacement,
+            gap,
+            finish,
+            results,
+        )
     }
 
-    /// Number of blocks of rows of [`displacement_with`](Self::displacement_with).
+    /// Rows that [`displacement_around`](Self::displacement_around) handles at a time.
+    pub(crate) const BLOCK_ROWS: usize = Convolution::<T>::BLOCK_ROWS;
+
+    /// Number of these blocks.
     pub(crate) fn pieces(shape: [usize; 2]) -> usize {
-        shape[0].div_ceil(Convolution::<T>::BLOCK_ROWS)
+        shape[0].div_ceil(Self::BLOCK_ROWS)
     }
 
-    /// Wavenumbers of the waves `(0..=ny/2, kx)`.
-    fn wavenumbers(&self, kx: usize) -> impl Iterator<Item = f64> {
-        let qx2 = self.grid.wavenumber(0, kx).powi(2);
-        self.qy2.iter().map(move |qy2| (qy2 + qx2).sqrt())
+    /// Square of the wavenumber along x of the waves `kx`.
+    fn qx2(&self, kx: usize) -> T {
+        T::of(self.grid.wavenumber(0, kx).powi(2))
     }
 
-    /// Compliance `2 / (E* |q|)` of these waves, 0 for the mean.
+    /// Compliance `2 / (E* |q|)` of the waves `(0..=ny/2, kx)`, 0 for the mean.
     fn compliance(&self, kx: usize, column: &mut [T]) {
-        let factor = 2.0 / self.modulus.pascals();
-        for (s, q) in column.iter_mut().zip(self.wavenumbers(kx)) {
-            *s = T::of(factor / q);
-        }
+        let (factor, qx2) = (T::of(2.0 / self.modulus.pascals()), self.qx2(kx));
+        vectorised!(for (s, qy2) in column.iter_mut().zip(&self.qy2) {
+            *s = factor / (*qy2 + qx2).root();
+        });
         if kx == 0 {
             column[0] = T::zero();
         }

@@ -37,6 +37,7 @@ mod projection;
 mod real;
 pub mod reference;
 mod settings;
+mod simd;
 mod solution;
 mod solver;
 mod special_cases;

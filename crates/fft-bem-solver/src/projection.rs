@@ -15,7 +15,7 @@ pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
     let mut shift = load - fields::sum(field) / n as f64;
     let mut before = f64::INFINITY;
     loop {
-        let [carried, count] = fields::positive_part(n, |i| field[i].wide() + shift);
+        let [carried, count] = fields::positive_part(field, shift);
         // Fewer from step to step, so that this ends.
         if count <= 0.0 || count >= before {
             break;
@@ -23,15 +23,11 @@ pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
         before = count;
         shift -= (carried - total) / count;
     }
-    for p in field.iter_mut() {
-        *p = T::of((p.wide() + shift).max(0.0));
-    }
+    fields::change(field, |p| T::of((p.wide() + shift).max(0.0)));
     let carried = fields::sum(field);
     if carried > 0.0 {
         let scale = T::of(total / carried); // rounding
-        for p in field.iter_mut() {
-            *p *= scale;
-        }
+        fields::change(field, |p| p * scale);
     }
 }
 

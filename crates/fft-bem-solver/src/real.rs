@@ -18,6 +18,9 @@ pub trait Real:
     fn wide(self) -> f64;
     /// The nearest `f32`.
     fn narrow(self) -> f32;
+    /// The square root.
+    #[must_use]
+    fn root(self) -> Self;
     /// The memory of a field as numbers of single precision, at least as many.
     fn as_single(field: &mut [Self]) -> &mut [f32];
     /// The larger of two numbers.
@@ -39,6 +42,9 @@ impl Real for f64 {
     fn narrow(self) -> f32 {
         self as f32
     }
+    fn root(self) -> Self {
+        self.sqrt()
+    }
     fn as_single(field: &mut [Self]) -> &mut [f32] {
         bytemuck::cast_slice_mut(field)
     }
@@ -55,6 +61,9 @@ impl Real for f32 {
     }
     fn narrow(self) -> f32 {
         self
+    }
+    fn root(self) -> Self {
+        self.sqrt()
     }
     fn as_single(field: &mut [Self]) -> &mut [f32] {
         field

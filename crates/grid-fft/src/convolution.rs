@@ -122,8 +122,8 @@ impl<T: FftNum> Convolution<T> {
         self.shape
     }
 
-    /// How many rows [`apply_with`](Self::apply_with) hands to `finish` at a time: this many, but
-    /// for the last block. The number of blocks is `ny.div_ceil(BLOCK_ROWS)`.
+    /// How many rows [`apply_around`](Self::apply_around) handles at a time: this many, but for the
+    /// last block. The number of blocks is `ny.div_ceil(BLOCK_ROWS)`.
     pub const BLOCK_ROWS: usize = TILE_ROWS;
 
     /// `output = IFFT[ symbol FFT[input] ]`.
@@ -135,28 +135,10 @@ impl<T: FftNum> Convolution<T> {
     /// # Panics
     /// If a slice does not have the length planned for.
     pub fn apply(&self, input: &[T], symbol: impl Fn(usize, &mut [T]) + Sync, output: &mut [T]) {
-        let mut nothing = vec![(); self.shape[0].div_ceil(TILE_ROWS)]; // no memory behind it
-        self.apply_with(input, symbol, output, |_, _| (), &mut nothing);
-    }
-
-    /// As [`apply`](Self::apply), and calls `finish(first_row, rows)` on every finished block of
-    /// rows while it is in cache. What it returns is stored in `results`, one per block: sums
-    /// taken from them in order do not depend on the number of threads.
-    ///
-    /// # Panics
-    /// If a slice does not have the length planned for.
-    pub fn apply_with<R: Send>(
-        &self,
-        input: &[T],
-        symbol: impl Fn(usize, &mut [T]) + Sync,
-        output: &mut [T],
-        finish: impl Fn(usize, &mut [T]) -> R + Sync + Send,
-        results: &mut [R],
-    ) {
         assert_eq!(input.len(), output.len(), "field lengths");
         self.analyse_all(input);
-        for_each_index(self.groups(), |group| self.filter(group, &symbol));
-        self.synthesise_all(output, finish, results);
+        self.filter_all(symbol, T::one());
+        self.synthesise_all(output);
     }
 
     /// As [`apply`](Self::apply), in place.
@@ -164,10 +146,64 @@ impl<T: FftNum> Convolution<T> {
     /// # Panics
     /// If the field does not have the length planned for.
     pub fn apply_in_place(&self, field: &mut [T], symbol: impl Fn(usize, &mut [T]) + Sync) {
-        let mut nothing = vec![(); self.shape[0].div_ceil(TILE_ROWS)];
         self.analyse_all(field);
-        for_each_index(self.groups(), |group| self.filter(group, &symbol));
-        self.synthesise_all(field, |_, _| (), &mut nothing);
+        self.filter_all(symbol, T::one());
+        self.synthesise_all(field);
+    }
+
+    /// As [`apply`](Self::apply), with work on blocks of rows while they are in cache:
+    ///
+    /// - `prepare(first_row, input)` may change a block of the input before it is transformed;
+    /// - `factor(results)` sees what that returned for each block, in order, and says by what the
+    ///   output is to be multiplied, or stops here with `None`;
+    /// - `finish(first_row, factor, input, output, companion)` may change a block of both and of a
+    ///   third field, whatever it holds, once the output is there; what it returns replaces `results`.
+    ///
+    /// Sums taken from the results in order do not depend on the number of threads. Returns the
+    /// factor.
+    ///
+    /// # Panics
+    /// If a slice does not have the length planned for; there is one result per block.
+    #[allow(clippy::too_many_arguments, reason = "three fields and what is done with them")]
+    pub fn apply_around<C: Send, R: Send>(
+        &self,
+        input: &mut [T],
+        prepare: impl Fn(usize, &mut [T]) -> R + Sync + Send,
+        factor: impl FnOnce(&[R]) -> Option<T>,
+        symbol: impl Fn(usize, &mut [T]) + Sync,
+        output: &mut [T],
+        companion: &mut [C],
+        finish: impl Fn(usize, T, &mut [T], &mut [T], &mut [C]) -> R + Sync + Send,
+        results: &mut [R],
+    ) -> Option<T> {
+        let [ny, nx] = self.shape;
+        let is_whole = |length: usize| length == ny * nx;
+        assert!(is_whole(input.len()) && is_whole(output.len()), "field lengths");
+        assert!(is_whole(companion.len()), "companion length");
+        assert_eq!(results.len(), ny.div_ceil(TILE_ROWS), "one result per block of rows");
+        let size = TILE_ROWS * nx;
+        let blocks = input.par_chunks_mut(size).zip(results.par_iter_mut());
+        blocks.enumerate().for_each(|(block, (rows, result))| {
+            *result = prepare(block * TILE_ROWS, rows);
+            self.analyse(block, rows);
+        });
+        let factor = factor(results)?;
+        self.filter_all(symbol, factor);
+        input
+            .par_chunks_mut(size)
+            .zip(output.par_chunks_mut(size))
+            .zip(companion.par_chunks_mut(size))
+            .zip(results.par_iter_mut())
+            .enumerate()
+            .for_each(|(block, (((input, output), companion), result))| {
+                self.synthesise(block, output);
+                *result = finish(block * TILE_ROWS, factor, input, output, companion);
+            });
+        Some(factor)
+    }
+
+    fn filter_all(&self, symbol: impl Fn(usize, &mut [T]) + Sync, factor: T) {
+        for_each_index(self.groups(), |group| self.filter(group, &symbol, factor));
     }
 
     fn analyse_all(&self, input: &[T]) {
@@ -177,19 +213,11 @@ impl<T: FftNum> Convolution<T> {
         blocks.enumerate().for_each(|(block, rows)| self.analyse(block, rows));
     }
 
-    fn synthesise_all<R: Send>(
-        &self,
-        output: &mut [T],
-        finish: impl Fn(usize, &mut [T]) -> R + Sync + Send,
-        results: &mut [R],
-    ) {
+    fn synthesise_all(&self, output: &mut [T]) {
         let [ny, nx] = self.shape;
-        assert_eq!(results.len(), ny.div_ceil(TILE_ROWS), "one result per block of rows");
-        let blocks = output.par_chunks_mut(TILE_ROWS * nx).zip(results.par_iter_mut());
-        blocks.enumerate().for_each(|(block, (rows, result))| {
-            self.synthesise(block, rows);
-            *result = finish(block * TILE_ROWS, rows);
-        });
+        assert_eq!(output.len(), ny * nx, "field length");
+        let blocks = output.par_chunks_mut(TILE_ROWS * nx);
+        blocks.enumerate().for_each(|(block, rows)| self.synthesise(block, rows));
     }
 
     /// Number of groups of columns.
@@ -223,8 +251,8 @@ impl<T: FftNum> Convolution<T> {
         }
     }
 
-    /// Forward transform, symbol and inverse transform of one group of columns.
-    fn filter(&self, group: usize, write_symbol: &impl Fn(usize, &mut [T])) {
+    /// Forward transform, symbol times `factor` and inverse transform of one group of columns.
+    fn filter(&self, group: usize, write_symbol: &impl Fn(usize, &mut [T]), factor: T) {
         let ny = self.shape[0];
         let [py, px] = self.padded;
         let first = group * self.tile_columns;
@@ -239,7 +267,7 @@ impl<T: FftNum> Convolution<T> {
                 to[block * TILE_ROWS..][..height].copy_from_slice(from);
             }
         }
-        let scale = T::one() / T::from_usize(py * px).expect("a pixel count fits a float");
+        let scale = factor / T::from_usize(py * px).expect("a pixel count fits a float");
         for (c, column) in columns.chunks_exact_mut(py).enumerate() {
             column[ny..].fill(Complex::new(T::zero(), T::zero()));
             self.column_forward.process_with_scratch(column, fft);
@@ -331,6 +359,50 @@ mod tests {
             for (a, b) in expected.iter().zip(&found) {
                 prop_assert!((a - b).abs() < 1e-13 * size);
             }
+        }
+
+        /// What is done with the rows on the way is what can be done before and after.
+        #[test]
+        fn work_around_the_transform_is_seen(ny in 1usize..70, nx in 1usize..40) {
+            let field: Vec<f64> = (0..ny * nx).map(|i| ((i as f64 + 1.3) * 12.9898).sin()).collect();
+            let write = |kx: usize, column: &mut [f64]| {
+                for (ky, s) in column.iter_mut().enumerate() {
+                    *s = 1.0 / (1.0 + (ky * ky + 3 * kx) as f64);
+                }
+            };
+            let convolution = Convolution::new([ny, nx]);
+            let doubled: Vec<f64> = field.iter().map(|x| 2.0 * x).collect();
+            let mut expected = vec![0.0; ny * nx];
+            convolution.apply(&doubled, write, &mut expected);
+            let (mut input, mut output) = (field.clone(), vec![0.0; ny * nx]);
+            let mut rows_of = vec![0; ny * nx];
+            let mut results = vec![0.0; ny.div_ceil(Convolution::<f64>::BLOCK_ROWS)];
+            let prepare = |_: usize, rows: &mut [f64]| {
+                for x in rows.iter_mut() {
+                    *x *= 2.0;
+                }
+                rows.len() as f64
+            };
+            let factor = |counts: &[f64]| Some(counts.iter().sum::<f64>() / (2 * ny * nx) as f64);
+            let finish = |row: usize, factor: f64, x: &mut [f64], y: &mut [f64], rows_of: &mut [usize]| {
+                assert!((factor - 0.5).abs() < 1e-15);
+                for (i, r) in rows_of.iter_mut().enumerate() {
+                    *r = row + i / nx;
+                }
+                for y in y.iter_mut() {
+                    *y *= 2.0;
+                }
+                x.iter().sum()
+            };
+            let found = convolution.apply_around(
+                &mut input, prepare, factor, write, &mut output, &mut rows_of, finish, &mut results,
+            );
+            prop_assert_eq!(found, Some(0.5));
+            prop_assert!(rows_of.iter().enumerate().all(|(i, r)| *r == i / nx));
+            for (a, b) in expected.iter().zip(&output) {
+                prop_assert!((a - b).abs() < 1e-14);
+            }
+            prop_assert!((results.iter().sum::<f64>() - doubled.iter().sum::<f64>()).abs() < 1e-10);
         }
 
         /// Padding is continuing with zeros and cutting back.

@@ -36,8 +36,9 @@ use crate::problem::Problem;
 use crate::{Boundary, HalfSpace, Real, certificate, fields};
 use contact_types::Grid;
 
-pub(crate) use memory::Kind;
 use memory::Memory;
+pub(crate) use memory::{Kind, Known};
+use steps::Trial;
 pub(crate) use steps::room;
 
 /// Below this chord length the step was a poor guess: take it as it is, and release nodes.
@@ -149,7 +150,7 @@ impl<T: Real> Chord<T> {
             a: if is_guess { 1.0 } else { 0.0 },
             has_before: false,
             dkd: 0.0,
-            sums: None,
+            known: Known::default(),
             best: f64::INFINITY,
             since: 0,
             kind: self.force.unwrap_or(Kind::Chord),
@@ -158,13 +159,13 @@ impl<T: Real> Chord<T> {
         let end = loop {
             // Residual gap and contact set; with the level prescribed, once more at a better load.
             let release = if now.a < FULL { RELEASE } else { 0.0 };
-            let sums = now.sums.take().filter(|_| !is_lead);
-            let (mut level, mut found) = self.look(h, sums, release, is_lead, state);
+            let known = std::mem::take(&mut now.known);
+            let (mut level, mut found) = self.look(h, known, release, is_lead, state);
             if let Some(control) = &mut control {
                 let factor = self.towards_level(control, level, load, residual, is_lead, state);
                 load *= factor;
                 now.dkd *= factor * factor;
-                (level, found) = self.look(h, None, RELEASE, is_lead, state);
+                (level, found) = self.look(h, Known::default(), RELEASE, is_lead, state);
             } else if start == Start::Warm && iteration == 0 {
                 // The contact of another load: the step will close much that it leaves open.
                 found = self.look_ahead(h, level, release, is_lead, state);
@@ -186,12 +187,13 @@ impl<T: Real> Chord<T> {
                 break End::Stopped;
             }
             if !is_lead {
-                let is_rounding = residual < T::EPSILON.sqrt() && {
+                let mut is_rounding = || {
                     let fields = [&state.displacement[..], h];
-                    passes::is_rounding(fields, level, &self.mask, &mut self.partial)
+                    residual < T::EPSILON.sqrt()
+                        && passes::is_rounding(fields, level, &self.mask, &mut self.partial)
                 };
                 // A single pixel leaves no residual at any level: the level must be right as well.
-                if error <= task.tolerance && (residual <= task.tolerance || is_rounding) {
+                if error <= task.tolerance && (residual <= task.tolerance || is_rounding()) {
                     break End::Converged;
                 }
                 if iteration >= task.max_iterations {
@@ -211,33 +213,43 @@ impl<T: Real> Chord<T> {
 
             // Trial, its displacement, and how far to go along the chord.
             let base_level = if is_lead {
-                let (p, u) = (&state.pressure, &state.displacement);
-                let [sum, contact] = passes::level_sums(p, u, h, &mut self.partial);
-                sum / contact
+                passes::level(&state.pressure, &state.displacement, h, &mut self.partial)
             } else {
                 level
             };
             let mut kind = now.kind;
-            let (products, scale) = loop {
-                let scale = match kind {
-                    Kind::Chord => self.sweep_trial(&found, load),
+            let products = loop {
+                let trial = match kind {
+                    Kind::Chord => {
+                        self.sweep_trial(&found, load);
+                        // The first trial is likely to need more than a factor.
+                        let is_first = !now.has_before;
+                        if is_first {
+                            self.end_trial(load).map(Trial::Ended)
+                        } else {
+                            Some(Trial::Swept)
+                        }
+                    }
                     Kind::Gradient | Kind::FaceCg => {
                         self.gradient_trial(h, base_level, now.alpha, load, state);
-                        Some(1.0)
+                        Some(Trial::Ended(1.0))
                     }
                 };
-                if let Some(scale) = scale {
-                    let products = self.respond(operator, scale, h, base_level, &now, state);
+                let levels = [base_level, level];
+                if let Some(trial) = trial
+                    && let Some(products) =
+                        self.respond(operator, trial, load, h, levels, &now, state)
+                {
                     transforms += 1.0;
                     if products.theta() > 0.0 || kind != Kind::Chord {
-                        break (products, scale);
+                        break products;
                     }
                 }
                 kind = Kind::Gradient; // the chord does not descend: projected gradients always do
                 self.events.push((iteration, kind));
             };
             is_lead = false;
-            self.advance(kind, &products, scale, &mut now, h, state);
+            self.advance(kind, &products, level, &mut now, h, state);
             iteration += 1;
         };
         state.level = certificate::level(state, h);

@@ -33,6 +33,11 @@ impl Cells {
         self.start.len() - 1
     }
 
+    /// Pixels per cell, if no pixel is cut.
+    pub(super) fn whole(&self) -> Option<usize> {
+        self.whole
+    }
+
     /// The pixels of cell `j` with their shares, which sum to one.
     pub(super) fn pixels(&self, j: usize) -> impl Iterator<Item = (usize, f32)> + use<'_> {
         let (from, to) = (self.start[j], self.start[j + 1]);
@@ -51,6 +56,7 @@ impl Cells {
     }
 
     /// Adds `factor` times the means over the cells.
+    #[inline(always)]
     pub(super) fn add_means(&self, factor: f32, pixels: &[f32], means: &mut [f32]) {
         let factor = factor * self.share;
         match self.whole {
@@ -77,6 +83,7 @@ impl Cells {
     }
 
     /// Adds `factor` times the value of its cell to each pixel.
+    #[inline(always)]
     pub(super) fn replicate(&self, factor: f32, cells: &[f32], pixels: &mut [f32]) {
         if self.whole == Some(4) {
             for (x, cell) in pixels.as_chunks_mut::<4>().0.iter_mut().zip(cells) {

@@ -16,6 +16,7 @@
 //! hence `b > 0`. Everything is single precision: the result is a step, corrected by the next one.
 
 use super::transfer::{Transfer, Weight};
+use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
 /// Where a cell knows nothing, its value is 0 instead of 0/0.
@@ -114,7 +115,7 @@ impl Level {
             .zip(self.inverse.par_chunks_mut(coarse))
             .zip(self.value.par_chunks_mut(coarse))
             .for_each(|((((w, v), weight), inverse), value)| {
-                pull_rows(&t, capacity, w, v, Rows { weight, inverse, value });
+                vectorised!(pull_rows(&t, capacity, w, v, Rows { weight, inverse, value }));
             });
     }
 
@@ -130,17 +131,7 @@ impl Level {
             .zip(self.weight.par_chunks_mut(coarse))
             .zip(self.inverse.par_chunks_mut(coarse))
             .for_each(|((w, weight), inverse)| {
-                let mut pairs = w.chunks(t.rows_per_coarse_row() * nx);
-                for (weight, inverse) in
-                    weight.chunks_exact_mut(mx).zip(inverse.chunks_exact_mut(mx))
-                {
-                    let pair = pairs.next().expect("a coarse row has children");
-                    t.down_weight_row([&pair[..nx], &pair[pair.len() - nx..]], weight);
-                    let share = if t.lacks_row(pair.len() / nx) { 0.5 } else { 1.0 };
-                    for (w, d) in weight.iter_mut().zip(inverse) {
-                        (*w, *d) = capacity.of(share * *w);
-                    }
-                }
+                vectorised!(pull_weight_rows(&t, capacity, w, weight, inverse));
             });
     }
 
@@ -155,14 +146,11 @@ impl Level {
             .enumerate()
             .for_each(|(task, (value, weight))| {
                 let both = value.chunks_exact_mut(nx).zip(weight.chunks_exact(nx));
-                for (i, (value, weight)) in both.enumerate() {
-                    t.up_row(task * rows + i, &coarser.value, |ix, up| {
-                        let (value, weight) = (&mut value[ix..], &weight[ix..]);
-                        for ((x, w), up) in value.iter_mut().zip(weight).zip(up) {
-                            *x = w * *x + (1.0 - w) * up;
-                        }
-                    });
-                }
+                vectorised!({
+                    for (i, (value, weight)) in both.enumerate() {
+                        push_row(&t, task * rows + i, weight, &coarser.value, value);
+                    }
+                });
             });
     }
 
@@ -171,9 +159,11 @@ impl Level {
         let (t, rows) = (self.transfer, self.rows_per_task());
         let mx = t.coarse[1];
         self.value.par_chunks_mut(rows * mx).enumerate().for_each(|(task, value)| {
-            for (j, out) in value.chunks_exact_mut(mx).enumerate() {
-                gather_row(&t, task * rows + j, &finer.weight, &finer.value, out);
-            }
+            vectorised!({
+                for (j, out) in value.chunks_exact_mut(mx).enumerate() {
+                    gather_row(&t, task * rows + j, &finer.weight, &finer.value, out);
+                }
+            });
         });
     }
 
@@ -198,23 +188,26 @@ impl Level {
                     .chunks_exact_mut(nx)
                     .zip(weight.chunks_exact(nx))
                     .zip(inverse.chunks_exact(nx));
-                for (i, ((value, weight), inverse)) in lines.enumerate() {
-                    let i = task * rows + i;
-                    if t.has_cut_cells() {
-                        t.add_down_row_of_transposed(i, &coarser.value, value);
-                    } else {
-                        let above = &coarser.value[t.parent(i) * mx..][..mx];
-                        t.add_down_transposed_row(above, value);
+                vectorised!({
+                    for (i, ((value, weight), inverse)) in lines.enumerate() {
+                        let i = task * rows + i;
+                        if t.has_cut_cells() {
+                            t.add_down_row_of_transposed(i, &coarser.value, value);
+                        } else {
+                            let above = &coarser.value[t.parent(i) * mx..][..mx];
+                            t.add_down_transposed_row(above, value);
+                        }
+                        for ((x, w), d) in value.iter_mut().zip(weight).zip(inverse) {
+                            *x *= w * d;
+                        }
                     }
-                    for ((x, w), d) in value.iter_mut().zip(weight).zip(inverse) {
-                        *x *= w * d;
-                    }
-                }
+                });
             });
     }
 }
 
 /// Pulls the fine rows `w` and `v` into the coarse rows that cover them.
+#[inline(always)]
 pub(crate) fn pull_rows<W: Weight>(
     t: &Transfer,
     capacity: Capacity,
@@ -240,16 +233,59 @@ pub(crate) fn pull_rows<W: Weight>(
     }
 }
 
+/// `w x + (1 - w) up(coarse)` in row `i` of x.
+#[inline(always)]
+fn push_row(t: &Transfer, i: usize, weight: &[f32], coarse: &[f32], value: &mut [f32]) {
+    t.up_row(
+        i,
+        coarse,
+        #[inline(always)]
+        |ix, up| {
+            let (value, weight) = (&mut value[ix..], &weight[ix..]);
+            for ((x, w), up) in value.iter_mut().zip(weight).zip(up) {
+                *x = w * *x + (1.0 - w) * up;
+            }
+        },
+    );
+}
+
+/// The same as [`pull_rows`] for weights alone.
+#[inline(always)]
+fn pull_weight_rows(
+    t: &Transfer,
+    capacity: Capacity,
+    w: &[f32],
+    weight: &mut [f32],
+    inverse: &mut [f32],
+) {
+    let (nx, mx) = (t.fine[1], t.coarse[1]);
+    let pairs = w.chunks(t.rows_per_coarse_row() * nx);
+    let coarse = weight.chunks_exact_mut(mx).zip(inverse.chunks_exact_mut(mx));
+    for (pair, (weight, inverse)) in pairs.zip(coarse) {
+        t.down_weight_row([&pair[..nx], &pair[pair.len() - nx..]], weight);
+        let share = if t.lacks_row(pair.len() / nx) { 0.5 } else { 1.0 };
+        for (w, d) in weight.iter_mut().zip(inverse) {
+            (*w, *d) = capacity.of(share * *w);
+        }
+    }
+}
+
 /// Row `j` of `up^T ((1 - w) x)`.
+#[inline(always)]
 pub(crate) fn gather_row<W: Weight>(t: &Transfer, j: usize, w: &[W], x: &[f32], out: &mut [f32]) {
     let nx = t.fine[1];
-    t.up_transposed_row(j, out, |iy, factor, ix, line| {
-        let first = iy * nx + ix;
-        let (w, x) = (&w[first..][..line.len()], &x[first..][..line.len()]);
-        for ((l, w), x) in line.iter_mut().zip(w).zip(x) {
-            *l += factor * (1.0 - w.value()) * x;
-        }
-    });
+    t.up_transposed_row(
+        j,
+        out,
+        #[inline(always)]
+        |iy, factor, ix, line: &mut [f32]| {
+            let first = iy * nx + ix;
+            let (w, x) = (&w[first..][..line.len()], &x[first..][..line.len()]);
+            for ((l, w), x) in line.iter_mut().zip(w).zip(x) {
+                *l += factor * (1.0 - w.value()) * x;
+            }
+        },
+    );
 }
 
 /// The levels above the finest grid, finest first; none on a grid of at most 4 x 4.

@@ -6,7 +6,7 @@
 //! writes `docs/src/figures/chord-fields.png`; an ordinary test holds the committed file to what would
 //! be drawn now.
 
-use super::chord::{self, Chord};
+use super::chord::{self, Chord, Known};
 use super::{ContactMethod, Start, State, Target, Task};
 use crate::HalfSpace;
 use crate::problem::{self, Problem};
@@ -78,7 +78,7 @@ fn picture() -> Vec<u8> {
 
     // The passes of the next iteration, one by one.
     let p = &state.pressure;
-    let (_, found) = chord.look(h, None, 0.0, false, &state);
+    let (_, found) = chord.look(h, Known::default(), 0.0, false, &state);
     let set = chord.mask.clone();
     let residual = chord.residual.clone();
     let extended = chord::room(&mut chord.response, &mut chord.before_response, false).to_vec();
@@ -92,7 +92,8 @@ fn picture() -> Vec<u8> {
         .map(|(p, m)| (if *m == 1 { p + shift } else { *p }) as f32)
         .collect();
     let step: Vec<f32> = p.iter().zip(&trial).map(|(p, t)| *p as f32 - t).collect();
-    assert!(chord.sweep_trial(&found, load).is_some());
+    chord.sweep_trial(&found, load);
+    assert!(chord.end_trial(load).is_some());
     let swept: Vec<f32> = chord.trial.iter().map(|p| *p as f32).collect();
 
     let heights: Vec<f32> = h.iter().map(|h| *h as f32).collect();

@@ -18,6 +18,12 @@
 //! - A method that does not control the level itself (`controls_level`) is driven by
 //!   [`control`](crate::control): a secant in the logarithm of the load.
 
+#![allow(
+    clippy::inline_always,
+    clippy::needless_bitwise_bool,
+    reason = "inner loops belong to each version of `vectorised!`, and have no branches"
+)]
+
 mod chord;
 mod coarse_lead;
 mod cut_cells;
@@ -41,7 +47,8 @@ mod transfer;
 use crate::problem::Problem;
 use crate::{Boundary, FreeHalfSpace, HalfSpace, Method, Real, SolverError};
 use contact_types::Grid;
-use passes::Partial;
+use grid_fft::parallel::prelude::*;
+pub(crate) use passes::Partial;
 use std::ops::ControlFlow;
 
 pub(crate) use chord::Chord;
@@ -49,21 +56,58 @@ pub(crate) use free_chord::FreeChord;
 pub(crate) use polonsky_keer::PolonskyKeer;
 pub(crate) use stanley_kato::StanleyKato;
 
+/// From first pixel, factor, pressure and displacement, and a third field to sums over them.
+pub(crate) trait Finish<T>: Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial {}
+
+impl<T, F: Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial> Finish<T> for F {}
+
+/// What is done with the fields around an application of `K`, in blocks of whole rows while they are
+/// in cache. Each is given the first pixel of the block.
+pub(crate) struct RowWork<'a, T> {
+    /// Ends the pressure, before it is transformed; returns sums over it.
+    pub(crate) prepare: &'a (dyn Fn(usize, &mut [T]) -> Partial + Sync),
+    /// From these sums: by what the displacement is to be multiplied; `None` stops here.
+    pub(crate) factor: &'a mut dyn FnMut(&[Partial]) -> Option<f64>,
+    /// Sees that factor, pressure and displacement, and a third field once the displacement is there.
+    pub(crate) finish: &'a (dyn Finish<T> + Sync),
+    /// Pixels of a block, where the operator has none of its own.
+    pub(crate) pixels: usize,
+}
+
 /// `u = K p` and, where it is diagonal, its inverse.
 pub(crate) trait Compliance<T: Real>: Send {
     /// `displacement = K pressure`.
     fn apply(&mut self, pressure: &[T], displacement: &mut [T]);
-    /// As [`apply`](Self::apply), and adds up what `sums(first pixel, piece)` makes of each finished
-    /// piece of the displacement, in order; `partial` is scratch.
-    fn apply_and_sum(
+    /// As [`apply`](Self::apply), with `work` on the fields on the way, and a third field `gap` for it
+    /// to write to. Returns the sums of `work.finish`, `None` where `work.factor` stopped; `partial`
+    /// then holds what `work.prepare` found.
+    fn apply_around(
         &mut self,
-        pressure: &[T],
+        pressure: &mut [T],
         displacement: &mut [T],
-        sums: &(dyn Fn(usize, &[T]) -> Partial + Sync),
+        gap: &mut [f32],
+        work: RowWork<'_, T>,
         partial: &mut [Partial],
-    ) -> Partial {
+    ) -> Option<Partial> {
+        let size = work.pixels;
+        let blocks = pressure.par_chunks_mut(size).zip(partial.par_iter_mut()).enumerate();
+        blocks.for_each(|(k, (p, partial))| *partial = (work.prepare)(k * size, p));
+        let partial = &mut partial[..pressure.len().div_ceil(size)];
+        let factor = T::of((work.factor)(partial)?);
         self.apply(pressure, displacement);
-        passes::sums(displacement, sums, partial)
+        pressure
+            .par_chunks_mut(size)
+            .zip(displacement.par_chunks_mut(size))
+            .zip(gap.par_chunks_mut(size))
+            .zip(partial.par_iter_mut())
+            .enumerate()
+            .for_each(|(k, (((p, u), gap), partial))| {
+                for u in u.iter_mut() {
+                    *u *= factor;
+                }
+                *partial = (work.finish)(k * size, factor, [p, u], gap);
+            });
+        Some(passes::total(partial))
     }
     /// Replaces `w` by `B w`, where `<w, B w> >= <w, K^-1 w>`; periodic: `B = K^-1` on fields of mean
     /// zero. False, and nothing done, if there is no such `B` that costs one pair.
@@ -76,16 +120,17 @@ impl<T: Real> Compliance<T> for HalfSpace<T> {
     fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
         self.displacement(pressure, displacement);
     }
-    fn apply_and_sum(
+    fn apply_around(
         &mut self,
-        pressure: &[T],
+        pressure: &mut [T],
         displacement: &mut [T],
-        sums: &(dyn Fn(usize, &[T]) -> Partial + Sync),
+        gap: &mut [f32],
+        work: RowWork<'_, T>,
         partial: &mut [Partial],
-    ) -> Partial {
+    ) -> Option<Partial> {
         let partial = &mut partial[..Self::pieces(self.grid().shape())];
-        self.displacement_with(pressure, displacement, sums, partial);
-        passes::total(partial)
+        self.displacement_around(pressure, displacement, gap, work, partial)?;
+        Some(passes::total(partial))
     }
     fn invert(&mut self, field: &mut [T]) -> bool {
         self.press(field).is_ok()

@@ -10,6 +10,7 @@
 //! `B`, the response of the block mean, makes the long waves come out at full strength.
 
 use super::equal_cells::Cells;
+use crate::simd::vectorised;
 use grid_fft::Convolution;
 use grid_fft::parallel::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -108,7 +109,52 @@ impl Stiffness {
     }
 
     /// `y = S x`.
-    pub(crate) fn apply(&mut self, x: &[f32], y: &mut [f32]) {
+    pub(crate) fn apply(&mut self, x: &mut [f32], y: &mut [f32]) {
+        self.fill(x, |_, _| ());
+        self.apply_to_filled(x, y);
+    }
+
+    /// Writes a field x row by row, `write(row, x)`, and takes the means that `S x` needs, while it is
+    /// in cache if the cells cut no rows.
+    pub(crate) fn fill(&mut self, x: &mut [f32], write: impl Fn(usize, &mut [f32]) + Sync + Send) {
+        let nx = self.shape[1];
+        let cx = self.transform.shape()[1];
+        let [along_y, along_x] = &self.cells;
+        let add = |share: f32, x: &[f32], mean: &mut [f32]| {
+            vectorised!(along_x.add_means(share, x, mean));
+        };
+        if let Some(fy) = along_y.whole() {
+            let cells = (TASK / (fy * nx)).max(1);
+            let pieces =
+                x.par_chunks_mut(cells * fy * nx).zip(self.mean.par_chunks_mut(cells * cx));
+            pieces.enumerate().for_each(|(task, (x, mean))| {
+                mean.fill(0.0);
+                for (i, x) in x.chunks_exact_mut(nx).enumerate() {
+                    write(task * cells * fy + i, x);
+                    add(1.0 / fy as f32, x, &mut mean[i / fy * cx..][..cx]);
+                }
+            });
+            return;
+        }
+        let rows = (TASK / nx).max(1);
+        x.par_chunks_mut(rows * nx).enumerate().for_each(|(task, x)| {
+            for (i, x) in x.chunks_exact_mut(nx).enumerate() {
+                write(task * rows + i, x);
+            }
+        });
+        let cells = rows.div_ceil(self.factor[0]);
+        self.mean.par_chunks_mut(cells * cx).enumerate().for_each(|(task, mean)| {
+            mean.fill(0.0);
+            for (j, mean) in mean.chunks_exact_mut(cx).enumerate() {
+                for (i, share) in along_y.pixels(task * cells + j) {
+                    add(share, &x[i * nx..(i + 1) * nx], mean);
+                }
+            }
+        });
+    }
+
+    /// `y = S x` of the x that [`fill`](Self::fill) has written.
+    pub(crate) fn apply_to_filled(&mut self, x: &[f32], y: &mut [f32]) {
         let sy = self.transform.shape()[0] / 2 + 1;
         let symbol = &self.symbol;
         let write = |kx: usize, column: &mut [f32]| {
@@ -118,11 +164,6 @@ impl Stiffness {
             self.transform.apply(x, write, y);
             return;
         }
-        self.average(x);
-        let symbol = &self.symbol;
-        let write = |kx: usize, column: &mut [f32]| {
-            column.copy_from_slice(&symbol[kx * sy..(kx + 1) * sy]);
-        };
         self.transform.apply(&self.mean, write, &mut self.smooth);
         self.stencil_and_smooth(x, y);
     }
@@ -138,64 +179,91 @@ impl Stiffness {
         }
     }
 
-    /// Means over the coarse cells.
-    fn average(&mut self, x: &[f32]) {
-        let ([_, nx], [fy, _]) = (self.shape, self.factor);
-        let cx = self.transform.shape()[1];
-        let [along_y, along_x] = &self.cells;
-        let rows = (TASK / (fy * nx)).max(1);
-        self.mean.par_chunks_mut(rows * cx).enumerate().for_each(|(task, mean)| {
-            for (r, mean) in mean.chunks_exact_mut(cx).enumerate() {
-                mean.fill(0.0);
-                for (i, share) in along_y.pixels(task * rows + r) {
-                    along_x.add_means(share, &x[i * nx..(i + 1) * nx], mean);
+    /// `y = stencil * x + replicate(smooth)`.
+    fn stencil_and_smooth(&self, x: &[f32], y: &mut [f32]) {
+        let nx = self.shape[1];
+        let rows = (TASK / nx).max(1);
+        y.par_chunks_mut(rows * nx).enumerate().for_each(|(task, y)| {
+            let mut lines = Lines::default();
+            vectorised!({
+                for (r, y) in y.chunks_exact_mut(nx).enumerate() {
+                    self.stencil_and_smooth_row(task * rows + r, x, y, &mut lines);
                 }
-            }
+            });
         });
     }
 
-    /// `y = stencil * x + replicate(smooth)`.
-    fn stencil_and_smooth(&self, x: &[f32], y: &mut [f32]) {
+    /// Row `i` of it.
+    #[inline(always)]
+    fn stencil_and_smooth_row(&self, i: usize, x: &[f32], y: &mut [f32], lines: &mut Lines) {
         let ([ny, nx], [ry, rx]) = (self.shape, self.radius);
         let cx = self.transform.shape()[1];
         let [along_y, along_x] = &self.cells;
         let row = |i: usize| &x[i * nx..(i + 1) * nx];
-        let rows = (TASK / nx).max(1);
-        y.par_chunks_mut(rows * nx).enumerate().for_each(|(task, y)| {
-            let mut line = [0.0_f32; TILE + 2 * MAX_RADIUS];
-            for (r, y) in y.chunks_exact_mut(nx).enumerate() {
-                let i = task * rows + r;
-                y.fill(0.0);
-                for (j, share) in along_y.cells_of(i) {
-                    along_x.replicate(share, &self.smooth[j * cx..(j + 1) * cx], y);
+        y.fill(0.0);
+        for (j, share) in along_y.cells_of(i) {
+            along_x.replicate(share, &self.smooth[j * cx..(j + 1) * cx], y);
+        }
+        for (t, y) in y.chunks_mut(TILE).enumerate() {
+            let (first, width) = (t * TILE, y.len());
+            for dy in 0..=ry {
+                let (above, below) = (row((i + ny - dy) % ny), row((i + dy) % ny));
+                let factor = if dy == 0 { 0.5 } else { 1.0 }; // the row itself comes twice
+                let line = &mut lines.0[dy][..width + 2 * rx];
+                let inner = line[rx..rx + width].iter_mut();
+                for ((l, a), b) in inner.zip(&above[first..][..width]).zip(&below[first..][..width])
+                {
+                    *l = factor * (a + b);
                 }
-                for dy in 0..=ry {
-                    let (above, below) = (row((i + ny - dy) % ny), row((i + dy) % ny));
-                    let factor = if dy == 0 { 0.5 } else { 1.0 }; // the row itself comes twice
-                    for (t, y) in y.chunks_mut(TILE).enumerate() {
-                        let (first, width) = (t * TILE, y.len());
-                        let line = &mut line[..width + 2 * rx];
-                        let inner = line[rx..rx + width].iter_mut();
-                        for ((l, a), b) in
-                            inner.zip(&above[first..][..width]).zip(&below[first..][..width])
-                        {
-                            *l = factor * (a + b);
-                        }
-                        for d in 1..=rx {
-                            let left = (first + nx * rx - d) % nx;
-                            line[rx - d] = factor * (above[left] + below[left]);
-                            let right = (first + width - 1 + d) % nx;
-                            line[rx + width - 1 + d] = factor * (above[right] + below[right]);
-                        }
-                        add_stencil_row(&self.taps[dy], rx, line, y);
-                    }
+                for d in 1..=rx {
+                    let left = (first + nx * rx - d) % nx;
+                    line[rx - d] = factor * (above[left] + below[left]);
+                    let right = (first + width - 1 + d) % nx;
+                    line[rx + width - 1 + d] = factor * (above[right] + below[right]);
                 }
             }
-        });
+            if [ry, rx] == [2, 2] {
+                add_square_stencil(&self.taps, lines, y);
+                continue;
+            }
+            for (taps, line) in self.taps.iter().zip(&lines.0).take(ry + 1) {
+                add_stencil_row(taps, rx, line, y);
+            }
+        }
+    }
+}
+
+/// Sums of the two rows at the same distance, a tile of columns and what the stencil reaches beyond.
+struct Lines([[f32; TILE + 2 * MAX_RADIUS]; MAX_RADIUS + 1]);
+
+impl Default for Lines {
+    fn default() -> Self {
+        Self([[0.0; TILE + 2 * MAX_RADIUS]; MAX_RADIUS + 1])
+    }
+}
+
+/// Adds a stencil of 5 x 5 nodes.
+#[inline(always)]
+fn add_square_stencil(
+    taps: &[[f32; MAX_RADIUS + 1]; MAX_RADIUS + 1],
+    lines: &Lines,
+    y: &mut [f32],
+) {
+    let n = y.len();
+    let [near, next, far] = lines.0.each_ref().map(|line| {
+        let shifted = |d: usize| &line[d..d + n];
+        [shifted(0), shifted(1), shifted(2), shifted(3), shifted(4)]
+    });
+    let sum = |t: &[f32; 3], [ll, l, c, r, rr]: [&[f32]; 5], i: usize| {
+        t[0] * c[i] + t[1] * (l[i] + r[i]) + t[2] * (ll[i] + rr[i])
+    };
+    for i in 0..n {
+        y[i] = ((y[i] + sum(&taps[0], near, i)) + sum(&taps[1], next, i)) + sum(&taps[2], far, i);
     }
 }
 
 /// Adds one row of the stencil: `y(i) += taps(0) line(i) + sum taps(d) (line(i-d) + line(i+d))`.
+#[inline(always)]
 fn add_stencil_row(taps: &[f32; MAX_RADIUS + 1], radius: usize, line: &[f32], y: &mut [f32]) {
     let n = y.len();
     let shifted = |d: usize| &line[d..d + n];
@@ -293,7 +361,7 @@ mod tests {
                 if 8 * k[0] > ny || k == [0, 0] {
                     continue;
                 }
-                let x: Vec<f32> = (0..ny * nx)
+                let mut x: Vec<f32> = (0..ny * nx)
                     .map(|i| {
                         let y = (k[0] * (i / nx)) as f64 / ny as f64;
                         let x = (k[1] * (i % nx)) as f64 / nx as f64;
@@ -301,7 +369,7 @@ mod tests {
                     })
                     .collect();
                 let mut y = vec![0.0; x.len()];
-                s.apply(&x, &mut y);
+                s.apply(&mut x, &mut y);
                 let expected = half_wavenumber(k, shape, pixel);
                 let dot: f64 = x.iter().zip(&y).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum();
                 let found = 2.0 * dot / (ny * nx) as f64;
@@ -320,7 +388,7 @@ mod tests {
             for pixel in [[1.0, 1.0], [1.0, 2.0], [4.0, 1.0]] {
                 let mut s = Stiffness::new(shape, pixel);
                 let mut y = vec![f32::NAN; shape[0] * shape[1]];
-                s.apply(&vec![1.0; y.len()], &mut y);
+                s.apply(&mut vec![1.0; y.len()], &mut y);
                 assert!(y.iter().all(|y| y.abs() < 1e-5), "{shape:?} {pixel:?}");
             }
         }

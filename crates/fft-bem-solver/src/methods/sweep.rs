@@ -189,16 +189,11 @@ impl Sweep {
                     let first = iy * nx + ix;
                     let (m, p) = (&mask[first..][..line.len()], &trial[first..][..line.len()]);
                     let above = &added[parent * mx..][..mx];
-                    for (k, block) in m.chunks(16).enumerate() {
-                        if block.contains(&mark) {
-                            for (i, _) in block.iter().enumerate().filter(|b| *b.1 == mark) {
-                                let i = 16 * k + i;
-                                let column = if t.halved[1] { (ix + i) >> 1 } else { ix + i };
-                                let load = p[i].wide() as f32 + (above[column] + shift);
-                                line[i] += factor * load;
-                            }
-                        }
-                    }
+                    for_each_marked(m, mark, |i| {
+                        let column = if t.halved[1] { (ix + i) >> 1 } else { ix + i };
+                        let load = p[i].wide() as f32 + (above[column] + shift);
+                        line[i] += factor * load;
+                    });
                 });
             }
         });
@@ -212,6 +207,18 @@ impl Sweep {
                 }
             },
         );
+    }
+}
+
+/// Calls `found` with every node that bears the mark, most of which do not.
+fn for_each_marked(nodes: &[u8], mark: u8, mut found: impl FnMut(usize)) {
+    for (k, block) in nodes.chunks(16).enumerate() {
+        // Without a way out in between, a block is looked at in one go.
+        if block.iter().fold(false, |any, m| any | (*m == mark)) {
+            for (i, _) in block.iter().enumerate().filter(|node| *node.1 == mark) {
+                found(16 * k + i);
+            }
+        }
     }
 }
 

@@ -74,6 +74,7 @@ impl Transfer {
 
     /// One row of `down(w)` and of `down(w v)`. `w` and `v` are the two rows of
     /// [`children`](Self::children); where the second is missing, the result is to be halved.
+    #[inline(always)]
     pub(crate) fn down_row<W: Weight>(
         &self,
         w: [&[W]; 2],
@@ -108,6 +109,7 @@ impl Transfer {
     }
 
     /// One row of `down(w)`, likewise.
+    #[inline(always)]
     pub(crate) fn down_weight_row(&self, w: [&[f32]; 2], mass: &mut [f32]) {
         let cell = |i: usize| 0.5 * (w[0][i] + w[1][i]);
         if !self.halved[1] {
@@ -127,6 +129,7 @@ impl Transfer {
     }
 
     /// Fine row `i` of `up(coarse)`, handed over in pieces: `piece(first column, values)`.
+    #[inline(always)]
     pub(crate) fn up_row(&self, i: usize, coarse: &[f32], mut piece: impl FnMut(usize, &[f32])) {
         let [my, mx] = self.coarse;
         let row = |j: usize| &coarse[j * mx..(j + 1) * mx];
@@ -172,6 +175,7 @@ impl Transfer {
 
     /// Row `j` of the transpose of `up`. `add(iy, factor, first column, line)` must add `factor`
     /// times the fine values from that column on to the line.
+    #[inline(always)]
     pub(crate) fn up_transposed_row(
         &self,
         j: usize,
@@ -294,6 +298,7 @@ impl Transfer {
     }
 
     /// Adds the transpose of `down` to part of fine row `i`, from the even column `ix` on.
+    #[inline(always)]
     pub(crate) fn add_down_transposed(
         &self,
         i: usize,
@@ -308,6 +313,7 @@ impl Transfer {
     }
 
     /// Adds a row of the transpose of `down`, from the coarse row above, to a fine row.
+    #[inline(always)]
     pub(crate) fn add_down_transposed_row(&self, coarse_row: &[f32], fine: &mut [f32]) {
         let share = self.node_share();
         if !self.halved[1] {

@@ -11,6 +11,15 @@ pub(crate) enum Kind {
     FaceCg,
 }
 
+/// What is known of an iterate before it is looked at.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Known {
+    /// Mean of `u - h` in contact.
+    pub(crate) level: Option<f64>,
+    /// The level from which the gap is counted, if the residual field holds it.
+    pub(crate) gap_from: Option<f64>,
+}
+
 /// What a step needs to know of the ones before.
 pub(super) struct Memory {
     /// Length of the next preconditioned step and of the next gradient step.
@@ -21,8 +30,8 @@ pub(super) struct Memory {
     /// Whether `before` holds the iterate before this one, and `<d, K d>` of the step from it.
     pub(super) has_before: bool,
     pub(super) dkd: f64,
-    /// Sum over the contact of `u - h` and the number of its nodes, if known.
-    pub(super) sums: Option<[f64; 2]>,
+    /// What the step to the iterate found out about it.
+    pub(super) known: Known,
     /// Smallest estimate that was a halving, and the iterations since.
     pub(super) best: f64,
     pub(super) since: usize,

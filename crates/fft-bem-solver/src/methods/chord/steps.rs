@@ -1,19 +1,21 @@
 //! The parts of a chord iteration, in the order in which the loop calls them.
 
+use super::memory::Known;
 use super::{Chord, FULL, Kind, Memory, TAU};
 use crate::methods::level_control::LevelControl;
-use crate::methods::passes::{self, Estimate, Products};
-use crate::methods::{Compliance, State, sweep};
-use crate::{Real, fields, projection};
+use crate::methods::passes::{self, Estimate, Gap, Partial, Products};
+use crate::methods::{Compliance, RowWork, State, sweep};
+use crate::{HalfSpace, Real, fields, projection};
+use grid_fft::parallel::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
 impl<T: Real> Chord<T> {
     /// The residual gap g of the state, or of the lead, its contact set F, and `E g`. Returns the
-    /// level, the mean of `u - h` in contact; `sums` if it is known already.
+    /// level, the mean of `u - h` in contact, as well; `known` says what is known of it.
     pub(crate) fn look(
         &mut self,
         h: &[T],
-        sums: Option<[f64; 2]>,
+        known: Known,
         release: f64,
         is_lead: bool,
         state: &State<T>,
@@ -23,9 +25,9 @@ impl<T: Real> Chord<T> {
         } else {
             (&state.pressure[..], &state.displacement[..])
         };
-        let [sum, contact] = sums.unwrap_or_else(|| passes::level_sums(p, u, h, &mut self.partial));
-        let level = sum / contact.max(1.0);
-        (level, self.contact_set(h, level, release, is_lead, false, state))
+        let level = known.level.unwrap_or_else(|| passes::level(p, u, h, &mut self.partial));
+        let excess = known.gap_from.map(|from| level - from);
+        (level, self.contact_set(h, level, excess, release, is_lead, false, state))
     }
 
     /// Looks again, a step ahead: `E g` is what the step will take from the gap, in contact and
@@ -39,14 +41,17 @@ impl<T: Real> Chord<T> {
         is_lead: bool,
         state: &State<T>,
     ) -> passes::Residual {
-        self.contact_set(h, level, release, is_lead, true, state)
+        self.contact_set(h, level, None, release, is_lead, true, state)
     }
 
-    /// F, the residual on it and `E g`; with `is_ahead`, F grows by what the last `E g` closes.
+    /// F, the residual on it and `E g`; with `is_ahead`, F grows by what the last `E g` closes. With
+    /// `excess`, the residual field holds the gap but for that.
+    #[allow(clippy::too_many_arguments, reason = "what is known differs between its callers")]
     fn contact_set(
         &mut self,
         h: &[T],
         level: f64,
+        excess: Option<f64>,
         release: f64,
         is_lead: bool,
         is_ahead: bool,
@@ -60,9 +65,13 @@ impl<T: Real> Chord<T> {
             let extended = room(&mut self.response, &mut [], false);
             (&state.pressure[..], &state.displacement[..], extended)
         };
+        let gap = match excess {
+            Some(excess) => Gap::Known { excess },
+            None => Gap::Of { u, h, level },
+        };
         let found = passes::residual(
-            [p, u, h],
-            level,
+            p,
+            gap,
             release,
             is_ahead.then_some(&*extended),
             size,
@@ -73,7 +82,8 @@ impl<T: Real> Chord<T> {
         );
         self.pyramid.extend_above();
         let extended = room(&mut self.response, &mut self.before_response, is_lead);
-        passes::push(&self.mask, &self.residual, &self.pyramid, size, extended);
+        let (pyramid, stiffness) = (&self.pyramid, &mut self.stiffness);
+        passes::push(&self.mask, &self.residual, pyramid, size[1], stiffness, extended);
         found
     }
 
@@ -116,7 +126,7 @@ impl<T: Real> Chord<T> {
     /// finest grid, which [`make_trial`](Self::make_trial) does.
     pub(crate) fn precondition(&mut self, is_lead: bool) {
         let extended = room(&mut self.response, &mut self.before_response, is_lead);
-        self.stiffness.apply(extended, &mut self.residual);
+        self.stiffness.apply_to_filled(extended, &mut self.residual);
         passes::gather(&self.mask, &self.residual, &mut self.pyramid);
         self.pyramid.restrict_above();
     }
@@ -151,31 +161,40 @@ impl<T: Real> Chord<T> {
         if estimate.residual < 0.01 * softest { stiffest } else { estimate.residual }
     }
 
-    /// Sweeps and clips the trial. Returns the factor that gives it the load: the trial is that many
-    /// times the field. `None` if nothing is left of it.
-    pub(crate) fn sweep_trial(&mut self, found: &passes::Residual, load: f64) -> Option<f64> {
-        let total = load * self.trial.len() as f64;
+    /// Sweeps the trial. What it then carries is what [`end_trial`](passes::end_trial) makes of it.
+    pub(crate) fn sweep_trial(&mut self, found: &passes::Residual, load: f64) {
         self.sweep.run(
             &mut self.pyramid,
             &self.trial,
             &mut self.mask,
             found.active,
             found.has_released,
-            total,
+            load * self.trial.len() as f64,
         );
-        let sum = passes::finish_trial(
-            &self.mask,
-            &self.sweep,
-            &self.pyramid,
-            [self.rows, self.shape[1]],
-            &mut self.trial,
-            &mut self.partial,
+    }
+
+    /// Clips the swept trial. Returns the factor that gives it the load; `None` if nothing is left.
+    pub(crate) fn end_trial(&mut self, load: f64) -> Option<f64> {
+        let nx = self.shape[1];
+        let size = self.rows * nx;
+        let (sweep, pyramid) = (&self.sweep, &self.pyramid);
+        let pieces = self.trial.par_chunks_mut(size).zip(self.mask.par_chunks(size));
+        pieces.zip(self.partial.par_iter_mut()).enumerate().for_each(
+            |(k, ((q, mask), partial))| {
+                *partial = passes::end_trial(k * self.rows, mask, sweep, pyramid, nx, q);
+            },
         );
+        let [sum] = passes::total(&self.partial[..self.trial.len().div_ceil(size)]);
+        self.give_load(sum, load)
+    }
+
+    /// The factor that gives the clipped trial the load, if `sum` is what it carries.
+    fn give_load(&mut self, sum: f64, load: f64) -> Option<f64> {
+        let total = load * self.trial.len() as f64;
         if sum <= 0.0 || !sum.is_finite() {
             return None;
         }
-        if sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total {
-            // Much was clipped: the contact is far from settled, and small loads do not belong.
+        if is_rough(sum, total) {
             projection::onto_admissible(&mut self.trial, load);
             return Some(1.0);
         }
@@ -198,33 +217,65 @@ impl<T: Real> Chord<T> {
         projection::onto_admissible(&mut self.trial, load);
     }
 
-    /// `K trial`, the one pair, and the inner products along the chord to `scale` times the trial.
+    /// Gives the trial the load and computes `K trial`, the one pair. Returns the inner products
+    /// along the chord to it; `None` if nothing is left of the trial. `levels` are that of the state
+    /// and the one from which the gap of the trial is to be counted.
+    #[allow(clippy::too_many_arguments, reason = "the operator and what belongs to one step")]
     pub(super) fn respond(
         &mut self,
         operator: &mut dyn Compliance<T>,
-        scale: f64,
+        trial: Trial,
+        load: f64,
         h: &[T],
-        level: f64,
+        levels: [f64; 2],
         now: &Memory,
         state: &State<T>,
-    ) -> Products {
-        let (p, u, q) = (&state.pressure[..], &state.displacement[..], &self.trial[..]);
-        let before = if now.has_before { &self.before[..] } else { p }; // without one, d = 0
-        let sums = |from: usize, v: &[T]| {
-            let piece = from..from + v.len();
-            let [p, u, h, q, b] = [p, u, h, q, before].map(|x| &x[piece.clone()]);
-            passes::inner_products([p, u, h], level, [q, v], scale, b)
+    ) -> Option<Products> {
+        let nx = self.shape[1];
+        let total = load * self.trial.len() as f64;
+        let (mask, sweep, pyramid) = (&self.mask, &self.sweep, &self.pyramid);
+        let prepare = |first: usize, q: &mut [T]| match trial {
+            Trial::Ended(_) => Partial::default(),
+            Trial::Swept => {
+                let mask = &mask[first..][..q.len()];
+                passes::end_trial(first / nx, mask, sweep, pyramid, nx, q)
+            }
         };
-        let sums = operator.apply_and_sum(q, &mut self.response, &sums, &mut self.partial);
-        Products::new(sums, if now.has_before { now.dkd } else { 0.0 })
+        let mut sum = 0.0;
+        let mut factor = |sums: &[Partial]| {
+            [sum] = passes::total(sums);
+            match trial {
+                Trial::Ended(scale) => Some(scale),
+                Trial::Swept => Some(total / sum).filter(|_| sum > 0.0 && !is_rough(sum, total)),
+            }
+        };
+        let (p, u) = (&state.pressure[..], &state.displacement[..]);
+        let before = if now.has_before { &self.before[..] } else { p }; // without one, d = 0
+        let finish = |first: usize, scale: T, qv: [&mut [T]; 2], gap: &mut [f32]| {
+            let [p, u, h, b] = [p, u, h, before].map(|x| &x[first..][..gap.len()]);
+            passes::inner_products([p, u, h], levels, qv, scale, b, gap)
+        };
+        let work = RowWork {
+            prepare: &prepare,
+            factor: &mut factor,
+            finish: &finish,
+            pixels: HalfSpace::<T>::BLOCK_ROWS * nx,
+        };
+        let (q, v, gap) = (&mut self.trial, &mut self.response, &mut self.residual);
+        if let Some(sums) = operator.apply_around(q, v, gap, work, &mut self.partial) {
+            return Some(Products::new(sums, if now.has_before { now.dkd } else { 0.0 }));
+        }
+        let scale = self.give_load(sum, load)?;
+        self.respond(operator, Trial::Ended(scale), load, h, levels, now, state)
     }
 
-    /// Goes along the chord, or to the minimum over the chord and the step before.
+    /// Goes along the chord, or to the minimum over the chord and the step before. `from` is the level
+    /// from which the gap of the trial is counted.
     pub(super) fn advance(
         &mut self,
         kind: Kind,
         k: &Products,
-        scale: f64,
+        from: f64,
         now: &mut Memory,
         h: &[T],
         state: &mut State<T>,
@@ -233,7 +284,8 @@ impl<T: Real> Chord<T> {
         if kind == Kind::Chord {
             now.a = if theta < FULL { theta } else { 1.0 };
             if theta > 1.0 && !k.has_dropped {
-                now.a = theta.min(passes::reach(&state.pressure, &self.trial, scale).max(1.0));
+                now.a = theta
+                    .min(passes::reach(&state.pressure, &self.trial, &mut self.partial).max(1.0));
             }
             now.tau = (now.tau * theta.clamp(0.7, 1.4)).clamp(TAU[0], TAU[1]);
         } else {
@@ -245,41 +297,39 @@ impl<T: Real> Chord<T> {
         // A node that the trial drops would keep a part of its load: then only the chord will do.
         let is_searchable = now.has_before && kind == Kind::Chord && !k.has_dropped;
         let plane = k.plane_minimum().filter(|_| is_searchable);
-        let step = plane.and_then(|b| Some((b, self.combine(scale, b, true, h, state)?)));
-        let (b, sums) = if let Some((b, sums)) = step {
+        let step = plane.and_then(|b| Some((b, self.combine(b, true, h, state)?)));
+        let b = if let Some((b, level)) = step {
             now.a = 1.0;
-            (b, Some(sums))
+            now.known = Known { level: Some(level), gap_from: None };
+            b
         } else if (now.a - 1.0).abs() < f64::EPSILON {
-            let fields = [&mut self.trial[..], &mut self.response[..]];
-            let sums = passes::settle(fields, scale, h, &mut self.partial);
             std::mem::swap(&mut self.before, &mut self.trial);
             std::mem::swap(&mut self.before_response, &mut self.response);
-            ([1.0, 0.0], Some(sums))
+            now.known = Known { level: Some(k.level), gap_from: Some(from) };
+            [1.0, 0.0]
         } else {
             let b = [now.a, 0.0];
-            (b, self.combine(scale, b, false, h, state))
+            now.known = Known { level: self.combine(b, false, h, state), gap_from: None };
+            b
         };
         // `before` holds the new iterate: exchange it with the old one.
         std::mem::swap(&mut state.pressure, &mut self.before);
         std::mem::swap(&mut state.displacement, &mut self.before_response);
         now.has_before = true;
         now.dkd = k.curvature(b);
-        now.sums = sums;
     }
 
     /// `before = p + b1 s + b2 d`, see [`passes::combine`].
     pub(super) fn combine(
         &mut self,
-        scale: f64,
         b: [f64; 2],
         must_fit: bool,
         h: &[T],
         state: &State<T>,
-    ) -> Option<[f64; 2]> {
+    ) -> Option<f64> {
         passes::combine(
             [&state.pressure, &state.displacement],
             [&self.trial, &self.response],
-            scale,
             b,
             must_fit,
             h,
@@ -287,6 +337,21 @@ impl<T: Real> Chord<T> {
             &mut self.partial,
         )
     }
+}
+
+/// How far a trial is made.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Trial {
+    /// Swept, and what was swept is still to be added.
+    Swept,
+    /// Nowhere negative; this many times it carries the load.
+    Ended(f64),
+}
+
+/// Whether much was clipped, if `sum` is left of a trial that should carry `total`: the contact is
+/// far from settled, and small loads do not belong.
+fn is_rough(sum: f64, total: f64) -> bool {
+    sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total
 }
 
 /// Room for a field in single precision until the displacement of the trial is computed: its place,

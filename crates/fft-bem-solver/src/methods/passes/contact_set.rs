@@ -1,23 +1,35 @@
 //! Level of the flat, contact set and residual of an iterate.
 
 use super::step::contact_sums;
+use super::sums::{Largest, Sum, TILE};
 use super::{Partial, TASK, total};
 use crate::Real;
 use crate::methods::extension::{Pyramid, Rows, pull_rows};
 use crate::methods::sweep::RELEASED;
 use crate::methods::transfer::ON;
+use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
-/// Sum over the contact (`p > 0`) of `u - h`, and its number of nodes.
-pub(crate) fn level_sums<T: Real>(p: &[T], u: &[T], h: &[T], partial: &mut [Partial]) -> [f64; 2] {
+/// The level of the flat under a pressure: the mean of `u - h` over its contact, `p > 0`.
+pub(crate) fn level<T: Real>(p: &[T], u: &[T], h: &[T], partial: &mut [Partial]) -> f64 {
     let used = p.len().div_ceil(TASK);
     partial[..used]
         .par_iter_mut()
         .zip(p.par_chunks(TASK))
         .zip(u.par_chunks(TASK))
         .zip(h.par_chunks(TASK))
-        .for_each(|(((partial, p), u), h)| *partial = contact_sums(p, u, h));
-    total(&partial[..used])
+        .for_each(|(((partial, p), u), h)| *partial = vectorised!(contact_sums(p, u, h)));
+    let [sum, contact] = total(&partial[..used]);
+    sum / contact.max(1.0)
+}
+
+/// Where the gap comes from.
+#[derive(Clone, Copy)]
+pub(crate) enum Gap<'a, T> {
+    /// It is `u - h - level`.
+    Of { u: &'a [T], h: &'a [T], level: f64 },
+    /// The residual field holds it, but for this constant to be taken off.
+    Known { excess: f64 },
 }
 
 /// What the residual pass found.
@@ -28,13 +40,13 @@ pub(crate) struct Residual {
     pub(crate) has_released: bool,
 }
 
-/// The set `F = {p > release max(g, 0)} or {g < 0}`, the residual `g = u - h - level` on it, and
-/// the first level of the pyramid over it. With `closing`, how much the next step will lower the gap
-/// where it is not in contact yet, nodes that it would make overlap, `g <= closing`, belong to F.
+/// The set `F = {p > release max(g, 0)} or {g < 0}`, the residual g on it, and the first level of the
+/// pyramid over it. With `closing`, how much the next step will lower the gap where it is not in
+/// contact yet, nodes that it would make overlap, `g <= closing`, belong to F.
 #[allow(clippy::too_many_arguments, reason = "a pass over nine fields")]
 pub(crate) fn residual<T: Real>(
-    [p, u, h]: [&[T]; 3],
-    level: f64,
+    p: &[T],
+    gap: Gap<'_, T>,
     release: f64,
     closing: Option<&[f32]>,
     [rows, nx]: [usize; 2],
@@ -43,42 +55,17 @@ pub(crate) fn residual<T: Real>(
     pyramid: &mut Pyramid,
     partial: &mut [Partial],
 ) -> Residual {
-    let (level, release) = (T::of(level), T::of(release));
-    let piece = |task: usize, p: &[T], u: &[T], h: &[T], mask: &mut [u8], r: &mut [f32]| {
-        let closing = closing.map(|e| &e[task * rows * nx..][..p.len()]);
-        let (mut active, mut released) = (0_u32, 0_u32);
-        for (i, ((((p, u), h), m), r)) in p.iter().zip(u).zip(h).zip(mask).zip(r).enumerate() {
-            let g = *u - *h - level;
-            let mut on = (*p > release * g.larger(T::zero())) | (g < T::zero());
-            if let Some(closing) = closing {
-                on |= g.narrow() <= closing[i];
-            }
-            let carries = *p > T::zero();
-            *m = if on {
-                ON
-            } else if carries {
-                RELEASED
-            } else {
-                0
-            };
-            *r = if on { g.narrow() } else { 0.0 };
-            active += u32::from(on);
-            released += u32::from(carries && !on);
-        }
-        [f64::from(active), f64::from(released), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    };
     let chunk = rows * nx;
     let used = p.len().div_ceil(chunk);
+    let classify = Classify { gap, release: T::of(release), closing, nx };
     let fields = partial[..used]
         .par_iter_mut()
         .zip(p.par_chunks(chunk))
-        .zip(u.par_chunks(chunk))
-        .zip(h.par_chunks(chunk))
         .zip(mask.par_chunks_mut(chunk))
         .zip(residual.par_chunks_mut(chunk));
     match pyramid.levels.first_mut() {
-        None => fields.enumerate().for_each(|(task, (((((partial, p), u), h), m), r))| {
-            *partial = piece(task, p, u, h, m, r);
+        None => fields.enumerate().for_each(|(task, (((partial, p), m), r))| {
+            *partial = vectorised!(classify.rows(task * chunk, p, m, r));
         }),
         Some(first) => {
             let (t, capacity) = (first.transfer, first.capacity);
@@ -88,16 +75,72 @@ pub(crate) fn residual<T: Real>(
                 .zip(first.inverse.par_chunks_mut(coarse))
                 .zip(first.value.par_chunks_mut(coarse))
                 .enumerate()
-                .for_each(
-                    |(task, ((((((((partial, p), u), h), m), r), weight), inverse), value))| {
-                        *partial = piece(task, p, u, h, m, r);
+                .for_each(|(task, ((((((partial, p), m), r), weight), inverse), value))| {
+                    vectorised!({
+                        *partial = classify.rows(task * chunk, p, m, r);
                         pull_rows(&t, capacity, m, r, Rows { weight, inverse, value });
-                    },
-                );
+                    });
+                });
         }
     }
     let [active, released] = total(&partial[..used]);
     Residual { active: active as usize, has_released: released > 0.0 }
+}
+
+/// What decides whether a node belongs to F.
+#[derive(Clone, Copy)]
+struct Classify<'a, T> {
+    gap: Gap<'a, T>,
+    release: T,
+    closing: Option<&'a [f32]>,
+    nx: usize,
+}
+
+impl<T: Real> Classify<'_, T> {
+    /// Marks the nodes of some rows from pixel `first` on and leaves the gap on those of F. Returns
+    /// how many these are, and how many carry load but do not belong.
+    #[inline(always)]
+    fn rows(&self, first: usize, p: &[T], mask: &mut [u8], gap: &mut [f32]) -> Partial {
+        let nx = self.nx;
+        let lines = p.chunks_exact(nx).zip(mask.chunks_exact_mut(nx)).zip(gap.chunks_exact_mut(nx));
+        let (mut active, mut released) = (0, 0);
+        for (i, ((p, mask), g)) in lines.enumerate() {
+            let first = first + i * nx;
+            match self.gap {
+                Gap::Of { u, h, level } => {
+                    gap_row(&u[first..][..nx], &h[first..][..nx], T::of(level), g);
+                }
+                Gap::Known { excess } => g.iter_mut().for_each(|g| *g -= excess as f32),
+            }
+            for ((m, p), g) in mask.iter_mut().zip(p).zip(&*g) {
+                let carries = *p > self.release * T::of(f64::from(g.max(0.0)));
+                *m = u8::from(carries | (*g < 0.0));
+            }
+            if let Some(closing) = self.closing {
+                for ((m, e), g) in mask.iter_mut().zip(&closing[first..]).zip(&*g) {
+                    *m |= u8::from(g <= e);
+                }
+            }
+            for (g, m) in g.iter_mut().zip(&*mask) {
+                *g = if *m == ON { *g } else { 0.0 };
+            }
+            active += mask.iter().map(|m| u32::from(*m)).sum::<u32>();
+            for (m, p) in mask.iter_mut().zip(p) {
+                let off = (*p > T::zero()) & (*m != ON);
+                *m |= RELEASED * u8::from(off);
+            }
+            released += mask.iter().map(|m| u32::from(*m == RELEASED)).sum::<u32>();
+        }
+        [f64::from(active), f64::from(released), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    }
+}
+
+/// `g = u - h - level`.
+#[inline(always)]
+fn gap_row<T: Real>(u: &[T], h: &[T], level: T, gap: &mut [f32]) {
+    for ((g, u), h) in gap.iter_mut().zip(u).zip(h) {
+        *g = (*u - *h - level).narrow();
+    }
 }
 
 /// `|g|^2` on F.
@@ -109,9 +152,17 @@ pub(crate) fn residual_norm2<T: Real>(
 ) -> f64 {
     let level = T::of(level);
     let square = |from: usize, u: &[T]| -> Partial {
-        let fields = u.iter().zip(&h[from..]).zip(&mask[from..]);
-        let g = fields.map(|((u, h), m)| if *m == ON { (*u - *h - level).wide() } else { 0.0 });
-        [g.map(|g| g * g).sum(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+        let (mut sum, mut gap) = (Sum::default(), [0.0; TILE]);
+        vectorised!({
+            let tiles = u.chunks(TILE).zip(h[from..].chunks(TILE)).zip(mask[from..].chunks(TILE));
+            for ((u, h), m) in tiles {
+                for (((g, u), h), m) in gap.iter_mut().zip(u).zip(h).zip(m) {
+                    *g = f64::from(u8::from(*m == ON)) * (*u - *h - level).wide();
+                }
+                sum.add_product(&gap[..u.len()], &gap[..u.len()]);
+            }
+        });
+        [sum.total(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     };
     super::sums(u, &square, partial)[0]
 }
@@ -131,15 +182,24 @@ pub(crate) fn is_rounding<T: Real>(
         .zip(h.par_chunks(TASK))
         .zip(mask.par_chunks(TASK))
         .for_each(|(((partial, u), h), m)| {
-            let mut largest = [0.0_f64; 3];
-            for ((u, h), m) in u.iter().zip(h).zip(m) {
-                largest[1] = largest[1].max(u.wide().abs());
-                if *m == ON {
-                    largest[0] = largest[0].max((*u - *h - level).wide().abs());
-                    largest[2] = largest[2].max(h.wide().abs());
+            let (mut largest, mut room) = ([Largest::default(); 3], [[0.0; TILE]; 3]);
+            vectorised!({
+                let tiles = u.chunks(TILE).zip(h.chunks(TILE)).zip(m.chunks(TILE));
+                for ((u, h), m) in tiles {
+                    let n = u.len().min(TILE);
+                    let [gap, rise, height] = room.each_mut().map(|x| &mut x[..n]);
+                    for i in 0..n {
+                        let on = f64::from(u8::from(m[i] == ON));
+                        gap[i] = on * (u[i] - h[i] - level).wide().abs();
+                        rise[i] = u[i].wide().abs();
+                        height[i] = on * h[i].wide().abs();
+                    }
+                    largest[0].take(gap);
+                    largest[1].take(rise);
+                    largest[2].take(height);
                 }
-            }
-            partial[..3].copy_from_slice(&largest);
+            });
+            partial[..3].copy_from_slice(&largest.map(Largest::total));
         });
     let largest = |k: usize| partial[..used].iter().fold(0.0_f64, |m, x| m.max(x[k]));
     largest(0) <= 2.0 * T::EPSILON * (largest(1) + largest(2))

@@ -1,12 +1,12 @@
 //! What the search along the chord, and over the plane of the chord and the step before, needs.
 
-use super::Partial;
-use crate::{Real, fields};
+use super::sums::{Largest, Sum, TILE};
+use super::{Partial, TASK};
+use crate::Real;
+use crate::simd::vectorised;
+use grid_fft::parallel::prelude::*;
 
-/// Independent partial sums, so that additions need not wait for one another.
-const LANES: usize = 4;
-
-/// Inner products of the chord `s = c trial - p` and the step before, `d = p - before`.
+/// Inner products of the chord `s = trial - p` and the step before, `d = p - before`.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Products {
     /// `<g, s>`, `<s, K s>`, `<s, s>`.
@@ -19,12 +19,15 @@ pub(crate) struct Products {
     pub(crate) skd: f64,
     /// Whether a node in contact is not in the trial.
     pub(crate) has_dropped: bool,
+    /// Level of the trial: the mean of `K trial - h` in its contact.
+    pub(crate) level: f64,
 }
 
 impl Products {
     /// From what [`inner_products`] summed; `dkd` is known from the step before.
-    pub(crate) fn new([gs, sks, ss, gd, skd, dropped, ..]: Partial, dkd: f64) -> Self {
-        Self { gs, sks, ss, gd, dkd, skd, has_dropped: dropped > 0.0 }
+    pub(crate) fn new([gs, sks, ss, gd, skd, dropped, sum, contact]: Partial, dkd: f64) -> Self {
+        let level = sum / contact.max(1.0);
+        Self { gs, sks, ss, gd, dkd, skd, has_dropped: dropped > 0.0, level }
     }
 
     /// Where the energy is least along the chord.
@@ -46,47 +49,89 @@ impl Products {
     }
 }
 
-/// One piece of the sums of [`Products`]: `<g,s>, <s,Ks>, <s,s>, <g,d>, <d,Ks>` and the number of
-/// nodes dropped. `v` is the displacement of the trial `q`, both before they are multiplied by
-/// `scale`; `b` the pressure before the last step.
+/// Multiplies the trial `q` by `scale`, as its displacement `v` is already; writes its gap, counted
+/// from the level `from`; and returns one piece of the sums of [`Products`]: `<g,s>, <s,Ks>, <s,s>, <g,d>,
+/// <d,Ks>`, the nodes dropped, the sum of `v - h` over the contact of the trial and its nodes. `b`
+/// is the pressure before the last step.
 pub(crate) fn inner_products<T: Real>(
     [p, u, h]: [&[T]; 3],
-    level: f64,
-    [q, v]: [&[T]; 2],
-    scale: f64,
+    levels: [f64; 2],
+    [q, v]: [&mut [T]; 2],
+    scale: T,
     b: &[T],
+    gap: &mut [f32],
 ) -> Partial {
-    let n = p.len();
-    let (level, scale) = (T::of(level), T::of(scale));
-    let (u, h, q, v, b) = (&u[..n], &h[..n], &q[..n], &v[..n], &b[..n]);
-    let mut lanes = [[0.0_f64; LANES]; 6];
-    let mut add = |i: usize, lane: usize| {
-        let g = (u[i] - h[i] - level).wide();
-        let (s, ks) = ((scale * q[i] - p[i]).wide(), (scale * v[i] - u[i]).wide());
-        let d = (p[i] - b[i]).wide();
-        lanes[0][lane] += g * s;
-        lanes[1][lane] += s * ks;
-        lanes[2][lane] += s * s;
-        lanes[3][lane] += g * d;
-        lanes[4][lane] += d * ks;
-        let drops = (p[i] > T::zero()) & (q[i] <= T::zero());
-        lanes[5][lane] += if drops { 1.0 } else { 0.0 };
-    };
-    for i in (0..n - n % LANES).step_by(LANES) {
-        for lane in 0..LANES {
-            add(i + lane, lane);
+    let (mut sums, mut room) = ([Sum::default(); 8], [[0.0; TILE]; 5]);
+    vectorised!({
+        let tiles = q.chunks_mut(TILE).zip(v.chunks(TILE)).zip(gap.chunks_mut(TILE));
+        for (k, ((q, v), gap)) in tiles.enumerate() {
+            let [p, u, h, b] = [p, u, h, b].map(|x| &x[k * TILE..][..q.len()]);
+            for q in &mut *q {
+                *q *= scale;
+            }
+            add_products([p, u, h], levels.map(T::of), [q, v], b, gap, &mut room, &mut sums);
         }
-    }
-    for i in n - n % LANES..n {
-        add(i, 0);
-    }
-    let [a, b, c, d, e, f] = lanes.map(|l| l.iter().sum::<f64>());
-    [a, b, c, d, e, f, 0.0, 0.0]
+    });
+    sums.map(Sum::total)
 }
 
-/// How far along the chord from `p` to `scale` times the trial the pressure stays positive.
-pub(crate) fn reach<T: Real>(p: &[T], trial: &[T], scale: f64) -> f64 {
-    let scale = T::of(scale);
-    let reach = |p: T, q: T| if q < p { p.wide() / (p - q).wide() } else { f64::INFINITY };
-    fields::least_of(p.len(), |i| reach(p[i], scale * trial[i]))
+/// One tile of [`inner_products`].
+#[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "a pass over seven fields")]
+fn add_products<T: Real>(
+    [p, u, h]: [&[T]; 3],
+    [level, from]: [T; 2],
+    [q, v]: [&[T]; 2],
+    b: &[T],
+    gap: &mut [f32],
+    room: &mut [[f64; TILE]; 5],
+    sums: &mut [Sum; 8],
+) {
+    let n = p.len().min(TILE);
+    let (p, u, h, q, v, b) = (&p[..n], &u[..n], &h[..n], &q[..n], &v[..n], &b[..n]);
+    let [g, s, ks, d, rise] = room.each_mut().map(|x| &mut x[..n]);
+    for i in 0..n {
+        g[i] = (u[i] - h[i] - level).wide();
+        s[i] = (q[i] - p[i]).wide();
+        ks[i] = (v[i] - u[i]).wide();
+        d[i] = (p[i] - b[i]).wide();
+    }
+    let (mut contact, mut dropped) = (0, 0);
+    for i in 0..n {
+        contact += u32::from(q[i] > T::zero());
+        dropped += u32::from((p[i] > T::zero()) & (q[i] <= T::zero()));
+    }
+    for i in 0..n {
+        let height = v[i] - h[i];
+        gap[i] = (height - from).narrow();
+        rise[i] = f64::from(u8::from(q[i] > T::zero())) * height.wide();
+    }
+    sums[0].add_product(g, s);
+    sums[1].add_product(s, ks);
+    sums[2].add_product(s, s);
+    sums[3].add_product(g, d);
+    sums[4].add_product(d, ks);
+    sums[5].add(&[f64::from(dropped)]);
+    sums[6].add(rise);
+    sums[7].add(&[f64::from(contact)]);
+}
+
+/// How far along the chord from `p` to the trial the pressure stays positive.
+pub(crate) fn reach<T: Real>(p: &[T], trial: &[T], partial: &mut [Partial]) -> f64 {
+    let used = p.len().div_ceil(TASK);
+    let pieces = p.par_chunks(TASK).zip(trial.par_chunks(TASK));
+    partial[..used].par_iter_mut().zip(pieces).for_each(|(partial, (p, q))| {
+        let (mut largest, mut loss) = (Largest::default(), [0.0; TILE]);
+        vectorised!({
+            for (p, q) in p.chunks(TILE).zip(q.chunks(TILE)) {
+                for ((loss, p), q) in loss.iter_mut().zip(p).zip(q) {
+                    let (p, q) = (p.wide(), q.wide());
+                    *loss = if q < p { (p - q) / p } else { 0.0 };
+                }
+                largest.take(&loss[..p.len()]);
+            }
+        });
+        partial[0] = largest.total();
+    });
+    partial[..used].iter().fold(0.0_f64, |x, partial| x.max(partial[0])).recip()
 }

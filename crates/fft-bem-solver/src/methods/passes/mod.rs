@@ -6,13 +6,14 @@ mod contact_set;
 mod line_search;
 mod preconditioner;
 mod step;
+mod sums;
 mod trial;
 
-pub(crate) use contact_set::{Residual, is_rounding, level_sums, residual, residual_norm2};
+pub(crate) use contact_set::{Gap, Residual, is_rounding, level, residual, residual_norm2};
 pub(crate) use line_search::{Products, inner_products, reach};
 pub(crate) use preconditioner::{gather, push};
-pub(crate) use step::{combine, settle};
-pub(crate) use trial::{Estimate, finish_trial, trial};
+pub(crate) use step::combine;
+pub(crate) use trial::{Estimate, end_trial, trial};
 
 use super::extension::Pyramid;
 use crate::Real;

@@ -1,38 +1,44 @@
 //! The extension and its transpose between the finest grid and the first level.
 
 use crate::methods::extension::{Pyramid, gather_row};
-use crate::methods::transfer::ON;
+use crate::methods::stiffness::Stiffness;
+use crate::methods::transfer::{ON, Transfer};
+use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
-/// `E` on the finest grid: the residual on F, what the pyramid knows elsewhere.
+/// `E` on the finest grid: the residual on F, what the pyramid knows elsewhere; with the means over
+/// the cells of `S`.
 pub(crate) fn push(
     mask: &[u8],
     residual: &[f32],
     pyramid: &Pyramid,
-    [rows, nx]: [usize; 2],
+    nx: usize,
+    stiffness: &mut Stiffness,
     extended: &mut [f32],
 ) {
-    let Some(first) = pyramid.levels.first() else {
-        extended.copy_from_slice(residual);
-        return;
-    };
-    let chunk = rows * nx;
-    extended
-        .par_chunks_mut(chunk)
-        .zip(mask.par_chunks(chunk))
-        .zip(residual.par_chunks(chunk))
-        .enumerate()
-        .for_each(|(task, ((x, mask), r))| {
-            let lines = x.chunks_exact_mut(nx).zip(mask.chunks_exact(nx)).zip(r.chunks_exact(nx));
-            for (i, ((x, mask), r)) in lines.enumerate() {
-                first.transfer.up_row(task * rows + i, &first.value, |ix, up| {
-                    let fields = x[ix..].iter_mut().zip(&mask[ix..]).zip(&r[ix..]);
-                    for (((x, m), r), up) in fields.zip(up) {
-                        *x = if *m == ON { *r } else { *up };
-                    }
-                });
+    stiffness.fill(extended, |i, x| {
+        let (mask, r) = (&mask[i * nx..][..nx], &residual[i * nx..][..nx]);
+        match pyramid.levels.first() {
+            Some(first) => vectorised!(push_row(&first.transfer, i, mask, r, &first.value, x)),
+            None => x.copy_from_slice(r),
+        }
+    });
+}
+
+/// Row `i` of the extended field.
+#[inline(always)]
+fn push_row(t: &Transfer, i: usize, mask: &[u8], r: &[f32], coarse: &[f32], x: &mut [f32]) {
+    t.up_row(
+        i,
+        coarse,
+        #[inline(always)]
+        |ix, up| {
+            let fields = x[ix..].iter_mut().zip(&mask[ix..]).zip(&r[ix..]);
+            for (((x, m), r), up) in fields.zip(up) {
+                *x = if *m == ON { *r } else { *up };
             }
-        });
+        },
+    );
 }
 
 /// `E^T` from the finest grid to the first level: what the gap hands up.
@@ -41,8 +47,10 @@ pub(crate) fn gather(mask: &[u8], field: &[f32], pyramid: &mut Pyramid) {
     let (t, task_rows) = (first.transfer, first.rows_per_task());
     let mx = t.coarse[1];
     first.value.par_chunks_mut(task_rows * mx).enumerate().for_each(|(task, value)| {
-        for (j, out) in value.chunks_exact_mut(mx).enumerate() {
-            gather_row(&t, task * task_rows + j, mask, field, out);
-        }
+        vectorised!({
+            for (j, out) in value.chunks_exact_mut(mx).enumerate() {
+                gather_row(&t, task * task_rows + j, mask, field, out);
+            }
+        });
     });
 }

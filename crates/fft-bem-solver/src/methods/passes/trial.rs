@@ -1,16 +1,13 @@
 //! The trial pressure: the step with the size of it, and its end after the sweep.
 
+use super::sums::{Sum, TILE};
 use super::{Partial, total};
 use crate::Real;
-use crate::methods::extension::Pyramid;
+use crate::methods::extension::{Level, Pyramid};
 use crate::methods::sweep::Sweep;
 use crate::methods::transfer::{ON, Transfer};
+use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
-
-/// Columns handled at a time, an even number.
-const TILE: usize = 256;
-/// Independent partial sums, so that additions need not wait for one another.
-const LANES: usize = 4;
 
 /// How large the step is.
 #[derive(Debug, Clone, Copy)]
@@ -40,47 +37,26 @@ pub(crate) fn trial<T: Real>(
     let chunk = rows * nx;
     let used = trial.len().div_ceil(chunk);
     let first = pyramid.levels.first();
-    let step = |task: usize, y: &[f32], mask: &[u8], trial: &mut [T]| -> Partial {
-        let mut sums = [[0.0; LANES]; 4];
-        for ((i, t), (y, m)) in
-            (0..).zip(trial.chunks_exact_mut(nx)).zip(y.chunks_exact(nx).zip(mask.chunks_exact(nx)))
-        {
-            let row = task * rows + i;
-            for ix in (0..nx).step_by(TILE) {
-                let tile = ix..(ix + TILE).min(nx);
-                let (mut z, mut here) = ([0.0; TILE], [T::zero(); TILE]);
-                let (z, here) = (&mut z[..tile.len()], &mut here[..tile.len()]);
-                z.copy_from_slice(&y[tile.clone()]);
-                if let Some(first) = first {
-                    first.transfer.add_down_transposed(row, ix, &first.value, z);
-                }
-                here.copy_from_slice(match p {
-                    Some(p) => &p[row * nx..][tile.clone()],
-                    None => &t[tile.clone()],
-                });
-                step_tile(here, z, T::of(tau), &m[tile.clone()], &mut t[tile], &mut sums);
-            }
-        }
-        let [z, z2, off2, p2] = sums.map(|s| s.iter().sum());
-        [z, z2, off2, p2, 0.0, 0.0, 0.0, 0.0]
-    };
     let fields = partial[..used]
         .par_iter_mut()
         .zip(y.par_chunks(chunk))
         .zip(mask.par_chunks(chunk))
         .zip(trial.par_chunks_mut(chunk));
+    let length = T::of(tau);
     if let Some(first) = first {
         let t = &first.transfer;
         let coarse = rows / t.rows_per_coarse_row() * t.coarse[1];
         fields.zip(sweep.smallest.par_chunks_mut(coarse)).enumerate().for_each(
             |(task, ((((partial, y), mask), trial), smallest))| {
-                *partial = step(task, y, mask, trial);
-                smallest_below(t, mask, trial, smallest);
+                vectorised!({
+                    *partial = step_rows(p, y, length, mask, Some(first), [task * rows, nx], trial);
+                    smallest_below(t, mask, trial, smallest);
+                });
             },
         );
     } else {
         fields.enumerate().for_each(|(task, (((partial, y), mask), trial))| {
-            *partial = step(task, y, mask, trial);
+            *partial = step_rows(p, y, length, mask, None, [task * rows, nx], trial);
         });
     }
     let [z, z2, off2, p2] = total(&partial[..used]);
@@ -89,124 +65,142 @@ pub(crate) fn trial<T: Real>(
     Estimate { residual: (((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2 }
 }
 
-/// One piece of a row of [`trial`], with the sums of `z`, `z^2` on F, `p^2` off F, `p^2`.
+/// The rows of [`trial`] from row `first_row` on, with the sums of `z`, `z^2` on F, `p^2` off F, `p^2`.
+#[inline(always)]
+fn step_rows<T: Real>(
+    p: Option<&[T]>,
+    y: &[f32],
+    tau: T,
+    mask: &[u8],
+    level: Option<&Level>,
+    [first_row, nx]: [usize; 2],
+    trial: &mut [T],
+) -> Partial {
+    let (mut sums, mut room) = ([Sum::default(); 4], [[0.0; TILE]; 3]);
+    let mut z = [0.0; TILE];
+    let lines = y.chunks_exact(nx).zip(mask.chunks_exact(nx)).zip(trial.chunks_exact_mut(nx));
+    for (i, ((y, mask), trial)) in lines.enumerate() {
+        let row = first_row + i;
+        for (k, t) in trial.chunks_mut(TILE).enumerate() {
+            let (ix, n) = (k * TILE, t.len());
+            let z = &mut z[..n];
+            z.copy_from_slice(&y[ix..][..n]);
+            if let Some(level) = level {
+                level.transfer.add_down_transposed(row, ix, &level.value, z);
+            }
+            if let Some(p) = p {
+                t.copy_from_slice(&p[row * nx + ix..][..n]);
+            }
+            step_tile(z, tau, &mask[ix..][..n], t, &mut room, &mut sums);
+        }
+    }
+    let [z, z2, off2, p2] = sums.map(Sum::total);
+    [z, z2, off2, p2, 0.0, 0.0, 0.0, 0.0]
+}
+
+/// One tile of it; the trial holds `p`.
+#[inline(always)]
 fn step_tile<T: Real>(
-    p: &[T],
-    z: &[f32],
+    z: &mut [f32],
     tau: T,
     mask: &[u8],
     trial: &mut [T],
-    sums: &mut [[f64; LANES]; 4],
+    room: &mut [[f64; TILE]; 3],
+    sums: &mut [Sum; 4],
 ) {
-    let mut one = |p: T, z: f32, m: u8, t: &mut T, lane: usize| {
-        let on = m == ON;
-        let wide = f64::from(z);
-        let (p2, z_on) = (p.wide() * p.wide(), if on { wide } else { 0.0 });
-        *t = p - tau * T::of(z_on);
-        sums[0][lane] += z_on;
-        sums[1][lane] += z_on * z_on;
-        sums[2][lane] += if on { 0.0 } else { p2 };
-        sums[3][lane] += p2;
-    };
-    let (p, p_rest) = p.as_chunks::<LANES>();
-    let (z, z_rest) = z.as_chunks::<LANES>();
-    let (m, m_rest) = mask.as_chunks::<LANES>();
-    let (t, t_rest) = trial.as_chunks_mut::<LANES>();
-    for (((p, z), m), t) in p.iter().zip(z).zip(m).zip(t) {
-        for lane in 0..LANES {
-            one(p[lane], z[lane], m[lane], &mut t[lane], lane);
-        }
+    let n = trial.len().min(TILE);
+    for (z, m) in z.iter_mut().zip(mask) {
+        *z = if *m == ON { *z } else { 0.0 };
     }
-    for (((p, z), m), t) in p_rest.iter().zip(z_rest).zip(m_rest).zip(t_rest) {
-        one(*p, *z, *m, t, 0);
+    let [wide, square, off] = room.each_mut().map(|x| &mut x[..n]);
+    for (wide, z) in wide.iter_mut().zip(&*z) {
+        *wide = f64::from(*z);
     }
+    for (((square, off), p), m) in square.iter_mut().zip(off.iter_mut()).zip(&*trial).zip(mask) {
+        *square = p.wide() * p.wide();
+        *off = if *m == ON { 0.0 } else { *square };
+    }
+    for (t, z) in trial.iter_mut().zip(&*wide) {
+        *t -= tau * T::of(*z);
+    }
+    sums[0].add(wide);
+    sums[1].add_product(wide, wide);
+    sums[2].add(off);
+    sums[3].add(square);
 }
 
 /// The smallest trial pressure on F below each cell of the first level.
+#[inline(always)]
 fn smallest_below<T: Real>(t: &Transfer, mask: &[u8], trial: &[T], smallest: &mut [f32]) {
     let (nx, mx) = (t.fine[1], t.coarse[1]);
     let pair = t.rows_per_coarse_row() * nx;
-    let at = |t: T, m: u8| if m == ON { t.narrow() } else { f32::INFINITY };
     let least = |x: f32, y: f32| if x < y { x } else { y };
+    let mut line = [0.0; TILE];
     let cells = smallest.chunks_exact_mut(mx);
-    for ((m, p), smallest) in mask.chunks(pair).zip(trial.chunks(pair)).zip(cells) {
-        // Two rows, or the single one twice.
-        let last = p.len() - nx;
-        let (a, b) = (&p[..nx], &p[last..]);
-        let (ma, mb) = (&m[..nx], &m[last..]);
-        if t.halved[1] {
-            let ((a, a1), (b, b1)) = (a.as_chunks::<2>(), b.as_chunks::<2>());
-            let ((ma, ma1), (mb, mb1)) = (ma.as_chunks::<2>(), mb.as_chunks::<2>());
-            let pairs = a.iter().zip(b).zip(ma).zip(mb);
-            for ((((a, b), ma), mb), s) in pairs.zip(smallest.iter_mut()) {
-                let left = least(at(a[0], ma[0]), at(b[0], mb[0]));
-                let right = least(at(a[1], ma[1]), at(b[1], mb[1]));
-                *s = least(left, right);
+    for ((mask, p), smallest) in mask.chunks(pair).zip(trial.chunks(pair)).zip(cells) {
+        let last = p.len() - nx; // of two rows, or the single one again
+        for ix in (0..nx).step_by(TILE) {
+            let line = &mut line[..TILE.min(nx - ix)];
+            line.fill(f32::INFINITY);
+            for from in [ix, last + ix] {
+                for ((x, p), m) in line.iter_mut().zip(&p[from..]).zip(&mask[from..]) {
+                    let here = if *m == ON { p.narrow() } else { f32::INFINITY };
+                    *x = least(*x, here);
+                }
             }
-            if let ([a], [b], [ma], [mb]) = (a1, b1, ma1, mb1) {
-                smallest[mx - 1] = least(at(*a, *ma), at(*b, *mb));
-            }
-        } else {
-            for (i, s) in smallest.iter_mut().enumerate() {
-                *s = least(at(a[i], ma[i]), at(b[i], mb[i]));
+            if t.halved[1] {
+                let (pairs, single) = line.as_chunks::<2>();
+                for (s, x) in smallest[ix / 2..].iter_mut().zip(pairs) {
+                    *s = least(x[0], x[1]);
+                }
+                if let [x] = single {
+                    smallest[mx - 1] = *x;
+                }
+            } else {
+                smallest[ix..][..line.len()].copy_from_slice(line);
             }
         }
     }
 }
 
-/// Ends the trial: adds what was swept, clips, and sets to zero outside the contact. Returns the
-/// sum.
-pub(crate) fn finish_trial<T: Real>(
+/// Ends a piece of whole rows of the trial, from `first_row` on: adds what was swept, clips, and sets
+/// to zero outside the contact. Returns the sum.
+pub(crate) fn end_trial<T: Real>(
+    first_row: usize,
     mask: &[u8],
     sweep: &Sweep,
     pyramid: &Pyramid,
-    [rows, nx]: [usize; 2],
+    nx: usize,
     trial: &mut [T],
-    partial: &mut [Partial],
-) -> f64 {
-    let chunk = rows * nx;
-    let used = trial.len().div_ceil(chunk);
-    let first = pyramid.levels.first();
-    partial[..used]
-        .par_iter_mut()
-        .zip(trial.par_chunks_mut(chunk))
-        .zip(mask.par_chunks(chunk))
-        .enumerate()
-        .for_each(|(task, ((partial, t), mask))| {
-            let mut sum = [0.0; LANES];
-            for (i, (t, mask)) in t.chunks_exact_mut(nx).zip(mask.chunks_exact(nx)).enumerate() {
-                let mut one = |t: &mut T, m: u8, added: f32, lane: usize| {
-                    let kept = (*t + T::of(f64::from(added))).larger(T::zero());
-                    *t = if m == ON { kept } else { T::zero() };
-                    sum[lane] += t.wide();
-                };
-                let Some(first) = first else {
-                    t.iter_mut().zip(mask).for_each(|(t, m)| one(t, *m, sweep.shift, 0));
-                    continue;
-                };
-                let transfer = &first.transfer;
-                let mx = transfer.coarse[1];
-                let added = &sweep.added[transfer.parent(task * rows + i) * mx..][..mx];
-                if transfer.halved[1] {
-                    let (t, t1) = t.as_chunks_mut::<4>();
-                    let (m, m1) = mask.as_chunks::<4>();
-                    for ((t, m), a) in t.iter_mut().zip(m).zip(added.as_chunks::<2>().0) {
-                        for lane in 0..LANES {
-                            one(&mut t[lane], m[lane], a[lane / 2], lane);
+) -> Partial {
+    let (mut sum, mut more, mut wide) = (Sum::default(), [sweep.shift; TILE], [0.0; TILE]);
+    vectorised!({
+        for (i, (t, mask)) in trial.chunks_exact_mut(nx).zip(mask.chunks_exact(nx)).enumerate() {
+            let added = pyramid.levels.first().map(|first| {
+                let (row, mx) = (first.transfer.parent(first_row + i), first.transfer.coarse[1]);
+                (first.transfer.halved[1], &sweep.added[row * mx..][..mx])
+            });
+            for ((k, t), mask) in t.chunks_mut(TILE).enumerate().zip(mask.chunks(TILE)) {
+                match added {
+                    None => (),
+                    Some((true, added)) => {
+                        let pairs = more.as_chunks_mut::<2>().0;
+                        for (more, a) in pairs.iter_mut().zip(&added[k * TILE / 2..]) {
+                            *more = [*a; 2];
                         }
                     }
-                    let rest = &added[nx / 4 * 2..];
-                    for (k, (t, m)) in t1.iter_mut().zip(m1).enumerate() {
-                        one(t, *m, rest[k / 2], k);
-                    }
-                } else {
-                    for ((t, m), a) in t.iter_mut().zip(mask).zip(added) {
-                        one(t, *m, *a, 0);
+                    Some((false, added)) => {
+                        more[..t.len()].copy_from_slice(&added[k * TILE..][..t.len()]);
                     }
                 }
+                for (((t, m), a), wide) in t.iter_mut().zip(mask).zip(&more).zip(&mut wide) {
+                    let kept = (*t + T::of(f64::from(*a))).larger(T::zero());
+                    *t = if *m == ON { kept } else { T::zero() };
+                    *wide = t.wide();
+                }
+                sum.add(&wide[..t.len()]);
             }
-            partial[0] = sum.iter().sum();
-        });
-    let [sum] = total(&partial[..used]);
-    sum
+        }
+    });
+    [sum.total(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
 }
