@@ -31,14 +31,17 @@ const FINER: usize = 8;
 
 /// What is prescribed.
 #[derive(Clone, Copy, PartialEq)]
-enum Mode {
+pub(crate) enum Mode {
     Pressure,
     Gap,
     Isolated,
 }
 
 impl Mode {
-    fn name(self) -> &'static str {
+    pub(crate) const ALL: [Self; 3] = [Self::Pressure, Self::Gap, Self::Isolated];
+
+    /// As in the table.
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Pressure => "pressure",
             Self::Gap => "gap",

@@ -9,7 +9,7 @@ use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{Boundary, Level, level};
 
 /// Points along each side.
-const POINTS: usize = 256;
+pub(crate) const POINTS: usize = 256;
 /// Pixel \[m\].
 const PIXEL: f64 = 1e-6;
 /// Rms gradient before heights are bent, rounded or made noisy \[-\].

@@ -1,12 +1,13 @@
 //! What the book says of the study, from its tables: how often each stated interval held.
 
-use crate::ensemble::{self, CLASSES};
+use crate::ensemble::{self, CLASSES, POINTS};
 use crate::fresh;
 use crate::measure::Surface;
 use crate::sample_page::realisations;
 use crate::table::Table;
 use compare::budget::{Map, grid, iteration};
 use compare::report::{BarErrors, write_budget};
+use contact_types::Grid;
 use fft_bem_solver::{BOUNDARY_CORRECTION, NoAreaInterval};
 use std::error::Error;
 use std::fmt::Write as _;
@@ -98,13 +99,14 @@ fn case(table: &Table, row: usize, class: &'static str, map: &Map) -> Case {
     let residual = get("residual_e4");
     let plain = map.accuracy.half_width_of(get("count1"), get("edges1"));
     let left = iteration::area_error(residual);
-    let left_over = fft_bem_solver::left_of_correction(map.accuracy.directions);
+    let left_over = map.accuracy.left_of_correction();
+    let refined = Grid::new([2 * POINTS; 2], [1.0; 2]).expect("a grid of square pixels");
     let finer = grid::Finer {
         area: twice,
         correction: finer_line,
         gap: None,
         pressure: f64::NAN,
-        bar: left_over * finer_line,
+        bar: map.accuracy.on(refined).line_left_over(get("edges2")),
     };
     let share = line / given;
     let (rms, answer) = (map.rms_height, get("area_e4"));
