@@ -72,7 +72,8 @@ pub struct Diagnostics {
     pub seconds: f64,
     /// Pixels that carry pressure.
     pub contact_pixels: usize,
-    /// Edges between contact and gap (4-neighbour) per pixel, S_d (-).
+    /// Edges between contact and gap (4-neighbour) per pixel, S_d (-). With a free boundary the edge
+    /// of the map is none: the body ends there, and no pixel is cut.
     pub contact_perimeter: f64,
     /// Area fraction corrected for the pixels cut by the contact line,
     /// `A - (pi - 1 + ln 2)/24 S_d` (Yastrebov, Anciaux & Molinari 2017,
