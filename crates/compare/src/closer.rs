@@ -6,9 +6,10 @@ use crate::budget::{Map, Stiffness};
 use crate::regrid::regrid;
 use crate::result::{Comparison, SurfaceComparison};
 use crate::study::builder;
-use crate::{Origin, Settings};
+use crate::{EdgesName, Origin, Settings, Surrounded};
 use contact_types::{ContactModulus, HeightMap, SurfaceError};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load};
+use std::borrow::Cow;
 use std::time::Instant;
 use surface_stats::clean::mirrored;
 use surface_stats::{Level, level};
@@ -86,12 +87,15 @@ impl Comparison {
 fn certify(surface: &mut SurfaceComparison, settings: &Settings, modulus: ContactModulus) {
     let pressure = surface.headline_pressure();
     let map: Map = surface.map;
-    let Ok(mut solver) = builder(settings).certified(true).build(surface.surface.grid(), modulus)
+    let Ok(whole) = Surrounded::new(Cow::Borrowed(&surface.surface), settings.edges) else {
+        return;
+    };
+    let Ok(mut solver) = builder(settings).certified(true).build(whole.map().grid(), modulus)
     else {
         return;
     };
-    let Ok(solution) = solver.solve(&surface.surface, Load::MeanPressure(pressure)) else { return };
-    let near = Stiffness::near(&mut solver, &surface.surface, &map, pressure);
+    let Ok(solution) = whole.solve(&mut solver, Load::MeanPressure(pressure)) else { return };
+    let near = Stiffness::near(&mut solver, whole.map(), &map, pressure);
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
     let Some(answer) = answer else { return };
     answer.energy_bound = solution.diagnostics.energy_bound;
@@ -110,8 +114,10 @@ fn choices(
     modulus: ContactModulus,
 ) -> Vec<Choice> {
     let area = |map: &HeightMap| -> Option<f64> {
-        let mut solver = builder(settings).build(map.grid(), modulus).ok()?;
-        let solution = solver.solve(map, Load::MeanPressure(surface.headline_pressure())).ok()?;
+        let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
+        let mut solver = builder(settings).build(whole.map().grid(), modulus).ok()?;
+        let load = Load::MeanPressure(surface.headline_pressure());
+        let solution = whole.solve(&mut solver, load).ok()?;
         Some(solution.diagnostics.area_fraction_corrected).filter(|a| *a > 0.0)
     };
     let repeats = surface.map.repeats;
@@ -144,7 +150,7 @@ fn choices(
         let smooth = on(&used, [ny, nx]).and_then(|m| on(&m, used.grid().shape()));
         tried(ChoiceKind::Cutoff(2.0 * shortest), smooth.and_then(|m| area(&m)), reference);
     }
-    if !repeats {
+    if !repeats && settings.edges == EdgesName::Periodic {
         // Half the points a side: its mirror images have as many as the map.
         let half = on(&used, used.grid().shape().map(|n| n / 2));
         let pair = half.and_then(|h| Some([area(&h)?, area(&mirrored(&h).ok()?)?]));

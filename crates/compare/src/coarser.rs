@@ -1,12 +1,14 @@
 //! The headline load once more on coarser grids: what a cheaper deterministic answer would have
 //! cost in accuracy. Asked for when a report is written; a study alone does not need it.
 
+use crate::Surrounded;
 use crate::plan::repeats;
 use crate::regrid::regrid;
 use crate::result::{Comparison, SurfaceComparison};
 use crate::study::builder;
 use contact_types::{ContactModulus, HeightMap, SurfaceError};
 use fft_bem_solver::Load;
+use std::borrow::Cow;
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
@@ -65,9 +67,10 @@ fn solve(
 ) -> Option<Coarser> {
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction_corrected;
     let map: HeightMap = coarsened(&surface.surface, factor)?;
-    let mut solver = builder(settings).build(map.grid(), modulus).ok()?;
+    let whole = Surrounded::new(Cow::Borrowed(&map), settings.edges).ok()?;
+    let mut solver = builder(settings).build(whole.map().grid(), modulus).ok()?;
     let load = Load::MeanPressure(surface.headline_pressure());
-    let solution = solver.solve(&map, load).ok()?;
+    let solution = whole.solve(&mut solver, load).ok()?;
     let found = &solution.diagnostics;
     let (mut seconds, mut spent) = (found.seconds, found.seconds);
     for _ in 1..REPEATS {
@@ -75,7 +78,7 @@ fn solve(
             break;
         }
         solver.forget();
-        let again = solver.solve(&map, load).ok()?.diagnostics.seconds;
+        let again = whole.solve(&mut solver, load).ok()?.diagnostics.seconds;
         (seconds, spent) = (seconds.min(again), spent + again);
     }
     (truth > 0.0).then(|| Coarser {

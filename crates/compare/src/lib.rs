@@ -26,6 +26,7 @@ mod settings;
 mod spots;
 mod study;
 mod surface;
+mod surroundings;
 pub mod survey;
 pub mod tradeoff;
 mod verdict;
@@ -43,8 +44,9 @@ pub use result::{
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{
-    LevelName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
+    EdgesName, LevelName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
 };
 pub use spots::{Spots, contact_spots};
 pub use study::{Progress, StudyError};
 pub use surface::{FileOrigin, Origin, Surface, sha256_hex};
+pub use surroundings::{Surrounded, on_given};

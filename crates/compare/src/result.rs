@@ -4,7 +4,7 @@ use crate::budget::{Budget, Map, grid};
 use crate::models::{BuildError, Inputs, ModelEntry};
 use crate::plan::Outcome;
 use crate::survey::Experience;
-use crate::{Closer, Coarser, Origin, Settings, Spots};
+use crate::{Closer, Coarser, EdgesName, Origin, Settings, Spots};
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{NoAreaInterval, Residuals, Solution};
 use surface_stats::SurfaceStatistics;
@@ -29,6 +29,8 @@ pub struct SurfaceComparison {
     pub origin: Origin,
     /// The heights after form removal.
     pub surface: HeightMap,
+    /// What the solver put beyond their edges.
+    pub edges: EdgesName,
     /// Statistics of those heights.
     pub statistics: SurfaceStatistics,
     /// What the models were given.

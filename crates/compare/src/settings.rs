@@ -18,6 +18,10 @@ pub struct Settings {
     pub headline: Option<f64>,
     /// Form removed before everything else: `none`, `mean`, `plane` or `quadratic`.
     pub level: LevelName,
+    /// What lies beyond the edges of a map: `periodic`, the map again, or `mirrored`, its mirror
+    /// images.
+    #[serde(default)]
+    pub edges: EdgesName,
     /// Solver method: `auto`, `chord`, `polonsky-keer` or `stanley-kato`.
     pub method: MethodName,
     /// Half width of the interval around the area to stay within, relative to it, as 0.02. If
@@ -49,6 +53,7 @@ impl Default for Settings {
             pressures: None,
             headline: None,
             level: LevelName::Plane,
+            edges: EdgesName::Periodic,
             method: MethodName::Auto,
             accuracy: None,
             precision: PrecisionName::F64,
@@ -107,6 +112,18 @@ names! {
         Plane = "plane",
         /// The least-squares paraboloid.
         Quadratic = "quadratic",
+    }
+}
+
+names! {
+    /// What the solver puts beyond the edges of a map.
+    #[derive(Default)]
+    EdgesName {
+        /// The map again, with the jump of one that does not repeat.
+        #[default]
+        Periodic = "periodic",
+        /// Its mirror images: no jump, four times the points.
+        Mirrored = "mirrored",
     }
 }
 

@@ -1,5 +1,6 @@
 //! Separate contact spots of a solution.
 
+use crate::EdgesName;
 use contact_types::Grid;
 
 /// How many spots there are and how large they are.
@@ -16,6 +17,12 @@ pub struct Spots {
 /// Counts the spots of a pressure field that repeats periodically; `None` if nothing touches or
 /// the field is not of this grid.
 pub fn contact_spots(pressure: &[f64], grid: Grid) -> Option<Spots> {
+    spots_beyond(pressure, grid, EdgesName::Periodic)
+}
+
+/// The same with other surroundings: a spot at the edge of mirror images joins its own image, not
+/// what lies at the other edge, and counts by its part on the map.
+pub(crate) fn spots_beyond(pressure: &[f64], grid: Grid, edges: EdgesName) -> Option<Spots> {
     let [ny, nx] = grid.shape();
     if pressure.len() != grid.len() {
         return None;
@@ -33,7 +40,12 @@ pub fn contact_spots(pressure: &[f64], grid: Grid) -> Option<Spots> {
             size += 1;
             for dy in [ny - 1, 0, 1] {
                 for dx in [nx - 1, 0, 1] {
-                    let j = (i / nx + dy) % ny * nx + (i % nx + dx) % nx;
+                    let (y, x) = ((i / nx + dy) % ny, (i % nx + dx) % nx);
+                    let crosses = y.abs_diff(i / nx) > 1 || x.abs_diff(i % nx) > 1;
+                    if crosses && edges == EdgesName::Mirrored {
+                        continue;
+                    }
+                    let j = y * nx + x;
                     if std::mem::take(&mut left[j]) {
                         front.push(j);
                     }
@@ -71,6 +83,8 @@ mod tests {
         let grid = Grid::new([6, 6], [2.0, 1.0]).unwrap();
         let spots = contact_spots(&pressure, grid).unwrap();
         assert_eq!(spots, Spots { count: 2, median_area: 6.0, largest_area: 6.0 });
+        let inside = spots_beyond(&pressure, grid, EdgesName::Mirrored).unwrap();
+        assert_eq!((inside.count, inside.largest_area), (4, 4.0));
         assert!(contact_spots(&[0.0; 36], grid).is_none());
         assert!(contact_spots(&[1.0; 35], grid).is_none());
     }

@@ -8,13 +8,15 @@ use crate::refine::refine;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison,
 };
+use crate::spots::spots_beyond;
 use crate::survey::{Query, Survey, peak_slope};
 use crate::verdict::verdict;
-use crate::{Settings, Surface, contact_spots, default_pressures};
+use crate::{EdgesName, Settings, Surface, Surrounded, default_pressures};
 use contact_types::{
     ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
 };
 use fft_bem_solver::{Boundary, Load, Maps, Solver, SolverBuilder, SolverError};
+use std::borrow::Cow;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -104,6 +106,12 @@ pub enum StudyError {
         /// Why.
         source: BadRequest,
     },
+    /// An accuracy with mirror images at the edges.
+    #[error(
+        "an accuracy cannot be planned with mirror images at the edges: the error of the area was \
+         studied for maps that are repeated; give a tolerance, or leave the edges periodic"
+    )]
+    PlannedMirrored,
     /// The observer asked to stop.
     #[error("stopped")]
     Stopped,
@@ -133,6 +141,9 @@ impl Comparison {
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
         check_pressures(&settings)?;
         check_models(&settings)?;
+        if settings.accuracy.is_some() && settings.edges == EdgesName::Mirrored {
+            return Err(StudyError::PlannedMirrored);
+        }
         let count = surfaces.len();
         let mut done = Vec::with_capacity(count);
         for (index, surface) in surfaces.into_iter().enumerate() {
@@ -188,14 +199,15 @@ fn compare(
     };
     tell(Progress::Surface { name: &name, index, count, loads: pressures.len() })?;
 
+    let whole = Surrounded::new(Cow::Borrowed(&map), settings.edges).map_err(refused)?;
     let mut curve = Curve::new(known, settings.headline);
     let plan = match settings.accuracy {
         None => {
             let mut solver = builder(settings)
-                .build(map.grid(), modulus)
+                .build(whole.map().grid(), modulus)
                 .map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })?;
             for (i, &p) in pressures.iter().enumerate() {
-                curve.take(p, solver.solve(&map, Load::MeanPressure(p)));
+                curve.take(p, whole.solve(&mut solver, Load::MeanPressure(p)));
                 tell(curve.news(i))?;
             }
             None
@@ -228,7 +240,7 @@ fn compare(
     let Curve { points: mut deterministic, headline, pressure, solved, .. } = curve;
     // A plan says itself what a finer grid would do.
     let refined_seconds = match plan {
-        None => refine(&map, &known, modulus, settings, &mut deterministic, headline),
+        None => refine(whole.map(), &known, modulus, settings, &mut deterministic, headline),
         Some(_) => 0.0,
     };
     if let Some(value) = settings.headline
@@ -237,7 +249,9 @@ fn compare(
         return Err(StudyError::HeadlineNotComputed { value });
     }
 
-    let spots = contact_spots(&pressure, solved.as_ref().unwrap_or(&map).grid());
+    drop(whole);
+    let grid = solved.as_ref().unwrap_or(&map).grid();
+    let spots = spots_beyond(&pressure, grid, settings.edges);
     tell(Progress::Models)?;
     let alike = likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]);
     let models = settings
@@ -248,6 +262,7 @@ fn compare(
         name,
         origin,
         surface: map,
+        edges: settings.edges,
         statistics,
         inputs,
         spectral,

@@ -3,7 +3,7 @@
 mod cli;
 
 use cli::{folder, number, refused, rough_contact};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 const OUTPUTS: [&str; 6] =
     ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg", "run.toml"];
@@ -73,6 +73,60 @@ fn a_report_from_files_and_its_repetition() {
     refused(at, "compare --from report/run.toml --out third", 2, &["b.x3p", "changed"]);
     refused(at, "compare --from nothing.toml --out third", 2, &["nothing.toml"]);
     refused(at, "compare --from report/run.toml --pressure 1MPa --out third", 2, &["--pressure"]);
+}
+
+/// Mirror images at the edges are the solver's alone: statistics and maps stay those of the file, and
+/// the run file repeats the choice.
+#[test]
+fn mirror_images_at_the_edges() {
+    let dir = folder();
+    let at = dir.path();
+    let synth = "synth --shape 96,96 --pixel 1um --hurst 0.8 --rolloff 64um --cutoff 6um \
+                 --rms-height 0.3um --seed 4 --out map.x3p";
+    assert_eq!(rough_contact(at, synth).status, 0);
+    let file = "map.x3p --crop 3,5,48,60 --modulus 110GPa --quiet";
+    let solve = |more: &str| {
+        let line = format!("solve {file} --level plane --pressure 1GPa {more} --json");
+        rough_contact(at, &line).answered()
+    };
+    let [plain, mirrored] = ["", "--edges mirrored --stiffness --refine --maps maps"].map(solve);
+    assert_eq!((&plain["edges"], &mirrored["edges"]), (&json!("periodic"), &json!("mirrored")));
+    assert_eq!(mirrored["shape"], json!([48, 60]));
+    let area = |answer: &Value| number(&answer["points"][0]["area_fraction_corrected"]);
+    assert!((area(&mirrored) / area(&plain) - 1.0).abs() < 0.3);
+    assert_ne!(area(&mirrored).to_bits(), area(&plain).to_bits());
+    let map = "info maps/pressure-000.npy --pixel 1um --height-unit m --json";
+    let map = rough_contact(at, map).answered();
+    assert_eq!(map["shape"], json!([48, 60]));
+    let mean = number(&map["height_mean"]);
+    assert!((mean / 1e9 - 1.0).abs() < 1e-3, "mean pressure {mean} on the map");
+
+    let solve = format!("solve {file} --pressure 1MPa --edges mirrored");
+    refused(at, &format!("{solve} --boundary free"), 2, &["--edges mirrored", "--boundary free"]);
+    refused(at, &format!("{solve} --accuracy 5%"), 2, &["--accuracy", "--tolerance"]);
+    refused(
+        at,
+        &format!("compare {file} --edges mirrored --accuracy 5% --out no"),
+        2,
+        &["--edges"],
+    );
+
+    let study = |more: &str, out: &str| {
+        let line = format!("compare {file} --pressure 1GPa {more} --out {out}");
+        assert_eq!(rough_contact(at, &line).status, 0);
+        let text = std::fs::read_to_string(at.join(out).join("results.json")).unwrap();
+        serde_json::from_str::<Value>(&text).unwrap()
+    };
+    let [periodic, with] = [study("", "one"), study("--edges mirrored", "two")];
+    let [a, b] = [&periodic, &with].map(|results| &results["surfaces"][0]);
+    assert_eq!(a["statistics"], b["statistics"]);
+    assert_eq!(with["settings"]["edges"], json!("mirrored"));
+    let found = &b["deterministic"]["points"][0]["area_fraction_corrected"];
+    assert!((number(found) / area(&mirrored) - 1.0).abs() < 1e-3);
+    let page = std::fs::read_to_string(at.join("two/report.html")).unwrap();
+    assert!(page.contains("mirror images") && !page.contains("Repeated periodically"));
+    let again = rough_contact(at, "compare --from two/run.toml --out three --quiet --json");
+    assert_eq!(without_times(&again.answered()["surfaces"]), without_times(&with["surfaces"]));
 }
 
 /// Only the models asked for are in the study, in text, JSON, CSV, page and repetition.

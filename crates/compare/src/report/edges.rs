@@ -4,7 +4,7 @@ use super::notes::{Note, Weight};
 use super::numbers::{METRES, percent, quantity, signed_percent, signed_range, significant};
 use crate::edge_study::EdgeStudy;
 use crate::result::SurfaceComparison;
-use crate::{EdgeShare, Origin};
+use crate::{EdgeShare, EdgesName, Origin};
 use surface_stats::Warning;
 
 /// Error of the area from which the edges may change a conclusion.
@@ -26,23 +26,32 @@ pub(super) fn edge_note(surface: &SurfaceComparison) -> Option<Note> {
     let finding = finding(surface);
     let matters = finding.as_ref().is_some_and(|f| f.worst > MATTERS);
     let words = finding.map_or(String::new(), |f| format!(" {}", f.words));
+    let done = match surface.edges {
+        EdgesName::Periodic => {
+            "The map was repeated as it is, jump included; --edges mirrored takes the jump out."
+        }
+        EdgesName::Mirrored => {
+            "The map was continued by its mirror images, which leave a kink and no jump."
+        }
+    };
     Some(Note {
         weight: if matters { Weight::Check } else { Weight::Note },
         claim: format!(
             "Edges do not match: they jump {} times the inner step.",
             significant(jump, 2)
         ),
-        text: format!("The map was repeated as it is, jump included.{words}"),
+        text: format!("{done}{words}"),
     })
 }
 
 /// For "How this was made": the treatment of the edges, and for a measured map its effect.
 pub(super) fn edge_words(surface: &SurfaceComparison) -> String {
-    match (&surface.origin, finding(surface)) {
-        (Origin::Recipe(_), _) => "Periodic, as made.".to_owned(),
-        (Origin::File(_), None) => "Repeated periodically as it is.".to_owned(),
-        (Origin::File(_), Some(f)) => format!("Repeated periodically as it is. {}", f.words),
-    }
+    let done = match (surface.edges, &surface.origin) {
+        (EdgesName::Mirrored, _) => "Continued by its mirror images.",
+        (EdgesName::Periodic, Origin::Recipe(_)) => return "Periodic, as made.".to_owned(),
+        (EdgesName::Periodic, Origin::File(_)) => "Repeated periodically as it is.",
+    };
+    finding(surface).map_or(done.to_owned(), |f| format!("{done} {}", f.words))
 }
 
 fn finding(surface: &SurfaceComparison) -> Option<Finding> {
@@ -59,23 +68,26 @@ fn finding(surface: &SurfaceComparison) -> Option<Finding> {
     };
     let gradient = surface.inputs.rms_gradient();
     let load = surface.headline_pressure() / (surface.inputs.modulus.pascals() * gradient);
-    let seen = EdgeStudy::built_in().ask(load, direct);
-    let experience = seen.map_or(
-        "The study of edges has too few maps like it to say what follows.".to_owned(),
-        |e| {
-            format!(
-                "On {} crops of larger surfaces with a like strip, the area differed by {} from \
-                 that in natural surroundings (nine of ten).",
-                e.crops,
-                signed_range(e.low, e.high)
-            )
-        },
-    );
+    // The rows of the study are those of crops that were repeated.
+    let is_repeated = surface.edges == EdgesName::Periodic;
+    let seen = is_repeated.then(|| EdgeStudy::built_in().ask(load, direct)).flatten();
+    let experience = match seen {
+        Some(e) => format!(
+            " On {} crops of larger surfaces with a like strip, the area differed by {} from that \
+             in natural surroundings (nine of ten).",
+            e.crops,
+            signed_range(e.low, e.high)
+        ),
+        None if is_repeated => {
+            " The study of edges has too few maps like it to say what follows.".to_owned()
+        }
+        None => String::new(),
+    };
     let worst = seen.map_or(direct.abs(), |e| e.low.abs().max(e.high.abs()));
     Some(Finding {
         words: format!(
             "Its outer {strip} hold {} of the map, {} of the touching points and {} of the load, \
-             {verdict}. By itself that moves the area by {}. {experience}",
+             {verdict}. By itself that moves the area by {}.{experience}",
             percent(share.map),
             percent(share.contact),
             percent(share.load),

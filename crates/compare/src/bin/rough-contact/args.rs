@@ -5,7 +5,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use compare::models::MODELS;
 use compare::quantity::{self, Dimension, QuantityError};
-use compare::{LevelName, MethodName, PrecisionName};
+use compare::{EdgesName, LevelName, MethodName, PrecisionName};
 use contact_types::{ContactModulus, Elastic};
 use surface_io::Layout;
 
@@ -180,6 +180,30 @@ pub(crate) fn method() -> impl TypedValueParser<Value = MethodName> {
 
 pub(crate) fn precision() -> impl TypedValueParser<Value = PrecisionName> {
     one_of(PrecisionName::ALL, PrecisionName::name)
+}
+
+pub(crate) fn edges() -> impl TypedValueParser<Value = EdgesName> {
+    one_of(EdgesName::ALL, EdgesName::name)
+}
+
+/// Mirror images at the edges are for periodic maps solved to a tolerance.
+pub(crate) fn refuse_mirrored(
+    edges: EdgesName,
+    is_planned: bool,
+    is_free: bool,
+) -> Result<(), Failure> {
+    let message = match (edges, is_planned, is_free) {
+        (EdgesName::Periodic, _, _) | (EdgesName::Mirrored, false, false) => return Ok(()),
+        (EdgesName::Mirrored, _, true) => {
+            "--edges mirrored puts mirror images beyond the edges and --boundary free nothing; give \
+             one of them"
+        }
+        (EdgesName::Mirrored, true, _) => {
+            "--accuracy cannot be planned with --edges mirrored: the error of the area was studied \
+             for maps that are repeated; give --tolerance, or leave out --edges"
+        }
+    };
+    Err(Failure::refused("combination", message))
 }
 
 pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {

@@ -12,8 +12,8 @@ use clap::Args;
 use compare::plan::Request;
 use compare::report::{self, Provenance};
 use compare::{
-    Cleaning, Comparison, FileOrigin, LevelName, MethodName, Origin, PrecisionName, RunFile,
-    RunSurface, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
+    Cleaning, Comparison, EdgesName, FileOrigin, LevelName, MethodName, Origin, PrecisionName,
+    RunFile, RunSurface, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
 };
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -47,6 +47,10 @@ pub(crate) struct Compare {
     /// Shortest and longest wavelength of the fractal fit [default: cut-off to roll-off as found]
     #[arg(long, value_name = "L,L", value_parser = args::range, allow_hyphen_values = true)]
     fractal_range: Option<[f64; 2]>,
+    /// Beyond the edges of a map: the map again, or its mirror images (four times the points,
+    /// memory and time of the solver), which take the jump out of a map that does not repeat
+    #[arg(long, value_name = "EDGES", value_parser = args::edges(), default_value = "periodic")]
+    edges: EdgesName,
     /// Method of the deterministic solver
     #[arg(long, value_parser = args::method(), default_value = "auto")]
     method: MethodName,
@@ -63,7 +67,7 @@ pub(crate) struct Compare {
     accuracy: Option<Request>,
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
-        "files", "pressure", "headline", "models", "level", "fractal_range", "method",
+        "files", "pressure", "headline", "models", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
         "height_unit", "layout", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
     ])]
@@ -110,6 +114,7 @@ impl Compare {
     }
 
     fn settings(&self) -> Result<Settings, Failure> {
+        args::refuse_mirrored(self.edges, self.accuracy.is_some(), false)?;
         let modulus = match self.bodies.given()? {
             Some(modulus) => modulus.pascals(),
             None if self.files.is_empty() => STEEL_ON_STEEL,
@@ -121,6 +126,7 @@ impl Compare {
             headline: self.headline,
             models: self.models.clone(),
             level: self.level,
+            edges: self.edges,
             method: self.method,
             precision: self.precision,
             tolerance: self.tolerance,

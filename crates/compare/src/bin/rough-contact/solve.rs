@@ -11,12 +11,15 @@ use crate::text::{self, Columns};
 use clap::Args;
 use compare::budget::{Budget, Given, Map, Stiffness, grid};
 use compare::plan::Request;
-use compare::{LevelName, MethodName, NotRefined, PrecisionName, TwiceFiner};
+use compare::{
+    EdgesName, LevelName, MethodName, NotRefined, PrecisionName, Surrounded, TwiceFiner, on_given,
+};
 use contact_types::Grid;
 use fft_bem_solver::{
     Boundary, Iteration, Load, Maps, NoAreaInterval, Solution, Solver, SolverError,
 };
 use serde_json::{Value, json};
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
@@ -37,6 +40,10 @@ pub(crate) struct Solve {
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
     boundary: String,
+    /// Beyond the edges of a periodic map: the map again, or its mirror images (four times the
+    /// points, memory and time), which take the jump out of a map that does not repeat
+    #[arg(long, value_name = "EDGES", value_parser = args::edges(), default_value = "periodic")]
+    edges: EdgesName,
     /// How to solve
     #[arg(long, value_parser = args::method(), default_value = "auto")]
     method: MethodName,
@@ -88,6 +95,7 @@ impl Solve {
             "free" => Boundary::Free,
             _ => Boundary::Periodic,
         };
+        args::refuse_mirrored(self.edges, self.accuracy.is_some(), self.boundary == "free")?;
         let maps = match &self.maps {
             None => None,
             Some(path) => Some(Folder::prepare(path, &map_names(loads.len()), common.force)?),
@@ -108,6 +116,10 @@ impl Solve {
         };
         let known = Map::with_step(&surface, height_step)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
+        let given = surface.grid();
+        let surface = Surrounded::new(Cow::Owned(surface), self.edges)
+            .map_err(|e| Failure::in_file(&self.input.file, &e))?
+            .into_map();
         let can_be_refined = TwiceFiner::is_possible(surface.grid());
         let mut progress = Progress::new(common.quiet, loads.len());
         if let Some(request) = self.accuracy {
@@ -163,6 +175,7 @@ impl Solve {
                 (None, Ok(())) => solver.solve_again(load, &mut watch),
                 (None, Err(error)) => Err(error.clone()),
             };
+            let result = on_given(result, given);
             let (budget, refined) = self.budget(load, &result, &mut solver, &mut errors);
             work.take(index, load, &result, budget.as_ref(), refined);
             progress.step(&shown(load));
@@ -261,6 +274,7 @@ impl Solve {
             "pixel": work.grid.pixel(),
             "level": self.level.name(),
             "boundary": self.boundary,
+            "edges": self.edges.name(),
             "method": work.method,
             "precision": self.precision.name(),
             "modulus": modulus,

@@ -1,0 +1,115 @@
+//! Mirror images at the edges: the answer is that of the map among its images, and its intervals hold.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "tests: a panic is the report, and the errors are worth seeing"
+)]
+
+use compare::budget::{Budget, Map};
+use compare::{EdgesName, Surrounded};
+use contact_types::{ContactModulus, Grid, HeightMap};
+use fft_bem_solver::{Load, Solution, Solver};
+use std::borrow::Cow;
+use std::f64::consts::PI;
+use surface_stats::clean::resample;
+use surface_stats::synthesis::{Scale, SelfAffine};
+use surface_stats::{Boundary, Level, level};
+
+fn solve(map: &HeightMap, edges: EdgesName, load: Load, tolerance: f64) -> Solution {
+    let whole = Surrounded::new(Cow::Borrowed(map), edges).unwrap();
+    let modulus = ContactModulus::from_pascals(1e9).unwrap();
+    let builder = Solver::builder().tolerance(tolerance).threads(2);
+    let mut solver = builder.build(whole.map().grid(), modulus).unwrap();
+    whole.solve(&mut solver, load).unwrap()
+}
+
+/// Cosines with a crest or a trough at the edges are their own mirror images: on twice the sides
+/// they repeat, and their answer there, on the first quarter, is that of the mirrored map. Odd and
+/// even sides, oblong pixels, by pressure and by gap.
+#[test]
+fn the_answer_is_that_of_the_map_among_its_images() {
+    let [ny, nx] = [25, 36];
+    let cosines = |shape: [usize; 2]| {
+        let height = |i: usize| {
+            let place = |i: usize, n: usize| PI * (i as f64 + 0.5) / n as f64;
+            let (y, x) = (place(i / shape[1], ny), place(i % shape[1], nx));
+            1e-7 * (y.cos() + (2.0 * x).cos() + 0.4 * (5.0 * y).cos() * (3.0 * x).cos())
+        };
+        let grid = Grid::new(shape, [1.5e-6, 1e-6]).unwrap();
+        HeightMap::new(grid, (0..grid.len()).map(height).collect()).unwrap()
+    };
+    let (part, all) = (cosines([ny, nx]), cosines([2 * ny, 2 * nx]));
+    for load in [Load::MeanPressure(2e6), Load::MeanGap(1.5e-7)] {
+        let found = solve(&part, EdgesName::Mirrored, load, 1e-10);
+        let expected = solve(&all, EdgesName::Periodic, load, 1e-10);
+        assert_eq!((found.pressure.len(), found.gap.len()), (ny * nx, ny * nx));
+        let top = expected.diagnostics.max_pressure;
+        for iy in 0..ny {
+            for ix in 0..nx {
+                let (a, b) = (found.pressure[iy * nx + ix], expected.pressure[iy * 2 * nx + ix]);
+                assert!((a - b).abs() < 1e-8 * top, "{iy} {ix}: {a} {b}");
+            }
+        }
+        let touching = found.pressure.iter().filter(|p| **p > 0.0).count();
+        assert_eq!(found.diagnostics.contact_pixels, touching);
+        assert!((found.state.mean_pressure / expected.state.mean_pressure - 1.0).abs() < 1e-8);
+        assert!(
+            (found.diagnostics.area_fraction_corrected
+                - expected.diagnostics.area_fraction_corrected)
+                .abs()
+                < 1e-12
+        );
+    }
+}
+
+/// Crops whose edges do not match, with their mirror images, against the same on four times as many
+/// points a side: the comparison intervals of area and gap hold.
+#[test]
+fn the_intervals_hold() {
+    let (mut areas, mut gaps, mut answers) = (0, 0, 0);
+    for seed in 1..=6 {
+        let n = 96;
+        let recipe = SelfAffine {
+            grid: Grid::new([2 * n, 2 * n], [1e-6; 2]).unwrap(),
+            hurst: 0.5 + 0.05 * seed as f64,
+            rolloff: 48e-6 * seed as f64 / 2.0,
+            cutoff: 6e-6,
+            scale: Scale::RmsGradient(0.1),
+            seed,
+            quantise: None,
+        };
+        let whole = recipe.generate().unwrap();
+        let eighths = resample(&whole, [16 * n, 16 * n], Boundary::Periodic).unwrap();
+        // `factor` points to a pixel, their pixels together those of the crop.
+        let crop = |factor: usize| {
+            let side = 16 * n;
+            let at = |i: usize| (side + 8 * i / factor + 4 / factor - 4) % side;
+            let grid = Grid::new([factor * n; 2], [1e-6 / factor as f64; 2]).unwrap();
+            let heights = (0..grid.len())
+                .map(|i| eighths.at(at(i / (factor * n)), at(i % (factor * n))))
+                .collect();
+            level(&HeightMap::new(grid, heights).unwrap(), Level::Plane).unwrap()
+        };
+        let (map, finer) = (crop(1), crop(4));
+        let known = Map::of(&map).unwrap();
+        for load in [0.02, 0.2] {
+            let load = Load::MeanPressure(load * 1e9 * 0.1);
+            let given = Budget::of(&solve(&map, EdgesName::Mirrored, load, 1e-4), &known);
+            let truth = solve(&finer, EdgesName::Mirrored, load, 1e-5);
+            let gap = given.mean_gap.unwrap();
+            let off = |found: f64, exact: f64, bar: f64| (found - exact).abs() / bar;
+            let area = off(
+                given.area.value,
+                truth.diagnostics.area_fraction_corrected,
+                given.area.comparison_half_width().unwrap(),
+            );
+            let gap =
+                off(gap.value, truth.state.mean_gap.unwrap(), gap.comparison_half_width().unwrap());
+            println!("seed {seed}: errors over half widths: area {area:.2}, gap {gap:.2}");
+            answers += 1;
+            areas += usize::from(area <= 1.0);
+            gaps += usize::from(gap <= 1.0);
+        }
+    }
+    assert_eq!([areas, gaps], [answers; 2], "held, of {answers}");
+}
