@@ -75,7 +75,11 @@ impl Cells {
                 for (j, m) in means.iter_mut().enumerate() {
                     let (from, to) = (self.start[j], self.start[j + 1]);
                     let next = pixels.get(to).map_or(0.0, |x| self.before[j + 1] * x);
-                    *m += factor * (pixels[from..to].iter().sum::<f32>() - here + next);
+                    let inside = match pixels[from..to] {
+                        [a, b, c, d] => (a + b) + (c + d), // most cells
+                        ref others => others.iter().sum::<f32>(),
+                    };
+                    *m += factor * (inside - here + next);
                     here = next;
                 }
             }
@@ -97,7 +101,10 @@ impl Cells {
         for (j, cell) in cells.iter().enumerate() {
             let value = factor * cell;
             let (from, to) = (self.start[j], self.start[j + 1]);
-            pixels[from..to].iter_mut().for_each(|x| *x += value);
+            match &mut pixels[from..to] {
+                four @ [_, _, _, _] => four.iter_mut().for_each(|x| *x += value), // most cells
+                others => others.iter_mut().for_each(|x| *x += value),
+            }
             if self.before[j] > 0.0 {
                 pixels[from] += self.before[j] * (factor * cells[j - 1] - value);
             }
