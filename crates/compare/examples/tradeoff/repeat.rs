@@ -41,16 +41,23 @@ pub(crate) fn compare(first: &Table, second: &Table) -> String {
         let moved = |(a, b): &(&Row, &Row)| Some((of(b)? / of(a)? - 1.0).abs());
         pairs.iter().filter_map(moved).fold(0.0, f64::max)
     };
+    let [area, work] = [largest(|r| r.corrected.or(r.area)), largest(|r| r.pairs)];
+    let changes = if area.max(work) > 0.0 {
+        format!(
+            "the largest changes are {} of an area and {} of a number of pairs",
+            percent(area),
+            percent(work)
+        )
+    } else {
+        "no area and no number of pairs has changed".to_owned()
+    };
     let _ = writeln!(
         page,
         "Of {} rows {} were measured again. In {} of these area, truth, error of the pressure and FFT \
-         pairs are the same to all six digits; the largest changes are {} of an area and {} of a \
-         number of pairs.\n",
+         pairs are the same to all six digits; {changes}.\n",
         first.rows.len(),
         pairs.len(),
         pairs.iter().filter(is_same).count(),
-        percent(largest(|r| r.corrected.or(r.area))),
-        percent(largest(|r| r.pairs))
     );
     page.push_str(
         "| time, second over first | rows | median | 5 to 95 % of the rows | smallest to largest |\n\
@@ -75,6 +82,15 @@ pub(crate) fn compare(first: &Table, second: &Table) -> String {
             ratios.len()
         );
     }
+    // Ways are chosen by all their cases.
+    if pairs.len() == first.rows.len() {
+        page.push_str(&choice(first, second));
+    }
+    page
+}
+
+/// Whether the cheapest way to every accuracy is the same.
+fn choice(first: &Table, second: &Table) -> String {
     let choices = |table: &Table| -> Vec<String> {
         let found = ways(table.rows.iter());
         let choose = |(wanted, way): (f64, Option<&_>)| {
@@ -82,15 +98,13 @@ pub(crate) fn compare(first: &Table, second: &Table) -> String {
         };
         cheapest(&found).into_iter().map(choose).collect()
     };
+    let before = choices(first);
     let changed: Vec<String> =
-        choices(second).into_iter().filter(|c| !choices(first).contains(c)).collect();
-    let _ = match changed[..] {
-        [] => {
-            writeln!(page, "\nThe cheapest way to every accuracy of the first table is the same.")
-        }
-        _ => writeln!(page, "\nThe cheapest way is another to {}.", changed.join("; ")),
-    };
-    page
+        choices(second).into_iter().filter(|choice| !before.contains(choice)).collect();
+    match changed[..] {
+        [] => "\nThe cheapest way to every accuracy of the first table is the same.\n".to_owned(),
+        _ => format!("\nThe cheapest way is another to {}.\n", changed.join("; ")),
+    }
 }
 
 fn quantiles(sorted: &[f64]) -> Option<[f64; 5]> {
