@@ -52,9 +52,9 @@ pub trait SummitLaw: Send + Sync + 'static {
 /// than 1e-13 of themselves may come out in either order.
 ///
 /// # Validity
-/// Bandwidth at least 3/2 (no isotropic Gaussian surface has less). A [`Caveat::BeyondModel`] is
-/// attached above an area fraction of 0.1, where summits feel each other; the area is not
-/// clipped.
+/// Bandwidth at least 3/2 (no isotropic Gaussian surface has less). A
+/// [`Caveat::BeyondModel`](contact_types::Caveat::BeyondModel) is attached above an area fraction of
+/// 0.1, where summits feel each other; the area is not clipped.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SummitModel<L> {
     moments: SpectralMoments,
