@@ -18,7 +18,7 @@ pub fn write_accuracy(answers: &[[f64; 2]], out: &mut impl Write) -> io::Result<
     let right = COLUMN - 70.0;
     let frame = Frame {
         x: Axis::log([0.3, 17.0], [44.0, right]),
-        y: Axis::log([100.0 * LEAST / 1.3, 20.0], [220.0, 14.0]),
+        y: Axis::log([100.0 * LEAST / 1.3, 20.0], [231.0, 25.0]),
         x_title: "Accuracy asked for (%)".into(),
         y_title: "True error of the area (%)".into(),
     };
@@ -51,15 +51,15 @@ pub fn write_accuracy(answers: &[[f64; 2]], out: &mut impl Write) -> io::Result<
         let [x, y] = frame.at([100.0 * request, 100.0 * median.max(LEAST)]);
         canvas.line([x - 14.0, y], [x + 14.0, y], Stroke::solid(DETERMINISTIC, 2.0));
         let met = errors.iter().filter(|e| **e <= request).count();
-        canvas.text(&Text {
-            anchor: Anchor::Middle,
-            size: 9.0,
-            halo: true,
-            ..Text::new([x, 10.0], &format!("{met}/{count}"))
-        });
+        for (y, number) in [(10.0, met), (20.0, count)] {
+            let text = number.to_string();
+            canvas.text(&Text { anchor: Anchor::Middle, size: 9.0, ..Text::new([x, y], &text) });
+        }
         described.push(format!("{} %: {met} of {count} met", 100.0 * request));
     }
-    canvas.text(&Text { colour: INK2, size: 9.0, ..Text::new([right + 4.0, 10.0], "met/claimed") });
+    for (y, label) in [(10.0, "met of"), (20.0, "claimed")] {
+        canvas.text(&Text { colour: INK2, size: 9.0, ..Text::new([right + 4.0, y], label) });
+    }
     for (k, (look, label)) in [(dot, "met"), (cross, "missed")].into_iter().enumerate() {
         let y = 60.0 + 14.0 * k as f64;
         canvas.marker([right + 10.0, y - 3.0], 2.4, look);
@@ -71,7 +71,7 @@ pub fn write_accuracy(answers: &[[f64; 2]], out: &mut impl Write) -> io::Result<
         key: "accuracy".into(),
         title: "What was asked for and what came out".into(),
         description: format!("Answers that claim to meet the request. {}.", described.join("; ")),
-        size: [COLUMN, 256.0],
+        size: [COLUMN, 267.0],
         canvas,
     }
     .write_standalone(out)
