@@ -66,6 +66,25 @@ fn comparison_intervals_hold_the_refined_numbers() {
 
 type Quantity = fn(&Budget) -> compare::Estimate;
 
+/// Of the prediction intervals of a family's maps at least this many hold the mean over the family, and
+/// they are not wider than the scatter asks for.
+fn predictions_hold_the_mean(budgets: &[Budget], quantities: &[(&str, Quantity)], least: usize) {
+    for (name, quantity) in quantities {
+        let all: Vec<_> = budgets.iter().map(*quantity).collect();
+        let n = all.len() as f64;
+        let mean = all.iter().map(|e| e.value).sum::<f64>() / n;
+        let held = all.iter().filter(|e| {
+            let [low, high] = e.prediction().unwrap();
+            (low..=high).contains(&mean)
+        });
+        let held = held.count();
+        assert!(held >= least, "{name}: {held} of {}", all.len());
+        let scatter = (all.iter().map(|e| (e.value - mean).powi(2)).sum::<f64>() / n).sqrt();
+        let half = all.iter().map(|e| e.prediction_half_width().unwrap()).sum::<f64>() / n;
+        assert!(half < 6.0 * scatter, "{name}: ±{half:e} for a scatter of {scatter:e}");
+    }
+}
+
 /// Prediction intervals against the mean of the family, and they are no wider than they need be.
 #[test]
 fn prediction_intervals_hold_the_mean_of_their_family() {
@@ -75,20 +94,7 @@ fn prediction_intervals_hold_the_mean_of_their_family() {
         ("gap", |b| b.mean_gap.unwrap()),
         ("stiffness", |b| b.stiffness.unwrap()),
     ];
-    for (name, quantity) in quantities {
-        let all: Vec<_> = budgets.iter().map(quantity).collect();
-        let n = all.len() as f64;
-        let mean = all.iter().map(|e| e.value).sum::<f64>() / n;
-        let held = all.iter().filter(|e| {
-            let [low, high] = e.prediction().unwrap();
-            (low..=high).contains(&mean)
-        });
-        let held = held.count();
-        assert!(held >= 18, "{name}: {held} of 20");
-        let scatter = (all.iter().map(|e| (e.value - mean).powi(2)).sum::<f64>() / n).sqrt();
-        let half = all.iter().map(|e| e.prediction_half_width().unwrap()).sum::<f64>() / n;
-        assert!(half < 6.0 * scatter, "{name}: ±{half:e} for a scatter of {scatter:e}");
-    }
+    predictions_hold_the_mean(&budgets, &quantities, 18);
 }
 
 /// At one gap for all of a family: load and area of each map with its prediction interval against
@@ -105,19 +111,6 @@ fn predictions_at_a_given_gap_hold_the_mean_of_their_family() {
         })
         .collect();
     let quantities: [(&str, Quantity); 2] = [("load", |b| b.mean_pressure), ("area", |b| b.area)];
-    for (name, quantity) in quantities {
-        let all: Vec<_> = budgets.iter().map(quantity).collect();
-        let n = all.len() as f64;
-        let mean = all.iter().map(|e| e.value).sum::<f64>() / n;
-        let held = all.iter().filter(|e| {
-            let [low, high] = e.prediction().unwrap();
-            (low..=high).contains(&mean)
-        });
-        let held = held.count();
-        assert!(held >= 27, "{name}: {held} of 30");
-        let scatter = (all.iter().map(|e| (e.value - mean).powi(2)).sum::<f64>() / n).sqrt();
-        let half = all.iter().map(|e| e.prediction_half_width().unwrap()).sum::<f64>() / n;
-        assert!(half < 6.0 * scatter, "{name}: ±{half:e} for a scatter of {scatter:e}");
-    }
+    predictions_hold_the_mean(&budgets, &quantities, 27);
     assert!(budgets.iter().all(|b| b.mean_gap.unwrap().prediction_half_width() == Some(0.0)));
 }
