@@ -30,7 +30,7 @@ use super::stiffness::Stiffness;
 use super::sweep::Sweep;
 use super::{
     Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch, face_cg,
-    level_control::LevelControl,
+    level_control::LevelControl, thin_pixels,
 };
 use crate::problem::Problem;
 use crate::{Boundary, HalfSpace, Real, certificate, fields};
@@ -43,7 +43,8 @@ pub(crate) use steps::room;
 
 /// Below this chord length the step was a poor guess: take it as it is, and release nodes.
 const FULL: f64 = 0.7;
-/// After a poor step, nodes with less pressure than this times their gap are let go.
+/// After a poor step, nodes with less pressure than this times their gap are let go; as much less as
+/// pixels are longer than wide, where a line of them may stand off as a whole for a lack of little load.
 const RELEASE: f64 = 0.1;
 /// Range of the length of the preconditioned step.
 const TAU: [f64; 2] = [0.3, 1.1];
@@ -54,6 +55,8 @@ pub(crate) struct Chord<T: Real> {
     grid: Grid,
     pub(crate) shape: [usize; 2],
     pub(crate) rows: usize,
+    /// Longer over shorter pixel side.
+    elongation: f64,
     /// Longer side of the map.
     longest: f64,
     pub(crate) mask: Vec<u8>,
@@ -85,6 +88,7 @@ impl<T: Real> Chord<T> {
             grid: scaled,
             shape: scaled.shape(),
             rows,
+            elongation: thin_pixels::ratio(scaled),
             longest: (0..2)
                 .map(|a| scaled.shape()[a] as f64 * scaled.pixel()[a])
                 .fold(1.0, f64::max),
@@ -158,14 +162,15 @@ impl<T: Real> Chord<T> {
         let (mut iteration, mut residual) = (0, f64::INFINITY);
         let end = loop {
             // Residual gap and contact set; with the level prescribed, once more at a better load.
-            let release = if now.a < FULL { RELEASE } else { 0.0 };
+            let most = RELEASE / self.elongation;
+            let release = if now.a < FULL { most } else { 0.0 };
             let known = std::mem::take(&mut now.known);
             let (mut level, mut found) = self.look(h, known, release, is_lead, state);
             if let Some(control) = &mut control {
                 let factor = self.towards_level(control, level, load, residual, is_lead, state);
                 load *= factor;
                 now.dkd *= factor * factor;
-                (level, found) = self.look(h, Known::default(), RELEASE, is_lead, state);
+                (level, found) = self.look(h, Known::default(), most, is_lead, state);
             } else if start == Start::Warm && iteration == 0 {
                 // The contact of another load: the step will close much that it leaves open.
                 found = self.look_ahead(h, level, release, is_lead, state);
@@ -252,6 +257,9 @@ impl<T: Real> Chord<T> {
             self.advance(kind, &products, level, &mut now, h, state);
             iteration += 1;
         };
+        if control.is_none() {
+            end_drift(load, state);
+        }
         state.level = certificate::level(state, h);
         let error = control.map_or(0.0, |c| c.error.abs());
         Outcome { end, iterations: iteration, transforms, residual: residual.max(error) }
@@ -271,6 +279,14 @@ fn begin_constant<T: Real>(
     }
     operator.apply(&state.pressure, &mut state.displacement);
     1.0
+}
+
+/// Steps longer than the chord multiply the rounding of the load: takes back what came of it.
+fn end_drift<T: Real>(load: f64, state: &mut State<T>) {
+    let present = fields::sum(&state.pressure) / state.pressure.len() as f64;
+    if (present / load - 1.0).abs() > 32.0 * T::EPSILON {
+        rescale(Some(load), state);
+    }
 }
 
 /// Scales a solution to another load: K is linear. Without a load, leaves it. Returns the load.

@@ -1,16 +1,19 @@
-//! The first trial from a coarser grid: the surface averaged over blocks of 4 x 4 pixels, solved
+//! The first trial from a coarser grid: the surface averaged over blocks of 4 x 4 pixels, of long pixels
+//! over fewer of them and more abreast, solved
 //! to a third, or to a tenth if it has to find the load as well, and interpolated. It costs 0.1 to 0.15 pairs and saves one to three.
 
 use super::chord::Chord;
 use super::stiffness::relative_cost;
 use super::transfer::Transfer;
-use super::{Start, State, Target, Task};
+use super::{Start, State, Target, Task, thin_pixels};
 use crate::problem::{Problem, Units};
 use crate::{HalfSpace, Real, fields};
 use contact_types::{ContactModulus, Grid};
 use grid_fft::parallel::prelude::*;
 use std::ops::ControlFlow;
 
+/// Pixels per coarse cell, no longer than wide: lines of long pixels are not to be mixed.
+const CELLS: &thin_pixels::Cells = &[[4, 4], [4, 4], [2, 8], [1, 8]];
 /// An axis with fewer pixels is not coarsened.
 const SHORTEST: usize = 128;
 /// Accuracy to which the coarse problem is solved.
@@ -22,8 +25,8 @@ const ITERATIONS: usize = 12;
 
 /// A solver on the coarser grid.
 pub(crate) struct CoarseLead<T: Real> {
-    /// From the grid to half its size, and from there to a quarter.
-    transfers: [Transfer; 2],
+    /// From the grid to the coarse one, halving by halving.
+    transfers: Vec<Transfer>,
     /// Finer pixel side of the coarse grid, in those of the grid.
     unit: f64,
     relative_cost: f64,
@@ -44,19 +47,15 @@ pub(crate) struct Found {
 impl<T: Real> CoarseLead<T> {
     /// For a grid whose finer pixel side is 1; `None` if it is too small.
     pub(crate) fn new(scaled: Grid) -> Option<Self> {
-        let halved = scaled.shape().map(|n| n >= SHORTEST);
-        if halved == [false, false] {
-            return None;
-        }
-        let first = Transfer::new(scaled.shape(), halved).with_cut_cells();
-        let second = Transfer::new(first.coarse, halved).with_cut_cells();
+        let transfers = transfers(scaled);
+        let coarse = transfers.last()?.coarse;
         let mut pixel = scaled.pixel();
         for axis in 0..2 {
-            pixel[axis] *= scaled.shape()[axis] as f64 / second.coarse[axis] as f64;
+            pixel[axis] *= scaled.shape()[axis] as f64 / coarse[axis] as f64;
         }
-        let grid = Grid::new(second.coarse, pixel).ok()?;
+        let grid = Grid::new(coarse, pixel).ok()?;
         let unit = crate::problem::fine_pixel(grid);
-        let grid = Grid::new(second.coarse, pixel.map(|d| d / unit)).ok()?;
+        let grid = Grid::new(coarse, pixel.map(|d| d / unit)).ok()?;
         let n = grid.len();
         let problem = Problem {
             grid,
@@ -66,9 +65,9 @@ impl<T: Real> CoarseLead<T> {
         };
         let modulus = ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus");
         Some(Self {
-            transfers: [first, second],
+            transfers,
             unit,
-            relative_cost: relative_cost(second.coarse, scaled.shape()),
+            relative_cost: relative_cost(coarse, scaled.shape()),
             chord: Chord::new(grid),
             half_space: HalfSpace::new(grid, modulus),
             problem,
@@ -134,18 +133,22 @@ impl<T: Real> CoarseLead<T> {
 
     /// Heights of the coarse grid: repeated means over the children.
     fn average(&mut self, heights: &[T]) {
-        let half = means(&self.transfers[0], heights);
-        self.problem.heights = means(&self.transfers[1], &half);
+        let (first, others) = self.transfers.split_first().expect("there is one");
+        let once = means(first, heights);
+        self.problem.heights = others.iter().fold(once, |x, t| means(t, &x));
     }
 
     /// Linear interpolation to the fine grid, times `factor`.
     fn interpolate(&self, coarse: &[T], factor: f64, fine: &mut [T]) {
-        let narrow: Vec<f32> = coarse.iter().map(|x| (factor * x.wide()) as f32).collect();
-        let [first, second] = &self.transfers;
-        let [hy, hx] = first.coarse;
-        let mut half = vec![0.0_f32; hy * hx];
-        for (i, row) in half.chunks_exact_mut(hx).enumerate() {
-            second.up_row(i, &narrow, |ix, v| row[ix..ix + v.len()].copy_from_slice(v));
+        let mut half: Vec<f32> = coarse.iter().map(|x| (factor * x.wide()) as f32).collect();
+        let (first, others) = self.transfers.split_first().expect("there is one");
+        for t in others.iter().rev() {
+            let [ny, nx] = t.fine;
+            let mut finer = vec![0.0_f32; ny * nx];
+            for (i, row) in finer.chunks_exact_mut(nx).enumerate() {
+                t.up_row(i, &half, |ix, v| row[ix..ix + v.len()].copy_from_slice(v));
+            }
+            half = finer;
         }
         let nx = first.fine[1];
         fine.par_chunks_mut(nx).enumerate().for_each(|(i, row)| {
@@ -156,6 +159,23 @@ impl<T: Real> CoarseLead<T> {
             });
         });
     }
+}
+
+/// The halvings that lead to the coarse grid; none if the grid is too small.
+fn transfers(scaled: Grid) -> Vec<Transfer> {
+    let (shape, pixel) = (scaled.shape(), scaled.pixel());
+    let long = [0, 1].map(|a| if shape[a] > 1 { pixel[a] } else { f64::MAX });
+    let cell = thin_pixels::cell(long, CELLS);
+    let halvings = [0, 1].map(|a| if shape[a] < SHORTEST { 0 } else { cell[a].ilog2() });
+    let most = halvings[0].max(halvings[1]);
+    let mut transfers: Vec<Transfer> = Vec::new();
+    for left in (1..=most).rev() {
+        let fine = transfers.last().map_or(shape, |t| t.coarse);
+        // The shorter pixel sides first.
+        let halved = halvings.map(|h| h >= most + 1 - left);
+        transfers.push(Transfer::new(fine, halved).with_cut_cells());
+    }
+    transfers
 }
 
 /// Means over the cells.

@@ -6,21 +6,27 @@
 //! coarser cells, *push* interpolates it back into the cells that know nothing,
 //!
 //! ```text
-//! w0 = 1 on F, else 0;     m = down(w_l);    d_(l+1) = 1/(m + 1e-3);    w_(l+1) = m (1 + b (1 - m))
+//! w0 = 1 on F, else 0;     m = down(w_l);    d_(l+1) = 1/m;    w_(l+1) = m (1 + b (1 - m))
 //! pull   v0 = r,           v_(l+1) = d_(l+1) down(w_l v_l)
 //! push   x_top = w_top v_top,      x_l = w_l v_l + (1 - w_l) up(x_(l+1))
 //! ```
 //!
 //! The weights are capacities, not area fractions: a cell partly in contact counts for more than
 //! its share, because the field outside an isolated contact falls off as 1/r and not at once;
-//! hence `b > 0`. Everything is single precision: the result is a step, corrected by the next one.
+//! hence `b > 0`. Where pixels are so long that a whole line of them is one cell before cells are
+//! square, the cell leans on its neighbours as much less as it is longer than wide: `(1 - w)/w`
+//! counts [`COUPLING`] times width over length. Everything is single precision: the result is a step, corrected by the next one.
 
 use super::transfer::{Transfer, Weight};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
-/// Where a cell knows nothing, its value is 0 instead of 0/0.
-const EPSILON: f32 = 1e-3;
+/// Where a cell knows nothing, its value is 0 instead of 0/0. Small enough that `E` leaves a constant
+/// as it is: thin pixels resist what is left of it a thousand times more than the constant.
+const EPSILON: f32 = 1e-30;
+/// What a line of long pixels takes from the lines beside it, for each ratio of its length to their
+/// width, in what it takes from them if that ratio is 1.
+const COUPLING: f64 = 0.3;
 /// Pixels that one task of a parallel loop handles, about.
 const TASK: usize = 1 << 14;
 
@@ -43,6 +49,8 @@ pub(crate) struct Level {
     /// From the next finer grid to this one.
     pub(crate) transfer: Transfer,
     pub(crate) capacity: Capacity,
+    /// Factor on `(1 - w)/w`; below 1 for the cells that hold a whole line of long pixels.
+    coupling: f32,
     pub(crate) weight: Vec<f32>,
     pub(crate) inverse: Vec<f32>,
     pub(crate) value: Vec<f32>,
@@ -56,11 +64,19 @@ pub(crate) struct Rows<'a> {
 }
 
 impl Level {
-    fn new(transfer: Transfer) -> Self {
+    /// `pixel` is that of this level.
+    fn new(transfer: Transfer, pixel: [f64; 2]) -> Self {
         let n = transfer.coarse[0] * transfer.coarse[1];
         let capacity = Capacity { gain: if transfer.halved == [true, true] { 0.6 } else { 0.45 } };
         let zeros = || vec![0.0; n];
-        Self { transfer, capacity, weight: zeros(), inverse: zeros(), value: zeros() }
+        let ends = |a: usize| transfer.halved[a] && transfer.coarse[a] == 1;
+        let slenderness = match [ends(0), ends(1)] {
+            [true, false] => pixel[0] / pixel[1],
+            [false, true] => pixel[1] / pixel[0],
+            _ => 1.0,
+        };
+        let coupling = if slenderness < 1.0 { (COUPLING * slenderness) as f32 } else { 1.0 };
+        Self { transfer, capacity, coupling, weight: zeros(), inverse: zeros(), value: zeros() }
     }
 
     /// Rows of this level that one task handles: about a fixed number of fine pixels.
@@ -105,8 +121,15 @@ impl Level {
     /// Pulls weights and values of the next finer level.
     fn pull(&mut self, w: &[f32], v: &[f32]) {
         if self.transfer.has_cut_cells() {
-            return self.pull_cut(w, Some(v));
+            self.pull_cut(w, Some(v));
+        } else {
+            self.pull_pairs(w, v);
         }
+        self.uncouple();
+    }
+
+    /// The same where no pixel is cut.
+    fn pull_pairs(&mut self, w: &[f32], v: &[f32]) {
         let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
         let (fine, coarse) = (rows * t.rows_per_coarse_row() * t.fine[1], rows * t.coarse[1]);
         w.par_chunks(fine)
@@ -122,8 +145,15 @@ impl Level {
     /// Pulls weights alone.
     fn pull_weights(&mut self, w: &[f32]) {
         if self.transfer.has_cut_cells() {
-            return self.pull_cut(w, None);
+            self.pull_cut(w, None);
+        } else {
+            self.pull_pairs_of_weights(w);
         }
+        self.uncouple();
+    }
+
+    /// The same where no pixel is cut.
+    fn pull_pairs_of_weights(&mut self, w: &[f32]) {
         let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
         let (nx, mx) = (t.fine[1], t.coarse[1]);
         let (fine, coarse) = (rows * t.rows_per_coarse_row() * nx, rows * mx);
@@ -133,6 +163,15 @@ impl Level {
             .for_each(|((w, weight), inverse)| {
                 vectorised!(pull_weight_rows(&t, capacity, w, weight, inverse));
             });
+    }
+
+    /// Lets the cells lean less on their neighbours.
+    fn uncouple(&mut self) {
+        if self.coupling < 1.0 {
+            for w in self.weight.iter_mut().filter(|w| **w > 0.0) {
+                *w /= *w + self.coupling * (1.0 - *w);
+            }
+        }
     }
 
     /// `x_l = w_l v_l + (1 - w_l) up(x_(l+1))` in place.
@@ -313,7 +352,7 @@ impl Pyramid {
                 }
             }
             n = transfer.coarse;
-            levels.push(Level::new(transfer));
+            levels.push(Level::new(transfer, d));
         }
         Self { levels }
     }

@@ -42,6 +42,7 @@ mod safeguards;
 mod stanley_kato;
 mod stiffness;
 mod sweep;
+mod thin_pixels;
 mod transfer;
 
 use crate::problem::Problem;

@@ -10,6 +10,7 @@
 //! `B`, the response of the block mean, makes the long waves come out at full strength.
 
 use super::equal_cells::Cells;
+use super::thin_pixels;
 use crate::simd::vectorised;
 use grid_fft::Convolution;
 use grid_fft::parallel::prelude::*;
@@ -21,8 +22,12 @@ const SHORTEST: usize = 16;
 const TASK: usize = 1 << 14;
 /// Columns handled at a time.
 const TILE: usize = 512;
-/// Largest radius of the stencil.
-const MAX_RADIUS: usize = 2;
+/// Pixels per coarse cell: about square, and 16 to 32 of them.
+const CELLS: &thin_pixels::Cells = &[[4, 4], [4, 8], [2, 8], [2, 16], [1, 16]];
+/// Largest radius of the stencil: half a cell.
+const MAX_RADIUS: usize = 8;
+/// Rows of the stencil handled at a time.
+const ROWS: usize = 3;
 
 /// `S` for one grid.
 pub(crate) struct Stiffness {
@@ -44,6 +49,26 @@ pub(crate) struct Stiffness {
     pub(crate) cost: f64,
 }
 
+/// Pixels per coarse cell along each axis. An axis with few pixels is kept as it is; on a line of
+/// pixels, cells are as on very long ones.
+fn factors(shape: [usize; 2], pixel: [f64; 2]) -> [usize; 2] {
+    let sides = [0, 1].map(|a| if shape[a] > 1 { pixel[a] } else { f64::MAX });
+    let mut factor = thin_pixels::cell(sides, CELLS);
+    let short = usize::from(sides[1] < sides[0]);
+    if factor[short] == factor[1 - short] {
+        return [0, 1].map(|a| if shape[a] < SHORTEST { 1 } else { factor[a] });
+    }
+    // Few pixels across: smaller cells, of the same shape.
+    let most = 1 << (shape[short] / 2).max(1).ilog2();
+    while factor[short] > most {
+        factor = factor.map(|f| (f / 2).max(1));
+    }
+    if shape[1 - short] < SHORTEST {
+        factor[1 - short] = 1;
+    }
+    factor
+}
+
 /// Cost of a transform of `small` in transforms of `large`.
 pub(crate) fn relative_cost(small: [usize; 2], large: [usize; 2]) -> f64 {
     let (m, n) = ((small[0] * small[1]) as f64, (large[0] * large[1]) as f64);
@@ -60,17 +85,13 @@ fn half_wavenumber(k: [usize; 2], n: [usize; 2], d: [f64; 2]) -> f64 {
 }
 
 impl Stiffness {
-    /// Coarse cells come out about square and four of the finer pixels wide; an axis with few
-    /// pixels is kept as it is.
+    /// For a grid of `shape` pixels of size `pixel`.
     pub(crate) fn new(shape: [usize; 2], pixel: [f64; 2]) -> Self {
-        let long = |a: usize| if shape[a] > 1 { pixel[a] } else { f64::INFINITY };
-        let fine = long(0).min(long(1));
-        let factor = [0, 1].map(|a| {
-            let octaves = ((4.0 * fine / pixel[a]).log2() + 0.42).floor();
-            if shape[a] < SHORTEST || octaves < 1.0 { 1 } else { 1 << octaves as u32 }
+        let factor = factors(shape, pixel);
+        let radius = [0, 1].map(|a| match factor[a] {
+            1 if shape[a] < SHORTEST => 2.min(shape[a] / 2),
+            f => f / 2,
         });
-        let radius =
-            [0, 1].map(|a| if shape[a] < SHORTEST { 2.min(shape[a] / 2) } else { factor[a] / 2 });
         let cells = [0, 1].map(|a| Cells::new(shape[a], factor[a]));
         let coarse = [cells[0].len(), cells[1].len()];
         let transform = Convolution::new(coarse);
@@ -209,7 +230,7 @@ impl Stiffness {
             for dy in 0..=ry {
                 let (above, below) = (row((i + ny - dy) % ny), row((i + dy) % ny));
                 let factor = if dy == 0 { 0.5 } else { 1.0 }; // the row itself comes twice
-                let line = &mut lines.0[dy][..width + 2 * rx];
+                let line = &mut lines.0[dy % ROWS][..width + 2 * rx];
                 let inner = line[rx..rx + width].iter_mut();
                 for ((l, a), b) in inner.zip(&above[first..][..width]).zip(&below[first..][..width])
                 {
@@ -221,24 +242,23 @@ impl Stiffness {
                     let right = (first + width - 1 + d) % nx;
                     line[rx + width - 1 + d] = factor * (above[right] + below[right]);
                 }
+                if [ry, rx] != [2, 2] {
+                    add_stencil_row(&self.taps[dy], rx, line, y);
+                }
             }
             if [ry, rx] == [2, 2] {
                 add_square_stencil(&self.taps, lines, y);
-                continue;
-            }
-            for (taps, line) in self.taps.iter().zip(&lines.0).take(ry + 1) {
-                add_stencil_row(taps, rx, line, y);
             }
         }
     }
 }
 
 /// Sums of the two rows at the same distance, a tile of columns and what the stencil reaches beyond.
-struct Lines([[f32; TILE + 2 * MAX_RADIUS]; MAX_RADIUS + 1]);
+struct Lines([[f32; TILE + 2 * MAX_RADIUS]; ROWS]);
 
 impl Default for Lines {
     fn default() -> Self {
-        Self([[0.0; TILE + 2 * MAX_RADIUS]; MAX_RADIUS + 1])
+        Self([[0.0; TILE + 2 * MAX_RADIUS]; ROWS])
     }
 }
 
@@ -254,7 +274,7 @@ fn add_square_stencil(
         let shifted = |d: usize| &line[d..d + n];
         [shifted(0), shifted(1), shifted(2), shifted(3), shifted(4)]
     });
-    let sum = |t: &[f32; 3], [ll, l, c, r, rr]: [&[f32]; 5], i: usize| {
+    let sum = |t: &[f32; MAX_RADIUS + 1], [ll, l, c, r, rr]: [&[f32]; 5], i: usize| {
         t[0] * c[i] + t[1] * (l[i] + r[i]) + t[2] * (ll[i] + rr[i])
     };
     for i in 0..n {
@@ -279,7 +299,17 @@ fn add_stencil_row(taps: &[f32; MAX_RADIUS + 1], radius: usize, line: &[f32], y:
                 y[i] += taps[0] * c[i] + taps[1] * (l[i] + r[i]);
             }
         }
-        _ => {
+        3.. => {
+            add_stencil_row(taps, 0, &line[radius..][..n], y);
+            for d in (1..=radius).step_by(2) {
+                let pair = |d: usize| (&line[radius - d..][..n], &line[radius + d..][..n]);
+                let ((l, r), (ll, rr)) = (pair(d), pair(d + 1));
+                for i in 0..n {
+                    y[i] += taps[d] * (l[i] + r[i]) + taps[d + 1] * (ll[i] + rr[i]);
+                }
+            }
+        }
+        2 => {
             let (ll, l, c, r, rr) = (shifted(0), shifted(1), shifted(2), shifted(3), shifted(4));
             for i in 0..n {
                 y[i] += taps[0] * c[i] + taps[1] * (l[i] + r[i]) + taps[2] * (ll[i] + rr[i]);

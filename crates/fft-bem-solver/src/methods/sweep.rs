@@ -55,7 +55,8 @@ impl Sweep {
 
     /// Sweeps released nodes, then negative pressures, until what is left is negligible.
     /// `trial` and `mask` are on the finest grid; `active` nodes are in contact; `total` is the
-    /// whole load. On return a node carries `trial + added` of its cell if its mark is [`ON`].
+    /// load against which what is left must be negligible: the whole load, or, since what is clipped is
+    /// spread over the map, as much less as lines of long pixels can take over less from each other. On return a node carries `trial + added` of its cell if its mark is [`ON`].
     pub(crate) fn run<T: Real>(
         &mut self,
         pyramid: &mut Pyramid,

@@ -169,7 +169,7 @@ impl<T: Real> Chord<T> {
             &mut self.mask,
             found.active,
             found.has_released,
-            load * self.trial.len() as f64,
+            load * self.trial.len() as f64 / self.elongation,
         );
     }
 

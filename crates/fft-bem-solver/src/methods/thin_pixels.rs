@@ -1,0 +1,23 @@
+//! What changes where pixels are longer one way than the other.
+//!
+//! The kernel `|q|/2` of waves across long pixels is small: lines of long pixels, side by side, hardly
+//! feel each other, and a load moved from one to the next shifts both by much. So nothing may be
+//! averaged over lines before it is averaged along them, and no load may get lost between them.
+
+use contact_types::Grid;
+
+/// Longer over shorter pixel side; 1 for a single line of pixels.
+pub(crate) fn ratio(grid: Grid) -> f64 {
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
+    if ny > 1 && nx > 1 { (dy / dx).max(dx / dy) } else { 1.0 }
+}
+
+/// Pixels per cell `[along the longer sides, along the shorter]`, for each octave of the ratio.
+pub(crate) type Cells = [[usize; 2]];
+
+/// The entry of `cells` for these pixels, by axis. The last holds for all ratios beyond.
+pub(crate) fn cell(pixel: [f64; 2], cells: &Cells) -> [usize; 2] {
+    let octave = (pixel[0] / pixel[1]).log2();
+    let [long, short] = cells[(octave.abs().round() as usize).min(cells.len() - 1)];
+    if octave > 0.0 { [long, short] } else { [short, long] }
+}
