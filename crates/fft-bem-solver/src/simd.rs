@@ -1,18 +1,68 @@
 //! Inner loops in versions for several sets of vector instructions, chosen while the program runs.
 
-use fearless_simd::Level;
+#![allow(clippy::inline_always, reason = "inner loops belong to each version of `vectorised!`")]
+
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, f32x4, f64x4};
 
 /// Evaluates an expression in the version for the widest vectors that this processor has.
 ///
 /// The versions differ in how many numbers one instruction handles and in nothing else: each
 /// operation and the order of sums are those of the source, so that the results are the same to the
-/// last bit. What the expression calls belongs to a version only if it is inlined.
+/// last bit. What the expression calls belongs to a version only if it is inlined. With a name before
+/// it, the expression is given the vectors of its version.
+///
+/// Loops from field to field need no more than this. Loops that sum are written in vectors of four
+/// ([`four`]), since the order of additions is not for the compiler to change.
 macro_rules! vectorised {
     ($pass:expr) => {
         fearless_simd::dispatch!($crate::simd::level(), _vectors => $pass)
     };
+    ($vectors:ident => $pass:expr) => {
+        fearless_simd::dispatch!($crate::simd::level(), $vectors => $pass)
+    };
 }
 pub(crate) use vectorised;
+
+/// Numbers in a vector.
+pub(crate) const LANES: usize = 4;
+
+/// A number of which four make a vector.
+pub trait Lane: Sized {
+    /// Four of them.
+    type Four<S: Simd>: SimdFloat<S, Element = Self>;
+    /// The same numbers as `f64`, exactly.
+    fn widened<S: Simd>(four: Self::Four<S>) -> f64x4<S>;
+}
+
+impl Lane for f64 {
+    type Four<S: Simd> = f64x4<S>;
+    #[inline(always)]
+    fn widened<S: Simd>(four: f64x4<S>) -> f64x4<S> {
+        four
+    }
+}
+
+impl Lane for f32 {
+    type Four<S: Simd> = f32x4<S>;
+    #[inline(always)]
+    fn widened<S: Simd>(four: f32x4<S>) -> f64x4<S> {
+        f64x4::from_slice(four.witness(), &four.map(f64::from))
+    }
+}
+
+/// Four numbers of a field, from `i` on.
+#[inline(always)]
+pub(crate) fn four<S: Simd, T: Lane>(vectors: S, field: &[T], i: usize) -> T::Four<S> {
+    <T::Four<S> as SimdBase<S>>::from_slice(vectors, &field[i..i + LANES])
+}
+
+/// What is left of a field after whole vectors of it, filled up with zeros.
+pub(crate) fn rest<T: Copy + Default>(field: &[T]) -> [T; LANES] {
+    let (_, rest) = field.as_chunks::<LANES>();
+    let mut four = [T::default(); LANES];
+    four[..rest.len()].copy_from_slice(rest);
+    four
+}
 
 /// The widest vectors.
 pub(crate) fn level() -> Level {

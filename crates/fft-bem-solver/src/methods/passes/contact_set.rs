@@ -18,7 +18,7 @@ pub(crate) fn level<T: Real>(p: &[T], u: &[T], h: &[T], partial: &mut [Partial])
         .zip(p.par_chunks(TASK))
         .zip(u.par_chunks(TASK))
         .zip(h.par_chunks(TASK))
-        .for_each(|(((partial, p), u), h)| *partial = vectorised!(contact_sums(p, u, h)));
+        .for_each(|(((partial, p), u), h)| *partial = vectorised!(x => contact_sums(x, p, u, h)));
     let [sum, contact] = total(&partial[..used]);
     sum / contact.max(1.0)
 }

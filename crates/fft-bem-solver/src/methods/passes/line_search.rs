@@ -1,9 +1,10 @@
 //! What the search along the chord, and over the plane of the chord and the step before, needs.
 
-use super::sums::{Largest, Sum, TILE};
+use super::sums::{Largest, TILE};
 use super::{Partial, TASK};
 use crate::Real;
-use crate::simd::vectorised;
+use crate::simd::{LANES, four, rest, vectorised};
+use fearless_simd::{Fallback, Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;
 
 /// Inner products of the chord `s = trial - p` and the step before, `d = p - before`.
@@ -61,59 +62,57 @@ pub(crate) fn inner_products<T: Real>(
     b: &[T],
     gap: &mut [f32],
 ) -> Partial {
-    let (mut sums, mut room) = ([Sum::default(); 8], [[0.0; TILE]; 5]);
-    vectorised!({
-        let tiles = q.chunks_mut(TILE).zip(v.chunks(TILE)).zip(gap.chunks_mut(TILE));
-        for (k, ((q, v), gap)) in tiles.enumerate() {
-            let [p, u, h, b] = [p, u, h, b].map(|x| &x[k * TILE..][..q.len()]);
-            for q in &mut *q {
-                *q *= scale;
-            }
-            add_products([p, u, h], levels.map(T::of), [q, v], b, gap, &mut room, &mut sums);
-        }
-    });
-    sums.map(Sum::total)
+    let levels = levels.map(T::of);
+    let fields = [p, u, h, b, &*v];
+    let mut sums = vectorised!(x => products_by_fours(x, fields, levels, q, scale, gap));
+    let whole = gap.len() - gap.len() % LANES;
+    if whole < gap.len() {
+        let (mut last, mut its_gap) = (rest(q), [0.0; LANES]);
+        let fields = fields.map(rest);
+        let fields = fields.each_ref().map(|x| &x[..]);
+        let more =
+            products_by_fours(Fallback::new(), fields, levels, &mut last, scale, &mut its_gap);
+        sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
+        q[whole..].iter_mut().zip(last).for_each(|(q, x)| *q = x);
+        gap[whole..].iter_mut().zip(its_gap).for_each(|(gap, x)| *gap = x);
+    }
+    sums
 }
 
-/// One tile of [`inner_products`].
+/// The same on whole vectors of the fields `p`, `u`, `h`, `b`, `v` and of `q`.
 #[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "a pass over seven fields")]
-fn add_products<T: Real>(
-    [p, u, h]: [&[T]; 3],
+fn products_by_fours<S: Simd, T: Real>(
+    vectors: S,
+    [p, u, h, b, v]: [&[T]; 5],
     [level, from]: [T; 2],
-    [q, v]: [&[T]; 2],
-    b: &[T],
+    q: &mut [T],
+    scale: T,
     gap: &mut [f32],
-    room: &mut [[f64; TILE]; 5],
-    sums: &mut [Sum; 8],
-) {
-    let n = p.len().min(TILE);
-    let (p, u, h, q, v, b) = (&p[..n], &u[..n], &h[..n], &q[..n], &v[..n], &b[..n]);
-    let [g, s, ks, d, rise] = room.each_mut().map(|x| &mut x[..n]);
-    for i in 0..n {
-        g[i] = (u[i] - h[i] - level).wide();
-        s[i] = (q[i] - p[i]).wide();
-        ks[i] = (v[i] - u[i]).wide();
-        d[i] = (p[i] - b[i]).wide();
+) -> Partial {
+    let (zero, one) = (f64x4::splat(vectors, 0.0), f64x4::splat(vectors, 1.0));
+    let [mut gs, mut sks, mut ss, mut gd, mut dks, mut dropped, mut rise, mut contact] = [zero; 8];
+    for i in (0..gap.len() - gap.len() % LANES).step_by(LANES) {
+        let (p, u, h) = (four(vectors, p, i), four(vectors, u, i), four(vectors, h, i));
+        let (b, v) = (four(vectors, b, i), four(vectors, v, i));
+        let trial = four(vectors, q, i) * scale;
+        trial.store_slice(&mut q[i..i + LANES]);
+        let height = v - h;
+        for (gap, g) in gap[i..i + LANES].iter_mut().zip((height - from).as_slice()) {
+            *gap = g.narrow();
+        }
+        let (g, s) = (T::widened(u - h - level), T::widened(trial - p));
+        let (d, ks) = (T::widened(p - b), T::widened(v - u));
+        gs += g * s;
+        sks += s * ks;
+        ss += s * s;
+        gd += g * d;
+        dks += d * ks;
+        let (was, is) = (T::widened(p).simd_gt(zero), T::widened(trial).simd_gt(zero));
+        dropped += is.select(zero, was.select(one, zero));
+        rise += is.select(T::widened(height), zero);
+        contact += is.select(one, zero);
     }
-    let (mut contact, mut dropped) = (0, 0);
-    for i in 0..n {
-        contact += u32::from(q[i] > T::zero());
-        dropped += u32::from((p[i] > T::zero()) & (q[i] <= T::zero()));
-    }
-    for i in 0..n {
-        let height = v[i] - h[i];
-        gap[i] = (height - from).narrow();
-        rise[i] = f64::from(u8::from(q[i] > T::zero())) * height.wide();
-    }
-    sums[0].add_product(g, s);
-    sums[1].add_product(s, ks);
-    sums[2].add_product(s, s);
-    sums[3].add_product(g, d);
-    sums[4].add_product(d, ks);
-    sums[5].add(&[f64::from(dropped)]);
-    sums[6].add(rise);
-    sums[7].add(&[f64::from(contact)]);
+    [gs, sks, ss, gd, dks, dropped, rise, contact].map(|sum| sum.iter().sum())
 }
 
 /// How far along the chord from `p` to the trial the pressure stays positive.

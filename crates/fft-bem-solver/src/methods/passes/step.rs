@@ -1,9 +1,9 @@
 //! The step to the next iterate, with the sums that its level needs.
 
-use super::sums::{Sum, TILE};
 use super::{Partial, TASK, total};
 use crate::Real;
-use crate::simd::vectorised;
+use crate::simd::{LANES, four, rest, vectorised};
+use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -37,10 +37,10 @@ pub(crate) fn combine<T: Real>(
             }
             let (from, n) = (task * TASK, b.len());
             let [p, u, h, q, v] = [p, u, h, trial, response].map(|x| &x[from..][..n]);
-            let fits = vectorised!({
+            let fits = vectorised!(vectors => {
                 let fits = step_pressure(p, q, [b1, b2], is_plane, b);
                 step_linearly(u, v, [b1, b2], is_plane, w);
-                *partial = contact_sums(b, w, h);
+                *partial = contact_sums(vectors, b, w, h);
                 fits
             });
             if is_plane && !fits {
@@ -82,16 +82,22 @@ fn step_pressure<T: Real>(
 
 /// Sum over the contact (`p > 0`) of `u - h`, and its number of nodes.
 #[inline(always)]
-pub(super) fn contact_sums<T: Real>(p: &[T], u: &[T], h: &[T]) -> Partial {
-    let (mut sum, mut count, mut room) = (Sum::default(), 0, [0.0; TILE]);
-    for ((p, u), h) in p.chunks(TILE).zip(u.chunks(TILE)).zip(h.chunks(TILE)) {
-        let n = p.len().min(TILE);
-        let rise = &mut room[..n];
-        for i in 0..n {
-            rise[i] = f64::from(u8::from(p[i] > T::zero())) * (u[i] - h[i]).wide();
-        }
-        sum.add(rise);
-        count += p.iter().map(|p| u32::from(*p > T::zero())).sum::<u32>();
+pub(super) fn contact_sums<S: Simd, T: Real>(vectors: S, p: &[T], u: &[T], h: &[T]) -> Partial {
+    let [sum, count] = contact_sums_by_fours(vectors, p, u, h);
+    let [more, others] = contact_sums_by_fours(vectors, &rest(p), &rest(u), &rest(h));
+    [sum + more, count + others, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+}
+
+/// The same over whole vectors.
+#[inline(always)]
+fn contact_sums_by_fours<S: Simd, T: Real>(vectors: S, p: &[T], u: &[T], h: &[T]) -> [f64; 2] {
+    let (zero, one) = (f64x4::splat(vectors, 0.0), f64x4::splat(vectors, 1.0));
+    let (mut sum, mut count) = (zero, zero);
+    for i in (0..p.len() - p.len() % LANES).step_by(LANES) {
+        let is_contact = T::widened(four(vectors, p, i)).simd_gt(zero);
+        let rise = T::widened(four(vectors, u, i) - four(vectors, h, i));
+        sum += is_contact.select(rise, zero);
+        count += is_contact.select(one, zero);
     }
-    [sum.total(), f64::from(count), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    [sum.iter().sum(), count.iter().sum()]
 }
