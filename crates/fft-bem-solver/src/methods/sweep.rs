@@ -6,11 +6,14 @@
 //! elastic body does when it loses a support. Nodes that were just released are swept likewise.
 //!
 //! What `E^T` adds is the same for all nodes below one cell of the first level, so a sweep works
-//! on that level alone; the finest grid is visited only where a node changes sides.
+//! on that level alone; the finest grid is visited only where a node changes sides. A round looks for
+//! tension, drops the nodes that bear it and hands their load up in one pass, before it is known how
+//! much it is: if it was not worth a round, the nodes would have been clipped, which is the same.
 
 use super::extension::{Level, Pyramid};
-use super::transfer::ON;
+use super::transfer::{ON, Transfer};
 use crate::Real;
+use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
 /// Most rounds of sweeping.
@@ -19,8 +22,12 @@ pub(crate) const ROUNDS: u8 = 12;
 pub(crate) const NEGLIGIBLE: f64 = 1e-3;
 /// Mark of a node that carries load but was released before the trial.
 pub(crate) const RELEASED: u8 = 2;
-/// Mark of the nodes dropped in round k: this plus k.
-const DROPPED: u8 = 3;
+/// What the mark of a node that is dropped because of its tension has beside [`ON`].
+const DROPPED: u8 = 4;
+/// Cells or nodes that are looked at in one go. Most blocks hold nothing to do.
+const BLOCK: usize = 32;
+/// Fewest rows of cells that one task handles: each has two more to hand load to.
+const ROWS: usize = 16;
 
 /// Memory of the sweep.
 pub(crate) struct Sweep {
@@ -28,35 +35,86 @@ pub(crate) struct Sweep {
     pub(crate) smallest: Vec<f32>,
     /// What belongs to the step but is not in the trial: a constant on the contact.
     pub(crate) shift: f32,
-    /// What is added to each node below a cell: the shift, and what the sweeps hand on.
-    pub(crate) added: Vec<f32>,
-    /// For each row of cells, the last mark set below it.
-    marks: Vec<u8>,
-    /// For each task, the tension found and the nodes it is on.
+    /// The shift, and what the sweeps hand down, for each cell; if anything was handed down.
+    added: Vec<f32>,
+    has_added: bool,
+    /// Load handed to the row before and the row after those of each task.
+    beyond: Vec<f32>,
+    /// For each task, the load handed up, and how many nodes it is from.
     found: Vec<(f64, usize)>,
+}
+
+/// What is added to the nodes below the cells of a row.
+#[derive(Clone, Copy)]
+pub(crate) enum Added<'a> {
+    /// The same to all.
+    Same(f32),
+    /// So much to those below each cell.
+    Cells(&'a [f32]),
+}
+
+impl Added<'_> {
+    /// To the nodes below cell `c`.
+    #[inline(always)]
+    fn at(self, c: usize) -> f32 {
+        match self {
+            Self::Same(a) => a,
+            Self::Cells(a) => a[c],
+        }
+    }
+
+    /// Of a block of cells, from `first` on, 1 for those below which a pressure is negative.
+    #[inline(always)]
+    fn tension_flags(self, first: usize, smallest: &[f32]) -> [u8; BLOCK] {
+        let mut flags = [0; BLOCK];
+        let both = flags.iter_mut().zip(smallest);
+        match self {
+            Self::Same(a) => both.for_each(|(flag, s)| *flag = u8::from(s + a < 0.0)),
+            Self::Cells(a) => {
+                both.zip(&a[first..]).for_each(|((flag, s), a)| *flag = u8::from(s + a < 0.0));
+            }
+        }
+        flags
+    }
 }
 
 impl Sweep {
     /// For the first level of a pyramid.
     pub(crate) fn new(first: Option<&Level>) -> Self {
-        let Some(level) = first else {
-            let (smallest, added, marks, found) = (vec![], vec![], vec![], vec![]);
-            return Self { smallest, shift: 0.0, added, marks, found };
-        };
-        let [my, mx] = level.transfer.coarse;
+        let [my, mx] = first.map_or([0, 0], |level| level.transfer.coarse);
+        let tasks = first.map_or(0, |level| my.div_ceil(rows_per_task(level)));
         Self {
             smallest: vec![0.0; my * mx],
             shift: 0.0,
             added: vec![0.0; my * mx],
-            marks: vec![0; my],
-            found: vec![(0.0, 0); my.div_ceil(level.rows_per_task())],
+            has_added: false,
+            beyond: vec![0.0; 2 * mx * tasks],
+            found: vec![(0.0, 0); tasks],
+        }
+    }
+
+    /// For a new trial, from which a constant was left out.
+    pub(crate) fn begin(&mut self, shift: f32) {
+        (self.shift, self.has_added) = (shift, false);
+    }
+
+    /// What the nodes of row `i` of the finest grid carry beside the trial.
+    #[inline(always)]
+    pub(crate) fn added_below(&self, i: usize, pyramid: &Pyramid) -> Added<'_> {
+        match pyramid.levels.first() {
+            Some(Level { transfer: t, .. }) if self.has_added => {
+                Added::Cells(&self.added[t.parent(i) * t.coarse[1]..][..t.coarse[1]])
+            }
+            _ => Added::Same(self.shift),
         }
     }
 
     /// Sweeps released nodes, then negative pressures, until what is left is negligible.
     /// `trial` and `mask` are on the finest grid; `active` nodes are in contact; `total` is the
+    /// `trial` and `mask` are on the finest grid; `active` nodes are in contact; `total` is the
     /// load against which what is left must be negligible: the whole load, or, since what is clipped is
-    /// spread over the map, as much less as lines of long pixels can take over less from each other. On return a node carries `trial + added` of its cell if its mark is [`ON`].
+    /// spread over the map, as much less as lines of long pixels can take over less from each other.
+    /// On return a node carries the trial and what is added to it, clipped, if its mark is [`ON`].
     pub(crate) fn run<T: Real>(
         &mut self,
         pyramid: &mut Pyramid,
@@ -69,170 +127,319 @@ impl Sweep {
         if pyramid.levels.is_empty() {
             return; // up to 4 x 4 pixels: E^T is the restriction to the contact
         }
-        self.added.fill(self.shift);
         if has_released {
-            self.marks.fill(RELEASED); // they can be anywhere
-            self.spread(pyramid, trial, mask, RELEASED, -self.shift); // they have no part in it
+            Self::hand_up_released(pyramid, trial, mask);
+            pyramid.restrict_above();
         }
-        let mut left = active;
-        for round in 0..ROUNDS {
-            let (tension, count) = self.tension(pyramid, trial, mask);
+        let (mut left, mut has_more) = (active, has_released);
+        for _ in 0..=ROUNDS {
+            let (tension, count) = self.drop_negative(pyramid, trial, mask, has_more);
             if tension <= NEGLIGIBLE * total || count >= left {
                 return;
             }
             left -= count;
-            self.drop_negative(pyramid, trial, mask, DROPPED + round);
+            self.collect(pyramid);
             pyramid.reweigh_above();
-            self.spread(pyramid, trial, mask, DROPPED + round, 0.0);
+            pyramid.restrict_above();
+            has_more = true;
         }
     }
 
-    /// Sum of the negative pressures and number of nodes that bear them.
-    fn tension<T: Real>(&mut self, pyramid: &Pyramid, trial: &[T], mask: &[u8]) -> (f64, usize) {
-        let level = &pyramid.levels[0];
+    /// Hands the load of released nodes up. They have no part in the shift.
+    fn hand_up_released<T: Real>(pyramid: &mut Pyramid, trial: &[T], mask: &[u8]) {
+        let level = &mut pyramid.levels[0];
         let (t, rows) = (level.transfer, level.rows_per_task());
-        let mx = t.coarse[1];
-        self.found
-            .par_iter_mut()
-            .zip(self.smallest.par_chunks(rows * mx))
-            .zip(self.added.par_chunks(rows * mx))
-            .enumerate()
-            .for_each(|(task, ((found, smallest), added))| {
-                *found = (0.0, 0);
-                for (c, (s, a)) in smallest.iter().zip(added).enumerate() {
-                    if s + a < 0.0 {
-                        for node in nodes_below(&t, task * rows + c / mx, c % mx) {
-                            let p = trial[node].wide() + f64::from(*a);
-                            if mask[node] == ON && p < 0.0 {
-                                found.0 -= p;
-                                found.1 += 1;
+        let (nx, mx) = (t.fine[1], t.coarse[1]);
+        level.value.par_chunks_mut(rows * mx).enumerate().for_each(|(task, value)| {
+            vectorised!({
+                for (j, out) in value.chunks_exact_mut(mx).enumerate() {
+                    t.up_transposed_row(
+                        task * rows + j,
+                        out,
+                        #[inline(always)]
+                        |iy, factor, ix, line: &mut [f32]| {
+                            let first = iy * nx + ix;
+                            let fields = mask[first..].iter().zip(&trial[first..]);
+                            for (l, (m, p)) in line.iter_mut().zip(fields) {
+                                let load = if *m == RELEASED { p.narrow() } else { 0.0 };
+                                *l += factor * load;
                             }
-                        }
-                    }
+                        },
+                    );
                 }
             });
-        self.found.iter().fold((0.0, 0), |(t, n), f| (t + f.0, n + f.1))
+        });
     }
 
-    /// Takes the negative nodes out of the contact, with a mark, and lowers the weights above.
+    /// Takes the negative nodes out of the contact, lowers the weights above and hands their load up.
+    /// Returns the tension they were under and their number. With `has_more`, what the first level
+    /// hands down is added before.
     fn drop_negative<T: Real>(
         &mut self,
         pyramid: &mut Pyramid,
         trial: &[T],
         mask: &mut [u8],
-        mark: u8,
-    ) {
+        has_more: bool,
+    ) -> (f64, usize) {
         let level = &mut pyramid.levels[0];
-        let (t, capacity, rows) = (level.transfer, level.capacity, level.rows_per_task());
-        let (nx, mx) = (t.fine[1], t.coarse[1]);
-        let fine_rows = rows * t.rows_per_coarse_row();
-        mask.par_chunks_mut(fine_rows * nx)
-            .zip(trial.par_chunks(fine_rows * nx))
+        let (t, capacity, rows) = (level.transfer, level.capacity, rows_per_task(level));
+        let (nx, mx, share) = (t.fine[1], t.coarse[1], t.node_share());
+        let fine = rows * t.rows_per_coarse_row() * nx;
+        let (shift, is_first) = (self.shift, !self.has_added);
+        self.has_added |= has_more;
+        let has_added = self.has_added;
+        self.found
+            .par_iter_mut()
             .zip(self.smallest.par_chunks_mut(rows * mx))
-            .zip(self.added.par_chunks(rows * mx))
-            .zip(self.marks.par_chunks_mut(rows))
+            .zip(self.added.par_chunks_mut(rows * mx))
+            .zip(self.beyond.par_chunks_mut(2 * mx))
+            .zip(level.value.par_chunks_mut(rows * mx))
             .zip(level.weight.par_chunks_mut(rows * mx))
             .zip(level.inverse.par_chunks_mut(rows * mx))
-            .enumerate()
-            .for_each(
-                |(task, ((((((mask, trial), smallest), added), marks), weight), inverse))| {
-                    let origin = task * fine_rows * nx;
-                    for c in 0..smallest.len() {
-                        if smallest[c] + added[c] < 0.0 {
-                            marks[c / mx] = mark;
-                            let mut rest = f32::INFINITY;
-                            let mut filled = 0.0;
-                            for node in nodes_below(&t, task * rows + c / mx, c % mx) {
-                                let i = node - origin;
-                                if mask[i] == ON {
-                                    if trial[i].wide() + f64::from(added[c]) < 0.0 {
-                                        mask[i] = mark;
-                                    } else {
-                                        filled += 1.0;
-                                        rest = rest.min(trial[i].wide() as f32);
-                                    }
-                                }
-                            }
-                            smallest[c] = rest;
-                            (weight[c], inverse[c]) = capacity.of(filled * t.node_share());
+            .zip(mask.par_chunks_mut(fine).zip(trial.par_chunks(fine)))
+            .for_each(|(cells, (mask, trial))| {
+                let ((((((found, smallest), added), beyond), value), weight), inverse) = cells;
+                *found = (0.0, 0);
+                vectorised!({
+                    if has_more {
+                        if is_first {
+                            added.fill(shift);
+                        }
+                        for (a, more) in added.iter_mut().zip(&*value) {
+                            *a += share * more;
                         }
                     }
-                },
-            );
+                    let mut handed = Handed { t: &t, value, beyond };
+                    let lines = smallest.chunks_exact_mut(mx).zip(added.chunks_exact(mx));
+                    for (r, (smallest, added)) in lines.enumerate() {
+                        let added =
+                            if has_added { Added::Cells(added) } else { Added::Same(shift) };
+                        for_each_in_tension(smallest, added, |c, a, smallest| {
+                            handed.begin_with(found.1);
+                            let cell = Cell::drop_negative(&t, [r, c], a, trial, mask);
+                            handed.add(r, c, cell.loads);
+                            found.0 += cell.tension;
+                            found.1 += cell.dropped;
+                            *smallest = cell.smallest;
+                            (weight[r * mx + c], inverse[r * mx + c]) =
+                                capacity.of(cell.filled * t.node_share());
+                        });
+                    }
+                });
+            });
+        self.found.iter().fold((0.0, 0), |(t, n), f| (t + f.0, n + f.1))
     }
 
-    /// `added += E^T` of the load on the nodes with this mark, `trial + added + shift`.
-    fn spread<T: Real>(
-        &mut self,
-        pyramid: &mut Pyramid,
-        trial: &[T],
-        mask: &[u8],
-        mark: u8,
-        shift: f32,
-    ) {
+    /// Completes the load handed up: where nothing was, it is zero, and the rows of a task are given what
+    /// the tasks beside it have for them.
+    fn collect(&self, pyramid: &mut Pyramid) {
         let level = &mut pyramid.levels[0];
-        let (t, rows) = (level.transfer, level.rows_per_task());
-        let (nx, [my, mx]) = (t.fine[1], t.coarse);
-        let (marks, added) = (&self.marks, &self.added);
+        let (mx, rows) = (level.transfer.coarse[1], rows_per_task(level));
+        let tasks = self.found.len();
+        let from = |task: usize, row: usize| {
+            let beyond = &self.beyond[(2 * task + row) * mx..][..mx];
+            (self.found[task].1 > 0).then_some(beyond)
+        };
         level.value.par_chunks_mut(rows * mx).enumerate().for_each(|(task, value)| {
-            for (r, out) in value.chunks_exact_mut(mx).enumerate() {
-                let j = task * rows + r;
-                let near = if t.halved[0] { [(j + my - 1) % my, j, (j + 1) % my] } else { [j; 3] };
-                if near.iter().all(|&k| marks[k] != mark) {
-                    out.fill(0.0);
-                    continue;
-                }
-                t.up_transposed_row(j, out, |iy, factor, ix, line| {
-                    let parent = t.parent(iy);
-                    if marks[parent] != mark {
-                        return;
-                    }
-                    let first = iy * nx + ix;
-                    let (m, p) = (&mask[first..][..line.len()], &trial[first..][..line.len()]);
-                    let above = &added[parent * mx..][..mx];
-                    for_each_marked(m, mark, |i| {
-                        let column = if t.halved[1] { (ix + i) >> 1 } else { ix + i };
-                        let load = p[i].wide() as f32 + (above[column] + shift);
-                        line[i] += factor * load;
-                    });
-                });
+            if self.found[task].1 == 0 {
+                value.fill(0.0);
+            }
+            if level.transfer.halved[0] {
+                let last = value.len() - mx;
+                add(from((task + tasks - 1) % tasks, 1), &mut value[..mx]);
+                add(from((task + 1) % tasks, 0), &mut value[last..]);
             }
         });
-        pyramid.restrict_above();
-        let level = &pyramid.levels[0];
-        let share = level.transfer.node_share();
-        self.added.par_chunks_mut(rows * mx).zip(level.value.par_chunks(rows * mx)).for_each(
-            |(added, value)| {
-                for (a, v) in added.iter_mut().zip(value) {
-                    *a += share * v;
-                }
-            },
-        );
     }
 }
 
-/// Calls `found` with every node that bears the mark, most of which do not.
-fn for_each_marked(nodes: &[u8], mark: u8, mut found: impl FnMut(usize)) {
-    for (k, block) in nodes.chunks(16).enumerate() {
-        // Without a way out in between, a block is looked at in one go.
-        if block.iter().fold(false, |any, m| any | (*m == mark)) {
-            for (i, _) in block.iter().enumerate().filter(|node| *node.1 == mark) {
-                found(16 * k + i);
-            }
+/// Rows of cells that one task of the sweep handles.
+fn rows_per_task(level: &Level) -> usize {
+    level.rows_per_task().max(ROWS)
+}
+
+/// Adds a row, if there is one, to another.
+fn add(row: Option<&[f32]>, to: &mut [f32]) {
+    for (to, x) in to.iter_mut().zip(row.unwrap_or(&[])) {
+        *to += x;
+    }
+}
+
+/// The load that the nodes below some rows of cells hand to these rows and the one before and after.
+struct Handed<'a> {
+    t: &'a Transfer,
+    value: &'a mut [f32],
+    beyond: &'a mut [f32],
+}
+
+impl Handed<'_> {
+    /// Before the first node hands anything, everything is zero.
+    #[inline(always)]
+    fn begin_with(&mut self, nodes_before: usize) {
+        if nodes_before == 0 {
+            self.value.fill(0.0);
+            self.beyond.fill(0.0);
+        }
+    }
+
+    /// Adds the loads of the nodes below cell `(r, c)` with the transpose of the interpolation.
+    #[inline(always)]
+    fn add(&mut self, r: usize, c: usize, [upper, lower]: [[f32; 2]; 2]) {
+        let mx = self.t.coarse[1];
+        if !self.t.halved[0] {
+            return self.t.add_columns_transposed(c, upper, &mut self.value[r * mx..][..mx]);
+        }
+        let last = self.value.len() / mx - 1;
+        let (before, after) = self.beyond.split_at_mut(mx);
+        let above = if r == 0 { before } else { &mut self.value[(r - 1) * mx..][..mx] };
+        self.t.add_columns_transposed(c, upper.map(|x| 0.25 * x), above);
+        let below = if r == last { after } else { &mut self.value[(r + 1) * mx..][..mx] };
+        self.t.add_columns_transposed(c, lower.map(|x| 0.25 * x), below);
+        let both = [upper[0] + lower[0], upper[1] + lower[1]].map(|x| 0.75 * x);
+        self.t.add_columns_transposed(c, both, &mut self.value[r * mx..][..mx]);
+    }
+}
+
+/// What becomes of the nodes below a cell.
+struct Cell {
+    /// Load of the dropped ones.
+    loads: [[f32; 2]; 2],
+    tension: f64,
+    dropped: usize,
+    /// Smallest trial pressure of those that stay, and their number.
+    smallest: f32,
+    filled: f32,
+}
+
+impl Cell {
+    /// Drops the nodes that are negative with `added`. The cell is one of those above these fields.
+    #[inline(always)]
+    fn drop_negative<T: Real>(
+        t: &Transfer,
+        [r, c]: [usize; 2],
+        added: f32,
+        trial: &[T],
+        mask: &mut [u8],
+    ) -> Self {
+        let nx = t.fine[1];
+        let (rows, columns) = (t.rows_per_coarse_row(), if t.halved[1] { 2 } else { 1 });
+        let first = r * rows * nx + c * columns;
+        let has_right = columns == 2 && c * columns + 1 < nx;
+        let has_lower = rows == 2 && first + nx < mask.len();
+        let (right, lower) = (usize::from(has_right), if has_lower { nx } else { 0 });
+        let nodes = [first, first + right, first + lower, first + lower + right];
+        let exists = [true, has_right, has_lower, has_lower & has_right];
+
+        let q = nodes.map(|node| trial[node]);
+        let p = q.map(|q| q.wide() + f64::from(added));
+        let (mut on, mut drops, mut load, mut rest) = ([false; 4], [false; 4], [0.0; 4], [0.0; 4]);
+        for k in 0..4 {
+            on[k] = exists[k] & (mask[nodes[k]] == ON);
+            drops[k] = on[k] & (p[k] < 0.0);
+            load[k] = if drops[k] { p[k] } else { 0.0 };
+            rest[k] = if on[k] & !drops[k] { q[k].narrow() } else { f32::INFINITY };
+        }
+        for (node, drops) in nodes.iter().zip(drops) {
+            mask[*node] |= DROPPED * u8::from(drops);
+        }
+        let count = |flags: [bool; 4]| flags.iter().map(|f| usize::from(*f)).sum::<usize>();
+        let least = |x: f32, y: f32| if x < y { x } else { y };
+        let (all, dropped) = (count(on), count(drops));
+        let [a, b, c, d] = load.map(|load| load as f32);
+        Self {
+            loads: [[a, b], [c, d]],
+            tension: -load.iter().sum::<f64>(),
+            dropped,
+            smallest: least(least(rest[0], rest[1]), least(rest[2], rest[3])),
+            filled: (all - dropped) as f32,
         }
     }
 }
 
-/// Indices of the nodes below cell `(j, c)`.
-fn nodes_below(
-    t: &super::transfer::Transfer,
-    j: usize,
-    c: usize,
-) -> impl Iterator<Item = usize> + use<> {
-    let [ny, nx] = t.fine;
-    let span = |halved: bool, k: usize, n: usize| {
-        if halved { 2 * k..(2 * k + 2).min(n) } else { k..k + 1 }
-    };
-    let columns = span(t.halved[1], c, nx);
-    span(t.halved[0], j, ny).flat_map(move |iy| columns.clone().map(move |ix| iy * nx + ix))
+/// Calls `found` with every cell of a row below which a pressure is negative, what is added there and
+/// the smallest pressure.
+#[inline(always)]
+fn for_each_in_tension(
+    smallest: &mut [f32],
+    added: Added<'_>,
+    mut found: impl FnMut(usize, f32, &mut f32),
+) {
+    for (k, block) in smallest.chunks_mut(BLOCK).enumerate() {
+        let first = k * BLOCK;
+        let flags = added.tension_flags(first, block);
+        for_each_set(&flags, |c| found(first + c, added.at(first + c), &mut block[c]));
+    }
+}
+
+/// Calls `found` with the place of every flag that is 1 and not 0. Most blocks have none.
+#[inline(always)]
+fn for_each_set(flags: &[u8; BLOCK], mut found: impl FnMut(usize)) {
+    if *flags == [0; BLOCK] {
+        return;
+    }
+    for (k, flags) in flags.as_chunks::<8>().0.iter().enumerate() {
+        let mut bits = u64::from_le_bytes(*flags);
+        while bits != 0 {
+            found(8 * k + bits.trailing_zeros() as usize / 8);
+            bits &= bits - 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What dropped nodes hand up is the transpose of the interpolation, applied to their load, on
+    /// shapes of one and several tasks, odd sides and cells that are halved along one axis alone.
+    #[test]
+    fn dropped_load_is_handed_up_by_the_transpose() {
+        for (shape, pixel) in [
+            ([100, 37], [1.0, 1.0]),
+            ([97, 64], [1.0, 1.0]),
+            ([300, 300], [1.0, 1.0]),
+            ([120, 90], [4.0, 1.0]),
+            ([90, 120], [1.0, 4.0]),
+            ([1, 100], [1.0, 1.0]),
+        ] {
+            let [n, nx] = [shape[0] * shape[1], shape[1]];
+            let mut pyramid = Pyramid::new(shape, pixel);
+            let t = pyramid.levels[0].transfer;
+            let mut sweep = Sweep::new(pyramid.levels.first());
+            sweep.begin(0.25);
+            let wave = |i: usize| ((i as f64 + 1.3) * 12.9898).sin();
+            let trial: Vec<f64> = (0..n).map(|i| 0.5 + wave(i)).collect();
+            let before: Vec<u8> = (0..n).map(|i| u8::from(wave(7 * i) > -0.5)).collect();
+            let below = |c: usize, i: usize| {
+                let parents = [t.parent(i / nx), if t.halved[1] { i % nx / 2 } else { i % nx }];
+                parents == [c / t.coarse[1], c % t.coarse[1]]
+            };
+            for c in 0..sweep.smallest.len() {
+                let inside = (0..n).filter(|i| before[*i] == ON && below(c, *i));
+                sweep.smallest[c] = inside.map(|i| trial[i] as f32).fold(f32::INFINITY, f32::min);
+            }
+            let mut mask = before.clone();
+            let (tension, count) = sweep.drop_negative(&mut pyramid, &trial, &mut mask, false);
+            sweep.collect(&mut pyramid);
+
+            let load: Vec<f32> = (0..n)
+                .map(|i| if before[i] == ON { (trial[i] + 0.25).min(0.0) as f32 } else { 0.0 })
+                .collect();
+            let dropped = (0..n).filter(|i| load[*i] < 0.0);
+            assert!(dropped.clone().all(|i| mask[i] != ON) && dropped.count() == count);
+            let sum: f64 = load.iter().map(|x| f64::from(*x)).sum();
+            assert!((tension + sum).abs() < 1e-5 * tension, "{shape:?}: {tension} and {sum}");
+            let mut row = vec![0.0; t.coarse[1]];
+            for (j, value) in pyramid.levels[0].value.chunks_exact(t.coarse[1]).enumerate() {
+                t.up_transposed_row(j, &mut row, |iy, factor, ix, line| {
+                    for (l, x) in line.iter_mut().zip(&load[iy * nx + ix..]) {
+                        *l += factor * x;
+                    }
+                });
+                for (c, (value, expected)) in value.iter().zip(&row).enumerate() {
+                    assert!((value - expected).abs() < 1e-5, "{shape:?} {pixel:?}, cell {j} {c}");
+                }
+            }
+        }
+    }
 }

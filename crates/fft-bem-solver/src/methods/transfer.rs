@@ -229,6 +229,21 @@ impl Transfer {
         }
     }
 
+    /// Adds to a coarse row what its cells gather from the fine columns below cell `c`: the transpose of
+    /// `up` along x, for cells that do not cut pixels.
+    #[inline(always)]
+    pub(crate) fn add_columns_transposed(&self, c: usize, fine: [f32; 2], row: &mut [f32]) {
+        if !self.halved[1] {
+            row[c] += fine[0];
+            return;
+        }
+        let left = if c == 0 { row.len() - 1 } else { c - 1 };
+        let right = if c + 1 == row.len() { 0 } else { c + 1 };
+        row[left] += 0.25 * fine[0];
+        row[c] += 0.75 * (fine[0] + fine[1]);
+        row[right] += 0.25 * fine[1];
+    }
+
     /// Whether the cells of an axis cut pixels: then the two functions below are to be used for
     /// `down`. They do for any axis, but the four others are faster.
     pub(crate) fn has_cut_cells(&self) -> bool {

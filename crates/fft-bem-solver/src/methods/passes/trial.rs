@@ -4,7 +4,7 @@ use super::sums::{Sum, TILE};
 use super::{Partial, total};
 use crate::Real;
 use crate::methods::extension::{Level, Pyramid};
-use crate::methods::sweep::Sweep;
+use crate::methods::sweep::{Added, Sweep};
 use crate::methods::transfer::{ON, Transfer};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -61,7 +61,7 @@ pub(crate) fn trial<T: Real>(
     }
     let [z, z2, off2, p2] = total(&partial[..used]);
     let mean = z / active.max(1) as f64;
-    sweep.shift = (tau * mean) as f32;
+    sweep.begin((tau * mean) as f32);
     Estimate { residual: (((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2 }
 }
 
@@ -173,23 +173,21 @@ pub(crate) fn end_trial<T: Real>(
     nx: usize,
     trial: &mut [T],
 ) -> Partial {
+    let is_halved = pyramid.levels.first().is_some_and(|first| first.transfer.halved[1]);
     let (mut sum, mut more, mut wide) = (Sum::default(), [sweep.shift; TILE], [0.0; TILE]);
     vectorised!({
         for (i, (t, mask)) in trial.chunks_exact_mut(nx).zip(mask.chunks_exact(nx)).enumerate() {
-            let added = pyramid.levels.first().map(|first| {
-                let (row, mx) = (first.transfer.parent(first_row + i), first.transfer.coarse[1]);
-                (first.transfer.halved[1], &sweep.added[row * mx..][..mx])
-            });
+            let added = sweep.added_below(first_row + i, pyramid);
             for ((k, t), mask) in t.chunks_mut(TILE).enumerate().zip(mask.chunks(TILE)) {
                 match added {
-                    None => (),
-                    Some((true, added)) => {
+                    Added::Same(_) => (),
+                    Added::Cells(added) if is_halved => {
                         let pairs = more.as_chunks_mut::<2>().0;
                         for (more, a) in pairs.iter_mut().zip(&added[k * TILE / 2..]) {
                             *more = [*a; 2];
                         }
                     }
-                    Some((false, added)) => {
+                    Added::Cells(added) => {
                         more[..t.len()].copy_from_slice(&added[k * TILE..][..t.len()]);
                     }
                 }
