@@ -6,7 +6,7 @@ mod common;
 
 use common::{self_affine, unit_grid, unit_modulus};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Load, Precision, Solution, Solver};
+use fft_bem_solver::{Boundary, Load, Precision, Solution, Solver};
 use std::ops::ControlFlow;
 
 const SHAPE: [usize; 2] = [160, 131];
@@ -64,6 +64,35 @@ fn thin_pixels_need_at_most_twenty_pairs() {
                     let pairs = found.diagnostics.transforms;
                     assert!(pairs <= 20.0, "{pixel:?}, {name}, {load:?}: {pairs:.1} pairs");
                 }
+            }
+        }
+    }
+}
+
+/// Isolated maps that are much longer than wide, for their pixels or for their number: their copies would
+/// be nearer than their own ends, and the estimate many times too small.
+#[test]
+fn slender_isolated_maps_need_few_pairs_and_know_their_error() {
+    let long = |shape: [usize; 2]| {
+        let map = self_affine(unit_grid(shape[0], shape[1]), 0.8, 16.0, 4.0, 1);
+        ("long", with_unit_gradient(map.grid(), map.heights()))
+    };
+    let mut maps = surfaces([1000.0, 1.0]);
+    maps.extend(surfaces([1.0, 100.0]));
+    maps.extend([long([16, 512]), long([512, 16])]);
+    for (name, map) in maps {
+        for load in [0.02, 0.2] {
+            let build = |tolerance: f64| {
+                let builder = Solver::builder().boundary(Boundary::Free).tolerance(tolerance);
+                builder.build(map.grid(), unit_modulus()).unwrap()
+            };
+            let exact = build(1e-12).solve(&map, Load::MeanPressure(load)).unwrap();
+            for tolerance in [1e-4, 1e-10] {
+                let found = build(tolerance).solve(&map, Load::MeanPressure(load)).unwrap();
+                let (pairs, error) = (found.diagnostics.transforms, difference(&found, &exact));
+                let place = format!("{:?}, {name}, {load}, {tolerance}", map.grid());
+                assert!(pairs <= 27.0, "{place}: {pairs:.1} pairs");
+                assert!(error <= 1.5 * tolerance, "{place}: error {error:.1e}");
             }
         }
     }

@@ -4,9 +4,11 @@
 //! copies of the map are kept apart: the iteration runs on a grid a quarter larger along each axis,
 //! whose additional pixels lie too deep to touch. The displacement is still that of the free half
 //! space, computed on the map alone: the padding belongs to the preconditioner and costs no
-//! transform.
+//! transform. Where the map is much longer than wide, its `S` is made from the kernel of the free half
+//! space itself.
 
 use super::chord::Chord;
+use super::stiffness::Stiffness;
 use super::{Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::problem::Problem;
 use crate::{Boundary, Real, SolverError, fields};
@@ -14,6 +16,9 @@ use contact_types::Grid;
 
 /// Height of the pixels around the map; those of the map lie between -1 and 0.
 const DEPTH: f64 = -2.0;
+/// A map that is more times longer than wide has its copies nearer than its own ends: the padding does
+/// not keep them apart, and a kernel that knows of no copies must.
+const SLENDER: f64 = 2.0;
 
 /// The iteration and its larger problem.
 pub(crate) struct FreeChord<T: Real> {
@@ -35,8 +40,13 @@ impl<T: Real> FreeChord<T> {
             way_out: "choose the method polonsky-keer or a coarser map",
         })?;
         let n = grid.len();
+        let mut chord = Chord::new(grid);
+        let [height, width] = scaled.size();
+        if (height / width).max(width / height) > SLENDER {
+            chord.stiffness = Stiffness::isolated(shape, scaled.pixel());
+        }
         Ok(Self {
-            chord: Chord::new(grid),
+            chord,
             map,
             problem: Problem::unscaled(grid, vec![T::of(DEPTH); n]),
             state: State::new(n),

@@ -11,9 +11,10 @@
 
 use super::equal_cells::Cells;
 use super::thin_pixels;
+use crate::love;
 use crate::simd::vectorised;
-use grid_fft::Convolution;
 use grid_fft::parallel::prelude::*;
+use grid_fft::{Convolution, GridFft};
 use std::f64::consts::{PI, TAU};
 
 /// Below this many pixels an axis is not coarsened.
@@ -85,8 +86,33 @@ fn half_wavenumber(k: [usize; 2], n: [usize; 2], d: [f64; 2]) -> f64 {
 }
 
 impl Stiffness {
-    /// For a grid of `shape` pixels of size `pixel`.
+    /// For a periodic grid of `shape` pixels of size `pixel`.
     pub(crate) fn new(shape: [usize; 2], pixel: [f64; 2]) -> Self {
+        Self::with_symbol(shape, pixel, |k| half_wavenumber(k, shape, pixel))
+    }
+
+    /// For an isolated map, padded to this grid: the symbol is the inverse of that of the kernel in
+    /// place of `|q|/2`. They differ where a wave is as long as the grid: the copies of the map, which
+    /// `|q|/2` knows of, would make a line of long pixels much softer.
+    pub(crate) fn isolated(shape: [usize; 2], pixel: [f64; 2]) -> Self {
+        let [ny, nx] = shape;
+        let distance = |i: usize, a: usize| i.min(shape[a] - i) as f64 * pixel[a];
+        let mut kernel = Vec::with_capacity(ny * nx);
+        for iy in 0..ny {
+            kernel.extend((0..nx).map(|ix| love([distance(iy, 0), distance(ix, 1)], pixel)));
+        }
+        let mut fft = GridFft::<f64>::new(shape);
+        let mut spectrum = fft.new_spectrum();
+        fft.forward(&kernel, &mut spectrum);
+        let columns = nx / 2 + 1;
+        Self::with_symbol(shape, pixel, |k| {
+            let compliance = spectrum[k[0] * columns + k[1]].re;
+            if compliance > 0.0 { 1.0 / compliance } else { half_wavenumber(k, shape, pixel) }
+        })
+    }
+
+    /// `symbol(wave)` for waves that the coarse grid has.
+    fn with_symbol(shape: [usize; 2], pixel: [f64; 2], wanted: impl Fn([usize; 2]) -> f64) -> Self {
         let factor = factors(shape, pixel);
         let radius = [0, 1].map(|a| match factor[a] {
             1 if shape[a] < SHORTEST => 2.min(shape[a] / 2),
@@ -99,11 +125,10 @@ impl Stiffness {
         let taps = if is_exact { Default::default() } else { stencil(shape, pixel, radius) };
         let size = coarse[0] * coarse[1];
         let (sy, sx) = (coarse[0] / 2 + 1, coarse[1] / 2 + 1);
-        let coarse_pixel = [0, 1].map(|a| shape[a] as f64 / coarse[a] as f64 * pixel[a]);
         let mut symbol = vec![0.0; sy * sx];
         for kx in 0..sx {
             for ky in 0..sy {
-                let q = half_wavenumber([ky, kx], coarse, coarse_pixel);
+                let q = wanted([ky, kx]);
                 symbol[kx * sy + ky] = if is_exact {
                     q
                 } else {
