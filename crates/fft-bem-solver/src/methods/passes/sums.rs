@@ -10,20 +10,6 @@ const LANES: usize = 4;
 pub(super) struct Sum([f64; LANES]);
 
 impl Sum {
-    /// Adds the sum of `a`.
-    #[inline(always)]
-    pub(super) fn add(&mut self, a: &[f64]) {
-        let (a, a_rest) = a.as_chunks::<LANES>();
-        for a in a {
-            for lane in 0..LANES {
-                self.0[lane] += a[lane];
-            }
-        }
-        for a in a_rest {
-            self.0[0] += a;
-        }
-    }
-
     /// Adds the inner product `<a, b>`.
     #[inline(always)]
     pub(super) fn add_product(&mut self, a: &[f64], b: &[f64]) {

@@ -1,12 +1,13 @@
 //! The trial pressure: the step with the size of it, and its end after the sweep.
 
-use super::sums::{Sum, TILE};
+use super::sums::TILE;
 use super::{Partial, total};
 use crate::Real;
 use crate::methods::extension::{Level, Pyramid};
 use crate::methods::sweep::{Added, Sweep};
 use crate::methods::transfer::{ON, Transfer};
-use crate::simd::vectorised;
+use crate::simd::{LANES, Lane, four, rest, vectorised};
+use fearless_simd::{Simd, SimdBase, f64x4};
 use grid_fft::parallel::prelude::*;
 
 /// How large the step is.
@@ -45,18 +46,29 @@ pub(crate) fn trial<T: Real>(
     let length = T::of(tau);
     if let Some(first) = first {
         let t = &first.transfer;
-        let coarse = rows / t.rows_per_coarse_row() * t.coarse[1];
-        fields.zip(sweep.smallest.par_chunks_mut(coarse)).enumerate().for_each(
+        let (height, mx) = (t.rows_per_coarse_row(), t.coarse[1]);
+        fields.zip(sweep.smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
             |(task, ((((partial, y), mask), trial), smallest))| {
-                vectorised!({
-                    *partial = step_rows(p, y, length, mask, Some(first), [task * rows, nx], trial);
-                    smallest_below(t, mask, trial, smallest);
+                *partial = vectorised!(x => {
+                    let mut sums = [f64x4::splat(x, 0.0); 4];
+                    let below = y.chunks(height * nx).zip(mask.chunks(height * nx));
+                    let cells = below.zip(trial.chunks_mut(height * nx)).zip(smallest.chunks_mut(mx));
+                    for (j, (((y, mask), trial), smallest)) in cells.enumerate() {
+                        let row = task * rows + j * height;
+                        step_rows(x, p, y, length, mask, Some(first), [row, nx], trial, &mut sums);
+                        smallest_below(t, mask, trial, smallest);
+                    }
+                    totals(sums)
                 });
             },
         );
     } else {
         fields.enumerate().for_each(|(task, (((partial, y), mask), trial))| {
-            *partial = step_rows(p, y, length, mask, None, [task * rows, nx], trial);
+            *partial = vectorised!(x => {
+                let (mut sums, row) = ([f64x4::splat(x, 0.0); 4], task * rows);
+                step_rows(x, p, y, length, mask, None, [row, nx], trial, &mut sums);
+                totals(sums)
+            });
         });
     }
     let [z, z2, off2, p2] = total(&partial[..used]);
@@ -65,9 +77,18 @@ pub(crate) fn trial<T: Real>(
     Estimate { residual: (((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2 }
 }
 
-/// The rows of [`trial`] from row `first_row` on, with the sums of `z`, `z^2` on F, `p^2` off F, `p^2`.
+/// The sums of the lanes.
 #[inline(always)]
-fn step_rows<T: Real>(
+fn totals<S: Simd>(sums: [f64x4<S>; 4]) -> Partial {
+    let [a, b, c, d] = sums.map(|sum| sum.iter().sum());
+    [a, b, c, d, 0.0, 0.0, 0.0, 0.0]
+}
+
+/// The rows of [`trial`] from row `first_row` on; adds up `z`, `z^2` on F, `p^2` off F, `p^2`.
+#[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "a pass over five fields")]
+fn step_rows<S: Simd, T: Real>(
+    vectors: S,
     p: Option<&[T]>,
     y: &[f32],
     tau: T,
@@ -75,8 +96,8 @@ fn step_rows<T: Real>(
     level: Option<&Level>,
     [first_row, nx]: [usize; 2],
     trial: &mut [T],
-) -> Partial {
-    let (mut sums, mut room) = ([Sum::default(); 4], [[0.0; TILE]; 3]);
+    sums: &mut [f64x4<S>; 4],
+) {
     let mut z = [0.0; TILE];
     let lines = y.chunks_exact(nx).zip(mask.chunks_exact(nx)).zip(trial.chunks_exact_mut(nx));
     for (i, ((y, mask), trial)) in lines.enumerate() {
@@ -91,74 +112,83 @@ fn step_rows<T: Real>(
             if let Some(p) = p {
                 t.copy_from_slice(&p[row * nx + ix..][..n]);
             }
-            step_tile(z, tau, &mask[ix..][..n], t, &mut room, &mut sums);
+            step_tile(vectors, z, tau, &mask[ix..][..n], t, sums);
         }
     }
-    let [z, z2, off2, p2] = sums.map(Sum::total);
-    [z, z2, off2, p2, 0.0, 0.0, 0.0, 0.0]
 }
 
 /// One tile of it; the trial holds `p`.
 #[inline(always)]
-fn step_tile<T: Real>(
+fn step_tile<S: Simd, T: Real>(
+    vectors: S,
     z: &mut [f32],
     tau: T,
     mask: &[u8],
     trial: &mut [T],
-    room: &mut [[f64; TILE]; 3],
-    sums: &mut [Sum; 4],
+    sums: &mut [f64x4<S>; 4],
 ) {
-    let n = trial.len().min(TILE);
-    for (z, m) in z.iter_mut().zip(mask) {
+    let mut off = [0.0; TILE];
+    let off = &mut off[..mask.len()];
+    for ((z, off), m) in z.iter_mut().zip(&mut *off).zip(mask) {
         *z = if *m == ON { *z } else { 0.0 };
+        *off = if *m == ON { 0.0 } else { 1.0 };
     }
-    let [wide, square, off] = room.each_mut().map(|x| &mut x[..n]);
-    for (wide, z) in wide.iter_mut().zip(&*z) {
-        *wide = f64::from(*z);
+    add_sums(vectors, z, off, trial, sums);
+    if !trial.len().is_multiple_of(LANES) {
+        add_sums(vectors, &rest(z), &rest(off), &rest(trial), sums);
     }
-    for (((square, off), p), m) in square.iter_mut().zip(off.iter_mut()).zip(&*trial).zip(mask) {
-        *square = p.wide() * p.wide();
-        *off = if *m == ON { 0.0 } else { *square };
+    for (t, z) in trial.iter_mut().zip(&*z) {
+        *t -= tau * T::of(f64::from(*z));
     }
-    for (t, z) in trial.iter_mut().zip(&*wide) {
-        *t -= tau * T::of(*z);
-    }
-    sums[0].add(wide);
-    sums[1].add_product(wide, wide);
-    sums[2].add(off);
-    sums[3].add(square);
 }
 
-/// The smallest trial pressure on F below each cell of the first level.
+/// Adds up `z`, `z^2`, `p^2` where `off` is 1 and not 0, and `p^2`, over whole vectors.
+#[inline(always)]
+fn add_sums<S: Simd, T: Real>(
+    vectors: S,
+    z: &[f32],
+    off: &[f32],
+    p: &[T],
+    sums: &mut [f64x4<S>; 4],
+) {
+    for i in (0..p.len() - p.len() % LANES).step_by(LANES) {
+        let z = f32::widened(four(vectors, z, i));
+        let off = f32::widened(four(vectors, off, i));
+        let p = T::widened(four(vectors, p, i));
+        let p2 = p * p;
+        sums[0] += z;
+        sums[1] += z * z;
+        sums[2] += off * p2;
+        sums[3] += p2;
+    }
+}
+
+/// The smallest trial pressure on F below each cell of a row of the first level.
 #[inline(always)]
 fn smallest_below<T: Real>(t: &Transfer, mask: &[u8], trial: &[T], smallest: &mut [f32]) {
-    let (nx, mx) = (t.fine[1], t.coarse[1]);
-    let pair = t.rows_per_coarse_row() * nx;
+    let nx = t.fine[1];
     let least = |x: f32, y: f32| if x < y { x } else { y };
     let mut line = [0.0; TILE];
-    let cells = smallest.chunks_exact_mut(mx);
-    for ((mask, p), smallest) in mask.chunks(pair).zip(trial.chunks(pair)).zip(cells) {
-        let last = p.len() - nx; // of two rows, or the single one again
-        for ix in (0..nx).step_by(TILE) {
-            let line = &mut line[..TILE.min(nx - ix)];
-            line.fill(f32::INFINITY);
-            for from in [ix, last + ix] {
-                for ((x, p), m) in line.iter_mut().zip(&p[from..]).zip(&mask[from..]) {
-                    let here = if *m == ON { p.narrow() } else { f32::INFINITY };
-                    *x = least(*x, here);
-                }
+    let last = trial.len() - nx; // of two rows, or the single one again
+    for ix in (0..nx).step_by(TILE) {
+        let line = &mut line[..TILE.min(nx - ix)];
+        line.fill(f32::INFINITY);
+        for from in [ix, last + ix] {
+            for ((x, p), m) in line.iter_mut().zip(&trial[from..]).zip(&mask[from..]) {
+                let here = if *m == ON { p.narrow() } else { f32::INFINITY };
+                *x = least(*x, here);
             }
-            if t.halved[1] {
-                let (pairs, single) = line.as_chunks::<2>();
-                for (s, x) in smallest[ix / 2..].iter_mut().zip(pairs) {
-                    *s = least(x[0], x[1]);
-                }
-                if let [x] = single {
-                    smallest[mx - 1] = *x;
-                }
-            } else {
-                smallest[ix..][..line.len()].copy_from_slice(line);
+        }
+        if t.halved[1] {
+            let (pairs, single) = line.as_chunks::<2>();
+            for (s, x) in smallest[ix / 2..].iter_mut().zip(pairs) {
+                *s = least(x[0], x[1]);
             }
+            if let ([x], Some(s)) = (single, smallest.last_mut()) {
+                *s = *x;
+            }
+        } else {
+            smallest[ix..][..line.len()].copy_from_slice(line);
         }
     }
 }
@@ -174,8 +204,9 @@ pub(crate) fn end_trial<T: Real>(
     trial: &mut [T],
 ) -> Partial {
     let is_halved = pyramid.levels.first().is_some_and(|first| first.transfer.halved[1]);
-    let (mut sum, mut more, mut wide) = (Sum::default(), [sweep.shift; TILE], [0.0; TILE]);
-    vectorised!({
+    let mut more = [sweep.shift; TILE];
+    let sum = vectorised!(x => {
+        let mut sum = f64x4::splat(x, 0.0);
         for (i, (t, mask)) in trial.chunks_exact_mut(nx).zip(mask.chunks_exact(nx)).enumerate() {
             let added = sweep.added_below(first_row + i, pyramid);
             for ((k, t), mask) in t.chunks_mut(TILE).enumerate().zip(mask.chunks(TILE)) {
@@ -191,14 +222,19 @@ pub(crate) fn end_trial<T: Real>(
                         more[..t.len()].copy_from_slice(&added[k * TILE..][..t.len()]);
                     }
                 }
-                for (((t, m), a), wide) in t.iter_mut().zip(mask).zip(&more).zip(&mut wide) {
+                for ((t, m), a) in t.iter_mut().zip(mask).zip(&more) {
                     let kept = (*t + T::of(f64::from(*a))).larger(T::zero());
                     *t = if *m == ON { kept } else { T::zero() };
-                    *wide = t.wide();
                 }
-                sum.add(&wide[..t.len()]);
+                for i in (0..t.len() - t.len() % LANES).step_by(LANES) {
+                    sum += T::widened(four(x, t, i));
+                }
+                if !t.len().is_multiple_of(LANES) {
+                    sum += T::widened(four(x, &rest(t), 0));
+                }
             }
         }
+        sum.iter().sum()
     });
-    [sum.total(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    [sum, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
 }
