@@ -2,14 +2,13 @@
 //! does not depend on the number of threads, and is accumulated in `f64`.
 
 use crate::Real;
-use crate::simd::vectorised;
+use crate::simd::{LANES, four, vectorised};
+use fearless_simd::{Select, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::{join, prelude::*};
 use std::ops::Range;
 
 /// Pixels per partial sum.
 const BLOCK: usize = 4096;
-/// Independent partial sums within a block.
-const LANES: usize = 4;
 
 /// Combines `piece(range)` of all blocks of `range`, two by two.
 fn by_blocks<A: Send>(
@@ -37,24 +36,22 @@ pub(crate) fn sum_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
 /// Sum of `x + shift` over the pixels where it is positive, and the number of these.
 pub(crate) fn positive_part<T: Real>(field: &[T], shift: f64) -> [f64; 2] {
     let piece = |range: Range<usize>| {
-        let mut lanes = [[0.0; LANES]; 2]; // additions need not wait for one another
-        vectorised!({
-            let (whole, rest) = field[range].as_chunks::<LANES>();
-            for x in whole {
-                for lane in 0..LANES {
-                    let x = x[lane].wide() + shift;
-                    let is_positive = f64::from(u8::from(x > 0.0));
-                    lanes[0][lane] += is_positive * x;
-                    lanes[1][lane] += is_positive;
-                }
+        let field = &field[range];
+        vectorised!(x => {
+            let (zero, one) = (f64x4::splat(x, 0.0), f64x4::splat(x, 1.0));
+            let [mut carried, mut count] = [zero; 2];
+            for i in (0..field.len() - field.len() % LANES).step_by(LANES) {
+                let p = T::widened(four(x, field, i)) + shift;
+                let is_positive = p.simd_gt(zero);
+                carried += is_positive.select(p, zero);
+                count += is_positive.select(one, zero);
             }
-            for x in rest {
-                let x = x.wide() + shift;
-                lanes[0][0] += x.max(0.0);
-                lanes[1][0] += f64::from(u8::from(x > 0.0));
-            }
-        });
-        lanes.map(|lanes| lanes.iter().sum())
+            let (_, rest) = field.as_chunks::<LANES>();
+            let rest = rest.iter().map(|p| p.wide() + shift).filter(|p| *p > 0.0);
+            rest.fold([carried, count].map(|lanes| lanes.iter().sum()), |[sum, n]: [f64; 2], p| {
+                [sum + p, n + 1.0]
+            })
+        })
     };
     by_blocks(0..field.len(), &piece, &|a, b| [a[0] + b[0], a[1] + b[1]])
 }
@@ -87,14 +84,15 @@ pub(crate) fn change<T: Real>(field: &mut [T], new: impl Fn(T) -> T + Sync + Sen
 /// Sum of a field.
 pub(crate) fn sum<T: Real>(a: &[T]) -> f64 {
     let piece = |range: Range<usize>| {
-        let mut lanes = [0.0; LANES];
-        let (whole, rest) = a[range].as_chunks::<LANES>();
-        for x in whole {
-            for lane in 0..LANES {
-                lanes[lane] += x[lane].wide();
+        let a = &a[range];
+        vectorised!(x => {
+            let mut sum = f64x4::splat(x, 0.0);
+            for i in (0..a.len() - a.len() % LANES).step_by(LANES) {
+                sum += T::widened(four(x, a, i));
             }
-        }
-        lanes.iter().sum::<f64>() + rest.iter().map(|x| x.wide()).sum::<f64>()
+            let (_, rest) = a.as_chunks::<LANES>();
+            sum.iter().sum::<f64>() + rest.iter().map(|x| x.wide()).sum::<f64>()
+        })
     };
     by_blocks(0..a.len(), &piece, &|a, b| a + b)
 }

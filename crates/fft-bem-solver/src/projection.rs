@@ -11,24 +11,21 @@ use crate::{Real, fields};
 pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
     let n = field.len();
     let total = load * n as f64;
-    // Everything positive at this shift carries at least the total.
-    let mut shift = load - fields::sum(field) / n as f64;
-    let mut before = f64::INFINITY;
-    loop {
-        let [carried, count] = fields::positive_part(field, shift);
-        // Fewer from step to step, so that this ends.
-        if count <= 0.0 || count >= before {
-            break;
-        }
-        before = count;
-        shift -= (carried - total) / count;
+    let (mut shift, mut before) = (0.0, f64::INFINITY);
+    let mut found = fields::positive_part(field, shift);
+    if found[0] < total {
+        // Everything positive at this shift carries at least the total.
+        shift = load - fields::sum(field) / n as f64;
+        found = fields::positive_part(field, shift);
     }
-    fields::change(field, |p| T::of((p.wide() + shift).max(0.0)));
-    let carried = fields::sum(field);
-    if carried > 0.0 {
-        let scale = T::of(total / carried); // rounding
-        fields::change(field, |p| p * scale);
+    // Fewer pixels from step to step, so that this ends.
+    while found[1] > 0.0 && found[1] < before {
+        before = found[1];
+        shift -= (found[0] - total) / before;
+        found = fields::positive_part(field, shift);
     }
+    let scale = if found[0] > 0.0 { total / found[0] } else { 1.0 }; // rounding
+    fields::change(field, |p| T::of((p.wide() + shift).max(0.0) * scale));
 }
 
 #[cfg(test)]
