@@ -79,7 +79,7 @@ impl<T: FftNum> Convolution<T> {
             (complex.plan_fft_forward(py), complex.plan_fft_inverse(py));
         let zero = Complex::new(T::zero(), T::zero());
         let tile_columns = (128 / size_of::<Complex<T>>()).max(1);
-        let mut tiles = Vec::new();
+        let mut tiles = Vec::with_capacity(ny.div_ceil(TILE_ROWS) * nq.div_ceil(tile_columns));
         for first_row in (0..ny).step_by(TILE_ROWS) {
             for first_column in (0..nq).step_by(tile_columns) {
                 let rows = TILE_ROWS.min(ny - first_row);

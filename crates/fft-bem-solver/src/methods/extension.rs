@@ -38,10 +38,21 @@ pub(crate) struct Capacity {
 }
 
 impl Capacity {
-    /// Weight and inverse of a cell of which a fraction `m` is filled.
-    pub(crate) fn of(self, m: f32) -> (f32, f32) {
-        (m * (1.0 + self.gain * (1.0 - m)), 1.0 / (m + EPSILON))
+    /// Weight of a cell of which a fraction `m` is filled.
+    pub(crate) fn of(self, m: f32) -> f32 {
+        m * (1.0 + self.gain * (1.0 - m))
     }
+
+    /// `w/m = 1 + b (1 - m)` of a cell of weight `w`.
+    fn per_filled(self, w: f32) -> f32 {
+        let most = 1.0 + self.gain;
+        0.5 * (most + (most * most - 4.0 * self.gain * w).sqrt())
+    }
+}
+
+/// d of the module documentation.
+fn inverse(m: f32) -> f32 {
+    1.0 / (m + EPSILON)
 }
 
 /// One grid of the pyramid above the finest.
@@ -52,15 +63,7 @@ pub(crate) struct Level {
     /// Factor on `(1 - w)/w`; below 1 for the cells that hold a whole line of long pixels.
     coupling: f32,
     pub(crate) weight: Vec<f32>,
-    pub(crate) inverse: Vec<f32>,
     pub(crate) value: Vec<f32>,
-}
-
-/// Some rows of a level, to be filled by one task.
-pub(crate) struct Rows<'a> {
-    pub(crate) weight: &'a mut [f32],
-    pub(crate) inverse: &'a mut [f32],
-    pub(crate) value: &'a mut [f32],
 }
 
 impl Level {
@@ -76,7 +79,7 @@ impl Level {
             _ => 1.0,
         };
         let coupling = if slenderness < 1.0 { (COUPLING * slenderness) as f32 } else { 1.0 };
-        Self { transfer, capacity, coupling, weight: zeros(), inverse: zeros(), value: zeros() }
+        Self { transfer, capacity, coupling, weight: zeros(), value: zeros() }
     }
 
     /// Rows of this level that one task handles: about a fixed number of fine pixels.
@@ -90,30 +93,27 @@ impl Level {
         let (nx, mx) = (t.fine[1], t.coarse[1]);
         self.weight
             .par_chunks_mut(rows * mx)
-            .zip(self.inverse.par_chunks_mut(rows * mx))
             .zip(self.value.par_chunks_mut(rows * mx))
             .enumerate()
-            .for_each(|(task, ((weight, inverse), value))| {
-                let lines = weight
-                    .chunks_exact_mut(mx)
-                    .zip(inverse.chunks_exact_mut(mx))
-                    .zip(value.chunks_exact_mut(mx));
-                for (r, ((weight, inverse), value)) in lines.enumerate() {
+            .for_each(|(task, (weight, value))| {
+                let lines = weight.chunks_exact_mut(mx).zip(value.chunks_exact_mut(mx));
+                for (r, (weight, value)) in lines.enumerate() {
                     let j = task * rows + r;
                     t.down_row_of(j, weight, |iy, share, ix, line| {
                         let w = &w[iy * nx + ix..][..line.len()];
                         line.iter_mut().zip(w).for_each(|(l, w)| *l += share * w);
                     });
-                    for (w, d) in weight.iter_mut().zip(inverse.iter_mut()) {
-                        (*w, *d) = capacity.of(*w);
+                    if let Some(v) = v {
+                        t.down_row_of(j, value, |iy, share, ix, line| {
+                            let w = w[iy * nx + ix..][..line.len()].iter();
+                            let fields = line.iter_mut().zip(w.zip(&v[iy * nx + ix..]));
+                            fields.for_each(|(l, (w, v))| *l += share * w * v);
+                        });
+                        value.iter_mut().zip(&*weight).for_each(|(v, m)| *v *= inverse(*m));
                     }
-                    let Some(v) = v else { continue };
-                    t.down_row_of(j, value, |iy, share, ix, line| {
-                        let w = w[iy * nx + ix..][..line.len()].iter();
-                        let fields = line.iter_mut().zip(w.zip(&v[iy * nx + ix..]));
-                        fields.for_each(|(l, (w, v))| *l += share * w * v);
-                    });
-                    value.iter_mut().zip(inverse.iter()).for_each(|(v, d)| *v *= d);
+                    for w in weight {
+                        *w = capacity.of(*w);
+                    }
                 }
             });
     }
@@ -135,10 +135,9 @@ impl Level {
         w.par_chunks(fine)
             .zip(v.par_chunks(fine))
             .zip(self.weight.par_chunks_mut(coarse))
-            .zip(self.inverse.par_chunks_mut(coarse))
             .zip(self.value.par_chunks_mut(coarse))
-            .for_each(|((((w, v), weight), inverse), value)| {
-                vectorised!(pull_rows(&t, capacity, w, v, Rows { weight, inverse, value }));
+            .for_each(|(((w, v), weight), value)| {
+                vectorised!(pull_rows(&t, capacity, w, v, weight, value));
             });
     }
 
@@ -159,10 +158,7 @@ impl Level {
         let (fine, coarse) = (rows * t.rows_per_coarse_row() * nx, rows * mx);
         w.par_chunks(fine)
             .zip(self.weight.par_chunks_mut(coarse))
-            .zip(self.inverse.par_chunks_mut(coarse))
-            .for_each(|((w, weight), inverse)| {
-                vectorised!(pull_weight_rows(&t, capacity, w, weight, inverse));
-            });
+            .for_each(|(w, weight)| vectorised!(pull_weight_rows(&t, capacity, w, weight)));
     }
 
     /// Lets the cells lean less on their neighbours.
@@ -206,13 +202,27 @@ impl Level {
         });
     }
 
-    /// `v_l = w_l (x_l + down^T (d_(l+1) v_(l+1)))`, stored times `d_l`, in place.
-    fn scatter(&mut self, coarser: Option<&Self>) {
-        let Some(coarser) = coarser else {
-            for ((x, w), d) in self.value.iter_mut().zip(&self.weight).zip(&self.inverse) {
-                *x *= w * d;
+    /// `w_l d_l` of cells of these weights, times `x`.
+    #[inline(always)]
+    fn weigh(capacity: Capacity, coupling: f32, weight: &[f32], x: &mut [f32]) {
+        if coupling < 1.0 {
+            for (x, w) in x.iter_mut().zip(weight) {
+                // The weight before the cells were uncoupled is w over this.
+                let less = (1.0 - (1.0 - coupling) * w) / coupling;
+                *x *= if *w > 0.0 { less * capacity.per_filled(w / less) } else { 0.0 };
             }
             return;
+        }
+        for (x, w) in x.iter_mut().zip(weight) {
+            *x *= if *w > 0.0 { capacity.per_filled(*w) } else { 0.0 };
+        }
+    }
+
+    /// `v_l = w_l (x_l + down^T (d_(l+1) v_(l+1)))`, stored times `d_l`, in place.
+    fn scatter(&mut self, coarser: Option<&Self>) {
+        let (capacity, coupling) = (self.capacity, self.coupling);
+        let Some(coarser) = coarser else {
+            return Self::weigh(capacity, coupling, &self.weight, &mut self.value);
         };
         let t = coarser.transfer;
         let (nx, mx) = (t.fine[1], t.coarse[1]);
@@ -220,15 +230,11 @@ impl Level {
         self.value
             .par_chunks_mut(rows * nx)
             .zip(self.weight.par_chunks(rows * nx))
-            .zip(self.inverse.par_chunks(rows * nx))
             .enumerate()
-            .for_each(|(task, ((value, weight), inverse))| {
-                let lines = value
-                    .chunks_exact_mut(nx)
-                    .zip(weight.chunks_exact(nx))
-                    .zip(inverse.chunks_exact(nx));
+            .for_each(|(task, (value, weight))| {
+                let lines = value.chunks_exact_mut(nx).zip(weight.chunks_exact(nx));
                 vectorised!({
-                    for (i, ((value, weight), inverse)) in lines.enumerate() {
+                    for (i, (value, weight)) in lines.enumerate() {
                         let i = task * rows + i;
                         if t.has_cut_cells() {
                             t.add_down_row_of_transposed(i, &coarser.value, value);
@@ -236,9 +242,7 @@ impl Level {
                             let above = &coarser.value[t.parent(i) * mx..][..mx];
                             t.add_down_transposed_row(above, value);
                         }
-                        for ((x, w), d) in value.iter_mut().zip(weight).zip(inverse) {
-                            *x *= w * d;
-                        }
+                        Self::weigh(capacity, coupling, weight, value);
                     }
                 });
             });
@@ -252,22 +256,21 @@ pub(crate) fn pull_rows<W: Weight>(
     capacity: Capacity,
     w: &[W],
     v: &[f32],
-    Rows { weight, inverse, value }: Rows<'_>,
+    weight: &mut [f32],
+    value: &mut [f32],
 ) {
     let (nx, mx) = (t.fine[1], t.coarse[1]);
     let fine = t.rows_per_coarse_row() * nx;
-    let coarse = weight
-        .chunks_exact_mut(mx)
-        .zip(inverse.chunks_exact_mut(mx))
-        .zip(value.chunks_exact_mut(mx));
-    for ((w, v), ((weight, inverse), value)) in w.chunks(fine).zip(v.chunks(fine)).zip(coarse) {
+    let coarse = weight.chunks_exact_mut(mx).zip(value.chunks_exact_mut(mx));
+    for ((w, v), (weight, value)) in w.chunks(fine).zip(v.chunks(fine)).zip(coarse) {
         // Two rows, or the single one twice.
         let last = w.len() - nx;
         t.down_row([&w[..nx], &w[last..]], [&v[..nx], &v[last..]], weight, value);
         let share = if t.lacks_row(w.len() / nx) { 0.5 } else { 1.0 };
-        for ((w, d), v) in weight.iter_mut().zip(inverse).zip(value) {
-            (*w, *d) = capacity.of(share * *w);
-            *v *= share * *d;
+        for (w, v) in weight.iter_mut().zip(value) {
+            let m = share * *w;
+            *v *= share * inverse(m);
+            *w = capacity.of(m);
         }
     }
 }
@@ -290,21 +293,14 @@ fn push_row(t: &Transfer, i: usize, weight: &[f32], coarse: &[f32], value: &mut 
 
 /// The same as [`pull_rows`] for weights alone.
 #[inline(always)]
-fn pull_weight_rows(
-    t: &Transfer,
-    capacity: Capacity,
-    w: &[f32],
-    weight: &mut [f32],
-    inverse: &mut [f32],
-) {
+fn pull_weight_rows(t: &Transfer, capacity: Capacity, w: &[f32], weight: &mut [f32]) {
     let (nx, mx) = (t.fine[1], t.coarse[1]);
     let pairs = w.chunks(t.rows_per_coarse_row() * nx);
-    let coarse = weight.chunks_exact_mut(mx).zip(inverse.chunks_exact_mut(mx));
-    for (pair, (weight, inverse)) in pairs.zip(coarse) {
+    for (pair, weight) in pairs.zip(weight.chunks_exact_mut(mx)) {
         t.down_weight_row([&pair[..nx], &pair[pair.len() - nx..]], weight);
         let share = if t.lacks_row(pair.len() / nx) { 0.5 } else { 1.0 };
-        for (w, d) in weight.iter_mut().zip(inverse) {
-            (*w, *d) = capacity.of(share * *w);
+        for w in weight {
+            *w = capacity.of(share * *w);
         }
     }
 }

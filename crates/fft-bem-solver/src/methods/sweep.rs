@@ -195,10 +195,9 @@ impl Sweep {
             .zip(self.beyond.par_chunks_mut(2 * mx))
             .zip(level.value.par_chunks_mut(rows * mx))
             .zip(level.weight.par_chunks_mut(rows * mx))
-            .zip(level.inverse.par_chunks_mut(rows * mx))
             .zip(mask.par_chunks_mut(fine).zip(trial.par_chunks(fine)))
             .for_each(|(cells, (mask, trial))| {
-                let ((((((found, smallest), added), beyond), value), weight), inverse) = cells;
+                let (((((found, smallest), added), beyond), value), weight) = cells;
                 *found = (0.0, 0);
                 vectorised!({
                     if has_more {
@@ -221,8 +220,7 @@ impl Sweep {
                             found.0 += cell.tension;
                             found.1 += cell.dropped;
                             *smallest = cell.smallest;
-                            (weight[r * mx + c], inverse[r * mx + c]) =
-                                capacity.of(cell.filled * t.node_share());
+                            weight[r * mx + c] = capacity.of(cell.filled * t.node_share());
                         });
                     }
                 });

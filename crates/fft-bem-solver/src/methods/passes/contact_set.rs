@@ -4,7 +4,7 @@ use super::step::contact_sums;
 use super::sums::{Largest, Sum, TILE};
 use super::{Partial, TASK, total};
 use crate::Real;
-use crate::methods::extension::{Pyramid, Rows, pull_rows};
+use crate::methods::extension::{Pyramid, pull_rows};
 use crate::methods::sweep::RELEASED;
 use crate::methods::transfer::ON;
 use crate::simd::vectorised;
@@ -72,13 +72,12 @@ pub(crate) fn residual<T: Real>(
             let coarse = chunk / (t.rows_per_coarse_row() * nx) * t.coarse[1];
             fields
                 .zip(first.weight.par_chunks_mut(coarse))
-                .zip(first.inverse.par_chunks_mut(coarse))
                 .zip(first.value.par_chunks_mut(coarse))
                 .enumerate()
-                .for_each(|(task, ((((((partial, p), m), r), weight), inverse), value))| {
+                .for_each(|(task, (((((partial, p), m), r), weight), value))| {
                     vectorised!({
                         *partial = classify.rows(task * chunk, p, m, r);
-                        pull_rows(&t, capacity, m, r, Rows { weight, inverse, value });
+                        pull_rows(&t, capacity, m, r, weight, value);
                     });
                 });
         }
