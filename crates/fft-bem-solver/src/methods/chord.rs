@@ -226,7 +226,7 @@ impl<T: Real> Chord<T> {
             let products = loop {
                 let trial = match kind {
                     Kind::Chord => {
-                        self.sweep_trial(&found, load);
+                        self.sweep_trial(&found, load, is_lead);
                         // The first trial is likely to need more than a factor.
                         let is_first = !now.has_before;
                         if is_first {

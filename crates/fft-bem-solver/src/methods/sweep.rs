@@ -31,8 +31,6 @@ const ROWS: usize = 16;
 
 /// Memory of the sweep.
 pub(crate) struct Sweep {
-    /// Smallest trial pressure below each cell of the first level.
-    pub(crate) smallest: Vec<f32>,
     /// What belongs to the step but is not in the trial: a constant on the contact.
     pub(crate) shift: f32,
     /// The shift, and what the sweeps hand down, for each cell; if anything was handed down.
@@ -84,7 +82,6 @@ impl Sweep {
         let [my, mx] = first.map_or([0, 0], |level| level.transfer.coarse);
         let tasks = first.map_or(0, |level| my.div_ceil(rows_per_task(level)));
         Self {
-            smallest: vec![0.0; my * mx],
             shift: 0.0,
             added: vec![0.0; my * mx],
             has_added: false,
@@ -110,16 +107,17 @@ impl Sweep {
     }
 
     /// Sweeps released nodes, then negative pressures, until what is left is negligible.
-    /// `trial` and `mask` are on the finest grid; `active` nodes are in contact; `total` is the
-    /// `trial` and `mask` are on the finest grid; `active` nodes are in contact; `total` is the
-    /// load against which what is left must be negligible: the whole load, or, since what is clipped is
+    /// `trial` and `mask` are on the finest grid, `smallest` holds the smallest trial pressure below each
+    /// cell of the first level; `active` nodes are in contact; `total` is the load against which what is left must be negligible: the whole load, or, since what is clipped is
     /// spread over the map, as much less as lines of long pixels can take over less from each other.
     /// On return a node carries the trial and what is added to it, clipped, if its mark is [`ON`].
+    #[allow(clippy::too_many_arguments, reason = "a pass over four fields")]
     pub(crate) fn run<T: Real>(
         &mut self,
         pyramid: &mut Pyramid,
         trial: &[T],
         mask: &mut [u8],
+        smallest: &mut [f32],
         active: usize,
         has_released: bool,
         total: f64,
@@ -133,7 +131,7 @@ impl Sweep {
         }
         let (mut left, mut has_more) = (active, has_released);
         for _ in 0..=ROUNDS {
-            let (tension, count) = self.drop_negative(pyramid, trial, mask, has_more);
+            let (tension, count) = self.drop_negative(pyramid, trial, mask, smallest, has_more);
             if tension <= NEGLIGIBLE * total || count >= left {
                 return;
             }
@@ -179,6 +177,7 @@ impl Sweep {
         pyramid: &mut Pyramid,
         trial: &[T],
         mask: &mut [u8],
+        smallest: &mut [f32],
         has_more: bool,
     ) -> (f64, usize) {
         let level = &mut pyramid.levels[0];
@@ -190,7 +189,7 @@ impl Sweep {
         let has_added = self.has_added;
         self.found
             .par_iter_mut()
-            .zip(self.smallest.par_chunks_mut(rows * mx))
+            .zip(smallest.par_chunks_mut(rows * mx))
             .zip(self.added.par_chunks_mut(rows * mx))
             .zip(self.beyond.par_chunks_mut(2 * mx))
             .zip(level.value.par_chunks_mut(rows * mx))
@@ -412,12 +411,14 @@ mod tests {
                 let parents = [t.parent(i / nx), if t.halved[1] { i % nx / 2 } else { i % nx }];
                 parents == [c / t.coarse[1], c % t.coarse[1]]
             };
-            for c in 0..sweep.smallest.len() {
+            let mut smallest = vec![0.0; t.coarse[0] * t.coarse[1]];
+            for (c, smallest) in smallest.iter_mut().enumerate() {
                 let inside = (0..n).filter(|i| before[*i] == ON && below(c, *i));
-                sweep.smallest[c] = inside.map(|i| trial[i] as f32).fold(f32::INFINITY, f32::min);
+                *smallest = inside.map(|i| trial[i] as f32).fold(f32::INFINITY, f32::min);
             }
             let mut mask = before.clone();
-            let (tension, count) = sweep.drop_negative(&mut pyramid, &trial, &mut mask, false);
+            let (tension, count) =
+                sweep.drop_negative(&mut pyramid, &trial, &mut mask, &mut smallest, false);
             sweep.collect(&mut pyramid);
 
             let load: Vec<f32> = (0..n)

@@ -131,13 +131,15 @@ impl<T: Real> Chord<T> {
         self.pyramid.restrict_above();
     }
 
-    /// `trial = p - tau z` on F, `p` elsewhere; without `p`, the trial field holds it.
+    /// `trial = p - tau z` on F, `p` elsewhere; without `p`, the trial field holds it. Where `E g` was,
+    /// the smallest of it below each cell is left for [`sweep_trial`](Self::sweep_trial).
     pub(crate) fn make_trial(
         &mut self,
         p: Option<&[T]>,
         tau: f64,
         found: &passes::Residual,
     ) -> Estimate {
+        let smallest = room(&mut self.response, &mut self.before_response, p.is_none());
         passes::trial(
             p,
             &self.residual,
@@ -147,6 +149,7 @@ impl<T: Real> Chord<T> {
             [self.rows, self.shape[1]],
             &self.pyramid,
             &mut self.trial,
+            smallest,
             &mut self.sweep,
             &mut self.partial,
         )
@@ -161,12 +164,14 @@ impl<T: Real> Chord<T> {
         if estimate.residual < 0.01 * softest { stiffest } else { estimate.residual }
     }
 
-    /// Sweeps the trial. What it then carries is what [`end_trial`](passes::end_trial) makes of it.
-    pub(crate) fn sweep_trial(&mut self, found: &passes::Residual, load: f64) {
+    /// Sweeps the trial that was just made. What it then carries is what [`end_trial`](passes::end_trial) makes of it.
+    pub(crate) fn sweep_trial(&mut self, found: &passes::Residual, load: f64, is_lead: bool) {
+        let smallest = room(&mut self.response, &mut self.before_response, is_lead);
         self.sweep.run(
             &mut self.pyramid,
             &self.trial,
             &mut self.mask,
+            smallest,
             found.active,
             found.has_released,
             load * self.trial.len() as f64 / self.elongation,

@@ -21,7 +21,8 @@ pub(crate) struct Estimate {
 
 /// Ends `z = E^T y` and makes the step: the trial is `p - tau z` on F, `p` elsewhere. That the
 /// mean of z does not belong to the step is known only at the end: [`Sweep::shift`] adds it.
-/// Without `p` the trial field holds it. `active` is the size of F.
+/// Without `p` the trial field holds it. `active` is the size of F. Writes the smallest trial pressure
+/// below each cell of the first level to `smallest`, if there are cells.
 #[allow(clippy::too_many_arguments, reason = "a pass over six fields")]
 pub(crate) fn trial<T: Real>(
     p: Option<&[T]>,
@@ -32,6 +33,7 @@ pub(crate) fn trial<T: Real>(
     [rows, nx]: [usize; 2],
     pyramid: &Pyramid,
     trial: &mut [T],
+    smallest: &mut [f32],
     sweep: &mut Sweep,
     partial: &mut [Partial],
 ) -> Estimate {
@@ -47,7 +49,7 @@ pub(crate) fn trial<T: Real>(
     if let Some(first) = first {
         let t = &first.transfer;
         let (height, mx) = (t.rows_per_coarse_row(), t.coarse[1]);
-        fields.zip(sweep.smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
+        fields.zip(smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
             |(task, ((((partial, y), mask), trial), smallest))| {
                 *partial = vectorised!(x => {
                     let mut sums = [f64x4::splat(x, 0.0); 4];
