@@ -44,8 +44,8 @@ pub(crate) struct Stiffness {
     transform: Convolution<f32>,
     /// Symbol of the coarse part, `kx`-major, `ky` in `0..=cy/2`.
     symbol: Vec<f32>,
-    mean: Vec<f32>,
-    smooth: Vec<f32>,
+    /// Means over the coarse cells, then the smooth part of the result on them.
+    coarse: Vec<f32>,
     /// Cost of one application in FFT pairs.
     pub(crate) cost: f64,
 }
@@ -148,8 +148,7 @@ impl Stiffness {
             cells,
             transform,
             symbol,
-            mean: vec![0.0; size],
-            smooth: vec![0.0; size],
+            coarse: vec![0.0; size],
             cost: if is_exact { 1.0 } else { relative_cost(coarse, shape) },
         }
     }
@@ -172,7 +171,7 @@ impl Stiffness {
         if let Some(fy) = along_y.whole() {
             let cells = (TASK / (fy * nx)).max(1);
             let pieces =
-                x.par_chunks_mut(cells * fy * nx).zip(self.mean.par_chunks_mut(cells * cx));
+                x.par_chunks_mut(cells * fy * nx).zip(self.coarse.par_chunks_mut(cells * cx));
             pieces.enumerate().for_each(|(task, (x, mean))| {
                 mean.fill(0.0);
                 for (i, x) in x.chunks_exact_mut(nx).enumerate() {
@@ -189,7 +188,7 @@ impl Stiffness {
             }
         });
         let cells = rows.div_ceil(self.factor[0]);
-        self.mean.par_chunks_mut(cells * cx).enumerate().for_each(|(task, mean)| {
+        self.coarse.par_chunks_mut(cells * cx).enumerate().for_each(|(task, mean)| {
             mean.fill(0.0);
             for (j, mean) in mean.chunks_exact_mut(cx).enumerate() {
                 for (i, share) in along_y.pixels(task * cells + j) {
@@ -210,7 +209,7 @@ impl Stiffness {
             self.transform.apply(x, write, y);
             return;
         }
-        self.transform.apply(&self.mean, write, &mut self.smooth);
+        self.transform.apply_in_place(&mut self.coarse, write);
         self.stencil_and_smooth(x, y);
     }
 
@@ -248,7 +247,7 @@ impl Stiffness {
         let row = |i: usize| &x[i * nx..(i + 1) * nx];
         y.fill(0.0);
         for (j, share) in along_y.cells_of(i) {
-            along_x.replicate(share, &self.smooth[j * cx..(j + 1) * cx], y);
+            along_x.replicate(share, &self.coarse[j * cx..(j + 1) * cx], y);
         }
         for (t, y) in y.chunks_mut(TILE).enumerate() {
             let (first, width) = (t * TILE, y.len());
