@@ -229,8 +229,12 @@ fn area_interval_is_refused_outside_its_gate() {
         AreaAccuracy::of(&smooth).interval(&solve(&smooth, 1e-4, 1e-5)),
         Err(NoAreaInterval::SpotsTooSmall { .. })
     ));
+    // The chord iteration does not stop that early.
+    let loosely = Solver::builder().method(Method::PolonskyKeer).tolerance(0.3);
+    let mut loosely = loosely.build(smooth.grid(), unit_modulus()).unwrap();
     assert!(matches!(
-        AreaAccuracy::of(&smooth).interval(&solve(&smooth, 0.1, 0.3)),
+        AreaAccuracy::of(&smooth)
+            .interval(&loosely.solve(&smooth, Load::MeanPressure(0.1)).unwrap()),
         Err(NoAreaInterval::TooLooselySolved { .. })
     ));
     // Full contact has no contact line.

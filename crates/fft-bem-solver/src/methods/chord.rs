@@ -11,7 +11,9 @@
 //! loop
 //!   g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}
 //!   z = E^T S E g on F, less its mean;  |z on F, p off F| <= tolerance |p|: stop
-//!   trial = p - tau z on F, swept, clipped, scaled to the load;  K trial     (the one pair)
+//!   trial = p - tau z on F, swept, clipped, scaled to the load
+//!   at first, while |z| > 0.05 |p|:  u = u + K~ (trial - p),  p = trial     (no pair: a guess)
+//!   K trial                                                                  (the one pair)
 //!   theta = -<g,s>/<s,Ks> along the chord s = trial - p
 //!   p += theta s, or all of s near theta = 1; better, the minimum over s and the step before
 //! ```
@@ -19,9 +21,11 @@
 //! Two fallbacks guarantee convergence: projected gradients where a chord does not descend or the
 //! estimate stalls, and conjugate gradients on the face where that does not help.
 
+mod guess;
 mod memory;
 mod steps;
 
+use super::cheap_compliance::CheapCompliance;
 use super::coarse_lead::CoarseLead;
 use super::extension::Pyramid;
 use super::extrapolation::Earlier;
@@ -46,6 +50,9 @@ const FULL: f64 = 0.7;
 /// After a poor step, nodes with less pressure than this times their gap are let go; as much less as
 /// pixels are longer than wide, where a line of them may stand off as a whole for a lack of little load.
 const RELEASE: f64 = 0.1;
+/// Most steps with the cheap compliance before the first trial, and the estimate that ends them.
+const GUESSES: u8 = 3;
+const GUESSED: f64 = 0.05;
 /// Range of the length of the preconditioned step.
 const TAU: [f64; 2] = [0.3, 1.1];
 
@@ -71,6 +78,8 @@ pub(crate) struct Chord<T: Real> {
     pub(crate) partial: Vec<Partial>,
     /// On a load curve.
     earlier: Option<Box<Earlier<T>>>,
+    /// Once a first trial has been looked for.
+    cheap: Option<CheapCompliance>,
     /// Tests: make every step of this kind.
     pub(crate) force: Option<Kind>,
     /// Which fallbacks were taken, and at which iteration.
@@ -103,6 +112,7 @@ impl<T: Real> Chord<T> {
             before_response: vec![T::zero(); n],
             partial: vec![Partial::default(); pieces],
             earlier: None,
+            cheap: None,
             force: None,
             events: Vec::new(),
         }
@@ -160,6 +170,10 @@ impl<T: Real> Chord<T> {
             kind: self.force.unwrap_or(Kind::Chord),
         };
         let (mut iteration, mut residual) = (0, f64::INFINITY);
+        // A guess needs a start whose displacement is known, and an operator that it knows.
+        let may_guess = operator.boundary() == Boundary::Periodic && self.force.is_none();
+        let mut guesses = if may_guess { GUESSES } else { 0 };
+        let mut is_first = true;
         let end = loop {
             // Residual gap and contact set; with the level prescribed, once more at a better load.
             let most = RELEASE / self.elongation;
@@ -171,7 +185,7 @@ impl<T: Real> Chord<T> {
                 load *= factor;
                 now.dkd *= factor * factor;
                 (level, found) = self.look(h, Known::default(), most, is_lead, state);
-            } else if start == Start::Warm && iteration == 0 {
+            } else if is_first && start == Start::Warm {
                 // The contact of another load: the step will close much that it leaves open.
                 found = self.look_ahead(h, level, release, is_lead, state);
             }
@@ -179,13 +193,28 @@ impl<T: Real> Chord<T> {
             // Preconditioned residual, and the trial it leads to.
             self.precondition(is_lead);
             transforms += self.stiffness.cost;
-            let base = (!is_lead).then_some(&state.pressure[..]);
-            let estimate = self.make_trial(base, now.tau, &found);
+            let estimate = self.make_trial(is_lead, now.tau, &found, state);
             residual = estimate.residual;
             if !is_lead && residual <= task.tolerance {
                 let fields = [&state.displacement[..], h];
                 residual = self.credible(&estimate, fields, level);
             }
+
+            // Before the first trial costs a pair: the same without one, while there is much to gain.
+            let is_worth_it =
+                residual > GUESSED || (is_first && (is_lead || residual > task.tolerance));
+            is_first = false;
+            if guesses > 0 && is_worth_it {
+                guesses -= 1;
+                if let Some(cost) = self.guess(load, &found, is_lead, state) {
+                    transforms += cost;
+                    is_lead = true;
+                    now.a = 0.0;
+                    continue;
+                }
+            }
+            guesses = 0;
+
             let error = control.as_ref().map_or(0.0, |c| c.error.abs());
             let step = Step { iteration, transforms, residual: residual.max(error), state };
             if watch(&step).is_break() {

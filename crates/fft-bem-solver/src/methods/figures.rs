@@ -6,7 +6,7 @@
 //! writes `docs/src/figures/chord-fields.png`; an ordinary test holds the committed file to what would
 //! be drawn now.
 
-use super::chord::{self, Chord, Known};
+use super::chord::{self, Chord, Kind, Known};
 use super::{ContactMethod, Start, State, Target, Task};
 use crate::HalfSpace;
 use crate::problem::{self, Problem};
@@ -70,6 +70,7 @@ fn picture() -> Vec<u8> {
     let load = 0.008;
     let mut half_space = HalfSpace::new(problem.grid, ContactModulus::from_pascals(1.0).unwrap());
     let mut chord = Chord::<f64>::new(problem.grid);
+    chord.force = Some(Kind::Chord); // the step after the first: with guesses little is left to see
     let mut state = State::new(N * N);
     let target = Target::Pressure(load);
     let task = Task { problem: &problem, target, tolerance: 1e-9, max_iterations: 1 };
@@ -83,7 +84,7 @@ fn picture() -> Vec<u8> {
     let residual = chord.residual.clone();
     let extended = chord::room(&mut chord.response, &mut chord.before_response, false).to_vec();
     chord.precondition(false);
-    chord.make_trial(Some(p), 1.0, &found);
+    chord.make_trial(false, 1.0, &found, &state);
     let shift = f64::from(chord.sweep.shift);
     let trial: Vec<f32> = chord
         .trial

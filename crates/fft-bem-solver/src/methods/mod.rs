@@ -24,6 +24,7 @@
     reason = "inner loops belong to each version of `vectorised!`, and have no branches"
 )]
 
+mod cheap_compliance;
 mod chord;
 mod coarse_lead;
 mod cut_cells;
@@ -33,12 +34,14 @@ mod extrapolation;
 mod face_cg;
 #[cfg(test)]
 mod figures;
+mod fitted_stencil;
 mod free_chord;
 mod level_control;
 mod passes;
 mod polonsky_keer;
 #[cfg(test)]
 mod safeguards;
+mod spline;
 mod stanley_kato;
 mod stiffness;
 mod sweep;

@@ -131,17 +131,22 @@ impl<T: Real> Chord<T> {
         self.pyramid.restrict_above();
     }
 
-    /// `trial = p - tau z` on F, `p` elsewhere; without `p`, the trial field holds it. Where `E g` was,
-    /// the smallest of it below each cell is left for [`sweep_trial`](Self::sweep_trial).
+    /// `trial = p - tau z` on F, `p` elsewhere, where p is the state, or the lead, which moves to
+    /// `before`. Where `E g` was, the smallest of it below each cell is left for
+    /// [`sweep_trial`](Self::sweep_trial).
     pub(crate) fn make_trial(
         &mut self,
-        p: Option<&[T]>,
+        is_lead: bool,
         tau: f64,
         found: &passes::Residual,
+        state: &State<T>,
     ) -> Estimate {
-        let smallest = room(&mut self.response, &mut self.before_response, p.is_none());
+        if is_lead {
+            std::mem::swap(&mut self.trial, &mut self.before);
+        }
+        let smallest = room(&mut self.response, &mut self.before_response, is_lead);
         passes::trial(
-            p,
+            if is_lead { &self.before } else { &state.pressure },
             &self.residual,
             tau,
             &self.mask,

@@ -12,7 +12,7 @@ mod trial;
 pub(crate) use contact_set::{Gap, Residual, is_rounding, level, residual, residual_norm2};
 pub(crate) use line_search::{Products, inner_products, reach};
 pub(crate) use preconditioner::{gather, push};
-pub(crate) use step::combine;
+pub(crate) use step::{combine, copy, difference};
 pub(crate) use trial::{Estimate, end_trial, trial};
 
 use super::extension::Pyramid;

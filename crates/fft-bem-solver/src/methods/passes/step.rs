@@ -101,3 +101,24 @@ fn contact_sums_by_fours<S: Simd, T: Real>(vectors: S, p: &[T], u: &[T], h: &[T]
     }
     [sum.iter().sum(), count.iter().sum()]
 }
+
+/// `trial *= factor`, and what it differs from `p` by.
+pub(crate) fn difference<T: Real>(factor: f64, p: &[T], trial: &mut [T], difference: &mut [f32]) {
+    let factor = T::of(factor);
+    let pieces = trial.par_chunks_mut(TASK).zip(p.par_chunks(TASK));
+    pieces.zip(difference.par_chunks_mut(TASK)).for_each(|((trial, p), difference)| {
+        vectorised!({
+            for ((q, p), d) in trial.iter_mut().zip(p).zip(difference) {
+                *q *= factor;
+                *d = (*q - *p).narrow();
+            }
+        });
+    });
+}
+
+/// Copies a field.
+pub(crate) fn copy<T: Real>(from: &[T], to: &mut [T]) {
+    to.par_chunks_mut(TASK).zip(from.par_chunks(TASK)).for_each(|(to, from)| {
+        to.copy_from_slice(from);
+    });
+}

@@ -25,7 +25,7 @@ pub(crate) struct Estimate {
 /// below each cell of the first level to `smallest`, if there are cells.
 #[allow(clippy::too_many_arguments, reason = "a pass over six fields")]
 pub(crate) fn trial<T: Real>(
-    p: Option<&[T]>,
+    p: &[T],
     y: &[f32],
     tau: f64,
     mask: &[u8],
@@ -91,7 +91,7 @@ fn totals<S: Simd>(sums: [f64x4<S>; 4]) -> Partial {
 #[allow(clippy::too_many_arguments, reason = "a pass over five fields")]
 fn step_rows<S: Simd, T: Real>(
     vectors: S,
-    p: Option<&[T]>,
+    p: &[T],
     y: &[f32],
     tau: T,
     mask: &[u8],
@@ -111,9 +111,7 @@ fn step_rows<S: Simd, T: Real>(
             if let Some(level) = level {
                 level.transfer.add_down_transposed(row, ix, &level.value, z);
             }
-            if let Some(p) = p {
-                t.copy_from_slice(&p[row * nx + ix..][..n]);
-            }
+            t.copy_from_slice(&p[row * nx + ix..][..n]);
             step_tile(vectors, z, tau, &mask[ix..][..n], t, sums);
         }
     }
