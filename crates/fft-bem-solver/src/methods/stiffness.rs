@@ -229,13 +229,13 @@ impl Stiffness {
         symbol: &[f32],
     ) -> &[f32] {
         let [cy, cx] = self.transform.shape();
-        self.mean.par_chunks_mut(cx).enumerate().for_each(|(j, row)| write(j, row));
+        self.coarse.par_chunks_mut(cx).enumerate().for_each(|(j, row)| write(j, row));
         let sy = cy / 2 + 1;
         let column = |kx: usize, column: &mut [f32]| {
             column.copy_from_slice(&symbol[kx * sy..(kx + 1) * sy]);
         };
-        self.transform.apply(&self.mean, column, &mut self.smooth);
-        &self.smooth
+        self.transform.apply_in_place(&mut self.coarse, column);
+        &self.coarse
     }
 
     /// Tests: multiplies the operator by `factor`, and its coarse part by an oscillation.
