@@ -157,8 +157,11 @@ impl Sweep {
                         #[inline(always)]
                         |iy, factor, ix, line: &mut [f32]| {
                             let first = iy * nx + ix;
-                            let fields = mask[first..].iter().zip(&trial[first..]);
-                            for (l, (m, p)) in line.iter_mut().zip(fields) {
+                            let mask = &mask[first..][..line.len()];
+                            if !mask.iter().fold(false, |any, m| any | (*m == RELEASED)) {
+                                return; // as most lines, but in a first step
+                            }
+                            for ((l, m), p) in line.iter_mut().zip(mask).zip(&trial[first..]) {
                                 let load = if *m == RELEASED { p.narrow() } else { 0.0 };
                                 *l += factor * load;
                             }
