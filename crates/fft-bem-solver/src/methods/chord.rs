@@ -170,9 +170,9 @@ impl<T: Real> Chord<T> {
             kind: self.force.unwrap_or(Kind::Chord),
         };
         let (mut iteration, mut residual) = (0, f64::INFINITY);
-        // A guess needs a start whose displacement is known, and an operator that it knows.
-        let may_guess = operator.boundary() == Boundary::Periodic && self.force.is_none();
-        let mut guesses = if may_guess { GUESSES } else { 0 };
+        // That the cheap compliance is periodic does little harm to an isolated map: what changes has no
+        // mean, and its copies are beyond a margin.
+        let mut guesses = if self.force.is_none() { GUESSES } else { 0 };
         let mut is_first = true;
         let end = loop {
             // Residual gap and contact set; with the level prescribed, once more at a better load.
