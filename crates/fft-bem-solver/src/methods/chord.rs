@@ -62,8 +62,9 @@ pub(crate) struct Chord<T: Real> {
     grid: Grid,
     pub(crate) shape: [usize; 2],
     pub(crate) rows: usize,
-    /// Longer over shorter pixel side.
+    /// Longer over shorter side of a pixel, and of the map.
     elongation: f64,
+    slenderness: f64,
     /// Longer side of the map.
     longest: f64,
     pub(crate) mask: Vec<u8>,
@@ -98,6 +99,7 @@ impl<T: Real> Chord<T> {
             shape: scaled.shape(),
             rows,
             elongation: thin_pixels::ratio(scaled),
+            slenderness: thin_pixels::ratio_of_sides(scaled),
             longest: (0..2)
                 .map(|a| scaled.shape()[a] as f64 * scaled.pixel()[a])
                 .fold(1.0, f64::max),
@@ -255,7 +257,7 @@ impl<T: Real> Chord<T> {
             let products = loop {
                 let trial = match kind {
                     Kind::Chord => {
-                        self.sweep_trial(&found, load, is_lead);
+                        self.sweep_trial(&found, load, residual, is_lead);
                         // The first trial is likely to need more than a factor.
                         let is_first = !now.has_before;
                         if is_first {

@@ -93,7 +93,7 @@ fn picture() -> Vec<u8> {
         .map(|(p, m)| (if *m == 1 { p + shift } else { *p }) as f32)
         .collect();
     let step: Vec<f32> = p.iter().zip(&trial).map(|(p, t)| *p as f32 - t).collect();
-    chord.sweep_trial(&found, load, false);
+    chord.sweep_trial(&found, load, 1.0, false);
     assert!(chord.end_trial(load).is_some());
     let swept: Vec<f32> = chord.trial.iter().map(|p| *p as f32).collect();
 

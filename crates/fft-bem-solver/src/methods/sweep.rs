@@ -18,7 +18,7 @@ use grid_fft::parallel::prelude::*;
 
 /// Most rounds of sweeping.
 pub(crate) const ROUNDS: u8 = 12;
-/// Tension, as a part of the load, that may be clipped.
+/// Tension, as a part of the load and of the present relative error, that may be clipped.
 pub(crate) const NEGLIGIBLE: f64 = 1e-3;
 /// Mark of a node that carries load but was released before the trial.
 pub(crate) const RELEASED: u8 = 2;
@@ -106,10 +106,9 @@ impl Sweep {
         }
     }
 
-    /// Sweeps released nodes, then negative pressures, until what is left is negligible.
-    /// `trial` and `mask` are on the finest grid, `smallest` holds the smallest trial pressure below each
-    /// cell of the first level; `active` nodes are in contact; `total` is the load against which what is left must be negligible: the whole load, or, since what is clipped is
-    /// spread over the map, as much less as lines of long pixels can take over less from each other.
+    /// Sweeps released nodes, then negative pressures, until no more than a `negligible` tension is
+    /// left. `trial` and `mask` are on the finest grid, `smallest` holds the smallest trial pressure below each
+    /// cell of the first level; `active` nodes are in contact.
     /// On return a node carries the trial and what is added to it, clipped, if its mark is [`ON`].
     #[allow(clippy::too_many_arguments, reason = "a pass over four fields")]
     pub(crate) fn run<T: Real>(
@@ -120,7 +119,7 @@ impl Sweep {
         smallest: &mut [f32],
         active: usize,
         has_released: bool,
-        total: f64,
+        negligible: f64,
     ) {
         if pyramid.levels.is_empty() {
             return; // up to 4 x 4 pixels: E^T is the restriction to the contact
@@ -132,7 +131,7 @@ impl Sweep {
         let (mut left, mut has_more) = (active, has_released);
         for _ in 0..=ROUNDS {
             let (tension, count) = self.drop_negative(pyramid, trial, mask, smallest, has_more);
-            if tension <= NEGLIGIBLE * total || count >= left {
+            if tension <= negligible || count >= left {
                 return;
             }
             left -= count;

@@ -12,6 +12,12 @@ pub(crate) fn ratio(grid: Grid) -> f64 {
     if ny > 1 && nx > 1 { (dy / dx).max(dx / dy) } else { 1.0 }
 }
 
+/// Longer over shorter side of the map; 1 for a single line of pixels.
+pub(crate) fn ratio_of_sides(grid: Grid) -> f64 {
+    let ([ny, nx], [height, width]) = (grid.shape(), grid.size());
+    if ny > 1 && nx > 1 { (height / width).max(width / height) } else { 1.0 }
+}
+
 /// Pixels per cell `[along the longer sides, along the shorter]`, for each octave of the ratio.
 pub(crate) type Cells = [[usize; 2]];
 

@@ -170,7 +170,18 @@ impl<T: Real> Chord<T> {
     }
 
     /// Sweeps the trial that was just made. What it then carries is what [`end_trial`](passes::end_trial) makes of it.
-    pub(crate) fn sweep_trial(&mut self, found: &passes::Residual, load: f64, is_lead: bool) {
+    ///
+    /// The tension that is left is clipped, and the load that takes spread over the whole map. That is
+    /// an error of the softest wave, and must be small beside the present error, `residual`. The
+    /// softest wave of a slender map is as much softer than that of a square.
+    pub(crate) fn sweep_trial(
+        &mut self,
+        found: &passes::Residual,
+        load: f64,
+        residual: f64,
+        is_lead: bool,
+    ) {
+        let total = load * self.trial.len() as f64;
         let smallest = room(&mut self.response, &mut self.before_response, is_lead);
         self.sweep.run(
             &mut self.pyramid,
@@ -179,7 +190,7 @@ impl<T: Real> Chord<T> {
             smallest,
             found.active,
             found.has_released,
-            load * self.trial.len() as f64 / self.elongation,
+            sweep::NEGLIGIBLE * total * residual.min(1.0) / self.slenderness,
         );
     }
 
