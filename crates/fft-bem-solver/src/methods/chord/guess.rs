@@ -20,7 +20,7 @@ impl<T: Real> Chord<T> {
     ) -> Option<f64> {
         let new = || CheapCompliance::new(&self.stiffness, self.grid.pixel());
         let cheap = self.cheap.take().or_else(new)?;
-        self.sweep_trial(found, load, is_lead);
+        self.sweep_trial(found, load, 1.0, is_lead);
         let factor = self.end_trial(load).unwrap_or(1.0);
         let p = if is_lead { &self.before } else { &state.pressure };
         passes::difference(factor, p, &mut self.trial, &mut self.residual);
