@@ -54,7 +54,7 @@ const RELEASE: f64 = 0.1;
 const GUESSES: u8 = 3;
 const GUESSED: f64 = 0.05;
 /// Range of the length of the preconditioned step.
-const TAU: [f64; 2] = [0.3, 1.1];
+const TAU: [f64; 2] = [0.3, 1.0];
 
 /// The method with its memory: the trial and the iterate before (pressure and displacement each),
 /// one field in single precision, the contact set, the pyramid and the coarse grids.

@@ -25,6 +25,9 @@ const TASK: usize = 1 << 14;
 const TILE: usize = 512;
 /// Pixels per coarse cell: about square, and 16 to 32 of them.
 const CELLS: &thin_pixels::Cells = &[[4, 4], [4, 8], [2, 8], [2, 16], [1, 16]];
+/// Waves of which the mean over a cell leaves less are not brought to full strength: they are too short
+/// for the coarse grid, and what it answers comes back at other wavelengths as well.
+const LEAST_RESPONSE: f64 = 0.8;
 /// Largest radius of the stencil: half a cell.
 const MAX_RADIUS: usize = 8;
 /// Rows of the stencil handled at a time.
@@ -135,7 +138,7 @@ impl Stiffness {
                     // Phases per pixel of the finest grid.
                     let phase =
                         [TAU * ky as f64 / shape[0] as f64, TAU * kx as f64 / shape[1] as f64];
-                    let b = block_response(phase, factor).max(0.3);
+                    let b = block_response(phase, factor).max(LEAST_RESPONSE);
                     (q - stencil_symbol(&taps, radius, phase)) / (b * b)
                 } as f32;
             }
