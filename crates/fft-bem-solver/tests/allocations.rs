@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 /// Allocations and iterations of a cold solve, everything on the thread that counts. With `spoil`
 /// the observer allocates in every iteration.
 fn cold_solve(builder: SolverBuilder, tolerance: f64, load: Load, spoil: bool) -> (u64, usize) {
-    let grid = unit_grid(150, 140); // more than one task, a coarse lead, odd rows of cells
+    let grid = unit_grid(150, 140); // more than one task, odd rows of cells
     let surface = self_affine(grid, 0.8, 20.0, 4.0, 1);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     pool.install(|| {

@@ -26,7 +26,6 @@ mod memory;
 mod steps;
 
 use super::cheap_compliance::CheapCompliance;
-use super::coarse_lead::CoarseLead;
 use super::extension::Pyramid;
 use super::extrapolation::Earlier;
 use super::passes::{self, Partial};
@@ -51,7 +50,7 @@ const FULL: f64 = 0.7;
 /// pixels are longer than wide, where a line of them may stand off as a whole for a lack of little load.
 const RELEASE: f64 = 0.1;
 /// Most steps with the cheap compliance before the first trial, and the estimate that ends them.
-const GUESSES: u8 = 3;
+const GUESSES: u8 = 4;
 const GUESSED: f64 = 0.05;
 /// Range of the length of the preconditioned step.
 const TAU: [f64; 2] = [0.3, 1.0];
@@ -149,21 +148,12 @@ impl<T: Real> Chord<T> {
             if let Some(earlier) = &mut self.earlier {
                 earlier.forget();
             }
-            // Its memory is needed for the first trial alone.
-            if let Some(mut lead) = CoarseLead::new(self.grid) {
-                let guess = (&mut self.trial[..], &mut self.response[..]);
-                let found = lead.find(task, load, guess);
-                transforms += found.transforms;
-                is_lead = found.load.is_some();
-                load = found.load.unwrap_or(load);
-            }
             transforms += begin_constant(load, operator, state);
         }
-        let is_guess = start == Start::Cold && !is_lead;
         let mut now = Memory {
             tau: 1.0,
             alpha: 1.5,
-            a: if is_guess { 1.0 } else { 0.0 },
+            a: if start == Start::Cold { 1.0 } else { 0.0 },
             has_before: false,
             dkd: 0.0,
             known: Known::default(),

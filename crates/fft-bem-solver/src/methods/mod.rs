@@ -26,7 +26,6 @@
 
 mod cheap_compliance;
 mod chord;
-mod coarse_lead;
 mod cut_cells;
 mod equal_cells;
 mod extension;
