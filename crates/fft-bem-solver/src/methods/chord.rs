@@ -50,7 +50,7 @@ const FULL: f64 = 0.7;
 /// pixels are longer than wide, where a line of them may stand off as a whole for a lack of little load.
 const RELEASE: f64 = 0.1;
 /// Most steps with the cheap compliance before the first trial, and the estimate that ends them.
-const GUESSES: u8 = 4;
+const GUESSES: u8 = 6;
 const GUESSED: f64 = 0.05;
 /// Range of the length of the preconditioned step.
 const TAU: [f64; 2] = [0.3, 1.0];
