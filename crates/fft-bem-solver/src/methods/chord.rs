@@ -80,6 +80,8 @@ pub(crate) struct Chord<T: Real> {
     earlier: Option<Box<Earlier<T>>>,
     /// Once a first trial has been looked for.
     cheap: Option<CheapCompliance>,
+    /// Most steps with it before the first trial.
+    pub(crate) guesses: u8,
     /// Tests: make every step of this kind.
     pub(crate) force: Option<Kind>,
     /// Which fallbacks were taken, and at which iteration.
@@ -114,6 +116,7 @@ impl<T: Real> Chord<T> {
             partial: vec![Partial::default(); pieces],
             earlier: None,
             cheap: None,
+            guesses: GUESSES,
             force: None,
             events: Vec::new(),
         }
@@ -162,9 +165,7 @@ impl<T: Real> Chord<T> {
             kind: self.force.unwrap_or(Kind::Chord),
         };
         let (mut iteration, mut residual) = (0, f64::INFINITY);
-        // That the cheap compliance is periodic does little harm to an isolated map: what changes has no
-        // mean, and its copies are beyond a margin.
-        let mut guesses = if self.force.is_none() { GUESSES } else { 0 };
+        let mut guesses = if self.force.is_none() { self.guesses } else { 0 };
         let mut is_first = true;
         let end = loop {
             // Residual gap and contact set; with the level prescribed, once more at a better load.

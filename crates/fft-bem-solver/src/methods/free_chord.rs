@@ -44,6 +44,7 @@ impl<T: Real> FreeChord<T> {
         let [height, width] = scaled.size();
         if (height / width).max(width / height) > SLENDER {
             chord.stiffness = Stiffness::isolated(shape, scaled.pixel());
+            chord.guesses = 0; // the cheap compliance is periodic
         }
         Ok(Self {
             chord,
