@@ -7,7 +7,8 @@
 //! A pair is one `Convolution` of the same size, type and threads, whose symbol lies in a table. An
 //! iteration is everything between one look of the observer and the next, from the first iteration
 //! to an estimate of 1e-6 (single precision 1e-4). Pairs and solves alternate; the least of the
-//! repeats counts.
+//! repeats counts. The steps before the first pair are not in it: they are in the times of
+//! `work_table`.
 
 #![allow(clippy::print_stdout, reason = "a program that prints a table")]
 

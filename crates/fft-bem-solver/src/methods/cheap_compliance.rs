@@ -7,7 +7,7 @@
 //!
 //! I interpolates with cubic splines; B is what it leaves of a wave. On square pixels the pressure
 //! that belongs to the displacement is wrong by 1.3 % for white noise, by 5 % for the worst wave, at
-//! 1/18 of the cost of a transform at full size. Good for one or two digits of a *change* of the
+//! 1/20 of the cost of a transform at full size. Good for one or two digits of a *change* of the
 //! pressure whose displacement is known before.
 
 use super::fitted_stencil::{MAX_REACH, Waves, dot};
