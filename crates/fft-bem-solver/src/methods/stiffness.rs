@@ -74,7 +74,7 @@ fn factors(shape: [usize; 2], pixel: [f64; 2]) -> [usize; 2] {
 }
 
 /// Cost of a transform of `small` in transforms of `large`.
-pub(crate) fn relative_cost(small: [usize; 2], large: [usize; 2]) -> f64 {
+fn relative_cost(small: [usize; 2], large: [usize; 2]) -> f64 {
     let (m, n) = ((small[0] * small[1]) as f64, (large[0] * large[1]) as f64);
     m * m.max(2.0).log2() / (n * n.max(2.0).log2())
 }
