@@ -33,10 +33,18 @@ impl Stencil {
         self.taps.chunks_exact(waves.len()).map(|row| dot(row, &waves)).collect()
     }
 
-    /// The Fourier symbols of all taps, each one, for a wave.
-    fn symbols(&self, phase: [f64; 2]) -> impl Iterator<Item = f64> + use<> {
-        let (y, x) = (self.along(0, phase[0]), self.along(1, phase[1]));
-        y.into_iter().flat_map(move |y| x.clone().into_iter().map(move |x| y * x))
+    /// Writes the Fourier symbols of all taps, each one, for a wave.
+    fn symbols(&self, phase: [f64; 2], out: &mut [f64]) {
+        let wave = |d: usize, a: usize| {
+            if d == 0 { 1.0 } else { 2.0 * (d as f64 * phase[a]).cos() }
+        };
+        let mut along_x = [0.0; MAX_REACH + 1];
+        let along_x = &mut along_x[..=self.reach[1]];
+        along_x.iter_mut().enumerate().for_each(|(d, w)| *w = wave(d, 1));
+        for (dy, row) in out.chunks_exact_mut(along_x.len()).enumerate() {
+            let along_y = wave(dy, 0);
+            row.iter_mut().zip(&*along_x).for_each(|(x, w)| *x = along_y * w);
+        }
     }
 }
 
@@ -95,18 +103,24 @@ impl Waves {
         let reach = [0, 1]
             .map(|a| reach[a].min(MAX_REACH).min((shape[a] - 1) / 2) * usize::from(factor[a] > 1));
         let mut stencil = Stencil { reach, taps: Vec::new() };
-        // Each tap, and K itself, to a wave.
-        let row = |phase: [f64; 2]| -> Vec<f64> {
-            stencil.symbols(phase).chain([self.compliance(phase)]).collect()
-        };
         let unknowns = (reach[0] + 1) * (reach[1] + 1);
+        // What each tap, and K itself, is to a wave.
+        let fill = |phase: [f64; 2], row: &mut [f64]| {
+            let (taps, whole) = row.split_at_mut(unknowns);
+            stencil.symbols(phase, taps);
+            whole[0] = self.compliance(phase);
+        };
+        let [mut passed, mut x, mut crossed] = [(); 3].map(|()| vec![0.0; unknowns + 1]);
         let mut normal = vec![vec![0.0; unknowns + 1]; unknowns + 1];
         for class in 0..coarse[0] * coarse[1] {
             let k = [class / coarse[1], class % coarse[1]];
             let main = [0, 1].map(|a| phase_of(k[a], coarse[a]) / factor[a] as f64);
-            let pass = |x: f64| if class == 0 { 0.0 } else { self.coarse(main, x) };
-            let passed: Vec<f64> = row(main).into_iter().map(pass).collect();
-            let (mut into, mut out_of, mut crossed) = (0.0, 0.0, vec![0.0; unknowns + 1]);
+            fill(main, &mut passed);
+            for x in &mut passed {
+                *x = if class == 0 { 0.0 } else { self.coarse(main, *x) };
+            }
+            crossed.fill(0.0);
+            let (mut into, mut out_of) = (0.0, 0.0);
             for member in 0..factor[0] * factor[1] {
                 let alias = [member / factor[1], member % factor[1]];
                 let phase = [0, 1].map(|a| phase_of(k[a] + alias[a] * coarse[a], probe[a]));
@@ -114,8 +128,8 @@ impl Waves {
                 if compliance == 0.0 {
                     continue;
                 }
-                let (x, stiff2, b2) =
-                    (row(phase), compliance.powi(-2), self.response(phase).powi(2));
+                fill(phase, &mut x);
+                let (stiff2, b2) = (compliance.powi(-2), self.response(phase).powi(2));
                 into += b2;
                 out_of += stiff2 * b2;
                 for i in 0..=unknowns {
