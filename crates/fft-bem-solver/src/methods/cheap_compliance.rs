@@ -12,7 +12,7 @@
 
 use super::fitted_stencil::{MAX_REACH, Waves, dot};
 use super::spline::Axis;
-use super::stiffness::Stiffness;
+use super::stiffness::{Stiffness, fold_rows};
 use crate::Real;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -128,18 +128,9 @@ impl CheapCompliance {
         let mut line = [0.0_f32; TILE + 2 * MAX_REACH];
         let line = &mut line[..width + 2 * rx];
         for (dy, taps) in self.taps.chunks_exact(rx + 1).enumerate() {
-            let (above, below) = (row((i + ry * ny - dy) % ny), row((i + dy) % ny));
+            let both = [row((i + ry * ny - dy) % ny), row((i + dy) % ny)];
             let factor = if dy == 0 { 0.5 } else { 1.0 }; // the row itself comes twice
-            let inner = line[rx..rx + width].iter_mut();
-            for ((l, a), b) in inner.zip(&above[first..][..width]).zip(&below[first..][..width]) {
-                *l = factor * (a + b);
-            }
-            for d in 1..=rx {
-                let left = (first + nx * rx - d) % nx;
-                line[rx - d] = factor * (above[left] + below[left]);
-                let right = (first + width - 1 + d) % nx;
-                line[rx + width - 1 + d] = factor * (above[right] + below[right]);
-            }
+            fold_rows(both, factor, first, rx, line);
             let at = |d: usize| &line[d..d + width];
             if let &[t0, t1, t2, t3] = taps {
                 let [l3, l2, l1, c, r1, r2, r3] = [at(0), at(1), at(2), at(3), at(4), at(5), at(6)];

@@ -139,7 +139,7 @@ impl<T: Real> Chord<T> {
             }
         };
         self.events.clear();
-        let mut is_lead = false; // the trial fields hold a guess that is not feasible
+        let mut is_lead = false; // the trial fields hold where the next trial starts from, not the state
         let mut transforms = 0.0;
         if start == Start::Warm {
             let guess = [&mut self.trial[..], &mut self.response[..]];

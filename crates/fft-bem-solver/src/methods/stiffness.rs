@@ -203,11 +203,7 @@ impl Stiffness {
 
     /// `y = S x` of the x that [`fill`](Self::fill) has written.
     pub(crate) fn apply_to_filled(&mut self, x: &[f32], y: &mut [f32]) {
-        let sy = self.transform.shape()[0] / 2 + 1;
-        let symbol = &self.symbol;
-        let write = |kx: usize, column: &mut [f32]| {
-            column.copy_from_slice(&symbol[kx * sy..(kx + 1) * sy]);
-        };
+        let write = columns_of(&self.symbol, self.transform.shape()[0] / 2 + 1);
         if self.factor == [1, 1] {
             self.transform.apply(x, write, y);
             return;
@@ -233,10 +229,7 @@ impl Stiffness {
     ) -> &[f32] {
         let [cy, cx] = self.transform.shape();
         self.coarse.par_chunks_mut(cx).enumerate().for_each(|(j, row)| write(j, row));
-        let sy = cy / 2 + 1;
-        let column = |kx: usize, column: &mut [f32]| {
-            column.copy_from_slice(&symbol[kx * sy..(kx + 1) * sy]);
-        };
+        let column = columns_of(symbol, cy / 2 + 1);
         self.transform.apply_in_place(&mut self.coarse, column);
         &self.coarse
     }
@@ -280,20 +273,10 @@ impl Stiffness {
         for (t, y) in y.chunks_mut(TILE).enumerate() {
             let (first, width) = (t * TILE, y.len());
             for dy in 0..=ry {
-                let (above, below) = (row((i + ny - dy) % ny), row((i + dy) % ny));
+                let both = [row((i + ny - dy) % ny), row((i + dy) % ny)];
                 let factor = if dy == 0 { 0.5 } else { 1.0 }; // the row itself comes twice
                 let line = &mut lines.0[dy % ROWS][..width + 2 * rx];
-                let inner = line[rx..rx + width].iter_mut();
-                for ((l, a), b) in inner.zip(&above[first..][..width]).zip(&below[first..][..width])
-                {
-                    *l = factor * (a + b);
-                }
-                for d in 1..=rx {
-                    let left = (first + nx * rx - d) % nx;
-                    line[rx - d] = factor * (above[left] + below[left]);
-                    let right = (first + width - 1 + d) % nx;
-                    line[rx + width - 1 + d] = factor * (above[right] + below[right]);
-                }
+                fold_rows(both, factor, first, rx, line);
                 if [ry, rx] != [2, 2] {
                     add_stencil_row(&self.taps[dy], rx, line, y);
                 }
@@ -303,6 +286,33 @@ impl Stiffness {
             }
         }
     }
+}
+
+/// `factor` times the sum of two rows, from `reach` columns before the column `first` on; rows repeat.
+#[inline(always)]
+pub(super) fn fold_rows(
+    [above, below]: [&[f32]; 2],
+    factor: f32,
+    first: usize,
+    reach: usize,
+    line: &mut [f32],
+) {
+    let (nx, width) = (above.len(), line.len() - 2 * reach);
+    let inner = line[reach..reach + width].iter_mut();
+    for ((l, a), b) in inner.zip(&above[first..][..width]).zip(&below[first..][..width]) {
+        *l = factor * (a + b);
+    }
+    for d in 1..=reach {
+        let left = (first + nx * reach - d) % nx;
+        line[reach - d] = factor * (above[left] + below[left]);
+        let right = (first + width - 1 + d) % nx;
+        line[reach + width - 1 + d] = factor * (above[right] + below[right]);
+    }
+}
+
+/// Hands out the columns, of `rows` numbers each, of a symbol that is stored column by column.
+fn columns_of(symbol: &[f32], rows: usize) -> impl Fn(usize, &mut [f32]) + Sync {
+    move |kx, column| column.copy_from_slice(&symbol[kx * rows..(kx + 1) * rows])
 }
 
 /// Sums of the two rows at the same distance, a tile of columns and what the stencil reaches beyond.

@@ -1,11 +1,11 @@
 //! Sums and largest values over pieces of fields, in an order that is always the same.
 
+use crate::simd::LANES;
+
 /// Pixels that a pass handles at a time where it needs room for intermediate fields.
 pub(super) const TILE: usize = 64;
-/// Independent partial sums, so that additions need not wait for one another.
-const LANES: usize = 4;
 
-/// A sum in the making.
+/// A sum in the making: independent parts, so that additions need not wait for one another.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sum([f64; LANES]);
 

@@ -21,8 +21,8 @@ pub(crate) struct Estimate {
 
 /// Ends `z = E^T y` and makes the step: the trial is `p - tau z` on F, `p` elsewhere. That the
 /// mean of z does not belong to the step is known only at the end: [`Sweep::shift`] adds it.
-/// Without `p` the trial field holds it. `active` is the size of F. Writes the smallest trial pressure
-/// below each cell of the first level to `smallest`, if there are cells.
+/// `active` is the size of F. Writes the smallest trial pressure below each cell of the first level
+/// to `smallest`, if there are cells.
 #[allow(clippy::too_many_arguments, reason = "a pass over six fields")]
 pub(crate) fn trial<T: Real>(
     p: &[T],
