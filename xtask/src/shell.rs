@@ -1,8 +1,10 @@
 //! Starting other programs from the repository root.
 
-use crate::TaskResult;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+
+/// What a task returns; an error is one sentence for a person.
+pub(crate) type TaskResult = Result<(), String>;
 
 /// The repository root.
 pub(crate) fn root() -> PathBuf {
