@@ -15,10 +15,12 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
     ("asperity-models", 1, &["contact-types", "gw-closed-form"], 10),
     ("multiscale-models", 1, &["contact-types"], 10),
     ("fft-bem-solver", 1, &["contact-types", "grid-fft"], 30),
+    ("contact-accuracy", 2, &["contact-types", "grid-fft", "surface-stats", "fft-bem-solver"], 65),
     (
         "compare",
-        2,
+        3,
         &[
+            "contact-accuracy",
             "contact-types",
             "grid-fft",
             "surface-io",
@@ -30,7 +32,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         ],
         130,
     ),
-    ("xtask", 3, &[], 10),
+    ("xtask", 4, &[], 10),
 ];
 
 /// The crates that come with one of ours, with default features, without tests.

@@ -1,11 +1,11 @@
 //! From a surface to what models and the report need of it, each computed once.
 
-use crate::budget::Map;
 use crate::models::{Assumes, Inputs, MomentSource};
-use crate::plan;
 use crate::result::Spectral;
 use crate::settings::LevelName;
 use crate::{Origin, Settings};
+use contact_accuracy::budget::Map;
+use contact_accuracy::repeats;
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
@@ -60,7 +60,7 @@ pub(crate) fn spectral(
     statistics: &SurfaceStatistics,
 ) -> (Spectral, Map) {
     let windowed = statistics.boundary == Boundary::Open;
-    let repeats = !windowed || plan::repeats(map);
+    let repeats = !windowed || repeats(map);
     let known = Map::known(map, power, statistics.height_step.unwrap_or(0.0), repeats);
     let spectral = Spectral {
         moments: power.moments().0,

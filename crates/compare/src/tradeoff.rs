@@ -3,8 +3,7 @@
 //!
 //! The table is a CSV whose lines beginning with `#` say where it comes from.
 
-use crate::edge_study::quantile;
-use crate::quantity::round_to_digits;
+use contact_accuracy::{median, round_to_digits};
 use std::fmt::Write as _;
 
 /// One way to an answer, in one case: a surface at a load.
@@ -232,13 +231,6 @@ fn same(a: Option<f64>, b: Option<f64>) -> bool {
         (None, None) => true,
         _ => false,
     }
-}
-
-/// The middle value, or the mean of the two; `None` of nothing.
-pub fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    quantile(&values, 0.5)
 }
 
 /// The points `[cost, error]` that no other beats in both, from cheap to accurate. The list stops

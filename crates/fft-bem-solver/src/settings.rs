@@ -41,7 +41,6 @@ pub enum Boundary {
 
 /// Floating-point type of the fields during a solve. Results are always `f64`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum Precision {
     /// `f64`: any tolerance down to rounding, about 1e-12.
     #[default]

@@ -2,8 +2,8 @@
 
 use crate::ensemble::Family;
 use crate::measure::Mode;
-use compare::edge_study::quantile;
 use compare::report::write_accuracy;
+use contact_accuracy::quantile;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs::{self, File};

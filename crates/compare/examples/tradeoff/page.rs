@@ -3,7 +3,8 @@
 
 use compare::models::find;
 use compare::report::{write_tradeoff_area, write_tradeoff_pressure};
-use compare::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, median, ways};
+use compare::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, ways};
+use contact_accuracy::median;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs::{self, File};

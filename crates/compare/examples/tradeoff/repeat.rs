@@ -1,9 +1,9 @@
 //! Two complete measurements beside each other: what is the same, and how far times moved.
 
 use crate::page::{cheapest, name, percent};
-use compare::edge_study::quantile;
 use compare::models::find;
 use compare::tradeoff::{Row, Table, ways};
+use contact_accuracy::quantile;
 use std::fmt::Write as _;
 
 /// What a row is measured of.

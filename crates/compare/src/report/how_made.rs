@@ -3,6 +3,7 @@
 use super::edges::edge_words;
 use super::html::Page;
 use super::numbers::{METRES, PASCALS, SPACE, chosen, duration, significant};
+use super::plan_words;
 use super::sections::{levelled, tolerance_words};
 use super::svg::escape;
 use crate::plan::Outcome;
@@ -128,7 +129,7 @@ fn plan_words(plan: &Outcome) -> String {
         "{}{SPACE}% of the area asked for at every load; chosen: {}{order}. Models were given the \
          map as it is",
         significant(100.0 * plan.request.relative(), 2),
-        escape(&plan.explanation())
+        escape(&plan_words::explanation(plan))
     )
 }
 

@@ -1,6 +1,7 @@
 //! `results.json`: everything, in SI units, for other programs. Absent numbers are `null`.
 
-use super::{Provenance, ReportError};
+use super::{Provenance, ReportError, plan_words};
+use crate::PrecisionName;
 use crate::plan::Outcome;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, SurfaceComparison,
@@ -210,7 +211,7 @@ pub fn accuracy(outcome: &Outcome) -> Value {
         "given": outcome.given.shape(),
         "grid": outcome.grid.shape(),
         "factor": outcome.factor,
-        "precision": outcome.precision,
+        "precision": PrecisionName::from(outcome.precision),
         "tolerance": outcome.tolerance,
         "half_width": outcome.half_width,
         "transforms": outcome.transforms,
@@ -223,8 +224,8 @@ pub fn accuracy(outcome: &Outcome) -> Value {
             "half_width": next.half_width,
             "seconds": next.seconds,
         })),
-        "reason": outcome.reason,
-        "explanation": outcome.explanation(),
+        "reason": plan_words::reason(outcome),
+        "explanation": plan_words::explanation(outcome),
     })
 }
 

@@ -5,7 +5,7 @@ use super::numbers::{METRES, PASCALS, chosen, significant, unit_for};
 use super::palette::{HEIGHT_RAMP, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
 use super::png::Picture;
 use super::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
-use crate::quantity::round_to_digits;
+use contact_accuracy::round_to_digits;
 use contact_types::Grid;
 
 /// Depth of the hill shading in OKLab lightness.

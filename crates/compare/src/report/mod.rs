@@ -30,6 +30,7 @@ pub(crate) mod numbers;
 mod overview;
 mod palette;
 mod panels;
+mod plan_words;
 mod png;
 mod sections;
 mod statistics;
@@ -56,6 +57,7 @@ pub use palette::{
     BGT, Colour, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
 };
 pub use panels::{write_area_svg, write_pressure_svg};
+pub use plan_words::{explanation as plan_explanation, reason as plan_reason};
 pub use survey_figures::{write_survey_map, write_survey_slopes};
 pub use tradeoff_figures::{write_tradeoff_area, write_tradeoff_pressure};
 

@@ -1,6 +1,7 @@
 //! "Read before use": what may change a conclusion, worst first, then what was tested and is fine.
 
 use super::numbers::{METRES, SPACE, percent, quantity, significant};
+use super::plan_words;
 use super::svg::escape;
 use crate::Origin;
 use crate::result::SurfaceComparison;
@@ -54,11 +55,11 @@ pub(super) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
         ));
     }
     if let Some(plan) = &surface.plan
-        && let Some(reason) = &plan.reason
+        && let Some(reason) = plan_words::reason(plan)
     {
         let asked = percent(plan.request.relative());
         let claim = format!("The accuracy of {asked} asked for is not met at every load.");
-        notes.push(note(Weight::Check, claim, format!("{}.", capital(&escape(reason)))));
+        notes.push(note(Weight::Check, claim, format!("{}.", capital(&escape(&reason)))));
     }
     let flat = surface.statistics.rms_height <= 0.0;
     let gate = surface.map.accuracy.gate();

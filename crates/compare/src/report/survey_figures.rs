@@ -7,7 +7,7 @@ use super::palette::{DETERMINISTIC, INK, INK2, LINE, Look, Marker};
 use super::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use crate::models::find;
 use crate::survey::{Family, Row, Survey};
-use crate::tradeoff::median;
+use contact_accuracy::median;
 use std::io::{self, Write};
 
 /// Lower ends of the bins of bandwidth; the last is open.

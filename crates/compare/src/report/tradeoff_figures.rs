@@ -10,7 +10,8 @@ use super::palette::{
 };
 use super::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
 use crate::models::find;
-use crate::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, front, median, ways};
+use crate::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, front, ways};
+use contact_accuracy::median;
 use std::io::{self, Write};
 
 /// Tolerance at which the grids are compared: the solver's own default.

@@ -319,7 +319,7 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
         let _ = writeln!(out, "{}", headline(surface));
         out.push_str(&text::cleaning(surface.origin.cleaned()));
         if let Some(plan) = &surface.plan {
-            let _ = writeln!(out, "{}", plan.explanation());
+            let _ = writeln!(out, "{}", compare::report::plan_explanation(plan));
         }
         out.push('\n');
         let mut columns = Columns::new(&[

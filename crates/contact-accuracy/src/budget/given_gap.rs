@@ -7,7 +7,7 @@
 //! d(gap)`, and as long as `W` is in proportion to `p` the gap falls by `W/p` when the load grows
 //! e-fold. Near full contact it falls by less, and the area hardly follows the load any more.
 
-use super::{Budget, Estimate};
+use super::estimate::{Budget, Estimate, Given};
 use fft_bem_solver::Solution;
 
 /// Fall of the gap per e-fold load over `W/p`, while most of the surface is out of contact.
@@ -16,15 +16,6 @@ const FALL: f64 = 1.06;
 const LEVELLING: f64 = 1.2;
 /// By how much smaller than this it may be; the load is uncertain by that much more.
 const CAUTION: f64 = 1.5;
-
-/// What was prescribed, so that it has no error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Given {
-    /// The mean pressure.
-    Load,
-    /// The mean gap.
-    Gap,
-}
 
 /// The least by which the mean gap falls when the load grows e-fold (m), from a solution with a
 /// mean gap; 0 if nothing touches.

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-use compare::budget::{Budget, Map, Stiffness, grid};
+use contact_accuracy::budget::{Budget, Map, Stiffness, grid};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Load, Solver};
 use surface_stats::Boundary;

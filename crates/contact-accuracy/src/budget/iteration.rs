@@ -4,7 +4,7 @@
 //! far the fields may be off; a study says what that does to each number. The area has its own
 //! constant with the solver ([`fft_bem_solver::AREA_PER_RESIDUAL`]): no energy bound controls it.
 
-use super::Map;
+use super::map::Map;
 use fft_bem_solver::{AREA_PER_RESIDUAL, Diagnostics};
 
 /// Gap error over (rms height times relative rms pressure error).

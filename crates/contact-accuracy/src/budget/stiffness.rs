@@ -1,6 +1,8 @@
 //! Contact stiffness, -dp/d(mean gap), from two more solutions.
 
-use super::{Budget, Estimate, Map, grid, iteration};
+use super::estimate::{Budget, Estimate};
+use super::map::Map;
+use super::{grid, iteration};
 use contact_types::HeightMap;
 use fft_bem_solver::{Load, NoAreaInterval, Solver, SolverError};
 

@@ -1,116 +1,16 @@
-//! The error budget of a deterministic answer: how far each number may be from the truth, by
-//! source, and two intervals that must not be confused.
-//!
-//! - *Comparison*: grid and iteration. For holding a model against the solution of the same map.
-//! - *Prediction*: the finite sample on top. For saying what the surface does, of which the map is
-//!   one sample.
-//!
-//! Sources are in [`grid`], [`iteration`] and [`sample`], one file each, with their constants. The
-//! constants come from a study of many surfaces (`cargo xtask budget`, page "Error budget" of the
-//! book); where it found no bar that holds, the answer is a reason instead.
-//!
-//! ```no_run
-//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! # let (surface, modulus): (contact_types::HeightMap, contact_types::ContactModulus) = todo!();
-//! use compare::budget::{Budget, Map};
-//! use fft_bem_solver::{Load, Solver};
-//!
-//! let map = Map::of(&surface)?; // once per surface: one transform, one sort
-//! let mut solver = Solver::builder().build(surface.grid(), modulus)?;
-//! let solution = solver.solve(&surface, Load::MeanPressure(1e6))?;
-//! let budget = Budget::of(&solution, &map);
-//! println!("{:?} {:?}", budget.area.comparison(), budget.area.prediction());
-//! # Ok(())
-//! # }
-//! ```
-//!
-//! # On another grid
-//! [`Budget::of`] holds for the grid the map is given on. Of a solution on a *refined* map take
-//! [`grid::Finer`] and hand it to [`Budget::refined`] of the budget on the given grid, which gives
-//! the bar that holds outside the gate. Of a solution on a *coarsened* map, whose
-//! bar comes from elsewhere, replace the part of the grid with [`Budget::with_grid`]; the parts of
-//! iteration and sample stay.
-//!
-//! # At a given gap
-//! [`Budget::of`] takes the load as given. Where the gap was, [`Budget::at_given_gap`] moves what is
-//! not known of the gap over to the load, and to the area that follows it.
+//! The numbers of one solution, each with its errors by source.
 
-mod given_gap;
-pub mod grid;
-pub mod iteration;
-pub mod sample;
-mod stiffness;
+use super::map::Map;
+use super::{grid, iteration, sample};
+use fft_bem_solver::{Boundary, NoAreaInterval, Solution};
 
-pub use given_gap::{Given, area_per_load, least_fall};
-pub use stiffness::Stiffness;
-
-use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{AreaAccuracy, Boundary, NoAreaInterval, Solution};
-use surface_stats::spectrum::{PowerSpectrum, Window};
-use surface_stats::{StatsError, height_step};
-
-/// What a map says about the accuracy of answers on it, whatever the load. Made once per surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Map {
-    /// The gate, and the bar of the area inside it.
-    pub accuracy: AreaAccuracy,
-    /// Whether its edges match; if not, answers know less about its gap.
-    pub repeats: bool,
-    /// Rms height (m).
-    pub rms_height: f64,
-    /// Relative standard error of the rms height over maps of the same surface.
-    pub height_scatter: f64,
-    grid: Grid,
-}
-
-impl Map {
-    /// Looks at edges, gradients, steps and spectrum of `surface`. If the edges do not match, the
-    /// spectrum is taken under a Hann window.
-    ///
-    /// # Errors
-    /// [`StatsError::OutOfRange`].
-    pub fn of(surface: &HeightMap) -> Result<Self, StatsError> {
-        Self::with_step(surface, height_step(surface.heights()))
-    }
-
-    /// The same of a map whose heights came in steps of `step` (m), if in any, before it was
-    /// levelled or cleaned: afterwards the heights do not show them.
-    ///
-    /// # Errors
-    /// [`StatsError::OutOfRange`].
-    pub fn with_step(surface: &HeightMap, step: Option<f64>) -> Result<Self, StatsError> {
-        let repeats = crate::plan::repeats(surface);
-        let window = if repeats { Window::None } else { Window::Hann };
-        let power = PowerSpectrum::of(surface, window)?;
-        Ok(Self::known(surface, &power, step.unwrap_or(0.0), repeats))
-    }
-
-    /// The same map on another grid: its accuracy there comes from elsewhere.
-    #[must_use]
-    pub fn on(self, grid: Grid) -> Self {
-        Self { grid, ..self }
-    }
-
-    /// The same from a spectrum (under a window unless the map `repeats`) and a height step (m, 0
-    /// for none) that are known already.
-    pub fn known(surface: &HeightMap, power: &PowerSpectrum, step: f64, repeats: bool) -> Self {
-        let grid = surface.grid();
-        let (moments, [x, y]) = power.moments();
-        let [dy, dx] = grid.pixel();
-        let relief = moments.rms_gradient() * dy.min(dx);
-        let step_ratio = if relief > 0.0 { step / relief } else { 0.0 };
-        let resolution = power.resolved_gradient().unwrap_or(1.0);
-        let height_scatter = sample::height_scatter(surface, power);
-        Self {
-            accuracy: AreaAccuracy::known(grid, resolution, step_ratio)
-                .with_slopes([y, x])
-                .with_waves(grid::waves(power)),
-            repeats,
-            rms_height: moments.rms_height(),
-            height_scatter,
-            grid,
-        }
-    }
+/// What was prescribed, so that it has no error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Given {
+    /// The mean pressure.
+    Load,
+    /// The mean gap.
+    Gap,
 }
 
 /// A number with what is known about its error: half widths in its own unit, by source.
@@ -125,7 +25,7 @@ pub struct Estimate {
     /// Scatter over maps of the same surface, 95 %; `None` if this map cannot tell.
     pub sample: Option<f64>,
     /// Largest value that has a meaning; the smallest is 0.
-    most: f64,
+    pub(super) most: f64,
 }
 
 impl Estimate {
@@ -157,7 +57,7 @@ impl Estimate {
     }
 
     /// A number that was prescribed.
-    pub(crate) fn exact(value: f64) -> Self {
+    pub(super) fn exact(value: f64) -> Self {
         let none = Ok(0.0);
         Self { value, grid: none, iteration: none, sample: Some(0.0), most: f64::INFINITY }
     }

@@ -1,6 +1,7 @@
 //! What `cargo xtask edges` found about maps that do not repeat, and what it says of a map whose
 //! strip along the edge carries contact like theirs.
 
+use crate::table::quantile;
 use std::sync::OnceLock;
 
 /// A crop at one load, solved as if it repeated, against itself in its natural surroundings.
@@ -47,7 +48,7 @@ impl EdgeStudy {
     pub fn built_in() -> &'static Self {
         static STUDY: OnceLock<EdgeStudy> = OnceLock::new();
         STUDY.get_or_init(|| {
-            Self::parse(include_str!("../../../fixtures/edges.csv"))
+            Self::parse(include_str!("../data/edges.csv"))
                 .expect("a test reads the committed table")
         })
     }
@@ -100,14 +101,6 @@ impl EdgeStudy {
         let seen = EdgeExperience { low: low?, high: high?, crops: errors.len() };
         (seen.crops >= FEWEST).then_some(seen)
     }
-}
-
-/// The value that `part` of the sorted values are below, linear between them; `None` of nothing.
-pub fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
-    let place = part * sorted.len().checked_sub(1)? as f64;
-    let below = place.floor() as usize;
-    let next = sorted.get(below + 1).unwrap_or(&sorted[below]);
-    Some(sorted[below] + place.fract() * (next - sorted[below]))
 }
 
 #[cfg(test)]

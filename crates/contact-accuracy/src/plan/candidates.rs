@@ -1,7 +1,7 @@
 //! Which grids a map can be solved on, and what is known of each before solving.
 
 use crate::budget::Map;
-use crate::regrid::regrid;
+use crate::continuation::regrid;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{AreaAccuracy, Boundary};
 use std::borrow::Cow;
@@ -15,8 +15,6 @@ const FACTORS: [f64; 11] = [0.125, 0.1875, 0.25, 0.375, 0.5, 0.75, 1.0, 1.5, 2.0
 const FEWEST: [usize; 2] = [48, 8];
 /// Most points a refined map may have: 4096 x 4096.
 pub const MOST_POINTS: usize = 1 << 24;
-/// Rms jump across the seam over that between neighbours inside, above which a map does not repeat.
-const SEAM: f64 = 2.0;
 /// Longest pixels over their width that the bars were studied for.
 const LONGEST_PIXEL: f64 = 2.0;
 
@@ -192,32 +190,6 @@ fn fast(n: f64) -> usize {
         m += 1;
     }
     m
-}
-
-/// Whether opposite edges meet: the jump across them is of the size of those inside.
-pub(crate) fn repeats(map: &HeightMap) -> bool {
-    seam(map) <= SEAM
-}
-
-/// Rms jump between opposite edges over that between neighbours inside, the larger of the two axes.
-fn seam(map: &HeightMap) -> f64 {
-    let [ny, nx] = map.grid().shape();
-    let (mut across, mut inside) = ([0.0; 2], [0.0; 2]);
-    for iy in 0..ny {
-        for ix in 0..nx {
-            let here = map.at(iy, ix);
-            let down = (map.at((iy + 1) % ny, ix) - here).powi(2);
-            let right = (map.at(iy, (ix + 1) % nx) - here).powi(2);
-            let sums = if iy + 1 == ny { &mut across } else { &mut inside };
-            sums[0] += down / if iy + 1 == ny { 1.0 } else { (ny - 1) as f64 };
-            let sums = if ix + 1 == nx { &mut across } else { &mut inside };
-            sums[1] += right / if ix + 1 == nx { 1.0 } else { (nx - 1) as f64 };
-        }
-    }
-    let ratio = |axis: usize| {
-        if inside[axis] > 0.0 { (across[axis] / inside[axis]).sqrt() } else { 0.0 }
-    };
-    ratio(0).max(ratio(1))
 }
 
 #[cfg(test)]

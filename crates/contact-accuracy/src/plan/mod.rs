@@ -13,8 +13,7 @@ mod request;
 mod run;
 
 pub use bar::{Line, budget};
-pub(crate) use candidates::repeats;
 pub use candidates::{Candidate, Candidates, MOST_POINTS};
-pub use outcome::{Next, Outcome};
+pub use outcome::{Finest, Miss, Next, NoBar, Outcome, Unmet};
 pub use request::{BadRequest, Request};
 pub use run::{PlanError, Sink, Task, run};

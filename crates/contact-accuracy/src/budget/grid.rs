@@ -4,10 +4,9 @@
 //! their bars are parts of the same measure of resolution, the share of the contact line,
 //! `0.118 S_d / A`.
 
-use super::Map;
+use super::map::Map;
 use contact_types::Grid;
 use fft_bem_solver::{BOUNDARY_CORRECTION, Solution};
-use surface_stats::spectrum::PowerSpectrum;
 
 /// Gap error over (rms height times share of the contact line), on a map that repeats.
 const GAP: f64 = 0.012;
@@ -23,18 +22,6 @@ pub fn line_share(solution: &Solution) -> f64 {
     let found = &solution.diagnostics;
     let correction = BOUNDARY_CORRECTION * found.contact_perimeter;
     if correction > 0.0 { correction / found.area_fraction_corrected } else { 0.0 }
-}
-
-/// Independent waves of equal weight that would carry the gradient as this spectrum does, for
-/// [`AreaAccuracy::waves`](fft_bem_solver::AreaAccuracy). Waves q and -q are one.
-pub fn waves(power: &PowerSpectrum) -> f64 {
-    let (mut sum, mut squares) = (0.0, 0.0);
-    power.for_each(|[qy, qx], weight, variance| {
-        let slope = variance * (qy * qy + qx * qx);
-        sum += weight * slope;
-        squares += weight * slope * slope;
-    });
-    if squares > 0.0 { 0.5 * sum * sum / squares } else { f64::INFINITY }
 }
 
 /// Half width of the mean gap (m) at this share of the contact line.

@@ -1,13 +1,11 @@
 //! Solving with a request: from the coarsest grid that may do to the one that does.
 
-use super::outcome::{Next, Outcome, percent, plus_minus, points};
+use super::outcome::{Finest, Miss, Next, NoBar, Outcome, Unmet};
 use super::{Candidate, Candidates, Line, Request, budget};
-use crate::PrecisionName;
 use crate::budget::iteration::area_error;
 use crate::budget::{Budget, Map};
-use crate::report::numbers::{METRES, PASCALS, chosen};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Boundary, Load, Maps, Method, Solution, Solver, SolverError};
+use fft_bem_solver::{Boundary, Load, Maps, Method, Precision, Solution, Solver, SolverError};
 use std::ops::ControlFlow;
 use std::time::Instant;
 use surface_stats::StatsError;
@@ -70,7 +68,7 @@ pub enum PlanError {
 struct Reached {
     load: Load,
     /// Relative half width, or why none.
-    width: Result<f64, String>,
+    width: Result<f64, NoBar>,
     /// The part of it that is the iteration's.
     iteration: f64,
     line: Option<Line>,
@@ -109,8 +107,8 @@ pub fn run(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Outcome, PlanError> {
 /// Bytes of a number of the iteration.
 fn bytes(task: &Task<'_>) -> f64 {
     match task.request.precision() {
-        PrecisionName::F64 => 8.0,
-        PrecisionName::F32 => 4.0,
+        Precision::Double => 8.0,
+        Precision::Single => 4.0,
     }
 }
 
@@ -147,7 +145,7 @@ fn attempt(
     let mut solver = Solver::builder()
         .method(task.method)
         .boundary(task.boundary)
-        .precision(task.request.precision().into())
+        .precision(task.request.precision())
         .tolerance(task.request.tolerance())
         .certified(task.certified)
         .maps(task.maps)
@@ -179,10 +177,10 @@ impl Reached {
         let line = result.as_ref().ok().map(|solution| Line::of(solution, load));
         let Some(area) = budget.map(|b| b.area) else {
             let why = result.as_ref().err().map_or_else(String::new, ToString::to_string);
-            return Self { load, width: Err(why), iteration: 0.0, line };
+            return Self { load, width: Err(NoBar::Unsolved(why)), iteration: 0.0, line };
         };
         let share = |half: f64| if half > 0.0 { half / area.value } else { 0.0 };
-        let width = area.comparison_half_width().map(share).map_err(|why| why.to_string());
+        let width = area.comparison_half_width().map(share).map_err(NoBar::Area);
         Self { load, width, iteration: area.iteration.map_or(0.0, share), line }
     }
 
@@ -262,51 +260,37 @@ fn conclude(
         seconds,
         given_up: Vec::new(),
         next: next.filter(|next| half_width.is_none_or(|h| h > 0.0) || next.half_width.is_none()),
-        reason: (!unmet.is_empty()).then(|| reason(task, candidates, current, &unmet)),
+        unmet: reason(task, candidates, current, &unmet),
     }
 }
 
-/// Why some loads miss the request: the first of them in words.
-fn reason(task: &Task<'_>, candidates: &Candidates, current: usize, unmet: &[&Reached]) -> String {
-    let Some(first) = unmet.first() else { return String::new() };
-    if let (Err(why), Err(_)) = (candidates.as_given().accuracy.gate(), &first.width) {
-        return why.to_string();
+/// Why some loads miss the request: the first of them.
+fn reason(
+    task: &Task<'_>,
+    candidates: &Candidates,
+    current: usize,
+    unmet: &[&Reached],
+) -> Option<Unmet> {
+    let reached = unmet.first()?;
+    if let (Err(why), Err(_)) = (candidates.as_given().accuracy.gate(), &reached.width) {
+        return Some(Unmet::Map(why));
     }
-    let others = match unmet.len() {
-        1 => String::new(),
-        n => format!(" ({n} of {} loads miss it)", task.loads.len()),
-    };
-    let at = shown(first.load);
-    if let (Load::MeanGap(_), Some(line)) = (first.load, first.line)
+    let why = if let (Load::MeanGap(_), Some(line)) = (reached.load, reached.line)
         && line.area <= 0.0
         && line.edges <= 0.0
     {
-        let touch = task.map.range().1 - task.map.mean();
-        let touch = chosen(touch, METRES);
-        return format!(
-            "nothing touches at {at}{others}; the first contact of this map is at {touch}"
-        );
-    }
-    let here = match &first.width {
-        Ok(width) => format!("{} at {at}{others}", plus_minus(*width)),
-        Err(why) => format!("at {at}{others} {why}"),
+        Miss::NoContact { first_contact: task.map.range().1 - task.map.mean() }
+    } else {
+        let last = candidates.list.len() - 1;
+        let finest = if last == current {
+            Finest::Used
+        } else {
+            Finest::Other {
+                shape: candidates.list[last].grid.shape(),
+                half_width: expected(task, candidates, [current, last], reached),
+            }
+        };
+        Miss::Bar { here: reached.width.clone(), finest }
     };
-    let finest = candidates.list.len() - 1;
-    if finest == current {
-        return format!("{here}, and no finer grid is considered");
-    }
-    let grid = points(candidates.list[finest].grid.shape());
-    match expected(task, candidates, [current, finest], first) {
-        Some(width) => format!("{here}; even {grid} points would leave ±{}", percent(width)),
-        None => format!("{here}; even {grid} points would not resolve the contacts"),
-    }
-}
-
-/// "2 MPa", "a mean gap of 30 nm".
-fn shown(load: Load) -> String {
-    match load {
-        Load::MeanGap(gap) => format!("a mean gap of {}", chosen(gap, METRES)),
-        Load::MeanPressure(load) | Load::Approach(load) => chosen(load, PASCALS),
-        _ => format!("{load:?}"),
-    }
+    Some(Unmet::Loads { first: reached.load, missed: unmet.len(), of: task.loads.len(), why })
 }

@@ -1,7 +1,7 @@
 //! What is asked for, and what follows for the iteration.
 
-use crate::PrecisionName;
 use crate::budget::iteration::area_error;
+use fft_bem_solver::Precision;
 
 /// Part of the request that the iteration may use up.
 const ITERATION_SHARE: f64 = 0.2;
@@ -66,8 +66,8 @@ impl Request {
     }
 
     /// Half the bytes wherever single precision reaches the tolerance.
-    pub fn precision(self) -> PrecisionName {
-        if self.tolerance() >= SINGLE { PrecisionName::F32 } else { PrecisionName::F64 }
+    pub fn precision(self) -> Precision {
+        if self.tolerance() >= SINGLE { Precision::Single } else { Precision::Double }
     }
 }
 
@@ -94,7 +94,7 @@ mod tests {
             let share = area_error(request.tolerance()) / request.relative();
             assert!(share <= 0.2 + 1e-9 && share > 0.1, "{percent}: {share}");
         }
-        assert_eq!(Request::new(0.02).unwrap().precision(), PrecisionName::F32);
-        assert_eq!(Request::new(0.001).unwrap().precision(), PrecisionName::F64);
+        assert_eq!(Request::new(0.02).unwrap().precision(), Precision::Single);
+        assert_eq!(Request::new(0.001).unwrap().precision(), Precision::Double);
     }
 }
