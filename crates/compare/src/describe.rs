@@ -61,7 +61,7 @@ pub(crate) fn spectral(
 ) -> (Spectral, Map) {
     let windowed = statistics.boundary == Boundary::Open;
     let repeats = !windowed || repeats(map);
-    let known = Map::known(map, power, statistics.height_step.unwrap_or(0.0), repeats);
+    let known = Map::known(map, power, statistics.height_step, repeats);
     let spectral = Spectral {
         moments: power.moments().0,
         resolved: power.resolved_gradient().unwrap_or(1.0),

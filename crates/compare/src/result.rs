@@ -3,10 +3,11 @@
 use crate::models::{BuildError, Inputs, ModelEntry};
 use crate::survey::Experience;
 use crate::{EdgesName, Origin, Settings, Spots};
+use contact_accuracy::NoAreaInterval;
 use contact_accuracy::budget::{Budget, Map, grid};
 use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{NoAreaInterval, Residuals, Solution};
+use fft_bem_solver::{Residuals, Solution};
 use surface_stats::SurfaceStatistics;
 
 /// A finished study.

@@ -3,6 +3,7 @@
 
 use contact_types::HeightMap;
 use surface_stats::clean::{resample, resample_mirrored};
+use surface_stats::spectrum::Window;
 use surface_stats::{Boundary, StatsError};
 
 /// Rms jump across the seam over that between neighbours inside, above which a map does not repeat.
@@ -11,6 +12,12 @@ const SEAM: f64 = 2.0;
 /// Whether opposite edges meet: the jump across them is of the size of those inside.
 pub fn repeats(map: &HeightMap) -> bool {
     seam(map) <= SEAM
+}
+
+/// The window under which the waves of a map are looked at: none if it repeats; or the jump at its
+/// edges would count as waves.
+pub(crate) fn window_for(repeats: bool) -> Window {
+    if repeats { Window::None } else { Window::Hann }
 }
 
 /// Rms jump between opposite edges over that between neighbours inside, the larger of the two axes.

@@ -16,7 +16,7 @@ pub mod plan;
 mod refinement;
 mod table;
 
-pub use budget::{Budget, Estimate, Map};
+pub use budget::{AreaAccuracy, Budget, Estimate, Map, NoAreaInterval};
 pub use continuation::{regrid, repeats};
 pub use edge_share::EdgeShare;
 pub use refinement::{NotRefined, TwiceFiner, fits};

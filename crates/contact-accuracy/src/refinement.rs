@@ -1,11 +1,9 @@
 //! Bars outside the gate, from solutions on a twice finer grid.
 
-use crate::budget::{Budget, Map, grid::Finer};
+use crate::budget::{Budget, Map, NoAreaInterval, grid::Finer};
 use crate::continuation::regrid;
 use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{
-    Boundary, Iteration, Load, NoAreaInterval, Solver, SolverBuilder, SolverError,
-};
+use fft_bem_solver::{Boundary, Iteration, Load, Solver, SolverBuilder, SolverError};
 use std::ops::ControlFlow;
 use surface_stats::StatsError;
 

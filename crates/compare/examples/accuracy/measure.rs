@@ -3,10 +3,10 @@
 use crate::ensemble::Recipe;
 use compare::budget::{Budget, Map};
 use compare::plan::{Miss, NoBar, Request, Sink, Task, Unmet, run};
+use contact_accuracy::NoAreaInterval;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{
-    BOUNDARY_CORRECTION, Boundary, Iteration, Load, Maps, Method, NoAreaInterval, Solution, Solver,
-    SolverError,
+    BOUNDARY_CORRECTION, Boundary, Iteration, Load, Maps, Method, Solution, Solver, SolverError,
 };
 use std::error::Error;
 use std::fmt::Write as _;

@@ -5,7 +5,7 @@ use super::plan_words;
 use super::svg::escape;
 use crate::Origin;
 use crate::result::SurfaceComparison;
-use fft_bem_solver::NoAreaInterval;
+use contact_accuracy::NoAreaInterval;
 use surface_stats::Warning;
 use surface_stats::clean::{FormParameters, Record};
 

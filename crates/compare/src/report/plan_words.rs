@@ -125,9 +125,10 @@ fn time(seconds: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use contact_accuracy::NoAreaInterval;
     use contact_accuracy::plan::{Next, Request};
     use contact_types::Grid;
-    use fft_bem_solver::{NoAreaInterval, Precision};
+    use fft_bem_solver::Precision;
 
     fn outcome() -> Outcome {
         let grid = |n: usize| Grid::new([n, n], [1.0 / n as f64; 2]).unwrap();

@@ -1,8 +1,10 @@
 //! The numbers of one solution, each with its errors by source.
 
+use super::area::iteration_half_width;
 use super::map::Map;
+use super::no_interval::NoAreaInterval;
 use super::{grid, iteration, sample};
-use fft_bem_solver::{Boundary, NoAreaInterval, Solution};
+use fft_bem_solver::{Boundary, Solution};
 
 /// What was prescribed, so that it has no error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,7 +92,7 @@ impl Budget {
     pub fn of(solution: &Solution, map: &Map) -> Self {
         let found = &solution.diagnostics;
         let area = found.area_fraction_corrected;
-        let iteration = fft_bem_solver::iteration_half_width(found);
+        let iteration = iteration_half_width(found);
         let gate = if found.contact_pixels == 0 {
             Err(NoAreaInterval::Empty)
         } else {
@@ -100,7 +102,7 @@ impl Budget {
         // An isolated contact is no sample of a surface that goes on.
         let goes_on = found.boundary == Boundary::Periodic;
         let scatter = goes_on
-            .then(|| sample::area_scatter(&solution.pressure, map.grid, sample::PARTS))
+            .then(|| sample::area_scatter(&solution.pressure, map.accuracy.grid(), sample::PARTS))
             .flatten();
         let relative = scatter.map(|s| sample::area_half_width(s, map.height_scatter));
         let gap = |gap: f64| Estimate {
@@ -132,7 +134,7 @@ impl Budget {
 
     /// The same with another half width of the area from the grid, or the reason why there is
     /// none, in units of the area fraction: for a solution on a grid whose bar is not that of
-    /// [`AreaAccuracy`]. `more` is by how much the part of the gap from the grid grows (m).
+    /// [`AreaAccuracy`](super::AreaAccuracy). `more` is by how much the part of the gap from the grid grows (m).
     #[must_use]
     pub fn with_grid(mut self, area: Result<f64, NoAreaInterval>, more: f64) -> Self {
         self.area.grid = area;

@@ -1,6 +1,6 @@
 //! Error of the grid: contact lines cut pixels, peaks stand between points.
 //!
-//! The bar of the area is [`fft_bem_solver::AreaAccuracy`]'s. Gap and stiffness converge faster;
+//! The bar of the area is [`AreaAccuracy`](super::AreaAccuracy)'s. Gap and stiffness converge faster;
 //! their bars are parts of the same measure of resolution, the share of the contact line,
 //! `0.118 S_d / A`.
 

@@ -2,10 +2,11 @@
 //!
 //! The estimate of the relative rms pressure error, which the tolerance is compared with, says how
 //! far the fields may be off; a study says what that does to each number. The area has its own
-//! constant with the solver ([`fft_bem_solver::AREA_PER_RESIDUAL`]): no energy bound controls it.
+//! constant ([`AREA_PER_RESIDUAL`]): no energy bound controls it.
 
+use super::area::AREA_PER_RESIDUAL;
 use super::map::Map;
-use fft_bem_solver::{AREA_PER_RESIDUAL, Diagnostics};
+use fft_bem_solver::Diagnostics;
 
 /// Gap error over (rms height times relative rms pressure error).
 pub const GAP: f64 = 0.6;

@@ -1,10 +1,10 @@
 //! What a map says about the accuracy of answers on it, before anything is solved.
 
+use super::area::AreaAccuracy;
 use super::sample;
-use crate::continuation::repeats;
+use crate::continuation::{repeats, window_for};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::AreaAccuracy;
-use surface_stats::spectrum::{PowerSpectrum, Window};
+use surface_stats::spectrum::PowerSpectrum;
 use surface_stats::{StatsError, height_step};
 
 /// What a map says about the accuracy of answers on it, whatever the load. Made once per surface.
@@ -18,7 +18,6 @@ pub struct Map {
     pub rms_height: f64,
     /// Relative standard error of the rms height over maps of the same surface.
     pub height_scatter: f64,
-    pub(super) grid: Grid,
 }
 
 impl Map {
@@ -38,47 +37,29 @@ impl Map {
     /// [`StatsError::OutOfRange`].
     pub fn with_step(surface: &HeightMap, step: Option<f64>) -> Result<Self, StatsError> {
         let repeats = repeats(surface);
-        let window = if repeats { Window::None } else { Window::Hann };
-        let power = PowerSpectrum::of(surface, window)?;
-        Ok(Self::known(surface, &power, step.unwrap_or(0.0), repeats))
+        let power = PowerSpectrum::of(surface, window_for(repeats))?;
+        Ok(Self::known(surface, &power, step, repeats))
     }
 
     /// The same map on another grid: its accuracy there comes from elsewhere.
     #[must_use]
     pub fn on(self, grid: Grid) -> Self {
-        Self { grid, ..self }
+        Self { accuracy: self.accuracy.on(grid), ..self }
     }
 
-    /// The same from a spectrum (under a window unless the map `repeats`) and a height step (m, 0
-    /// for none) that are known already.
-    pub fn known(surface: &HeightMap, power: &PowerSpectrum, step: f64, repeats: bool) -> Self {
-        let grid = surface.grid();
-        let (moments, [x, y]) = power.moments();
-        let [dy, dx] = grid.pixel();
-        let relief = moments.rms_gradient() * dy.min(dx);
-        let step_ratio = if relief > 0.0 { step / relief } else { 0.0 };
-        let resolution = power.resolved_gradient().unwrap_or(1.0);
-        let height_scatter = sample::height_scatter(surface, power);
+    /// The same from a spectrum (under a window unless the map `repeats`) and a height step (m)
+    /// that are known already.
+    pub fn known(
+        surface: &HeightMap,
+        power: &PowerSpectrum,
+        step: Option<f64>,
+        repeats: bool,
+    ) -> Self {
         Self {
-            accuracy: AreaAccuracy::known(grid, resolution, step_ratio)
-                .with_slopes([y, x])
-                .with_waves(waves(power)),
+            accuracy: AreaAccuracy::of_waves(surface.grid(), power, step),
             repeats,
-            rms_height: moments.rms_height(),
-            height_scatter,
-            grid,
+            rms_height: power.moments().0.rms_height(),
+            height_scatter: sample::height_scatter(surface, power),
         }
     }
-}
-
-/// Independent waves of equal weight that would carry the gradient as this spectrum does, for
-/// [`AreaAccuracy::waves`](fft_bem_solver::AreaAccuracy). Waves q and -q are one.
-pub fn waves(power: &PowerSpectrum) -> f64 {
-    let (mut sum, mut squares) = (0.0, 0.0);
-    power.for_each(|[qy, qx], weight, variance| {
-        let slope = variance * (qy * qy + qx * qx);
-        sum += weight * slope;
-        squares += weight * slope * slope;
-    });
-    if squares > 0.0 { 0.5 * sum * sum / squares } else { f64::INFINITY }
 }

@@ -35,15 +35,21 @@
 //! [`Budget::of`] takes the load as given. Where the gap was, [`Budget::at_given_gap`] moves what is
 //! not known of the gap over to the load, and to the area that follows it.
 
+mod area;
 mod estimate;
 mod given_gap;
 pub mod grid;
 pub mod iteration;
 mod map;
+mod no_interval;
 pub mod sample;
 mod stiffness;
 
+pub use area::{
+    AREA_PER_RESIDUAL, AreaAccuracy, LEFT_OF_CORRECTION, iteration_half_width, left_of_correction,
+};
 pub use estimate::{Budget, Estimate, Given, RealPressure};
 pub use given_gap::{area_per_load, least_fall};
-pub use map::{Map, waves};
+pub use map::Map;
+pub use no_interval::NoAreaInterval;
 pub use stiffness::Stiffness;

@@ -1,10 +1,12 @@
 //! Contact stiffness, -dp/d(mean gap), from two more solutions.
 
+use super::area::iteration_half_width;
 use super::estimate::{Budget, Estimate};
 use super::map::Map;
+use super::no_interval::NoAreaInterval;
 use super::{grid, iteration};
 use contact_types::HeightMap;
-use fft_bem_solver::{Load, NoAreaInterval, Solver, SolverError};
+use fft_bem_solver::{Load, Solver, SolverError};
 
 /// Factor between the load and the two loads beside it.
 const STEP: f64 = 1.01;
@@ -49,12 +51,10 @@ impl Stiffness {
             return Ok(None);
         }
         let (a, b) = (&less.diagnostics, &more.diagnostics);
-        let iteration = fft_bem_solver::iteration_half_width(a)
-            .and(fft_bem_solver::iteration_half_width(b))
-            .map(|_| {
-                let [a, b] = [a, b].map(|d| iteration::gap_half_width(map, d));
-                (a + b) / closed
-            });
+        let iteration = iteration_half_width(a).and(iteration_half_width(b)).map(|_| {
+            let [a, b] = [a, b].map(|d| iteration::gap_half_width(map, d));
+            (a + b) / closed
+        });
         Ok(Some(Self {
             value: 2.0 * STEP.ln() * mean_pressure / closed,
             iteration,

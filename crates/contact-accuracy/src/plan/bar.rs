@@ -1,15 +1,15 @@
 //! The error budget of a solution on a grid that need not be the given one.
 //!
-//! What the contact line leaves is the solver's own bar ([`AreaAccuracy`]); a coarser grid also loses
+//! What the contact line leaves is the bar of the area ([`AreaAccuracy`]); a coarser grid also loses
 //! gradient: the area at a light load is as 1/h'_rms. Calibrated on 106 maps of 256² points in seven
 //! families at five loads, on grids from 1/8 to 2 times the given one, against the map on 1024²
 //! points: the largest excess seen was 1.41 times the loss.
 //!
-//! [`AreaAccuracy`]: fft_bem_solver::AreaAccuracy
+//! [`AreaAccuracy`]: crate::budget::AreaAccuracy
 
 use super::Candidate;
-use crate::budget::{Budget, Map, area_per_load, grid, least_fall};
-use fft_bem_solver::{BOUNDARY_CORRECTION, Load, NoAreaInterval, Solution};
+use crate::budget::{Budget, Map, NoAreaInterval, area_per_load, grid, least_fall};
+use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solution};
 
 /// Relative area error per relative loss of gradient.
 const LOST: f64 = 1.5;
@@ -92,8 +92,8 @@ pub fn budget(solution: &Solution, load: Load, on: &Candidate, map: &Map) -> Bud
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::budget::AreaAccuracy;
     use contact_types::{Grid, HeightMap};
-    use fft_bem_solver::AreaAccuracy;
 
     #[test]
     fn a_loss_of_gradient_and_a_given_gap_widen_the_bar() {

@@ -1,13 +1,13 @@
 //! Which grids a map can be solved on, and what is known of each before solving.
 
-use crate::budget::Map;
-use crate::continuation::regrid;
+use crate::budget::{AreaAccuracy, Map};
+use crate::continuation::{regrid, window_for};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{AreaAccuracy, Boundary};
+use fft_bem_solver::Boundary;
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 use surface_stats::StatsError;
-use surface_stats::spectrum::{PowerSpectrum, Window};
+use surface_stats::spectrum::PowerSpectrum;
 
 /// Points along a side over those of the given map.
 const FACTORS: [f64; 11] = [0.125, 0.1875, 0.25, 0.375, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0];
@@ -50,8 +50,7 @@ impl Candidates {
     /// [`StatsError`].
     pub fn of(map: &HeightMap, known: &Map, boundary: Boundary) -> Result<Self, StatsError> {
         let grid = map.grid();
-        let window = if known.repeats { Window::None } else { Window::Hann };
-        let power = PowerSpectrum::of(map, window)?;
+        let power = PowerSpectrum::of(map, window_for(known.repeats))?;
         let mut list: Vec<Held> =
             FACTORS.iter().filter_map(|&factor| Held::new(grid, factor)).collect();
         let all = add_up(&power, grid, &mut list);

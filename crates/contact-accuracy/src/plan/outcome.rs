@@ -1,8 +1,9 @@
 //! What was chosen, what it reached, and what the next better choice would cost.
 
 use super::Request;
+use crate::budget::NoAreaInterval;
 use contact_types::Grid;
-use fft_bem_solver::{Load, NoAreaInterval, Precision};
+use fft_bem_solver::{Load, Precision};
 
 /// The next finer grid.
 #[derive(Debug, Clone, Copy, PartialEq)]

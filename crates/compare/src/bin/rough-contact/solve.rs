@@ -9,15 +9,13 @@ use crate::planned;
 use crate::progress::Progress;
 use crate::text::{self, Columns};
 use clap::Args;
-use compare::budget::{Budget, Given, Map, Stiffness, grid};
+use compare::budget::{Budget, Given, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
     EdgesName, LevelName, MethodName, NotRefined, PrecisionName, Surrounded, TwiceFiner, on_given,
 };
 use contact_types::Grid;
-use fft_bem_solver::{
-    Boundary, Iteration, Load, Maps, NoAreaInterval, Solution, Solver, SolverError,
-};
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solution, Solver, SolverError};
 use serde_json::{Value, json};
 use std::borrow::Cow;
 use std::ops::ControlFlow;

@@ -1,14 +1,11 @@
 //! How far the area found on a grid may be from that of the surface the grid samples.
 
-use crate::{Boundary, Diagnostics, Solution};
+use super::no_interval::{MOST_CORRECTION, MOST_STEP, NoAreaInterval};
+use crate::continuation::{repeats, window_for};
 use contact_types::{Grid, HeightMap};
-use grid_fft::GridFft;
-use std::f64::consts::{LN_2, PI};
-
-/// Area by which a count of pixels is too large, in pixels per edge of the contact line, for edges
-/// of all directions: (π − 1 + ln 2)/24 (Yastrebov, Anciaux & Molinari 2017,
-/// doi:10.1016/j.triboint.2017.04.023).
-pub const BOUNDARY_CORRECTION: f64 = (PI - 1.0 + LN_2) / 24.0;
+use fft_bem_solver::{BOUNDARY_CORRECTION, Boundary, Diagnostics, Solution};
+use surface_stats::spectrum::PowerSpectrum;
+use surface_stats::{StatsError, height_step};
 
 /// Part of the correction that is left as uncertainty where its edges run in all directions.
 pub const LEFT_OF_CORRECTION: f64 = 0.3;
@@ -40,19 +37,13 @@ const LEAST_RESOLUTION: f64 = 0.94;
 /// The same where height steps, finer than [`MOST_STEP`], make part of the gradient.
 const LEAST_RESOLUTION_STEPPED: f64 = 0.90;
 
-/// Coarsest height step over (rms gradient times pixel side).
-const MOST_STEP: f64 = 0.5;
-
-/// Largest correction over raw area.
-const MOST_CORRECTION: f64 = 0.2;
-
 /// The pressure error above which the area error of the iteration is not known.
 const LOOSEST: f64 = 1e-2;
 
 /// What a map tells about the accuracy of areas computed on it: the gate, and the bar inside it.
 /// Made once per surface, on demand.
 ///
-/// A contact line cuts pixels. [`Diagnostics::area_fraction_corrected`](crate::Diagnostics) takes
+/// A contact line cuts pixels. [`Diagnostics::area_fraction_corrected`] takes
 /// that into account on average; what is left is a part of the correction, as long as the map
 /// resolves its shortest waves. Whether it does is read off the rms gradient: by differences
 /// between pixels it is smaller than from the spectrum, the more so the shorter the waves. How
@@ -78,111 +69,38 @@ pub struct AreaAccuracy {
     grid: Grid,
 }
 
-/// Why there is no interval for an area.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum NoAreaInterval {
-    /// The shortest waves of the map are too short for its pixels.
-    #[error(
-        "finite differences see {:.0}\u{202F}% of the rms gradient ({:.0}\u{202F}% needed): the \
-         shortest waves are not resolved; solve on a map refined 2 times",
-        100.0 * resolution, 100.0 * needed
-    )]
-    Unresolved {
-        /// g_FD / g_SP.
-        resolution: f64,
-        /// What it must reach.
-        needed: f64,
-    },
-    /// The heights are too coarsely stepped.
-    #[error(
-        "the height step is {ratio:.2} of pixel × rms gradient ({MOST_STEP} at most): contacts \
-         follow the steps"
-    )]
-    Stepped {
-        /// Height step over (rms gradient times pixel side).
-        ratio: f64,
-    },
-    /// The contact spots are too small for the pixels.
-    #[error(
-        "the contact line takes {:.0}\u{202F}% of the area ({:.0}\u{202F}% at most): contacts \
-         are a few points wide; solve on a finer map or at a higher load",
-        100.0 * ratio, 100.0 * MOST_CORRECTION
-    )]
-    SpotsTooSmall {
-        /// Correction over raw area.
-        ratio: f64,
-    },
-    /// The iteration stopped too early.
-    #[error(
-        "the pressure is known to {residual:.1e} only; an interval for the area needs a tolerance \
-         of {limit:.0e}"
-    )]
-    TooLooselySolved {
-        /// Estimated relative pressure error.
-        residual: f64,
-        /// What it must not exceed.
-        limit: f64,
-    },
-    /// The iterations ran out.
-    #[error("the solver did not converge")]
-    NotConverged,
-    /// The map is flat, or nothing touches.
-    #[error("nothing touches")]
-    Empty,
-    /// The interval was not studied for this kind of problem.
-    #[error("no interval is known for {0}")]
-    NotStudied(&'static str),
-}
-
 impl AreaAccuracy {
-    /// Looks at the gradients and steps of `surface` as it repeats. One transform and one sort.
-    pub fn of(surface: &HeightMap) -> Self {
-        let grid = surface.grid();
-        let [ny, nx] = grid.shape();
-        let [dy, dx] = grid.pixel();
-        let top = surface.range().1;
-        let h: Vec<f64> = surface.heights().iter().map(|h| h - top).collect();
-        let n = h.len() as f64;
-        let mut differences = 0.0;
-        for iy in 0..ny {
-            for ix in 0..nx {
-                let here = h[iy * nx + ix];
-                let below = h[(iy + 1) % ny * nx + ix];
-                let right = h[iy * nx + (ix + 1) % nx];
-                differences += ((below - here) / dy).powi(2) + ((right - here) / dx).powi(2);
-            }
-        }
-        let mut fft = GridFft::<f64>::new(grid.shape());
-        let mut spectrum = fft.new_spectrum();
-        fft.forward(&h, &mut spectrum);
-        let nq = nx / 2 + 1;
-        let (mut along, mut squares) = ([0.0; 2], 0.0);
-        for (i, wave) in spectrum.iter().enumerate() {
-            let (iy, ix) = (i / nq, i % nq);
-            let twice = if ix == 0 || 2 * ix == nx { 1.0 } else { 2.0 };
-            let q = grid.wave_vector(iy, ix);
-            along[0] += twice * q[0] * q[0] * wave.norm_sqr();
-            along[1] += twice * q[1] * q[1] * wave.norm_sqr();
-            squares += twice * ((q[0] * q[0] + q[1] * q[1]) * wave.norm_sqr()).powi(2);
-        }
-        let all = along[0] + along[1];
-        // Waves q and -q are one.
-        let waves = if squares > 0.0 { 0.5 * all * all / squares } else { f64::INFINITY };
-        let (by_differences, by_spectrum) = ((differences / n).sqrt(), all.sqrt() / n);
-        let ratio = |a: f64, b: f64| if b > 0.0 { a / b } else { 1.0 };
-        let step = height_step(h);
-        let step_ratio = if step > 0.0 { ratio(step, by_spectrum * dy.min(dx)) } else { 0.0 };
-        Self::known(grid, ratio(by_differences, by_spectrum), step_ratio)
-            .with_slopes(along)
-            .with_waves(waves)
+    /// Looks at edges, gradients and steps of `surface`; if its edges do not meet, at its waves
+    /// under a Hann window. One transform and one sort.
+    ///
+    /// # Errors
+    /// [`StatsError::OutOfRange`].
+    pub fn of(surface: &HeightMap) -> Result<Self, StatsError> {
+        let power = PowerSpectrum::of(surface, window_for(repeats(surface)))?;
+        Ok(Self::of_waves(surface.grid(), &power, height_step(surface.heights())))
     }
 
-    /// From what is known already. For a map that does not repeat, take `resolution` under a
-    /// window: the jump at its edges would count as waves that are not resolved.
+    /// From the waves of a map on `grid`, under a window if its edges do not meet, or the jump there
+    /// would count as waves that are not resolved; and the step that its heights came in (m), if
+    /// any.
+    pub fn of_waves(grid: Grid, power: &PowerSpectrum, step: Option<f64>) -> Self {
+        let (moments, [x, y]) = power.moments();
+        let [dy, dx] = grid.pixel();
+        let relief = moments.rms_gradient() * dy.min(dx);
+        let step_ratio = if relief > 0.0 { step.unwrap_or(0.0) / relief } else { 0.0 };
+        let resolution = power.resolved_gradient().unwrap_or(1.0);
+        Self::known(grid, resolution, step_ratio).with_slopes([y, x]).with_waves(waves(power))
+    }
+
+    /// From what is known already, of slopes alike in all directions and many waves.
     pub fn known(grid: Grid, resolution: f64, step_ratio: f64) -> Self {
         let (directions, waves) = (1.0, f64::INFINITY);
         Self { resolution, step_ratio, directions, waves, boundary: Boundary::Periodic, grid }
+    }
+
+    /// The grid of the map.
+    pub fn grid(&self) -> Grid {
+        self.grid
     }
 
     /// The same waves on another grid, which resolves them as well or better.
@@ -244,6 +162,9 @@ impl AreaAccuracy {
     /// # Errors
     /// [`NoAreaInterval`] where no such interval is known to hold, with the reason.
     pub fn grid_half_width(&self, solution: &Solution) -> Result<f64, NoAreaInterval> {
+        if solution.grid != self.grid {
+            return Err(NoAreaInterval::OtherGrid { map: self.grid, solution: solution.grid });
+        }
         let found = &solution.diagnostics;
         if found.contact_pixels == 0 || found.contact_perimeter <= 0.0 {
             return Ok(0.0); // nothing or everything: no pixel is cut
@@ -343,28 +264,24 @@ pub fn iteration_half_width(found: &Diagnostics) -> Result<f64, NoAreaInterval> 
     })
 }
 
-/// The step in which heights are given: the median distance of neighbouring distinct values, if
-/// many pixels share their value with others; 0 if the heights are continuous.
-fn height_step(mut heights: Vec<f64>) -> f64 {
-    let pixels = heights.len();
-    heights.sort_by(f64::total_cmp);
-    let range = heights[pixels - 1] - heights[0];
-    let same = 1e-9 * range; // rounding of heights written as multiples of a step
-    let mut gaps: Vec<f64> =
-        heights.windows(2).map(|w| w[1] - w[0]).filter(|d| *d > same).collect();
-    if gaps.is_empty() || gaps.len() > pixels / 4 {
-        return 0.0;
-    }
-    gaps.sort_by(f64::total_cmp);
-    gaps[gaps.len() / 2]
+/// Independent waves of equal weight that would carry the gradient as this spectrum does, for
+/// [`AreaAccuracy::waves`]. Waves q and -q are one.
+fn waves(power: &PowerSpectrum) -> f64 {
+    let (mut sum, mut squares) = (0.0, 0.0);
+    power.for_each(|[qy, qx], weight, variance| {
+        let slope = variance * (qy * qy + qx * qx);
+        sum += weight * slope;
+        squares += weight * slope * slope;
+    });
+    if squares > 0.0 { 0.5 * sum * sum / squares } else { f64::INFINITY }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
-    use contact_types::Grid;
     use std::f64::consts::{PI, TAU};
+    use surface_stats::spectrum::Window;
 
     #[test]
     fn resolution_of_one_wave_is_known() {
@@ -374,7 +291,7 @@ mod tests {
             let q = TAU / (pixels as f64 * 1e-6);
             let map = HeightMap::from_fn(grid, |_, x| 1e-7 * (q * x).cos()).unwrap();
             let half = PI / pixels as f64;
-            let found = AreaAccuracy::of(&map).resolution;
+            let found = AreaAccuracy::of(&map).unwrap().resolution;
             assert_relative_eq!(found, half.sin() / half, max_relative = 1e-9);
         }
     }
@@ -387,8 +304,12 @@ mod tests {
         let map = |along: f64| {
             HeightMap::from_fn(grid, |y, x| along * wave(2.0, y) + wave(4.0, x)).unwrap()
         };
-        assert_relative_eq!(AreaAccuracy::of(&map(1.0)).directions, 4.0, max_relative = 1e-9);
-        assert!(AreaAccuracy::of(&map(0.0)).directions > 1e9);
+        assert_relative_eq!(
+            AreaAccuracy::of(&map(1.0)).unwrap().directions,
+            4.0,
+            max_relative = 1e-9
+        );
+        assert!(AreaAccuracy::of(&map(0.0)).unwrap().directions > 1e9);
         assert_relative_eq!(left_of_correction(1.0), 0.3);
         assert_relative_eq!(left_of_correction(3.0), 0.3);
         assert_relative_eq!(left_of_correction(4.0), 0.3 + 0.7 * 0.25);
@@ -448,7 +369,7 @@ mod tests {
                 };
                 ks.iter().map(one).sum()
             };
-            AreaAccuracy::of(&HeightMap::from_fn(grid, wave).unwrap()).waves
+            AreaAccuracy::of(&HeightMap::from_fn(grid, wave).unwrap()).unwrap().waves
         };
         assert_relative_eq!(waves(&[[0.0, 3.0]]), 1.0, max_relative = 1e-9);
         assert_relative_eq!(waves(&[[2.0, 2.0], [2.0, -2.0]]), 2.0, max_relative = 1e-9);
@@ -462,8 +383,10 @@ mod tests {
         let wave =
             |y: f64, x: f64| (0.731 * x + 0.2 * y).sin() + (0.417 * y * (1.0 + 0.01 * x)).cos();
         let smooth = HeightMap::from_fn(grid, wave).unwrap();
-        assert!(AreaAccuracy::of(&smooth).step_ratio.abs() < 1e-12);
+        assert!(AreaAccuracy::of(&smooth).unwrap().step_ratio.abs() < 1e-12);
         let stepped = HeightMap::from_fn(grid, |y, x| (wave(y, x) / 0.1).round() * 0.1).unwrap();
-        assert_relative_eq!(height_step(stepped.into_heights()), 0.1, max_relative = 1e-6);
+        let found = AreaAccuracy::of(&stepped).unwrap();
+        let relief = PowerSpectrum::of(&stepped, Window::Hann).unwrap().moments().0.rms_gradient();
+        assert_relative_eq!(found.step_ratio, 0.1 / relief, max_relative = 1e-6);
     }
 }

@@ -3,9 +3,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
+use contact_accuracy::AreaAccuracy;
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::reference::{Hertz, Westergaard, wavy_2d};
-use fft_bem_solver::{AreaAccuracy, Boundary, Load, Maps, Solver};
+use fft_bem_solver::{Boundary, Load, Maps, Solver};
 use std::f64::consts::PI;
 
 fn modulus() -> ContactModulus {
@@ -82,7 +83,7 @@ fn intervals_of_regular_patterns_hold() {
                 HeightMap::from_fn(grid, |y, x| box_.height(y + y0, x + x0)).unwrap(),
             ];
             for (kind, map) in maps.iter().enumerate() {
-                let accuracy = AreaAccuracy::of(map);
+                let accuracy = AreaAccuracy::of(map).unwrap();
                 let mut solver = Solver::builder().tolerance(1e-6).build(grid, modulus()).unwrap();
                 for row in wavy_2d::ROWS {
                     let closing = [ridges.closing_pressure(), box_.closing_pressure()][kind];
