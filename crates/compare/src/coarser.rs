@@ -4,10 +4,11 @@
 use crate::Surrounded;
 use crate::result::{Coarser, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use contact_accuracy::{regrid, repeats};
+use contact_accuracy::regrid;
 use contact_types::{ContactModulus, HeightMap, SurfaceError};
 use fft_bem_solver::Load;
 use std::borrow::Cow;
+use surface_stats::repeats;
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.

@@ -5,11 +5,13 @@ use crate::result::Spectral;
 use crate::settings::LevelName;
 use crate::{Origin, Settings};
 use contact_accuracy::budget::Map;
-use contact_accuracy::repeats;
+
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
-use surface_stats::{Boundary, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
+use surface_stats::{
+    Boundary, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats,
+};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
 /// does not.

@@ -17,7 +17,7 @@ mod refinement;
 mod table;
 
 pub use budget::{AreaAccuracy, Budget, Estimate, Map, NoAreaInterval};
-pub use continuation::{regrid, repeats};
+pub use continuation::regrid;
 pub use edge_share::EdgeShare;
 pub use refinement::{NotRefined, TwiceFiner, fits};
 pub use table::{median, quantile, round_to_digits};

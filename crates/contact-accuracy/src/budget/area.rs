@@ -1,11 +1,11 @@
 //! How far the area found on a grid may be from that of the surface the grid samples.
 
 use super::no_interval::{MOST_CORRECTION, MOST_STEP, NoAreaInterval};
-use crate::continuation::{repeats, window_for};
+use crate::continuation::window_for;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Boundary, Diagnostics, Solution};
 use surface_stats::spectrum::PowerSpectrum;
-use surface_stats::{StatsError, height_step};
+use surface_stats::{StatsError, height_step, repeats};
 
 /// Part of the correction that is left as uncertainty where its edges run in all directions.
 pub const LEFT_OF_CORRECTION: f64 = 0.3;

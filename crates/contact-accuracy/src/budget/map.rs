@@ -2,10 +2,10 @@
 
 use super::area::AreaAccuracy;
 use super::sample;
-use crate::continuation::{repeats, window_for};
+use crate::continuation::window_for;
 use contact_types::{Grid, HeightMap};
 use surface_stats::spectrum::PowerSpectrum;
-use surface_stats::{StatsError, height_step};
+use surface_stats::{StatsError, height_step, repeats};
 
 /// What a map says about the accuracy of answers on it, whatever the load. Made once per surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
