@@ -4,7 +4,7 @@
 use contact_types::HeightMap;
 use surface_stats::clean::{resample, resample_mirrored};
 use surface_stats::spectrum::Window;
-use surface_stats::{Boundary, StatsError};
+use surface_stats::{Edges, StatsError};
 
 /// The window under which the waves of a map are looked at: none if it repeats; or the jump at its
 /// edges would count as waves.
@@ -18,5 +18,5 @@ pub(crate) fn window_for(repeats: bool) -> Window {
 /// # Errors
 /// [`StatsError`].
 pub fn regrid(map: &HeightMap, shape: [usize; 2], repeats: bool) -> Result<HeightMap, StatsError> {
-    if repeats { resample(map, shape, Boundary::Periodic) } else { resample_mirrored(map, shape) }
+    if repeats { resample(map, shape, Edges::Periodic) } else { resample_mirrored(map, shape) }
 }

@@ -42,7 +42,7 @@ fn area_interval_holds_the_refined_area() {
                 let Ok([low, high]) = accuracy.interval(&solve(&map)) else { continue };
                 assert!(high - low < 0.12 * high);
                 let truth =
-                    solve(&resample(&map, [256, 256], surface_stats::Boundary::Periodic).unwrap())
+                    solve(&resample(&map, [256, 256], surface_stats::Edges::Periodic).unwrap())
                         .diagnostics
                         .area_fraction_corrected;
                 all += 1;
