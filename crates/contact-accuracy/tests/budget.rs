@@ -64,7 +64,7 @@ fn comparison_intervals_hold_the_refined_numbers() {
     }
 }
 
-type Quantity = fn(&Budget) -> compare::Estimate;
+type Quantity = fn(&Budget) -> contact_accuracy::Estimate;
 
 /// Of the prediction intervals of a family's maps at least this many hold the mean over the family, and
 /// they are not wider than the scatter asks for.

@@ -30,7 +30,6 @@ impl std::fmt::Display for Method {
 
 /// What lies beyond the edges of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum Boundary {
     /// The map repeats without end.
     #[default]

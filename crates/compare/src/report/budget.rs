@@ -5,7 +5,7 @@ use super::numbers::{METRES, SPACE, duration, percent, quantity, signed_percent,
 use super::sections::tolerance_words;
 use crate::Origin;
 use crate::budget::Estimate;
-use crate::closer::ChoiceKind;
+use crate::ChoiceKind;
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 
 /// A half width as a share of its value.

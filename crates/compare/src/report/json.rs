@@ -43,7 +43,7 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     let (precision, tolerance) = s
         .plan
         .as_ref()
-        .map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
+        .map_or((settings.precision, settings.tolerance), |p| (p.precision.into(), p.tolerance));
     let method = s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.method.clone()));
     json!({
         "name": s.name,
