@@ -14,7 +14,7 @@ use surface_stats::{
 };
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
-/// does not.
+/// does not; one that was given, only if who gave it says so.
 pub(crate) fn describe(
     heights: &HeightMap,
     origin: &Origin,
@@ -24,6 +24,10 @@ pub(crate) fn describe(
     let (edges, missing, height_step) = match origin {
         Origin::Recipe(_) => (Edges::Periodic, 0, None),
         Origin::File(file) => (Edges::Open, file.missing, file.height_step),
+        Origin::Given(given) => {
+            let edges = if given.repeats == Some(true) { Edges::Periodic } else { Edges::Open };
+            (edges, given.missing, given.height_step)
+        }
     };
     let fractal_range = settings.fractal_range;
     let options = StatsOptions { level: form, edges, fractal_range, missing, height_step };

@@ -33,7 +33,7 @@ pub use coarser::COARSER;
 pub use contact_accuracy::{
     Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
 };
-pub use progress::{Progress, StudyError};
+pub use progress::{Listener, Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use result::{
     Applies, Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer,
@@ -44,5 +44,5 @@ pub use settings::{
     EdgesName, LevelName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
 };
 pub use spots::{Spots, contact_spots};
-pub use surface::{FileOrigin, Origin, Surface, sha256_hex};
+pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surroundings::{Surrounded, on_given};

@@ -3,8 +3,12 @@
 use crate::models::MODELS;
 use contact_accuracy::plan::BadRequest;
 use contact_types::SurfaceError;
-use fft_bem_solver::SolverError;
+use fft_bem_solver::{Iteration, SolverError};
+use std::ops::ControlFlow;
 use surface_stats::StatsError;
+
+/// Who is told what a study does, and may stop it.
+pub type Listener<'a> = dyn FnMut(Progress<'_>) -> ControlFlow<()> + Send + 'a;
 
 /// What a study reports while it works.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +24,19 @@ pub enum Progress<'a> {
         /// Loads.
         loads: usize,
     },
+    /// An iteration of the solver is done; breaking off here ends the study within this load.
+    Iterated {
+        /// Index of the load, from 0, by rising pressure.
+        index: usize,
+        /// Iterations done on this load.
+        number: usize,
+        /// FFT pairs spent on it.
+        transforms: f64,
+        /// Estimated relative rms pressure error; infinite while there is no estimate.
+        residual: f64,
+        /// The residual at which the iteration ends.
+        tolerance: f64,
+    },
     /// A load is solved.
     Solved {
         /// From 0, by rising pressure.
@@ -31,6 +48,19 @@ pub enum Progress<'a> {
     },
     /// The models are being asked.
     Models,
+}
+
+impl Progress<'static> {
+    /// What the solver says of one of its iterations.
+    pub(crate) fn of_iteration(index: usize, now: &Iteration<'_>) -> Self {
+        Self::Iterated {
+            index,
+            number: now.number,
+            transforms: now.transforms,
+            residual: now.residual,
+            tolerance: now.tolerance,
+        }
+    }
 }
 
 /// Why there is no study.

@@ -3,7 +3,7 @@
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
 use crate::models::{BuildError, Inputs, MODELS, ModelEntry};
-use crate::progress::{Progress, StudyError};
+use crate::progress::{Listener, Progress, StudyError};
 use crate::refine::refine;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison,
@@ -15,7 +15,7 @@ use crate::verdict::verdict;
 use crate::{EdgesName, Settings, Surface, Surrounded, default_pressures};
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
-use fft_bem_solver::{Boundary, Load, Maps};
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverError};
 use std::borrow::Cow;
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -23,7 +23,8 @@ use std::time::{Duration, Instant};
 use surface_stats::SurfaceStatistics;
 
 impl Comparison {
-    /// Runs a study. `progress` is told what happens and may stop it.
+    /// Runs a study. `progress` is told what happens, down to every iteration, and may stop it
+    /// there. It is called on a thread of the solver.
     ///
     /// # Errors
     /// [`StudyError`]. A load at which the solver does not converge and a model that does not
@@ -31,7 +32,7 @@ impl Comparison {
     pub fn run(
         surfaces: Vec<Surface>,
         settings: Settings,
-        progress: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+        progress: &mut Listener<'_>,
     ) -> Result<Self, StudyError> {
         let start = Instant::now();
         if surfaces.is_empty() {
@@ -78,7 +79,7 @@ fn compare(
     modulus: ContactModulus,
     settings: &Settings,
     [index, count]: [usize; 2],
-    progress: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+    progress: &mut Listener<'_>,
 ) -> Result<SurfaceComparison, StudyError> {
     let Surface { name, origin, heights } = surface;
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
@@ -106,7 +107,15 @@ fn compare(
                 .build(whole.map().grid(), modulus)
                 .map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })?;
             for (i, &p) in pressures.iter().enumerate() {
-                curve.take(p, whole.solve(&mut solver, Load::MeanPressure(p)));
+                let mut watch = |now: &Iteration<'_>| match tell(Progress::of_iteration(i, now)) {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(_) => ControlFlow::Break(()),
+                };
+                let load = Load::MeanPressure(p);
+                match whole.solve_observed(&mut solver, load, &mut watch) {
+                    Err(SolverError::Stopped(_)) => return Err(StudyError::Stopped),
+                    result => curve.take(p, result),
+                }
                 tell(curve.news(i))?;
             }
             None

@@ -93,6 +93,19 @@ fn origin_words(origin: &Origin) -> String {
             text.push_str(&format!(", SHA-256 <code>{}</code>", escape(sha256)));
             text
         }
+        Origin::Given(given) => {
+            let filled = if given.missing > 0 {
+                format!(", {} missing points filled before", given.missing)
+            } else {
+                String::new()
+            };
+            format!(
+                "{} (heights handed over by a program{filled}), SHA-256 of the heights \
+                 <code>{}</code>",
+                escape(&given.note),
+                escape(&given.sha256)
+            )
+        }
         Origin::Recipe(Recipe { description, hurst, rolloff, cutoff, seed, quantise, .. }) => {
             let about = if description.is_empty() {
                 String::new()
@@ -146,8 +159,8 @@ fn solver_words(page: &Page<'_>) -> String {
     let pairs: f64 = answers().map(|a: &DeterministicAnswer| a.transforms).sum();
     let seconds: f64 = answers().map(|a| a.seconds).sum();
     let plan = page.comparison.surfaces.iter().find_map(|s| s.plan.as_ref());
-    let (precision, tolerance) =
-        plan.map_or((settings.precision, settings.tolerance), |p| (p.precision.into(), p.tolerance));
+    let (precision, tolerance) = plan
+        .map_or((settings.precision, settings.tolerance), |p| (p.precision.into(), p.tolerance));
     format!(
         "periodic half space, FFT; {}, {}; stop at a relative rms pressure error of {}; {} loads, \
          {} FFT pairs, {}; area corrected for the contact line, c = {}",

@@ -189,6 +189,10 @@ fn repeat(path: &Path) -> Result<(Settings, Vec<Surface>), Failure> {
     for RunSurface { name, origin } in run.surfaces {
         let surface = match origin {
             Origin::Recipe(recipe) => from_recipe(&recipe)?,
+            Origin::Given(_) => {
+                let error = compare::RunFileError::Given { name };
+                return Err(Failure::from_error(&error));
+            }
             Origin::File(file) => again(path, &file)?,
         };
         surfaces.push(Surface { name, ..surface });
@@ -257,6 +261,7 @@ fn study(
                 let area = area_fraction.map_or_else(|| "no answer".to_owned(), text::percent);
                 progress.step(&format!("{current}: {}, {area}", text::pressure(mean_pressure)));
             }
+            compare::Progress::Iterated { .. } => {}
             compare::Progress::Models => progress.step(&format!("{current}: models")),
         }
         ControlFlow::Continue(())
