@@ -16,21 +16,34 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
     ("multiscale-models", 1, &["contact-types"], 10),
     ("fft-bem-solver", 1, &["contact-types", "grid-fft"], 30),
     (
-        "compare",
-        2,
+        "contact-compare",
+        3,
         &[
             "contact-types",
-            "grid-fft",
-            "surface-io",
             "surface-stats",
             "gw-closed-form",
             "asperity-models",
             "multiscale-models",
             "fft-bem-solver",
         ],
+        90,
+    ),
+    (
+        "rough-contact",
+        5,
+        &[
+            "contact-types",
+            "surface-io",
+            "surface-stats",
+            "multiscale-models",
+            "fft-bem-solver",
+            "contact-compare",
+        ],
         130,
     ),
-    ("xtask", 3, &[], 10),
+    // The research programs: their tests and examples reach for every crate.
+    ("studies", 5, &["contact-types", "surface-stats", "contact-compare"], 90),
+    ("xtask", 6, &[], 10),
 ];
 
 /// The crates that come with one of ours, with default features, without tests.

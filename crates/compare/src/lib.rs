@@ -12,10 +12,8 @@ mod curve;
 mod describe;
 mod edge_share;
 pub mod edge_study;
-pub mod light_load;
 pub mod models;
 pub mod plan;
-pub mod quantity;
 mod recipe;
 mod refine;
 mod regrid;
@@ -28,7 +26,7 @@ mod study;
 mod surface;
 mod surroundings;
 pub mod survey;
-pub mod tradeoff;
+pub mod table;
 mod verdict;
 
 pub use budget::{Budget, Estimate};
@@ -40,7 +38,7 @@ pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use refine::{NotRefined, TwiceFiner};
 pub use result::{
     Applies, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,
-    Spectral, SurfaceComparison, Verdict,
+    Reason, Spectral, SurfaceComparison, Verdict,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{

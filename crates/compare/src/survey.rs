@@ -6,7 +6,7 @@
 //! fitted, so a claim is never more than a range of what was seen, with the number of surfaces
 //! behind it.
 
-use crate::quantity::round_to_digits;
+use crate::table::round_to_digits;
 use contact_types::HeightMap;
 use std::sync::OnceLock;
 

@@ -1,6 +1,6 @@
 //! `curves.csv`: every number the figures over the load draw, units in the header.
 
-use super::lines::Lines;
+use crate::report::lines::Lines;
 use crate::result::{Comparison, SurfaceComparison};
 use std::fmt::Write as _;
 use std::io::{self, Write};

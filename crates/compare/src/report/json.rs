@@ -1,7 +1,9 @@
 //! `results.json`: everything, in SI units, for other programs. Absent numbers are `null`.
 
-use super::{Provenance, ReportError};
 use crate::plan::Outcome;
+use crate::report::error::ReportError;
+use crate::report::provenance::Provenance;
+use crate::report::words;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, SurfaceComparison,
 };
@@ -143,7 +145,7 @@ fn point(p: &DeterministicPoint) -> Value {
     "contact_perimeter": a.contact_perimeter,
     });
     if let Value::Object(keys) = &mut point {
-        keys.extend(super::budget_json::keys(Some(&a.budget)));
+        keys.extend(crate::report::budget_json::keys(Some(&a.budget)));
     }
     point
 }
@@ -155,7 +157,7 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
         "citation": citation(m),
         "applicable": m.outcome.is_ok(),
         "verdict": m.verdict.answer.word(),
-        "reason": m.verdict.reason,
+        "reason": words::reason(m),
         "survey": m.experience.map(|e| json!({
             "area_error": [e.low, e.high],
             "surfaces": e.surfaces,

@@ -1,12 +1,16 @@
 //! The numbers every figure over the load draws: the same that `curves.csv` lists.
 
-use super::numbers::{PASCALS, Unit, signed_range, significant, unit_for};
-use super::palette::Look;
+use crate::report::draw::palette::Look;
+use crate::report::looks::look;
+use crate::report::numbers::{PASCALS, Unit, signed_range, significant, unit_for};
 use crate::result::{DeterministicAnswer, SurfaceComparison};
+
+/// Error within which a closed form counts as an answer.
+pub(crate) const WANTED: f64 = 0.10;
 
 /// One closed form over the loads.
 #[derive(Debug, Clone)]
-pub(super) struct ModelLine {
+pub(crate) struct ModelLine {
     /// Name of the model.
     pub name: &'static str,
     /// Short label, unique.
@@ -19,7 +23,7 @@ pub(super) struct ModelLine {
 
 /// What the figures over the load draw: the same numbers `curves.csv` lists.
 #[derive(Debug, Clone)]
-pub(super) struct Lines {
+pub(crate) struct Lines {
     /// Nominal pressures (Pa), rising.
     pub pressures: Vec<f64>,
     /// Deterministic area fraction at each; `None` where there is none.
@@ -34,12 +38,13 @@ pub(super) struct Lines {
 
 impl Lines {
     /// The numbers of a surface.
-    pub(super) fn of(surface: &SurfaceComparison) -> Self {
+    pub(crate) fn of(surface: &SurfaceComparison) -> Self {
         let answers = || surface.deterministic.iter().map(|p| p.answer.as_ref());
-        let models = surface.models.iter().filter_map(|m| {
+        let models = surface.models.iter().enumerate().filter_map(|(place, m)| {
             let curve = m.outcome.as_ref().ok()?;
             let area = curve.points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction));
-            let (name, label, look) = (m.entry.name, m.entry.label, m.entry.look);
+            let (name, label) = (m.entry.name, m.entry.label);
+            let look = look(name, place);
             Some(ModelLine { name, label, look, area: area.collect() })
         });
         Self {
@@ -52,13 +57,13 @@ impl Lines {
     }
 
     /// Unit in which this surface's nominal pressures are read.
-    pub(super) fn pressure_unit(&self) -> Unit {
+    pub(crate) fn pressure_unit(&self) -> Unit {
         let middle = (self.pressures[0] * self.pressures[self.pressures.len() - 1]).sqrt();
         unit_for(middle, PASCALS)
     }
 
     /// Signed relative error of a model at each load.
-    pub(super) fn errors(&self, model: &ModelLine) -> Vec<Option<f64>> {
+    pub(crate) fn errors(&self, model: &ModelLine) -> Vec<Option<f64>> {
         model
             .area
             .iter()
@@ -68,13 +73,13 @@ impl Lines {
     }
 }
 
-pub(super) fn min_max(values: &[f64]) -> Option<(f64, f64)> {
+pub(crate) fn min_max(values: &[f64]) -> Option<(f64, f64)> {
     let lo = values.iter().copied().min_by(f64::total_cmp)?;
     let hi = values.iter().copied().max_by(f64::total_cmp)?;
     Some((lo, hi))
 }
 
-pub(super) fn range_words(values: &[Option<f64>], unit: &str) -> String {
+pub(crate) fn range_words(values: &[Option<f64>], unit: &str) -> String {
     let present: Vec<f64> = values.iter().flatten().copied().collect();
     min_max(&present).map_or("none".into(), |(lo, hi)| {
         format!("{} to {}{unit}", significant(lo, 3), significant(hi, 3))
@@ -82,7 +87,7 @@ pub(super) fn range_words(values: &[Option<f64>], unit: &str) -> String {
 }
 
 /// "GW −38 to −4.3 %; Persson …": the finding, for the text alternative of a figure.
-pub(super) fn compared(lines: &Lines) -> String {
+pub(crate) fn compared(lines: &Lines) -> String {
     let parts: Vec<String> = lines
         .models
         .iter()

@@ -2,12 +2,12 @@
 //! no-break spaces before units and in groups of three digits.
 
 /// Narrow no-break space.
-pub(super) const SPACE: char = '\u{202F}';
+pub const SPACE: char = '\u{202F}';
 /// Minus sign, as wide as a plus.
-pub(super) const MINUS: char = '\u{2212}';
+pub const MINUS: char = '\u{2212}';
 
 /// `value` with `decimals` decimals, a true minus, and groups of three digits from 10 000.
-pub(super) fn fixed(value: f64, decimals: usize) -> String {
+pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{:.decimals$}", value.abs());
     let (whole, fraction) = text.split_once('.').unwrap_or((&text, ""));
     let mut out = String::new();
@@ -35,7 +35,7 @@ fn exponent(value: f64, digits: i32) -> i32 {
 
 /// `value` to `digits` significant digits, without an exponent; beyond 10⁵ and below 10⁻³ as a
 /// power of ten. Zero is "0".
-pub(super) fn significant(value: f64, digits: i32) -> String {
+pub fn significant(value: f64, digits: i32) -> String {
     if value == 0.0 {
         return "0".into();
     }
@@ -54,7 +54,7 @@ pub(super) fn significant(value: f64, digits: i32) -> String {
 }
 
 /// "10⁻⁶".
-pub(super) fn power_of_ten(exponent: i32) -> String {
+pub fn power_of_ten(exponent: i32) -> String {
     let digits: String = exponent
         .unsigned_abs()
         .to_string()
@@ -86,7 +86,7 @@ fn decimals_of(uncertainty: f64) -> i32 {
 
 /// "1.96 ± 0.12": both to the place the uncertainty supports. Without a usable uncertainty,
 /// three significant digits of the value.
-pub(super) fn plus_minus(value: f64, uncertainty: f64) -> String {
+pub fn plus_minus(value: f64, uncertainty: f64) -> String {
     if !(uncertainty > 0.0 && uncertainty.is_finite()) {
         return significant(value, 3);
     }
@@ -101,18 +101,18 @@ pub(super) fn plus_minus(value: f64, uncertainty: f64) -> String {
 }
 
 /// "+399 %", "−4.3 %": a signed relative error, whole per cent from 10, one decimal below.
-pub(super) fn signed_percent(error: f64) -> String {
+pub fn signed_percent(error: f64) -> String {
     format!("{}{SPACE}%", signed(100.0 * error))
 }
 
 /// "−26 to −4.4 %": a range of signed relative errors.
-pub(super) fn signed_range(low: f64, high: f64) -> String {
+pub fn signed_range(low: f64, high: f64) -> String {
     let (a, b) = (signed(100.0 * low), signed(100.0 * high));
     if a == b { format!("{a}{SPACE}%") } else { format!("{a} to {b}{SPACE}%") }
 }
 
 /// The number of [`signed_percent`] without its unit.
-pub(super) fn signed(percent: f64) -> String {
+pub fn signed(percent: f64) -> String {
     let text = fixed(percent, usize::from(percent.abs() < 9.95));
     if percent > 0.0 && text.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
         format!("+{text}")
@@ -122,7 +122,7 @@ pub(super) fn signed(percent: f64) -> String {
 }
 
 /// "15 %": the size of a relative error or bound.
-pub(super) fn percent(fraction: f64) -> String {
+pub fn percent(fraction: f64) -> String {
     let p = 100.0 * fraction.abs();
     if p > 0.0 && p < 0.01 {
         return format!("<{SPACE}0.01{SPACE}%");
@@ -133,7 +133,7 @@ pub(super) fn percent(fraction: f64) -> String {
 }
 
 /// "58 µs": a duration with two significant digits.
-pub(super) fn duration(seconds: f64) -> String {
+pub fn duration(seconds: f64) -> String {
     const UNITS: [(f64, &str); 4] = [(1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")];
     if seconds >= 119.5 {
         return format!("{}{SPACE}min", significant(seconds / 60.0, 2));
@@ -144,7 +144,7 @@ pub(super) fn duration(seconds: f64) -> String {
 }
 
 /// "20 000" or "21": how many times; two digits below 100, one above.
-pub(super) fn times(ratio: f64) -> String {
+pub fn times(ratio: f64) -> String {
     fixed_significant(ratio, if ratio < 99.5 { 2 } else { 1 })
 }
 
@@ -161,7 +161,7 @@ fn fixed_significant(value: f64, digits: i32) -> String {
 
 /// A decimal multiple of an SI unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Unit {
+pub struct Unit {
     /// How many SI units one of these is.
     pub scale: f64,
     /// How it is written.
@@ -169,7 +169,7 @@ pub(crate) struct Unit {
 }
 
 /// Multiples of the pascal.
-pub(crate) const PASCALS: &[Unit] = &[
+pub const PASCALS: &[Unit] = &[
     Unit { scale: 1e-3, name: "mPa" },
     Unit { scale: 1.0, name: "Pa" },
     Unit { scale: 1e3, name: "kPa" },
@@ -179,7 +179,7 @@ pub(crate) const PASCALS: &[Unit] = &[
 ];
 
 /// Multiples of the metre.
-pub(crate) const METRES: &[Unit] = &[
+pub const METRES: &[Unit] = &[
     Unit { scale: 1e-15, name: "fm" },
     Unit { scale: 1e-12, name: "pm" },
     Unit { scale: 1e-9, name: "nm" },
@@ -190,7 +190,7 @@ pub(crate) const METRES: &[Unit] = &[
 ];
 
 /// Multiples of the newton.
-pub(super) const NEWTONS: &[Unit] = &[
+pub const NEWTONS: &[Unit] = &[
     Unit { scale: 1e-9, name: "nN" },
     Unit { scale: 1e-6, name: "µN" },
     Unit { scale: 1e-3, name: "mN" },
@@ -200,7 +200,7 @@ pub(super) const NEWTONS: &[Unit] = &[
 ];
 
 /// The multiple in which `value` reads as 1 to 999.
-pub(super) fn unit_for(value: f64, units: &[Unit]) -> Unit {
+pub fn unit_for(value: f64, units: &[Unit]) -> Unit {
     let size = value.abs();
     units
         .iter()
@@ -212,13 +212,13 @@ pub(super) fn unit_for(value: f64, units: &[Unit]) -> Unit {
 }
 
 /// "62 nm": a value with `digits` significant digits in the multiple that suits it.
-pub(super) fn quantity(value: f64, units: &[Unit], digits: i32) -> String {
+pub fn quantity(value: f64, units: &[Unit], digits: i32) -> String {
     let unit = unit_for(value, units);
     format!("{}{SPACE}{}", significant(value / unit.scale, digits), unit.name)
 }
 
 /// "10 MPa", "2.5 kPa": a value that was chosen, with as many digits as it needs up to four.
-pub(crate) fn chosen(value: f64, units: &[Unit]) -> String {
+pub fn chosen(value: f64, units: &[Unit]) -> String {
     let unit = unit_for(value, units);
     let number = value / unit.scale;
     let digits = (1..4)
@@ -232,7 +232,7 @@ pub(crate) fn chosen(value: f64, units: &[Unit]) -> String {
 
 /// "0.51 ± 0.03 GPa": the multiple is the one in which the uncertainty needs no trailing zeros
 /// that would pass for digits.
-pub(super) fn quantity_plus_minus(value: f64, uncertainty: f64, units: &[Unit]) -> String {
+pub fn quantity_plus_minus(value: f64, uncertainty: f64, units: &[Unit]) -> String {
     let mut unit = unit_for(value, units);
     if uncertainty > 0.0
         && decimals_of(uncertainty / unit.scale) < 0
@@ -241,6 +241,27 @@ pub(super) fn quantity_plus_minus(value: f64, uncertainty: f64, units: &[Unit]) 
         unit = *larger;
     }
     format!("{}{SPACE}{}", plus_minus(value / unit.scale, uncertainty / unit.scale), unit.name)
+}
+
+/// A pressure as the report writes it, "10 MPa".
+pub fn pressure(pascals: f64) -> String {
+    chosen(pascals, PASCALS)
+}
+
+/// A length as the report writes it, "28 µm".
+pub fn length(metres: f64) -> String {
+    quantity(metres, METRES, 2)
+}
+
+/// "10 ns", "1 µs", "0.1 ms", "1 s", "100 s".
+pub fn time_tick(seconds: f64) -> String {
+    let (scale, unit) = match seconds {
+        s if s < 0.5e-6 => (1e-9, "ns"),
+        s if s < 0.5e-4 => (1e-6, "µs"),
+        s if s < 0.5 => (1e-3, "ms"),
+        _ => (1.0, "s"),
+    };
+    format!("{}{SPACE}{unit}", significant(seconds / scale, 1))
 }
 
 #[cfg(test)]
@@ -282,5 +303,14 @@ mod tests {
         assert_eq!(chosen(115.384_615e9, PASCALS), "115.4\u{202F}GPa");
         assert_eq!(quantity(6.2e-8, METRES, 2), "62\u{202F}nm");
         assert_eq!(quantity(0.0, METRES, 2), "0\u{202F}m");
+    }
+
+    #[test]
+    fn time_ticks_read_well() {
+        let texts: Vec<String> = [1e-8, 1e-6, 1e-4, 1e-2, 1.0].into_iter().map(time_tick).collect();
+        assert_eq!(
+            texts,
+            ["10\u{202F}ns", "1\u{202F}µs", "0.1\u{202F}ms", "10\u{202F}ms", "1\u{202F}s"]
+        );
     }
 }
