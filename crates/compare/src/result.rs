@@ -7,6 +7,7 @@ use crate::survey::Experience;
 use crate::{Closer, Coarser, EdgesName, Origin, Settings, Spots};
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{NoAreaInterval, Residuals, Solution};
+use std::borrow::Cow;
 use surface_stats::SurfaceStatistics;
 
 /// A finished study.
@@ -267,13 +268,13 @@ pub enum Reason {
     /// The model says itself that an assumption is strained.
     Beyond {
         /// The quantity that shows it.
-        quantity: &'static str,
+        quantity: Cow<'static, str>,
         /// Its value.
         value: f64,
         /// Where the assumption is usually taken to end.
         limit: f64,
         /// What is strained.
-        reason: &'static str,
+        reason: Cow<'static, str>,
     },
     /// The model reaches full contact.
     Full {

@@ -23,35 +23,35 @@ fn within(assumes: Assumes) -> &'static str {
 }
 
 fn words(reason: &Reason) -> String {
-    match *reason {
-        Reason::Refused(ref error) => refusal(error),
+    match reason {
+        Reason::Refused(error) => refusal(error),
         Reason::Missing { dimension: Some(d), .. } => {
-            format!("fitted D = {}: no profile dimension between 1 and 2", plain(d))
+            format!("fitted D = {}: no profile dimension between 1 and 2", plain(*d))
         }
         Reason::Missing { needs, dimension: None } => format!("needs {needs}"),
         Reason::Lay { ratio } => format!("the surface has a lay (slopes {ratio:.1} : 1)"),
         Reason::NotGaussian { skewness, kurtosis } => {
-            format!("skewness {}, kurtosis {}", plain(skewness), plain(kurtosis))
+            format!("skewness {}, kurtosis {}", plain(*skewness), plain(*kurtosis))
         }
         Reason::Crowded { from } => format!(
             "area exceeds 5{SPACE}% from {}, where summits no longer act alone",
-            pressure(from)
+            pressure(*from)
         ),
         Reason::RecordLength { wavelength, length: record } => format!(
             "its input sits at λ = {} and depends on the record length ({})",
             wavelength.map_or("–".into(), length),
-            length(record)
+            length(*record)
         ),
         Reason::FitRange { dimension, short, long } => format!(
             "D = {} from the fit between {} and {}; another range gives another D",
-            plain(dimension),
-            length(short),
-            length(long)
+            plain(*dimension),
+            length(*short),
+            length(*long)
         ),
         Reason::Beyond { quantity, value, limit, reason } => {
-            format!("{quantity} {} beyond {}: {reason}", plain(value), plain(limit))
+            format!("{quantity} {} beyond {}: {reason}", plain(*value), plain(*limit))
         }
-        Reason::Full { from } => format!("full contact from {}", pressure(from)),
+        Reason::Full { from } => format!("full contact from {}", pressure(*from)),
         Reason::NoAnswer { loads, of } => format!("no answer at {loads} of {of} loads"),
     }
 }
