@@ -4,7 +4,7 @@ use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
 use crate::shell::{self, example, output, read, root};
 
-const TABLE: &str = "fixtures/survey.csv";
+const TABLE: &str = "crates/compare/data/survey.csv";
 const PAGE: &str = "docs/src/survey.md";
 
 /// Runs what is left of the survey and writes its table, figures and page; with `--check`, redoes

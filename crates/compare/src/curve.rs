@@ -1,9 +1,9 @@
 //! The deterministic curve while it is solved.
 
-use crate::budget::{Budget, Map};
-use crate::plan::Sink;
+use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
-use crate::study::{Progress, StudyError};
+use contact_accuracy::budget::{Budget, Map};
+use contact_accuracy::plan::Sink;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Solution, SolverError};
 use std::ops::ControlFlow;

@@ -1,15 +1,17 @@
 //! From a surface to what models and the report need of it, each computed once.
 
-use crate::budget::Map;
 use crate::models::{Assumes, Inputs, MomentSource};
-use crate::plan;
 use crate::result::Spectral;
 use crate::settings::LevelName;
 use crate::{Origin, Settings};
+use contact_accuracy::budget::Map;
+
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
-use surface_stats::{Edges, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
+use surface_stats::{
+    Edges, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats,
+};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
 /// does not.
@@ -60,8 +62,8 @@ pub(crate) fn spectral(
     statistics: &SurfaceStatistics,
 ) -> (Spectral, Map) {
     let windowed = statistics.edges == Edges::Open;
-    let repeats = !windowed || plan::repeats(map);
-    let known = Map::known(map, power, statistics.height_step.unwrap_or(0.0), repeats);
+    let repeats = !windowed || repeats(map);
+    let known = Map::known(map, power, statistics.height_step, repeats);
     let spectral = Spectral {
         moments: power.moments().0,
         resolved: power.resolved_gradient().unwrap_or(1.0),

@@ -1,12 +1,13 @@
 //! What a study finds, as plain data.
 
-use crate::budget::{Budget, Map, grid};
 use crate::models::{BuildError, Inputs, ModelEntry};
-use crate::plan::Outcome;
 use crate::survey::Experience;
-use crate::{Closer, Coarser, EdgesName, Origin, Settings, Spots};
+use crate::{EdgesName, Origin, Settings, Spots};
+use contact_accuracy::NoAreaInterval;
+use contact_accuracy::budget::{Budget, Map, grid};
+use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{NoAreaInterval, Residuals, Solution};
+use fft_bem_solver::{Residuals, Solution};
 use std::borrow::Cow;
 use surface_stats::SurfaceStatistics;
 
@@ -166,6 +167,64 @@ impl DeterministicAnswer {
     pub fn interval(&self) -> Option<[f64; 2]> {
         self.budget.area.comparison().ok()
     }
+}
+
+/// What a closer look found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Closer {
+    /// Other choices, each with the relative change of the area it makes.
+    pub choices: Vec<Choice>,
+    /// Wall-clock time of all of it (s).
+    pub seconds: f64,
+}
+
+/// Another choice in preparing the map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// What it is.
+    pub kind: ChoiceKind,
+    /// Area with it over area without, less 1.
+    pub effect: f64,
+}
+
+/// A choice that was tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ChoiceKind {
+    /// A paraboloid removed too.
+    Paraboloid,
+    /// Waves shorter than this (m), twice the shortest of the map, removed.
+    Cutoff(f64),
+    /// Mirror images at the edges instead of the same map again.
+    Mirrored,
+}
+
+impl ChoiceKind {
+    /// Name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Paraboloid => "paraboloid",
+            Self::Cutoff(_) => "twice_the_shortest_wavelength",
+            Self::Mirrored => "mirrored",
+        }
+    }
+}
+
+/// The map on fewer points: its waves up to the shortest the coarse grid holds (its cosines if it
+/// does not repeat), the others dropped; solved from nothing, to the tolerance of the study.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coarser {
+    /// Point spacing over that of the map.
+    pub factor: usize,
+    /// Points `[ny, nx]`.
+    pub shape: [usize; 2],
+    /// Points that carry pressure over all points.
+    pub area_fraction: f64,
+    /// That corrected for the contact line.
+    pub area_fraction_corrected: f64,
+    /// Signed relative error of the corrected area against that of the map as given.
+    pub error: f64,
+    /// Wall-clock time of the solution (s), the shortest of up to five runs within 0.05 s.
+    pub seconds: f64,
 }
 
 /// One model beside the deterministic curve.

@@ -160,6 +160,15 @@ impl From<PrecisionName> for fft_bem_solver::Precision {
     }
 }
 
+impl From<fft_bem_solver::Precision> for PrecisionName {
+    fn from(precision: fft_bem_solver::Precision) -> Self {
+        match precision {
+            fft_bem_solver::Precision::Double => Self::F64,
+            fft_bem_solver::Precision::Single => Self::F32,
+        }
+    }
+}
+
 impl From<MethodName> for fft_bem_solver::Method {
     fn from(name: MethodName) -> Self {
         match name {

@@ -3,125 +3,24 @@
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
 use crate::models::{BuildError, Inputs, MODELS, ModelEntry};
-use crate::plan::{self, BadRequest, PlanError, Request, Task};
+use crate::progress::{Progress, StudyError};
 use crate::refine::refine;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison,
 };
+use crate::solver_of::builder;
 use crate::spots::spots_beyond;
 use crate::survey::{Query, Survey, peak_slope};
 use crate::verdict::verdict;
 use crate::{EdgesName, Settings, Surface, Surrounded, default_pressures};
-use contact_types::{
-    ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
-};
-use fft_bem_solver::{Boundary, Load, Maps, Solver, SolverBuilder, SolverError};
+use contact_accuracy::plan::{self, PlanError, Request, Task};
+use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
+use fft_bem_solver::{Boundary, Load, Maps};
 use std::borrow::Cow;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use surface_stats::{StatsError, SurfaceStatistics};
-
-/// What a study reports while it works.
-#[derive(Debug, Clone, Copy)]
-pub enum Progress<'a> {
-    /// A surface begins: its place among `count`, and how many loads it will be asked at.
-    Surface {
-        /// Name.
-        name: &'a str,
-        /// From 0.
-        index: usize,
-        /// Surfaces in all.
-        count: usize,
-        /// Loads.
-        loads: usize,
-    },
-    /// A load is solved.
-    Solved {
-        /// From 0, by rising pressure.
-        index: usize,
-        /// Nominal pressure (Pa).
-        mean_pressure: f64,
-        /// Area fraction, if there is an answer.
-        area_fraction: Option<f64>,
-    },
-    /// The models are being asked.
-    Models,
-}
-
-/// Why there is no study.
-#[derive(Debug, Clone, thiserror::Error)]
-#[non_exhaustive]
-pub enum StudyError {
-    /// No surface was given.
-    #[error("a study needs at least one surface")]
-    NoSurface,
-    /// The modulus is no modulus.
-    #[error(transparent)]
-    Material(#[from] SurfaceError),
-    /// A pressure that is no load.
-    #[error(
-        "nominal pressure {value:e} Pa cannot be applied: it must be finite and greater than 0"
-    )]
-    BadPressure {
-        /// The value (Pa).
-        value: f64,
-    },
-    /// The headline is not among the loads.
-    #[error(
-        "the headline pressure {value:e} Pa is not among the pressures of the study; add it to them"
-    )]
-    HeadlineNotComputed {
-        /// The value (Pa).
-        value: f64,
-    },
-    /// A name that is no model of the study.
-    #[error("the study has no model '{name}'; it has {}", model_names())]
-    UnknownModel {
-        /// The name.
-        name: String,
-    },
-    /// The list of models is empty.
-    #[error("the list of models is empty; name at least one of {}", model_names())]
-    NoModel,
-    /// Statistics refuse the surface.
-    #[error("{surface}: {source}")]
-    Statistics {
-        /// Its name.
-        surface: String,
-        /// Why.
-        source: StatsError,
-    },
-    /// The solver refuses the settings.
-    #[error("{surface}: {source}")]
-    Solver {
-        /// Name of the surface.
-        surface: String,
-        /// Why.
-        source: Box<SolverError>,
-    },
-    /// The accuracy asked for is none.
-    #[error(transparent)]
-    Accuracy {
-        /// Why.
-        source: BadRequest,
-    },
-    /// An accuracy with mirror images at the edges.
-    #[error(
-        "an accuracy cannot be planned with mirror images at the edges: the error of the area was \
-         studied for maps that are repeated; give a tolerance, or leave the edges periodic"
-    )]
-    PlannedMirrored,
-    /// The observer asked to stop.
-    #[error("stopped")]
-    Stopped,
-}
-
-/// Names of the models of a study, for a message.
-fn model_names() -> String {
-    let names: Vec<&str> = MODELS.iter().filter(|m| m.in_study).map(|m| m.name).collect();
-    names.join(", ")
-}
+use surface_stats::SurfaceStatistics;
 
 impl Comparison {
     /// Runs a study. `progress` is told what happens and may stop it.
@@ -288,14 +187,6 @@ fn refused_plan(error: PlanError, name: &str) -> StudyError {
         PlanError::Solver(source) => StudyError::Solver { surface, source: Box::new(source) },
         PlanError::Stopped => StudyError::Stopped,
     }
-}
-
-pub(crate) fn builder(settings: &Settings) -> SolverBuilder {
-    Solver::builder()
-        .method(settings.method.into())
-        .precision(settings.precision.into())
-        .tolerance(settings.tolerance)
-        .threads(settings.threads.max(1))
 }
 
 /// The pressures of a study on one surface, rising and distinct.

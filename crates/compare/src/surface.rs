@@ -1,6 +1,6 @@
 //! A height map with a name and where it came from.
 
-use crate::{Cleaning, Recipe};
+use crate::{Cleaning, Recipe, RecipeError};
 use contact_types::HeightMap;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -16,6 +16,17 @@ pub struct Surface {
     pub origin: Origin,
     /// The heights as made, or as read, cleaned and filled; before they are levelled.
     pub heights: HeightMap,
+}
+
+impl Recipe {
+    /// Makes the surface: its [heights](Self::heights), with its name and the recipe.
+    ///
+    /// # Errors
+    /// Those of [`heights`](Self::heights).
+    pub fn make(&self) -> Result<Surface, RecipeError> {
+        let heights = self.heights()?;
+        Ok(Surface { name: self.name.clone(), origin: Origin::Recipe(self.clone()), heights })
+    }
 }
 
 /// Where a surface came from.

@@ -65,6 +65,7 @@ pub fn on_given(
         if solution.pressure.len() != 4 * given.len() {
             return solution;
         }
+        solution.grid = given;
         let [ny, nx] = given.shape();
         for field in [&mut solution.pressure, &mut solution.gap] {
             if field.len() == 4 * given.len() {

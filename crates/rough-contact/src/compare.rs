@@ -10,11 +10,11 @@ use crate::progress::Progress;
 use crate::text::{self, Columns};
 use clap::Args;
 use compare::plan::Request;
-use compare::report::{self, Provenance};
 use compare::{
     Cleaning, Comparison, EdgesName, FileOrigin, LevelName, MethodName, Origin, PrecisionName,
     RunFile, RunSurface, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
 };
+use report::Provenance;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::ops::ControlFlow;
@@ -319,7 +319,7 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
         let _ = writeln!(out, "{}", headline(surface));
         out.push_str(&text::cleaning(surface.origin.cleaned()));
         if let Some(plan) = &surface.plan {
-            let _ = writeln!(out, "{}", plan.explanation());
+            let _ = writeln!(out, "{}", report::plan_explanation(plan));
         }
         out.push('\n');
         let mut columns = Columns::new(&[

@@ -75,7 +75,7 @@ impl Model {
         let answers = answer(entry, &inputs, &questions)?;
         let mut reply = reply(entry, &inputs, &questions, &answers);
         reply.text.insert_str(0, &text::cleaning(&cleaned));
-        reply.json["cleaning"] = compare::report::cleaning_json(&cleaned);
+        reply.json["cleaning"] = report::cleaning_json(&cleaned);
         Ok(reply)
     }
 

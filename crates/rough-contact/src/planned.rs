@@ -4,11 +4,12 @@ use crate::loads::{rising, shown};
 use crate::outcome::{Failure, Reply};
 use crate::progress::Progress;
 use crate::work::Work;
-use compare::MethodName;
 use compare::budget::{Budget, Map};
 use compare::plan::{self, Outcome, PlanError, Request, Sink, Task};
+use compare::{MethodName, PrecisionName};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solution, SolverError};
+use report::{accuracy_json, plan_explanation, plan_reason};
 use std::ops::ControlFlow;
 
 /// What is to be solved, and how well.
@@ -89,11 +90,11 @@ impl Sink for ToWork<'_> {
 /// Puts the plan into the reply: its line, its object, and the exit status if it is not met, with
 /// the way out if loads without a bar are `refinable`.
 pub(crate) fn state(outcome: &Outcome, refinable: bool, reply: &mut Reply) {
-    let line = outcome.explanation();
+    let line = plan_explanation(outcome);
     reply.text.push_str(&line);
     reply.text.push('\n');
-    reply.json["accuracy"] = compare::report::accuracy_json(outcome);
-    reply.json["precision"] = outcome.precision.name().into();
+    reply.json["accuracy"] = accuracy_json(outcome);
+    reply.json["precision"] = PrecisionName::from(outcome.precision).name().into();
     reply.json["tolerance"] = outcome.tolerance.into();
     let refine =
         "; --refine instead of --accuracy gives the interval that a twice finer grid leaves";
@@ -108,7 +109,7 @@ pub(crate) fn state(outcome: &Outcome, refinable: bool, reply: &mut Reply) {
 
 /// A request that is not met ends with exit status 1.
 pub(crate) fn unmet(surface: &str, outcome: &Outcome, way_out: &str) -> Option<Failure> {
-    let reason = outcome.reason.as_ref()?;
+    let reason = plan_reason(outcome)?;
     let percent = 100.0 * outcome.request.relative();
     let of = if surface.is_empty() { String::new() } else { format!("{surface}: ") };
     let message =

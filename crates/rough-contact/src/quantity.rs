@@ -4,7 +4,7 @@
 //! A bare number where a unit is needed is refused: 50 could be pascals or megapascals, and the
 //! answer would look equally reasonable.
 
-use compare::table::round_to_digits;
+use contact_accuracy::round_to_digits;
 
 /// What kind of quantity an option takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -11,14 +11,12 @@ use crate::progress::Progress;
 use crate::text::{self, Columns};
 use crate::work::{Work, map_names};
 use clap::Args;
-use compare::budget::{Budget, Map, Stiffness, grid};
+use compare::budget::{Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
     EdgesName, LevelName, MethodName, NotRefined, PrecisionName, Surrounded, TwiceFiner, on_given,
 };
-use fft_bem_solver::{
-    Boundary, Iteration, Load, Maps, NoAreaInterval, Solution, Solver, SolverError,
-};
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solution, Solver, SolverError};
 use serde_json::json;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
@@ -127,7 +125,7 @@ impl Solve {
             let refinable = work.intervals.refinable.is_some() && can_be_refined;
             let mut reply = self.reply(work, modulus.pascals(), "");
             reply.text.insert_str(0, &text::cleaning(&cleaned));
-            reply.json["cleaning"] = compare::report::cleaning_json(&cleaned);
+            reply.json["cleaning"] = report::cleaning_json(&cleaned);
             planned::state(&outcome, refinable, &mut reply);
             return Ok(reply);
         }
@@ -172,7 +170,7 @@ impl Solve {
         let notes = work.intervals.notes(!self.refine && can_be_refined);
         let mut reply = self.reply(work, modulus.pascals(), &notes);
         reply.text.insert_str(0, &text::cleaning(&cleaned));
-        reply.json["cleaning"] = compare::report::cleaning_json(&cleaned);
+        reply.json["cleaning"] = report::cleaning_json(&cleaned);
         Ok(reply)
     }
 

@@ -38,8 +38,8 @@ impl Stats {
         };
         let s = SurfaceStatistics::of(&map, &options)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-        let mut json = compare::report::statistics_json(&s);
-        json["cleaning"] = compare::report::cleaning_json(&cleaned);
+        let mut json = report::statistics_json(&s);
+        json["cleaning"] = report::cleaning_json(&cleaned);
         let mut text = text::cleaning(&cleaned) + &self.describe(&s);
         if self.iso {
             let iso = level(&map, options.level)

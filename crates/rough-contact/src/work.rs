@@ -187,6 +187,6 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
 /// Adds the keys of the budget, all `null` without one.
 fn with_keys(point: &mut Value, budget: Option<&Budget>) {
     if let Value::Object(keys) = point {
-        keys.extend(compare::report::budget_keys(budget));
+        keys.extend(report::budget_keys(budget));
     }
 }

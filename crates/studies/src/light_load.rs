@@ -6,7 +6,7 @@
 //! under light load is nearly `kappa x`. Persson's theory has kappa = sqrt(8/π), the summit models
 //! the limit sqrt(2π) at loads too light for any surface.
 
-use compare::table::round_to_digits;
+use contact_accuracy::round_to_digits;
 use std::fmt::Write as _;
 
 /// First line of the table.

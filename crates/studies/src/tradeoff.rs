@@ -3,7 +3,7 @@
 //!
 //! The table is a CSV whose lines beginning with `#` say where it comes from.
 
-use compare::table::{median, round_to_digits};
+use contact_accuracy::{median, round_to_digits};
 use std::fmt::Write as _;
 
 /// One way to an answer, in one case: a surface at a load.

@@ -2,7 +2,8 @@
 
 use crate::ensemble::Recipe;
 use compare::budget::{Budget, Map};
-use compare::plan::{Request, Sink, Task, run};
+use compare::plan::{Miss, NoBar, Request, Sink, Task, Unmet, run};
+use contact_accuracy::NoAreaInterval;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{
     BOUNDARY_CORRECTION, Boundary, Iteration, Load, Maps, Method, Solution, Solver, SolverError,
@@ -160,18 +161,20 @@ fn row(
         outcome.given_up.len(),
         outcome.work,
         default * map.grid().len() as f64 * 8.0,
-        outcome.reason.as_deref().map_or("", kind),
+        outcome.unmet.as_ref().map_or("", kind),
     ))
 }
 
 /// A word for why a request is not met.
-fn kind(reason: &str) -> &'static str {
-    if reason.contains("height step") {
-        "stepped"
-    } else if reason.contains("of the rms gradient") {
-        "unresolved"
-    } else {
-        "spots"
+fn kind(unmet: &Unmet) -> &'static str {
+    match unmet {
+        Unmet::Map(why)
+        | Unmet::Loads { why: Miss::Bar { here: Err(NoBar::Area(why)), .. }, .. } => match why {
+            NoAreaInterval::Stepped { .. } => "stepped",
+            NoAreaInterval::Unresolved { .. } => "unresolved",
+            _ => "spots",
+        },
+        Unmet::Loads { .. } => "spots",
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::ensemble::Family;
 use crate::measure::Mode;
-use compare::edge_study::quantile;
+use contact_accuracy::quantile;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs::{self, File};

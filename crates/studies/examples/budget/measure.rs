@@ -4,7 +4,7 @@
 use crate::ensemble;
 use crate::fresh;
 use compare::budget::{Map, Stiffness};
-use compare::table::round_to_digits;
+use contact_accuracy::round_to_digits;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Solution, Solver};
 use std::error::Error;

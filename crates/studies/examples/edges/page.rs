@@ -2,7 +2,8 @@
 
 use crate::treatment::Treatment;
 use crate::{Case, Contact, LOADS, WAVES};
-use compare::edge_study::{EdgeExperience, EdgeStudy, quantile};
+use contact_accuracy::edge_study::{EdgeExperience, EdgeStudy};
+use contact_accuracy::quantile;
 use std::fmt::Write as _;
 
 /// The section of the page.

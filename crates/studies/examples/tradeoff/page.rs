@@ -2,7 +2,7 @@
 //! error, and the numbers.
 
 use compare::models::find;
-use compare::table::median;
+use contact_accuracy::median;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs::{self, File};

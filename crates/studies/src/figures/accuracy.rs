@@ -1,8 +1,8 @@
 //! The figure of the check of `--accuracy`: what was asked for against what came out.
 
-use compare::report::draw::axes::{Axis, Frame};
-use compare::report::draw::palette::{DETERMINISTIC, INK2, LINE, Look, Marker, WARN};
-use compare::report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
+use report::draw::axes::{Axis, Frame};
+use report::draw::palette::{DETERMINISTIC, INK2, LINE, Look, Marker, WARN};
+use report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use std::io::{self, Write};
 
 /// Errors below this are drawn on the lower edge.

@@ -1,8 +1,8 @@
 //! The figure of the study of error bars: where the truth lay, in half widths, by class of surface.
 
-use compare::report::draw::axes::Axis;
-use compare::report::draw::palette::{BAND, DETERMINISTIC, INK2, LINE, Look, Marker};
-use compare::report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
+use report::draw::axes::Axis;
+use report::draw::palette::{BAND, DETERMINISTIC, INK2, LINE, Look, Marker};
+use report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use std::io::{self, Write};
 
 /// Signed errors over half widths of one class of surfaces.

@@ -3,13 +3,11 @@
 
 use crate::light_load::{Kind, LIGHT, LogLaw, Row, log_law};
 use compare::models::{Inputs, find};
-use compare::report::draw::axes::{Axis, Frame};
-use compare::report::draw::labels::{EndLabel, draw_end_labels};
-use compare::report::draw::palette::{
-    BAND, BGT, Colour, DETERMINISTIC, INK2, Look, Marker, PERSSON,
-};
-use compare::report::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text};
 use contact_types::{ContactModulus, SpectralMoments};
+use report::draw::axes::{Axis, Frame};
+use report::draw::labels::{EndLabel, draw_end_labels};
+use report::draw::palette::{BAND, BGT, Colour, DETERMINISTIC, INK2, Look, Marker, PERSSON};
+use report::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text};
 use std::f64::consts::{PI, TAU};
 use std::io::{self, Write};
 

@@ -2,12 +2,12 @@
 //! follows the slope of the highest points.
 
 use compare::models::find;
-use compare::report::draw::axes::{Axis, Frame};
-use compare::report::draw::palette::{DETERMINISTIC, INK, INK2, LINE, Look, Marker};
-use compare::report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
-use compare::report::numbers::signed;
 use compare::survey::{Family, Row, Survey};
-use compare::table::median;
+use contact_accuracy::median;
+use report::draw::axes::{Axis, Frame};
+use report::draw::palette::{DETERMINISTIC, INK, INK2, LINE, Look, Marker};
+use report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
+use report::numbers::signed;
 use std::io::{self, Write};
 
 /// Lower ends of the bins of bandwidth; the last is open.

@@ -3,16 +3,16 @@
 
 use crate::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, ways};
 use compare::models::find;
-use compare::report::draw::axes::{Axis, Frame};
-use compare::report::draw::labels::{place_near, push_apart};
-use compare::report::draw::palette::{
+use contact_accuracy::median;
+use report::draw::axes::{Axis, Frame};
+use report::draw::labels::{place_near, push_apart};
+use report::draw::palette::{
     BAND, Colour, DETERMINISTIC, DETERMINISTIC_LOOK, INK2, LINE, Look, Marker, WARN,
 };
-use compare::report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
-use compare::report::figures::front::front;
-use compare::report::looks::look;
-use compare::report::numbers::{SPACE, duration, percent, power_of_ten, time_tick};
-use compare::table::median;
+use report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
+use report::figures::front::front;
+use report::looks::look;
+use report::numbers::{SPACE, duration, percent, power_of_ten, time_tick};
 use std::io::{self, Write};
 
 /// Tolerance at which the grids are compared: the solver's own default.
