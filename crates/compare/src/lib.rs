@@ -9,10 +9,11 @@ mod closer;
 mod coarser;
 mod curve;
 mod describe;
-pub mod models;
+mod inputs;
 mod progress;
 mod recipe;
 mod refine;
+mod registry;
 mod result;
 mod run_file;
 mod settings;
@@ -22,6 +23,9 @@ mod study;
 mod surface;
 mod surroundings;
 pub mod survey;
+mod tabulated;
+mod theories;
+mod theory;
 mod verdict;
 
 pub use cleaning::{Cleaning, CleaningError, FormName};
@@ -29,8 +33,10 @@ pub use coarser::COARSER;
 pub use contact_accuracy::{
     Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
 };
+pub use inputs::{Inputs, MomentSource};
 pub use progress::{Listener, Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
+pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
     Applies, Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer,
     DeterministicPoint, ModelComparison, ModelCurve, Reason, Spectral, SurfaceComparison, Verdict,
@@ -42,3 +48,5 @@ pub use settings::{
 pub use spots::{Spots, contact_spots};
 pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surroundings::{Surrounded, on_given};
+pub use tabulated::{BadCurve, CurvePoint, Tabulated};
+pub use theory::{Assumes, BuildError, Card, Theory};

@@ -1,6 +1,5 @@
 //! What a study says while it works, and why there may be none.
 
-use crate::models::MODELS;
 use contact_accuracy::plan::BadRequest;
 use contact_types::SurfaceError;
 use fft_bem_solver::{Iteration, SolverError};
@@ -90,14 +89,19 @@ pub enum StudyError {
         value: f64,
     },
     /// A name that is no model of the study.
-    #[error("the study has no model '{name}'; it has {}", model_names())]
+    #[error("the study has no model '{name}'; it has {known}")]
     UnknownModel {
         /// The name.
         name: String,
+        /// Those it has.
+        known: String,
     },
     /// The list of models is empty.
-    #[error("the list of models is empty; name at least one of {}", model_names())]
-    NoModel,
+    #[error("the list of models is empty; name at least one of {known}")]
+    NoModel {
+        /// Those there are.
+        known: String,
+    },
     /// Statistics refuse the surface.
     #[error("{surface}: {source}")]
     Statistics {
@@ -129,10 +133,4 @@ pub enum StudyError {
     /// The observer asked to stop.
     #[error("stopped")]
     Stopped,
-}
-
-/// Names of the models of a study, for a message.
-fn model_names() -> String {
-    let names: Vec<&str> = MODELS.iter().filter(|m| m.in_study).map(|m| m.name).collect();
-    names.join(", ")
 }
