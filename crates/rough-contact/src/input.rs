@@ -2,7 +2,7 @@
 
 use crate::args;
 use crate::cleaning::{self, CleaningOptions};
-use crate::outcome::Failure;
+use crate::outcome::{self, Failure};
 use crate::quantity;
 use clap::{Args, ValueEnum};
 use compare::Cleaning;
@@ -99,7 +99,7 @@ impl Reading {
         cleaning: Cleaning,
     ) -> Result<Complete, Failure> {
         if let Some(reading) = measurement.ambiguity() {
-            eprintln!("rough-contact: {}: {reading}", path.display());
+            outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
         }
         refuse_profile(path, &measurement)?;
         // Neither a removed form nor filled points take the steps away; only smoothing does.

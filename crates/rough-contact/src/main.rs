@@ -1,7 +1,6 @@
 //! The command `rough-contact`. People read its text, scripts its `--json`; both get the same
 //! numbers, and exit status 0 (all answers given), 1 (something did not converge or could not
 //! be written) or 2 (refused).
-#![allow(clippy::print_stdout, reason = "a command-line tool prints")]
 
 mod args;
 mod cleaning;
@@ -81,7 +80,7 @@ fn main() -> ExitCode {
             return outcome::finish(Err(Failure::usage(&error)), wants_json);
         }
         Err(help) => {
-            print!("{help}");
+            outcome::show(&help.to_string());
             return ExitCode::SUCCESS;
         }
     };

@@ -104,6 +104,17 @@ pub(crate) fn variant(error: &impl std::fmt::Debug) -> String {
     name
 }
 
+/// Writes a line to standard error. Who closed it does not want it.
+pub(crate) fn tell(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
+/// Writes help or version, as far as the reader wants it.
+pub(crate) fn show(help: &str) {
+    let mut stdout = std::io::stdout().lock();
+    let _ = stdout.write_all(help.as_bytes()).and_then(|()| stdout.flush());
+}
+
 /// Writes the reply or the failure and chooses the exit status.
 pub(crate) fn finish(result: Result<Reply, Failure>, json: bool) -> ExitCode {
     let (text, object, failure) = match result {
@@ -120,12 +131,12 @@ pub(crate) fn finish(result: Result<Reply, Failure>, json: bool) -> ExitCode {
     // A reader that closes the pipe early, as `head` does, has seen what it wanted.
     let written = stdout.write_all(out.as_bytes()).and_then(|()| stdout.flush());
     if let Some(failure) = failure {
-        eprintln!("rough-contact: {}", failure.message);
+        tell(&format!("rough-contact: {}", failure.message));
         return ExitCode::from(failure.status);
     }
     match written {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-            eprintln!("rough-contact: standard output cannot be written: {error}");
+            tell(&format!("rough-contact: standard output cannot be written: {error}"));
             ExitCode::from(1)
         }
         _ => ExitCode::SUCCESS,

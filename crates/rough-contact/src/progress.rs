@@ -1,6 +1,7 @@
 //! Progress on standard error: a bar on a terminal, one line per step elsewhere, nothing with
 //! --quiet.
 
+use crate::outcome::tell;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 
@@ -39,7 +40,7 @@ impl Progress {
         if let Some(bar) = &self.bar {
             bar.set_message(what.to_owned());
         } else if self.lines && self.total == 0 {
-            eprintln!("{what}");
+            tell(what);
         }
     }
 
@@ -50,7 +51,7 @@ impl Progress {
             bar.set_message(what.to_owned());
             bar.inc(1);
         } else if self.lines {
-            eprintln!("{}/{} {what}", self.done, self.total);
+            tell(&format!("{}/{} {what}", self.done, self.total));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What lay beyond the edges of a measured map, and how much it matters on this map.
 
 use crate::numbers::{METRES, percent, quantity, signed_percent, signed_range, significant};
-use crate::words::notes::{Note, Weight};
+use crate::words::note::{Note, Weight};
 use compare::SurfaceComparison;
 use compare::{EdgeShare, EdgesName, Origin};
 use contact_accuracy::edge_study::EdgeStudy;

@@ -4,6 +4,7 @@ mod answer;
 pub(crate) mod coarser;
 mod date;
 pub(crate) mod edges;
+pub(crate) mod note;
 pub(crate) mod notes;
 pub(crate) mod plan;
 mod ranking;

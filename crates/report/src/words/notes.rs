@@ -2,6 +2,7 @@
 
 use crate::draw::svg::escape;
 use crate::numbers::{METRES, SPACE, percent, quantity, significant};
+use crate::words::note::{Note, Weight, note};
 use crate::words::plan as plan_words;
 use compare::Origin;
 use compare::SurfaceComparison;
@@ -9,34 +10,8 @@ use contact_accuracy::NoAreaInterval;
 use surface_stats::Warning;
 use surface_stats::clean::{FormParameters, Record};
 
-/// How much a note matters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Weight {
-    /// May change a conclusion.
-    Check,
-    /// Good to know.
-    Note,
-    /// Tested and fine.
-    Passed,
-}
-
-/// One entry: a claim with its number, then its effect and what to do. Both are HTML.
-#[derive(Debug, Clone)]
-pub(crate) struct Note {
-    /// How much it matters.
-    pub weight: Weight,
-    /// Bold part.
-    pub claim: String,
-    /// The rest.
-    pub text: String,
-}
-
 /// At most this many notes are shown.
 const MOST: usize = 5;
-
-fn note(weight: Weight, claim: impl Into<String>, text: impl Into<String>) -> Note {
-    Note { weight, claim: claim.into(), text: text.into() }
-}
 
 /// The notes for a surface, worst first.
 pub(crate) fn notes(surface: &SurfaceComparison) -> Vec<Note> {
