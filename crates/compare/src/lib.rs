@@ -33,6 +33,10 @@ pub use coarser::COARSER;
 pub use contact_accuracy::{
     Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
 };
+pub use contact_types::{
+    Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
+    SeparationModel, SpectralMoments, SurfaceError,
+};
 pub use inputs::{Inputs, MomentSource};
 pub use progress::{Listener, Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
