@@ -9,6 +9,8 @@ mod closer;
 mod coarser;
 mod curve;
 mod describe;
+mod finding;
+mod findings;
 pub mod models;
 mod progress;
 mod recipe;
@@ -29,6 +31,8 @@ pub use coarser::COARSER;
 pub use contact_accuracy::{
     Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
 };
+pub use finding::{Bare, Fact, Finding, Passed, Seam, Subject, Weight};
+pub use findings::{Solved, findings, seam};
 pub use progress::{Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use result::{
