@@ -104,7 +104,7 @@ fn bar(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> {
             Fact::FinerGrid { why, area: finer.area, loads }
         }
         (Err(why), None, _) => Fact::NoBar { why, at: Bare::Every },
-        (Ok(_), _, Some(Err(why))) if unsolved == 0 => Fact::NoBar { why, at: Bare::Headline },
+        (Ok(()), _, Some(Err(why))) if unsolved == 0 => Fact::NoBar { why, at: Bare::Headline },
         _ => return None,
     }))
 }
@@ -122,7 +122,7 @@ fn warned(warning: &Warning) -> Finding {
         | Warning::Noisy { .. } => Weight::Check,
         _ => Weight::Note,
     };
-    Finding { weight, fact: Fact::Warned(warning.clone()) }
+    Finding { weight, fact: Fact::Warned(*warning) }
 }
 
 fn edge_jump(ratio: f64, surface: &SurfaceComparison) -> Finding {

@@ -42,11 +42,11 @@ pub(crate) fn findings(found: &[Finding]) -> String {
         let line = format!("{}: {} {}", f.weight.name(), words.claim, words.text);
         format!("{}\n", line.replace('\u{202F}', " ").trim_end())
     };
-    let mut text: String = open.iter().take(MOST).map(line).collect::<Vec<_>>().concat();
-    if open.len() > MOST {
-        text.push_str(&format!("and {} more: --json has all findings\n", open.len() - MOST));
+    let text = open.iter().take(MOST).map(line).collect::<Vec<_>>().concat();
+    match open.len().saturating_sub(MOST) {
+        0 => text,
+        more => format!("{text}and {more} more: --json has all findings\n"),
     }
-    text
 }
 
 /// Columns of equal width under a header; the first is left-aligned, the others are not.
