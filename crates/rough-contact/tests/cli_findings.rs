@@ -1,4 +1,5 @@
 //! A finding is the same in JSON, on the terminal and on the page.
+#![allow(clippy::unwrap_used, reason = "a helper that fails is a failed test")]
 
 mod cli;
 
