@@ -9,6 +9,8 @@ mod closer;
 mod coarser;
 mod curve;
 mod describe;
+mod finding;
+mod findings;
 mod inputs;
 mod progress;
 mod recipe;
@@ -37,6 +39,8 @@ pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
     SeparationModel, SpectralMoments, SurfaceError,
 };
+pub use finding::{Bare, Fact, Finding, Passed, Seam, Subject, Weight};
+pub use findings::{Solved, findings, seam};
 pub use inputs::{Inputs, MomentSource};
 pub use progress::{Listener, Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};

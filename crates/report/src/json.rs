@@ -3,9 +3,12 @@
 use crate::error::ReportError;
 use crate::provenance::Provenance;
 use crate::words;
+use crate::words::finding::finding;
 use crate::words::plan as plan_words;
 use compare::PrecisionName;
-use compare::{Comparison, DeterministicPoint, ModelComparison, ModelCurve, SurfaceComparison};
+use compare::{
+    Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
+};
 use contact_accuracy::BOUNDARY_CORRECTION;
 use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, ModelError};
@@ -38,6 +41,20 @@ pub fn comparison(comparison: &Comparison, provenance: &Provenance) -> Value {
     })
 }
 
+/// Findings with their words.
+pub fn findings(found: &[Finding]) -> Value {
+    let one = |f: &Finding| {
+        let words = finding(f);
+        json!({
+            "weight": f.weight.name(),
+            "subject": f.subject().name(),
+            "claim": words.claim,
+            "text": words.text,
+        })
+    };
+    found.iter().map(one).collect()
+}
+
 fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     let grid = s.solved_map().grid();
     let settings = &comparison.settings;
@@ -50,6 +67,7 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "name": s.name,
         "origin": s.origin,
         "cleaning": cleaning(s.origin.cleaned()),
+        "findings": findings(&compare::findings(s)),
         "statistics": statistics(&s.statistics),
         "inputs": {
             "moments": s.inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })),

@@ -27,8 +27,9 @@ pub use error::ReportError;
 pub use figures::panels::{write_area_svg, write_pressure_svg};
 pub use json::{
     accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,
-    statistics as statistics_json, write as write_json,
+    findings as findings_json, statistics as statistics_json, write as write_json,
 };
 pub use page::html::write as write_html;
 pub use provenance::Provenance;
+pub use words::finding::{Worded, finding};
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};

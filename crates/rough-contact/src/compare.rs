@@ -324,6 +324,7 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
         out.push_str(&text::cleaning(surface.origin.cleaned()));
+        out.push_str(&text::findings(&compare::findings(surface)));
         if let Some(plan) = &surface.plan {
             let _ = writeln!(out, "{}", report::plan_explanation(plan));
         }

@@ -14,7 +14,8 @@ use clap::Args;
 use compare::budget::{Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, LevelName, MethodName, NotRefined, PrecisionName, Surrounded, TwiceFiner, on_given,
+    EdgesName, LevelName, MethodName, NotRefined, PrecisionName, Solved, Surrounded, TwiceFiner,
+    on_given,
 };
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solution, Solver, SolverError};
 use serde_json::json;
@@ -93,7 +94,14 @@ impl Solve {
             None => None,
             Some(path) => Some(Folder::prepare(path, &map_names(loads.len()), common.force)?),
         };
-        let Complete { map: surface, cleaned, height_step, .. } = self.input.surface()?;
+        let Complete { map: surface, cleaned, height_step, missing } = self.input.surface()?;
+        let mut solved = Solved {
+            missing,
+            points: surface.grid().len(),
+            fill: self.input.reading.fill.name(),
+            cleaned: &cleaned,
+            ..Solved::default()
+        };
         let surface = match self.level {
             LevelName::None => surface,
             form => surface_stats::level(&surface, args::form(form))
@@ -123,9 +131,9 @@ impl Solve {
             let outcome = asked.solve(&loads, &mut work, &mut progress)?;
             drop(progress);
             let refinable = work.intervals.refinable.is_some() && can_be_refined;
-            let mut reply = self.reply(work, modulus.pascals(), "");
-            reply.text.insert_str(0, &text::cleaning(&cleaned));
-            reply.json["cleaning"] = report::cleaning_json(&cleaned);
+            solved.loads = work.found();
+            solved.plan = Some(&outcome);
+            let mut reply = self.reply(work, modulus.pascals(), "", &solved);
             planned::state(&outcome, refinable, &mut reply);
             return Ok(reply);
         }
@@ -168,10 +176,8 @@ impl Solve {
         }
         drop(progress);
         let notes = work.intervals.notes(!self.refine && can_be_refined);
-        let mut reply = self.reply(work, modulus.pascals(), &notes);
-        reply.text.insert_str(0, &text::cleaning(&cleaned));
-        reply.json["cleaning"] = report::cleaning_json(&cleaned);
-        Ok(reply)
+        solved.loads = work.found();
+        Ok(self.reply(work, modulus.pascals(), &notes, &solved))
     }
 
     /// The errors of a solution: with its stiffness, and with what a twice finer grid says of it, if
@@ -229,7 +235,8 @@ impl Solve {
         Ok(gaps.iter().map(|&g| Load::MeanGap(g)).collect())
     }
 
-    fn reply(&self, work: Work, modulus: f64, notes: &str) -> Reply {
+    fn reply(&self, work: Work, modulus: f64, notes: &str, solved: &Solved<'_>) -> Reply {
+        let findings = solved.findings();
         let mut headings = vec!["mean pressure"];
         if self.gap.is_some() {
             headings.push("±"); // the load is an answer too
@@ -266,7 +273,11 @@ impl Solve {
             "modulus": modulus,
             "tolerance": self.tolerance,
             "points": points,
+            "cleaning": report::cleaning_json(solved.cleaned),
+            "findings": report::findings_json(&findings),
         });
-        Reply { text: columns.to_string() + notes, json, trouble: work.trouble }
+        let text =
+            text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
+        Reply { text: text + notes, json, trouble: work.trouble }
     }
 }

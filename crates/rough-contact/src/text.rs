@@ -1,5 +1,6 @@
 //! Numbers and tables as people read them on a terminal.
 
+use compare::{Finding, Weight};
 use std::fmt;
 use surface_stats::clean::Record;
 
@@ -28,6 +29,24 @@ impl fmt::Display for Table {
 /// One line for each step of cleaning; nothing if there was none.
 pub(crate) fn cleaning(records: &[Record]) -> String {
     records.iter().map(|record| format!("cleaned: {record}\n")).collect::<Vec<_>>().concat()
+}
+
+/// Most findings that are shown.
+const MOST: usize = 3;
+
+/// The worst findings, one line each, and how many more there are.
+pub(crate) fn findings(found: &[Finding]) -> String {
+    let open: Vec<&Finding> = found.iter().filter(|f| f.weight != Weight::Passed).collect();
+    let line = |f: &&Finding| {
+        let words = report::finding(f);
+        let line = format!("{}: {} {}", f.weight.name(), words.claim, words.text);
+        format!("{}\n", line.replace('\u{202F}', " ").trim_end())
+    };
+    let text = open.iter().take(MOST).map(line).collect::<Vec<_>>().concat();
+    match open.len().saturating_sub(MOST) {
+        0 => text,
+        more => format!("{text}and {more} more: --json has all findings\n"),
+    }
 }
 
 /// Columns of equal width under a header; the first is left-aligned, the others are not.

@@ -6,7 +6,7 @@ use crate::outcome::{Failure, variant};
 use crate::output::Folder;
 use crate::text;
 use compare::NotRefined;
-use compare::budget::{Budget, Given};
+use compare::budget::{Budget, Given, NoAreaInterval};
 use contact_types::Grid;
 use fft_bem_solver::{Load, Solution, SolverError};
 use serde_json::{Value, json};
@@ -25,6 +25,8 @@ pub(crate) struct Work {
     pub(crate) points: Vec<Option<Point>>,
     pub(crate) intervals: Intervals,
     pub(crate) grid: Grid,
+    /// Whether each load converged, and why its area has no bar.
+    found: Vec<Option<(bool, Option<NoAreaInterval>)>>,
 }
 
 impl Work {
@@ -37,7 +39,13 @@ impl Work {
             points: (0..loads).map(|_| None).collect(),
             intervals: Intervals::default(),
             grid,
+            found: vec![None; loads],
         }
+    }
+
+    /// Of each load taken: whether it converged, and why its area has no bar, if it has none.
+    pub(crate) fn found(&self) -> Vec<(bool, Option<NoAreaInterval>)> {
+        self.found.iter().copied().flatten().collect()
     }
 
     /// True if the pressure and the gap of each load are written.
@@ -48,6 +56,7 @@ impl Work {
     /// Forgets what was taken: the loads are solved again, on `grid`.
     pub(crate) fn begin(&mut self, grid: Grid) {
         self.points.iter_mut().for_each(|point| *point = None);
+        self.found.iter_mut().for_each(|found| *found = None);
         self.trouble = None;
         self.intervals = Intervals::default();
         self.grid = grid;
@@ -78,6 +87,8 @@ impl Work {
         let mut point = point(load, solution.zip(budget), error);
         point.json["refined"] = json!(refined.as_ref().map(Refined::json));
         self.points[index] = Some(point);
+        let bare = budget.and_then(|b| b.area.comparison_half_width().err());
+        self.found[index] = Some((error.is_none(), bare));
         if let (Ok(solution), Some(budget)) = (result, budget) {
             self.intervals.take(&shown(load), solution, budget, refined);
         }

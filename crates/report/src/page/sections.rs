@@ -15,30 +15,41 @@ use crate::page::phrases::levelled;
 use crate::page::slider::dial;
 use crate::page::{statistics, tables};
 use crate::sources::AREA_CORRECTION;
-use crate::words::note::Weight;
-use crate::words::notes::notes;
+use crate::words::finding::finding;
 use crate::words::{self, coarser};
-use compare::MomentSource;
-use compare::SurfaceComparison;
+use compare::{Finding, MomentSource, SurfaceComparison, Weight, findings};
 
 /// A figure with its caption; the caption is HTML and opens with a bold subject.
 pub(crate) fn figure(svg: &str, caption: &str) -> String {
     format!("<figure>{svg}<figcaption>{caption}</figcaption></figure>\n")
 }
 
+/// At most so many findings are shown.
+const MOST: usize = 5;
+
+/// The worst, and what was tested and is fine.
+fn shown(mut findings: Vec<Finding>) -> Vec<Finding> {
+    let passed = findings.pop_if(|f| f.weight == Weight::Passed);
+    findings.truncate(MOST - usize::from(passed.is_some()));
+    findings.extend(passed);
+    findings
+}
+
 /// Key numbers beside "Read before use".
 pub(crate) fn key_and_notes(surface: &SurfaceComparison, id: &str) -> String {
-    let items: String = notes(surface)
+    let items: String = shown(findings(surface))
         .iter()
-        .map(|n| {
-            let (class, word) = match n.weight {
+        .map(|found| {
+            let (class, word) = match found.weight {
                 Weight::Check => ("check", "Check"),
                 Weight::Note => ("note", "Note"),
                 Weight::Passed => ("passed", "Passed"),
             };
+            let words = finding(found);
             format!(
                 "<li><span class=\"tag {class}\">{word}</span><b>{}</b> {}</li>\n",
-                n.claim, n.text
+                escape(&words.claim),
+                escape(&words.text)
             )
         })
         .collect();
