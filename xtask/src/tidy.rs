@@ -14,7 +14,7 @@ const LONG_FILE: usize = 500;
 const MEDIAN_FILE: usize = 250;
 
 /// Crates that talk to a person; all others are libraries.
-const TALKING: [&str; 3] = ["compare/src/bin", "rough-contact", "studies"];
+const TALKING: [&str; 2] = ["rough-contact", "studies"];
 
 pub(crate) fn run(args: &[String]) -> TaskResult {
     if !args.is_empty() {
@@ -184,7 +184,7 @@ fn rooms(faults: &mut Vec<String>) {
     }
 }
 
-/// Only the binary prints; only `surface-io` and the binary touch files.
+/// Only the command prints; only `surface-io` and the command touch files.
 fn library_source(shown: &str, text: &str, faults: &mut Vec<String>) {
     let library = text.split("#[cfg(test)]").next().unwrap_or_default();
     for (number, line) in library.lines().enumerate() {
@@ -198,7 +198,7 @@ fn library_source(shown: &str, text: &str, faults: &mut Vec<String>) {
         }
         let touches = ["std::fs", "File::open", "File::create"].iter().any(|p| code.contains(p));
         if touches && !shown.starts_with("crates/surface-io/") {
-            faults.push(format!("{at}: only surface-io and the binary touch files"));
+            faults.push(format!("{at}: only surface-io and the command touch files"));
         }
     }
 }
