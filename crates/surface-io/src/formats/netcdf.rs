@@ -25,7 +25,7 @@ use super::npy::transpose;
 use super::scattered::Line;
 use crate::binary::{Bytes, Sample, text};
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::text::Digits;
+use crate::cells::Digits;
 use crate::{Format, Limits, ReadError, metres_per};
 use std::collections::BTreeMap;
 

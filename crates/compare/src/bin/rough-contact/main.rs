@@ -11,6 +11,7 @@ mod input;
 mod intervals;
 mod iso;
 mod model;
+mod needs;
 mod outcome;
 mod output;
 mod planned;
