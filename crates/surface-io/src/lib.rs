@@ -2,8 +2,7 @@
 //!
 //! [`read`] recognises a file by its content and returns a [`Measurement`]: heights in metres,
 //! missing points as NaN, the pixel size, and what the file says about itself. A unit or a pixel
-//! size that the file does not give is an error that names the option to give it with; nothing
-//! is guessed. [`Measurement::fill`] is the only way from a file to a complete
+//! size that the file does not give is an error that tells what is needed; nothing is guessed. [`Measurement::fill`] is the only way from a file to a complete
 //! [`HeightMap`](contact_types::HeightMap), so no formula meets a missing point.
 //!
 //! ```
@@ -24,27 +23,39 @@
 //! 1 mm / 1000 (the points stand on both ends: N − 1 intervals) or 1 mm / 1001 (every point
 //! stands for one cell: N intervals). Formats that store a distance or coordinates leave no
 //! choice. Formats that store a total length are read as their writers define it, which the page
-//! of each format states; `--pixel` overrides it.
+//! of each format states; [`ReadOptions::pixel`] overrides it.
 
 mod binary;
+mod catalogue;
+mod cells;
 mod error;
 mod fill;
+mod finish;
 mod format;
 mod formats;
 mod harmonic;
 mod layout;
 mod limits;
+mod meaning;
 mod measurement;
+mod need;
+mod options;
 mod read;
 mod text;
 mod units;
 pub mod write;
+#[cfg(feature = "zip")]
+mod xml;
 
+pub use catalogue::{FORMATS, FormatSpec};
+pub use contact_types::{Grid, HeightMap, SurfaceError};
 pub use error::{FillError, Place, ReadError};
 pub use fill::Fill;
-pub use format::{FORMATS, Format, FormatSpec};
+pub use format::Format;
 pub use layout::Layout;
 pub use limits::Limits;
 pub use measurement::{ChannelInfo, Measurement};
-pub use read::{ReadOptions, read, read_bytes, read_channels, read_channels_bytes};
+pub use need::{Ambiguity, Need};
+pub use options::{HeightUnit, ReadOptions};
+pub use read::{read, read_bytes, read_channels, read_channels_bytes};
 pub use units::metres_per;
