@@ -8,7 +8,7 @@ use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, Citation, ContactModel, ContactModulus,
     FractalParameters, ModelError, RoughnessSpectrum, SeparationModel, SpectralMoments, Wave,
 };
-use gw_closed_form::{GreenwoodWilliamson, asperities_from_moments};
+use gw_closed_form::GreenwoodWilliamson;
 use multiscale_models::{
     Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SphereLevel, Stacked,
 };
@@ -108,7 +108,7 @@ impl Inputs {
 
     /// Asperities given, or those of the moments.
     pub fn asperities(&self) -> Option<AsperityStatistics> {
-        self.asperities.or_else(|| asperities_from_moments(self.moments?).ok())
+        self.asperities.or_else(|| AsperityStatistics::from_moments(self.moments?).ok())
     }
 
     /// One sentence on where the moments come from, as HTML.

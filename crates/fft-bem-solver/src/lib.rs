@@ -43,6 +43,10 @@ mod solver;
 mod special_cases;
 pub mod validation;
 
+pub use contact_types::{
+    ContactModulus, ContactState, Elastic, Grid, HeightMap, ModelError, SurfaceError,
+};
+
 pub use accuracy::{
     AREA_PER_RESIDUAL, AreaAccuracy, BOUNDARY_CORRECTION, LEFT_OF_CORRECTION, NoAreaInterval,
     iteration_half_width, left_of_correction,
