@@ -15,7 +15,7 @@ use std::time::Instant;
 use studies::tradeoff::{PAIR, Row, STATISTICS};
 use surface_stats::clean::resample;
 use surface_stats::spectrum::{Axis, amplitudes};
-use surface_stats::{Edges, Level, StatsOptions, SurfaceStatistics};
+use surface_stats::{Edges, StatsOptions, SurfaceStatistics};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
