@@ -7,7 +7,7 @@ use crate::outcome::{Failure, Reply};
 use crate::roughness::Edges;
 use crate::text::{self, Table};
 use clap::Args;
-use compare::LevelName;
+use compare::Level;
 use std::fmt::Write as _;
 use surface_stats::{StatsOptions, SurfaceStatistics, level};
 
@@ -15,7 +15,7 @@ use surface_stats::{StatsOptions, SurfaceStatistics, level};
 pub(crate) struct Stats {
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "mean")]
-    level: LevelName,
+    level: Level,
     /// What lies beyond the edges: nothing, or the same map again
     #[arg(long, value_enum, default_value_t = Edges::Open)]
     boundary: Edges,
@@ -30,7 +30,7 @@ impl Stats {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
         let Complete { map, missing, cleaned, height_step } = self.input.surface()?;
         let options = StatsOptions::default()
-            .with_level(args::form(self.level))
+            .with_level(self.level)
             .with_edges(self.boundary.rule())
             .with_missing(missing)
             .with_height_step(height_step);
