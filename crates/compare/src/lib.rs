@@ -51,7 +51,7 @@ pub use result::{
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{
-    Body, STEEL, EdgesName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
+    Body, EdgesName, MethodName, PrecisionName, STEEL, STEEL_ON_STEEL, Settings, default_pressures,
 };
 pub use spots::{Spots, contact_spots};
 pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};

@@ -14,8 +14,8 @@ use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::verdict;
 use crate::{EdgesName, Registry, Settings, Surface, Surrounded, default_pressures};
-use contact_accuracy::round_to_digits;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
+use contact_accuracy::round_to_digits;
 use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverError};
 use std::borrow::Cow;
@@ -226,7 +226,9 @@ fn same(a: f64, b: f64) -> bool {
 
 /// True if `value` names this load: equal, or what it is to three digits, as it is printed.
 fn named(load: f64, value: f64) -> bool {
-    same(load, value) || same(round_to_digits(load, 3), value) || same(round_to_digits(load, 4), value)
+    same(load, value)
+        || same(round_to_digits(load, 3), value)
+        || same(round_to_digits(load, 4), value)
 }
 
 /// Asks a model at every load, with its time.

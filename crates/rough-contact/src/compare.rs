@@ -384,10 +384,9 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
                 columns.row([label, "–".into(), "–".into(), "–".into(), applies]);
                 continue;
             };
-            let mean = curve.worst_and_mean().map_or_else(
-                || "–".to_owned(),
-                |(_, mean)| plain(&report::numbers::percent(mean)),
-            );
+            let mean = curve
+                .worst_and_mean()
+                .map_or_else(|| "–".to_owned(), |(_, mean)| plain(&report::numbers::percent(mean)));
             let range = curve.range().map_or_else(
                 || "–".to_owned(),
                 |(low, high)| plain(&report::numbers::signed_range(low, high)),

@@ -100,7 +100,8 @@ impl Reading {
         let mut missing = Vec::new();
         loop {
             let needs = match surface_io::read(path, &options) {
-                Ok(measurement) => return Some((measurement, missing)),
+                // A file that says all has another fault.
+                Ok(measurement) => return (!missing.is_empty()).then_some((measurement, missing)),
                 Err(ReadError::MissingScale { needs, .. }) => needs,
                 Err(_) => return None,
             };

@@ -6,8 +6,8 @@ use crate::page::context::Page;
 use crate::page::phrases::{levelled, tolerance_words};
 use crate::words::edges::treatment;
 use crate::words::plan as plan_words;
-use compare::{DeterministicAnswer, SurfaceComparison};
 use compare::{Body, FileOrigin, Origin, Recipe};
+use compare::{DeterministicAnswer, SurfaceComparison};
 use contact_accuracy::BOUNDARY_CORRECTION;
 use contact_accuracy::plan::Outcome;
 

@@ -117,7 +117,8 @@ fn left_out(labels: &[String], all: &[Vec<Option<f64>>]) -> String {
         .enumerate()
         .filter_map(|(k, label)| {
             let answers = all.iter().filter(|e| e.get(k).is_some_and(Option::is_some)).count();
-            (answers < all.len()).then(|| format!("{label} (answers on {answers} of {})", all.len()))
+            (answers < all.len())
+                .then(|| format!("{label} (answers on {answers} of {})", all.len()))
         })
         .collect();
     if missing.is_empty() { String::new() } else { format!(" Not ranked: {}.", missing.join(", ")) }

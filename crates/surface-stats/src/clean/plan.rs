@@ -139,12 +139,7 @@ impl fmt::Display for Record {
                         write!(f, "polynomial of degree {degree}")?;
                     }
                     FormParameters::Sphere { radius, .. } => {
-                        write!(
-                            f,
-                            "sphere of radius {} ({})",
-                            shown(radius.abs()),
-                            way(radius)
-                        )?;
+                        write!(f, "sphere of radius {} ({})", shown(radius.abs()), way(radius))?;
                     }
                     FormParameters::Cylinder { radius, direction, .. } => write!(
                         f,
