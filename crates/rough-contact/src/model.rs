@@ -8,6 +8,7 @@ use crate::roughness::Source;
 use crate::text::{self, Columns};
 use clap::Args;
 use compare::{BuildError, Card, Inputs, Theory, built_in};
+use contact_accuracy::round_to_digits;
 use contact_types::{Caveat, Citation, ContactState, ModelError};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -158,7 +159,7 @@ fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer
         let note = match answer {
             Ok(state) => state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) if Some(error) == told => None,
-            Err(error) => Some(format!("refused: {error}")),
+            Err(error) => Some(format!("refused: {}", short(error))),
         };
         notes.extend(note.filter(|note| !notes.contains(note)));
     }
@@ -178,8 +179,21 @@ fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer
     Reply { text, json, trouble }
 }
 
+/// The same with six digits of the value, unless they would move it into the domain.
+fn short(error: &ModelError) -> ModelError {
+    let mut short = error.clone();
+    if let ModelError::OutsideDomain { value, domain, .. } = &mut short {
+        let rounded = round_to_digits(*value, 6);
+        if !domain.contains(&rounded) {
+            *value = rounded;
+        }
+    }
+    short
+}
+
 /// A refusal by the theory, or an iteration that did not end.
 fn failure(error: &ModelError) -> Failure {
+    let error = &short(error);
     match error {
         ModelError::NotConverged { .. } => Failure::incomplete("not_converged", error.to_string()),
         _ => Failure::from_error(error),
@@ -264,7 +278,7 @@ fn refusal(error: &ModelError) -> Value {
     };
     json!({
         "kind": variant(error), "quantity": quantity, "value": value, "domain": domain,
-        "message": error.to_string(),
+        "message": short(error).to_string(),
     })
 }
 
@@ -307,4 +321,23 @@ fn list() -> Reply {
         }));
     }
     Reply::new(text, json!({ "models": models }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_has_six_digits_and_stays_true() {
+        let error = |value: f64| ModelError::OutsideDomain {
+            model: "M".into(),
+            quantity: "D".into(),
+            value,
+            domain: 1.0..=1.5,
+            reason: "it diverges".into(),
+        };
+        let text = short(&error(1.623_456_789_012_345_6)).to_string();
+        assert!(text.starts_with("M: D = 1.62346 is outside"), "{text}");
+        assert!(short(&error(1.500_000_000_1)).to_string().contains("1.5000000001"));
+    }
 }

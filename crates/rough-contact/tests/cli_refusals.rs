@@ -34,6 +34,18 @@ fn files_that_are_no_surface() {
 }
 
 #[test]
+fn a_refusal_by_a_theory_is_said_once() {
+    let dir = folder();
+    let line = "model majumdar-bhushan --dimension 1.6234567890123 --roughness 1nm --area 1mm^2 \
+                --modulus 1GPa --pressure 1MPa";
+    let said = rough_contact(dir.path(), line);
+    assert_eq!(said.status, 2);
+    assert!(said.err.contains("D = 1.62346 is outside") && !said.out.contains("outside"));
+    let solve = "solve none.txt --young 1GPa --poisson 0.6 --pressure 1MPa";
+    refused(dir.path(), solve, 2, &["Poisson's ratio = 0.6 is outside its domain, -1 to 0.5"]);
+}
+
+#[test]
 fn what_the_file_does_not_say_is_asked_for() {
     let dir = folder();
     let at = dir.path();
