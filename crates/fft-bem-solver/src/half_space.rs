@@ -1,6 +1,6 @@
 //! Pressure to displacement on a periodic half space.
 
-use crate::methods::{Partial, RowWork};
+use crate::row_work::{Partial, RowWork};
 use crate::simd::vectorised;
 use crate::{Real, SolverError};
 use contact_types::{ContactModulus, Grid};

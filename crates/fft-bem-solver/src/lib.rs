@@ -36,6 +36,7 @@ mod problem;
 mod projection;
 mod real;
 pub mod reference;
+mod row_work;
 mod settings;
 mod simd;
 mod solution;

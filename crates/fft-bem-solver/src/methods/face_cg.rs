@@ -2,8 +2,9 @@
 //! last resort of the chord iteration.
 
 use super::chord::{Chord, room};
+use super::compliance::Compliance;
+use super::contract::State;
 use super::transfer::ON;
-use super::{Compliance, State};
 use crate::{Real, fields, projection};
 
 /// One step from `state`; returns the pairs spent. The direction and its displacement are kept in

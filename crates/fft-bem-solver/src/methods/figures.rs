@@ -7,7 +7,7 @@
 //! be drawn now.
 
 use super::chord::{self, Chord, Kind, Known};
-use super::{ContactMethod, Start, State, Target, Task};
+use super::contract::{ContactMethod, Start, State, Target, Task};
 use crate::HalfSpace;
 use crate::problem::{self, Problem};
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -74,7 +74,7 @@ fn picture() -> Vec<u8> {
     let mut state = State::new(N * N);
     let target = Target::Pressure(load);
     let task = Task { problem: &problem, target, tolerance: 1e-9, max_iterations: 1 };
-    let mut watch = |_: &super::Step<'_, f64>| ControlFlow::Continue(());
+    let mut watch = |_: &super::contract::Step<'_, f64>| ControlFlow::Continue(());
     chord.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
 
     // The passes of the next iteration, one by one.

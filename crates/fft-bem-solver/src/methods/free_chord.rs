@@ -8,8 +8,9 @@
 //! space itself.
 
 use super::chord::Chord;
+use super::compliance::Compliance;
+use super::contract::{ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
 use super::stiffness::Stiffness;
-use super::{Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::problem::Problem;
 use crate::{Boundary, Real, SolverError, fields};
 use contact_types::Grid;

@@ -3,9 +3,11 @@
 //! # Source
 //! Polonsky & Keer (1999), *Wear* 231, 206–219, doi:10.1016/S0043-1648(99)00113-1, section 3.
 
-use super::{Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
+use super::begin::{begin, mean_gap_in_contact_to_zero};
+use super::compliance::Compliance;
+use super::contract::{ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::certificate::{self, Patience};
-use crate::{Boundary, Real, fields};
+use crate::{Real, fields};
 
 /// The method and its fields: gap, direction, and what a transform gives back.
 pub(crate) struct PolonskyKeer<T> {
@@ -125,42 +127,5 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
         }
         state.level = certificate::level(state, heights);
         Outcome { end, iterations, transforms, residual }
-    }
-}
-
-/// Brings the state to the load; returns the pairs spent.
-pub(super) fn begin<T: Real>(
-    load: f64,
-    operator: &mut dyn Compliance<T>,
-    start: Start,
-    state: &mut State<T>,
-) -> f64 {
-    let n = state.pressure.len() as f64;
-    let present = fields::sum(&state.pressure) / n;
-    if start == Start::Warm && present > 0.0 {
-        let scale = T::of(load / present);
-        for (p, u) in state.pressure.iter_mut().zip(&mut state.displacement) {
-            *p *= scale;
-            *u *= scale;
-        }
-        return 0.0;
-    }
-    state.pressure.fill(T::of(load));
-    if operator.boundary() == Boundary::Periodic {
-        state.displacement.fill(T::zero()); // K of a constant
-        return 0.0;
-    }
-    operator.apply(&state.pressure, &mut state.displacement);
-    1.0
-}
-
-/// `gap = displacement - heights`, less its plain mean over the contact.
-pub(super) fn mean_gap_in_contact_to_zero<T: Real>(state: &State<T>, heights: &[T], gap: &mut [T]) {
-    let (p, u) = (&state.pressure, &state.displacement);
-    let on = |i: usize| p[i] > T::zero();
-    let total = fields::sum_of(p.len(), |i| if on(i) { (u[i] - heights[i]).wide() } else { 0.0 });
-    let level = T::of(total / fields::contact_count(p).max(1) as f64);
-    for ((g, u), h) in gap.iter_mut().zip(u).zip(heights) {
-        *g = *u - *h - level;
     }
 }

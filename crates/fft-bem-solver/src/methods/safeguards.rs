@@ -1,7 +1,8 @@
 //! Tests that force each safeguard of the chord iteration.
 
 use super::chord::{Chord, Kind};
-use super::{ContactMethod, End, Outcome, PolonskyKeer, Start, State, Target, Task};
+use super::contract::{ContactMethod, End, Outcome, Start, State, Target, Task};
+use super::polonsky_keer::PolonskyKeer;
 use crate::problem::{self, Problem};
 use crate::{HalfSpace, fields};
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -28,7 +29,7 @@ fn run(
     let mut half_space = HalfSpace::new(problem.grid, modulus);
     let mut state = State::new(problem.grid.len());
     let task = Task { problem, target: Target::Pressure(load), tolerance, max_iterations: 20_000 };
-    let mut watch = |_: &super::Step<'_, f64>| ControlFlow::Continue(());
+    let mut watch = |_: &super::contract::Step<'_, f64>| ControlFlow::Continue(());
     let outcome = method.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
     (outcome, state)
 }

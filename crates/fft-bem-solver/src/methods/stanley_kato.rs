@@ -12,8 +12,9 @@
 //! # Source
 //! Stanley & Kato (1997), *J. Tribol.* 119, 481–485, doi:10.1115/1.2833523.
 
-use super::polonsky_keer::{begin, mean_gap_in_contact_to_zero};
-use super::{Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
+use super::begin::{begin, mean_gap_in_contact_to_zero};
+use super::compliance::Compliance;
+use super::contract::{ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::certificate::{self, Patience};
 use crate::{Real, fields, projection};
 

@@ -1,9 +1,9 @@
 //! Steps before the first pair, with a cheap stand-in for `K`: a tenth of a pair each.
 
-use super::{Chord, room};
+use super::work::{Chord, room};
 use crate::Real;
-use crate::methods::State;
 use crate::methods::cheap_compliance::CheapCompliance;
+use crate::methods::contract::State;
 use crate::methods::passes;
 
 impl<T: Real> Chord<T> {

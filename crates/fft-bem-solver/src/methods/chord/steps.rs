@@ -1,13 +1,21 @@
 //! The parts of a chord iteration, in the order in which the loop calls them.
 
-use super::memory::Known;
-use super::{Chord, FULL, Kind, Memory, TAU};
+use super::memory::{Kind, Known, Memory};
+use super::work::{Chord, room};
+use crate::methods::compliance::Compliance;
+use crate::methods::contract::State;
 use crate::methods::level_control::LevelControl;
-use crate::methods::passes::{self, Estimate, Gap, Partial, Products};
-use crate::methods::{Compliance, RowWork, State, sweep};
+use crate::methods::passes::{self, Estimate, Gap, Products};
+use crate::methods::sweep;
+use crate::row_work::{Partial, RowWork, total};
 use crate::{HalfSpace, Real, fields, projection};
 use grid_fft::parallel::prelude::*;
 use std::f64::consts::FRAC_PI_2;
+
+/// Below this chord length the step was a poor guess: take it as it is, and release nodes.
+pub(super) const FULL: f64 = 0.7;
+/// Range of the length of the preconditioned step.
+const TAU: [f64; 2] = [0.3, 1.0];
 
 impl<T: Real> Chord<T> {
     /// The residual gap g of the state, or of the lead, its contact set F, and `E g`. Returns the
@@ -205,7 +213,7 @@ impl<T: Real> Chord<T> {
                 *partial = passes::end_trial(k * self.rows, mask, sweep, pyramid, nx, q);
             },
         );
-        let [sum] = passes::total(&self.partial[..self.trial.len().div_ceil(size)]);
+        let [sum] = total(&self.partial[..self.trial.len().div_ceil(size)]);
         self.give_load(sum, load)
     }
 
@@ -253,7 +261,7 @@ impl<T: Real> Chord<T> {
         state: &State<T>,
     ) -> Option<Products> {
         let nx = self.shape[1];
-        let total = load * self.trial.len() as f64;
+        let wanted = load * self.trial.len() as f64;
         let (mask, sweep, pyramid) = (&self.mask, &self.sweep, &self.pyramid);
         let prepare = |first: usize, q: &mut [T]| match trial {
             Trial::Ended(_) => Partial::default(),
@@ -264,10 +272,10 @@ impl<T: Real> Chord<T> {
         };
         let mut sum = 0.0;
         let mut factor = |sums: &[Partial]| {
-            [sum] = passes::total(sums);
+            [sum] = total(sums);
             match trial {
                 Trial::Ended(scale) => Some(scale),
-                Trial::Swept => Some(total / sum).filter(|_| sum > 0.0 && !is_rough(sum, total)),
+                Trial::Swept => Some(wanted / sum).filter(|_| sum > 0.0 && !is_rough(sum, wanted)),
             }
         };
         let (p, u) = (&state.pressure[..], &state.displacement[..]);
@@ -373,16 +381,4 @@ pub(super) enum Trial {
 /// far from settled, and small loads do not belong.
 fn is_rough(sum: f64, total: f64) -> bool {
     sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total
-}
-
-/// Room for a field in single precision until the displacement of the trial is computed: its place,
-/// or, if that holds the lead, the place of the step before the first.
-pub(crate) fn room<'a, T: Real>(
-    response: &'a mut [T],
-    before_response: &'a mut [T],
-    is_lead: bool,
-) -> &'a mut [f32] {
-    let free = if is_lead { before_response } else { response };
-    let n = free.len();
-    &mut T::as_single(free)[..n]
 }

@@ -1,12 +1,13 @@
 //! Level of the flat, contact set and residual of an iterate.
 
+use super::pieces::TASK;
 use super::step::contact_sums;
 use super::sums::{Largest, Sum, TILE};
-use super::{Partial, TASK, total};
 use crate::Real;
 use crate::methods::extension::{Pyramid, pull_rows};
 use crate::methods::sweep::RELEASED;
 use crate::methods::transfer::ON;
+use crate::row_work::{Partial, total};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
@@ -163,7 +164,7 @@ pub(crate) fn residual_norm2<T: Real>(
         });
         [sum.total(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     };
-    super::sums(u, &square, partial)[0]
+    super::pieces::sums(u, &square, partial)[0]
 }
 
 /// Whether the residual on F is no more than the rounding of the fields it is a difference of.

@@ -1,11 +1,11 @@
 //! The trial pressure: the step with the size of it, and its end after the sweep.
 
 use super::sums::TILE;
-use super::{Partial, total};
 use crate::Real;
 use crate::methods::extension::{Level, Pyramid};
 use crate::methods::sweep::{Added, Sweep};
 use crate::methods::transfer::{ON, Transfer};
+use crate::row_work::{Partial, total};
 use crate::simd::{LANES, Lane, four, rest, vectorised};
 use fearless_simd::{Simd, SimdBase, f64x4};
 use grid_fft::parallel::prelude::*;

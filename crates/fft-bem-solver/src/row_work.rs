@@ -1,0 +1,34 @@
+//! What is done with blocks of rows while they are in cache, around an application of `K`, and the
+//! sums that come of it.
+
+/// Sums over a piece of the fields, whatever they are of.
+pub(crate) type Partial = [f64; 8];
+
+/// Adds the sums of all pieces up, in order.
+pub(crate) fn total<const N: usize>(partial: &[Partial]) -> [f64; N] {
+    let mut sum = [0.0; N];
+    for x in partial {
+        for (sum, x) in sum.iter_mut().zip(x) {
+            *sum += x;
+        }
+    }
+    sum
+}
+
+/// From first pixel, factor, pressure and displacement, and a third field to sums over them.
+pub(crate) trait Finish<T>: Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial {}
+
+impl<T, F: Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial> Finish<T> for F {}
+
+/// What is done with the fields around an application of `K`, in blocks of whole rows while they are
+/// in cache. Each is given the first pixel of the block.
+pub(crate) struct RowWork<'a, T> {
+    /// Ends the pressure, before it is transformed; returns sums over it.
+    pub(crate) prepare: &'a (dyn Fn(usize, &mut [T]) -> Partial + Sync),
+    /// From these sums: by what the displacement is to be multiplied; `None` stops here.
+    pub(crate) factor: &'a mut dyn FnMut(&[Partial]) -> Option<f64>,
+    /// Sees that factor, pressure and displacement, and a third field once the displacement is there.
+    pub(crate) finish: &'a (dyn Finish<T> + Sync),
+    /// Pixels of a block, where the operator has none of its own.
+    pub(crate) pixels: usize,
+}
