@@ -4,7 +4,7 @@
 use super::chord::{Chord, room};
 use super::compliance::Compliance;
 use super::contract::State;
-use super::transfer::ON;
+use super::node::Node;
 use crate::{Real, fields, projection};
 
 /// One step from `state`; returns the pairs spent. The direction and its displacement are kept in
@@ -21,25 +21,25 @@ pub(crate) fn step<T: Real>(
     let n = h.len();
     let (p, u) = (&mut state.pressure, &mut state.displacement);
     let gap = |i: usize| (u[i] - h[i]).wide() - level;
-    let mask = &mut work.mask;
+    let nodes = &mut work.nodes;
     let residual = room(&mut work.response, &mut work.before_response, false);
     for i in 0..n {
-        residual[i] = if mask[i] == ON { gap(i) as f32 } else { 0.0 };
+        residual[i] = if nodes[i].is_in() { gap(i) as f32 } else { 0.0 };
     }
     work.stiffness.apply(residual, &mut work.residual);
     let z = &mut work.residual;
-    centre(mask, z);
+    centre(nodes, z);
     // A node without load that the step would pull on does not take part.
     for i in 0..n {
-        if mask[i] == ON && p[i] <= T::zero() && z[i] > 0.0 {
-            mask[i] = 0;
+        if nodes[i].is_in() && p[i] <= T::zero() && z[i] > 0.0 {
+            nodes[i] = Node::Gap;
         }
     }
-    centre(mask, z);
+    centre(nodes, z);
 
     // Conjugate to the last direction, if that descends; else z; else the plain gradient.
     let (t, kt) = (&mut work.before, &mut work.before_response);
-    let on = |i: usize| mask[i] == ON;
+    let on = |i: usize| nodes[i].is_in();
     let mut direction = &mut work.trial;
     let mut is_descent = false;
     if !is_first {
@@ -94,8 +94,8 @@ pub(crate) fn step<T: Real>(
 }
 
 /// Sets z to zero outside the contact and subtracts its mean inside.
-fn centre(mask: &[u8], z: &mut [f32]) {
-    let on = |i: usize| mask[i] == ON;
+fn centre(nodes: &[Node], z: &mut [f32]) {
+    let on = |i: usize| nodes[i].is_in();
     let count = fields::sum_of(z.len(), |i| if on(i) { 1.0 } else { 0.0 });
     let mean = fields::sum_of(z.len(), |i| if on(i) { f64::from(z[i]) } else { 0.0 }) / count;
     for (i, z) in z.iter_mut().enumerate() {

@@ -80,7 +80,7 @@ fn picture() -> Vec<u8> {
     // The passes of the next iteration, one by one.
     let p = &state.pressure;
     let (_, found) = chord.look(h, Known::default(), 0.0, false, &state);
-    let set = chord.mask.clone();
+    let set = chord.nodes.clone();
     let residual = chord.residual.clone();
     let extended = chord::room(&mut chord.response, &mut chord.before_response, false).to_vec();
     chord.precondition(false);
@@ -90,7 +90,7 @@ fn picture() -> Vec<u8> {
         .trial
         .iter()
         .zip(&set)
-        .map(|(p, m)| (if *m == 1 { p + shift } else { *p }) as f32)
+        .map(|(p, m)| (if m.is_in() { p + shift } else { *p }) as f32)
         .collect();
     let step: Vec<f32> = p.iter().zip(&trial).map(|(p, t)| *p as f32 - t).collect();
     chord.sweep_trial(&found, load, 1.0, false);
@@ -102,7 +102,7 @@ fn picture() -> Vec<u8> {
     let (gap, pressure) = (largest(&extended), largest(&trial));
     // Signed fields: blue below, white at zero, red above; outside the contact set grey.
     let off = |x: &[f32], scale: f32| -> Vec<Option<f32>> {
-        x.iter().zip(&set).map(|(x, m)| (*m == 1).then_some(x / scale)).collect()
+        x.iter().zip(&set).map(|(x, m)| (m.is_in()).then_some(x / scale)).collect()
     };
     let all = |x: &[f32], scale: f32| x.iter().map(|x| Some(x / scale)).collect::<Vec<_>>();
     let centred: Vec<f32> = heights.iter().map(|h| h + 0.5).collect();

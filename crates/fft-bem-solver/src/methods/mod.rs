@@ -27,6 +27,7 @@ mod figures;
 mod fitted_stencil;
 mod free_chord;
 mod level_control;
+mod node;
 mod passes;
 mod polonsky_keer;
 #[cfg(test)]

@@ -136,7 +136,7 @@ impl<T: Real> Chord<T> {
                 let mut is_rounding = || {
                     let fields = [&state.displacement[..], h];
                     residual < T::EPSILON.sqrt()
-                        && passes::is_rounding(fields, level, &self.mask, &mut self.partial)
+                        && passes::is_rounding(fields, level, &self.nodes, &mut self.partial)
                 };
                 // A single pixel leaves no residual at any level: the level must be right as well.
                 if error <= task.tolerance && (residual <= task.tolerance || is_rounding()) {

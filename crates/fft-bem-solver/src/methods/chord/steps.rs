@@ -83,7 +83,7 @@ impl<T: Real> Chord<T> {
             release,
             is_ahead.then_some(&*extended),
             size,
-            &mut self.mask,
+            &mut self.nodes,
             &mut self.residual,
             &mut self.pyramid,
             &mut self.partial,
@@ -91,7 +91,7 @@ impl<T: Real> Chord<T> {
         self.pyramid.extend_above();
         let extended = room(&mut self.response, &mut self.before_response, is_lead);
         let (pyramid, stiffness) = (&self.pyramid, &mut self.stiffness);
-        passes::push(&self.mask, &self.residual, pyramid, size[1], stiffness, extended);
+        passes::push(&self.nodes, &self.residual, pyramid, size[1], stiffness, extended);
         found
     }
 
@@ -135,7 +135,7 @@ impl<T: Real> Chord<T> {
     pub(crate) fn precondition(&mut self, is_lead: bool) {
         let extended = room(&mut self.response, &mut self.before_response, is_lead);
         self.stiffness.apply_to_filled(extended, &mut self.residual);
-        passes::gather(&self.mask, &self.residual, &mut self.pyramid);
+        passes::gather(&self.nodes, &self.residual, &mut self.pyramid);
         self.pyramid.restrict_above();
     }
 
@@ -157,7 +157,7 @@ impl<T: Real> Chord<T> {
             if is_lead { &self.before } else { &state.pressure },
             &self.residual,
             tau,
-            &self.mask,
+            &self.nodes,
             found.active,
             [self.rows, self.shape[1]],
             &self.pyramid,
@@ -171,7 +171,7 @@ impl<T: Real> Chord<T> {
     /// The estimate, unless even the softest wave of the grid would resist the residual gap more: then
     /// the preconditioner is at fault, and the stiffest wave bounds the error instead.
     pub(super) fn credible(&mut self, estimate: &Estimate, fields: [&[T]; 2], level: f64) -> f64 {
-        let gap2 = passes::residual_norm2(fields, level, &self.mask, &mut self.partial);
+        let gap2 = passes::residual_norm2(fields, level, &self.nodes, &mut self.partial);
         let stiffest = FRAC_PI_2 * (gap2 / estimate.p2).sqrt(); // |q|/2 at pi per finer pixel
         let softest = 2.0 / self.longest * stiffest;
         if estimate.residual < 0.01 * softest { stiffest } else { estimate.residual }
@@ -194,7 +194,7 @@ impl<T: Real> Chord<T> {
         self.sweep.run(
             &mut self.pyramid,
             &self.trial,
-            &mut self.mask,
+            &mut self.nodes,
             smallest,
             found.active,
             found.has_released,
@@ -207,10 +207,10 @@ impl<T: Real> Chord<T> {
         let nx = self.shape[1];
         let size = self.rows * nx;
         let (sweep, pyramid) = (&self.sweep, &self.pyramid);
-        let pieces = self.trial.par_chunks_mut(size).zip(self.mask.par_chunks(size));
+        let pieces = self.trial.par_chunks_mut(size).zip(self.nodes.par_chunks(size));
         pieces.zip(self.partial.par_iter_mut()).enumerate().for_each(
-            |(k, ((q, mask), partial))| {
-                *partial = passes::end_trial(k * self.rows, mask, sweep, pyramid, nx, q);
+            |(k, ((q, nodes), partial))| {
+                *partial = passes::end_trial(k * self.rows, nodes, sweep, pyramid, nx, q);
             },
         );
         let [sum] = total(&self.partial[..self.trial.len().div_ceil(size)]);
@@ -262,12 +262,12 @@ impl<T: Real> Chord<T> {
     ) -> Option<Products> {
         let nx = self.shape[1];
         let wanted = load * self.trial.len() as f64;
-        let (mask, sweep, pyramid) = (&self.mask, &self.sweep, &self.pyramid);
+        let (nodes, sweep, pyramid) = (&self.nodes, &self.sweep, &self.pyramid);
         let prepare = |first: usize, q: &mut [T]| match trial {
             Trial::Ended(_) => Partial::default(),
             Trial::Swept => {
-                let mask = &mask[first..][..q.len()];
-                passes::end_trial(first / nx, mask, sweep, pyramid, nx, q)
+                let nodes = &nodes[first..][..q.len()];
+                passes::end_trial(first / nx, nodes, sweep, pyramid, nx, q)
             }
         };
         let mut sum = 0.0;

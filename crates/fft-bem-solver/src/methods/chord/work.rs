@@ -4,6 +4,7 @@ use super::memory::Kind;
 use crate::methods::cheap_compliance::CheapCompliance;
 use crate::methods::extension::Pyramid;
 use crate::methods::extrapolation::Earlier;
+use crate::methods::node::Node;
 use crate::methods::passes;
 use crate::methods::stiffness::Stiffness;
 use crate::methods::sweep::Sweep;
@@ -26,7 +27,7 @@ pub(crate) struct Chord<T: Real> {
     pub(super) slenderness: f64,
     /// Longer side of the map.
     pub(super) longest: f64,
-    pub(crate) mask: Vec<u8>,
+    pub(crate) nodes: Vec<Node>,
     pub(crate) residual: Vec<f32>,
     pub(crate) pyramid: Pyramid,
     pub(crate) stiffness: Stiffness,
@@ -64,7 +65,7 @@ impl<T: Real> Chord<T> {
             longest: (0..2)
                 .map(|a| scaled.shape()[a] as f64 * scaled.pixel()[a])
                 .fold(1.0, f64::max),
-            mask: vec![0; n],
+            nodes: vec![Node::Gap; n],
             residual: vec![0.0; n],
             stiffness: Stiffness::new(scaled.shape(), scaled.pixel()),
             sweep: Sweep::new(pyramid.levels.first()),

@@ -5,8 +5,7 @@ use super::step::contact_sums;
 use super::sums::{Largest, Sum, TILE};
 use crate::Real;
 use crate::methods::extension::{Pyramid, pull_rows};
-use crate::methods::sweep::RELEASED;
-use crate::methods::transfer::ON;
+use crate::methods::node::Node;
 use crate::row_work::{Partial, total};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -51,7 +50,7 @@ pub(crate) fn residual<T: Real>(
     release: f64,
     closing: Option<&[f32]>,
     [rows, nx]: [usize; 2],
-    mask: &mut [u8],
+    nodes: &mut [Node],
     residual: &mut [f32],
     pyramid: &mut Pyramid,
     partial: &mut [Partial],
@@ -62,7 +61,7 @@ pub(crate) fn residual<T: Real>(
     let fields = partial[..used]
         .par_iter_mut()
         .zip(p.par_chunks(chunk))
-        .zip(mask.par_chunks_mut(chunk))
+        .zip(nodes.par_chunks_mut(chunk))
         .zip(residual.par_chunks_mut(chunk));
     match pyramid.levels.first_mut() {
         None => fields.enumerate().for_each(|(task, (((partial, p), m), r))| {
@@ -100,11 +99,11 @@ impl<T: Real> Classify<'_, T> {
     /// Marks the nodes of some rows from pixel `first` on and leaves the gap on those of F. Returns
     /// how many these are, and how many carry load but do not belong.
     #[inline(always)]
-    fn rows(&self, first: usize, p: &[T], mask: &mut [u8], gap: &mut [f32]) -> Partial {
+    fn rows(&self, first: usize, p: &[T], nodes: &mut [Node], gap: &mut [f32]) -> Partial {
         let nx = self.nx;
-        let lines = p.chunks_exact(nx).zip(mask.chunks_exact_mut(nx)).zip(gap.chunks_exact_mut(nx));
+        let lines = p.chunks_exact(nx).zip(nodes.chunks_exact_mut(nx)).zip(gap.chunks_exact_mut(nx));
         let (mut active, mut released) = (0, 0);
-        for (i, ((p, mask), g)) in lines.enumerate() {
+        for (i, ((p, nodes), g)) in lines.enumerate() {
             let first = first + i * nx;
             match self.gap {
                 Gap::Of { u, h, level } => {
@@ -112,24 +111,24 @@ impl<T: Real> Classify<'_, T> {
                 }
                 Gap::Known { excess } => g.iter_mut().for_each(|g| *g -= excess as f32),
             }
-            for ((m, p), g) in mask.iter_mut().zip(p).zip(&*g) {
+            for ((m, p), g) in nodes.iter_mut().zip(p).zip(&*g) {
                 let carries = *p > self.release * T::of(f64::from(g.max(0.0)));
-                *m = u8::from(carries | (*g < 0.0));
+                *m = Node::of(carries | (*g < 0.0));
             }
             if let Some(closing) = self.closing {
-                for ((m, e), g) in mask.iter_mut().zip(&closing[first..]).zip(&*g) {
-                    *m |= u8::from(g <= e);
+                for ((m, e), g) in nodes.iter_mut().zip(&closing[first..]).zip(&*g) {
+                    *m = m.or(Node::Contact, g <= e);
                 }
             }
-            for (g, m) in g.iter_mut().zip(&*mask) {
-                *g = if *m == ON { *g } else { 0.0 };
+            for (g, m) in g.iter_mut().zip(&*nodes) {
+                *g = if m.is_in() { *g } else { 0.0 };
             }
-            active += mask.iter().map(|m| u32::from(*m)).sum::<u32>();
-            for (m, p) in mask.iter_mut().zip(p) {
-                let off = (*p > T::zero()) & (*m != ON);
-                *m |= RELEASED * u8::from(off);
+            active += nodes.iter().map(|m| u32::from(m.is_in())).sum::<u32>();
+            for (m, p) in nodes.iter_mut().zip(p) {
+                let off = (*p > T::zero()) & !m.is_in();
+                *m = m.or(Node::Released, off);
             }
-            released += mask.iter().map(|m| u32::from(*m == RELEASED)).sum::<u32>();
+            released += nodes.iter().map(|m| u32::from(*m == Node::Released)).sum::<u32>();
         }
         [f64::from(active), f64::from(released), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     }
@@ -147,17 +146,17 @@ fn gap_row<T: Real>(u: &[T], h: &[T], level: T, gap: &mut [f32]) {
 pub(crate) fn residual_norm2<T: Real>(
     [u, h]: [&[T]; 2],
     level: f64,
-    mask: &[u8],
+    nodes: &[Node],
     partial: &mut [Partial],
 ) -> f64 {
     let level = T::of(level);
     let square = |from: usize, u: &[T]| -> Partial {
         let (mut sum, mut gap) = (Sum::default(), [0.0; TILE]);
         vectorised!({
-            let tiles = u.chunks(TILE).zip(h[from..].chunks(TILE)).zip(mask[from..].chunks(TILE));
+            let tiles = u.chunks(TILE).zip(h[from..].chunks(TILE)).zip(nodes[from..].chunks(TILE));
             for ((u, h), m) in tiles {
                 for (((g, u), h), m) in gap.iter_mut().zip(u).zip(h).zip(m) {
-                    *g = f64::from(u8::from(*m == ON)) * (*u - *h - level).wide();
+                    *g = f64::from(u8::from(m.is_in())) * (*u - *h - level).wide();
                 }
                 sum.add_product(&gap[..u.len()], &gap[..u.len()]);
             }
@@ -171,7 +170,7 @@ pub(crate) fn residual_norm2<T: Real>(
 pub(crate) fn is_rounding<T: Real>(
     [u, h]: [&[T]; 2],
     level: f64,
-    mask: &[u8],
+    nodes: &[Node],
     partial: &mut [Partial],
 ) -> bool {
     let level = T::of(level);
@@ -180,7 +179,7 @@ pub(crate) fn is_rounding<T: Real>(
         .par_iter_mut()
         .zip(u.par_chunks(TASK))
         .zip(h.par_chunks(TASK))
-        .zip(mask.par_chunks(TASK))
+        .zip(nodes.par_chunks(TASK))
         .for_each(|(((partial, u), h), m)| {
             let (mut largest, mut room) = ([Largest::default(); 3], [[0.0; TILE]; 3]);
             vectorised!({
@@ -189,7 +188,7 @@ pub(crate) fn is_rounding<T: Real>(
                     let n = u.len().min(TILE);
                     let [gap, rise, height] = room.each_mut().map(|x| &mut x[..n]);
                     for i in 0..n {
-                        let on = f64::from(u8::from(m[i] == ON));
+                        let on = f64::from(u8::from(m[i].is_in()));
                         gap[i] = on * (u[i] - h[i] - level).wide().abs();
                         rise[i] = u[i].wide().abs();
                         height[i] = on * h[i].wide().abs();
