@@ -55,6 +55,7 @@ impl<T: Real> Engine<T> {
             exact: run.exact,
             iterations: run.outcome.iterations,
             transforms,
+            fallbacks: run.outcome.fallbacks,
             residuals,
             duality_gap,
             energy_bound,

@@ -25,7 +25,7 @@ pub(crate) fn solve<T: Real>(
         return method.solve(task, operator, start, state, watch);
     };
     let nothing =
-        Outcome { end: End::Exhausted, iterations: 0, transforms: 0.0, residual: f64::INFINITY };
+        Outcome { end: End::Exhausted, residual: f64::INFINITY, ..Outcome::without_iterating(0.0) };
     if !method.controls_level() {
         return by_loads(method, task, (level, guess), operator, start, state, watch, nothing);
     }
@@ -60,7 +60,7 @@ fn by_loads<T: Real>(
     let mut start = start;
     let (mut low, mut high) = (0.0_f64, f64::INFINITY); // loads known to be too small, too large
     let mut last: Option<(f64, f64, f64)> = None; // ln load, level reached, relative accuracy
-    let (mut iterations, mut transforms) = (before.iterations, before.transforms);
+    let Outcome { mut iterations, mut transforms, mut fallbacks, .. } = before;
     let mut accuracy: f64 = 0.1;
     let finest = 0.25 * task.tolerance; // so that the level is known better than it is asked for
     let mut last_slope = None;
@@ -86,6 +86,8 @@ fn by_loads<T: Real>(
         start = Start::Warm;
         iterations += outcome.iterations;
         transforms += outcome.transforms;
+        fallbacks.gradient_steps += outcome.fallbacks.gradient_steps;
+        fallbacks.face_cg_steps += outcome.fallbacks.face_cg_steps;
         // The level rises with the logarithm of the load about as the mean indentation does.
         let work = fields::dot(&state.pressure, &state.displacement);
         let mut natural = 0.53 * (work / fields::sum(&state.pressure)).abs();
@@ -108,14 +110,14 @@ fn by_loads<T: Real>(
         let missing = (level - state.level) / slope; // in ln load
         let residual = outcome.residual.max(missing.abs());
         if outcome.end != End::Converged {
-            return Outcome { end: outcome.end, iterations, transforms, residual };
+            return Outcome { end: outcome.end, iterations, transforms, residual, fallbacks };
         }
         let is_exact = sub.tolerance <= finest;
         if is_exact && missing.abs() <= task.tolerance {
-            return Outcome { end: End::Converged, iterations, transforms, residual };
+            return Outcome { end: End::Converged, iterations, transforms, residual, fallbacks };
         }
         if iterations >= task.max_iterations || loads >= MAX_LOADS {
-            return Outcome { end: End::Exhausted, iterations, transforms, residual };
+            return Outcome { end: End::Exhausted, iterations, transforms, residual, fallbacks };
         }
         // Only an answer clearly on one side of the target may narrow the bracket; one that leaves
         // no room for the target was a mistake.

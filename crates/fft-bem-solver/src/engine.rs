@@ -319,7 +319,7 @@ enum Prescribed {
 }
 
 fn exact(reason: &'static str, transforms: f64, clock: Instant) -> Run {
-    let outcome = Outcome { end: End::Converged, iterations: 0, transforms, residual: 0.0 };
+    let outcome = Outcome::without_iterating(transforms);
     Run { exact: Some(reason), outcome, clock }
 }
 

@@ -54,5 +54,5 @@ pub use half_space_free::{FreeHalfSpace, love};
 pub use observer::{Iteration, Observer};
 pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};
-pub use solution::{Diagnostics, Residuals, Solution};
+pub use solution::{Diagnostics, Fallbacks, Residuals, Solution};
 pub use solver::{Solver, SolverBuilder};

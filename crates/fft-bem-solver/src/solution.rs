@@ -43,6 +43,17 @@ pub struct Residuals {
     pub penetration: f64,
 }
 
+/// Steps that a method took because its own did not help: they cost time, not accuracy. The
+/// baselines have none.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Fallbacks {
+    /// Projected gradients, in place of a chord that does not descend or where the estimate stalls.
+    pub gradient_steps: usize,
+    /// Conjugate gradients on the nodes in contact, where gradients do not help either.
+    pub face_cg_steps: usize,
+}
+
 /// How an answer was found and how accurate it is.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -60,6 +71,8 @@ pub struct Diagnostics {
     /// FFT pairs spent: one forward and one inverse transform of the whole map count 1, coarser
     /// ones in proportion to their cost.
     pub transforms: f64,
+    /// Steps that were taken because the method's own did not help.
+    pub fallbacks: Fallbacks,
     /// What is left of the residuals.
     pub residuals: Residuals,
     /// Upper bound of the energy error per nominal area, `mean p (g - min g)` (J/m²). Rigorous

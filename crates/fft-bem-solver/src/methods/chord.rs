@@ -1,12 +1,18 @@
-//! The chord iteration: [the loop](iteration), its [steps](steps), the [guesses](guess) before the
-//! first, what it [remembers](memory), the fields it [works](work) on.
+//! The chord iteration: [the loop](iteration) with its steps in order, [look], [trial], [guess],
+//! [line]; the [fallback](face_cg); what it [remembers](memory), the [pairs] of fields and all else it
+//! [works](work) with.
 
+mod face_cg;
 mod guess;
 mod iteration;
+mod line;
+mod look;
 mod memory;
-mod steps;
+mod pairs;
+mod run;
+mod trial;
 mod work;
 
+pub(crate) use iteration::Chord;
 #[cfg(test)]
 pub(crate) use memory::{Kind, Known};
-pub(crate) use work::{Chord, room};

@@ -19,8 +19,8 @@
 //!   [`control`](crate::control): a secant in the logarithm of the load.
 
 use super::compliance::Compliance;
-use crate::Real;
 use crate::problem::Problem;
+use crate::{Fallbacks, Real};
 use std::ops::ControlFlow;
 
 /// What is prescribed, in scaled units.
@@ -91,6 +91,15 @@ pub(crate) struct Outcome {
     pub(crate) transforms: f64,
     /// Estimated relative rms pressure error of the state returned.
     pub(crate) residual: f64,
+    pub(crate) fallbacks: Fallbacks,
+}
+
+impl Outcome {
+    /// Of an exact answer.
+    pub(crate) fn without_iterating(transforms: f64) -> Self {
+        let fallbacks = Fallbacks::default();
+        Self { end: End::Converged, iterations: 0, transforms, residual: 0.0, fallbacks }
+    }
 }
 
 /// One way of solving the contact problem.

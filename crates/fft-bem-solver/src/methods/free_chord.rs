@@ -10,7 +10,6 @@
 use super::chord::Chord;
 use super::compliance::Compliance;
 use super::contract::{ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
-use super::stiffness::Stiffness;
 use crate::problem::Problem;
 use crate::{Boundary, Real, SolverError, fields};
 use contact_types::Grid;
@@ -41,12 +40,9 @@ impl<T: Real> FreeChord<T> {
             way_out: "choose the method polonsky-keer or a coarser map",
         })?;
         let n = grid.len();
-        let mut chord = Chord::new(grid);
         let [height, width] = scaled.size();
-        if (height / width).max(width / height) > SLENDER {
-            chord.stiffness = Stiffness::isolated(shape, scaled.pixel());
-            chord.guesses = 0; // the cheap compliance is periodic
-        }
+        let is_slender = (height / width).max(width / height) > SLENDER;
+        let chord = if is_slender { Chord::isolated(grid) } else { Chord::new(grid) };
         Ok(Self {
             chord,
             map,

@@ -21,7 +21,6 @@ mod cut_cells;
 mod equal_cells;
 mod extension;
 mod extrapolation;
-mod face_cg;
 #[cfg(test)]
 mod figures;
 mod fitted_stencil;

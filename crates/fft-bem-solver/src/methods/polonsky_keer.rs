@@ -7,7 +7,7 @@ use super::begin::{begin, mean_gap_in_contact_to_zero};
 use super::compliance::Compliance;
 use super::contract::{ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::certificate::{self, Patience};
-use crate::{Real, fields};
+use crate::{Fallbacks, Real, fields};
 
 /// The method and its fields: gap, direction, and what a transform gives back.
 pub(crate) struct PolonskyKeer<T> {
@@ -126,6 +126,6 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
             end = End::Converged;
         }
         state.level = certificate::level(state, heights);
-        Outcome { end, iterations, transforms, residual }
+        Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
     }
 }

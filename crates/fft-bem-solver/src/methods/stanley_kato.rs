@@ -16,7 +16,7 @@ use super::begin::{begin, mean_gap_in_contact_to_zero};
 use super::compliance::Compliance;
 use super::contract::{ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::certificate::{self, Patience};
-use crate::{Real, fields, projection};
+use crate::{Fallbacks, Real, fields, projection};
 
 /// The method and its fields: gap, redistributed pressure and its displacement.
 pub(crate) struct StanleyKato<T> {
@@ -118,6 +118,6 @@ impl<T: Real> ContactMethod<T> for StanleyKato<T> {
             residual = certificate::CAUTION * check.relative;
         }
         state.level = certificate::level(state, heights);
-        Outcome { end, iterations, transforms, residual }
+        Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
     }
 }

@@ -10,7 +10,7 @@ use crate::row_work::{Partial, total};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
-/// The level of the flat under a pressure: the mean of `u - h` over its contact, `p > 0`.
+/// The level of the flat under a pressure: the plain mean of `u - h` over its contact, `p > 0`.
 pub(crate) fn level<T: Real>(p: &[T], u: &[T], h: &[T], partial: &mut [Partial]) -> f64 {
     let used = p.len().div_ceil(TASK);
     partial[..used]
@@ -32,10 +32,11 @@ pub(crate) enum Gap<'a, T> {
     Known { excess: f64 },
 }
 
-/// What the residual pass found.
-pub(crate) struct Residual {
-    /// Nodes of the set F.
-    pub(crate) active: usize,
+/// The set F.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ContactSet {
+    /// Its nodes.
+    pub(crate) size: usize,
     /// Whether nodes outside F carry load.
     pub(crate) has_released: bool,
 }
@@ -54,7 +55,7 @@ pub(crate) fn residual<T: Real>(
     residual: &mut [f32],
     pyramid: &mut Pyramid,
     partial: &mut [Partial],
-) -> Residual {
+) -> ContactSet {
     let chunk = rows * nx;
     let used = p.len().div_ceil(chunk);
     let classify = Classify { gap, release: T::of(release), closing, nx };
@@ -83,7 +84,7 @@ pub(crate) fn residual<T: Real>(
         }
     }
     let [active, released] = total(&partial[..used]);
-    Residual { active: active as usize, has_released: released > 0.0 }
+    ContactSet { size: active as usize, has_released: released > 0.0 }
 }
 
 /// What decides whether a node belongs to F.
@@ -101,7 +102,8 @@ impl<T: Real> Classify<'_, T> {
     #[inline(always)]
     fn rows(&self, first: usize, p: &[T], nodes: &mut [Node], gap: &mut [f32]) -> Partial {
         let nx = self.nx;
-        let lines = p.chunks_exact(nx).zip(nodes.chunks_exact_mut(nx)).zip(gap.chunks_exact_mut(nx));
+        let lines =
+            p.chunks_exact(nx).zip(nodes.chunks_exact_mut(nx)).zip(gap.chunks_exact_mut(nx));
         let (mut active, mut released) = (0, 0);
         for (i, ((p, nodes), g)) in lines.enumerate() {
             let first = first + i * nx;

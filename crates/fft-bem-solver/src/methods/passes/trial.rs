@@ -3,8 +3,8 @@
 use super::sums::TILE;
 use crate::Real;
 use crate::methods::extension::{Level, Pyramid};
-use crate::methods::sweep::{Added, Sweep};
 use crate::methods::node::Node;
+use crate::methods::sweep::{Added, Sweep};
 use crate::methods::transfer::Transfer;
 use crate::row_work::{Partial, total};
 use crate::simd::{LANES, Lane, four, rest, vectorised};
