@@ -38,6 +38,8 @@ impl<T: Real> Engine<T> {
         let area_fraction = contact_pixels as f64 / n;
         let complementarity = fields::sum_of(pixels, |i| pressure(i) * gap(i).abs());
         let work = fields::dot(p, u) / n;
+        let highest = fields::largest_of(pixels, |i| u[i].wide().abs());
+        let gap_rounding = problem.rounding + T::EPSILON * (highest + 1.0) * units.height;
         let residuals = Residuals {
             preconditioned: run.outcome.residual,
             complementarity: if load_sum > 0.0 {
@@ -53,12 +55,15 @@ impl<T: Real> Engine<T> {
             boundary: settings.boundary,
             precision: settings.precision,
             exact: run.exact,
+            end: run.outcome.end,
             iterations: run.outcome.iterations,
             transforms,
             fallbacks: run.outcome.fallbacks,
             residuals,
             duality_gap,
             energy_bound,
+            height_rounding: problem.rounding,
+            gap_rounding,
             seconds: run.clock.elapsed().as_secs_f64(),
             contact_pixels,
             contact_perimeter,

@@ -1,10 +1,8 @@
 //! Control of the level of the flat (mean gap or approach) by a method that controls the load: a
 //! secant in the logarithm of the mean pressure, kept inside a bracket, warm-started.
 
-use crate::methods::{
-    Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch,
-};
-use crate::{Boundary, Real, fields};
+use crate::methods::{Compliance, ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
+use crate::{Boundary, End, Real, certificate, fields};
 
 /// Iterations a method may try to control the level itself before the secant takes over.
 const NATIVE_ITERATIONS: usize = 60;
@@ -63,7 +61,7 @@ fn by_loads<T: Real>(
     let Outcome { mut iterations, mut transforms, mut fallbacks, .. } = before;
     let mut accuracy: f64 = 0.1;
     let finest = 0.25 * task.tolerance; // so that the level is known better than it is asked for
-    let mut last_slope = None;
+    let mut last_slope: Option<f64> = None;
     let (mut damping, mut last_missing) = (1.0, 0.0);
     let mut loads = 0;
     loop {
@@ -74,11 +72,17 @@ fn by_loads<T: Real>(
             tolerance: accuracy.max(finest),
             max_iterations: task.max_iterations - iterations,
         };
+        // An iterate that fits its load is no answer yet while its level is another.
+        let known_slope = last_slope;
         let mut shifted = |step: &Step<'_, T>| {
+            let missing = known_slope.map_or(f64::INFINITY, |slope| {
+                let reached = certificate::level(step.state, &task.problem.heights);
+                ((level - reached) / slope).abs()
+            });
             watch(&Step {
                 iteration: iterations + step.iteration,
                 transforms: transforms + step.transforms,
-                residual: step.residual.max(0.1 * accuracy.min(step.residual)),
+                residual: step.residual.max(missing),
                 state: step.state,
             })
         };
@@ -109,12 +113,13 @@ fn by_loads<T: Real>(
         }
         let missing = (level - state.level) / slope; // in ln load
         let residual = outcome.residual.max(missing.abs());
-        if outcome.end != End::Converged {
+        if !matches!(outcome.end, End::Converged | End::Rounding) {
             return Outcome { end: outcome.end, iterations, transforms, residual, fallbacks };
         }
         let is_exact = sub.tolerance <= finest;
         if is_exact && missing.abs() <= task.tolerance {
-            return Outcome { end: End::Converged, iterations, transforms, residual, fallbacks };
+            let end = if residual <= task.tolerance { End::Converged } else { End::Rounding };
+            return Outcome { end, iterations, transforms, residual, fallbacks };
         }
         if iterations >= task.max_iterations || loads >= MAX_LOADS {
             return Outcome { end: End::Exhausted, iterations, transforms, residual, fallbacks };

@@ -1,5 +1,8 @@
-//! What is done with blocks of rows while they are in cache, around an application of `K`, and the
-//! sums that come of it.
+//! How work on fields is cut into pieces: for tasks, and in blocks of rows, while they are in cache,
+//! around an application of `K`; and the sums that come of it.
+
+/// Pixels that one task of a parallel loop handles, about.
+pub(crate) const TASK: usize = 1 << 14;
 
 /// Sums over a piece of the fields, whatever they are of.
 pub(crate) type Partial = [f64; 8];

@@ -43,6 +43,19 @@ pub struct Residuals {
     pub penetration: f64,
 }
 
+/// How an iteration ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum End {
+    /// The estimated error is within the tolerance.
+    Converged,
+    /// Rounding keeps it from falling to the tolerance.
+    Rounding,
+    /// The iteration limit was reached first.
+    Exhausted,
+    /// The observer stopped it.
+    Stopped,
+}
+
 /// Steps that a method took because its own did not help: they cost time, not accuracy. The
 /// baselines have none.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -66,6 +79,8 @@ pub struct Diagnostics {
     pub precision: Precision,
     /// `Some` if the answer is exact without iterating, and why.
     pub exact: Option<&'static str>,
+    /// Whether the tolerance was reached, and if not, why.
+    pub end: End,
     /// Iterations done.
     pub iterations: usize,
     /// FFT pairs spent: one forward and one inverse transform of the whole map count 1, coarser
@@ -81,6 +96,13 @@ pub struct Diagnostics {
     /// Rigorous and tight upper bound of the relative error in the energy norm; computed if the
     /// solver was built with [`certified`](crate::SolverBuilder::certified).
     pub energy_bound: Option<f64>,
+    /// How far the heights may be off because they were given in `f64`: the distance between
+    /// neighbouring numbers at the largest (m). It is large beside the surface where an offset was left on
+    /// it.
+    pub height_rounding: f64,
+    /// How far a gap may be off by rounding: of the heights, and of the displacement in the
+    /// floating-point type of the solve (m).
+    pub gap_rounding: f64,
     /// Wall-clock time (s).
     pub seconds: f64,
     /// Pixels that carry pressure.

@@ -2,6 +2,7 @@
 
 use super::compliance::Compliance;
 use super::contract::{Start, State};
+use super::passes;
 use crate::{Boundary, Real, fields};
 
 /// Brings the state to the load; returns the pairs spent.
@@ -14,16 +15,13 @@ pub(super) fn begin<T: Real>(
     let n = state.pressure.len() as f64;
     let present = fields::sum(&state.pressure) / n;
     if start == Start::Warm && present > 0.0 {
-        let scale = T::of(load / present);
-        for (p, u) in state.pressure.iter_mut().zip(&mut state.displacement) {
-            *p *= scale;
-            *u *= scale;
-        }
+        passes::scale(load / present, &mut state.pressure);
+        passes::scale(load / present, &mut state.displacement);
         return 0.0;
     }
-    state.pressure.fill(T::of(load));
+    passes::fill(load, &mut state.pressure);
     if operator.boundary() == Boundary::Periodic {
-        state.displacement.fill(T::zero()); // K of a constant
+        passes::fill(0.0, &mut state.displacement); // K of a constant
         return 0.0;
     }
     operator.apply(&state.pressure, &mut state.displacement);
@@ -36,7 +34,5 @@ pub(super) fn mean_gap_in_contact_to_zero<T: Real>(state: &State<T>, heights: &[
     let on = |i: usize| p[i] > T::zero();
     let total = fields::sum_of(p.len(), |i| if on(i) { (u[i] - heights[i]).wide() } else { 0.0 });
     let level = T::of(total / fields::contact_count(p).max(1) as f64);
-    for ((g, u), h) in gap.iter_mut().zip(u).zip(heights) {
-        *g = *u - *h - level;
-    }
+    fields::write(gap, |i, _| u[i] - heights[i] - level);
 }

@@ -16,3 +16,5 @@ mod work;
 pub(crate) use iteration::Chord;
 #[cfg(test)]
 pub(crate) use memory::{Kind, Known};
+#[cfg(test)]
+pub(crate) use run::Run;

@@ -5,7 +5,7 @@ use crate::{Boundary, FreeHalfSpace, HalfSpace, Real};
 use grid_fft::parallel::prelude::*;
 
 /// `u = K p` and, where it is diagonal, its inverse.
-pub(crate) trait Compliance<T: Real>: Send {
+pub(crate) trait Compliance<T: Real>: Send + Sync {
     /// `displacement = K pressure`.
     fn apply(&mut self, pressure: &[T], displacement: &mut [T]);
     /// As [`apply`](Self::apply), with `work` on the fields on the way, and a third field `gap` for it

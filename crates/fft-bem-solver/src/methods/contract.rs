@@ -20,7 +20,7 @@
 
 use super::compliance::Compliance;
 use crate::problem::Problem;
-use crate::{Fallbacks, Real};
+use crate::{End, Fallbacks, Real};
 use std::ops::ControlFlow;
 
 /// What is prescribed, in scaled units.
@@ -75,14 +75,6 @@ pub(crate) struct Step<'a, T> {
 /// Called once per iteration; `Break` ends the run.
 pub(crate) type Watch<'a, T> = dyn FnMut(&Step<'_, T>) -> ControlFlow<()> + Send + 'a;
 
-/// Why a method returned.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum End {
-    Converged,
-    Exhausted,
-    Stopped,
-}
-
 /// What a method reports.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Outcome {
@@ -103,7 +95,7 @@ impl Outcome {
 }
 
 /// One way of solving the contact problem.
-pub(crate) trait ContactMethod<T: Real>: Send {
+pub(crate) trait ContactMethod<T: Real>: Send + Sync {
     /// Solves the task, see the module documentation.
     fn solve(
         &mut self,

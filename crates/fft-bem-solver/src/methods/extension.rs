@@ -18,6 +18,7 @@
 //! counts [`COUPLING`] times width over length. Everything is single precision: the result is a step, corrected by the next one.
 
 use super::transfer::{Transfer, Weight};
+use crate::row_work::TASK;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
@@ -27,8 +28,6 @@ const EPSILON: f32 = 1e-30;
 /// What a line of long pixels takes from the lines beside it, for each ratio of its length to their
 /// width, in what it takes from them if that ratio is 1.
 const COUPLING: f64 = 0.3;
-/// Pixels that one task of a parallel loop handles, about.
-const TASK: usize = 1 << 14;
 
 /// From the filled fraction of a cell to its weight.
 #[derive(Debug, Clone, Copy)]

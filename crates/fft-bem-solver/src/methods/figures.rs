@@ -6,7 +6,7 @@
 //! writes `docs/src/figures/chord-fields.png`; an ordinary test holds the committed file to what would
 //! be drawn now.
 
-use super::chord::{Chord, Kind, Known};
+use super::chord::{Chord, Kind, Known, Run};
 use super::contract::{ContactMethod, Start, State, Target, Task};
 use crate::HalfSpace;
 use crate::problem::{self, Problem};
@@ -79,7 +79,7 @@ fn picture() -> Vec<u8> {
 
     // The passes of the next iteration, one by one.
     let p = state.pressure.clone();
-    let mut run = chord.run(&task, &mut half_space, Start::Warm, &mut state);
+    let mut run = Run::new(&mut chord.work, &task, &mut half_space, Start::Warm, None, &mut state);
     let (_, found) = run.look(Known::Nothing, 0.0);
     let set = run.work.nodes.clone();
     let residual = run.work.residual.clone();

@@ -9,9 +9,9 @@
 
 use super::chord::Chord;
 use super::compliance::Compliance;
-use super::contract::{ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
+use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::problem::Problem;
-use crate::{Boundary, Real, SolverError, fields};
+use crate::{Boundary, End, Real, SolverError, fields};
 use contact_types::Grid;
 
 /// Height of the pixels around the map; those of the map lie between -1 and 0.

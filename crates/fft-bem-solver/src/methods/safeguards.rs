@@ -1,10 +1,10 @@
 //! Tests that force each safeguard of the chord iteration.
 
 use super::chord::{Chord, Kind};
-use super::contract::{ContactMethod, End, Outcome, Start, State, Target, Task};
+use super::contract::{ContactMethod, Outcome, Start, State, Target, Task};
 use super::polonsky_keer::PolonskyKeer;
 use crate::problem::{self, Problem};
-use crate::{HalfSpace, fields};
+use crate::{End, HalfSpace, fields};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use std::ops::ControlFlow;
 

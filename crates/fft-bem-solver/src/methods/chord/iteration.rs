@@ -31,20 +31,17 @@
 use super::face_cg;
 use super::line::{FULL, Trial};
 use super::look::RELEASE;
-use super::memory::{Kind, Known, Memory};
+use super::memory::{Kind, Known};
 use super::pairs::Base;
 use super::run::Run;
 use super::work::Work;
 use crate::methods::compliance::Compliance;
-use crate::methods::contract::{
-    ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch,
-};
+use crate::methods::contract::{ContactMethod, Outcome, Start, State, Step, Task, Watch};
 use crate::methods::extrapolation::Earlier;
-use crate::methods::level_control::LevelControl;
 use crate::methods::passes::{self, ContactSet};
 use crate::methods::stiffness::Stiffness;
 use crate::problem::Problem;
-use crate::{Fallbacks, Real, certificate, fields};
+use crate::{End, Real, certificate, fields};
 use contact_types::Grid;
 
 /// Most steps with the cheap compliance before the first trial, and the estimate that ends them.
@@ -77,35 +74,6 @@ impl<T: Real> Chord<T> {
     fn with(scaled: Grid, stiffness: Stiffness, guesses: u8) -> Self {
         Self { work: Work::new(scaled, stiffness), earlier: None, guesses, force: None }
     }
-
-    /// A run that has not begun.
-    pub(crate) fn run<'a>(
-        &'a mut self,
-        task: &Task<'a, T>,
-        operator: &'a mut dyn Compliance<T>,
-        start: Start,
-        iterate: &'a mut State<T>,
-    ) -> Run<'a, T> {
-        let (load, control) = match task.target {
-            Target::Pressure(load) => (load, None),
-            Target::Level(level, guess) => {
-                let mean_height = task.problem.mean_height;
-                (guess, Some(LevelControl::new(level, mean_height, operator.boundary())))
-            }
-        };
-        self.work.pairs.base = Base::Iterate;
-        Run {
-            work: &mut self.work,
-            operator,
-            heights: &task.problem.heights,
-            iterate,
-            load,
-            control,
-            memory: Memory::new(start == Start::Cold, self.force),
-            transforms: 0.0,
-            fallbacks: Fallbacks::default(),
-        }
-    }
 }
 
 impl<T: Real> ContactMethod<T> for Chord<T> {
@@ -117,9 +85,9 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
         state: &mut State<T>,
         watch: &mut Watch<'_, T>,
     ) -> Outcome {
-        let mut earlier = self.earlier.take();
         let guesses = if self.force.is_none() { self.guesses } else { 0 };
-        let mut run = self.run(task, operator, start, state);
+        let Self { work, earlier, force, .. } = self;
+        let mut run = Run::new(work, task, operator, start, *force, state);
         run.begin(start, earlier.as_deref_mut());
         let mut proposal = run.first_proposal(start, guesses, task.tolerance);
         let mut iteration = 0;
@@ -135,10 +103,14 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
                 break End::Stopped;
             }
             if run.work.pairs.base == Base::Iterate {
-                let is_small = run.memory.residual <= task.tolerance;
                 // A single pixel leaves no residual at any level: the level must be right as well.
-                if error <= task.tolerance && (is_small || run.is_rounding(proposal.level)) {
-                    break End::Converged;
+                if error <= task.tolerance {
+                    if run.memory.residual <= task.tolerance {
+                        break End::Converged;
+                    }
+                    if run.is_rounding(proposal.level) {
+                        break End::Rounding;
+                    }
                 }
                 if iteration >= task.max_iterations {
                     break End::Exhausted;
@@ -154,7 +126,6 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
         let residual = run.memory.residual.max(run.level_error());
         let Run { transforms, fallbacks, .. } = run;
         state.level = certificate::level(state, &task.problem.heights);
-        self.earlier = earlier;
         Outcome { end, iterations: iteration, transforms, residual, fallbacks }
     }
 

@@ -1,9 +1,10 @@
 //! One run of the iteration: the problem, the iterate, and what the steps to it have shown.
 
-use super::memory::Memory;
+use super::memory::{Kind, Memory};
+use super::pairs::Base;
 use super::work::Work;
 use crate::methods::compliance::Compliance;
-use crate::methods::contract::State;
+use crate::methods::contract::{Start, State, Target, Task};
 use crate::methods::level_control::LevelControl;
 use crate::methods::passes;
 use crate::{Boundary, Fallbacks, Real, fields};
@@ -25,7 +26,37 @@ pub(crate) struct Run<'a, T: Real> {
     pub(super) fallbacks: Fallbacks,
 }
 
-impl<T: Real> Run<'_, T> {
+impl<'a, T: Real> Run<'a, T> {
+    /// A run that has not begun. Tests force a kind of step.
+    pub(crate) fn new(
+        work: &'a mut Work<T>,
+        task: &Task<'a, T>,
+        operator: &'a mut dyn Compliance<T>,
+        start: Start,
+        forced: Option<Kind>,
+        iterate: &'a mut State<T>,
+    ) -> Self {
+        let (load, control) = match task.target {
+            Target::Pressure(load) => (load, None),
+            Target::Level(level, guess) => {
+                let mean_height = task.problem.mean_height;
+                (guess, Some(LevelControl::new(level, mean_height, operator.boundary())))
+            }
+        };
+        work.pairs.base = Base::Iterate;
+        Self {
+            work,
+            operator,
+            heights: &task.problem.heights,
+            iterate,
+            load,
+            control,
+            memory: Memory::new(start == Start::Cold, forced),
+            transforms: 0.0,
+            fallbacks: Fallbacks::default(),
+        }
+    }
+
     /// The load of the whole map, in pixels.
     pub(super) fn total(&self) -> f64 {
         self.load * self.heights.len() as f64

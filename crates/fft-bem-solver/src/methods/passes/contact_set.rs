@@ -1,12 +1,11 @@
 //! Level of the flat, contact set and residual of an iterate.
 
-use super::pieces::TASK;
 use super::step::contact_sums;
 use super::sums::{Largest, Sum, TILE};
 use crate::Real;
 use crate::methods::extension::{Pyramid, pull_rows};
 use crate::methods::node::Node;
-use crate::row_work::{Partial, total};
+use crate::row_work::{Partial, TASK, total};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 

@@ -1,9 +1,8 @@
 //! What the search along the chord, and over the plane of the chord and the step before, needs.
 
-use super::pieces::TASK;
 use super::sums::{Largest, TILE};
 use crate::Real;
-use crate::row_work::Partial;
+use crate::row_work::{Partial, TASK};
 use crate::simd::{LANES, four, rest, vectorised};
 use fearless_simd::{Fallback, Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;

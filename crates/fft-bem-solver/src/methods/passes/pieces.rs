@@ -2,11 +2,8 @@
 
 use crate::Real;
 use crate::methods::extension::Pyramid;
-use crate::row_work::{Partial, total};
+use crate::row_work::{Partial, TASK, total};
 use grid_fft::parallel::prelude::*;
-
-/// Pixels that one task of a parallel loop handles, where rows do not matter.
-pub(super) const TASK: usize = 1 << 14;
 
 /// Rows of the finest grid that one task handles: whole rows of cells of the first level.
 pub(crate) fn rows_per_task(pyramid: &Pyramid, shape: [usize; 2]) -> usize {

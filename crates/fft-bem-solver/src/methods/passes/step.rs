@@ -1,8 +1,7 @@
 //! The step to the next iterate, with the sums that its level needs.
 
-use super::pieces::TASK;
 use crate::Real;
-use crate::row_work::{Partial, total};
+use crate::row_work::{Partial, TASK, total};
 use crate::simd::{LANES, four, rest, vectorised};
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;
