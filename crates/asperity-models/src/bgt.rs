@@ -4,6 +4,7 @@ use crate::kernel_tables::{ELLIPTIC_AREA, ELLIPTIC_LOAD};
 use crate::kernels::Kernel;
 use crate::{SummitLaw, SummitModel};
 use contact_types::Citation;
+use std::borrow::Cow;
 
 /// The full model of Bush, Gibson and Thomas: all summits, all heights, all pairs of principal
 /// curvatures, each an elliptic Hertz contact.
@@ -45,11 +46,11 @@ pub struct EllipticHertz;
 impl SummitLaw for EllipticHertz {
     const NAME: &'static str = "Bush-Gibson-Thomas";
     const CITATION: Citation = Citation {
-        authors: "Bush, Gibson & Thomas",
+        authors: Cow::Borrowed("Bush, Gibson & Thomas"),
         year: 1975,
-        title: "The elastic contact of a rough surface",
-        journal: "Wear 35, 87-111",
-        doi: "10.1016/0043-1648(75)90145-3",
+        title: Cow::Borrowed("The elastic contact of a rough surface"),
+        journal: Cow::Borrowed("Wear 35, 87-111"),
+        doi: Cow::Borrowed("10.1016/0043-1648(75)90145-3"),
     };
     const AREA: &'static Kernel = &ELLIPTIC_AREA;
     const LOAD: &'static Kernel = &ELLIPTIC_LOAD;

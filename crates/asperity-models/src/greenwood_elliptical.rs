@@ -4,6 +4,7 @@ use crate::kernel_tables::{GEOMETRIC_AREA, GEOMETRIC_LOAD};
 use crate::kernels::Kernel;
 use crate::{SummitLaw, SummitModel};
 use contact_types::Citation;
+use std::borrow::Cow;
 
 /// Greenwood's simplification of Bush, Gibson and Thomas: each summit is replaced by a sphere of
 /// curvature √(κ₁κ₂). Area within 2 % and load within 3 % of the full model.
@@ -26,11 +27,11 @@ pub struct GeometricMeanSphere;
 impl SummitLaw for GeometricMeanSphere {
     const NAME: &'static str = "Greenwood simplified elliptical";
     const CITATION: Citation = Citation {
-        authors: "Greenwood",
+        authors: Cow::Borrowed("Greenwood"),
         year: 2006,
-        title: "A simplified elliptic model of rough surface contact",
-        journal: "Wear 261, 191-200",
-        doi: "10.1016/j.wear.2005.09.031",
+        title: Cow::Borrowed("A simplified elliptic model of rough surface contact"),
+        journal: Cow::Borrowed("Wear 261, 191-200"),
+        doi: Cow::Borrowed("10.1016/j.wear.2005.09.031"),
     };
     const AREA: &'static Kernel = &GEOMETRIC_AREA;
     const LOAD: &'static Kernel = &GEOMETRIC_LOAD;

@@ -4,6 +4,7 @@ use crate::kernel_tables::MEAN;
 use crate::kernels::Kernel;
 use crate::{SummitLaw, SummitModel};
 use contact_types::Citation;
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// Each summit is replaced by a sphere of curvature (κ₁+κ₂)/2. Cheapest to reason about and the
@@ -21,11 +22,11 @@ pub struct ArithmeticMeanSphere;
 impl SummitLaw for ArithmeticMeanSphere {
     const NAME: &'static str = "mean curvature";
     const CITATION: Citation = Citation {
-        authors: "Nayak",
+        authors: Cow::Borrowed("Nayak"),
         year: 1971,
-        title: "Random process model of rough surfaces",
-        journal: "Journal of Lubrication Technology 93, 398-407",
-        doi: "10.1115/1.3451608",
+        title: Cow::Borrowed("Random process model of rough surfaces"),
+        journal: Cow::Borrowed("Journal of Lubrication Technology 93, 398-407"),
+        doi: Cow::Borrowed("10.1115/1.3451608"),
     };
     const AREA: &'static Kernel = &MEAN;
     // W_P = (2/pi) W_N

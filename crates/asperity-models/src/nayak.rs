@@ -37,19 +37,19 @@ use std::f64::consts::PI;
 pub fn summit_height_density(bandwidth: f64, xi: f64) -> Result<f64, ModelError> {
     if !(bandwidth >= 1.5 * (1.0 - 1e-14) && bandwidth.is_finite()) {
         return Err(ModelError::OutsideDomain {
-            model: "Nayak summit heights",
-            quantity: "bandwidth m0 m4 / m2^2",
+            model: "Nayak summit heights".into(),
+            quantity: "bandwidth m0 m4 / m2^2".into(),
             value: bandwidth,
             domain: 1.5..=f64::MAX,
-            reason: "no isotropic Gaussian surface has less",
+            reason: "no isotropic Gaussian surface has less".into(),
         });
     }
     if !xi.is_finite() {
         return Err(ModelError::InvalidInput {
-            model: "Nayak summit heights",
-            quantity: "height",
+            model: "Nayak summit heights".into(),
+            quantity: "height".into(),
             value: xi,
-            requirement: "must be finite",
+            requirement: "must be finite".into(),
         });
     }
     let bandwidth = bandwidth.max(1.5);

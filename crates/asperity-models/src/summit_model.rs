@@ -87,12 +87,13 @@ impl<L: SummitLaw> SummitModel<L> {
         }
         if bandwidth < 1.5 * (1.0 - 1e-14) {
             return Err(ModelError::OutsideDomain {
-                model: L::NAME,
-                quantity: "bandwidth m0 m4 / m2^2",
+                model: L::NAME.into(),
+                quantity: "bandwidth m0 m4 / m2^2".into(),
                 value: bandwidth,
                 domain: 1.5..=f64::MAX,
                 reason: "no isotropic Gaussian surface has less; the Greenwood-Williamson model \
-                         still answers above 0.8968",
+                         still answers above 0.8968"
+                    .into(),
             });
         }
         let bandwidth = bandwidth.max(1.5);
@@ -145,11 +146,11 @@ impl<L: SummitLaw> SummitModel<L> {
         let h = self.dimensionless(separation)?;
         if h.abs() > FARTHEST {
             return Err(ModelError::OutsideDomain {
-                model: L::NAME,
-                quantity: "separation / rms height",
+                model: L::NAME.into(),
+                quantity: "separation / rms height".into(),
                 value: h,
                 domain: -FARTHEST..=FARTHEST,
-                reason: "powers of it leave the range of doubles",
+                reason: "powers of it leave the range of doubles".into(),
             });
         }
         let [load] = self.correlation.integrate(h, |summit| [load_of::<L>(summit)]);
@@ -209,7 +210,7 @@ impl<L: SummitLaw> SummitModel<L> {
             }
         }
         Err(ModelError::NotConverged {
-            model: L::NAME,
+            model: L::NAME.into(),
             residual: step.abs(),
             iterations: MAX_STEPS,
         })
@@ -230,7 +231,12 @@ impl<L: SummitLaw> SummitModel<L> {
     }
 
     fn invalid(quantity: &'static str, value: f64, requirement: &'static str) -> ModelError {
-        ModelError::InvalidInput { model: L::NAME, quantity, value, requirement }
+        ModelError::InvalidInput {
+            model: L::NAME.into(),
+            quantity: quantity.into(),
+            value,
+            requirement: requirement.into(),
+        }
     }
 
     fn finite(result: f64, quantity: &'static str, value: f64) -> Result<f64, ModelError> {
@@ -238,11 +244,11 @@ impl<L: SummitLaw> SummitModel<L> {
             return Ok(result);
         }
         Err(ModelError::OutsideDomain {
-            model: L::NAME,
-            quantity,
+            model: L::NAME.into(),
+            quantity: quantity.into(),
             value,
             domain: -f64::MAX..=f64::MAX,
-            reason: "the answer exceeds the largest double",
+            reason: "the answer exceeds the largest double".into(),
         })
     }
 }

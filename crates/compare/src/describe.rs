@@ -9,7 +9,7 @@ use crate::{Origin, Settings};
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
-use surface_stats::{Boundary, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
+use surface_stats::{Edges, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
 /// does not.
@@ -19,12 +19,12 @@ pub(crate) fn describe(
     settings: &Settings,
 ) -> Result<(HeightMap, SurfaceStatistics, Spectra), StatsError> {
     let form = form(settings.level);
-    let (boundary, missing, height_step) = match origin {
-        Origin::Recipe(_) => (Boundary::Periodic, 0, None),
-        Origin::File(file) => (Boundary::Open, file.missing, file.height_step),
+    let (edges, missing, height_step) = match origin {
+        Origin::Recipe(_) => (Edges::Periodic, 0, None),
+        Origin::File(file) => (Edges::Open, file.missing, file.height_step),
     };
     let fractal_range = settings.fractal_range;
-    let options = StatsOptions { level: form, boundary, fractal_range, missing, height_step };
+    let options = StatsOptions { level: form, edges, fractal_range, missing, height_step };
     // From the heights as given, so that a tilt that is removed is still reported.
     let (statistics, spectra) = SurfaceStatistics::with_spectra(heights, &options)?;
     Ok((level(heights, form)?, statistics, spectra))
@@ -59,7 +59,7 @@ pub(crate) fn spectral(
     power: &PowerSpectrum,
     statistics: &SurfaceStatistics,
 ) -> (Spectral, Map) {
-    let windowed = statistics.boundary == Boundary::Open;
+    let windowed = statistics.edges == Edges::Open;
     let repeats = !windowed || plan::repeats(map);
     let known = Map::known(map, power, statistics.height_step.unwrap_or(0.0), repeats);
     let spectral = Spectral {

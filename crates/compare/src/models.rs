@@ -12,6 +12,7 @@ use gw_closed_form::{GreenwoodWilliamson, asperities_from_moments};
 use multiscale_models::{
     Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SphereLevel, Stacked,
 };
+use std::borrow::Cow;
 
 /// Everything a model may be made from. What a case does not have stays `None`.
 #[derive(Debug, Clone)]
@@ -401,21 +402,23 @@ pub static MODELS: &[ModelEntry] = &[
 
 /// The deterministic solution.
 pub const DETERMINISTIC: Citation = Citation {
-    authors: "Stanley & Kato",
+    authors: Cow::Borrowed("Stanley & Kato"),
     year: 1997,
-    title: "An FFT-based method for rough surface contact",
-    journal: "J. Tribol. 119, 481",
-    doi: "10.1115/1.2833523",
+    title: Cow::Borrowed("An FFT-based method for rough surface contact"),
+    journal: Cow::Borrowed("J. Tribol. 119, 481"),
+    doi: Cow::Borrowed("10.1115/1.2833523"),
 };
 
 /// The correction of counted areas.
 pub const AREA_CORRECTION: Citation = Citation {
-    authors: "Yastrebov, Anciaux & Molinari",
+    authors: Cow::Borrowed("Yastrebov, Anciaux & Molinari"),
     year: 2017,
-    title: "On the accurate computation of the true contact-area in mechanical contact of random \
+    title: Cow::Borrowed(
+        "On the accurate computation of the true contact-area in mechanical contact of random \
             rough surfaces",
-    journal: "Tribol. Int. 114, 161",
-    doi: "10.1016/j.triboint.2017.04.023",
+    ),
+    journal: Cow::Borrowed("Tribol. Int. 114, 161"),
+    doi: Cow::Borrowed("10.1016/j.triboint.2017.04.023"),
 };
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use contact_types::HeightMap;
 use surface_stats::clean::{resample, resample_mirrored};
-use surface_stats::{Boundary, StatsError};
+use surface_stats::{Edges, StatsError};
 
 /// The map on `shape` points: by its waves if it repeats, by its cosines otherwise, so that the jump
 /// at its edges does not ring.
@@ -14,5 +14,5 @@ pub(crate) fn regrid(
     shape: [usize; 2],
     repeats: bool,
 ) -> Result<HeightMap, StatsError> {
-    if repeats { resample(map, shape, Boundary::Periodic) } else { resample_mirrored(map, shape) }
+    if repeats { resample(map, shape, Edges::Periodic) } else { resample_mirrored(map, shape) }
 }

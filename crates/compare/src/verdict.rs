@@ -152,13 +152,17 @@ fn strains(
 
 /// The model's own caveat that is not about area, which is judged above.
 fn caveat(curve: &ModelCurve, loads: &[DeterministicPoint]) -> Option<String> {
-    curve.points.iter().zip(loads).find_map(|(point, load)| match point.as_ref().ok()?.caveat? {
-        Caveat::BeyondModel { quantity, value, limit, reason } if quantity != "area fraction" => {
-            Some(format!("{quantity} {} beyond {}: {reason}", plain(value), plain(limit)))
+    curve.points.iter().zip(loads).find_map(|(point, load)| {
+        match point.as_ref().ok()?.caveat.as_ref()? {
+            Caveat::BeyondModel { quantity, value, limit, reason }
+                if quantity != "area fraction" =>
+            {
+                Some(format!("{quantity} {} beyond {}: {reason}", plain(*value), plain(*limit)))
+            }
+            Caveat::Saturated { .. } => {
+                Some(format!("full contact from {}", pressure(load.mean_pressure)))
+            }
+            _ => None,
         }
-        Caveat::Saturated { .. } => {
-            Some(format!("full contact from {}", pressure(load.mean_pressure)))
-        }
-        _ => None,
     })
 }

@@ -6,7 +6,7 @@
 use compare::budget::{Budget, Map, Stiffness, grid};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Load, Solver};
-use surface_stats::Boundary;
+use surface_stats::Edges;
 use surface_stats::clean::resample;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
@@ -40,7 +40,7 @@ fn answer(map: &HeightMap, load: f64, tolerance: f64) -> Budget {
 fn comparison_intervals_hold_the_refined_numbers() {
     for seed in 900..903 {
         let map = surface(seed);
-        let fine = resample(&map, [512, 512], Boundary::Periodic).unwrap();
+        let fine = resample(&map, [512, 512], Edges::Periodic).unwrap();
         for load in [0.01, 0.1] {
             let given = answer(&map, load, 1e-4);
             let truth = answer(&fine, load, 1e-6);

@@ -9,7 +9,7 @@ use fft_bem_solver::{Load, Solver};
 use serde_json::Value;
 use std::path::Path;
 use surface_io::ReadOptions;
-use surface_stats::Boundary;
+use surface_stats::Edges;
 use surface_stats::clean::resample;
 
 /// A load on four times as many points along each side.
@@ -26,7 +26,7 @@ fn truths(folder: &Path, pressures: &[f64]) -> Vec<Truth> {
     let read = surface_io::read(folder.join("map.npy"), &options).unwrap();
     let map =
         HeightMap::new(Grid::new([192; 2], [1e-6; 2]).unwrap(), read.heights().to_vec()).unwrap();
-    let fine = resample(&map, [768; 2], Boundary::Periodic).unwrap();
+    let fine = resample(&map, [768; 2], Edges::Periodic).unwrap();
     let modulus = ContactModulus::from_pascals(1e9).unwrap();
     let mut solver = Solver::builder().tolerance(1e-6).build(fine.grid(), modulus).unwrap();
     let solve = |&pressure: &f64| {

@@ -7,7 +7,7 @@ use compare::{Comparison, Settings, built_in_recipes};
 use contact_types::ContactModulus;
 use fft_bem_solver::{Load, Solver};
 use std::ops::ControlFlow;
-use surface_stats::Boundary;
+use surface_stats::Edges;
 use surface_stats::clean::resample;
 
 /// Of the areas that carry a bar, how many are asked, how many bars hold the refined area, the
@@ -45,7 +45,7 @@ fn coverage(cutoffs: &[f64], step: Option<f64>) -> Coverage {
         let comparison = Comparison::run(vec![surface], settings, &mut go).unwrap();
         let study = &comparison.surfaces[0];
 
-        let fine = resample(&study.surface, [512, 512], Boundary::Periodic).unwrap();
+        let fine = resample(&study.surface, [512, 512], Edges::Periodic).unwrap();
         let modulus = ContactModulus::from_pascals(1e9).unwrap();
         let mut solver = Solver::builder().build(fine.grid(), modulus).unwrap();
         for point in &study.deterministic {

@@ -13,7 +13,7 @@ use std::borrow::Cow;
 use std::f64::consts::PI;
 use surface_stats::clean::resample;
 use surface_stats::synthesis::{Scale, SelfAffine};
-use surface_stats::{Boundary, Level, level};
+use surface_stats::{Edges, Level, level};
 
 fn solve(map: &HeightMap, edges: EdgesName, load: Load, tolerance: f64) -> Solution {
     let whole = Surrounded::new(Cow::Borrowed(map), edges).unwrap();
@@ -79,7 +79,7 @@ fn the_intervals_hold() {
             quantise: None,
         };
         let whole = recipe.generate().unwrap();
-        let eighths = resample(&whole, [16 * n, 16 * n], Boundary::Periodic).unwrap();
+        let eighths = resample(&whole, [16 * n, 16 * n], Edges::Periodic).unwrap();
         // `factor` points to a pixel, their pixels together those of the crop.
         let crop = |factor: usize| {
             let side = 16 * n;

@@ -1,46 +1,56 @@
 //! The question every model answers, and the shape of its answer.
 
 use crate::ModelError;
+use std::borrow::Cow;
 
-/// Where a theory comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Where a theory comes from. Texts are borrowed from the program or owned, so that a model read
+/// at run time can be cited like a built-in one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Citation {
     /// Authors, for example "Bush, Gibson & Thomas".
-    pub authors: &'static str,
+    pub authors: Cow<'static, str>,
     /// Year of publication.
     pub year: u16,
     /// Title of the paper.
-    pub title: &'static str,
+    pub title: Cow<'static, str>,
     /// Journal, volume and page.
-    pub journal: &'static str,
+    pub journal: Cow<'static, str>,
     /// DOI without resolver; empty if the source has none.
-    pub doi: &'static str,
+    pub doi: Cow<'static, str>,
 }
 
 /// An answer was given, but something about it must be known.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "kind", rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum Caveat {
     /// The formula reached its ceiling and the value was clipped to it.
     Saturated {
         /// Which quantity was clipped.
-        quantity: &'static str,
+        quantity: Cow<'static, str>,
     },
     /// The value is what the formula says, but an assumption of the theory is strained.
     BeyondModel {
         /// The quantity that shows it.
-        quantity: &'static str,
+        quantity: Cow<'static, str>,
         /// Its value.
+        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
         value: f64,
         /// Where the assumption is usually taken to end.
+        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
         limit: f64,
         /// What is strained.
-        reason: &'static str,
+        reason: Cow<'static, str>,
     },
     /// The value is too small for a double; the logarithmic interface still answers.
     Underflow {
         /// Which quantity underflowed.
-        quantity: &'static str,
+        quantity: Cow<'static, str>,
     },
 }
 
@@ -59,7 +69,8 @@ impl std::fmt::Display for Caveat {
 }
 
 /// One point of a contact curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactState {
     /// Nominal pressure F / A_n \[Pa\].
     pub mean_pressure: f64,
@@ -83,15 +94,15 @@ impl ContactState {
     /// where so much touches that they would, and where a number is below the normal doubles.
     pub fn of_isolated_summits(mean_pressure: f64, area_fraction: f64, separation: f64) -> Self {
         let caveat = if mean_pressure < f64::MIN_POSITIVE {
-            Some(Caveat::Underflow { quantity: "mean pressure" })
+            Some(Caveat::Underflow { quantity: "mean pressure".into() })
         } else if area_fraction < f64::MIN_POSITIVE {
-            Some(Caveat::Underflow { quantity: "area fraction" })
+            Some(Caveat::Underflow { quantity: "area fraction".into() })
         } else if area_fraction > MOST_ISOLATED_AREA {
             Some(Caveat::BeyondModel {
-                quantity: "area fraction",
+                quantity: "area fraction".into(),
                 value: area_fraction,
                 limit: MOST_ISOLATED_AREA,
-                reason: "contacts are no longer isolated",
+                reason: "contacts are no longer isolated".into(),
             })
         } else {
             None

@@ -1,5 +1,6 @@
 //! What can be wrong with a surface or with the input of a model.
 
+use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
 /// A grid, a height map or a material that cannot be what it claims to be.
@@ -84,19 +85,25 @@ pub enum SurfaceError {
 
 /// Why a model gives no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "kind", rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum ModelError {
     /// The number itself is unusable: NaN, infinite, or of the wrong sign.
     #[error("{model}: {quantity} = {value:e} is not usable: {requirement}")]
     InvalidInput {
         /// The model asked.
-        model: &'static str,
+        model: Cow<'static, str>,
         /// Which input.
-        quantity: &'static str,
+        quantity: Cow<'static, str>,
         /// Its value.
+        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
         value: f64,
         /// What it must be, for example "must be finite and greater than 0".
-        requirement: &'static str,
+        requirement: Cow<'static, str>,
     },
     /// The number is sound but the theory has no meaning there.
     #[error(
@@ -106,22 +113,24 @@ pub enum ModelError {
     )]
     OutsideDomain {
         /// The model asked.
-        model: &'static str,
+        model: Cow<'static, str>,
         /// Which input.
-        quantity: &'static str,
+        quantity: Cow<'static, str>,
         /// Its value.
+        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
         value: f64,
         /// Where the theory holds.
         domain: RangeInclusive<f64>,
         /// Why it does not hold here.
-        reason: &'static str,
+        reason: Cow<'static, str>,
     },
     /// An iteration inside the model did not reach its tolerance.
     #[error("{model}: not converged after {iterations} iterations (residual {residual:e})")]
     NotConverged {
         /// The model asked.
-        model: &'static str,
+        model: Cow<'static, str>,
         /// Relative residual reached.
+        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
         residual: f64,
         /// Iterations spent.
         iterations: usize,

@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 /// `[ny, nx]` pixels of `[dy, dx]` metres. The cell that repeats in periodic calculations is
 /// `ny dy` by `nx dx`.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Grid {
     shape: [usize; 2],
     pixel: [f64; 2],

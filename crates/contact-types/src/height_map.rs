@@ -7,6 +7,7 @@ use crate::{Grid, SurfaceError};
 /// Invariant: every height is finite. A measurement with missing points is filled before it
 /// becomes a `HeightMap`, so no formula ever meets a NaN.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HeightMap {
     grid: Grid,
     heights: Vec<f64>,

@@ -9,12 +9,16 @@
 //! - `q` is angular wavenumber (rad/m); `f = 1 / wavelength` is not.
 //! - Spectral moments are those of a *profile* (Nayak 1971): `m2 = <|grad h|^2> / 2`.
 
+#[cfg(feature = "serde")]
+mod any_number;
 mod contact;
 mod error;
 mod grid;
 mod height_map;
 mod material;
 mod moments;
+#[cfg(feature = "serde")]
+mod reading;
 mod spectrum;
 
 pub use contact::{Caveat, Citation, ContactModel, ContactState, SeparationModel};

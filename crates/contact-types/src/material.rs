@@ -4,6 +4,7 @@ use crate::SurfaceError;
 
 /// An isotropic linear elastic body.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Elastic {
     young: f64,
     poisson: f64,
@@ -59,6 +60,7 @@ impl Elastic {
 /// # Source
 /// Johnson (1985), *Contact Mechanics*, eq. (4.20); doi:10.1017/CBO9781139171731.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactModulus(f64);
 
 impl ContactModulus {

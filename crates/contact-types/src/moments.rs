@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 /// Profile spectral moments of the equivalent rough surface (Nayak 1971, doi:10.1115/1.3451608).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SpectralMoments {
     /// Mean square height \[m²\].
     pub m0: f64,
@@ -33,6 +34,7 @@ impl SpectralMoments {
 
 /// Asperities (summits) as Greenwood and Williamson see them.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AsperityStatistics {
     /// Asperities per nominal area η \[m⁻²\].
     pub density: f64,
@@ -77,6 +79,7 @@ impl AsperityStatistics {
 
 /// Parameters of a fractal profile (Majumdar & Bhushan 1991, doi:10.1115/1.2920588).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FractalParameters {
     /// Dimension of a profile D, between 1 and 2 \[-\].
     pub dimension: f64,

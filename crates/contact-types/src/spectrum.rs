@@ -4,6 +4,7 @@ use crate::{SpectralMoments, SurfaceError};
 
 /// All waves of one wavenumber.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Shell {
     /// Angular wavenumber |q| \[rad/m\].
     pub wavenumber: f64,
@@ -14,6 +15,7 @@ pub struct Shell {
 /// Height variance by wavenumber: the discrete two-dimensional PSD, summed over shells of equal
 /// |q|. Sorted by rising wavenumber, without the mean.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RoughnessSpectrum {
     shells: Vec<Shell>,
 }
@@ -60,6 +62,7 @@ impl RoughnessSpectrum {
 
 /// One sinusoid of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Wave {
     /// Frequency f = 1/wavelength \[1/m\].
     pub frequency: f64,
@@ -70,6 +73,7 @@ pub struct Wave {
 /// Amplitude of a profile's sinusoids by frequency, averaged over profiles: what the stacked
 /// multiscale models take. It depends on the record length, which therefore comes with it.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct AmplitudeSpectrum {
     waves: Vec<Wave>,
     record_length: f64,

@@ -46,6 +46,13 @@ struct Scratch<T> {
     fft: Vec<Complex<T>>,
 }
 
+impl<T: FftNum> std::fmt::Debug for Convolution<T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut shown = f.debug_struct("Convolution");
+        shown.field("shape", &self.shape).field("padded", &self.padded).finish_non_exhaustive()
+    }
+}
+
 /// A lock is never held across a panic that matters: the data are scratch.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)

@@ -21,6 +21,12 @@ pub struct GridFft<T: FftNum> {
     scratch: Vec<Complex<T>>,
 }
 
+impl<T: FftNum> std::fmt::Debug for GridFft<T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("GridFft").field("shape", &self.shape).finish_non_exhaustive()
+    }
+}
+
 impl<T: FftNum> GridFft<T> {
     /// Plans transforms for `shape = [ny, nx]`.
     ///

@@ -29,21 +29,21 @@ pub fn asperities_from_moments(moments: SpectralMoments) -> Result<AsperityStati
     for (quantity, value) in [("m0", m0), ("m2", m2), ("m4", m4)] {
         if !(value.is_finite() && value > 0.0) {
             return Err(ModelError::InvalidInput {
-                model: MODEL,
-                quantity,
+                model: MODEL.into(),
+                quantity: quantity.into(),
                 value,
-                requirement: "must be finite and greater than 0",
+                requirement: "must be finite and greater than 0".into(),
             });
         }
     }
     let bandwidth = bandwidth(moments);
     if bandwidth <= SUMMIT_CONSTANT {
         return Err(ModelError::OutsideDomain {
-            model: MODEL,
-            quantity: "bandwidth m0 m4 / m2^2",
+            model: MODEL.into(),
+            quantity: "bandwidth m0 m4 / m2^2".into(),
             value: bandwidth,
             domain: SUMMIT_CONSTANT..=f64::MAX,
-            reason: "the variance of summit heights would not be positive",
+            reason: "the variance of summit heights would not be positive".into(),
         });
     }
     let asperities = AsperityStatistics {
@@ -59,10 +59,10 @@ pub fn asperities_from_moments(moments: SpectralMoments) -> Result<AsperityStati
     ] {
         if !value.is_normal() {
             return Err(ModelError::InvalidInput {
-                model: MODEL,
-                quantity,
+                model: MODEL.into(),
+                quantity: quantity.into(),
                 value,
-                requirement: "must be a normal number; scale the moments to metres",
+                requirement: "must be a normal number; scale the moments to metres".into(),
             });
         }
     }

@@ -210,14 +210,14 @@ impl GreenwoodWilliamson {
     fn state(&self, mean_pressure: f64, area_fraction: f64, separation: f64) -> ContactState {
         let state = ContactState::of_isolated_summits(mean_pressure, area_fraction, separation);
         let narrow = self.bandwidth.filter(|&b| b < 1.5 - 1e-12);
-        match (state.caveat, narrow) {
+        match (&state.caveat, narrow) {
             (Some(Caveat::Underflow { .. }), _) | (_, None) => state,
             (_, Some(value)) => ContactState {
                 caveat: Some(Caveat::BeyondModel {
-                    quantity: "bandwidth",
+                    quantity: "bandwidth".into(),
                     value,
                     limit: 1.5,
-                    reason: "no isotropic Gaussian surface has so narrow a spectrum",
+                    reason: "no isotropic Gaussian surface has so narrow a spectrum".into(),
                 }),
                 ..state
             },
@@ -228,11 +228,11 @@ impl GreenwoodWilliamson {
 impl ContactModel for GreenwoodWilliamson {
     fn citation(&self) -> Citation {
         Citation {
-            authors: "Greenwood & Williamson",
+            authors: "Greenwood & Williamson".into(),
             year: 1966,
-            title: "Contact of nominally flat surfaces",
-            journal: "Proceedings of the Royal Society of London A 295, 300-319",
-            doi: "10.1098/rspa.1966.0242",
+            title: "Contact of nominally flat surfaces".into(),
+            journal: "Proceedings of the Royal Society of London A 295, 300-319".into(),
+            doi: "10.1098/rspa.1966.0242".into(),
         }
     }
 
@@ -292,7 +292,12 @@ fn alpha_of(order: Order, quotient: Quotient) -> Result<f64, ModelError> {
 }
 
 fn invalid(quantity: &'static str, value: f64, requirement: &'static str) -> ModelError {
-    ModelError::InvalidInput { model: MODEL, quantity, value, requirement }
+    ModelError::InvalidInput {
+        model: MODEL.into(),
+        quantity: quantity.into(),
+        value,
+        requirement: requirement.into(),
+    }
 }
 
 /// The result, or the input `quantity = value` that drove it out of the range of doubles.
@@ -301,10 +306,10 @@ fn finite(result: f64, quantity: &'static str, value: f64) -> Result<f64, ModelE
         return Ok(result);
     }
     Err(ModelError::OutsideDomain {
-        model: MODEL,
-        quantity,
+        model: MODEL.into(),
+        quantity: quantity.into(),
         value,
         domain: -f64::MAX..=f64::MAX,
-        reason: "the answer exceeds the largest double",
+        reason: "the answer exceeds the largest double".into(),
     })
 }

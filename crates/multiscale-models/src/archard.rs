@@ -86,10 +86,10 @@ impl Archard {
     pub fn from_constants(constants: Vec<f64>, densities: Vec<f64>) -> Result<Self, ModelError> {
         if constants.is_empty() || constants.len() != densities.len() {
             return Err(ModelError::InvalidInput {
-                model: MODEL,
-                quantity: "number of levels",
+                model: MODEL.into(),
+                quantity: "number of levels".into(),
                 value: constants.len().min(densities.len()) as f64,
-                requirement: "needs at least one level, each with a constant and a density",
+                requirement: "needs at least one level, each with a constant and a density".into(),
             });
         }
         for &constant in &constants {
@@ -151,9 +151,14 @@ impl Archard {
     /// The first assumption that is strained at nominal pressure `pressure`, judged by mean
     /// loads from coarse to fine.
     fn strain(&self, pressure: f64) -> Option<Caveat> {
-        let beyond = |quantity, value: Wide, limit, reason| {
+        let beyond = |quantity: &'static str, value: Wide, limit, reason: &'static str| {
             let value = value.value().min(f64::MAX);
-            Some(Caveat::BeyondModel { quantity, value, limit, reason })
+            Some(Caveat::BeyondModel {
+                quantity: quantity.into(),
+                value,
+                limit,
+                reason: reason.into(),
+            })
         };
         let mut stress = Wide::from(pressure); // load per area of the carrier
         for (level, (&k, &density)) in self.constants.iter().zip(&self.densities).enumerate() {
@@ -190,11 +195,11 @@ fn repeated_cbrt(x: Wide, times: usize) -> Wide {
 impl ContactModel for Archard {
     fn citation(&self) -> Citation {
         Citation {
-            authors: "Archard",
+            authors: "Archard".into(),
             year: 1957,
-            title: "Elastic deformation and the laws of friction",
-            journal: "Proc. R. Soc. A 243, 190",
-            doi: "10.1098/rspa.1957.0214",
+            title: "Elastic deformation and the laws of friction".into(),
+            journal: "Proc. R. Soc. A 243, 190".into(),
+            doi: "10.1098/rspa.1957.0214".into(),
         }
     }
 
@@ -204,7 +209,7 @@ impl ContactModel for Archard {
         let area = self.wide_area(Wide::from(mean_pressure) / density) * density;
         let area_fraction = require::representable(MODEL, "area fraction", area.value())?;
         let caveat = if mean_pressure > 0.0 && area_fraction <= 0.0 {
-            Some(Caveat::Underflow { quantity: "area fraction" })
+            Some(Caveat::Underflow { quantity: "area fraction".into() })
         } else if mean_pressure > 0.0 {
             self.strain(mean_pressure)
         } else {

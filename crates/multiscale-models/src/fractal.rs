@@ -106,11 +106,11 @@ impl WeierstrassMandelbrot {
         let roughness = power.powf(0.5 / (dimension - 1.0)).value();
         if !roughness.is_normal() {
             return Err(ModelError::OutsideDomain {
-                model: MODEL,
-                quantity: "G",
+                model: MODEL.into(),
+                quantity: "G".into(),
                 value: roughness.min(f64::MAX),
                 domain: f64::MIN_POSITIVE..=f64::MAX,
-                reason: "it is beyond the range of a double: D is too close to 1",
+                reason: "it is beyond the range of a double: D is too close to 1".into(),
             });
         }
         Self::new(FractalParameters { dimension, roughness })
@@ -163,11 +163,11 @@ pub(crate) fn check_ratio(model: &'static str, ratio: f64) -> Result<f64, ModelE
         return Ok(ratio);
     }
     Err(ModelError::OutsideDomain {
-        model,
-        quantity: "frequency ratio",
+        model: model.into(),
+        quantity: "frequency ratio".into(),
         value: ratio,
         domain: 1.0..=f64::MAX,
-        reason: "successive frequencies rise by a factor greater than 1",
+        reason: "successive frequencies rise by a factor greater than 1".into(),
     })
 }
 
@@ -183,11 +183,12 @@ fn check_slope(
         return check_dimension(MODEL, dimension);
     }
     Err(ModelError::OutsideDomain {
-        model: MODEL,
-        quantity,
+        model: MODEL.into(),
+        quantity: quantity.into(),
         value: slope,
         domain: lo..=hi,
-        reason: "outside, the profile is not fractal: its dimension would not be between 1 and 2",
+        reason: "outside, the profile is not fractal: its dimension would not be between 1 and 2"
+            .into(),
     })
 }
 

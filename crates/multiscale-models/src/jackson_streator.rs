@@ -72,11 +72,11 @@ impl JacksonStreator {
 impl ContactModel for JacksonStreator {
     fn citation(&self) -> Citation {
         Citation {
-            authors: "Jackson & Streator",
+            authors: "Jackson & Streator".into(),
             year: 2006,
-            title: "A multi-scale model for contact between rough surfaces",
-            journal: "Wear 261, 1337",
-            doi: "10.1016/j.wear.2006.03.015",
+            title: "A multi-scale model for contact between rough surfaces".into(),
+            journal: "Wear 261, 1337".into(),
+            doi: "10.1016/j.wear.2006.03.015".into(),
         }
     }
 
@@ -95,9 +95,9 @@ impl ContactModel for JacksonStreator {
         }
         let area_fraction = area.value();
         let caveat = if area_fraction >= 1.0 {
-            Some(Caveat::Saturated { quantity: "area fraction" })
+            Some(Caveat::Saturated { quantity: "area fraction".into() })
         } else if area_fraction <= 0.0 && mean_pressure > 0.0 {
-            Some(Caveat::Underflow { quantity: "area fraction" })
+            Some(Caveat::Underflow { quantity: "area fraction".into() })
         } else {
             None
         };

@@ -166,12 +166,13 @@ impl MajumdarBhushan {
             return Ok(());
         }
         Err(ModelError::OutsideDomain {
-            model: MODEL,
-            quantity: "D",
+            model: MODEL.into(),
+            quantity: "D".into(),
             value: self.surface.dimension,
             domain: 1.0..=1.5,
             reason: "the load of ever smaller elastic spots diverges for D >= 1.5; give a \
-                     critical area, below which spots are plastic",
+                     critical area, below which spots are plastic"
+                .into(),
         })
     }
 }
@@ -207,11 +208,12 @@ pub fn critical_area(
         return Ok(area);
     }
     Err(ModelError::OutsideDomain {
-        model: MODEL,
-        quantity: "critical area",
+        model: MODEL.into(),
+        quantity: "critical area".into(),
         value: area.min(f64::MAX),
         domain: f64::MIN_POSITIVE..=f64::MAX,
-        reason: "G^2 (2 E*/H)^(2/(D-1)) is beyond the range of a double: D is too close to 1",
+        reason: "G^2 (2 E*/H)^(2/(D-1)) is beyond the range of a double: D is too close to 1"
+            .into(),
     })
 }
 
@@ -221,22 +223,22 @@ pub(crate) fn check_dimension(model: &'static str, dimension: f64) -> Result<f64
         return Ok(dimension);
     }
     Err(ModelError::OutsideDomain {
-        model,
-        quantity: "D",
+        model: model.into(),
+        quantity: "D".into(),
         value: dimension,
         domain: 1.0..=2.0,
-        reason: "the dimension of a fractal profile lies strictly between 1 and 2",
+        reason: "the dimension of a fractal profile lies strictly between 1 and 2".into(),
     })
 }
 
 impl ContactModel for MajumdarBhushan {
     fn citation(&self) -> Citation {
         Citation {
-            authors: "Majumdar & Bhushan",
+            authors: "Majumdar & Bhushan".into(),
             year: 1991,
-            title: "Fractal model of elastic-plastic contact between rough surfaces",
-            journal: "J. Tribol. 113, 1",
-            doi: "10.1115/1.2920588",
+            title: "Fractal model of elastic-plastic contact between rough surfaces".into(),
+            journal: "J. Tribol. 113, 1".into(),
+            doi: "10.1115/1.2920588".into(),
         }
     }
 

@@ -78,11 +78,11 @@ impl MoragEtsion {
         for (quantity, value) in [("amplitude", amplitude), ("radius", radius)] {
             if !value.is_normal() {
                 return Err(ModelError::OutsideDomain {
-                    model: MODEL,
-                    quantity,
+                    model: MODEL.into(),
+                    quantity: quantity.into(),
                     value: value.min(f64::MAX),
                     domain: f64::MIN_POSITIVE..=f64::MAX,
-                    reason: "it is beyond the range of a double",
+                    reason: "it is beyond the range of a double".into(),
                 });
             }
         }
@@ -141,11 +141,11 @@ impl MoragEtsion {
         require::not_negative(MODEL, "interference", interference)?;
         if interference > self.amplitude {
             return Err(ModelError::OutsideDomain {
-                model: MODEL,
-                quantity: "interference",
+                model: MODEL.into(),
+                quantity: "interference".into(),
                 value: interference,
                 domain: 0.0..=self.amplitude,
-                reason: "the asperity is flat; longer wavelengths carry the load",
+                reason: "the asperity is flat; longer wavelengths carry the load".into(),
             });
         }
         let (radius, interference) = (Wide::from(self.radius), Wide::from(interference));

@@ -16,7 +16,12 @@ pub(crate) fn not_negative(
         return Ok(value);
     }
     let requirement = "must be finite and not negative";
-    Err(ModelError::InvalidInput { model, quantity, value, requirement })
+    Err(ModelError::InvalidInput {
+        model: model.into(),
+        quantity: quantity.into(),
+        value,
+        requirement: requirement.into(),
+    })
 }
 
 pub(crate) fn positive(
@@ -28,7 +33,12 @@ pub(crate) fn positive(
         return Ok(value);
     }
     let requirement = "must be finite and greater than 0";
-    Err(ModelError::InvalidInput { model, quantity, value, requirement })
+    Err(ModelError::InvalidInput {
+        model: model.into(),
+        quantity: quantity.into(),
+        value,
+        requirement: requirement.into(),
+    })
 }
 
 /// An area fraction between 0 and 1, both included.
@@ -41,7 +51,12 @@ pub(crate) fn fraction(
         return Ok(value);
     }
     let requirement = "must lie between 0 and 1";
-    Err(ModelError::InvalidInput { model, quantity, value, requirement })
+    Err(ModelError::InvalidInput {
+        model: model.into(),
+        quantity: quantity.into(),
+        value,
+        requirement: requirement.into(),
+    })
 }
 
 /// A result that must be a finite double.
@@ -54,10 +69,10 @@ pub(crate) fn representable(
         return Ok(value);
     }
     Err(ModelError::OutsideDomain {
-        model,
-        quantity,
+        model: model.into(),
+        quantity: quantity.into(),
         value,
         domain: f64::MIN..=f64::MAX,
-        reason: "the result exceeds the largest double",
+        reason: "the result exceeds the largest double".into(),
     })
 }

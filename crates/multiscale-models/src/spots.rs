@@ -15,10 +15,16 @@ use contact_types::{Caveat, ContactState};
 /// The answer at a load, with what must be known of it: `largest_fraction` is the largest spot over
 /// the nominal area.
 pub(crate) fn state(mean_pressure: f64, area_fraction: f64, largest_fraction: f64) -> ContactState {
-    let beyond =
-        |quantity, value, reason| Some(Caveat::BeyondModel { quantity, value, limit: 1.0, reason });
+    let beyond = |quantity: &'static str, value, reason: &'static str| {
+        Some(Caveat::BeyondModel {
+            quantity: quantity.into(),
+            value,
+            limit: 1.0,
+            reason: reason.into(),
+        })
+    };
     let caveat = if area_fraction <= 0.0 && mean_pressure > 0.0 {
-        Some(Caveat::Underflow { quantity: "area fraction" })
+        Some(Caveat::Underflow { quantity: "area fraction".into() })
     } else if area_fraction > 1.0 {
         beyond("area fraction", area_fraction, "the spots cover more than the nominal area")
     } else if largest_fraction > 1.0 {

@@ -100,11 +100,11 @@ pub(crate) fn complete_contact_pressure(modulus: ContactModulus, ratio: Wide) ->
 impl ContactModel for Stacked {
     fn citation(&self) -> Citation {
         Citation {
-            authors: "Jackson, Wilson & Angadi",
+            authors: "Jackson, Wilson & Angadi".into(),
             year: 2008,
-            title: "A study of the average real contact pressure between rough surfaces",
-            journal: "STLE/ASME International Joint Tribology Conference, Miami",
-            doi: "",
+            title: "A study of the average real contact pressure between rough surfaces".into(),
+            journal: "STLE/ASME International Joint Tribology Conference, Miami".into(),
+            doi: "".into(),
         }
     }
 
@@ -119,9 +119,9 @@ impl ContactModel for Stacked {
             (Wide::from(mean_pressure) / plateau).value()
         };
         let caveat = if ratio >= 1.0 {
-            Some(Caveat::Saturated { quantity: "area fraction" })
+            Some(Caveat::Saturated { quantity: "area fraction".into() })
         } else if ratio <= 0.0 && mean_pressure > 0.0 {
-            Some(Caveat::Underflow { quantity: "area fraction" })
+            Some(Caveat::Underflow { quantity: "area fraction".into() })
         } else {
             None
         };

@@ -59,11 +59,11 @@ impl YanKomvopoulos {
     ) -> Result<Self, ModelError> {
         if !(dimension > 2.0 && dimension < 3.0) {
             return Err(ModelError::OutsideDomain {
-                model: MODEL,
-                quantity: "D",
+                model: MODEL.into(),
+                quantity: "D".into(),
                 value: dimension,
                 domain: 2.0..=3.0,
-                reason: "the dimension of a fractal surface lies strictly between 2 and 3",
+                reason: "the dimension of a fractal surface lies strictly between 2 and 3".into(),
             });
         }
         require::positive(MODEL, "fractal roughness", roughness)?;
@@ -125,11 +125,11 @@ impl YanKomvopoulos {
         let area = ratio.powf(2.0 / (self.dimension - 2.0)).value();
         if !(area > 0.0 && area.is_finite()) {
             return Err(ModelError::OutsideDomain {
-                model: MODEL,
-                quantity: "critical area",
+                model: MODEL.into(),
+                quantity: "critical area".into(),
                 value: area.min(f64::MAX),
                 domain: f64::MIN_POSITIVE..=f64::MAX,
-                reason: "it is beyond the range of a double: D is too close to 2",
+                reason: "it is beyond the range of a double: D is too close to 2".into(),
             });
         }
         self.critical_area = area;
@@ -201,12 +201,13 @@ impl YanKomvopoulos {
             return Ok(());
         }
         Err(ModelError::OutsideDomain {
-            model: MODEL,
-            quantity: "D",
+            model: MODEL.into(),
+            quantity: "D".into(),
             value: self.dimension,
             domain: 2.0..=2.5,
             reason: "the load of ever smaller elastic spots diverges for D >= 2.5; give a \
-                     critical area, below which spots are plastic",
+                     critical area, below which spots are plastic"
+                .into(),
         })
     }
 }
@@ -214,11 +215,11 @@ impl YanKomvopoulos {
 impl ContactModel for YanKomvopoulos {
     fn citation(&self) -> Citation {
         Citation {
-            authors: "Yan & Komvopoulos",
+            authors: "Yan & Komvopoulos".into(),
             year: 1998,
-            title: "Contact analysis of elastic-plastic fractal surfaces",
-            journal: "J. Appl. Phys. 84, 3617",
-            doi: "10.1063/1.368536",
+            title: "Contact analysis of elastic-plastic fractal surfaces".into(),
+            journal: "J. Appl. Phys. 84, 3617".into(),
+            doi: "10.1063/1.368536".into(),
         }
     }
 

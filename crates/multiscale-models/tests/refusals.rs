@@ -149,7 +149,8 @@ fn flat_surfaces_touch_everywhere() {
 fn strained_assumptions_are_said() {
     let beyond = |model: &dyn ContactModel, pressure, quantity| {
         let caveat = model.at_pressure(pressure).unwrap().caveat;
-        let said = matches!(caveat, Some(Caveat::BeyondModel { quantity: q, .. }) if q == quantity);
+        let said =
+            matches!(&caveat, Some(Caveat::BeyondModel { quantity: q, .. }) if q == quantity);
         assert!(said, "{caveat:?} does not mention {quantity}");
     };
     let steep = SpectralMoments { m0: 1e-12, m2: 3.0, m4: 1e13 };

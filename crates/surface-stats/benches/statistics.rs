@@ -10,7 +10,7 @@ use surface_stats::iso25178::{Autocorrelation, Hybrid, MaterialRatioCurve};
 use surface_stats::spectrum::{Axis, Window, amplitudes, radial, radial_psd};
 use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{
-    Boundary, DirectionalMoments, Level, StatsOptions, Summits, SurfaceStatistics, level,
+    DirectionalMoments, Edges, Level, StatsOptions, Summits, SurfaceStatistics, level,
 };
 
 fn recipe(n: usize) -> SelfAffine {
@@ -36,9 +36,9 @@ fn whole(c: &mut Criterion) {
     for n in [256, 1024, 4096] {
         let map = surface(n);
         group.throughput(Throughput::Elements((n * n) as u64));
-        for boundary in [Boundary::Open, Boundary::Periodic] {
-            let options = StatsOptions { level: Level::Plane, boundary, ..StatsOptions::default() };
-            group.bench_with_input(BenchmarkId::new(boundary.name(), n), &map, |b, map| {
+        for edges in [Edges::Open, Edges::Periodic] {
+            let options = StatsOptions { level: Level::Plane, edges, ..StatsOptions::default() };
+            group.bench_with_input(BenchmarkId::new(edges.name(), n), &map, |b, map| {
                 b.iter(|| SurfaceStatistics::of(black_box(map), &options));
             });
         }
@@ -50,7 +50,7 @@ fn whole(c: &mut Criterion) {
 fn parts(c: &mut Criterion) {
     let n = 1024;
     let map = surface(n);
-    let (grid, open) = (map.grid(), Boundary::Open);
+    let (grid, open) = (map.grid(), Edges::Open);
     let mut group = c.benchmark_group("statistics/parts");
     group.sample_size(10);
     group.throughput(Throughput::Elements((n * n) as u64));
@@ -81,7 +81,7 @@ fn parts(c: &mut Criterion) {
         b.iter(|| s_filter(black_box(&map), 25e-6, open));
     });
     group.bench_function("gaussian-periodic", |b| {
-        b.iter(|| s_filter(black_box(&map), 25e-6, Boundary::Periodic));
+        b.iter(|| s_filter(black_box(&map), 25e-6, Edges::Periodic));
     });
     group.bench_function("synthesis", |b| b.iter(|| recipe(black_box(n)).generate()));
     group.finish();

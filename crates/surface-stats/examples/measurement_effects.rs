@@ -8,7 +8,7 @@ use contact_types::{AsperityStatistics, Grid, HeightMap, SpectralMoments};
 use std::f64::consts::FRAC_PI_4;
 use surface_stats::sampling::{effect_of_steps, moments_by_interval};
 use surface_stats::synthesis::{Scale, SelfAffine};
-use surface_stats::{Boundary, StatsError, StatsOptions, SurfaceStatistics};
+use surface_stats::{Edges, StatsError, StatsOptions, SurfaceStatistics};
 
 fn main() -> Result<(), StatsError> {
     let um = 1e-6;
@@ -22,15 +22,15 @@ fn main() -> Result<(), StatsError> {
         quantise: None,
     };
     let map = truth.generate()?;
-    let boundary = Boundary::Periodic;
+    let edges = Edges::Periodic;
 
     println!("Sampling interval (µm), rms gradient, bandwidth, asperities per mm², radius (µm)");
-    for point in moments_by_interval(&map, boundary)?.iter().take(4) {
+    for point in moments_by_interval(&map, edges)?.iter().take(4) {
         println!("{:>3} | {}", point.every, row(point.moments));
     }
 
     println!("\nHeight step (nm), the same, then counted summits per mm², flat tops per mm²");
-    for effect in effect_of_steps(&map, &[1e-9, 5e-9, 10e-9, 20e-9, 50e-9], boundary)? {
+    for effect in effect_of_steps(&map, &[1e-9, 5e-9, 10e-9, 20e-9, 50e-9], edges)? {
         let summits = effect.summits;
         println!(
             "{:>3.0} | {} | {:6.0} | {:5}",
@@ -55,7 +55,7 @@ fn main() -> Result<(), StatsError> {
         let noise = noise.generate()?;
         let heights = map.heights().iter().zip(noise.heights()).map(|(a, b)| a + b);
         let noisy = HeightMap::new(map.grid(), heights.collect())?;
-        let options = StatsOptions { boundary, ..StatsOptions::default() };
+        let options = StatsOptions { edges, ..StatsOptions::default() };
         let statistics = SurfaceStatistics::of(&noisy, &options)?;
         println!(
             "{:>3.0} | {} | {:.2} nm | {:.1} µm",

@@ -4,9 +4,14 @@ use crate::StatsError;
 use contact_types::{HeightMap, SpectralMoments};
 use std::fmt;
 
-/// What lies beyond the edge of the map.
+/// What lies beyond the edges of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Boundary {
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+pub enum Edges {
     /// Nothing: only stencils that stay inside are used.
     #[default]
     Open,
@@ -14,8 +19,11 @@ pub enum Boundary {
     Periodic,
 }
 
-impl Boundary {
-    /// The word the command line uses: `open`, `periodic`.
+impl Edges {
+    /// Every choice, in the order in which help texts list them.
+    pub const ALL: &'static [Self] = &[Self::Open, Self::Periodic];
+
+    /// The word for it in commands and files: `open`, `periodic`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Open => "open",
@@ -24,7 +32,7 @@ impl Boundary {
     }
 }
 
-impl fmt::Display for Boundary {
+impl fmt::Display for Edges {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
@@ -65,11 +73,11 @@ pub struct DirectionalMoments {
 }
 
 impl DirectionalMoments {
-    /// By all stencils the boundary allows.
+    /// By all stencils the edges allow.
     ///
     /// # Errors
     /// [`StatsError::TooSmall`] below 3 x 3 pixels.
-    pub fn of(map: &HeightMap, boundary: Boundary) -> Result<Self, StatsError> {
+    pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
         if ny < 3 || nx < 3 {
             let what = "a second difference along both axes";
@@ -77,7 +85,7 @@ impl DirectionalMoments {
         }
         let heights = map.heights();
         let row = |iy: usize| &heights[(iy % ny) * nx..(iy % ny + 1) * nx];
-        let periodic = boundary == Boundary::Periodic;
+        let periodic = edges == Edges::Periodic;
         let mut sums = [Mean::default(); 7];
         let mut line = Vec::with_capacity(nx + 2); // a row with what lies beyond its ends
         for iy in 0..ny {
@@ -183,7 +191,7 @@ mod tests {
             let amplitude = 3e-8;
             let map =
                 HeightMap::from_fn(grid, |y, x| amplitude * (q[0] * y + q[1] * x).cos()).unwrap();
-            let m = DirectionalMoments::of(&map, Boundary::Periodic).unwrap();
+            let m = DirectionalMoments::of(&map, Edges::Periodic).unwrap();
             let m0 = amplitude * amplitude / 2.0;
             let half = |q: f64, d: f64| (2.0 * (q * d / 2.0).sin() / d).powi(2);
             let full = |q: f64, d: f64| (q * d).sin() / d;
@@ -210,8 +218,8 @@ mod tests {
         let map = HeightMap::from_fn(grid, |y, x| {
             if ((y + 2.0 * x) as u64).is_multiple_of(2) { 1.0 } else { -1.0 }
         });
-        for boundary in [Boundary::Open, Boundary::Periodic] {
-            let m = DirectionalMoments::of(map.as_ref().unwrap(), boundary).unwrap();
+        for edges in [Edges::Open, Edges::Periodic] {
+            let m = DirectionalMoments::of(map.as_ref().unwrap(), edges).unwrap();
             assert_relative_eq!(m.m2_x, 16.0);
             assert_relative_eq!(m.m2_y, 4.0);
             assert_relative_eq!(m.m4_x, 256.0);
@@ -226,7 +234,7 @@ mod tests {
         let grid = Grid::new([2, 8], [1.0, 1.0]).unwrap();
         let map = HeightMap::from_fn(grid, |y, x| x * y).unwrap();
         assert!(matches!(
-            DirectionalMoments::of(&map, Boundary::Open),
+            DirectionalMoments::of(&map, Edges::Open),
             Err(StatsError::TooSmall { shape: [2, 8], .. })
         ));
     }

@@ -7,6 +7,11 @@ use std::fmt;
 
 /// What is taken off a map by least squares.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Level {
     /// Nothing: the heights stay as they are.
     None,
@@ -20,6 +25,9 @@ pub enum Level {
 }
 
 impl Level {
+    /// Every choice, in the order in which help texts list them.
+    pub const ALL: &'static [Self] = &[Self::None, Self::Mean, Self::Plane, Self::Quadratic];
+
     /// Total degree of the polynomial taken off; `None` if nothing is.
     pub fn degree(self) -> Option<usize> {
         match self {
@@ -30,7 +38,7 @@ impl Level {
         }
     }
 
-    /// The word the command line uses: `none`, `mean`, `plane`, `quadratic`.
+    /// The word for it in commands and files: `none`, `mean`, `plane`, `quadratic`.
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "none",

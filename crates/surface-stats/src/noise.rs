@@ -77,7 +77,7 @@ mod tests {
     use super::*;
     use crate::spectrum::{PowerSpectrum, Window};
     use crate::synthesis::{Scale, SelfAffine};
-    use crate::{Boundary, DirectionalMoments};
+    use crate::{DirectionalMoments, Edges};
     use approx::assert_relative_eq;
     use contact_types::{Grid, HeightMap};
 
@@ -113,7 +113,7 @@ mod tests {
     fn moments_of_white_noise() {
         let map = white(3e-9);
         let expected = white_noise_moments(3e-9, map.grid().pixel());
-        let m = DirectionalMoments::of(&map, Boundary::Periodic).unwrap().isotropic(9e-18);
+        let m = DirectionalMoments::of(&map, Edges::Periodic).unwrap().isotropic(9e-18);
         assert_relative_eq!(m.m2, expected.m2, max_relative = 0.1);
         assert_relative_eq!(m.m4, expected.m4, max_relative = 0.1);
     }

@@ -4,7 +4,7 @@
 //! radius even less. These functions show by how much, on the map itself.
 
 use crate::spectrum::Ring;
-use crate::{Boundary, DirectionalMoments, HeightStatistics, StatsError, Summits};
+use crate::{DirectionalMoments, Edges, HeightStatistics, StatsError, Summits};
 use contact_types::{Grid, HeightMap, SpectralMoments};
 use std::f64::consts::TAU;
 
@@ -26,21 +26,18 @@ pub struct AtInterval {
 ///
 /// # Errors
 /// [`StatsError::TooSmall`] below 3 x 3 pixels.
-pub fn moments_by_interval(
-    map: &HeightMap,
-    boundary: Boundary,
-) -> Result<Vec<AtInterval>, StatsError> {
+pub fn moments_by_interval(map: &HeightMap, edges: Edges) -> Result<Vec<AtInterval>, StatsError> {
     let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
     let m0 = HeightStatistics::of(map).rms_height.powi(2);
     let mut points = vec![AtInterval {
         every: 1,
         interval: [dy, dx],
-        moments: DirectionalMoments::of(map, boundary)?.isotropic(m0),
+        moments: DirectionalMoments::of(map, edges)?.isotropic(m0),
     }];
     let mut every = 2;
     while 4 * every <= ny.min(nx) {
-        let [slope_x, curve_x] = differences(map, boundary, every, [0, 1]);
-        let [slope_y, curve_y] = differences(map, boundary, every, [1, 0]);
+        let [slope_x, curve_x] = differences(map, edges, every, [0, 1]);
+        let [slope_y, curve_y] = differences(map, edges, every, [1, 0]);
         let (y, x) = (every as f64 * dy, every as f64 * dx);
         points.push(AtInterval {
             every,
@@ -57,11 +54,11 @@ pub fn moments_by_interval(
 }
 
 /// Mean squares of first and second differences over `every` pixels along `[y, x]`.
-fn differences(map: &HeightMap, boundary: Boundary, every: usize, [y, x]: [usize; 2]) -> [f64; 2] {
+fn differences(map: &HeightMap, edges: Edges, every: usize, [y, x]: [usize; 2]) -> [f64; 2] {
     let [ny, nx] = map.grid().shape();
     let (step_y, step_x) = (every * y, every * x);
     let (mut sums, mut counts) = ([0.0; 2], [0usize; 2]);
-    let periodic = boundary == Boundary::Periodic;
+    let periodic = edges == Edges::Periodic;
     for iy in 0..ny {
         let mut row_sums = [0.0; 2];
         for ix in 0..nx {
@@ -127,14 +124,14 @@ pub struct AtStep {
 pub fn effect_of_steps(
     map: &HeightMap,
     steps: &[f64],
-    boundary: Boundary,
+    edges: Edges,
 ) -> Result<Vec<AtStep>, StatsError> {
     let measure = |map: &HeightMap, step: f64| -> Result<AtStep, StatsError> {
         let m0 = HeightStatistics::of(map).rms_height.powi(2);
         Ok(AtStep {
             step,
-            moments: DirectionalMoments::of(map, boundary)?.isotropic(m0),
-            summits: Summits::of(map, boundary)?,
+            moments: DirectionalMoments::of(map, edges)?.isotropic(m0),
+            summits: Summits::of(map, edges)?,
         })
     };
     let mut effects = vec![measure(map, 0.0)?];
@@ -183,7 +180,7 @@ mod tests {
         let grid = Grid::new([64, 80], [1.5, 1.0]).unwrap();
         let q = [TAU * 3.0 / 96.0, TAU * 5.0 / 80.0];
         let map = HeightMap::from_fn(grid, |y, x| (q[0] * y + q[1] * x).cos()).unwrap();
-        let points = moments_by_interval(&map, Boundary::Periodic).unwrap();
+        let points = moments_by_interval(&map, Edges::Periodic).unwrap();
         assert_eq!(points.iter().map(|p| p.every).collect::<Vec<_>>(), [1, 2, 4, 8, 16]);
         for p in points {
             let factor =
@@ -200,7 +197,7 @@ mod tests {
     fn open_stencils_stay_inside() {
         let grid = Grid::new([16, 32], [1.5, 1.0]).unwrap();
         let map = HeightMap::from_fn(grid, |y, x| 0.5 * (x * x + 3.0 * y * y)).unwrap();
-        for p in moments_by_interval(&map, Boundary::Open).unwrap() {
+        for p in moments_by_interval(&map, Edges::Open).unwrap() {
             assert_relative_eq!(p.moments.m4, 0.5 * (1.0 + 9.0), max_relative = 1e-12);
         }
     }
@@ -219,8 +216,7 @@ mod tests {
     /// pixel, and hide more than half of the summits of a 0.3 um surface at 10 nm.
     #[test]
     fn steps_add_noise_and_hide_summits() {
-        let effects =
-            effect_of_steps(&surface(), &[2e-9, 5e-9, 10e-9], Boundary::Periodic).unwrap();
+        let effects = effect_of_steps(&surface(), &[2e-9, 5e-9, 10e-9], Edges::Periodic).unwrap();
         let clean = effects[0];
         for e in &effects[1..] {
             let noise = white_noise_moments(e.step / 12f64.sqrt(), [1e-6, 1.25e-6]);
@@ -233,7 +229,7 @@ mod tests {
         assert!(effects[1].summits.count < clean.summits.count);
         assert!(2 * effects[3].summits.count < clean.summits.count, "{effects:?}");
         for step in [0.0, -1.0, f64::NAN] {
-            let error = effect_of_steps(&surface(), &[step], Boundary::Open);
+            let error = effect_of_steps(&surface(), &[step], Edges::Open);
             assert!(matches!(error, Err(StatsError::BadSetting { .. })));
         }
     }

@@ -2,9 +2,10 @@
 
 use crate::fractal::{self, PowerLaw};
 use crate::noise::NoiseFloor;
+use crate::options::{StatsOptions, check_range};
 use crate::polynomial::Polynomial;
 use crate::spectrum::{PowerSpectrum, Ring, Window};
-use crate::{Boundary, HeightStatistics, StatsError, StatsOptions, scale};
+use crate::{Edges, HeightStatistics, StatsError, scale};
 use contact_types::{Grid, HeightMap};
 use std::f64::consts::TAU;
 
@@ -42,7 +43,7 @@ impl SpectralScales {
         let levelled = HeightMap::new(map.grid(), heights)?;
         let rms_height = HeightStatistics::of(&levelled).rms_height;
         let mut heights = levelled.into_heights();
-        if options.boundary == Boundary::Open {
+        if options.edges == Edges::Open {
             Window::Hann.apply(map.grid(), &mut heights);
         }
         let rings = PowerSpectrum::of_field(map.grid(), &heights).rings();
@@ -77,20 +78,6 @@ fn ends(rings: &[Ring], two_pixels: f64, reliable: Option<f64>) -> (Option<f64>,
     (cutoff, rolloff.map(|r| r.wavelength))
 }
 
-pub(crate) fn check_range(range: Option<[f64; 2]>) -> Result<(), StatsError> {
-    let Some([short, long]) = range else { return Ok(()) };
-    let requirement = "wavelengths must be finite and greater than 0, the shorter one first";
-    for (setting, value, holds) in [
-        ("shortest wavelength of the fractal fit", short, short.is_finite() && short > 0.0),
-        ("longest wavelength of the fractal fit", long, long.is_finite() && long > short),
-    ] {
-        if !holds {
-            return Err(StatsError::BadSetting { setting, value, requirement });
-        }
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,9 +97,9 @@ mod tests {
             quantise: Some(1e-8),
         };
         let map = recipe.generate().unwrap();
-        for boundary in [Boundary::Open, Boundary::Periodic] {
+        for edges in [Edges::Open, Edges::Periodic] {
             for level in [crate::Level::None, crate::Level::Quadratic] {
-                let options = StatsOptions { level, boundary, ..StatsOptions::default() };
+                let options = StatsOptions { level, edges, ..StatsOptions::default() };
                 let all = SurfaceStatistics::of(&map, &options).unwrap();
                 let some = SpectralScales::of(&map, &options).unwrap();
                 let fractal = some.power_law.map(|p| p.fractal_of_surface());

@@ -2,41 +2,23 @@
 
 use crate::fractal::PowerLaw;
 use crate::noise::white_noise_moments;
+use crate::options::{StatsOptions, check_range};
 use crate::polynomial::Polynomial;
-use crate::spectral_scales::{SpectralScales, check_range};
+use crate::spectral_scales::SpectralScales;
 use crate::spectrum::{Axis, PowerSpectrum, Window, amplitudes_of_levelled};
 use crate::{
-    Boundary, DirectionalMoments, HeightStatistics, Level, StatsError, Summits, Warning, scale,
-    steps,
+    DirectionalMoments, Edges, HeightStatistics, Level, StatsError, Summits, Warning, scale, steps,
 };
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, FractalParameters, HeightMap, SpectralMoments,
 };
-
-/// How statistics are taken.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct StatsOptions {
-    /// What is removed by least squares first. The mean is always taken off: `None` is the same
-    /// as `Mean` here.
-    pub level: Level,
-    /// What lies beyond the edges.
-    pub boundary: Boundary,
-    /// Shortest and longest wavelength of the fractal fit (m); by default from the cut-off to the
-    /// roll-off, as found among the waves that stand out of the noise.
-    pub fractal_range: Option<[f64; 2]>,
-    /// Points of the map that were filled in, as its reader counted; passed through.
-    pub missing: usize,
-    /// Height step of the data as measured (m), where filling or removing a form has hidden it;
-    /// by default it is looked for in the map.
-    pub height_step: Option<f64>,
-}
 
 /// Everything a contact model can ask of a surface. SI units; absent where undefined.
 ///
 /// ```
 /// use contact_types::Grid;
 /// use surface_stats::synthesis::{Scale, SelfAffine};
-/// use surface_stats::{Boundary, StatsOptions, SurfaceStatistics};
+/// use surface_stats::{Edges, StatsOptions, SurfaceStatistics};
 ///
 /// let map = SelfAffine {
 ///     grid: Grid::new([256, 256], [1e-6, 1e-6])?,
@@ -48,7 +30,7 @@ pub struct StatsOptions {
 ///     quantise: None,
 /// }
 /// .generate()?;
-/// let options = StatsOptions { boundary: Boundary::Periodic, ..StatsOptions::default() };
+/// let options = StatsOptions { edges: Edges::Periodic, ..StatsOptions::default() };
 /// let statistics = SurfaceStatistics::of(&map, &options)?;
 /// assert!((statistics.rms_height / 0.5e-6 - 1.0).abs() < 1e-12);
 /// assert!((statistics.hurst.unwrap() - 0.8).abs() < 0.1);
@@ -64,7 +46,7 @@ pub struct SurfaceStatistics {
     /// What was removed first.
     pub level: Level,
     /// What lies beyond the edges.
-    pub boundary: Boundary,
+    pub edges: Edges,
     /// Points that were filled in.
     pub missing: usize,
     /// Sq (m).
@@ -140,8 +122,9 @@ pub struct SurfaceStatistics {
 }
 
 /// The spectra that [`SurfaceStatistics`] are taken from, of the levelled map.
+#[derive(Debug)]
 pub struct Spectra {
-    /// All waves: of the map as it repeats, or, with an open boundary, under a Hann window.
+    /// All waves: of the map as it repeats, or, with open edges, under a Hann window.
     pub power: PowerSpectrum,
     /// Amplitudes of the rows.
     pub amplitudes: AmplitudeSpectrum,
@@ -167,7 +150,7 @@ impl SurfaceStatistics {
     ) -> Result<(Self, Spectra), StatsError> {
         scale::check(map)?;
         check_range(options.fractal_range)?;
-        let (grid, periodic) = (map.grid(), options.boundary == Boundary::Periodic);
+        let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
         let degree = options.level.degree().unwrap_or(0);
         let tilt = if degree == 0 && !periodic {
             Polynomial::fit(grid, map.heights(), 1)?.explained(map.heights())
@@ -181,8 +164,8 @@ impl SurfaceStatistics {
         let surface = HeightMap::new(grid, heights)?;
 
         let distribution = HeightStatistics::of(&surface);
-        let differences = DirectionalMoments::of(&surface, options.boundary)?;
-        let summits = Summits::of(&surface, options.boundary)?;
+        let differences = DirectionalMoments::of(&surface, options.edges)?;
+        let summits = Summits::of(&surface, options.edges)?;
         let amplitudes = amplitudes_of_levelled(&surface, Axis::X)?;
         let edge_jump = edge_jump(&surface);
 
@@ -209,7 +192,7 @@ impl SurfaceStatistics {
             shape: grid.shape(),
             pixel: grid.pixel(),
             level: options.level,
-            boundary: options.boundary,
+            edges: options.edges,
             missing: options.missing,
             rms_height,
             mean_abs_height: distribution.mean_abs_height,

@@ -1,6 +1,6 @@
 //! Summits counted on the map.
 
-use crate::{Boundary, StatsError};
+use crate::{Edges, StatsError};
 use contact_types::HeightMap;
 
 /// Summits found pixel by pixel.
@@ -32,14 +32,14 @@ impl Summits {
     ///
     /// # Errors
     /// [`StatsError::TooSmall`] below 3 x 3 pixels.
-    pub fn of(map: &HeightMap, boundary: Boundary) -> Result<Self, StatsError> {
+    pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
         if ny < 3 || nx < 3 {
             let what = "a pixel with eight neighbours";
             return Err(StatsError::TooSmall { what, shape: [ny, nx], needed: [3, 3] });
         }
-        let around = Neighbours { map, boundary };
-        let rim = usize::from(boundary == Boundary::Open);
+        let around = Neighbours { map, edges };
+        let rim = usize::from(edges == Edges::Open);
         let (rows, columns) = (rim..ny - rim, rim..nx - rim);
         let candidates = rows.len() * columns.len();
         let mut found = Vec::new(); // (height, curvature)
@@ -86,14 +86,14 @@ enum Standing {
 
 struct Neighbours<'a> {
     map: &'a HeightMap,
-    boundary: Boundary,
+    edges: Edges,
 }
 
 impl Neighbours<'_> {
     /// Indices of the pixels around (iy, ix): eight, fewer on the rim of an open map.
     fn around(&self, iy: usize, ix: usize) -> impl Iterator<Item = usize> {
         let [ny, nx] = self.map.grid().shape();
-        let periodic = self.boundary == Boundary::Periodic;
+        let periodic = self.edges == Edges::Periodic;
         let step = move |i: usize, d: usize, n: usize| match (i + d, periodic) {
             (0, true) => Some(n - 1),
             (0, false) => None,
@@ -145,7 +145,7 @@ impl Neighbours<'_> {
             while let Some(pixel) = pending.pop() {
                 let (iy, ix) = (pixel / nx, pixel % nx);
                 let on_rim = iy == 0 || ix == 0 || iy + 1 == ny || ix + 1 == nx;
-                is_top &= self.boundary == Boundary::Periodic || !on_rim;
+                is_top &= self.edges == Edges::Periodic || !on_rim;
                 for other in self.around(iy, ix) {
                     is_top &= heights[other] <= heights[pixel];
                     #[expect(clippy::float_cmp, reason = "a plateau is of exactly equal heights")]
@@ -187,14 +187,14 @@ mod tests {
                 "00000000",
             ],
         );
-        let open = Summits::of(&m, Boundary::Open).unwrap();
+        let open = Summits::of(&m, Edges::Open).unwrap();
         assert_eq!((open.count, open.plateaus), (2, 1));
         assert_relative_eq!(open.density, 2.0 / (4.0 * 6.0 * 2.0));
         assert_relative_eq!(open.height_mean.unwrap(), 4.0);
         assert_relative_eq!(open.height_std.unwrap(), 1.0);
         // Peak 3: zxx = -6, zyy = -6/4. Peak 5: zxx = -10, zyy = (4 + 0 - 10)/4.
         assert_relative_eq!(open.curvature_mean.unwrap(), 4.75);
-        let periodic = Summits::of(&m, Boundary::Periodic).unwrap();
+        let periodic = Summits::of(&m, Edges::Periodic).unwrap();
         assert_eq!((periodic.count, periodic.plateaus), (3, 2));
         assert_relative_eq!(periodic.density, 3.0 / 96.0);
     }
@@ -202,8 +202,8 @@ mod tests {
     #[test]
     fn a_flat_map_has_neither() {
         let flat = map(4, &["1111", "1111", "1111"]);
-        for boundary in [Boundary::Open, Boundary::Periodic] {
-            let s = Summits::of(&flat, boundary).unwrap();
+        for edges in [Edges::Open, Edges::Periodic] {
+            let s = Summits::of(&flat, edges).unwrap();
             assert_eq!((s.count, s.plateaus, s.height_mean, s.curvature_mean), (0, 0, None, None));
         }
     }

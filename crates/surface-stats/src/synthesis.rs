@@ -10,6 +10,11 @@ use std::f64::consts::TAU;
 
 /// What fixes the height of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Scale {
     /// Rms height of the map (m).
     RmsHeight(f64),
@@ -52,6 +57,7 @@ pub enum Scale {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SelfAffine {
     /// Pixels of the map.
     pub grid: Grid,

@@ -7,7 +7,7 @@ use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
 use surface_stats::clean::{Form, OutlierRule, find_outliers, fit_form, gaussian_filter};
 use surface_stats::iso25178::{Autocorrelation, Hybrid, MaterialRatioCurve, texture_direction};
-use surface_stats::{Boundary, Level, StatsError, StatsOptions, SurfaceStatistics, Warning};
+use surface_stats::{Edges, Level, StatsError, StatsOptions, SurfaceStatistics, Warning};
 
 /// Every line of the table in the book, each with its limit.
 #[test]
@@ -80,12 +80,12 @@ fn numbers(s: &SurfaceStatistics) -> Vec<f64> {
 
 fn all_finite(m: &HeightMap) -> SurfaceStatistics {
     let mut last = None;
-    for boundary in [Boundary::Open, Boundary::Periodic] {
+    for edges in [Edges::Open, Edges::Periodic] {
         for level in [Level::None, Level::Mean, Level::Plane, Level::Quadratic] {
-            let options = StatsOptions { level, boundary, ..StatsOptions::default() };
+            let options = StatsOptions { level, edges, ..StatsOptions::default() };
             let s = SurfaceStatistics::of(m, &options).unwrap();
             for (i, x) in numbers(&s).iter().enumerate() {
-                assert!(x.is_finite(), "number {i} is {x} ({boundary}, {level})");
+                assert!(x.is_finite(), "number {i} is {x} ({edges}, {level})");
             }
             for warning in &s.warnings {
                 let text = warning.to_string();
@@ -177,8 +177,8 @@ fn further_parameters(m: &HeightMap) {
         finite(&[core.peak_ratio, core.valley_ratio, curve.peak_extreme_height()]);
         finite(&[v.peak_material, v.core_material, v.core_void, v.valley_void]);
     }
-    for boundary in [Boundary::Open, Boundary::Periodic] {
-        let s = Autocorrelation::of(m, boundary).unwrap().spatial();
+    for edges in [Edges::Open, Edges::Periodic] {
+        let s = Autocorrelation::of(m, edges).unwrap().spatial();
         finite(&[s.autocorrelation_length.unwrap_or(0.0), s.texture_aspect_ratio.unwrap_or(0.0)]);
     }
     finite(&[texture_direction(m).unwrap().unwrap_or(0.0)]);
@@ -194,7 +194,7 @@ fn further_parameters(m: &HeightMap) {
     }
     find_outliers(grid, &holed, OutlierRule::default()).unwrap();
     let cutoff = 3.0 * grid.pixel()[0].max(grid.pixel()[1]);
-    finite(&gaussian_filter(grid, &holed, cutoff, Boundary::Open).unwrap()[1..]);
+    finite(&gaussian_filter(grid, &holed, cutoff, Edges::Open).unwrap()[1..]);
 }
 
 #[test]
@@ -210,7 +210,7 @@ fn infinite_heights_are_refused_by_name() {
         refused(fit_form(grid, &heights, form).err());
     }
     refused(find_outliers(grid, &heights, OutlierRule::default()).err());
-    refused(gaussian_filter(grid, &heights, 4e-6, Boundary::Open).err());
+    refused(gaussian_filter(grid, &heights, 4e-6, Edges::Open).err());
 }
 
 /// Heights as files have them at their worst: ties, steps, spikes of fifty decades, signed zeros.

@@ -6,7 +6,7 @@ use contact_types::{Grid, HeightMap};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{Axis, amplitudes};
-use surface_stats::{Boundary, DirectionalMoments, StatsOptions, SurfaceStatistics};
+use surface_stats::{DirectionalMoments, Edges, StatsOptions, SurfaceStatistics};
 
 fn fixture(name: &str) -> Value {
     let path = format!("{}/../../fixtures/reference/{name}", env!("CARGO_MANIFEST_DIR"));
@@ -44,16 +44,16 @@ fn sums_of_cosines_to_13_digits() {
         let close = |found: f64, key: &str| {
             assert_relative_eq!(found, expected(key), max_relative = 1e-13);
         };
-        for (boundary, suffix) in [(Boundary::Open, "open"), (Boundary::Periodic, "periodic")] {
+        for (edges, suffix) in [(Edges::Open, "open"), (Edges::Periodic, "periodic")] {
             let key = |name: &str| format!("{name}_{suffix}");
-            let m = DirectionalMoments::of(&map, boundary).unwrap();
+            let m = DirectionalMoments::of(&map, edges).unwrap();
             close(m.m2_x, &key("m2_fwd_x"));
             close(m.m2_y, &key("m2_fwd_y"));
             close(m.m2_x_central, &key("m2_cen_x"));
             close(m.m2_y_central, &key("m2_cen_y"));
             close(m.m4_x, &key("m4_x"));
             close(m.m4_y, &key("m4_y"));
-            let options = StatsOptions { boundary, ..StatsOptions::default() };
+            let options = StatsOptions { edges, ..StatsOptions::default() };
             let s = SurfaceStatistics::of(&map, &options).unwrap();
             close(s.m0, "m0");
             close(s.m0_spectral, "m0");

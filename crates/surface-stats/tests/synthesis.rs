@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Window, radial_psd};
 use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{
-    Boundary, HeightStatistics, StatsError, StatsOptions, SurfaceStatistics, height_step,
+    Edges, HeightStatistics, StatsError, StatsOptions, SurfaceStatistics, height_step,
 };
 
 fn recipe(n: usize) -> SelfAffine {
@@ -24,7 +24,7 @@ fn recipe(n: usize) -> SelfAffine {
 }
 
 fn statistics(map: &HeightMap) -> SurfaceStatistics {
-    let options = StatsOptions { boundary: Boundary::Periodic, ..StatsOptions::default() };
+    let options = StatsOptions { edges: Edges::Periodic, ..StatsOptions::default() };
     SurfaceStatistics::of(map, &options).unwrap()
 }
 

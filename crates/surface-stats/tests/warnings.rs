@@ -3,7 +3,7 @@
 
 use contact_types::{Grid, HeightMap};
 use surface_stats::synthesis::{Scale, SelfAffine};
-use surface_stats::{Boundary, Level, StatsOptions, SurfaceStatistics, Warning};
+use surface_stats::{Edges, Level, StatsOptions, SurfaceStatistics, Warning};
 
 const UM: f64 = 1e-6;
 
@@ -26,27 +26,27 @@ fn changed(map: &HeightMap, height: impl Fn(f64, f64, f64) -> f64) -> HeightMap 
     HeightMap::new(map.grid(), map.heights().iter().enumerate().map(at).collect()).unwrap()
 }
 
-fn warnings(map: &HeightMap, boundary: Boundary) -> Vec<Warning> {
-    let options = StatsOptions { boundary, ..StatsOptions::default() };
+fn warnings(map: &HeightMap, edges: Edges) -> Vec<Warning> {
+    let options = StatsOptions { edges, ..StatsOptions::default() };
     SurfaceStatistics::of(map, &options).unwrap().warnings
 }
 
-fn kinds(map: &HeightMap, boundary: Boundary) -> Vec<&'static str> {
-    warnings(map, boundary).iter().map(Warning::kind).collect()
+fn kinds(map: &HeightMap, edges: Edges) -> Vec<&'static str> {
+    warnings(map, edges).iter().map(Warning::kind).collect()
 }
 
 #[test]
 fn a_sound_surface_has_none() {
     let map = recipe().generate().unwrap();
-    for boundary in [Boundary::Open, Boundary::Periodic] {
-        assert_eq!(kinds(&map, boundary), [""; 0]);
+    for edges in [Edges::Open, Edges::Periodic] {
+        assert_eq!(kinds(&map, edges), [""; 0]);
     }
 }
 
 #[test]
 fn a_tilt_is_named_until_it_is_taken_off() {
     let map = changed(&recipe().generate().unwrap(), |h, y, x| h + 0.002 * x - 0.003 * y);
-    assert!(kinds(&map, Boundary::Open).contains(&"tilted"));
+    assert!(kinds(&map, Edges::Open).contains(&"tilted"));
     let options = StatsOptions { level: Level::Plane, ..StatsOptions::default() };
     assert_eq!(SurfaceStatistics::of(&map, &options).unwrap().warnings, []);
 }
@@ -54,7 +54,7 @@ fn a_tilt_is_named_until_it_is_taken_off() {
 #[test]
 fn steps_are_named_with_their_height() {
     let map = SelfAffine { quantise: Some(50e-9), ..recipe() }.generate().unwrap();
-    let found = warnings(&map, Boundary::Periodic);
+    let found = warnings(&map, Edges::Periodic);
     let Warning::Stepped { step, m4_share, .. } = found[0] else { panic!("{found:?}") };
     assert!((step / 50e-9 - 1.0).abs() < 1e-9 && m4_share > 0.25);
     assert!(matches!(found[1], Warning::FlatTops { .. }), "{found:?}");
@@ -74,8 +74,8 @@ fn noise_is_named_with_its_level_and_where_it_begins() {
     let noise = noise.generate().unwrap();
     let heights = clean.heights().iter().zip(noise.heights()).map(|(a, b)| a + b).collect();
     let noisy = HeightMap::new(clean.grid(), heights).unwrap();
-    for boundary in [Boundary::Open, Boundary::Periodic] {
-        let found = warnings(&noisy, boundary);
+    for edges in [Edges::Open, Edges::Periodic] {
+        let found = warnings(&noisy, edges);
         let Some(Warning::Noisy { rms, reliable, .. }) =
             found.iter().find(|w| w.kind() == "noisy").copied()
         else {
@@ -85,7 +85,7 @@ fn noise_is_named_with_its_level_and_where_it_begins() {
         assert!((rms / 22.57e-9 - 1.0).abs() < 0.03, "{rms:e}");
         assert!((reliable.unwrap() / (6.0 * UM) - 1.0).abs() < 0.06, "{reliable:?}");
     }
-    let alone = warnings(&noise, Boundary::Periodic);
+    let alone = warnings(&noise, Edges::Periodic);
     let nothing = |w: &Warning| matches!(w, Warning::Noisy { reliable: None, .. });
     assert!(alone.iter().any(nothing), "{alone:?}");
 }
@@ -95,17 +95,17 @@ fn direction_distribution_and_band_are_judged() {
     let map = recipe().generate().unwrap();
     let stretched =
         HeightMap::new(Grid::new([384, 384], [2.0 * UM, UM]).unwrap(), map.heights().to_vec());
-    assert!(kinds(&stretched.unwrap(), Boundary::Periodic).contains(&"anisotropic"));
+    assert!(kinds(&stretched.unwrap(), Edges::Periodic).contains(&"anisotropic"));
     // Oblique lay has equal slopes along both axes: only the tensor sees it.
     let oblique = changed(&map, |h, y, x| h + 0.6 * UM * (0.5 * (x + y) / UM).sin());
-    assert!(kinds(&oblique, Boundary::Open).contains(&"anisotropic"));
+    assert!(kinds(&oblique, Edges::Open).contains(&"anisotropic"));
     let worn = changed(&map, |h, _, _| h.min(0.1 * UM));
-    assert!(kinds(&worn, Boundary::Periodic).contains(&"not-gaussian"));
+    assert!(kinds(&worn, Edges::Periodic).contains(&"not-gaussian"));
     let fine = SelfAffine { cutoff: 2.0 * UM, ..recipe() }.generate().unwrap();
-    assert!(kinds(&fine, Boundary::Periodic).contains(&"unresolved"));
+    assert!(kinds(&fine, Edges::Periodic).contains(&"unresolved"));
     // One oblique wave: m0 m4 / m2² = 1, below any isotropic surface.
     let wave = changed(&map, |_, y, x| UM * (0.2 * (x + y) / UM).sin());
-    assert!(kinds(&wave, Boundary::Open).contains(&"narrow-band"));
+    assert!(kinds(&wave, Edges::Open).contains(&"narrow-band"));
 }
 
 #[test]
@@ -116,8 +116,8 @@ fn what_one_map_cannot_show_is_said() {
         HeightMap::new(Grid::new([n, n], [UM, UM]).unwrap(), heights).unwrap()
     };
     let long = SelfAffine { rolloff: 1000.0 * UM, ..recipe() }.generate().unwrap();
-    assert!(kinds(&long, Boundary::Periodic).contains(&"no-rolloff"));
+    assert!(kinds(&long, Edges::Periodic).contains(&"no-rolloff"));
     let few = SelfAffine { rolloff: 110.0 * UM, ..recipe() }.generate().unwrap();
-    assert!(kinds(&few, Boundary::Periodic).contains(&"few-waves"));
-    assert!(kinds(&crop(&long, 200), Boundary::Open).contains(&"edge-jump"));
+    assert!(kinds(&few, Edges::Periodic).contains(&"few-waves"));
+    assert!(kinds(&crop(&long, 200), Edges::Open).contains(&"edge-jump"));
 }

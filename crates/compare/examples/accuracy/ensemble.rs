@@ -4,7 +4,7 @@ use contact_types::{Grid, HeightMap};
 use std::error::Error;
 use surface_stats::clean::resample;
 use surface_stats::synthesis::{Scale, SelfAffine};
-use surface_stats::{Boundary, Level, level};
+use surface_stats::{Edges, Level, level};
 
 /// Points along each side.
 const POINTS: usize = 160;
@@ -133,8 +133,8 @@ impl Recipe {
                 let map = HeightMap::new(map.grid(), map.heights().iter().map(worn).collect())?;
                 // Bending makes shorter waves: keep those down to 3 pixels.
                 let kept = 2 * POINTS / 3;
-                let coarse = resample(&map, [kept, kept], Boundary::Periodic)?;
-                Ok(resample(&coarse, map.grid().shape(), Boundary::Periodic)?)
+                let coarse = resample(&map, [kept, kept], Edges::Periodic)?;
+                Ok(resample(&coarse, map.grid().shape(), Edges::Periodic)?)
             }
             Family::ObliqueLay => {
                 let stretch = 1.5 + 4.5 * self.special;

@@ -84,7 +84,7 @@ fn truths(map: &HeightMap, known: &Map, mode: Mode) -> Result<Vec<Solution>, Box
     let gradient = PowerSpectrum::of(map, window)?.moments().0.rms_gradient();
     let shape = map.grid().shape().map(|n| FINER * n);
     let fine = if known.repeats && mode.boundary() == Boundary::Periodic {
-        resample(map, shape, surface_stats::Boundary::Periodic)?
+        resample(map, shape, surface_stats::Edges::Periodic)?
     } else {
         resample_mirrored(map, shape)?
     };

@@ -6,7 +6,7 @@ use contact_types::{Grid, HeightMap};
 use std::error::Error;
 use surface_stats::clean::resample;
 use surface_stats::synthesis::{Scale, SelfAffine};
-use surface_stats::{Boundary, Level, level};
+use surface_stats::{Edges, Level, level};
 
 /// Points along each side.
 pub(crate) const POINTS: usize = 256;
@@ -110,11 +110,7 @@ pub(crate) fn make(recipe: &Recipe, factor: usize) -> Result<HeightMap, Box<dyn 
     }
     let map = given(recipe)?;
     let [ny, nx] = map.grid().shape();
-    Ok(if factor == 1 {
-        map
-    } else {
-        resample(&map, [factor * ny, factor * nx], Boundary::Periodic)?
-    })
+    Ok(if factor == 1 { map } else { resample(&map, [factor * ny, factor * nx], Edges::Periodic)? })
 }
 
 fn cropped(recipe: &Recipe, factor: usize) -> Result<HeightMap, Box<dyn Error>> {
@@ -122,7 +118,7 @@ fn cropped(recipe: &Recipe, factor: usize) -> Result<HeightMap, Box<dyn Error>> 
     let (n, pixel) = (factor * POINTS, PIXEL / factor as f64);
     let mut whole = waves(recipe, large, recipe.seed).generate()?;
     if factor > 1 {
-        whole = resample(&whole, [2 * n, 2 * n], Boundary::Periodic)?;
+        whole = resample(&whole, [2 * n, 2 * n], Edges::Periodic)?;
     }
     let rows = whole.heights().chunks_exact(2 * n).take(n);
     let crop = rows.flat_map(|row| row[..n].iter().copied()).collect();

@@ -7,7 +7,7 @@ use contact_types::{Grid, HeightMap};
 use std::error::Error;
 use surface_stats::clean::resample;
 use surface_stats::synthesis::{Scale, SelfAffine};
-use surface_stats::{Boundary, Level, level};
+use surface_stats::{Edges, Level, level};
 
 /// Points along each side.
 const POINTS: usize = 240;
@@ -75,7 +75,7 @@ impl Recipe {
         }
         let map = self.given()?;
         let finer = map.grid().shape().map(|n| factor * n);
-        Ok(if factor == 1 { map } else { resample(&map, finer, Boundary::Periodic)? })
+        Ok(if factor == 1 { map } else { resample(&map, finer, Edges::Periodic)? })
     }
 
     /// The middle ninth of a larger map, without its plane.
@@ -83,7 +83,7 @@ impl Recipe {
         let n = factor * POINTS;
         let mut whole = self.waves([3 * POINTS, 3 * POINTS], [PIXEL, PIXEL])?;
         if factor > 1 {
-            whole = resample(&whole, [3 * n, 3 * n], Boundary::Periodic)?;
+            whole = resample(&whole, [3 * n, 3 * n], Edges::Periodic)?;
         }
         let rows = whole.heights().chunks_exact(3 * n).skip(n).take(n);
         let crop = rows.flat_map(|row| row[n..2 * n].iter().copied()).collect();

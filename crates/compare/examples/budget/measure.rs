@@ -10,7 +10,7 @@ use fft_bem_solver::{Load, Solution, Solver};
 use std::error::Error;
 use std::fmt::Write as _;
 use surface_stats::spectrum::{PowerSpectrum, Window};
-use surface_stats::{Boundary, DirectionalMoments, height_step};
+use surface_stats::{DirectionalMoments, Edges, height_step};
 
 /// Contact modulus \[Pa\]; every number kept is free of it.
 const MODULUS: f64 = 1e11;
@@ -99,7 +99,7 @@ pub(crate) fn surface(index: usize, surface: &dyn Surface) -> Result<String, Box
     let n = map.grid().len() as f64;
     let mean = map.mean();
     let rms = (map.heights().iter().map(|h| (h - mean).powi(2)).sum::<f64>() / n).sqrt();
-    let moments = DirectionalMoments::of(&map, Boundary::Periodic)?.isotropic(rms * rms);
+    let moments = DirectionalMoments::of(&map, Edges::Periodic)?.isotropic(rms * rms);
     let gradient = moments.rms_gradient();
     let resolution = |window| -> Result<f64, Box<dyn Error>> {
         Ok(PowerSpectrum::of(&map, window)?.resolved_gradient().unwrap_or(1.0))

@@ -3,7 +3,7 @@
 
 use contact_types::HeightMap;
 use std::error::Error;
-use surface_stats::Boundary;
+use surface_stats::Edges;
 use surface_stats::clean::resample;
 
 /// Digits of `i` in `base`, mirrored at the point: a number between 0 and 1. Any first part of
@@ -47,5 +47,5 @@ pub(crate) fn bent_by(
     let heights = map.heights().iter().map(|h| rms * change(h / rms)).collect();
     let bent = HeightMap::new(grid, heights)?;
     let kept = grid.shape().map(|points| ((2.0 * points as f64 / cutoff) as usize).min(points));
-    Ok(resample(&resample(&bent, kept, Boundary::Periodic)?, grid.shape(), Boundary::Periodic)?)
+    Ok(resample(&resample(&bent, kept, Edges::Periodic)?, grid.shape(), Edges::Periodic)?)
 }

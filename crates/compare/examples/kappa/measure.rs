@@ -5,7 +5,7 @@ use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::reference::full_contact;
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solver};
 use std::error::Error;
-use surface_stats::Boundary;
+use surface_stats::Edges;
 use surface_stats::clean::resample;
 use surface_stats::spectrum::{PowerSpectrum, Window};
 use surface_stats::synthesis::{Scale, SelfAffine};
@@ -107,7 +107,7 @@ impl Case {
         if self.solved == self.pixels {
             return Ok(map);
         }
-        Ok(resample(&map, [self.periods * self.breadth * self.solved; 2], Boundary::Periodic)?)
+        Ok(resample(&map, [self.periods * self.breadth * self.solved; 2], Edges::Periodic)?)
     }
 
     /// Its rows.

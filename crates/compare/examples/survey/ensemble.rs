@@ -5,7 +5,7 @@ use crate::drawing::{bent, log_between, van_der_corput};
 use compare::survey::Family;
 use contact_types::{Grid, HeightMap};
 use std::error::Error;
-use surface_stats::Boundary;
+use surface_stats::Edges;
 use surface_stats::clean::resample;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
@@ -100,7 +100,7 @@ pub(crate) fn make(recipe: &Recipe) -> Result<[HeightMap; 2], Box<dyn Error>> {
     if recipe.family == Family::Skewed {
         map = bent(&map, recipe.bend, recipe.tails, shortest)?;
     }
-    let fine = resample(&map, [2 * POINTS, 2 * POINTS], Boundary::Periodic)?;
+    let fine = resample(&map, [2 * POINTS, 2 * POINTS], Edges::Periodic)?;
     if recipe.step > 0.0 {
         let step = recipe.step * PIXEL * GRADIENT;
         let rounded = map.heights().iter().map(|h| (h / step).round() * step).collect();

@@ -15,7 +15,7 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 use surface_stats::clean::resample;
 use surface_stats::spectrum::{Axis, amplitudes};
-use surface_stats::{Boundary, Level, StatsOptions, SurfaceStatistics};
+use surface_stats::{Edges, Level, StatsOptions, SurfaceStatistics};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -148,7 +148,7 @@ fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(Row)) -> Outcome<
     Ok(())
 }
 
-const PERIODIC: Boundary = Boundary::Periodic;
+const PERIODIC: Edges = Edges::Periodic;
 
 /// Points per side of a coarser or finer grid; even when coarser, as transforms like it.
 fn scaled(points: usize, scale: f64) -> usize {
@@ -175,8 +175,7 @@ fn as_compared(surface: Surface) -> Outcome<(HeightMap, Inputs)> {
 
 /// Seconds for everything a model may need of a map.
 fn statistics_seconds(map: &HeightMap) -> Outcome<f64> {
-    let options =
-        StatsOptions { level: Level::None, boundary: PERIODIC, ..StatsOptions::default() };
+    let options = StatsOptions { level: Level::None, edges: PERIODIC, ..StatsOptions::default() };
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
         let clock = Instant::now();

@@ -182,13 +182,13 @@ fn references(sources: &[Citation]) -> String {
         .enumerate()
         .map(|(i, c)| {
             let doi =
-                if c.doi.is_empty() { String::new() } else { format!(", doi:{}", escape(c.doi)) };
+                if c.doi.is_empty() { String::new() } else { format!(", doi:{}", escape(&c.doi)) };
             format!(
                 "<li id=\"r{}\">{}, {}, {} ({}){doi}.</li>\n",
                 i + 1,
-                escape(c.authors),
-                escape(c.title),
-                escape(c.journal),
+                escape(&c.authors),
+                escape(&c.title),
+                escape(&c.journal),
                 c.year
             )
         })

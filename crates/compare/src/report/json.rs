@@ -191,7 +191,7 @@ fn answer(mean_pressure: f64, result: &Result<ContactState, ModelError>) -> Valu
             "real_pressure": s.real_pressure(),
             "separation": s.separation,
             "mean_gap": s.mean_gap,
-            "caveat": s.caveat.map(|c| c.to_string()),
+            "caveat": s.caveat.as_ref().map(ToString::to_string),
             "error": null,
         }),
         Err(e) => json!({
@@ -282,7 +282,7 @@ pub fn statistics(s: &SurfaceStatistics) -> Value {
         "shape": s.shape,
         "pixel": s.pixel,
         "level": format!("{:?}", s.level).to_lowercase(),
-        "boundary": format!("{:?}", s.boundary).to_lowercase(),
+        "boundary": s.edges.name(),
         "missing": s.missing,
         "rms_height": s.rms_height,
         "mean_abs_height": s.mean_abs_height,

@@ -19,9 +19,7 @@ use std::io::Cursor;
 use std::ops::ControlFlow;
 use surface_io::{Fill, ReadOptions};
 use surface_stats::spectrum::{Axis, amplitudes, radial};
-use surface_stats::{
-    Boundary, DirectionalMoments, SpectralScales, StatsOptions, SurfaceStatistics,
-};
+use surface_stats::{DirectionalMoments, Edges, SpectralScales, StatsOptions, SurfaceStatistics};
 
 /// One call and what it took from the allocator, on one thread.
 pub(crate) struct Case {
@@ -164,13 +162,13 @@ fn files(map: &HeightMap) -> [Case; 2] {
 
 fn statistics(map: &HeightMap) -> Vec<Case> {
     let package = "surface-stats";
-    let all = |boundary| {
-        let options = StatsOptions { boundary, ..StatsOptions::default() };
+    let all = |edges| {
+        let options = StatsOptions { edges, ..StatsOptions::default() };
         black_box(SurfaceStatistics::of(map, &options).expect("a surface"));
     };
     vec![
         Case::on(package, "m2 and m4 (for GW, BGT, elliptical)", map, || {
-            black_box(DirectionalMoments::of(map, Boundary::Open).expect("a surface"));
+            black_box(DirectionalMoments::of(map, Edges::Open).expect("a surface"));
         }),
         Case::on(package, "radial spectrum (for Persson)", map, || {
             black_box(radial(map).expect("a surface"));
@@ -182,8 +180,8 @@ fn statistics(map: &HeightMap) -> Vec<Case> {
             let options = StatsOptions::default();
             black_box(SpectralScales::of(map, &options).expect("a surface"));
         }),
-        Case::on(package, "all statistics, periodic", map, || all(Boundary::Periodic)),
-        Case::on(package, "all statistics, open", map, || all(Boundary::Open)),
+        Case::on(package, "all statistics, periodic", map, || all(Edges::Periodic)),
+        Case::on(package, "all statistics, open", map, || all(Edges::Open)),
     ]
 }
 

@@ -73,11 +73,11 @@ impl Hertz {
         let curvature_ratio = radii[0].min(radii[1]) / radii[0].max(radii[1]);
         if curvature_ratio < 1e-12 {
             return Err(ModelError::OutsideDomain {
-                model: "Hertz",
-                quantity: "ratio of the radii",
+                model: "Hertz".into(),
+                quantity: "ratio of the radii".into(),
                 value: curvature_ratio,
                 domain: 1e-12..=1.0,
-                reason: "so long an ellipse is a line contact",
+                reason: "so long an ellipse is a line contact".into(),
             });
         }
         let axis_ratio = axis_ratio(curvature_ratio);

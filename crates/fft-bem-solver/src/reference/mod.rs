@@ -24,7 +24,12 @@ fn positive(model: &'static str, quantity: &'static str, value: f64) -> Result<f
         return Ok(value);
     }
     let requirement = "it must be finite and greater than 0";
-    Err(ModelError::InvalidInput { model, quantity, value, requirement })
+    Err(ModelError::InvalidInput {
+        model: model.into(),
+        quantity: quantity.into(),
+        value,
+        requirement: requirement.into(),
+    })
 }
 
 /// `value`, if it is a finite number, 0 or above.
@@ -37,5 +42,10 @@ fn not_negative(
         return Ok(value);
     }
     let requirement = "it must be finite and not negative";
-    Err(ModelError::InvalidInput { model, quantity, value, requirement })
+    Err(ModelError::InvalidInput {
+        model: model.into(),
+        quantity: quantity.into(),
+        value,
+        requirement: requirement.into(),
+    })
 }

@@ -54,10 +54,10 @@ impl TwoHarmonic {
         positive("two harmonics", "wavelength", wavelength)?;
         if !amplitudes[1].is_finite() {
             return Err(ModelError::InvalidInput {
-                model: "two harmonics",
-                quantity: "second amplitude",
+                model: "two harmonics".into(),
+                quantity: "second amplitude".into(),
                 value: amplitudes[1],
-                requirement: "it must be finite",
+                requirement: "it must be finite".into(),
             });
         }
         Ok(Self { amplitudes, wavelength, modulus })
@@ -75,13 +75,13 @@ impl TwoHarmonic {
     /// [`ModelError::OutsideDomain`] if one strip cannot cover that much: the formula would need
     /// tension or overlap.
     pub fn at_area_fraction(&self, area_fraction: f64) -> Result<TwoHarmonicContact, ModelError> {
-        let outside = |reason| {
+        let outside = |reason: &'static str| {
             Err(ModelError::OutsideDomain {
-                model: "two harmonics",
-                quantity: "area fraction",
+                model: "two harmonics".into(),
+                quantity: "area fraction".into(),
                 value: area_fraction,
                 domain: 0.0..=1.0,
-                reason,
+                reason: reason.into(),
             })
         };
         if !(area_fraction > 0.0 && area_fraction < 1.0) {

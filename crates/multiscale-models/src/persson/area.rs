@@ -1,6 +1,8 @@
 //! Real area by Persson's law, its inverse, and the area seen at a magnification.
 
-use super::{AreaLaw, MODEL, Persson, reduced_diffusion};
+use super::reduced_diffusion;
+use super::span::MODEL;
+use super::theory::{AreaLaw, Persson};
 use crate::require;
 use crate::special::{erf, erf_inv, erfc, erfc_inv};
 use crate::wide::Wide;
@@ -112,12 +114,12 @@ impl Persson {
     }
 
     fn pressure_at_argument(&self, argument: f64, area_fraction: f64) -> Result<f64, ModelError> {
-        let unreachable = |reason| ModelError::OutsideDomain {
-            model: MODEL,
-            quantity: "area fraction",
+        let unreachable = |reason: &'static str| ModelError::OutsideDomain {
+            model: MODEL.into(),
+            quantity: "area fraction".into(),
             value: area_fraction,
             domain: 0.0..=1.0 - f64::EPSILON / 2.0,
-            reason,
+            reason: reason.into(),
         };
         if argument <= 0.0 {
             return Ok(0.0);

@@ -1,7 +1,8 @@
 //! Mean gap, stiffness and elastic energy.
 
-use super::scales::{Decay, Scales};
-use super::{MODEL, Persson};
+use super::scales::Scales;
+use super::span::{Decay, MODEL};
+use super::theory::Persson;
 use crate::require;
 use crate::special::{erf, half_e1_of_square, squared_erf_tail};
 use crate::wide::Wide;
@@ -139,11 +140,11 @@ impl Persson {
         let scales = self.spectrum()?;
         if self.slope.is_zero() {
             return Err(ModelError::OutsideDomain {
-                model: MODEL,
-                quantity: "rms gradient",
+                model: MODEL.into(),
+                quantity: "rms gradient".into(),
                 value: 0.0,
                 domain: f64::MIN_POSITIVE..=f64::MAX,
-                reason: "a flat surface has no gap at any load",
+                reason: "a flat surface has no gap at any load".into(),
             });
         }
         let share = scales.integrate(LIGHT, Decay::Gaussian, |_| 1.0);
@@ -158,11 +159,12 @@ impl Persson {
     /// The spectrum, or a refusal that says how to give one.
     pub(super) fn spectrum(&self) -> Result<&Scales, ModelError> {
         self.scales.as_deref().ok_or(ModelError::InvalidInput {
-            model: MODEL,
-            quantity: "number of shells of the spectrum",
+            model: MODEL.into(),
+            quantity: "number of shells of the spectrum".into(),
             value: 0.0,
             requirement: "the mean gap and all that depends on wavenumber need more than moments: \
-                          use Persson::from_spectrum or Persson::from_self_affine",
+                          use Persson::from_spectrum or Persson::from_self_affine"
+                .into(),
         })
     }
 }

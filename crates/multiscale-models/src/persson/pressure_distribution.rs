@@ -1,6 +1,7 @@
 //! The distribution of pressure over the nominal area.
 
-use super::{MODEL, Persson};
+use super::span::MODEL;
+use super::theory::Persson;
 use crate::require;
 use crate::special::{erf, erfc};
 use contact_types::ModelError;
@@ -38,11 +39,11 @@ impl Persson {
         let domain = 1e-300..=1e300;
         if !domain.contains(&deviation.value()) {
             return Err(ModelError::OutsideDomain {
-                model: MODEL,
-                quantity: "pressure deviation",
+                model: MODEL.into(),
+                quantity: "pressure deviation".into(),
                 value: deviation.value().min(f64::MAX),
                 domain,
-                reason: "the pressure on a surface this flat is uniform",
+                reason: "the pressure on a surface this flat is uniform".into(),
             });
         }
         let mean = (crate::wide::Wide::from(pressure) / deviation).value();

@@ -34,11 +34,11 @@ impl SelfAffineSpectrum {
         let count = length * (cutoff / TAU) * (1.0 + 1e-12);
         if !(1.0..=MOST_WAVES).contains(&count) {
             return Err(ModelError::OutsideDomain {
-                model: MODEL,
-                quantity: "record length over shortest wavelength",
+                model: MODEL.into(),
+                quantity: "record length over shortest wavelength".into(),
                 value: count,
                 domain: 1.0..=MOST_WAVES,
-                reason: "a record needs at least one wave, and not more than a million",
+                reason: "a record needs at least one wave, and not more than a million".into(),
             });
         }
         let step = TAU / length / rolloff; // wavenumbers in units of the roll-off
@@ -51,10 +51,10 @@ impl SelfAffineSpectrum {
             }
         });
         AmplitudeSpectrum::new(waves.collect(), length).map_err(|_| ModelError::InvalidInput {
-            model: MODEL,
-            quantity: "record length",
+            model: MODEL.into(),
+            quantity: "record length".into(),
             value: record_length,
-            requirement: "its amplitudes must be within the range of a double",
+            requirement: "its amplitudes must be within the range of a double".into(),
         })
     }
 

@@ -1,6 +1,6 @@
 //! A continuous self-affine spectrum with a plateau.
 
-use super::scales::{Range, check_span};
+use super::span::{Range, check_span};
 use crate::require;
 use crate::special::gauss_legendre;
 use crate::wide::Wide;
@@ -52,12 +52,14 @@ impl SelfAffineSpectrum {
         wavenumbers: [f64; 3],
         m0: f64,
     ) -> Result<Self, ModelError> {
-        let outside = |quantity, value, domain, reason| ModelError::OutsideDomain {
-            model: MODEL,
-            quantity,
-            value,
-            domain,
-            reason,
+        let outside = |quantity: &'static str, value, domain, reason: &'static str| {
+            ModelError::OutsideDomain {
+                model: MODEL.into(),
+                quantity: quantity.into(),
+                value,
+                domain,
+                reason: reason.into(),
+            }
         };
         if !(0.0..=1.0).contains(&hurst) {
             let reason = "a self-affine surface has a Hurst exponent between 0 and 1";

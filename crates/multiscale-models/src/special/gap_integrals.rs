@@ -1,6 +1,6 @@
 //! The two integrals of Persson's mean gap.
 
-use super::chebyshev;
+use super::chebyshev::chebyshev;
 use super::coefficients::{E1_TAIL, K_HEAD, K_TAIL};
 
 /// Euler's constant.

@@ -4,6 +4,7 @@
 //! random arguments against 40-digit values: 0.7 and 1.5 units in the last place). What no small
 //! crate has with that accuracy is here: inverses, and the integrals of Persson's mean gap.
 
+mod chebyshev;
 mod coefficients;
 mod erf_inverse;
 mod gap_integrals;
@@ -13,12 +14,3 @@ pub use erf_inverse::{erf_inv, erfc_inv};
 pub use gap_integrals::{half_e1_of_square, squared_erf_tail};
 pub(crate) use gauss::gauss_legendre;
 pub use libm::{erf, erfc};
-
-/// Sum of Chebyshev polynomials `c[j] T_j(t)` (Clenshaw).
-fn chebyshev(c: &[f64], t: f64) -> f64 {
-    let (mut b1, mut b2) = (0.0, 0.0);
-    for &cj in c[1..].iter().rev() {
-        (b1, b2) = (cj + 2.0 * t * b1 - b2, b1);
-    }
-    c[0] + t * b1 - b2
-}

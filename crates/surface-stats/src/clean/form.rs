@@ -14,6 +14,11 @@ const SETTLED: f64 = 1e-9;
 
 /// Nominal form of a measured part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "String", into = "String")
+)]
 pub enum Form {
     /// All terms up to a total degree: 0 mean, 1 plane, 2 quadratic, up to 12.
     Polynomial(usize),

@@ -1,6 +1,6 @@
 //! Gaussian S- and L-filters.
 
-use crate::{Boundary, StatsError, scale};
+use crate::{Edges, StatsError, scale};
 use contact_types::{Grid, HeightMap};
 use grid_fft::GridFft;
 use std::f64::consts::{LN_2, PI};
@@ -36,7 +36,7 @@ pub fn gaussian_filter(
     grid: Grid,
     heights: &[f64],
     cutoff: f64,
-    boundary: Boundary,
+    edges: Edges,
 ) -> Result<Vec<f64>, StatsError> {
     let [dy, dx] = grid.pixel();
     if !(cutoff.is_finite() && cutoff >= 2.0 * dy.max(dx)) {
@@ -47,9 +47,9 @@ pub fn gaussian_filter(
         });
     }
     scale::check_measured(grid, heights)?;
-    match boundary {
-        Boundary::Periodic => Ok(periodic(HeightMap::new(grid, heights.to_vec())?, cutoff)),
-        Boundary::Open => Ok(open(grid, heights, cutoff)),
+    match edges {
+        Edges::Periodic => Ok(periodic(HeightMap::new(grid, heights.to_vec())?, cutoff)),
+        Edges::Open => Ok(open(grid, heights, cutoff)),
     }
 }
 
@@ -60,9 +60,9 @@ pub fn gaussian_filter(
 pub fn s_filter(
     map: &HeightMap,
     nesting_index: f64,
-    boundary: Boundary,
+    edges: Edges,
 ) -> Result<HeightMap, StatsError> {
-    let long = gaussian_filter(map.grid(), map.heights(), nesting_index, boundary)?;
+    let long = gaussian_filter(map.grid(), map.heights(), nesting_index, edges)?;
     Ok(HeightMap::new(map.grid(), long)?)
 }
 
@@ -73,9 +73,9 @@ pub fn s_filter(
 pub fn l_filter(
     map: &HeightMap,
     nesting_index: f64,
-    boundary: Boundary,
+    edges: Edges,
 ) -> Result<HeightMap, StatsError> {
-    let mut short = gaussian_filter(map.grid(), map.heights(), nesting_index, boundary)?;
+    let mut short = gaussian_filter(map.grid(), map.heights(), nesting_index, edges)?;
     for (s, h) in short.iter_mut().zip(map.heights()) {
         *s = h - *s;
     }
@@ -201,8 +201,8 @@ mod tests {
                 let transmission = 2f64.powf(-ratio * ratio);
                 // What sampled weights let through of the first alias, on the coarser side.
                 let sampling = 4.0 * 2f64.powf(-(cutoff / 1.5 - ratio).powi(2)) + 1e-12;
-                let periodic = s_filter(&map, cutoff, Boundary::Periodic).unwrap();
-                let open = s_filter(&map, cutoff, Boundary::Open).unwrap();
+                let periodic = s_filter(&map, cutoff, Edges::Periodic).unwrap();
+                let open = s_filter(&map, cutoff, Edges::Open).unwrap();
                 for iy in 0..160 {
                     for ix in 0..240 {
                         let expected = 3.0 + transmission * wave(1.5 * iy as f64, ix as f64);
@@ -225,7 +225,7 @@ mod tests {
         for range in [0..50, 100..103, 400..401] {
             heights[range].fill(f64::NAN);
         }
-        let filtered = gaussian_filter(grid, &heights, 9.0, Boundary::Open).unwrap();
+        let filtered = gaussian_filter(grid, &heights, 9.0, Edges::Open).unwrap();
         for (f, h) in filtered.iter().zip(&heights) {
             assert_eq!(f.is_nan(), h.is_nan());
             assert!(f.is_nan() || (f - 76e-3).abs() < 1e-16);
@@ -238,15 +238,15 @@ mod tests {
         let grid = Grid::new([64, 64], [1.0, 1.0]).unwrap();
         let map = HeightMap::from_fn(grid, |y, x| (0.3 * x).sin() + (0.7 * y + 0.1 * x).cos());
         let map = map.unwrap();
-        let long = s_filter(&map, 6.0, Boundary::Open).unwrap();
-        let short = l_filter(&map, 6.0, Boundary::Open).unwrap();
+        let long = s_filter(&map, 6.0, Edges::Open).unwrap();
+        let short = l_filter(&map, 6.0, Edges::Open).unwrap();
         for i in 0..grid.len() {
             let sum = long.heights()[i] + short.heights()[i];
             assert_relative_eq!(sum, map.heights()[i], epsilon = 1e-14);
         }
         let mut heights = map.heights().to_vec();
         heights[64 * 60 + 60] = f64::NAN;
-        let holed = gaussian_filter(grid, &heights, 6.0, Boundary::Open).unwrap();
+        let holed = gaussian_filter(grid, &heights, 6.0, Edges::Open).unwrap();
         assert_relative_eq!(holed[64 * 20 + 20], long.at(20, 20), epsilon = 1e-14);
     }
 
@@ -254,12 +254,12 @@ mod tests {
     fn senseless_cutoffs_are_refused() {
         let grid = Grid::new([4, 4], [1.0, 2.0]).unwrap();
         for cutoff in [0.0, 3.9, f64::NAN, f64::INFINITY] {
-            let error = gaussian_filter(grid, &[0.0; 16], cutoff, Boundary::Open);
+            let error = gaussian_filter(grid, &[0.0; 16], cutoff, Edges::Open);
             assert!(matches!(error, Err(StatsError::BadSetting { .. })), "{cutoff}");
         }
         let holed = [f64::NAN; 16];
-        let error = gaussian_filter(grid, &holed, 4.0, Boundary::Periodic);
+        let error = gaussian_filter(grid, &holed, 4.0, Edges::Periodic);
         assert!(matches!(error, Err(StatsError::Surface(_))));
-        assert!(gaussian_filter(grid, &holed, 4.0, Boundary::Open).is_ok());
+        assert!(gaussian_filter(grid, &holed, 4.0, Edges::Open).is_ok());
     }
 }

@@ -123,7 +123,7 @@ mod tests {
         let ramp = HeightMap::from_fn(grid, |_, x| x).unwrap();
         let (low, high) = resample_mirrored(&ramp, [4, 256]).unwrap().range();
         assert!(low > -0.6 && high < 63.6, "{low} {high}");
-        let periodic = crate::clean::resample(&ramp, [4, 256], crate::Boundary::Periodic).unwrap();
+        let periodic = crate::clean::resample(&ramp, [4, 256], crate::Edges::Periodic).unwrap();
         assert!(periodic.range().1 > 66.0);
     }
 }

@@ -4,6 +4,7 @@
 //! before anything is filled in. Missing points stay missing; none becomes a height.
 
 mod form;
+mod form_name;
 mod gaussian;
 mod mirror;
 mod outliers;
@@ -11,6 +12,7 @@ mod plan;
 mod transform;
 
 pub use form::{FittedForm, Form, FormParameters, fit_form};
+pub use form_name::FormNameError;
 pub use gaussian::{gaussian_filter, l_filter, s_filter};
 pub use mirror::{mirrored, resample_mirrored};
 pub use outliers::{OutlierRule, Outliers, find_outliers};

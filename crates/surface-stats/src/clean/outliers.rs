@@ -5,6 +5,7 @@ use contact_types::Grid;
 
 /// When a point is a spike.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct OutlierRule {
     /// Half width of the square window of neighbours, in pixels; 2 sees spikes up to 3 x 3.
     pub reach: usize,

@@ -3,12 +3,17 @@
 use super::{
     FittedForm, Form, FormParameters, OutlierRule, find_outliers, fit_form, gaussian_filter,
 };
-use crate::{Boundary, StatsError};
+use crate::{Edges, StatsError};
 use contact_types::Grid;
 use std::fmt;
 
 /// One step, as asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Step {
     /// Spikes become missing points.
     Outliers(OutlierRule),
@@ -62,7 +67,7 @@ pub fn apply(
     grid: Grid,
     heights: &mut Vec<f64>,
     steps: &[Step],
-    boundary: Boundary,
+    edges: Edges,
 ) -> Result<Vec<Record>, StatsError> {
     let mut records = Vec::with_capacity(steps.len());
     for &step in steps {
@@ -79,11 +84,11 @@ pub fn apply(
                 Record::Form { parameters: fitted.parameters(), points: fitted.points() }
             }
             Step::SFilter(nesting_index) => {
-                *heights = gaussian_filter(grid, heights, nesting_index, boundary)?;
+                *heights = gaussian_filter(grid, heights, nesting_index, edges)?;
                 Record::SFilter { nesting_index }
             }
             Step::LFilter(nesting_index) => {
-                let long = gaussian_filter(grid, heights, nesting_index, boundary)?;
+                let long = gaussian_filter(grid, heights, nesting_index, edges)?;
                 for (h, l) in heights.iter_mut().zip(long) {
                     *h -= l;
                 }
@@ -186,7 +191,7 @@ mod tests {
         heights[500..520].fill(f64::NAN);
         let steps =
             [Step::Outliers(OutlierRule::default()), Step::Form(Form::Sphere), Step::SFilter(6e-6)];
-        let records = apply(grid, &mut heights, &steps, Boundary::Open).unwrap();
+        let records = apply(grid, &mut heights, &steps, Edges::Open).unwrap();
         assert!(matches!(records[0], Record::Outliers { count: 1, .. }));
         let Record::Form { parameters: FormParameters::Sphere { radius, .. }, points } = records[1]
         else {
@@ -194,7 +199,7 @@ mod tests {
         };
         assert_eq!(points, 120 * 100 - 21);
         assert!((radius / 2e-3 - 1.0).abs() < 0.01, "{radius}");
-        let filtered = gaussian_filter(grid, &rough, 6e-6, Boundary::Open).unwrap();
+        let filtered = gaussian_filter(grid, &rough, 6e-6, Edges::Open).unwrap();
         for (i, (h, r)) in heights.iter().zip(&filtered).enumerate() {
             let missing = i == 4040 || (500..520).contains(&i);
             assert_eq!(h.is_nan(), missing);
@@ -209,7 +214,7 @@ mod tests {
     fn nothing_asked_nothing_done() {
         let grid = Grid::new([2, 2], [1.0, 1.0]).unwrap();
         let mut heights = vec![1.0, 2.0, 3.0, 9.0];
-        assert!(apply(grid, &mut heights, &[], Boundary::Open).unwrap().is_empty());
+        assert!(apply(grid, &mut heights, &[], Edges::Open).unwrap().is_empty());
         assert_eq!(heights, [1.0, 2.0, 3.0, 9.0]);
     }
 }

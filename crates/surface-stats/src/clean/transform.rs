@@ -1,7 +1,7 @@
 //! Turning, resampling and adding maps.
 
 use super::gaussian::gaussian_filter;
-use crate::{Boundary, StatsError};
+use crate::{Edges, StatsError};
 use contact_types::{ContactModulus, Elastic, Grid, HeightMap};
 use grid_fft::GridFft;
 use std::cmp::Ordering;
@@ -28,6 +28,11 @@ pub fn flip(map: &HeightMap, axis: Axis) -> HeightMap {
 
 /// How the second map was measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Facing {
     /// From its own outside, as instruments do: it is mirrored along x when it is turned over and
     /// laid on the first.
@@ -92,14 +97,10 @@ pub fn equivalent(
 /// # Errors
 /// [`StatsError::TooSmall`] below 4 x 4 pixels before or 2 x 2 after on an open map;
 /// [`StatsError::Surface`] for an empty or too large shape.
-pub fn resample(
-    map: &HeightMap,
-    shape: [usize; 2],
-    boundary: Boundary,
-) -> Result<HeightMap, StatsError> {
-    match boundary {
-        Boundary::Periodic => fourier(map, shape),
-        Boundary::Open => cubic(map, shape),
+pub fn resample(map: &HeightMap, shape: [usize; 2], edges: Edges) -> Result<HeightMap, StatsError> {
+    match edges {
+        Edges::Periodic => fourier(map, shape),
+        Edges::Open => cubic(map, shape),
     }
 }
 
@@ -162,7 +163,7 @@ fn cubic(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsError> {
     let shortest = 2.0 * grid.pixel()[0].max(grid.pixel()[1]);
     let smooth = step[0] > 1.0 || step[1] > 1.0;
     let smoothed = smooth
-        .then(|| gaussian_filter(map.grid(), map.heights(), shortest, Boundary::Open))
+        .then(|| gaussian_filter(map.grid(), map.heights(), shortest, Edges::Open))
         .transpose()?;
     let heights = smoothed.as_deref().unwrap_or(map.heights());
 
@@ -291,7 +292,7 @@ mod tests {
             };
             let map = HeightMap::from_fn(grid([ny, nx]), wave).unwrap();
             let expected = HeightMap::from_fn(grid([my, mx]), wave).unwrap();
-            let found = resample(&map, [my, mx], Boundary::Periodic).unwrap();
+            let found = resample(&map, [my, mx], Edges::Periodic).unwrap();
             for (a, b) in found.heights().iter().zip(expected.heights()) {
                 prop_assert!((a - b).abs() < 1e-13);
             }
@@ -305,7 +306,7 @@ mod tests {
             let grid = Grid::new(shape, [1.0, 1.0]).unwrap();
             let heights = (0..grid.len()).map(|i| (1.7 * (i * i) as f64).sin()).collect();
             let map = HeightMap::new(grid, heights).unwrap();
-            let fine = resample(&map, [3 * shape[0], 2 * shape[1]], Boundary::Periodic).unwrap();
+            let fine = resample(&map, [3 * shape[0], 2 * shape[1]], Edges::Periodic).unwrap();
             for iy in 0..shape[0] {
                 for ix in 0..shape[1] {
                     assert_abs_diff_eq!(fine.at(3 * iy, 2 * ix), map.at(iy, ix), epsilon = 1e-14);
@@ -321,7 +322,7 @@ mod tests {
         let z =
             |y: f64, x: f64| 1.0 + 0.2 * x - 0.1 * y + 0.05 * x * x - 0.02 * x * y + 0.01 * y * y;
         let map = HeightMap::from_fn(grid, z).unwrap();
-        let fine = resample(&map, [33, 40], Boundary::Open).unwrap();
+        let fine = resample(&map, [33, 40], Edges::Open).unwrap();
         let [dy, dx] = fine.grid().pixel();
         assert_relative_eq!(32.0 * dy, 16.0, max_relative = 1e-14);
         assert_relative_eq!(39.0 * dx, 11.0, max_relative = 1e-14);
@@ -331,7 +332,7 @@ mod tests {
                 assert_abs_diff_eq!(fine.at(iy, ix), expected, epsilon = 1e-13);
             }
         }
-        let same = resample(&map, [9, 12], Boundary::Open).unwrap();
+        let same = resample(&map, [9, 12], Edges::Open).unwrap();
         for (a, b) in same.heights().iter().zip(map.heights()) {
             assert_abs_diff_eq!(a, b, epsilon = 1e-14);
         }
@@ -342,13 +343,13 @@ mod tests {
     fn coarsening_does_not_alias() {
         let grid = Grid::new([120, 120], [1.0, 1.0]).unwrap();
         let map = HeightMap::from_fn(grid, |y, x| (TAU * (x / 3.1 + y / 2.9)).cos()).unwrap();
-        let coarse = resample(&map, [30, 30], Boundary::Open).unwrap();
-        let m = DirectionalMoments::of(&coarse, Boundary::Open).unwrap();
+        let coarse = resample(&map, [30, 30], Edges::Open).unwrap();
+        let m = DirectionalMoments::of(&coarse, Edges::Open).unwrap();
         assert!(m.m2_x + m.m2_y < 1e-3, "{m:?}");
         for shape in [[1, 5], [5, 1]] {
-            let error = resample(&map, shape, Boundary::Open);
+            let error = resample(&map, shape, Edges::Open);
             assert!(matches!(error, Err(StatsError::TooSmall { .. })));
         }
-        assert!(resample(&map, [0, 5], Boundary::Periodic).is_err());
+        assert!(resample(&map, [0, 5], Edges::Periodic).is_err());
     }
 }

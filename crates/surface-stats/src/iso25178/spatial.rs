@@ -1,7 +1,7 @@
 //! Autocorrelation length, texture aspect ratio and direction.
 
 use crate::spectrum::PowerSpectrum;
-use crate::{Boundary, StatsError, scale};
+use crate::{Edges, StatsError, scale};
 use contact_types::{Grid, HeightMap};
 use grid_fft::{Complex, GridFft};
 use std::f64::consts::PI;
@@ -40,10 +40,10 @@ impl Autocorrelation {
     ///
     /// # Errors
     /// [`StatsError::OutOfRange`]; [`StatsError::Surface`] if the continued map is too large.
-    pub fn of(map: &HeightMap, boundary: Boundary) -> Result<Self, StatsError> {
+    pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         scale::check(map)?;
         let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
-        let open = boundary == Boundary::Open;
+        let open = edges == Edges::Open;
         let shape = if open { [2 * ny, 2 * nx] } else { [ny, nx] };
         let grid = Grid::new(shape, map.grid().pixel())?;
         let mean = map.mean();
@@ -168,7 +168,7 @@ mod tests {
         let (ky, kx) = (7.0, 8.6);
         let q = [TAU * ky / 360.0, TAU * kx / 256.0];
         let map = HeightMap::from_fn(grid, |y, x| (q[0] * y + q[1] * x).cos()).unwrap();
-        let correlation = Autocorrelation::of(&map, Boundary::Open).unwrap();
+        let correlation = Autocorrelation::of(&map, Edges::Open).unwrap();
         let s = correlation.spatial();
         let expected = 0.2f64.acos() / q[0].hypot(q[1]);
         assert_relative_eq!(s.autocorrelation_length.unwrap(), expected, max_relative = 0.003);
@@ -183,7 +183,7 @@ mod tests {
         let grid = Grid::new([16, 40], [1.0, 1.0]).unwrap();
         let q = TAU * 3.0 / 40.0;
         let map = HeightMap::from_fn(grid, |_, x| 5.0 + (q * x).sin()).unwrap();
-        let correlation = Autocorrelation::of(&map, Boundary::Periodic).unwrap();
+        let correlation = Autocorrelation::of(&map, Edges::Periodic).unwrap();
         for shift in -20..=20 {
             let x = f64::from(shift);
             let value = correlation.at(3.0, x).unwrap();
@@ -207,7 +207,7 @@ mod tests {
             let heights = recipe.generate().unwrap().into_heights();
             let grid = Grid::new([512, 512], [dy, 1e-6]).unwrap();
             let map = HeightMap::new(grid, heights).unwrap();
-            let correlation = Autocorrelation::of(&map, Boundary::Periodic).unwrap();
+            let correlation = Autocorrelation::of(&map, Edges::Periodic).unwrap();
             correlation.spatial().texture_aspect_ratio.unwrap()
         };
         let isotropic = aspect(1e-6);
@@ -218,8 +218,8 @@ mod tests {
     #[test]
     fn a_flat_map_has_no_texture() {
         let map = HeightMap::new(Grid::new([5, 6], [1.0, 1.0]).unwrap(), vec![2.0; 30]).unwrap();
-        for boundary in [Boundary::Open, Boundary::Periodic] {
-            let s = Autocorrelation::of(&map, boundary).unwrap().spatial();
+        for edges in [Edges::Open, Edges::Periodic] {
+            let s = Autocorrelation::of(&map, edges).unwrap().spatial();
             assert_eq!((s.autocorrelation_length, s.texture_aspect_ratio), (None, None));
         }
         assert_eq!(texture_direction(&map).unwrap(), None);

@@ -1,12 +1,17 @@
 //! Spectra of the rows or columns of a map.
 
 use super::Window;
-use crate::{Boundary, StatsError, scale};
+use crate::{Edges, StatsError, scale};
 use contact_types::{AmplitudeSpectrum, HeightMap, Wave};
 use grid_fft::{Complex, GridFft};
 
 /// Direction of a profile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Axis {
     /// Along a column.
     Y,
@@ -134,7 +139,7 @@ pub fn psd_1d(map: &HeightMap, axis: Axis, window: Window) -> Result<Vec<Profile
 pub fn structure_function(
     map: &HeightMap,
     axis: Axis,
-    boundary: Boundary,
+    edges: Edges,
 ) -> Result<Vec<[f64; 2]>, StatsError> {
     scale::check(map)?;
     let (n, ..) = profiles(map, axis)?;
@@ -152,11 +157,11 @@ pub fn structure_function(
             match axis {
                 Axis::X => {
                     add(&row[..nx - lag], &row[lag..]);
-                    if boundary == Boundary::Periodic {
+                    if edges == Edges::Periodic {
                         add(&row[nx - lag..], &row[..lag]);
                     }
                 }
-                Axis::Y if boundary == Boundary::Periodic || iy + lag < ny => {
+                Axis::Y if edges == Edges::Periodic || iy + lag < ny => {
                     let other = (iy + lag) % ny;
                     add(row, &heights[other * nx..(other + 1) * nx]);
                 }
@@ -217,7 +222,7 @@ mod tests {
             let psd = psd_1d(&map, axis, Window::None).unwrap();
             let variance: f64 = psd.iter().map(|bin| bin.psd / length).sum();
             assert_relative_eq!(variance, amplitude * amplitude / 2.0, max_relative = 1e-9);
-            for [lag, value] in structure_function(&map, axis, Boundary::Periodic).unwrap() {
+            for [lag, value] in structure_function(&map, axis, Edges::Periodic).unwrap() {
                 let expected = amplitude * amplitude * (1.0 - (q * lag).cos());
                 assert_relative_eq!(value, expected, max_relative = 1e-8);
             }

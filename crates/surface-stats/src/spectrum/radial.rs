@@ -7,6 +7,7 @@ use grid_fft::{Complex, GridFft};
 use std::f64::consts::{PI, TAU};
 
 /// All waves of a map: `|H|²` on the half spectrum.
+#[derive(Debug, Clone)]
 pub struct PowerSpectrum {
     grid: Grid,
     waves: Vec<Complex<f64>>,

@@ -10,6 +10,11 @@ use std::f64::consts::PI;
 /// at the edges removes the jump. The result is divided by the mean square of the window, so that
 /// the variance of a homogeneous surface is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Window {
     /// None: right for maps that repeat.
     #[default]

@@ -5,7 +5,7 @@ use contact_types::{Grid, HeightMap};
 use std::f64::consts::{PI, TAU};
 use surface_stats::spectrum::{Axis, PowerSpectrum, Window, amplitudes};
 use surface_stats::{
-    Boundary, DirectionalMoments, HeightStatistics, Level, StatsOptions, SurfaceStatistics,
+    DirectionalMoments, Edges, HeightStatistics, Level, StatsOptions, SurfaceStatistics,
 };
 
 /// One line of the table.
@@ -37,7 +37,7 @@ fn map(shape: [usize; 2], pixel: [f64; 2], height: impl Fn(usize, usize) -> f64)
 }
 
 fn statistics(map: &HeightMap) -> SurfaceStatistics {
-    let options = StatsOptions { boundary: Boundary::Periodic, ..StatsOptions::default() };
+    let options = StatsOptions { edges: Edges::Periodic, ..StatsOptions::default() };
     SurfaceStatistics::of(map, &options).expect("the map is within range")
 }
 
@@ -304,7 +304,7 @@ fn spike(height: f64) -> f64 {
     let peak = |iy, ix| if (iy, ix) == (200, 77) { height } else { 0.0 };
     let map = map([512, 512], [d, d], peak);
     let heights = HeightStatistics::of(&map);
-    let differences = DirectionalMoments::of(&map, Boundary::Periodic).expect("large enough");
+    let differences = DirectionalMoments::of(&map, Edges::Periodic).expect("large enough");
     let p = 1.0 / n;
     let spread = p * (1.0 - p);
     let squared = height * height / n;
@@ -323,11 +323,8 @@ fn spike(height: f64) -> f64 {
 fn stairs(offset: f64) -> f64 {
     let (levels, step, d) = (25.0_f64, 1e-8, 1e-6);
     let map = map([8, 50], [d, d], |_, ix| offset + step * (ix % 25) as f64);
-    let options = StatsOptions {
-        boundary: Boundary::Periodic,
-        level: Level::Mean,
-        ..StatsOptions::default()
-    };
+    let options =
+        StatsOptions { edges: Edges::Periodic, level: Level::Mean, ..StatsOptions::default() };
     let s = SurfaceStatistics::of(&map, &options).expect("within range");
     let squares = levels * levels;
     worst(&[

@@ -6,7 +6,7 @@ use clap::Args;
 use compare::{Cleaning, FormName};
 use std::path::Path;
 use surface_io::Measurement;
-use surface_stats::Boundary;
+use surface_stats::Edges;
 use surface_stats::clean::{self, Record};
 
 /// Done in this order on the valid points, before missing points are filled.
@@ -65,7 +65,7 @@ pub(crate) fn apply(
     cleaning.check(measurement.grid()).map_err(|e| Failure::in_file(path, &e))?;
     let steps = cleaning.steps();
     // A measured map ends at its edges, whatever is assumed beyond them later.
-    let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps, Boundary::Open);
+    let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps, Edges::Open);
     measurement.edit(clean).map_err(|e| Failure::in_file(path, &e))
 }
 

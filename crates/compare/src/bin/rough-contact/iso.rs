@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use surface_stats::iso25178::{
     Autocorrelation, CoreRoughness, Hybrid, MaterialRatioCurve, Spatial, Volumes, texture_direction,
 };
-use surface_stats::{Boundary, HeightStatistics, StatsError};
+use surface_stats::{Edges, HeightStatistics, StatsError};
 
 /// Height, hybrid, spatial, material-ratio and volume parameters.
 pub(crate) struct Iso {
@@ -21,12 +21,12 @@ pub(crate) struct Iso {
 
 impl Iso {
     /// Of a levelled map.
-    pub(crate) fn of(map: &HeightMap, boundary: Boundary) -> Result<Self, StatsError> {
+    pub(crate) fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         let curve = MaterialRatioCurve::of(map)?;
         Ok(Self {
             heights: HeightStatistics::of(map),
             hybrid: Hybrid::of(map)?,
-            spatial: Autocorrelation::of(map, boundary)?.spatial(),
+            spatial: Autocorrelation::of(map, edges)?.spatial(),
             direction: texture_direction(map)?,
             core: curve.core(),
             volumes: curve.volumes(),

@@ -149,7 +149,7 @@ fn reply(entry: &ModelEntry, inputs: &Inputs, questions: &[Question], answers: &
     for (question, answer) in questions.iter().zip(answers) {
         columns.row(cells(*question, answer));
         let note = match answer {
-            Ok(state) => state.caveat.map(|caveat| format!("caution: {caveat}")),
+            Ok(state) => state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) => Some(format!("refused: {error}")),
         };
         notes.extend(note.filter(|note| !notes.contains(note)));
@@ -228,9 +228,13 @@ fn point(question: Question, answer: &Answer) -> Value {
 }
 
 fn caveat(caveat: &Caveat) -> Value {
-    let (quantity, value, limit) = match *caveat {
-        Caveat::Saturated { quantity } | Caveat::Underflow { quantity } => (quantity, None, None),
-        Caveat::BeyondModel { quantity, value, limit, .. } => (quantity, Some(value), Some(limit)),
+    let (quantity, value, limit) = match caveat {
+        Caveat::Saturated { quantity } | Caveat::Underflow { quantity } => {
+            (quantity.as_ref(), None, None)
+        }
+        Caveat::BeyondModel { quantity, value, limit, .. } => {
+            (quantity.as_ref(), Some(*value), Some(*limit))
+        }
         _ => ("", None, None),
     };
     json!({
@@ -241,11 +245,11 @@ fn caveat(caveat: &Caveat) -> Value {
 
 fn refusal(error: &ModelError) -> Value {
     let (quantity, value, domain) = match error {
-        ModelError::InvalidInput { quantity, value, .. } => (*quantity, Some(*value), None),
+        ModelError::InvalidInput { quantity, value, .. } => (quantity.as_ref(), Some(*value), None),
         ModelError::OutsideDomain { quantity, value, domain, .. } => {
             // The largest double stands for no bound.
             let bound = |end: f64| (end.abs() < f64::MAX).then_some(end);
-            (*quantity, Some(*value), Some([bound(*domain.start()), bound(*domain.end())]))
+            (quantity.as_ref(), Some(*value), Some([bound(*domain.start()), bound(*domain.end())]))
         }
         ModelError::NotConverged { residual, .. } => ("residual", Some(*residual), None),
         _ => ("", None, None),

@@ -17,7 +17,7 @@ use std::path::Path;
 use surface_stats::fractal::PowerLaw;
 use surface_stats::spectrum::{Axis, amplitudes, radial};
 use surface_stats::{
-    Boundary, DirectionalMoments, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
+    DirectionalMoments, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
 };
 
 /// Roughness typed in.
@@ -107,10 +107,10 @@ impl Edges {
         }
     }
 
-    pub(crate) fn rule(self) -> Boundary {
+    pub(crate) fn rule(self) -> surface_stats::Edges {
         match self {
-            Self::Open => Boundary::Open,
-            Self::Periodic => Boundary::Periodic,
+            Self::Open => surface_stats::Edges::Open,
+            Self::Periodic => surface_stats::Edges::Periodic,
         }
     }
 }
@@ -260,15 +260,14 @@ impl Source {
     ) -> Result<Inputs, Failure> {
         let refused = |e: StatsError| Failure::in_file(path, &e);
         let form = args::form(self.level.unwrap_or(LevelName::Mean));
-        let boundary = self.boundary.unwrap_or(Edges::Open).rule();
+        let edges = self.boundary.unwrap_or(Edges::Open).rule();
         let Complete { map: heights, missing, .. } = surface;
         let mut inputs = Inputs::new(modulus);
         inputs.gamma = self.gamma;
         inputs.critical_area = self.critical_area;
         inputs.nominal_area = Some(heights.grid().area());
         if model == "majumdar-bhushan" {
-            let options =
-                StatsOptions { level: form, boundary, missing, ..StatsOptions::default() };
+            let options = StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
             let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
             let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
             inputs.dimension = fractal.map(|(dimension, _)| dimension);
@@ -284,7 +283,7 @@ impl Source {
             }
             _ => {
                 let rms = HeightStatistics::of(&map).rms_height;
-                let differences = DirectionalMoments::of(&map, boundary).map_err(refused)?;
+                let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
                 inputs.source = MomentSource::FiniteDifferences;
                 inputs.moments = Some(differences.isotropic(rms * rms));
             }

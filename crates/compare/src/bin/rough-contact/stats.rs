@@ -31,7 +31,7 @@ impl Stats {
         let Complete { map, missing, cleaned, height_step } = self.input.surface()?;
         let options = StatsOptions {
             level: args::form(self.level),
-            boundary: self.boundary.rule(),
+            edges: self.boundary.rule(),
             missing,
             height_step,
             ..StatsOptions::default()
@@ -43,7 +43,7 @@ impl Stats {
         let mut text = text::cleaning(&cleaned) + &self.describe(&s);
         if self.iso {
             let iso = level(&map, options.level)
-                .and_then(|map| Iso::of(&map, options.boundary))
+                .and_then(|map| Iso::of(&map, options.edges))
                 .map_err(|e| Failure::in_file(&self.input.file, &e))?;
             text = format!("{text}\nISO 25178-2\n{}", iso.describe());
             json["iso25178"] = iso.json();

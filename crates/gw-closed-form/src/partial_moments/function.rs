@@ -1,0 +1,173 @@
+//! How one order is evaluated: Taylor series between tabled nodes, and the two far ends.
+
+use super::far_field;
+use super::gaussian::{FRAC_1_SQRT_2PI, times_gaussian};
+use super::nodes::{self, Node};
+use crate::arithmetic::{clamp_to_finite, half_power, two_product};
+
+/// Where the Chebyshev series in 64/α² takes over.
+pub(super) const FAR: f64 = 8.0;
+/// Where the overlap series takes over.
+pub(super) const NEAR: f64 = -10.0;
+/// Nodes per unit of α.
+const PER_UNIT: f64 = 4.0;
+
+/// What distinguishes one order from another.
+pub(super) struct Function {
+    pub(super) n: f64,
+    nodes: &'static [Node; 73],
+    far: &'static [f64],
+    /// Γ(n+1)/√(2π).
+    factor: f64,
+    /// Argument where J_n = 1, its rounding error, and the slope there.
+    pub(super) unity: Option<Node>,
+}
+
+pub(super) static MINUS_HALF: Function = Function {
+    n: -0.5,
+    nodes: &nodes::MINUS_HALF,
+    far: &far_field::MINUS_HALF,
+    factor: core::f64::consts::FRAC_1_SQRT_2,
+    unity: None,
+};
+pub(super) static ZERO: Function = Function {
+    n: 0.0,
+    nodes: &nodes::ZERO,
+    far: &far_field::ZERO,
+    factor: FRAC_1_SQRT_2PI,
+    unity: None,
+};
+pub(super) static HALF: Function = Function {
+    n: 0.5,
+    nodes: &nodes::HALF,
+    far: &far_field::HALF,
+    factor: 0.353_553_390_593_273_8, // sqrt(2)/4
+    unity: Some(nodes::UNITY_HALF),
+};
+pub(super) static ONE: Function = Function {
+    n: 1.0,
+    nodes: &nodes::ONE,
+    far: &far_field::ONE,
+    factor: FRAC_1_SQRT_2PI,
+    unity: Some(nodes::UNITY_ONE),
+};
+pub(super) static THREE_HALVES: Function = Function {
+    n: 1.5,
+    nodes: &nodes::THREE_HALVES,
+    far: &far_field::THREE_HALVES,
+    factor: 0.530_330_085_889_910_6, // 3 sqrt(2)/8
+    unity: Some(nodes::UNITY_THREE_HALVES),
+};
+pub(super) static FIVE_HALVES: Function = Function {
+    n: 2.5,
+    nodes: &nodes::FIVE_HALVES,
+    far: &far_field::FIVE_HALVES,
+    factor: 1.325_825_214_724_776_6, // 15 sqrt(2)/16
+    unity: Some(nodes::UNITY_FIVE_HALVES),
+};
+
+impl Function {
+    pub(super) fn value(&self, alpha: f64) -> f64 {
+        if alpha >= FAR {
+            if alpha > 39.0 { 0.0 } else { times_gaussian(self.far_scaled(alpha), alpha) }
+        } else if alpha <= NEAR {
+            self.overlap(-alpha)
+        } else {
+            let k = libm::rint(PER_UNIT * alpha);
+            let [value, low, slope] = self.nodes[(k - PER_UNIT * NEAR) as usize];
+            let at = k / PER_UNIT;
+            value + (low + self.taylor(at, value, slope, alpha - at))
+        }
+    }
+
+    /// J(at + delta) - J(at) from value and slope at `at`: the terms u_k of the Taylor series
+    /// follow from J'' = n J - α J'.
+    pub(super) fn taylor(&self, at: f64, value: f64, slope: f64, delta: f64) -> f64 {
+        const TERMS: usize = 20;
+        let (x, y) = (-at * delta, delta * delta);
+        let mut u = [0.0; TERMS];
+        // The rounding error of the first term is kept: without it neighbouring arguments can
+        // come out in the wrong order.
+        let (first, first_low) = two_product(slope, delta);
+        (u[0], u[1]) = (value, first);
+        for k in 0..TERMS - 2 {
+            let m = k as f64;
+            u[k + 2] = (x * RECIPROCAL[k + 2]) * u[k + 1]
+                + (y * (self.n - m) * (RECIPROCAL[k + 1] * RECIPROCAL[k + 2])) * u[k];
+        }
+        first + (first_low + u[2..].iter().rev().sum::<f64>())
+    }
+
+    /// α -> -∞: J_n = x^n (1 + c), x = -α, with x^n as a sum of two doubles.
+    fn overlap(&self, x: f64) -> f64 {
+        if x == f64::INFINITY {
+            return if self.n > 0.0 { f64::MAX } else { 1.0 };
+        }
+        let (power, low, exponent) = half_power((2.0 * self.n) as i32, x);
+        let sum = power + (low + power * self.overlap_correction(x));
+        clamp_to_finite(libm::scalbn(sum, exponent))
+    }
+
+    /// c = Σ_{k>0} (-n)_{2k} / (k! (2x²)^k); ends by itself for integer n.
+    pub(super) fn overlap_correction(&self, x: f64) -> f64 {
+        if x > 1e9 {
+            return 0.0;
+        }
+        let inverse = 0.5 / (x * x);
+        let mut term = 1.0;
+        let mut terms = [0.0; 16];
+        for (k, slot) in terms.iter_mut().enumerate() {
+            let m = 2.0 * k as f64 - self.n;
+            term *= m * (m + 1.0) * inverse / (k as f64 + 1.0);
+            *slot = term;
+            if term.abs() < 1e-20 {
+                break;
+            }
+        }
+        terms.iter().rev().sum()
+    }
+
+    /// exp(α²/2) J_n(α) √(2π) α^{n+1} / Γ(n+1) for α ≥ 8; tends to 1.
+    pub(super) fn far_series(&self, alpha: f64) -> f64 {
+        let ratio = FAR / alpha;
+        chebyshev(self.far, 2.0 * (ratio * ratio) - 1.0)
+    }
+
+    pub(super) fn far_scaled(&self, alpha: f64) -> f64 {
+        let mut scaled = self.factor * self.far_series(alpha);
+        let mut halves = (2.0 * self.n) as i32 + 2; // divide by alpha^{n+1}
+        if halves % 2 == 1 {
+            scaled /= libm::sqrt(alpha);
+            halves -= 1;
+        }
+        while halves > 0 {
+            scaled /= alpha;
+            halves -= 2;
+        }
+        scaled
+    }
+
+    pub(super) fn far_ln_scaled(&self, alpha: f64) -> f64 {
+        libm::log(self.factor * self.far_series(alpha)) - (self.n + 1.0) * libm::log(alpha)
+    }
+}
+
+/// Σ c_k T_k(x) by Clenshaw's recurrence.
+fn chebyshev(coefficients: &[f64], x: f64) -> f64 {
+    let (mut b1, mut b2) = (0.0, 0.0);
+    for &c in coefficients[1..].iter().rev() {
+        (b1, b2) = (2.0 * x * b1 - b2 + c, b1);
+    }
+    coefficients[0] + (x * b1 - b2)
+}
+
+/// 1/k.
+static RECIPROCAL: [f64; 21] = {
+    let mut r = [0.0; 21];
+    let mut k = 1;
+    while k < 21 {
+        r[k] = 1.0 / k as f64;
+        k += 1;
+    }
+    r
+};

@@ -1,0 +1,209 @@
+//! The theory of one surface: what it is made from, and its answer at a pressure.
+
+use super::scales::Scales;
+use super::self_affine::SelfAffineSpectrum;
+use super::span::MODEL;
+use crate::require;
+use crate::wide::Wide;
+use contact_types::{
+    Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, RoughnessSpectrum,
+    SpectralMoments,
+};
+use std::borrow::Borrow;
+use std::sync::Arc;
+
+/// Above this rms gradient a half-space with small slopes is no longer meant.
+const STEEP: f64 = 1.0;
+
+/// How the area follows from the spectrum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum AreaLaw {
+    /// `A/A_0 = erf(p / (E* sqrt(m2)))`, Persson's law.
+    #[default]
+    Diffusion,
+    /// The variance that drives the diffusion is reduced where the contact is already partial,
+    /// `dV_eff = [gamma + (1 - gamma) A^2] dV`, as an open implementation of the theory has it;
+    /// `A/A_0 = erf(p / sqrt(2 V_eff))`. With gamma = 1 it is the same as [`Self::Diffusion`].
+    /// The mean gap does not change with this option.
+    ReducedDiffusion,
+}
+
+/// Persson's theory of elastic contact between a rough surface and a flat.
+///
+/// ```math
+/// \frac{A}{A_0} = \operatorname{erf}\frac{p}{\sqrt{2V}}
+///   = \operatorname{erf}\frac{\sqrt2\,p}{E^* g_\mathrm{rms}}
+///   = \operatorname{erf}\frac{p}{E^*\sqrt{m_2}},
+/// \qquad V = \tfrac14 E^{*2} g_\mathrm{rms}^2
+/// ```
+///
+/// - `p`: nominal pressure \[Pa\]; `E*`: contact modulus \[Pa\];
+/// - `g_rms`: rms gradient of the surface, `g_rms^2 = 2 m2` \[-\]; mind that the root of 2 goes
+///   with `g_rms`, not with `sqrt(m2)`;
+/// - `V`: variance of the pressure in full contact \[Pa²\].
+///
+/// Made from moments it knows the area only; made from a spectrum also the mean gap, its
+/// stiffness, the elastic energy and the area seen at a given magnification.
+///
+/// ```
+/// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
+/// use multiscale_models::Persson;
+/// let moments = SpectralMoments { m0: 1e-12, m2: 0.02, m4: 1e9 };
+/// let model = Persson::from_moments(moments, ContactModulus::from_pascals(110e9)?)?;
+/// let state = model.at_pressure(50e6)?;
+/// assert!((state.area_fraction - 0.0036267).abs() < 1e-7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// Persson (2001), doi:10.1063/1.1388626 (area); Persson (2007),
+/// doi:10.1103/PhysRevLett.99.125502 (mean gap); Yang & Persson (2008),
+/// doi:10.1088/0953-8984/20/21/215214 (gamma).
+#[derive(Debug, Clone)]
+pub struct Persson {
+    pub(super) modulus: ContactModulus,
+    /// `sqrt(m2)` \[-\].
+    pub(super) slope: Wide,
+    /// What the square root lost to rounding, relative.
+    pub(super) slope_error: f64,
+    /// The spectrum, in units of `sqrt(m2)`; `None` if only the moments are known.
+    pub(super) scales: Option<Arc<Scales>>,
+    pub(super) gamma: f64,
+    pub(super) area_law: AreaLaw,
+}
+
+impl Persson {
+    /// The theory of a surface of which only the mean square slope is known: area and pressures,
+    /// no mean gap. Of the moments, only `m2` is used.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if `m2` is negative or not finite. `m2 = 0`, a flat surface,
+    /// is accepted.
+    pub fn from_moments(
+        moments: SpectralMoments,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        let m2 = require::not_negative(MODEL, "m2", moments.m2)?;
+        let slope = m2.sqrt();
+        let mut model = Self::with_scales(modulus, Wide::from(slope), None);
+        if m2 > 1e-280 {
+            model.slope_error = (-slope).mul_add(slope, m2) / (2.0 * m2); // the residual is exact
+        }
+        Ok(model)
+    }
+
+    /// The theory of a surface with a measured spectrum (two-dimensional, in shells of equal
+    /// wavenumber), given or lent.
+    ///
+    /// # Errors
+    /// [`ModelError::OutsideDomain`] if the shells that carry roughness span more than 18 decades
+    /// of wavenumber.
+    pub fn from_spectrum(
+        spectrum: impl Borrow<RoughnessSpectrum>,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        let (slope, scales) = Scales::from_shells(spectrum.borrow().shells())?;
+        Ok(Self::with_scales(modulus, slope, Some(scales)))
+    }
+
+    /// The theory of a continuous self-affine spectrum.
+    ///
+    /// # Errors
+    /// None for a valid spectrum; the `Result` leaves room for limits of the theory.
+    pub fn from_self_affine(
+        spectrum: SelfAffineSpectrum,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        Ok(Self::with_scales(modulus, spectrum.slope(), Some(Scales::SelfAffine(spectrum))))
+    }
+
+    fn with_scales(modulus: ContactModulus, slope: Wide, scales: Option<Scales>) -> Self {
+        Self {
+            modulus,
+            slope,
+            slope_error: 0.0,
+            scales: scales.map(Arc::new),
+            gamma: 1.0,
+            area_law: AreaLaw::Diffusion,
+        }
+    }
+
+    /// Sets the factor gamma of the elastic energy in partial contact,
+    /// `U ~ P [gamma + (1 - gamma) P^2]`: 1 (the default) is Persson 2007, 0.45 Yang & Persson
+    /// 2008; 0.42 is also in use.
+    ///
+    /// # Errors
+    /// [`ModelError::OutsideDomain`] unless `0.01 <= gamma <= 1`.
+    pub fn with_gamma(mut self, gamma: f64) -> Result<Self, ModelError> {
+        let domain = 0.01..=1.0;
+        if !domain.contains(&gamma) {
+            let reason = "gamma weighs the energy of partial contact; published values are 0.42 \
+                          to 1";
+            let (model, quantity, value) = (MODEL, "gamma", gamma);
+            return Err(ModelError::OutsideDomain {
+                model: model.into(),
+                quantity: quantity.into(),
+                value,
+                domain,
+                reason: reason.into(),
+            });
+        }
+        self.gamma = gamma;
+        Ok(self)
+    }
+
+    /// Sets how the area follows from the spectrum; the default is Persson's law.
+    #[must_use]
+    pub fn with_area_law(mut self, area_law: AreaLaw) -> Self {
+        self.area_law = area_law;
+        self
+    }
+
+    /// The factor gamma in use.
+    pub fn gamma(&self) -> f64 {
+        self.gamma
+    }
+
+    /// `x = p / (E* sqrt(m2))`, the argument of the error function, beyond the range of a
+    /// double; `None` for a flat surface.
+    pub(super) fn load(&self, pressure: f64) -> Option<Wide> {
+        let stiffness = self.slope * self.modulus.pascals();
+        (!stiffness.is_zero()).then(|| Wide::from(pressure) / stiffness)
+    }
+}
+
+impl ContactModel for Persson {
+    fn citation(&self) -> Citation {
+        Citation {
+            authors: "Persson".into(),
+            year: 2001,
+            title: "Theory of rubber friction and contact mechanics".into(),
+            journal: "J. Chem. Phys. 115, 3840".into(),
+            doi: "10.1063/1.1388626".into(),
+        }
+    }
+
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        let area_fraction = self.area_fraction(mean_pressure)?;
+        let mean_gap = match &self.scales {
+            Some(_) if mean_pressure > 0.0 => Some(self.mean_gap(mean_pressure)?),
+            _ => None,
+        };
+        let steep = (self.slope * std::f64::consts::SQRT_2).value();
+        let caveat = if mean_pressure > 0.0 && area_fraction <= 0.0 {
+            Some(Caveat::Underflow { quantity: "area fraction".into() })
+        } else if self.slope.is_zero() && mean_pressure > 0.0 {
+            Some(Caveat::Saturated { quantity: "area fraction".into() })
+        } else if steep > STEEP {
+            Some(Caveat::BeyondModel {
+                quantity: "rms gradient".into(),
+                value: steep.min(f64::MAX),
+                limit: STEEP,
+                reason: "a half-space deforms like this only under small slopes".into(),
+            })
+        } else {
+            None
+        };
+        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap, caveat })
+    }
+}
