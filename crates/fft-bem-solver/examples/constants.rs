@@ -84,7 +84,7 @@ fn surfaces(n: usize, pixel: [f64; 2]) -> Outcome<Vec<HeightMap>> {
             .generate()?;
         Ok::<_, Box<dyn Error>>(map.heights().to_vec())
     };
-    let long = n as f64 / 8.0;
+    let long = (n as f64 / 8.0).max(8.0);
     let smooth = make(n, 0.8, long, 8.0)?;
     let rough = make(n, 0.3, long, 2.0)?;
     let large = make(2 * n, 0.8, 8.0 * n as f64, 2.0)?;

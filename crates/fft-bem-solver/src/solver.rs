@@ -78,8 +78,9 @@ impl SolverBuilder {
 
     /// Threads to use, at least 1; default all there are. The results do not depend on it.
     ///
-    /// A solver has threads of its own and never uses rayon's global ones. They do not survive a
-    /// `fork`: a child process builds its own solver.
+    /// A solver has threads of its own, or uses those of the pool of rayon on whose thread it is called
+    /// if no number is given; it never starts rayon's global ones. Threads do not survive a `fork`: a child
+    /// process builds its own solver.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads);
@@ -152,7 +153,7 @@ impl SolverBuilder {
                 Precision::Double => Work::Double(Box::new(Engine::new(settings, scaled)?)),
                 Precision::Single => Work::Single(Box::new(Engine::new(settings, scaled)?)),
             })
-        })?;
+        })??;
         Ok(Solver { grid, modulus, engine, pool })
     }
 }
@@ -278,7 +279,7 @@ impl Solver {
         pool.run(|| match engine {
             Work::Double(engine) => engine.keep(surface),
             Work::Single(engine) => engine.keep(surface),
-        })
+        })?
     }
 
     fn solve_kept(
@@ -291,7 +292,7 @@ impl Solver {
         pool.run(|| match engine {
             Work::Double(engine) => engine.solve(load, observer, clock),
             Work::Single(engine) => engine.solve(load, observer, clock),
-        })
+        })?
     }
 
     pub(crate) fn extrapolate(&mut self, is_on: bool) {
