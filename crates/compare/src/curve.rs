@@ -41,6 +41,12 @@ impl Curve {
                     format!("not converged: relative rms pressure error about {reached:.1e}");
                 (Some(*best), Some(text))
             }
+            Err(SolverError::Rounding(best)) => {
+                let reached = best.diagnostics.residuals.preconditioned;
+                let text =
+                    format!("stopped at rounding: relative rms pressure error about {reached:.1e}");
+                (Some(*best), Some(text))
+            }
             Err(error) => (None, Some(error.to_string())),
         };
         let answer =

@@ -101,7 +101,7 @@ impl TwiceFiner {
     /// [`SolverError`].
     pub fn solve(&mut self, load: Load) -> Result<Finer, SolverError> {
         let mut watch = |_: &Iteration<'_>| ControlFlow::Continue(());
-        let solution = self.solver.solve_again(load, &mut watch)?;
+        let solution = self.solver.solve_again_observed(load, &mut watch)?;
         Ok(Finer::of(&solution, &self.known, self.grid))
     }
 }

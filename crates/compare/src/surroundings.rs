@@ -81,6 +81,7 @@ pub fn on_given(
         Err(SolverError::NotConverged(best)) => {
             Err(SolverError::NotConverged(Box::new(quarter(*best))))
         }
+        Err(SolverError::Rounding(best)) => Err(SolverError::Rounding(Box::new(quarter(*best)))),
         Err(SolverError::Stopped(last)) => Err(SolverError::Stopped(Box::new(quarter(*last)))),
         Err(error) => Err(error),
     }

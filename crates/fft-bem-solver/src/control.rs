@@ -1,11 +1,16 @@
 //! Control of the level of the flat (mean gap or approach) by a method that controls the load: a
 //! secant in the logarithm of the mean pressure, kept inside a bracket, warm-started.
 
-use crate::methods::{Compliance, ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
+use crate::methods::{
+    Compliance, ContactMethod, Outcome, RISE, Start, State, Step, Target, Task, Watch,
+};
 use crate::{Boundary, End, Real, certificate, fields};
 
 /// Iterations a method may try to control the level itself before the secant takes over.
 const NATIVE_ITERATIONS: usize = 60;
+
+/// Near full contact the rise is no more than this times the gap that is left.
+const LEVELLING_OFF: f64 = 1.5;
 
 /// Loads to try before giving up; a few are enough but for rounding.
 const MAX_LOADS: usize = 100;
@@ -94,10 +99,10 @@ fn by_loads<T: Real>(
         fallbacks.face_cg_steps += outcome.fallbacks.face_cg_steps;
         // The level rises with the logarithm of the load about as the mean indentation does.
         let work = fields::dot(&state.pressure, &state.displacement);
-        let mut natural = 0.53 * (work / fields::sum(&state.pressure)).abs();
+        let mut natural = RISE * (work / fields::sum(&state.pressure)).abs();
         if operator.boundary() == Boundary::Periodic {
             // Near full contact it levels off with the gap that is left.
-            natural = natural.min(1.5 * (-level - task.problem.mean_height));
+            natural = natural.min(LEVELLING_OFF * (-level - task.problem.mean_height));
         }
         let mut slope = last_slope.unwrap_or(natural).max(f64::MIN_POSITIVE);
         if let Some((ln_load, reached, accuracy)) = last {

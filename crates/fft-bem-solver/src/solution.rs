@@ -6,7 +6,8 @@ use contact_types::ContactState;
 /// A contact at one load.
 #[derive(Clone, PartialEq)]
 pub struct Solution {
-    /// Mean pressure, raw area fraction (pixels that carry pressure), mean gap.
+    /// Mean pressure, raw area fraction (pixels that carry pressure), mean gap. With a free boundary
+    /// the gap of pixels in contact counts as the 0 it stands for, not as what the iteration left of it.
     pub state: ContactState,
     /// How far the flat has moved since first touch (m); see [`Load::Approach`](crate::Load).
     pub approach: f64,

@@ -159,3 +159,33 @@ fn an_observer_sees_no_convergence_before_the_level_is_right() {
     found.unwrap();
     assert!(worst < 3.0 * tolerance, "converged, it said, at a load wrong by {worst:e}");
 }
+
+/// Pixels up to 1:100 000 are solved as others are; beyond, the refusal names the ratio and the way out.
+#[test]
+fn pixels_too_long_are_refused_with_the_reason() {
+    let map = self_affine(unit_grid(32, 32), 0.8, 16.0, 4.0, 3);
+    for long in [[1.0, 1e5], [1e5, 1.0]] {
+        let grid = Grid::new([32, 32], long).unwrap();
+        let map = HeightMap::new(grid, map.heights().to_vec()).unwrap();
+        let mut solver = Solver::builder().build(grid, unit_modulus()).unwrap();
+        let found = solver.solve(&map, Load::MeanPressure(0.05)).unwrap().diagnostics;
+        assert!(found.transforms < 10.0, "{}", found.transforms);
+        let longer = Grid::new([32, 32], long.map(|side| if side > 1.0 { 1e6 } else { 1.0 }));
+        let error = Solver::builder().build(longer.unwrap(), unit_modulus()).unwrap_err();
+        assert!(matches!(error, SolverError::Range { .. }));
+        assert!(error.to_string().contains("1e6"), "{error}");
+    }
+}
+
+/// A load that presses every pixel of an isolated map home leaves no gap, however large it is.
+#[test]
+fn a_free_map_in_full_contact_has_no_gap() {
+    let map = self_affine(unit_grid(24, 24), 0.8, 16.0, 4.0, 3);
+    for load in [1e3, 1e20] {
+        let builder = Solver::builder().boundary(Boundary::Free);
+        let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
+        let found = solver.solve(&map, Load::MeanPressure(load)).unwrap();
+        assert_eq!(found.diagnostics.contact_pixels, 24 * 24);
+        assert!(found.state.mean_gap.unwrap().abs() < 1e-300);
+    }
+}

@@ -97,9 +97,7 @@ fn truths(map: &HeightMap, known: &Map, mode: Mode) -> Result<Vec<Solution>, Box
         .build(fine.grid(), modulus)?;
     tight.take_surface(fine)?;
     let mut solve = |load: f64| {
-        tight.solve_again(Load::MeanPressure(load * gradient), &mut |_: &Iteration<'_>| {
-            ControlFlow::Continue(())
-        })
+        tight.solve_again(Load::MeanPressure(load * gradient))
     };
     Ok(LOADS.into_iter().map(&mut solve).collect::<Result<_, SolverError>>()?)
 }

@@ -41,3 +41,4 @@ mod transfer;
 pub(crate) use choice::build;
 pub(crate) use compliance::{Compliance, Free};
 pub(crate) use contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
+pub(crate) use level_control::RISE;

@@ -16,7 +16,7 @@ use compare::{
 };
 use contact_types::Grid;
 use fft_bem_solver::{
-    Boundary, Iteration, Load, Maps, NoAreaInterval, Solution, Solver, SolverError,
+    Boundary, End, Iteration, Load, Maps, NoAreaInterval, Solution, Solver, SolverError,
 };
 use serde_json::{Value, json};
 use std::borrow::Cow;
@@ -172,7 +172,7 @@ impl Solve {
             progress.working_on(&shown(load));
             let result = match (&errors.kept, &taken) {
                 (Some(surface), _) => solver.solve(surface, load),
-                (None, Ok(())) => solver.solve_again(load, &mut watch),
+                (None, Ok(())) => solver.solve_again_observed(load, &mut watch),
                 (None, Err(error)) => Err(error.clone()),
             };
             let result = on_given(result, given);
@@ -336,6 +336,7 @@ impl Work {
             let message = format!("{}: {error}", shown(load));
             self.report(match error {
                 SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
+                SolverError::Rounding(_) => Failure::incomplete("stopped_at_rounding", message),
                 _ => Failure::refused(&variant(error), message),
             });
         }
@@ -424,6 +425,7 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
         "max_pressure": d.max_pressure,
         "real_pressure": real,
         "converged": error.is_none(),
+        "stopped_at_rounding": d.end == End::Rounding,
         "iterations": d.iterations,
         "transforms": d.transforms,
         "seconds": d.seconds,

@@ -11,6 +11,8 @@ use crate::{HalfSpace, Real};
 pub(super) const FULL: f64 = 0.7;
 /// Range of the length of the preconditioned step.
 const TAU: [f64; 2] = [0.3, 1.0];
+/// By how much that length may change from one step to the next.
+const CHANGE: [f64; 2] = [0.7, 1.4];
 
 /// How far a trial is made.
 #[derive(Debug, Clone, Copy)]
@@ -81,7 +83,7 @@ impl<T: Real> Run<'_, T> {
                 let reach = passes::reach(p, trial, &mut self.work.partial);
                 now.length = theta.min(reach.max(1.0));
             }
-            now.tau = (now.tau * theta.clamp(0.7, 1.4)).clamp(TAU[0], TAU[1]);
+            now.tau = (now.tau * theta.clamp(CHANGE[0], CHANGE[1])).clamp(TAU[0], TAU[1]);
         } else {
             now.length = theta.clamp(0.0, 1.0);
             if k.sks > 0.0 {

@@ -10,6 +10,10 @@ use std::f64::consts::FRAC_PI_2;
 /// pixels are longer than wide, where a line of them may stand off as a whole for a lack of little load.
 pub(super) const RELEASE: f64 = 0.1;
 
+/// Below this part of what the softest wave of the grid would make of the residual gap, an estimate is
+/// not believed.
+const INCREDIBLE: f64 = 0.01;
+
 /// When F is looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum When {
@@ -100,7 +104,7 @@ impl<T: Real> Run<'_, T> {
         let gap2 = passes::residual_norm2(fields, level, &work.nodes, &mut work.partial);
         let stiffest = FRAC_PI_2 * (gap2 / estimate.p2).sqrt(); // |q|/2 at pi per finer pixel
         let softest = 2.0 / work.longest * stiffest;
-        if estimate.residual < 0.01 * softest { stiffest } else { estimate.residual }
+        if estimate.residual < INCREDIBLE * softest { stiffest } else { estimate.residual }
     }
 
     /// Whether the residual gap of the iterate is no more than the rounding of what it is made of.
