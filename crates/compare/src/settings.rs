@@ -1,7 +1,9 @@
 //! Everything a user can choose about a study.
 
-use crate::models::{MODELS, ModelEntry};
+use crate::{Registry, Theory};
+use fft_bem_solver::{Method, Precision};
 use serde::{Deserialize, Serialize};
+use surface_stats::Level;
 
 /// Settings of a study. SI units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -17,26 +19,26 @@ pub struct Settings {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub headline: Option<f64>,
     /// Form removed before everything else: `none`, `mean`, `plane` or `quadratic`.
-    pub level: LevelName,
+    pub level: Level,
     /// What lies beyond the edges of a map: `periodic`, the map again, or `mirrored`, its mirror
     /// images.
     #[serde(default)]
     pub edges: EdgesName,
     /// Solver method: `auto`, `chord`, `polonsky-keer` or `stanley-kato`.
-    pub method: MethodName,
+    pub method: Method,
     /// Half width of the interval around the area to stay within, relative to it, as 0.02. If
     /// given, grid, precision and tolerance are chosen for each surface, and the two below are
     /// not used.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<f64>,
     /// Floating-point precision of the solver: `f64` or `f32`.
-    pub precision: PrecisionName,
+    pub precision: Precision,
     /// Relative rms pressure error at which the solver stops.
     pub tolerance: f64,
     /// Threads the solver may use.
     pub threads: usize,
-    /// Names of the models to ask, of [`MODELS`](crate::models::MODELS); absent: every one that a
-    /// height map gives all it needs.
+    /// Names of the models to ask, of the [`Registry`] of the study; absent: every one that a height
+    /// map gives all it needs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub models: Option<Vec<String>>,
     /// Wavelengths `[shortest, longest]` between which the fractal dimension is fitted (m);
@@ -52,11 +54,11 @@ impl Default for Settings {
             modulus: STEEL_ON_STEEL,
             pressures: None,
             headline: None,
-            level: LevelName::Plane,
+            level: Level::Plane,
             edges: EdgesName::Periodic,
-            method: MethodName::Auto,
+            method: Method::Auto,
             accuracy: None,
-            precision: PrecisionName::F64,
+            precision: Precision::Double,
             tolerance: 1e-4,
             threads: 1,
             models: None,
@@ -66,11 +68,14 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// The rows of the models to ask, in the order of the list.
-    pub fn asked_models(&self) -> impl Iterator<Item = &'static ModelEntry> {
+    /// The theories to ask, in the order of the registry.
+    pub fn asked_models<'a>(
+        &'a self,
+        registry: &'a Registry,
+    ) -> impl Iterator<Item = &'a dyn Theory> {
         let asked =
             |name: &str| self.models.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
-        MODELS.iter().filter(move |m| m.in_study && asked(m.name))
+        registry.of_maps().filter(move |theory| asked(&theory.card().name))
     }
 }
 
@@ -102,20 +107,6 @@ macro_rules! names {
 }
 
 names! {
-    /// Form to remove.
-    LevelName {
-        /// Nothing.
-        None = "none",
-        /// The mean height.
-        Mean = "mean",
-        /// The least-squares plane.
-        Plane = "plane",
-        /// The least-squares paraboloid.
-        Quadratic = "quadratic",
-    }
-}
-
-names! {
     /// What the solver puts beyond the edges of a map.
     #[derive(Default)]
     EdgesName {
@@ -124,50 +115,6 @@ names! {
         Periodic = "periodic",
         /// Its mirror images: no jump, four times the points.
         Mirrored = "mirrored",
-    }
-}
-
-names! {
-    /// Method of the deterministic solver.
-    MethodName {
-        /// The fastest that applies.
-        Auto = "auto",
-        /// Extension-preconditioned chord iteration.
-        Chord = "chord",
-        /// Polonsky and Keer (1999).
-        PolonskyKeer = "polonsky-keer",
-        /// Stanley and Kato (1997).
-        StanleyKato = "stanley-kato",
-    }
-}
-
-names! {
-    /// Precision of the solver's kernels.
-    PrecisionName {
-        /// Double.
-        F64 = "f64",
-        /// Single.
-        F32 = "f32",
-    }
-}
-
-impl From<PrecisionName> for fft_bem_solver::Precision {
-    fn from(name: PrecisionName) -> Self {
-        match name {
-            PrecisionName::F64 => Self::Double,
-            PrecisionName::F32 => Self::Single,
-        }
-    }
-}
-
-impl From<MethodName> for fft_bem_solver::Method {
-    fn from(name: MethodName) -> Self {
-        match name {
-            MethodName::Auto => Self::Auto,
-            MethodName::Chord => Self::Chord,
-            MethodName::PolonskyKeer => Self::PolonskyKeer,
-            MethodName::StanleyKato => Self::StanleyKato,
-        }
     }
 }
 

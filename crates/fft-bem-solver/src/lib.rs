@@ -21,8 +21,8 @@
 
 #![warn(missing_debug_implementations)]
 
-mod accuracy;
 mod assemble;
+mod boundary_correction;
 mod certificate;
 mod control;
 mod curve;
@@ -48,10 +48,7 @@ mod special_cases;
 mod unknown_name;
 pub mod validation;
 
-pub use accuracy::{
-    AREA_PER_RESIDUAL, AreaAccuracy, BOUNDARY_CORRECTION, LEFT_OF_CORRECTION, NoAreaInterval,
-    iteration_half_width, left_of_correction,
-};
+pub use boundary_correction::BOUNDARY_CORRECTION;
 pub use contact_types::{
     Caveat, ContactModulus, ContactState, Elastic, Grid, HeightMap, ModelError, SurfaceError,
 };

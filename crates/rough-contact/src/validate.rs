@@ -1,0 +1,92 @@
+//! `rough-contact validate`: the solver against exact solutions, on this machine.
+
+use crate::args::{self, Common};
+use crate::outcome::{Failure, Reply, variant};
+use crate::progress::Progress;
+use crate::text::Columns;
+use clap::Args;
+use compare::Method;
+use fft_bem_solver::validation::{self, Options, Row, ValidationError};
+use serde_json::{Value, json};
+
+#[derive(Args)]
+pub(crate) struct Validate {
+    /// Method to validate
+    #[arg(long, value_parser = args::method(), default_value = "auto")]
+    method: Method,
+    /// Points per side of the finest map; profiles have 16 times as many
+    #[arg(long, value_name = "N", default_value_t = 256)]
+    finest: usize,
+}
+
+impl Validate {
+    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+        let options = Options { method: self.method, finest: self.finest, ..Options::default() };
+        let mut progress = Progress::new(common.quiet, 0);
+        let mut last = String::new();
+        let rows = validation::run(&options, |row| {
+            let now = format!("{}, {} × {}", row.case, row.shape[0], row.shape[1]);
+            if now != last {
+                progress.working_on(&now);
+                last = now;
+            }
+        })
+        .map_err(|error| failure(&error))?;
+        drop(progress);
+        Ok(Reply::new(table(&rows), json!({ "rows": rows.iter().map(object).collect::<Vec<_>>() })))
+    }
+}
+
+/// A setting that is refused, or a solve that broke off.
+fn failure(error: &ValidationError) -> Failure {
+    match error {
+        ValidationError::TooCoarse(_) => Failure::from_error(error),
+        _ => Failure::incomplete(&variant(error), error.to_string()),
+    }
+}
+
+fn object(row: &Row) -> Value {
+    json!({
+        "case": row.case,
+        "source": row.source,
+        "quantity": row.quantity,
+        "shape": row.shape,
+        "computed": row.computed,
+        "exact": row.exact,
+        "error": row.error,
+        "uncertainty": row.uncertainty,
+        "observed_order": row.observed_order,
+        "expected_order": row.expected_order,
+        "transforms": row.transforms,
+    })
+}
+
+/// The finest grid of each case and quantity, with the order observed down to it.
+fn table(rows: &[Row]) -> String {
+    let mut columns =
+        Columns::new(&["", "grid", "computed", "exact", "error", "order", "expected"]);
+    let mut last_case = "";
+    for (i, row) in rows.iter().enumerate() {
+        let is_finer = |other: &&Row| {
+            other.case == row.case && other.quantity == row.quantity && other.shape != row.shape
+        };
+        if rows[i + 1..].iter().find(is_finer).is_some() {
+            continue;
+        }
+        if row.case != last_case {
+            columns.heading(&format!("{} ({})", row.case, row.source));
+            last_case = row.case;
+        }
+        let order = |o: Option<f64>| o.map_or_else(|| "–".to_owned(), |o| format!("{o:.2}"));
+        columns.row([
+            format!("  {}", row.quantity),
+            format!("{} × {}", row.shape[0], row.shape[1]),
+            format!("{:.6e}", row.computed),
+            format!("{:.6e}", row.exact),
+            format!("{:+.1e}", row.error).replace('-', "−"),
+            order(row.observed_order),
+            order(row.expected_order),
+        ]);
+    }
+    columns.to_string()
+}
