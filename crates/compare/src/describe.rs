@@ -28,7 +28,12 @@ pub(crate) fn describe(
         }
     };
     let fractal_range = settings.fractal_range;
-    let options = StatsOptions { level: form, edges, fractal_range, missing, height_step };
+    let options = StatsOptions::default()
+        .with_level(form)
+        .with_edges(edges)
+        .with_fractal_range(fractal_range)
+        .with_missing(missing)
+        .with_height_step(height_step);
     // From the heights as given, so that a tilt that is removed is still reported.
     let (statistics, spectra) = SurfaceStatistics::with_spectra(heights, &options)?;
     Ok((level(heights, form)?, statistics, spectra))

@@ -102,9 +102,15 @@ pub struct FileOrigin {
     /// Pixel `[dy, dx]` in metres, if given by the user and not by the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pixel: Option<[f64; 2]>,
-    /// Metres per height unit of the file, if given by the user and not by the file.
+    /// Metres per unit of x and y, if given by the user for a file that does not say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_unit: Option<f64>,
+    /// Metres per height unit, if given by the user for a file that does not say.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub height_unit: Option<f64>,
+    /// Metres per height unit, if given by the user whatever the file says.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub override_height_unit: Option<f64>,
     /// What the columns of a text file are, if given by the user: `matrix` or `list`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layout: Option<String>,

@@ -69,7 +69,7 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "pressure", "headline", "models", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
-        "height_unit", "layout", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
+        "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
@@ -163,7 +163,9 @@ fn from_file(path: &Path, reading: &Reading, cleaning: Cleaning) -> Result<Surfa
         format,
         channel: reading.channel.clone(),
         pixel: reading.pixel,
+        lateral_unit: reading.lateral_unit,
         height_unit: reading.height_unit,
+        override_height_unit: reading.override_height_unit,
         layout: reading.layout.map(|layout| layout.name().to_owned()),
         crop: reading.crop,
         fill: reading.fill.name().to_owned(),
@@ -220,7 +222,9 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<Surface, Failure> {
     let reading = Reading {
         channel: file.channel.clone(),
         pixel: file.pixel,
+        lateral_unit: file.lateral_unit,
         height_unit: file.height_unit,
+        override_height_unit: file.override_height_unit,
         layout,
         fill,
         crop: file.crop,

@@ -2,6 +2,7 @@
 
 use crate::args::Common;
 use crate::input::Reading;
+use crate::needs;
 use crate::outcome::{Failure, Reply};
 use crate::text::{self, Table};
 use clap::Args;
@@ -37,7 +38,7 @@ fn object(m: &Measurement) -> Value {
         .map(|c| {
             json!({
                 "name": c.name, "unit": c.unit, "is_height": c.is_height, "shape": c.shape,
-                "pixel": c.pixel,
+                "pixel": c.pixel, "fault": c.fault,
             })
         })
         .collect();
@@ -53,7 +54,7 @@ fn object(m: &Measurement) -> Value {
         "channels": channels,
         "is_profile": m.is_profile(),
         "uneven_steps": m.uneven(),
-        "ambiguity": m.ambiguity(),
+        "ambiguity": m.ambiguity().map(needs::reading),
         "metadata": m.metadata(),
     })
 }
@@ -87,13 +88,17 @@ fn describe(m: &Measurement) -> String {
         table.row("note", format!("points not evenly spaced: up to {uneven:.2} steps off"));
     }
     if let Some(reading) = m.ambiguity() {
-        table.row("note", reading);
+        table.row("note", needs::reading(reading));
     }
     for channel in m.channels() {
         let unit = channel.unit.as_deref().unwrap_or("no unit");
         let used = if channel.name == m.channel() { ", read here" } else { "" };
         let kind = if channel.is_height { "height" } else { "not a height" };
-        table.row("channel", format!("{} ({unit}, {kind}{used})", channel.name));
+        let about = match &channel.fault {
+            Some(fault) => format!("{}: {fault}", channel.name),
+            None => format!("{} ({unit}, {kind}{used})", channel.name),
+        };
+        table.row("channel", about);
     }
     for (key, value) in m.metadata() {
         table.row(key, value.trim());

@@ -2,13 +2,14 @@
 
 use crate::args;
 use crate::cleaning::{self, CleaningOptions};
+use crate::needs;
 use crate::outcome::{self, Failure};
 use crate::quantity;
 use clap::{Args, ValueEnum};
 use compare::Cleaning;
 use contact_types::HeightMap;
 use std::path::{Path, PathBuf};
-use surface_io::{Layout, Measurement, ReadOptions};
+use surface_io::{HeightUnit, Layout, Measurement, ReadOptions};
 use surface_stats::clean::Record;
 use surface_stats::height_step;
 
@@ -50,15 +51,22 @@ impl Fill {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "File options")]
 pub(crate) struct Reading {
-    /// Channel to read [default: the first height channel]
+    /// Channel to read: its name, a part of it, or #2 [default: the topography]
     #[arg(long, value_name = "NAME")]
     pub(crate) channel: Option<String>,
     /// Distance of neighbouring points, if the file does not say
     #[arg(long, value_name = "DX[,DY]", value_parser = args::pixel, allow_hyphen_values = true)]
     pub(crate) pixel: Option<[f64; 2]>,
+    /// Unit of x and y in a list of coordinates, if the file does not say
+    #[arg(long, value_name = "U", value_parser = quantity::parse_length_unit)]
+    pub(crate) lateral_unit: Option<f64>,
     /// Unit of the heights, if the file does not say
     #[arg(long, value_name = "U", value_parser = quantity::parse_length_unit)]
     pub(crate) height_unit: Option<f64>,
+    /// Unit of the heights, whatever the file says
+    #[arg(long, value_name = "U", value_parser = quantity::parse_length_unit)]
+    #[arg(conflicts_with = "height_unit")]
+    pub(crate) override_height_unit: Option<f64>,
     /// What the columns of a text file are [default: what its header and numbers say]
     #[arg(long, value_name = "WHAT", value_parser = args::layout())]
     pub(crate) layout: Option<Layout>,
@@ -76,13 +84,23 @@ impl Reading {
         let mut options = ReadOptions::default();
         options.channel.clone_from(&self.channel);
         options.pixel = self.pixel;
-        options.height_unit = self.height_unit;
+        options.lateral_unit = self.lateral_unit;
+        options.height_unit = match self.override_height_unit {
+            Some(metres) => Some(HeightUnit::Always(metres)),
+            None => self.height_unit.map(HeightUnit::IfSilent),
+        };
         options.layout = self.layout;
-        let measurement =
-            surface_io::read(path, &options).map_err(|e| Failure::in_file(path, &e))?;
+        let measurement = surface_io::read(path, &options).map_err(|e| needs::unread(path, &e))?;
+        if let Some(unit) = measurement.kept_unit() {
+            eprintln!(
+                "rough-contact: {}: the file gives its heights in {unit}, which is kept; \
+                 --override-height-unit U would overrule it",
+                path.display()
+            );
+        }
         match self.crop {
             None => Ok(measurement),
-            Some(crop) => measurement.crop(crop).map_err(|e| Failure::in_file(path, &e)),
+            Some(crop) => measurement.crop(crop).map_err(|e| needs::unread(path, &e)),
         }
     }
 
@@ -99,7 +117,11 @@ impl Reading {
         cleaning: Cleaning,
     ) -> Result<Complete, Failure> {
         if let Some(reading) = measurement.ambiguity() {
-            outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
+            outcome::tell(&format!(
+                "rough-contact: {}: {}",
+                path.display(),
+                needs::reading(reading)
+            ));
         }
         refuse_profile(path, &measurement)?;
         // Neither a removed form nor filled points take the steps away; only smoothing does.
@@ -117,7 +139,7 @@ impl Reading {
             );
             return Err(Failure::refused("missing", message));
         }
-        let map = measurement.fill(self.fill.rule()).map_err(|e| Failure::in_file(path, &e))?;
+        let map = measurement.fill(self.fill.rule()).map_err(|e| needs::unfilled(path, &e))?;
         Ok(Complete { map, missing, cleaned, height_step })
     }
 }

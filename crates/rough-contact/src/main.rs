@@ -11,6 +11,7 @@ mod intervals;
 mod iso;
 mod loads;
 mod model;
+mod needs;
 mod outcome;
 mod output;
 mod planned;

@@ -53,6 +53,14 @@ impl Failure {
         Self::refused(&variant(error), message)
     }
 
+    /// The same with the way out behind it; nothing if there is none.
+    pub(crate) fn adding(mut self, way_out: &str) -> Self {
+        if !way_out.is_empty() {
+            self.message = format!("{}; {way_out}", self.message);
+        }
+        self
+    }
+
     /// Bad usage, as clap says it, in one paragraph.
     pub(crate) fn usage(error: &clap::Error) -> Self {
         let text = error.to_string();

@@ -267,7 +267,8 @@ impl Source {
         inputs.critical_area = self.critical_area;
         inputs.nominal_area = Some(heights.grid().area());
         if model == "majumdar-bhushan" {
-            let options = StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
+            let options =
+                StatsOptions::default().with_level(form).with_edges(edges).with_missing(missing);
             let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
             let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
             inputs.dimension = fractal.map(|(dimension, _)| dimension);

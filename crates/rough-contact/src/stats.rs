@@ -29,13 +29,11 @@ pub(crate) struct Stats {
 impl Stats {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
         let Complete { map, missing, cleaned, height_step } = self.input.surface()?;
-        let options = StatsOptions {
-            level: self.level,
-            edges: self.boundary.rule(),
-            missing,
-            height_step,
-            ..StatsOptions::default()
-        };
+        let options = StatsOptions::default()
+            .with_level(self.level)
+            .with_edges(self.boundary.rule())
+            .with_missing(missing)
+            .with_height_step(height_step);
         let s = SurfaceStatistics::of(&map, &options)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
         let mut json = report::statistics_json(&s);

@@ -21,8 +21,7 @@ struct Truth {
 
 /// `map.npy` in `folder` on four times as many points a side, pressed by these loads.
 fn truths(folder: &Path, pressures: &[f64]) -> Vec<Truth> {
-    let options =
-        ReadOptions { pixel: Some([1e-6; 2]), height_unit: Some(1.0), ..Default::default() };
+    let options = ReadOptions::default().with_pixel([1e-6; 2]).with_height_unit(1.0);
     let read = surface_io::read(folder.join("map.npy"), &options).unwrap();
     let map =
         HeightMap::new(Grid::new([192; 2], [1e-6; 2]).unwrap(), read.heights().to_vec()).unwrap();

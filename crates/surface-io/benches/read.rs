@@ -59,8 +59,7 @@ fn reading(criterion: &mut Criterion) {
         ("matrix", matrix(&map, |_, _| false).into_bytes()),
         ("xyz", list(&map).into_bytes()),
     ];
-    let options =
-        ReadOptions { pixel: Some([1e-6; 2]), height_unit: Some(1.0), ..ReadOptions::default() };
+    let options = ReadOptions::default().with_pixel([1e-6; 2]).with_height_unit(1.0);
     for (name, bytes) in files {
         group.bench_function(name, |b| b.iter(|| read_bytes(black_box(&bytes), &options).unwrap()));
     }

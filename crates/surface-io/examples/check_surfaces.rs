@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
-use surface_io::{Format, Measurement, ReadError, ReadOptions, read};
+use surface_io::{Format, HeightUnit, Measurement, ReadError, ReadOptions, read};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -103,7 +103,7 @@ fn check(dir: &Path, name: &str, entry: &Value) -> Result<String, String> {
     options.pixel = Some([number("dy_m").unwrap_or(dx), dx]);
     let mut result = Err(String::new());
     for (unit, name) in [(1.0, "m"), (1e-6, "um"), (1e-9, "nm"), (1e-3, "mm")] {
-        options.height_unit = Some(unit);
+        options.height_unit = Some(HeightUnit::Always(unit));
         let measurement = read(&path, &options).map_err(|e| e.to_string())?;
         let note = format!("{given}with --pixel and --height-unit {name}; ");
         result = compare(&measurement, expected, &note);

@@ -1,6 +1,8 @@
 //! Why a file gives no surface.
 
-use crate::Format;
+use crate::format::Format;
+use crate::layout::Layout;
+use crate::need::{Ambiguity, Need};
 use std::borrow::Cow;
 use std::path::PathBuf;
 
@@ -50,10 +52,7 @@ pub enum ReadError {
     #[error("the file is empty (0 bytes)")]
     Empty,
     /// None of the known formats.
-    #[error(
-        "the content is none of the known formats (first bytes: {start}); \
-         `rough-contact info --list` lists them"
-    )]
+    #[error("the content is none of the known formats (first bytes: {start})")]
     UnknownFormat {
         /// The first bytes, printable.
         start: String,
@@ -76,11 +75,16 @@ pub enum ReadError {
         /// What is not read, and where there is one the way out.
         feature: Cow<'static, str>,
     },
+    /// A format that is known by its first bytes and not read.
+    #[error("this is {name}, which is not read; {way_out}")]
+    NotRead {
+        /// What it is.
+        name: &'static str,
+        /// What to do with it.
+        way_out: &'static str,
+    },
     /// The file asks for more than [`Limits`](crate::Limits) allows.
-    #[error(
-        "{format}: {value} {quantity}, the limit is {limit}; raise `ReadOptions::limits` if the \
-         file is trusted"
-    )]
+    #[error("{format}: {value} {quantity}, the limit is {limit}")]
     Limit {
         /// The format.
         format: Format,
@@ -91,20 +95,18 @@ pub enum ReadError {
         /// How much is allowed.
         limit: u64,
     },
-    /// The file does not say how large a pixel is, or what unit its heights have.
-    #[error("{}", missing_scale(*format, *pixel, *height))]
+    /// The file does not say how large a pixel is, or what unit its numbers have.
+    #[error("{}", missing_scale(*format, needs))]
     MissingScale {
         /// The format.
         format: Format,
-        /// True if the pixel size is missing.
-        pixel: bool,
-        /// True if the height unit is missing.
-        height: bool,
+        /// What it does not say: never empty.
+        needs: Vec<Need>,
     },
     /// A pixel size was given that contradicts the coordinates in the file.
     #[error(
-        "--pixel {dx:e},{dy:e} m contradicts the file, whose steps along x and y are in the ratio \
-         {step_x} : {step_y}; give --pixel DX,DY in that ratio"
+        "the pixel size given, dx = {dx:e} m, dy = {dy:e} m, contradicts the file, whose steps \
+         along x and y are in the ratio {step_x} : {step_y}"
     )]
     PixelContradicts {
         /// Given, in metres.
@@ -116,13 +118,31 @@ pub enum ReadError {
         /// In the file, in its unknown unit.
         step_y: f64,
     },
-    /// An option is not a usable number.
-    #[error("{option} = {value:e} m must be finite and greater than 0")]
+    /// What was given is not a usable number.
+    #[error("the {given} given, {value:e} m, must be finite and greater than 0")]
     BadOption {
-        /// Which option.
-        option: &'static str,
+        /// What was given.
+        given: Need,
         /// Its value.
         value: f64,
+    },
+    /// The layout asked for is none this file can have.
+    #[error("{format}: read as a {} although {reason}", layout.name())]
+    BadLayout {
+        /// The format.
+        format: Format,
+        /// What was asked for.
+        layout: Layout,
+        /// Why that cannot be.
+        reason: Cow<'static, str>,
+    },
+    /// Columns of a text that were read in one way and may be meant in another.
+    #[error("{source} ({ambiguity})")]
+    Ambiguous {
+        /// Why that reading failed.
+        source: Box<ReadError>,
+        /// The reading, and the other one.
+        ambiguity: Ambiguity,
     },
     /// No channel of this name.
     #[error("{format}: no channel {asked:?}; the file has {available}")]
@@ -136,8 +156,8 @@ pub enum ReadError {
     },
     /// The channel, or every channel, is not a height.
     #[error(
-        "{format}: channel {channel:?} is in {unit:?}, not a height; choose one of {heights} with \
-         --channel NAME"
+        "{format}: channel {channel:?} is in {unit:?}, not a height; the height channels are: \
+         {heights}"
     )]
     NotHeight {
         /// The format.
@@ -175,27 +195,39 @@ impl ReadError {
             Self::Io { .. } => "io",
             Self::Empty => "empty",
             Self::UnknownFormat { .. } => "unknown_format",
+            Self::NotRead { .. } => "not_read",
             Self::Malformed { .. } => "malformed",
             Self::Unsupported { .. } => "unsupported",
             Self::Limit { .. } => "limit",
             Self::MissingScale { .. } => "missing_scale",
             Self::PixelContradicts { .. } => "pixel_contradicts",
             Self::BadOption { .. } => "bad_option",
+            Self::BadLayout { .. } => "bad_layout",
+            Self::Ambiguous { .. } => "ambiguous",
             Self::NoSuchChannel { .. } => "no_such_channel",
             Self::NotHeight { .. } => "not_height",
             Self::Crop { .. } => "crop",
         }
     }
+
+    /// What a caller can add so that the file is read: nothing where the file is at fault.
+    pub fn needs(&self) -> Vec<Need> {
+        match self {
+            Self::MissingScale { needs, .. } => needs.clone(),
+            Self::PixelContradicts { .. } => vec![Need::PixelSize],
+            Self::NoSuchChannel { .. } | Self::NotHeight { .. } => vec![Need::Channel],
+            Self::Limit { .. } => vec![Need::Limits],
+            Self::Ambiguous { ambiguity, .. } => vec![ambiguity.needs()],
+            Self::BadOption { given, .. } => vec![*given],
+            _ => Vec::new(),
+        }
+    }
 }
 
-fn missing_scale(format: Format, pixel: bool, height: bool) -> String {
-    let mut text = format!("{format}: the file gives no ");
-    text += match (pixel, height) {
-        (true, true) => "pixel size and no height unit: add --pixel DX[,DY] and --height-unit U",
-        (true, false) => "pixel size: add --pixel DX[,DY]",
-        _ => "height unit: add --height-unit U",
-    };
-    if pixel {
+fn missing_scale(format: Format, needs: &[Need]) -> String {
+    let names: Vec<String> = needs.iter().map(Need::to_string).collect();
+    let mut text = format!("{format}: the file gives no {}", names.join(" and no "));
+    if needs.contains(&Need::PixelSize) {
         text += " (the pixel size is the distance between neighbouring points: 1001 points over \
                  1 mm are 1 mm / 1000 if they stand on both ends, 1 mm / 1001 if each stands for \
                  one cell)";
@@ -208,10 +240,7 @@ fn missing_scale(format: Format, pixel: bool, height: bool) -> String {
 #[non_exhaustive]
 pub enum FillError {
     /// Points are missing and [`Fill::Refuse`](crate::Fill::Refuse) was asked for.
-    #[error(
-        "{missing} of {points} points are missing, the first at row {iy}, column {ix}; fill them \
-         with --fill harmonic or --fill nearest, or cut out a complete part with --crop"
-    )]
+    #[error("{missing} of {points} points are missing, the first at row {iy}, column {ix}")]
     Missing {
         /// How many points are missing.
         missing: usize,
@@ -243,7 +272,7 @@ pub enum FillError {
     /// The harmonic fill did not reach its tolerance.
     #[error(
         "the harmonic fill stopped at a relative residual of {residual:e} after {iterations} \
-         iterations; use --fill nearest"
+         iterations"
     )]
     NotConverged {
         /// Residual reached.
@@ -251,4 +280,14 @@ pub enum FillError {
         /// Iterations spent.
         iterations: usize,
     },
+}
+
+impl FillError {
+    /// What a caller can add so that the map becomes complete.
+    pub fn needs(&self) -> Vec<Need> {
+        match self {
+            Self::Missing { .. } | Self::NotConverged { .. } => vec![Need::Fill],
+            _ => Vec::new(),
+        }
+    }
 }

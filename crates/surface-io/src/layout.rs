@@ -1,7 +1,7 @@
 //! What the columns of a text file are.
 
 /// What the columns of a text file are, where it can be more than one thing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Layout {
     /// Heights, every row a row of the map.
     Matrix,
@@ -13,7 +13,7 @@ impl Layout {
     /// Every layout.
     pub const ALL: &'static [Self] = &[Self::Matrix, Self::List];
 
-    /// Its name as `--layout` takes it.
+    /// Its name in one word.
     pub fn name(self) -> &'static str {
         match self {
             Self::Matrix => "matrix",

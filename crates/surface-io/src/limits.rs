@@ -1,12 +1,14 @@
 //! What a file may cost.
 
-use crate::{Format, ReadError};
+use crate::error::ReadError;
+use crate::format::Format;
 
 /// Upper bounds on what reading one file may cost. A file that asks for more is refused with
 /// [`ReadError::Limit`] before anything is allocated.
 ///
 /// The memory used is at most the file, one decompressed copy of it, and the heights in `f64`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Limits {
     /// Largest file in bytes (default 4 GiB).
     pub file_bytes: u64,

@@ -1,7 +1,10 @@
 //! What a file contains, before and after a channel is chosen.
 
 use crate::binary::{Bytes, Sample};
-use crate::{Format, ReadError};
+use crate::error::ReadError;
+use crate::format::Format;
+use crate::need::Ambiguity;
+use crate::units::metres_per;
 use contact_types::Grid;
 use std::collections::BTreeMap;
 
@@ -20,6 +23,8 @@ pub struct ChannelInfo {
     pub shape: [usize; 2],
     /// `[dy, dx]` in metres; `None` if the file does not give it.
     pub pixel: Option<[f64; 2]>,
+    /// Why this channel cannot be read, if it cannot; the others can.
+    pub fault: Option<String>,
 }
 
 /// What a file says about the distance of its points.
@@ -32,6 +37,9 @@ pub(crate) enum Pixel {
     /// Nothing.
     Unknown,
 }
+
+/// Entry of the metadata with the unit of the file where another one was given for silent files.
+pub(crate) const KEPT_UNIT: &str = "height unit of the file, kept";
 
 /// Produces the heights of a channel in the unit of the file; NaN where a point is missing.
 pub(crate) type Decode<'a> = Box<dyn FnOnce() -> Result<Vec<f64>, ReadError> + 'a>;
@@ -51,7 +59,9 @@ pub(crate) struct Channel<'a> {
     /// Largest deviation from even spacing in steps, where it cannot be neglected.
     pub(crate) uneven: Option<f64>,
     /// How it was read, where the file could mean something else.
-    pub(crate) ambiguity: Option<&'static str>,
+    pub(crate) ambiguity: Option<Ambiguity>,
+    /// Why it cannot be read.
+    pub(crate) fault: Option<ReadError>,
     pub(crate) decode: Decode<'a>,
 }
 
@@ -65,7 +75,7 @@ impl<'a> Channel<'a> {
         decode: impl FnOnce() -> Result<Vec<f64>, ReadError> + 'a,
     ) -> Self {
         let unit = unit.map(str::trim).filter(|u| !u.is_empty());
-        let scale = unit.and_then(crate::metres_per);
+        let scale = unit.and_then(metres_per);
         Self {
             name: name.into(),
             unit: unit.map(str::to_owned),
@@ -76,8 +86,17 @@ impl<'a> Channel<'a> {
             is_profile: shape[0] == 1 && shape[1] > 1,
             uneven: None,
             ambiguity: None,
+            fault: None,
             decode: Box::new(decode),
         }
+    }
+
+    /// A channel that is there and cannot be read: it must not cost the others.
+    pub(crate) fn unreadable(name: impl Into<String>, fault: ReadError) -> Self {
+        let mut channel = Self::new(name, None, [0, 0], Pixel::Unknown, || Ok(Vec::new()));
+        channel.fault = Some(fault);
+        channel.is_height = false;
+        channel
     }
 
     /// A map of stored numbers from byte `at`, in rows; `convert` brings one to `unit`, or to NaN
@@ -107,6 +126,18 @@ impl<'a> Channel<'a> {
         Self { decode: Box::new(move || Ok(flip_rows(decode()?, nx))), ..self }
     }
 
+    /// Turns every row around: for formats that store some of them from right to left.
+    pub(crate) fn mirrored(self) -> Self {
+        let [_, nx] = self.shape;
+        let decode = self.decode;
+        let turn = move || {
+            let mut values = decode()?;
+            values.chunks_mut(nx.max(1)).for_each(<[f64]>::reverse);
+            Ok(values)
+        };
+        Self { decode: Box::new(turn), ..self }
+    }
+
     pub(crate) fn info(&self) -> ChannelInfo {
         let pixel = match self.pixel {
             Pixel::Metres(pixel) => Some(pixel),
@@ -118,6 +149,7 @@ impl<'a> Channel<'a> {
             is_height: self.is_height,
             shape: self.shape,
             pixel,
+            fault: self.fault.as_ref().map(ReadError::to_string),
         }
     }
 }
@@ -160,7 +192,7 @@ pub struct Measurement {
     pub(crate) metadata: BTreeMap<String, String>,
     pub(crate) is_profile: bool,
     pub(crate) uneven: Option<f64>,
-    pub(crate) ambiguity: Option<&'static str>,
+    pub(crate) ambiguity: Option<Ambiguity>,
 }
 
 impl Measurement {
@@ -200,6 +232,12 @@ impl Measurement {
         &self.metadata
     }
 
+    /// The unit that the file gives and that was kept although another one was given for a file
+    /// that gives none.
+    pub fn kept_unit(&self) -> Option<&str> {
+        self.metadata.get(KEPT_UNIT).map(String::as_str)
+    }
+
     /// True for a single line of points, which is not a surface.
     pub fn is_profile(&self) -> bool {
         self.is_profile
@@ -211,9 +249,8 @@ impl Measurement {
         self.uneven
     }
 
-    /// How the file was read, where its numbers could as well mean something else, and the option
-    /// that settles it.
-    pub fn ambiguity(&self) -> Option<&'static str> {
+    /// How the file was read, where its numbers could as well mean something else.
+    pub fn ambiguity(&self) -> Option<Ambiguity> {
         self.ambiguity
     }
 

@@ -2,6 +2,8 @@
 //! them.
 
 use crate::binary::Bytes;
+use crate::cells::{Cell, Digits, Marks, Separator, cell};
+use crate::units::metres_per;
 use crate::{Format, ReadError};
 use std::borrow::Cow;
 
@@ -55,79 +57,6 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
-/// What stands between two numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Separator {
-    Tab,
-    Semicolon,
-    Comma,
-    Blank,
-}
-
-impl Separator {
-    fn char(self) -> char {
-        match self {
-            Self::Tab => '\t',
-            Self::Semicolon => ';',
-            Self::Comma => ',',
-            Self::Blank => ' ',
-        }
-    }
-
-    /// The cells of a line, trimmed. Blanks join; any other separator leaves empty cells.
-    pub(crate) fn cells<'a>(self, line: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
-        match self {
-            Self::Blank => Box::new(line.split_ascii_whitespace()),
-            _ => Box::new(line.split(self.char()).map(str::trim)),
-        }
-    }
-}
-
-/// A cell of a table.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Cell {
-    Number(f64),
-    Missing,
-    Other,
-}
-
-/// Reads one cell; `decimal_comma` is updated when the cell shows which mark is used.
-fn cell(text: &str, separator: Separator, marks: &mut Marks) -> Cell {
-    let text = text.strip_prefix('"').and_then(|t| t.strip_suffix('"')).unwrap_or(text);
-    if separator != Separator::Comma && text.contains(',') {
-        if text.contains('.') || text.matches(',').count() > 1 {
-            return Cell::Other;
-        }
-        if let Ok(value) = text.replacen(',', ".", 1).parse::<f64>() {
-            marks.comma = true;
-            return Cell::Number(value);
-        }
-        return Cell::Other;
-    }
-    match text.parse::<f64>() {
-        Ok(value) if value.is_nan() => Cell::Missing,
-        Ok(value) => {
-            marks.point |= text.contains('.');
-            Cell::Number(value)
-        }
-        Err(_) if is_missing(text) => Cell::Missing,
-        Err(_) => Cell::Other,
-    }
-}
-
-fn is_missing(text: &str) -> bool {
-    const WORDS: [&str; 12] =
-        ["", "na", "n/a", "#n/a", "null", "bad", "*", "***", "-", "--", "---", "nan(ind)"];
-    text.len() <= 10 && WORDS.iter().any(|word| text.eq_ignore_ascii_case(word))
-}
-
-/// Decimal marks seen so far.
-#[derive(Debug, Clone, Copy, Default)]
-struct Marks {
-    point: bool,
-    comma: bool,
-}
-
 /// Most single numbers before a table that are taken for counts of its rows and columns.
 const MOST_COUNTS: usize = 16;
 
@@ -141,43 +70,6 @@ pub(crate) struct Table<'a> {
     pub(crate) values: Vec<f64>,
     /// How precisely the numbers of the first three columns are printed.
     pub(crate) digits: [Digits; 3],
-}
-
-/// How precisely a column is printed.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Digits {
-    /// Power of ten of the finest decimal place, e.g. -2 for 0.01.
-    place: i32,
-    /// Most significant digits.
-    significant: i32,
-}
-
-impl Digits {
-    pub(crate) const NONE: Self = Self { place: i32::MAX, significant: 0 };
-
-    fn add(&mut self, text: &str) {
-        let (mantissa, exponent) = match text.find(['e', 'E']) {
-            Some(at) => (&text[..at], text[at + 1..].parse().unwrap_or(0)),
-            None => (text, 0i32),
-        };
-        let decimals = mantissa.find(['.', ',']).map_or(0, |at| mantissa.len() - at - 1);
-        let decimals = i32::try_from(decimals).unwrap_or(400);
-        let place = exponent.saturating_sub(decimals);
-        let digits = mantissa.trim_start_matches(['+', '-', '0', '.', ',']);
-        let significant = digits.bytes().filter(u8::is_ascii_digit).count();
-        let significant = i32::try_from(significant).unwrap_or(400);
-        self.place = self.place.min(place);
-        self.significant = self.significant.max(significant);
-    }
-
-    /// One unit in the last printed place of numbers up to `largest`, also where trailing zeros
-    /// are left out or all numbers have equally many significant digits.
-    pub(crate) fn quantum(self, largest: f64) -> f64 {
-        let leading = largest.log10().floor().clamp(-400.0, 400.0) as i32;
-        let last = 10f64.powi(leading + 1 - self.significant.min(400));
-        let place = 10f64.powi(self.place.clamp(-400, 400));
-        if last.is_finite() { place.max(last) } else { place }
-    }
 }
 
 impl<'a> Table<'a> {
@@ -256,8 +148,46 @@ impl<'a> Table<'a> {
                 "both decimal points and decimal commas occur: which of them is the decimal mark?",
             ));
         }
+        table.refuse_rows_in_header(format)?;
         table.drop_trailing_separator();
         Ok(table)
+    }
+
+    /// A row with a bad character before the first two sound rows looks like a line of the header:
+    /// it, and the rows before it, would vanish without a word.
+    fn refuse_rows_in_header(&self, format: Format) -> Result<(), ReadError> {
+        let columns = self.columns;
+        let mut whole = None;
+        for &(number, line) in self.header.iter().filter(|(_, line)| !is_comment(line)) {
+            let cells: Vec<&str> = self.separator.cells(line).collect();
+            let read = |text: &str| cell(text, self.separator, &mut Marks::default());
+            let numbers = cells.iter().filter(|c| matches!(read(c), Cell::Number(_))).count();
+            let starts_a_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.');
+            match cells.iter().find(|text| read(text) == Cell::Other) {
+                // "Points 5 7" and "12 um" are words of a header, "1.2x 5 7" is none.
+                Some(bad)
+                    if cells.len() == columns
+                        && columns > 1
+                        && numbers + 1 == columns
+                        && (columns > 3 || cells[0].starts_with(starts_a_number))
+                        && metres_per(bad).is_none() =>
+                {
+                    let bad: String = bad.chars().take(40).collect();
+                    let what = format!("{bad:?} is no number, and all else in this line is a row");
+                    let place = crate::Place::Line(number);
+                    return Err(ReadError::Malformed { format, place, what: what.into() });
+                }
+                None if numbers > 3 && columns > 3 => {
+                    whole.get_or_insert((number, numbers));
+                }
+                _ => {}
+            }
+        }
+        whole.map_or(Ok(()), |(number, numbers)| {
+            let what = format!("a row of {numbers} numbers stands before lines that are no rows");
+            let place = crate::Place::Line(number);
+            Err(ReadError::Malformed { format, place, what: what.into() })
+        })
     }
 
     fn push(
@@ -407,6 +337,25 @@ mod tests {
         let t = table("Title 5\n23\num um\n1 2\n3 4\n");
         assert_eq!(t.header.len(), 3);
         assert_eq!(t.rows(), 2);
+    }
+
+    /// Found with a real file: rows before a bad one vanished without a word.
+    #[test]
+    fn a_bad_row_at_the_start_is_no_header() {
+        for (text, line) in [
+            ("1 2 x3 4\n5 6 7 8\n9 1 2 3\n", "line 1"),
+            ("1 2 3 4\n5 6 7,,1 8\n9 1 2 3\n4 5 6 7\n", "line 2"),
+            ("# map\n1 2 3 4\n@ @ @ @\n9 1 2 3\n4 5 6 7\n", "line 2"),
+            ("1 2 3 4 5\n5 6 7 8\n9 1 2 3\n", "line 1"),
+            ("0 0 1\n0.l 1 2\n1 0 3\n1 1 4\n", "line 2"),
+            ("0.1;1.O\n0.2;2\n0.3;3\n", "line 1"),
+        ] {
+            let error = Table::parse(text, Format::Text).unwrap_err().to_string();
+            assert!(error.contains(line), "{text:?}: {error}");
+        }
+        for text in ["Points 5 7\n1 2 3\n4 5 6\n", "5 7\na b\n1 2\n3 4\n", "1 um\n1 2\n3 4\n"] {
+            assert_eq!(table(text).rows(), 2, "{text:?}");
+        }
     }
 
     #[test]

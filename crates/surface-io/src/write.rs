@@ -4,7 +4,7 @@ use contact_types::HeightMap;
 use std::io::{self, Write};
 
 /// Writes NPY: heights in metres, f64, shape `[ny, nx]`. The format has no place for the pixel
-/// size and the unit: reading it back needs `--pixel` and `--height-unit m`.
+/// size and the unit: reading it back needs the pixel size and the height unit (m).
 ///
 /// # Errors
 /// Whatever `out` reports.

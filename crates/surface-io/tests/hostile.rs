@@ -11,7 +11,10 @@ use surface_io::{
 
 /// Small limits: a file of a few kilobytes has no business asking for more.
 fn tight() -> Limits {
-    Limits { file_bytes: 1 << 20, unpacked_bytes: 1 << 20, points: 1 << 16, items: 1 << 10 }
+    let mut limits = Limits::default();
+    (limits.file_bytes, limits.unpacked_bytes) = (1 << 20, 1 << 20);
+    (limits.points, limits.items) = (1 << 16, 1 << 10);
+    limits
 }
 
 #[test]
@@ -66,7 +69,8 @@ fn every_reader_survives_every_file() {
             for length in [0, 1, 3, 4, 5, 8, 17, 33, 100, 400, sample.bytes.len()] {
                 let bytes = &sample.bytes[..length.min(sample.bytes.len())];
                 for layout in [None, Some(Layout::Matrix), Some(Layout::List)] {
-                    let options = ReadOptions { limits: tight(), layout, ..sample.options.clone() };
+                    let mut options = sample.options.clone().with_limits(tight());
+                    options.layout = layout;
                     if let Ok(found) = spec.read(bytes, &options) {
                         let [ny, nx] = found.grid().shape();
                         assert_eq!(found.heights().len(), ny * nx);
@@ -101,7 +105,7 @@ fn decompression_bomb() {
     let link = "<DataLink><PointDataLink>d</PointDataLink></DataLink>";
     let file = zip(&[("main.xml", x3p_main("D", "", link).as_bytes()), ("d", &zeros)]);
     assert!(file.len() < 1 << 17);
-    let options = ReadOptions { limits: tight(), ..ReadOptions::default() };
+    let options = ReadOptions::default().with_limits(tight());
     let error = read_bytes(&file, &options).unwrap_err();
     assert!(matches!(error, ReadError::Limit { quantity: "unpacked bytes", .. }), "{error}");
     let bomb = gzip(&zeros);

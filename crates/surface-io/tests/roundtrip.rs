@@ -57,11 +57,7 @@ proptest! {
         prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
         file.clear();
         write::npy(&mut file, &map).unwrap();
-        let options = ReadOptions {
-            pixel: Some([dy, dx]),
-            height_unit: Some(1.0),
-            ..ReadOptions::default()
-        };
+        let options = ReadOptions::default().with_pixel([dy, dx]).with_height_unit(1.0);
         let back = read_bytes(&file, &options).unwrap();
         prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
     }

@@ -177,7 +177,7 @@ fn as_compared(surface: Surface) -> Outcome<(HeightMap, Inputs)> {
 
 /// Seconds for everything a model may need of a map.
 fn statistics_seconds(map: &HeightMap) -> Outcome<f64> {
-    let options = StatsOptions { level: Level::None, edges: PERIODIC, ..StatsOptions::default() };
+    let options = StatsOptions::default().with_level(Level::None).with_edges(PERIODIC);
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
         let clock = Instant::now();

@@ -148,8 +148,7 @@ fn files(map: &HeightMap) -> [Case; 2] {
     let (mut npy, mut x3p) = (Vec::new(), Cursor::new(Vec::new()));
     surface_io::write::npy(&mut npy, map).expect("memory takes everything");
     surface_io::write::x3p(&mut x3p, map, "").expect("memory takes everything");
-    let pixel = Some(map.grid().pixel());
-    let options = ReadOptions { pixel, height_unit: Some(1.0), ..ReadOptions::default() };
+    let options = ReadOptions::default().with_pixel(map.grid().pixel()).with_height_unit(1.0);
     let read = |bytes: &[u8], options: &ReadOptions| {
         let measurement = surface_io::read_bytes(bytes, options).expect("what was written");
         black_box(measurement.fill(Fill::Refuse).expect("nothing is missing"));
@@ -163,7 +162,7 @@ fn files(map: &HeightMap) -> [Case; 2] {
 fn statistics(map: &HeightMap) -> Vec<Case> {
     let package = "surface-stats";
     let all = |edges| {
-        let options = StatsOptions { edges, ..StatsOptions::default() };
+        let options = StatsOptions::default().with_edges(edges);
         black_box(SurfaceStatistics::of(map, &options).expect("a surface"));
     };
     vec![

@@ -5,7 +5,7 @@
 //! | header | lines; the first 14 characters are the key |
 //! | `fileType` | `Image`; `Spectroscopy` is refused |
 //! | `xPixels`, `yPixels` | points along x, along y |
-//! | `xLength`, `yLength` | total size in metres: N pixels |
+//! | `xLength`, `yLength` | total size in metres: N pixels; may be missing |
 //! | `bufferLabel`, `bufferUnit`, `bufferRange` | one group per channel |
 //! | `data` | last line: `BINARY` (i16), `BINARY_32` (i32); little endian |
 //!
@@ -75,7 +75,13 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     }
     let shape = [ny as usize, nx as usize];
     limits.check_points(FORMAT, shape)?;
-    let pixel = Pixel::Metres([number("yLength")? / ny, number("xLength")? / nx]);
+    // Some writers leave the size out: the pixel is then to be given.
+    let has_size = ["xLength", "yLength"].iter().all(|key| contents.metadata.contains_key(*key));
+    let pixel = if has_size {
+        Pixel::Metres([number("yLength")? / ny, number("xLength")? / nx])
+    } else {
+        Pixel::Unknown
+    };
     let mut at = end;
     for [label, unit, range] in buffers {
         let range: f64 = range.parse().map_err(|_| b.field("bufferRange", format!("{range:?}")))?;

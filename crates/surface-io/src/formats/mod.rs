@@ -5,6 +5,7 @@ pub(crate) mod al3d;
 #[cfg(feature = "zip")]
 pub(crate) mod archive;
 pub(crate) mod bcrf;
+pub(crate) mod foreign;
 pub(crate) mod frt;
 pub(crate) mod gwy;
 pub(crate) mod hdf5;

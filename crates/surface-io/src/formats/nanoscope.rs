@@ -51,7 +51,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     }
     for (name, section) in &sections {
         if name == "ciao image list" {
-            contents.channels.push(channel(b, section, &soft_scales, limits)?);
+            limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
+            // An auxiliary channel that cannot be read must not cost the others.
+            let found = channel(b, section, &soft_scales, limits)
+                .unwrap_or_else(|fault| Channel::unreadable(channel_name(section), fault));
+            contents.channels.push(found);
         }
     }
     Ok(contents)
@@ -104,8 +108,7 @@ fn channel<'a>(
     let pixel = scan_size(get("scan size")?)
         .map(|[sx, sy]| Pixel::Metres([sy / shape[0] as f64, sx / shape[1] as f64]))
         .ok_or_else(|| b.field("scan size", format!("{:?}", get("scan size").ok())))?;
-    let name = get("@2:image data")?;
-    let name = between(name, '[', ']').unwrap_or(name).to_owned();
+    let name = channel_name(section);
     let scale = get("@2:z scale")?;
     let (step, unit) = height_scale(scale, soft_scales)
         .ok_or_else(|| b.field("@2:z scale", format!("{scale:?} cannot be read")))?;
@@ -113,6 +116,12 @@ fn channel<'a>(
     let raster = Raster { bytes: b, at: whole("data offset")?, shape, sample };
     let channel = Channel::raster(name, Some(&unit), pixel, raster, move |raw| raw * step)?;
     Ok(channel.flipped())
+}
+
+/// `ZSensor` of `V [ZSensor] "Height Sensor"`.
+fn channel_name(section: &Section) -> String {
+    let text = section.get("@2:image data").map_or("", String::as_str);
+    between(text, '[', ']').unwrap_or(text).to_owned()
 }
 
 fn between(text: &str, open: char, close: char) -> Option<&str> {

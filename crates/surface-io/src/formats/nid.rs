@@ -62,7 +62,14 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         for channel in 0..channels {
             let section = directory.get(&format!("Gr{group}-Ch{channel}"));
             let Some(section) = section.and_then(|name| sections.get(name)) else { continue };
-            let (channel, length) = read_channel(b, at, section, limits)?;
+            let stored = Stored::of(b, section, limits)?;
+            let length = b.map_length(at, stored.shape, stored.sample)?;
+            limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
+            // Spectra and curves stand beside the images; they must not cost them.
+            let channel = read_channel(stored, b, at, section).unwrap_or_else(|fault| {
+                let name = section.get("Dim2Name").or_else(|| section.get("Dim1Name"));
+                Channel::unreadable(name.map_or("", String::as_str), fault)
+            });
             contents.channels.push(channel);
             at += length;
         }
@@ -71,43 +78,60 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     Ok(contents)
 }
 
+/// How the numbers of a channel are stored.
+struct Stored {
+    shape: [usize; 2],
+    sample: Sample,
+    order: Order,
+    is_signed: bool,
+    /// Number of values the type can hold.
+    levels: f64,
+}
+
+impl Stored {
+    fn of(b: Bytes<'_>, section: &Section, limits: &Limits) -> Result<Self, ReadError> {
+        let get = |key| get(b, section, key);
+        let side = |key: &'static str| {
+            let text = get(key)?;
+            text.parse::<usize>().map_err(|_| b.field(key, format!("{text:?} is no size")))
+        };
+        if get("SaveMode")? != "Binary" {
+            let feature = format!("data saved as {}", get("SaveMode")?);
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        }
+        let order = if get("SaveOrder")? == "Intel" { Order::Little } else { Order::Big };
+        let is_signed = get("SaveSign")? == "Signed";
+        let (sample, levels) = match (get("SaveBits")?, is_signed) {
+            ("8", true) => (Sample::I8, 256.0),
+            ("8", false) => (Sample::U8, 256.0),
+            ("16", true) => (Sample::I16, 65536.0),
+            ("16", false) => (Sample::U16, 65536.0),
+            ("32", true) => (Sample::I32, 4294967296.0),
+            ("32", false) => (Sample::U32, 4294967296.0),
+            (bits, _) => return Err(b.field("SaveBits", format!("{bits:?}, not 8, 16 or 32"))),
+        };
+        let shape = [side("Lines")?, side("Points")?];
+        limits.check_points(FORMAT, shape)?;
+        Ok(Self { shape, sample, order, is_signed, levels })
+    }
+}
+
+fn get<'s>(b: Bytes<'_>, section: &'s Section, key: &'static str) -> Result<&'s str, ReadError> {
+    section.get(key).map(String::as_str).ok_or_else(|| b.field(key, "is missing"))
+}
+
 fn read_channel<'a>(
-    mut b: Bytes<'a>,
+    stored: Stored,
+    b: Bytes<'a>,
     at: usize,
     section: &Section,
-    limits: &Limits,
-) -> Result<(Channel<'a>, usize), ReadError> {
-    let plain = b;
-    let get = |key: &'static str| {
-        section.get(key).map(String::as_str).ok_or_else(|| plain.field(key, "is missing"))
-    };
+) -> Result<Channel<'a>, ReadError> {
+    let get = |key| get(b, section, key);
     let number = |key: &'static str| {
         let text = get(key)?;
-        text.parse::<f64>().map_err(|_| plain.field(key, format!("{text:?} is no number")))
+        text.parse::<f64>().map_err(|_| b.field(key, format!("{text:?} is no number")))
     };
-    let side = |key: &'static str| {
-        let text = get(key)?;
-        text.parse::<usize>().map_err(|_| plain.field(key, format!("{text:?} is no size")))
-    };
-    if get("SaveMode")? != "Binary" {
-        let feature = format!("data saved as {}", get("SaveMode")?);
-        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
-    }
-    if get("SaveOrder")? != "Intel" {
-        b.order = Order::Big;
-    }
-    let signed = get("SaveSign")? == "Signed";
-    let (sample, levels) = match (get("SaveBits")?, signed) {
-        ("8", true) => (Sample::I8, 256.0),
-        ("8", false) => (Sample::U8, 256.0),
-        ("16", true) => (Sample::I16, 65536.0),
-        ("16", false) => (Sample::U16, 65536.0),
-        ("32", true) => (Sample::I32, 4294967296.0),
-        ("32", false) => (Sample::U32, 4294967296.0),
-        (bits, _) => return Err(b.field("SaveBits", format!("{bits:?}, not 8, 16 or 32"))),
-    };
-    let shape = [side("Lines")?, side("Points")?];
-    limits.check_points(FORMAT, shape)?;
+    let Stored { shape, sample, order, is_signed, levels } = stored;
     let step_x = number("Dim0Range")? / shape[1] as f64;
     let step_y = number("Dim1Range")? / shape[0] as f64;
     let pixel = match (metres_per(get("Dim1Unit")?), metres_per(get("Dim0Unit")?)) {
@@ -115,10 +139,10 @@ fn read_channel<'a>(
         _ => Pixel::Unknown,
     };
     let step = number("Dim2Range")? / levels;
-    let lowest = number("Dim2Min")? + if signed { 0.5 * levels * step } else { 0.0 };
+    let lowest = number("Dim2Min")? + if is_signed { 0.5 * levels * step } else { 0.0 };
     let name = format!("{} ({})", get("Frame")?, get("Dim2Name")?);
-    let raster = Raster { bytes: b, at, shape, sample };
+    let raster = Raster { bytes: Bytes { order, ..b }, at, shape, sample };
     let convert = move |raw: f64| raw * step + lowest;
     let channel = Channel::raster(name, Some(get("Dim2Unit")?), pixel, raster, convert)?;
-    Ok((channel.flipped(), b.map_length(at, shape, sample)?))
+    Ok(channel.flipped())
 }

@@ -1,7 +1,7 @@
 //! Coordinates to a grid: lists of x y z and profiles x z.
 
 use crate::binary::Bytes;
-use crate::text::Digits;
+use crate::cells::Digits;
 use crate::{Format, Limits, Place, ReadError};
 use std::collections::HashSet;
 
@@ -31,8 +31,7 @@ impl Line {
         let turn = x.windows(2).position(|p| if is_falling { p[1] >= p[0] } else { p[1] <= p[0] });
         if let Some(i) = turn {
             return Err(format!(
-                "position {} ({}) does not continue in the direction of the points before ({}): \
-                 two columns are read as a profile x, z; if they are heights, give --layout matrix",
+                "position {} ({}) does not continue in the direction of the points before ({})",
                 i + 2,
                 x[i + 1],
                 x[i]

@@ -48,6 +48,10 @@ struct Header {
     kind: Kind,
 }
 
+/// The header ends the file where the points do: a trailer of text may follow, more points' worth of
+/// other bytes may not, for then the header lies about the size.
+const LONGEST_TRAILER: usize = 1 << 16;
+
 /// Encoding of DataType with its mark for a missing point.
 #[derive(Clone, Copy)]
 struct Kind {
@@ -111,6 +115,16 @@ fn binary<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadErro
     limits.check_points(FORMAT, header.shape)?;
     let (scale, kind) = (header.scale(b)?, header.kind);
     let raster = Raster { bytes: b, at: scales + 35, shape: header.shape, sample: kind.sample };
+    let length = b.map_length(raster.at, raster.shape, raster.sample)?;
+    let trailer = &bytes[raster.at + length..];
+    if trailer.len() > LONGEST_TRAILER && !text::is_text(trailer) {
+        let [ny, nx] = header.shape;
+        let what = format!(
+            "{} bytes follow the {ny} x {nx} points that the header promises, and they are no text",
+            trailer.len()
+        );
+        return Err(b.fault(raster.at + length, what));
+    }
     let convert = move |raw: f64| if kind.is_missing(raw) { f64::NAN } else { raw * scale };
     let channel = Channel::raster("Z", Some("m"), header.channel_pixel(), raster, convert)?;
     let metadata = [

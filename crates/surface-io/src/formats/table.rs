@@ -9,21 +9,23 @@
 //! | `Width`, `Height` with unit | total size of a matrix: the pixel is size / N (Gwyddion's export, also in German and French; SPIP's `x-length`, `x-unit`) |
 //! | `pixel size`, `dx`, `dy` with unit | spacing of a matrix |
 //! | `Value units`, `z-unit` | unit of the heights |
+//! | `height conversion factor (-> m)` | metres per stored number (SPIP) |
 //! | units in column titles | `X [mm]`, `X_(microns)`, `x in µm`, `µm µm` |
-//! | three columns | x y z on a grid in any order (row 0 = smallest y); `X;Y;valid` is a profile; unless `--layout matrix` |
+//! | three columns | x y z on a grid in any order (row 0 = smallest y); `X;Y;valid` is a profile; unless the layout is given |
 //! | a first row and a first column that count 0, 1, 2, … around an empty corner | no heights: left out |
 //! | two columns | a profile, if x only rises or only falls |
 //!
 //! Coordinates fix the pixel size: (last − first) / (N − 1). Coordinates that are evenly spaced
 //! as far as their printed digits can tell count as evenly spaced.
 //!
-//! A matrix without a stated size, and columns without units, need `--pixel` and `--height-unit`.
+//! A matrix without a stated size needs the pixel size, columns without units need theirs.
 
 use super::scattered::{self, Line};
+use crate::cells::{Digits, Separator};
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::text::{self, Digits, Separator, Table};
+use crate::text::{self, Table};
 use crate::units::{length, metres_per, quantity};
-use crate::{Format, Layout, Limits, ReadError};
+use crate::{Ambiguity, Format, Layout, Limits, ReadError};
 use std::collections::BTreeMap;
 
 const FORMAT: Format = Format::Text;
@@ -31,13 +33,6 @@ const FORMAT: Format = Format::Text;
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     text::is_text(bytes)
 }
-
-/// What a list of three columns could also be, behind a refusal or an answer.
-const OR_MATRIX: &str = "if the three columns are heights, give --layout matrix";
-const READ_AS_PROFILE: &str =
-    "two columns, read as a profile x z; if they are heights, give --layout matrix";
-const READ_AS_LIST: &str =
-    "three columns, read as a list x y z; if they are heights, give --layout matrix";
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     parse_as(bytes, limits, None)
@@ -87,13 +82,10 @@ pub(crate) fn parse_as<'a>(
     let says_map = kept > 3 || header.size.is_some() || header.pixel.is_some();
     let is_map = layout.map_or(says_map, |layout| layout == Layout::Matrix);
     if layout == Some(Layout::List) && kept > 3 {
-        return Err(ReadError::Unsupported {
+        return Err(ReadError::BadLayout {
             format: FORMAT,
-            feature: format!(
-                "--layout list with {kept} columns (a list has x y z or x z; leave out \
-                 --layout to read a matrix)"
-            )
-            .into(),
+            layout: Layout::List,
+            reason: format!("it has {kept} columns (a list has x y z or x z)").into(),
         });
     }
     let channel = if is_map {
@@ -112,7 +104,7 @@ pub(crate) fn parse_as<'a>(
             || unit(0).is_some()
             || ["x", "y"].iter().enumerate().all(|(i, name)| named(i, &[name]));
         let map = scattered::grid(&values, [digits[0], digits[1]], limits)
-            .map_err(|error| if is_told { error } else { or_matrix(error) })?;
+            .map_err(|error| if is_told { error } else { or_matrix(error, 3) })?;
         let is_plain = map.is_complete && map.shape.iter().all(|&n| n > 2);
         let z_unit = header.value_unit.clone().or_else(|| unit(2));
         let scale = unit(0).as_deref().and_then(metres_per);
@@ -125,36 +117,32 @@ pub(crate) fn parse_as<'a>(
         let name = header.name();
         let mut channel =
             Channel::new(name, z_unit.as_deref(), map.shape, pixel, move || Ok(heights));
-        channel.ambiguity = (!is_told && !is_plain).then_some(READ_AS_LIST);
+        channel.ambiguity = (!is_told && !is_plain).then_some(Ambiguity { columns: 3 });
         channel
     } else if kept == 2 {
         let (x, z) = (column(&values, 0, 2), column(&values, 1, 2));
-        let mut channel = profile(&x, z, digits[0], [unit(0), unit(1)], &header)?;
         let is_told = layout.is_some() || unit(0).is_some() || named(0, &["x"]);
-        channel.ambiguity = (!is_told).then_some(READ_AS_PROFILE);
+        let mut channel = profile(&x, z, digits[0], [unit(0), unit(1)], &header)
+            .map_err(|error| if is_told { error } else { or_matrix(error, 2) })?;
+        channel.ambiguity = (!is_told).then_some(Ambiguity { columns: 2 });
         channel
     } else {
-        return Err(ReadError::Unsupported {
-            format: FORMAT,
-            feature: "a single column of numbers (a profile needs a column x before the heights, \
-                      a map needs rows; --layout matrix reads one point to a row)"
-                .into(),
-        });
+        let feature = "a single column of numbers (a profile needs a column x before the heights, \
+                       a map needs rows)";
+        return Err(or_matrix(
+            ReadError::Unsupported { format: FORMAT, feature: feature.into() },
+            1,
+        ));
     };
     Ok(Contents { channels: vec![channel], metadata: header.metadata })
 }
 
-/// A refusal of a list that may be no list.
-fn or_matrix(error: ReadError) -> ReadError {
+/// A refusal of columns that may be heights.
+fn or_matrix(error: ReadError, columns: usize) -> ReadError {
     match error {
-        ReadError::Unsupported { format, feature } => {
-            ReadError::Unsupported { format, feature: format!("{feature} ({OR_MATRIX})").into() }
+        ReadError::Unsupported { .. } | ReadError::Malformed { .. } => {
+            ReadError::Ambiguous { source: Box::new(error), ambiguity: Ambiguity { columns } }
         }
-        ReadError::Malformed { format, place, what } => ReadError::Malformed {
-            format,
-            place,
-            what: format!("{what} (read as a list x y z; {OR_MATRIX})").into(),
-        },
         other => other,
     }
 }
@@ -198,7 +186,8 @@ fn matrix(header: &Header, values: Vec<f64>, shape: [usize; 2]) -> Channel<'stat
         (None, None) => Pixel::Unknown,
     };
     let missing = header.missing_value;
-    Channel::new(header.name(), header.value_unit.as_deref(), shape, pixel, move || {
+    let unit = header.value_unit.as_deref();
+    let mut channel = Channel::new(header.name(), unit, shape, pixel, move || {
         let mut values = values;
         if let Some(missing) = missing {
             for value in &mut values {
@@ -208,7 +197,12 @@ fn matrix(header: &Header, values: Vec<f64>, shape: [usize; 2]) -> Channel<'stat
             }
         }
         Ok(values)
-    })
+    });
+    if let Some(scale) = header.value_scale.filter(|_| channel.unit.is_none()) {
+        channel.scale = Some(scale);
+        channel.unit = Some(format!("{scale:e} m"));
+    }
+    channel
 }
 
 fn profile(
@@ -257,6 +251,8 @@ struct Header {
     /// `[dy, dx]` in metres.
     pixel: Option<[f64; 2]>,
     value_unit: Option<String>,
+    /// Metres per stored number, as SPIP writes it.
+    value_scale: Option<f64>,
     missing_value: Option<f64>,
     columns: Vec<Title>,
     metadata: BTreeMap<String, String>,
@@ -294,6 +290,11 @@ impl Header {
                 | "werteeinheiten" | "unités de valeur" => header.value_unit = text(),
                 "nodata_value" | "nodata" | "missing value" | "missing" => {
                     header.missing_value = value.parse().ok();
+                }
+                key if key.contains("conversion factor")
+                    && key.replace(' ', "").ends_with("(->m)") =>
+                {
+                    header.value_scale = value.parse().ok();
                 }
                 _ => {}
             }

@@ -23,10 +23,7 @@
 use super::archive::{Archive, MAGIC, is_main_xml};
 use crate::binary::{Bytes, Order, Sample};
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError};
-use quick_xml::Reader;
-use quick_xml::escape::resolve_predefined_entity;
-use quick_xml::events::Event;
+use crate::{Format, Limits, ReadError, xml};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -119,50 +116,11 @@ struct Document {
 
 impl Document {
     fn parse(xml: &[u8], limits: &Limits) -> Result<Self, ReadError> {
-        let text = std::str::from_utf8(xml).map_or_else(
-            |_| Cow::Owned(xml.iter().map(|&b| char::from(b)).collect::<String>()),
-            Cow::Borrowed,
-        );
-        let mut reader = Reader::from_str(&text);
         let mut document = Self::default();
-        let (mut path, mut value) = (Vec::<String>::new(), String::new());
-        loop {
-            let at = usize::try_from(reader.buffer_position()).unwrap_or(usize::MAX);
-            let broken = |what: String| Bytes::little(xml, FORMAT).fault(at, what);
-            match reader.read_event().map_err(|e| broken(format!("main.xml: {e}")))? {
-                Event::Start(tag) => {
-                    if path.len() > 32 {
-                        return Err(broken("main.xml: elements nested deeper than 32".into()));
-                    }
-                    path.push(tag.local_name().as_ref().to_owned());
-                    value.clear();
-                }
-                Event::End(_) => {
-                    document.close(&path, &value, limits)?;
-                    path.pop();
-                    value.clear();
-                }
-                Event::Empty(tag) => {
-                    path.push(tag.local_name().as_ref().to_owned());
-                    document.close(&path, "", limits)?;
-                    path.pop();
-                }
-                Event::Text(text) => value += text.as_ref(),
-                Event::CData(text) => value += text.as_ref(),
-                Event::GeneralRef(name) => {
-                    let name: &str = name.as_ref();
-                    value += &entity(name).ok_or_else(|| {
-                        broken(format!("main.xml: entity &{name}; is not expanded"))
-                    })?;
-                }
-                Event::DocType(_) => {
-                    return Err(broken("main.xml: a document type declaration is refused".into()));
-                }
-                Event::Eof if path.is_empty() => return Ok(document),
-                Event::Eof => return Err(broken("main.xml ends inside an element".into())),
-                Event::Decl(_) | Event::PI(_) | Event::Comment(_) => {}
-            }
-        }
+        xml::walk(xml, FORMAT, "main.xml", |element| {
+            document.close(element.path, element.text, limits)
+        })?;
+        Ok(document)
     }
 
     fn close(&mut self, path: &[String], value: &str, limits: &Limits) -> Result<(), ReadError> {
@@ -311,17 +269,4 @@ fn scale(z: &mut [f64], factor: f64, offset: f64) {
     for z in z {
         *z = *z * factor + offset;
     }
-}
-
-/// The five entities of XML itself and character references; no others exist here.
-fn entity(name: &str) -> Option<String> {
-    if let Some(text) = resolve_predefined_entity(name) {
-        return Some(text.to_owned());
-    }
-    let number = name.strip_prefix('#')?;
-    let code = match number.strip_prefix('x') {
-        Some(hex) => u32::from_str_radix(hex, 16),
-        None => number.parse(),
-    };
-    code.ok().and_then(char::from_u32).map(String::from)
 }

@@ -68,7 +68,7 @@ impl Sample {
     }
 
     pub fn with_unit(mut self, metres: f64) -> Self {
-        self.options.height_unit = Some(metres);
+        self.options = self.options.with_height_unit(metres);
         self
     }
 }

@@ -20,16 +20,12 @@ fn format() -> Option<&'static FormatSpec> {
 }
 
 fuzz_target!(|bytes: &[u8]| {
-    let limits =
-        Limits { file_bytes: 1 << 20, unpacked_bytes: 1 << 20, points: 1 << 16, items: 1 << 10 };
-    let options = ReadOptions { limits, ..ReadOptions::default() };
-    let given = ReadOptions {
-        pixel: Some([3e-6, 2e-6]),
-        height_unit: Some(1e-9),
-        ..options.clone()
-    };
-    let [matrix, list] =
-        [Layout::Matrix, Layout::List].map(|l| ReadOptions { layout: Some(l), ..given.clone() });
+    let mut limits = Limits::default();
+    (limits.file_bytes, limits.unpacked_bytes) = (1 << 20, 1 << 20);
+    (limits.points, limits.items) = (1 << 16, 1 << 10);
+    let options = ReadOptions::default().with_limits(limits);
+    let given = options.clone().with_pixel([3e-6, 2e-6]).with_height_unit(1e-9);
+    let [matrix, list] = [Layout::Matrix, Layout::List].map(|l| given.clone().with_layout(l));
     for options in [options, given, matrix, list] {
         let result = match format() {
             Some(spec) => spec.read(bytes, &options),

@@ -1,0 +1,64 @@
+//! What reading a file needs, as options of this command: `surface-io` says what is missing, here
+//! stands how to give it.
+
+use crate::outcome::Failure;
+use std::path::Path;
+use surface_io::{Ambiguity, FillError, Layout, Need, ReadError};
+
+/// The refusal of a file, with the options that would let it be read.
+pub(crate) fn unread(path: &Path, error: &ReadError) -> Failure {
+    let way_out = match error {
+        ReadError::UnknownFormat { .. } => "`rough-contact info --list` lists them".to_owned(),
+        ReadError::PixelContradicts { .. } => "give --pixel DX,DY in that ratio".to_owned(),
+        ReadError::BadLayout { .. } => "leave out --layout, or give the other one".to_owned(),
+        ReadError::Limit { .. } => return Failure::in_file(path, error), // no option raises it
+        _ => options(&error.needs()),
+    };
+    Failure::in_file(path, error).adding(&way_out)
+}
+
+/// The refusal of a map with missing points.
+pub(crate) fn unfilled(path: &Path, error: &FillError) -> Failure {
+    let way_out = match error {
+        FillError::NotConverged { .. } => "use --fill nearest".to_owned(),
+        _ => options(&error.needs()),
+    };
+    Failure::in_file(path, error).adding(&way_out)
+}
+
+/// How a text was read that could mean something else, and the option that settles it.
+pub(crate) fn reading(ambiguity: Ambiguity) -> String {
+    format!("{ambiguity}; {}", option(ambiguity.needs()))
+}
+
+/// One sentence for all needs.
+fn options(needs: &[Need]) -> String {
+    let missing: Vec<&str> = needs.iter().filter_map(|need| scale(*need)).collect();
+    if missing.is_empty() {
+        return needs.iter().map(|need| option(*need)).collect::<Vec<_>>().join("; ");
+    }
+    format!("add {}", missing.join(" and "))
+}
+
+/// The option for what a file does not say.
+fn scale(need: Need) -> Option<&'static str> {
+    match need {
+        Need::PixelSize => Some("--pixel DX[,DY]"),
+        Need::LateralUnit => Some("--lateral-unit U"),
+        Need::HeightUnit => Some("--height-unit U"),
+        _ => None,
+    }
+}
+
+fn option(need: Need) -> &'static str {
+    match need {
+        Need::Channel => "choose one with --channel NAME",
+        Need::Layout(Layout::Matrix) => "if they are heights, give --layout matrix",
+        Need::Layout(Layout::List) => "if they are coordinates, give --layout list",
+        Need::Fill => {
+            "fill them with --fill harmonic or --fill nearest, or cut out a complete part with \
+             --crop"
+        }
+        other => scale(other).unwrap_or_default(),
+    }
+}

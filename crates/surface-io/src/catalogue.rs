@@ -1,0 +1,119 @@
+//! The one table of formats: how each is recognised and which reader takes it.
+
+use crate::error::ReadError;
+use crate::finish::finish;
+use crate::format::Format;
+use crate::formats;
+use crate::limits::Limits;
+use crate::measurement::{Contents, Measurement};
+use crate::options::ReadOptions;
+use std::borrow::Cow;
+
+macro_rules! rows {
+    ($($(#[$cfg:meta])? $variant:ident, $module:ident, [$($extension:literal),*], $about:literal;)*) => {
+        /// Every format this build knows, in the order in which they are tried.
+        pub const FORMATS: &[FormatSpec] = &[
+            $($(#[$cfg])? FormatSpec {
+                format: Format::$variant,
+                extensions: &[$($extension),*],
+                about: $about,
+                sniff: formats::$module::sniff,
+                parse: formats::$module::parse,
+            },)*
+        ];
+    };
+}
+
+rows! {
+    #[cfg(feature = "zip")]
+    X3p, x3p, ["x3p"], "binary and XML data, masks, layers; unit and pixel in the file";
+    #[cfg(feature = "zip")]
+    Npz, npz, ["npz"], "every array is a channel; pixel size and unit are to be given";
+    Npy, npy, ["npy"], "real numbers of any type and order; pixel size and unit are to be given";
+    Sur, sur, ["sur", "pro"], "surfaces and profiles, plain and compressed, several layers";
+    Sdf, sdf, ["sdf"], "text and binary, also BCR-1.0";
+    Zygo, zygo, ["dat"], "phase data; intensity is listed";
+    Opd, opd, ["opd"], "all raw data blocks";
+    Gwy, gwy, ["gwy"], "all data fields with units; masks are missing points";
+    Nanoscope, nanoscope, ["spm", "001", "di"], "all channels, 2 and 4 bytes per point";
+    Al3d, al3d, ["al3d"], "depth image with missing points";
+    Nms, nms, ["nms"], "height; intensity is listed";
+    Tmd, tmd, ["tmd"], "GelSight height maps";
+    Bcrf, bcrf, ["bcr", "bcrf"], "Latin-1 and UTF-16 headers, missing points";
+    NetCdf, netcdf, ["nc"], "CDF-1, 2 and 5: every variable of two dimensions";
+    Ibw, ibw, ["ibw"], "version 5: every layer is a channel";
+    Opdx, opdx, ["opdx"], "maps and profiles of Vision64";
+    Frt, frt, ["frt"], "height with missing points";
+    Mi, mi, ["mi"], "all channels of images";
+    Nid, nid, ["nid", "ezd"], "all channels of images; spectra are left out";
+    Wsxm, wsxm, ["stp", "top"], "images";
+    Plu, plu, ["plu"], "topographies, all layers";
+    Hdf5, hdf5, ["h5", "datx"],
+        "recognised and refused with the way out; also NetCDF-4 and DATX";
+    Mnt, mnt, ["mnt"], "recognised and refused with the way out";
+    Text, table, ["csv", "asc", "tsv", "txt", "xyz"],
+        "matrices, lists of x y z, profiles; any separator, decimal comma, missing cells";
+}
+
+type Parse = for<'a> fn(&'a [u8], &Limits) -> Result<Contents<'a>, ReadError>;
+
+/// One row of [`FORMATS`].
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub struct FormatSpec {
+    /// Which format.
+    pub format: Format,
+    /// Usual file name extensions; information only, files are recognised by content.
+    pub extensions: &'static [&'static str],
+    /// What is read, in a few words.
+    pub about: &'static str,
+    sniff: fn(&[u8]) -> bool,
+    parse: Parse,
+}
+
+impl FormatSpec {
+    /// Reads `bytes` as this format, whatever they look like.
+    ///
+    /// # Errors
+    /// As [`read_bytes`](crate::read_bytes).
+    pub fn read(&self, bytes: &[u8], options: &ReadOptions) -> Result<Measurement, ReadError> {
+        let limits = &options.limits;
+        let contents = match options.layout {
+            None => self.contents(bytes, limits)?,
+            Some(layout) if self.format == Format::Text => {
+                formats::table::parse_as(bytes, limits, Some(layout))?
+            }
+            Some(layout) => {
+                return Err(ReadError::BadLayout {
+                    format: self.format,
+                    layout,
+                    reason: Cow::Borrowed("only the columns of a text can be more than one thing"),
+                });
+            }
+        };
+        finish(self.format, contents, options)
+    }
+
+    /// What is in `bytes`, with nothing decoded yet.
+    pub(crate) fn contents<'a>(
+        &self,
+        bytes: &'a [u8],
+        limits: &Limits,
+    ) -> Result<Contents<'a>, ReadError> {
+        (self.parse)(bytes, limits)
+    }
+}
+
+/// The format of `bytes`, by content.
+pub(crate) fn recognise(bytes: &[u8]) -> Result<&'static FormatSpec, ReadError> {
+    if bytes.is_empty() {
+        return Err(ReadError::Empty);
+    }
+    if let Some(error) = formats::foreign::recognise(bytes) {
+        return Err(error);
+    }
+    FORMATS.iter().find(|spec| (spec.sniff)(bytes)).ok_or_else(|| {
+        let start = bytes[..bytes.len().min(16)].escape_ascii().to_string();
+        ReadError::UnknownFormat { start }
+    })
+}

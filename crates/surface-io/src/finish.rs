@@ -1,0 +1,193 @@
+//! From what a reader found to a [`Measurement`]: chooses the channel, decodes it and brings it
+//! to metres.
+
+use crate::error::{Place, ReadError};
+use crate::format::Format;
+use crate::meaning::Meaning;
+use crate::measurement::{Channel, ChannelInfo, Contents, KEPT_UNIT, Measurement, Pixel};
+use crate::need::Need;
+use crate::options::{HeightUnit, ReadOptions};
+use contact_types::Grid;
+
+/// No surface is higher than this (m).
+const HIGHEST: f64 = 1e6;
+
+/// Chooses the channel, decodes it and brings it to metres.
+pub(crate) fn finish(
+    format: Format,
+    mut contents: Contents<'_>,
+    options: &ReadOptions,
+) -> Result<Measurement, ReadError> {
+    let channels: Vec<ChannelInfo> = contents.channels.iter().map(Channel::info).collect();
+    let chosen = match choose(format, &channels, options) {
+        Ok(chosen) => chosen,
+        // A file whose only channels cannot be read is refused for the first one's reason.
+        Err(error) => {
+            let faults = contents.channels.into_iter().filter_map(|channel| channel.fault);
+            return Err(match faults.into_iter().next() {
+                Some(fault) if options.channel.is_none() => fault,
+                _ => error,
+            });
+        }
+    };
+    let channel = contents.channels.swap_remove(chosen);
+    if let Some(fault) = channel.fault {
+        return Err(fault);
+    }
+    let mut metadata = contents.metadata;
+
+    if let Some([dy, dx]) = options.pixel {
+        for value in [dy, dx] {
+            positive(Need::PixelSize, value)?;
+        }
+        if let Pixel::Steps([step_y, step_x]) = channel.pixel
+            && channel.shape[0] > 1
+            && channel.shape[1] > 1
+            && ((dy / dx) / (step_y / step_x) - 1.0).abs() > 1e-3
+        {
+            return Err(ReadError::PixelContradicts { dx, dy, step_x, step_y });
+        }
+        if let Pixel::Metres([dy, dx]) = channel.pixel {
+            metadata.insert("overridden pixel".into(), format!("{dx:e} m, {dy:e} m"));
+        }
+    }
+    if let Some(unit) = options.lateral_unit {
+        positive(Need::LateralUnit, unit)?;
+    }
+    let pixel = options.pixel.or(match (channel.pixel, options.lateral_unit) {
+        (Pixel::Metres(pixel), _) => Some(pixel),
+        (Pixel::Steps(steps), Some(unit)) => Some(steps.map(|step| step * unit)),
+        _ => None,
+    });
+    if let Some(given) = options.height_unit {
+        positive(Need::HeightUnit, given.metres())?;
+        match (&channel.unit, channel.scale, given) {
+            (Some(unit), Some(own), HeightUnit::IfSilent(other)) => {
+                if (own / other - 1.0).abs() > 1e-9 {
+                    metadata.insert(KEPT_UNIT.into(), unit.clone());
+                }
+            }
+            (Some(unit), _, _) => {
+                metadata.insert("overridden height unit".into(), unit.clone());
+            }
+            _ => {}
+        }
+    }
+    let scale = match options.height_unit {
+        Some(HeightUnit::Always(metres)) => Some(metres),
+        given => channel.scale.or(given.map(HeightUnit::metres)),
+    };
+    let (Some(pixel), Some(scale)) = (pixel, scale) else {
+        let lateral = match channel.pixel {
+            Pixel::Steps(_) => Need::LateralUnit,
+            _ => Need::PixelSize,
+        };
+        let mut needs = Vec::new();
+        needs.extend(pixel.is_none().then_some(lateral));
+        needs.extend(scale.is_none().then_some(Need::HeightUnit));
+        return Err(ReadError::MissingScale { format, needs });
+    };
+
+    options.limits.check_points(format, channel.shape)?;
+    let malformed = |place, what: String| ReadError::Malformed { format, place, what: what.into() };
+    let grid = Grid::new(channel.shape, pixel)
+        .map_err(|e| malformed(Place::Field("grid".into()), e.to_string()))?;
+    let mut heights = (channel.decode)()?;
+    if heights.len() != grid.len() {
+        let what = format!("{} heights for {} points", heights.len(), grid.len());
+        return Err(malformed(Place::Field("data".into()), what));
+    }
+    // A file that says what its unit is and means this is damaged; numbers whose unit was given
+    // may be anything.
+    let highest = if options.height_unit.is_none() { HIGHEST } else { f64::MAX };
+    let mut missing = 0;
+    for (i, height) in heights.iter_mut().enumerate() {
+        *height *= scale;
+        if height.is_nan() {
+            missing += 1;
+        } else if height.abs() > highest {
+            let [_, nx] = grid.shape();
+            let place = Place::Point { iy: i / nx, ix: i % nx };
+            return Err(malformed(place, format!("the height is {height:e} m")));
+        }
+    }
+    Ok(Measurement {
+        grid,
+        heights,
+        missing,
+        format,
+        channel: channel.name,
+        channels,
+        metadata,
+        is_profile: channel.is_profile,
+        uneven: channel.uneven,
+        ambiguity: channel.ambiguity,
+    })
+}
+
+fn positive(given: Need, value: f64) -> Result<(), ReadError> {
+    if value.is_normal() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(ReadError::BadOption { given, value })
+    }
+}
+
+/// Index of the channel asked for, or of the one that is most likely the topography.
+fn choose(
+    format: Format,
+    channels: &[ChannelInfo],
+    options: &ReadOptions,
+) -> Result<usize, ReadError> {
+    let names = |only_heights: bool| {
+        let names: Vec<String> = channels
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| c.is_height && c.fault.is_none() || !only_heights)
+            .map(|(i, c)| format!("{:?} (#{})", c.name, i + 1))
+            .collect();
+        if names.is_empty() { "(the file has none)".to_owned() } else { names.join(", ") }
+    };
+    let not_height = |channel: &ChannelInfo| ReadError::NotHeight {
+        format,
+        channel: channel.name.clone(),
+        unit: channel.unit.clone().unwrap_or_default(),
+        heights: names(true),
+    };
+    let Some(asked) = options.channel.as_deref() else {
+        // A stated unit of length is better than no unit at all, then the meaning of the name
+        // counts, then the order in the file.
+        let heights = channels.iter().enumerate().filter(|(_, c)| c.is_height && c.fault.is_none());
+        let best = heights.min_by_key(|(i, c)| (c.unit.is_none(), Meaning::of(&c.name), *i));
+        return match (best, channels.first()) {
+            (Some((index, _)), _) => Ok(index),
+            (None, Some(first)) => Err(not_height(first)),
+            (None, None) => Err(ReadError::Unsupported {
+                format,
+                feature: "a file without any map or profile".into(),
+            }),
+        };
+    };
+    let number = asked.strip_prefix('#').and_then(|n| n.parse::<usize>().ok());
+    let part = |c: &ChannelInfo| c.name.to_lowercase().contains(&asked.to_lowercase());
+    let index = channels
+        .iter()
+        .position(|c| c.name == asked)
+        .or_else(|| channels.iter().position(|c| c.name.eq_ignore_ascii_case(asked)))
+        .or_else(|| number.and_then(|n| n.checked_sub(1)).filter(|&n| n < channels.len()))
+        // A part of a name, if it is in one name only.
+        .or_else(|| {
+            let mut found = channels.iter().enumerate().filter(|(_, c)| part(c)).map(|(i, _)| i);
+            found.next().filter(|_| found.next().is_none())
+        })
+        .ok_or_else(|| ReadError::NoSuchChannel {
+            format,
+            asked: asked.to_owned(),
+            available: names(false),
+        })?;
+    let is_overridden = matches!(options.height_unit, Some(HeightUnit::Always(_)));
+    if channels[index].is_height || channels[index].fault.is_some() || is_overridden {
+        return Ok(index);
+    }
+    Err(not_height(&channels[index]))
+}

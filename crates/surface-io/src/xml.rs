@@ -1,0 +1,123 @@
+//! XML as instruments write it: elements with their paths, one by one. A document type
+//! declaration is refused, so no entity is ever expanded.
+
+use crate::binary::Bytes;
+use crate::error::ReadError;
+use crate::format::Format;
+use crate::limits::Limits;
+use quick_xml::Reader;
+use quick_xml::escape::resolve_predefined_entity;
+use quick_xml::events::{BytesStart, Event};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// Elements nested deeper than this are refused.
+const DEEPEST: usize = 32;
+
+/// An element at its end.
+pub(crate) struct Element<'e> {
+    /// Names from the root to this element, without prefixes.
+    pub(crate) path: &'e [String],
+    /// Names without prefixes, and values.
+    pub(crate) attributes: &'e [(String, String)],
+    /// The text after its last child, untrimmed.
+    pub(crate) text: &'e str,
+}
+
+impl Element<'_> {
+    /// Value of an attribute.
+    pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
+        self.attributes.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+    }
+}
+
+/// Calls `visit` at the end of every element of `xml`; `name` is what messages call the document.
+pub(crate) fn walk(
+    xml: &[u8],
+    format: Format,
+    name: &str,
+    mut visit: impl FnMut(&Element<'_>) -> Result<(), ReadError>,
+) -> Result<(), ReadError> {
+    let text = crate::text::decode(xml);
+    let mut reader = Reader::from_str(&text);
+    let (mut path, mut value) = (Vec::<String>::new(), String::new());
+    let mut attributes = Vec::<Vec<(String, String)>>::new();
+    loop {
+        let at = usize::try_from(reader.buffer_position()).unwrap_or(usize::MAX);
+        let broken = |what: String| Bytes::little(xml, format).fault(at, format!("{name}{what}"));
+        match reader.read_event().map_err(|e| broken(format!(": {e}")))? {
+            Event::Start(tag) => {
+                if path.len() > DEEPEST {
+                    return Err(broken(format!(": elements nested deeper than {DEEPEST}")));
+                }
+                path.push(tag.local_name().as_ref().to_owned());
+                attributes.push(read_attributes(&tag));
+                value.clear();
+            }
+            Event::End(_) => {
+                let own = attributes.pop().unwrap_or_default();
+                visit(&Element { path: &path, attributes: &own, text: &value })?;
+                path.pop();
+                value.clear();
+            }
+            Event::Empty(tag) => {
+                path.push(tag.local_name().as_ref().to_owned());
+                let own = read_attributes(&tag);
+                visit(&Element { path: &path, attributes: &own, text: "" })?;
+                path.pop();
+            }
+            Event::Text(text) => value += text.as_ref(),
+            Event::CData(text) => value += text.as_ref(),
+            Event::GeneralRef(reference) => {
+                let reference: &str = reference.as_ref();
+                value += &entity(reference)
+                    .ok_or_else(|| broken(format!(": entity &{reference}; is not expanded")))?;
+            }
+            Event::DocType(_) => {
+                return Err(broken(": a document type declaration is refused".into()));
+            }
+            Event::Eof if path.is_empty() => return Ok(()),
+            Event::Eof => return Err(broken(" ends inside an element".into())),
+            Event::Decl(_) | Event::PI(_) | Event::Comment(_) => {}
+        }
+    }
+}
+
+#[allow(dead_code, reason = "for the readers of PLUX and ZON")]
+/// The text of every element that has some, by its path below the root; of equal paths the first.
+pub(crate) fn fields(
+    xml: &[u8],
+    format: Format,
+    name: &str,
+    limits: &Limits,
+) -> Result<BTreeMap<String, String>, ReadError> {
+    let mut fields = BTreeMap::new();
+    walk(xml, format, name, |element| {
+        let [_root, path @ ..] = element.path else { return Ok(()) };
+        let text = element.text.trim();
+        if !text.is_empty() {
+            limits.check_items(format, fields.len() as u64 + 1)?;
+            fields.entry(path.join("/")).or_insert_with(|| text.to_owned());
+        }
+        Ok(())
+    })?;
+    Ok(fields)
+}
+
+fn read_attributes(tag: &BytesStart<'_>) -> Vec<(String, String)> {
+    let attributes = tag.attributes().filter_map(Result::ok);
+    attributes.map(|a| (a.key.local_name().as_ref().to_owned(), Cow::into_owned(a.value))).collect()
+}
+
+/// The five entities of XML itself and character references; no others exist here.
+fn entity(name: &str) -> Option<String> {
+    if let Some(text) = resolve_predefined_entity(name) {
+        return Some(text.to_owned());
+    }
+    let number = name.strip_prefix('#')?;
+    let code = match number.strip_prefix('x') {
+        Some(hex) => u32::from_str_radix(hex, 16),
+        None => number.parse(),
+    };
+    code.ok().and_then(char::from_u32).map(String::from)
+}
