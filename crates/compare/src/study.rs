@@ -1,5 +1,6 @@
 //! The study itself: statistics, the deterministic curve, every model over the loads.
 
+use crate::ask::at_pressure;
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
 use crate::inputs::Inputs;
@@ -233,7 +234,7 @@ fn ask(
 ) -> ModelComparison {
     let card = theory.card().clone();
     let outcome = theory.build(inputs).and_then(|model| {
-        let (points, seconds) = timed(model.as_ref(), deterministic);
+        let (points, seconds) = timed(&card.title, model.as_ref(), deterministic);
         // A theory that refuses every load does not apply: its reason is the outcome.
         if let Some(Err(first)) = points.first()
             && points.iter().all(Result::is_err)
@@ -280,11 +281,12 @@ fn error(model: &Result<ContactState, ModelError>, reference: &DeterministicPoin
 /// A model's answers and its seconds per load: the median of passes over all loads, as many as
 /// fit in 20 ms, at least three.
 fn timed(
+    name: &str,
     model: &dyn ContactModel,
     loads: &[DeterministicPoint],
 ) -> (Vec<Result<ContactState, ModelError>>, f64) {
     let pass = || -> Vec<_> {
-        loads.iter().map(|p| model.at_pressure(black_box(p.mean_pressure))).collect()
+        loads.iter().map(|p| at_pressure(name, model, black_box(p.mean_pressure))).collect()
     };
     let begin = Instant::now();
     let mut passes: Vec<Duration> = Vec::new();

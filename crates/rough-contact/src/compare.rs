@@ -42,7 +42,7 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "LIST", value_parser = args::study_models(), value_delimiter = ',')]
     models: Option<Vec<String>>,
     /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "plane")]
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
     level: Level,
     /// Shortest and longest wavelength of the fractal fit [default: cut-off to roll-off as found]
     #[arg(long, value_name = "L,L", value_parser = args::range, allow_hyphen_values = true)]
@@ -69,7 +69,7 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "pressure", "headline", "models", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
-        "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
+        "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
@@ -323,7 +323,8 @@ fn not_met(comparison: &Comparison) -> Option<Failure> {
 
 /// A short table per surface, and where the report is.
 fn describe(comparison: &Comparison, folder: &Path) -> String {
-    let mut out = String::new();
+    let mut out = text::level(comparison.settings.level);
+    out.push_str(text::MOMENTS);
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
         out.push_str(&text::cleaning(surface.origin.cleaned()));

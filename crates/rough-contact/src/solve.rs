@@ -14,12 +14,15 @@ use clap::Args;
 use compare::budget::{Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, Level, Method, NotRefined, Precision, Solved, Surrounded, TwiceFiner, on_given,
+    EdgesName, Level, Method, NotRefined, Precision, Scene, Solved, Surrounded, TwiceFiner, on_given,
 };
-use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};
+use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solution, Solver, SolverError};
 use serde_json::json;
 use std::borrow::Cow;
 use std::path::PathBuf;
+use surface_stats::clean::row_offsets;
+use surface_stats::{DirectionalMoments, HeightStatistics};
 
 #[derive(Args)]
 pub(crate) struct Solve {
@@ -33,7 +36,7 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
     gap: Option<List>,
     /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "none")]
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
     level: Level,
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
@@ -105,6 +108,7 @@ impl Solve {
             form => surface_stats::level(&surface, form)
                 .map_err(|e| Failure::in_file(&self.input.file, &e))?,
         };
+        solved.scene = self.scene(&surface, modulus)?;
         let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
         let known = Map::with_step(&surface, height_step)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
@@ -130,6 +134,7 @@ impl Solve {
             drop(progress);
             let refinable = work.intervals.refinable.is_some() && can_be_refined;
             solved.loads = work.found();
+            solved.scene.pressed = work.pressed();
             solved.plan = Some(&outcome);
             let mut reply = self.reply(work, modulus.pascals(), "", &solved);
             planned::state(&outcome, refinable, &mut reply);
@@ -174,7 +179,25 @@ impl Solve {
         drop(progress);
         let notes = work.intervals.notes(!self.refine && can_be_refined);
         solved.loads = work.found();
+        solved.scene.pressed = work.pressed();
         Ok(self.reply(work, modulus.pascals(), &notes, &solved))
+    }
+
+    /// What is asked of elasticity.
+    fn scene(&self, map: &HeightMap, modulus: ContactModulus) -> Result<Scene, Failure> {
+        let edges = surface_stats::Edges::Open;
+        let slopes = DirectionalMoments::of(map, edges)
+            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
+        let rms_height = HeightStatistics::of(map).rms_height;
+        let moments = slopes.isotropic(rms_height * rms_height);
+        Ok(Scene {
+            modulus: modulus.pascals(),
+            gradient: Some(moments.rms_gradient()),
+            rms_height: Some(rms_height),
+            radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
+            rows: row_offsets(map.grid(), map.heights()).ok(),
+            pressed: Vec::new(),
+        })
     }
 
     /// The errors of a solution: with its stiffness, and with what a twice finer grid says of it, if
@@ -275,6 +298,7 @@ impl Solve {
         });
         let text =
             text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
+        let text = text + &text::level(self.level);
         Reply { text: text + notes, json, trouble: work.trouble }
     }
 }

@@ -12,4 +12,4 @@ mod verdict;
 pub(crate) use answer::{area, area_prediction, headline, real_pressure, real_pressure_prediction};
 pub(crate) use date::date;
 pub(crate) use ranking::{curves_lead, ranked, recommendation, survey, within_ten};
-pub(crate) use verdict::reason;
+pub(crate) use verdict::{SMALL_SLOPES, reason};
