@@ -57,7 +57,7 @@ pub use result::{
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Pressed, Scene, is_steep};
-pub use settings::{EdgesName, STEEL_ON_STEEL, Settings, default_pressures};
+pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures};
 pub use spots::{Spots, contact_spots};
 pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surface_stats::Level;

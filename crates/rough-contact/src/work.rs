@@ -196,20 +196,22 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
         "error": error_json,
     });
     with_keys(&mut json, Some(budget));
-    let real = budget.real_pressure();
+    let mean = budget.real_pressure().map(|r| r.value());
+    let area = &budget.area;
     let mut cells = vec![text::pressure(state.mean_pressure)];
     if budget.given == Given::Gap {
         let load = budget.mean_pressure;
-        cells.push(text::relative(load.comparison_half_width().ok(), load.value));
+        let half = load.comparison_half_width().ok();
+        cells.push(text::relative(half, load.value, text::pressure));
     }
     cells.extend([
         text::percent(state.area_fraction),
         text::percent(d.area_fraction_corrected),
-        text::relative(budget.area.comparison_half_width().ok(), budget.area.value),
-        text::relative(budget.area.prediction_half_width(), budget.area.value),
+        text::relative(area.comparison_half_width().ok(), area.value, text::percent),
+        text::relative(area.prediction_half_width(), area.value, text::percent),
         state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
-        real.map_or_else(|| "–".to_owned(), |r| text::pressure(r.value())),
-        text::pressure(d.max_pressure),
+        mean.map_or_else(|| "–".to_owned(), text::pressure),
+        text::highest(d.max_pressure, mean),
         text::number(d.transforms),
         format!("{:.1e}", d.residuals.preconditioned),
         text::seconds(d.seconds),

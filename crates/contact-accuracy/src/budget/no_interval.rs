@@ -14,7 +14,7 @@ pub enum NoAreaInterval {
     /// The shortest waves of the map are too short for its pixels.
     #[error(
         "finite differences see {:.0}\u{202F}% of the rms gradient ({:.0}\u{202F}% needed): the \
-         shortest waves are not resolved; solve on a map refined 2 times",
+         shortest waves are not resolved",
         100.0 * resolution, 100.0 * needed
     )]
     Unresolved {
