@@ -13,6 +13,7 @@ use crate::spots::spots_beyond;
 use crate::survey::{Query, Survey, peak_slope};
 use crate::verdict::verdict;
 use crate::{EdgesName, Settings, Surface, Surrounded, default_pressures};
+use contact_accuracy::budget::Between;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
 use fft_bem_solver::{Boundary, Load, Maps};
@@ -106,7 +107,10 @@ fn compare(
                 .build(whole.map().grid(), modulus)
                 .map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })?;
             for (i, &p) in pressures.iter().enumerate() {
-                curve.take(p, whole.solve(&mut solver, Load::MeanPressure(p)));
+                let result = whole.solve(&mut solver, Load::MeanPressure(p));
+                let pressure = result.as_ref().map_or(&[][..], |s| &s.pressure);
+                let between = Between::of(&map, known.repeats, pressure, modulus);
+                curve.take(p, result, between.as_ref());
                 tell(curve.news(i))?;
             }
             None

@@ -1,6 +1,7 @@
 //! Bars outside the gate, from solutions on a twice finer grid.
 
-use crate::budget::{Budget, Map, NoAreaInterval, grid::Finer};
+use crate::budget::grid::{Finer, Line, stiffness_half_width};
+use crate::budget::{Budget, Map, NoAreaInterval, Stiffness};
 use crate::continuation::regrid;
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Solver, SolverBuilder, SolverError};
@@ -48,7 +49,8 @@ impl TwiceFiner {
             budget.area.grid,
             Err(NoAreaInterval::Unresolved { .. }
                 | NoAreaInterval::Stepped { .. }
-                | NoAreaInterval::SpotsTooSmall { .. })
+                | NoAreaInterval::SpotsTooSmall { .. }
+                | NoAreaInterval::BetweenPoints { .. })
         )
     }
 
@@ -97,6 +99,23 @@ impl TwiceFiner {
         let mut watch = |_: &Iteration<'_>| ControlFlow::Continue(());
         let solution = self.solver.solve_again(load, &mut watch)?;
         Ok(Finer::of(&solution, &self.known, self.grid))
+    }
+
+    /// The same with the stiffness, from two more loads beside it.
+    ///
+    /// # Errors
+    /// [`SolverError`].
+    pub fn solve_with_stiffness(&mut self, load: Load) -> Result<Finer, SolverError> {
+        let mut watch = |_: &Iteration<'_>| ControlFlow::Continue(());
+        let Self { known, grid, solver } = self;
+        let solution = solver.solve_again(load, &mut watch)?;
+        let mut finer = Finer::of(&solution, known, *grid);
+        let mut solve = |load| solver.solve_again(load, &mut watch);
+        if let Some(near) = Stiffness::around(&mut solve, known, finer.pressure)? {
+            let left = stiffness_half_width(&known.on(*grid), Line::of(&solution));
+            finer.stiffness = Some([near.value, near.value * left]);
+        }
+        Ok(finer)
     }
 }
 

@@ -3,9 +3,9 @@
 use super::edges::edge_words;
 use super::numbers::{METRES, SPACE, duration, percent, quantity, signed_percent, significant};
 use super::sections::tolerance_words;
+use crate::ChoiceKind;
 use crate::Origin;
 use crate::budget::Estimate;
-use crate::ChoiceKind;
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 
 /// A half width as a share of its value.

@@ -215,6 +215,14 @@ impl AreaAccuracy {
         left_over.hypot(chance).max(together)
     }
 
+    /// By how much a lay or a regular pattern widens the bar of the area, at least 1: where the edges
+    /// of a contact line run alike, all that depends on them is wrong in one direction.
+    pub fn widened(&self, contact_perimeter: f64) -> f64 {
+        let any = Self { directions: 1.0, waves: f64::INFINITY, ..*self };
+        let ratio = self.line_left_over(contact_perimeter) / any.line_left_over(contact_perimeter);
+        if ratio > 1.0 { ratio } else { 1.0 } // no line, no ratio
+    }
+
     /// Part of the correction that is left as uncertainty on this map: [`left_of_correction`], with
     /// 0.4 in place of 0.3 for an isolated contact.
     pub fn left_of_correction(&self) -> f64 {

@@ -14,8 +14,10 @@ use std::time::Instant;
 /// What the errors of all loads are found from.
 pub(crate) struct Errors {
     pub(crate) known: Map,
-    /// The map, if it is needed after the solver has it.
-    pub(crate) kept: Option<HeightMap>,
+    /// The map that is solved: the given one, or with its mirror images.
+    pub(crate) whole: HeightMap,
+    /// The given map, if it is not the whole.
+    pub(crate) part: Option<HeightMap>,
     pub(crate) finer: Finest,
 }
 
@@ -34,6 +36,7 @@ impl Finest {
         load: Load,
         map: &HeightMap,
         known: &Map,
+        stiffness: bool,
     ) -> Result<Refined, NotRefined> {
         let start = Instant::now();
         let finer = match &mut self.made {
@@ -43,7 +46,8 @@ impl Finest {
                 none.insert(TwiceFiner::of(map, known, self.boundary, builder, self.modulus)?)
             }
         };
-        let found = finer.solve(load)?;
+        let found =
+            if stiffness { finer.solve_with_stiffness(load)? } else { finer.solve(load)? };
         Ok(Refined { found, grid: finer.grid(), seconds: start.elapsed().as_secs_f64() })
     }
 }

@@ -117,6 +117,16 @@ pub(crate) fn relative(half_width: Option<f64>, value: f64) -> String {
     }
 }
 
+/// The bar of an area: as [`relative`], or its upper end where there is no lower one.
+pub(crate) fn area_bar(half_width: Option<f64>, value: f64) -> String {
+    match half_width {
+        Some(half) if value > 0.0 && half >= value => {
+            format!("≤ {}", percent((value + half).min(1.0)))
+        }
+        other => relative(other, value),
+    }
+}
+
 /// A value with its uncertainty to one digit (two if it starts with 1), such as `1.96 ± 0.12 %`.
 pub(crate) fn plus_minus(value: f64, uncertainty: f64, unit: &str) -> String {
     if !(uncertainty.is_normal() && uncertainty > 0.0) {
