@@ -8,7 +8,7 @@ use crate::shell::{self, example, read, root};
 pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     let folder = root().join("target/edges");
-    shell::run(example("compare", "edges").arg(&folder))?;
+    shell::run(example("studies", "edges").arg(&folder))?;
     let origin = "# Area of crops treated as periodic against the area in natural surroundings; \
                   made by 'cargo xtask edges' from its own seeds, columns in \
                   crates/contact-accuracy/src/edge_study.rs";

@@ -1,21 +1,20 @@
 //! The study: surfaces and settings go in; statistics, the deterministic solution and every
-//! closed-form model over the loads come out, with errors and times, and a report to read them
-//! in. The command `rough-contact` is built from this package.
+//! closed-form model over the loads come out, with errors, times and verdicts, as data.
 //!
-//! Nothing here opens a file or prints: the report writes to any [`std::io::Write`].
+//! Nothing here opens a file, prints, draws or words anything: the crate `report` makes documents
+//! out of these results.
 
 mod cleaning;
 mod closer;
 mod coarser;
 mod curve;
 mod describe;
-pub mod light_load;
+mod finding;
+mod findings;
 pub mod models;
 mod progress;
-pub mod quantity;
 mod recipe;
 mod refine;
-pub mod report;
 mod result;
 mod run_file;
 mod settings;
@@ -25,7 +24,6 @@ mod study;
 mod surface;
 mod surroundings;
 pub mod survey;
-pub mod tradeoff;
 mod verdict;
 
 pub use cleaning::{Cleaning, CleaningError, FormName};
@@ -33,11 +31,13 @@ pub use coarser::COARSER;
 pub use contact_accuracy::{
     Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
 };
+pub use finding::{Bare, Fact, Finding, Passed, Seam, Subject, Weight};
+pub use findings::{Solved, findings, seam};
 pub use progress::{Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use result::{
     Applies, Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer,
-    DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison, Verdict,
+    DeterministicPoint, ModelComparison, ModelCurve, Reason, Spectral, SurfaceComparison, Verdict,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{

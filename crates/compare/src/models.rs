@@ -1,8 +1,5 @@
 //! The only list of all models. Adding a model is one row here.
 
-use crate::report::{
-    BGT, ELLIPTICAL, GW, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
-};
 use asperity_models::{BushGibsonThomas, GreenwoodElliptical};
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, Citation, ContactModel, ContactModulus,
@@ -12,7 +9,6 @@ use gw_closed_form::{GreenwoodWilliamson, asperities_from_moments};
 use multiscale_models::{
     Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SphereLevel, Stacked,
 };
-use std::borrow::Cow;
 
 /// Everything a model may be made from. What a case does not have stays `None`.
 #[derive(Debug, Clone)]
@@ -110,17 +106,6 @@ impl Inputs {
     pub fn asperities(&self) -> Option<AsperityStatistics> {
         self.asperities.or_else(|| asperities_from_moments(self.moments?).ok())
     }
-
-    /// One sentence on where the moments come from, as HTML.
-    pub fn source_sentence(&self) -> &'static str {
-        match self.source {
-            MomentSource::FiniteDifferences => {
-                "All moments are by finite differences: the same <i>m</i><sub>0</sub>, \
-                 <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub> for every model."
-            }
-            MomentSource::Given => "The same moments for every model.",
-        }
-    }
 }
 
 /// Why a model could not be made.
@@ -156,12 +141,8 @@ pub struct ModelEntry {
     pub title: &'static str,
     /// What it needs, in words.
     pub inputs: &'static str,
-    /// The same, as HTML symbols.
-    pub inputs_html: &'static str,
     /// Where the theory holds.
     pub domain: &'static str,
-    /// How it is drawn.
-    pub look: Look,
     /// True if a height map gives all it needs.
     pub in_study: bool,
     /// What its theory assumes, for the verdict on a surface.
@@ -258,9 +239,7 @@ pub static MODELS: &[ModelEntry] = &[
         label: "GW",
         title: "Greenwood–Williamson, exact",
         inputs: "m0, m2, m4, or density, radius, height deviation and mean offset of asperities",
-        inputs_html: "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
         domain: "isotropic Gaussian surface, contact below about 10 % of it",
-        look: Look::model(GW, "6 2.5", Marker::Square, 1),
         in_study: true,
         assumes: Assumes::Summits,
         build: Build::Separation(|inputs| {
@@ -276,9 +255,7 @@ pub static MODELS: &[ModelEntry] = &[
         label: "BGT",
         title: "Bush–Gibson–Thomas",
         inputs: "m0, m2, m4",
-        inputs_html: "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
         domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
-        look: Look::model(BGT, "2 2", Marker::TriangleUp, 2),
         in_study: true,
         assumes: Assumes::Summits,
         build: Build::Separation(|inputs| {
@@ -291,9 +268,7 @@ pub static MODELS: &[ModelEntry] = &[
         label: "Elliptical",
         title: "Greenwood simplified elliptical",
         inputs: "m0, m2, m4",
-        inputs_html: "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
         domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
-        look: Look::model(ELLIPTICAL, "", Marker::Diamond, 3),
         in_study: true,
         assumes: Assumes::Summits,
         build: Build::Separation(|inputs| {
@@ -306,9 +281,7 @@ pub static MODELS: &[ModelEntry] = &[
         label: "Persson",
         title: "Persson",
         inputs: "m2; a spectrum for the mean gap",
-        inputs_html: "<i>m</i><sub>2</sub>",
         domain: "isotropic Gaussian surface, any load; reads low at light load",
-        look: Look::model(PERSSON, "8 2 1.5 2", Marker::TriangleDown, 0),
         in_study: true,
         assumes: Assumes::Gaussian,
         build: Build::Pressure(|inputs| {
@@ -329,9 +302,7 @@ pub static MODELS: &[ModelEntry] = &[
         label: "Stacked",
         title: "Stacked multiscale",
         inputs: "amplitudes of the rows (B_max)",
-        inputs_html: "<i>B</i><sub>max</sub>",
         domain: "depends on the record length and on the direction of the rows",
-        look: Look::model(STACKED, "4 2 1 2 1 2", Marker::Cross, 2),
         in_study: true,
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(|inputs| {
@@ -347,9 +318,7 @@ pub static MODELS: &[ModelEntry] = &[
         label: "Multiscale",
         title: "Jackson–Streator multiscale",
         inputs: "amplitudes of the rows, at every frequency",
-        inputs_html: "<i>Δ</i>(<i>f</i>)",
         domain: "depends on the record length and on the direction of the rows",
-        look: Look::model(MULTISCALE, "10 2 2 2", Marker::Hexagon, 3),
         in_study: true,
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(|inputs| {
@@ -362,9 +331,7 @@ pub static MODELS: &[ModelEntry] = &[
         label: "Archard",
         title: "Archard, spheres on spheres",
         inputs: "radius and density of the spheres of each level",
-        inputs_html: "<i>R</i>, <i>m</i>",
         domain: "many spheres per contact of the level above, and far apart",
-        look: Look::model(STACKED, "1 3", Marker::Diamond, 0),
         in_study: false,
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(|inputs| {
@@ -378,9 +345,7 @@ pub static MODELS: &[ModelEntry] = &[
         label: "MB",
         title: "Majumdar–Bhushan, elastic part",
         inputs: "dimension D, roughness G, nominal area; a critical area for D of 1.5 and more",
-        inputs_html: "<i>D</i>, <i>G</i>",
         domain: "1 < D < 1.5 without a critical area",
-        look: Look::model(MAJUMDAR_BHUSHAN, "1 2.5", Marker::Plus, 1),
         in_study: true,
         assumes: Assumes::Fractal,
         build: Build::Pressure(|inputs| {
@@ -399,27 +364,6 @@ pub static MODELS: &[ModelEntry] = &[
         }),
     },
 ];
-
-/// The deterministic solution.
-pub const DETERMINISTIC: Citation = Citation {
-    authors: Cow::Borrowed("Stanley & Kato"),
-    year: 1997,
-    title: Cow::Borrowed("An FFT-based method for rough surface contact"),
-    journal: Cow::Borrowed("J. Tribol. 119, 481"),
-    doi: Cow::Borrowed("10.1115/1.2833523"),
-};
-
-/// The correction of counted areas.
-pub const AREA_CORRECTION: Citation = Citation {
-    authors: Cow::Borrowed("Yastrebov, Anciaux & Molinari"),
-    year: 2017,
-    title: Cow::Borrowed(
-        "On the accurate computation of the true contact-area in mechanical contact of random \
-            rough surfaces",
-    ),
-    journal: Cow::Borrowed("Tribol. Int. 114, 161"),
-    doi: Cow::Borrowed("10.1016/j.triboint.2017.04.023"),
-};
 
 #[cfg(test)]
 mod tests {

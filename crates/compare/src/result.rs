@@ -8,6 +8,7 @@ use contact_accuracy::budget::{Budget, Map, grid};
 use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{Residuals, Solution};
+use std::borrow::Cow;
 use surface_stats::SurfaceStatistics;
 
 /// A finished study.
@@ -188,7 +189,6 @@ pub struct Choice {
 
 /// A choice that was tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum ChoiceKind {
     /// A paraboloid removed too.
     Paraboloid,
@@ -269,14 +269,102 @@ impl ModelCurve {
 }
 
 /// Whether a theory covers a surface. This judges the domain, not the error.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// Yes, caution or no.
     pub answer: Applies,
-    /// Why, with the measured number.
-    pub reason: String,
+    /// Why not simply yes, with the measured numbers.
+    pub reasons: Vec<Reason>,
     /// True if the surface itself is the reason, and not the height of some loads.
     pub at_every_load: bool,
+}
+
+/// Why a theory covers a surface only with caution, or not at all.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reason {
+    /// The theory has no meaning for this surface.
+    Refused(ModelError),
+    /// Something it is made of is absent.
+    Missing {
+        /// What is absent.
+        needs: &'static str,
+        /// What a fractal fit gave, if that is what is missing \[-\].
+        dimension: Option<f64>,
+    },
+    /// The surface has a lay.
+    Lay {
+        /// Larger over smaller mean square slope \[-\].
+        ratio: f64,
+    },
+    /// The heights are not normal.
+    NotGaussian {
+        /// Skewness \[-\].
+        skewness: f64,
+        /// Kurtosis \[-\].
+        kurtosis: f64,
+    },
+    /// Summits no longer act alone.
+    Crowded {
+        /// The first mean pressure at which the area exceeds 5 % (Pa).
+        from: f64,
+    },
+    /// The input depends on how long the rows of the map are.
+    RecordLength {
+        /// Where the input sits (m); `None` if no wave stands out.
+        wavelength: Option<f64>,
+        /// Length of the rows (m).
+        length: f64,
+    },
+    /// The input depends on the range that a fractal was fitted over.
+    FitRange {
+        /// Dimension of the fit \[-\].
+        dimension: f64,
+        /// Shortest wavelength of the fit (m).
+        short: f64,
+        /// Longest wavelength of the fit (m).
+        long: f64,
+    },
+    /// The model says itself that an assumption is strained.
+    Beyond {
+        /// The quantity that shows it.
+        quantity: Cow<'static, str>,
+        /// Its value.
+        value: f64,
+        /// Where the assumption is usually taken to end.
+        limit: f64,
+        /// What is strained.
+        reason: Cow<'static, str>,
+    },
+    /// The model reaches full contact.
+    Full {
+        /// The first mean pressure at which it does (Pa).
+        from: f64,
+    },
+    /// Some loads have no answer.
+    NoAnswer {
+        /// How many.
+        loads: usize,
+        /// Of how many.
+        of: usize,
+    },
+}
+
+impl Reason {
+    /// True if it depends on the load, and not on the surface alone.
+    pub fn is_by_load(&self) -> bool {
+        match self {
+            Self::Crowded { .. }
+            | Self::Beyond { .. }
+            | Self::Full { .. }
+            | Self::NoAnswer { .. } => true,
+            Self::Refused(_)
+            | Self::Missing { .. }
+            | Self::Lay { .. }
+            | Self::NotGaussian { .. }
+            | Self::RecordLength { .. }
+            | Self::FitRange { .. } => false,
+        }
+    }
 }
 
 /// The answer of a [`Verdict`].

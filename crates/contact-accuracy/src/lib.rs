@@ -21,3 +21,6 @@ pub use continuation::regrid;
 pub use edge_share::EdgeShare;
 pub use refinement::{NotRefined, TwiceFiner, fits};
 pub use table::{median, quantile, round_to_digits};
+
+// What the results of this crate are said with.
+pub use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Precision};
