@@ -86,7 +86,7 @@ fn coarsened(map: &HeightMap, factor: usize) -> Option<HeightMap> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Settings, built_in_recipes};
+    use crate::{Registry, Settings, built_in_recipes};
     use std::ops::ControlFlow;
 
     /// The error is against the map's own answer. A map whose shortest wave is 8 points long
@@ -100,7 +100,9 @@ mod tests {
         recipe.cutoff = 8.0 * dy.max(dx);
         let settings = Settings::default();
         let mut go = |_: crate::Progress<'_>| ControlFlow::Continue(());
-        let mut study = Comparison::run(vec![recipe.make().unwrap()], settings, &mut go).unwrap();
+        let mut study =
+            Comparison::run(vec![recipe.make().unwrap()], settings, &Registry::built_in(), &mut go)
+                .unwrap();
         assert!(study.surfaces[0].coarser.is_empty(), "not asked for, not computed");
         study.solve_coarser().unwrap();
         let surface = &study.surfaces[0];

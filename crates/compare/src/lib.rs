@@ -11,10 +11,11 @@ mod curve;
 mod describe;
 mod finding;
 mod findings;
-pub mod models;
+mod inputs;
 mod progress;
 mod recipe;
 mod refine;
+mod registry;
 mod result;
 mod run_file;
 mod settings;
@@ -24,6 +25,9 @@ mod study;
 mod surface;
 mod surroundings;
 pub mod survey;
+mod tabulated;
+mod theories;
+mod theory;
 mod verdict;
 
 pub use cleaning::{Cleaning, CleaningError, FormName};
@@ -31,10 +35,16 @@ pub use coarser::COARSER;
 pub use contact_accuracy::{
     Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
 };
+pub use contact_types::{
+    Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
+    SeparationModel, SpectralMoments, SurfaceError,
+};
 pub use finding::{Bare, Fact, Finding, Passed, Seam, Subject, Weight};
 pub use findings::{Solved, findings, seam};
-pub use progress::{Progress, StudyError};
+pub use inputs::{Inputs, MomentSource};
+pub use progress::{Listener, Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
+pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
     Applies, Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer,
     DeterministicPoint, ModelComparison, ModelCurve, Reason, Spectral, SurfaceComparison, Verdict,
@@ -44,5 +54,7 @@ pub use settings::{
     EdgesName, LevelName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
 };
 pub use spots::{Spots, contact_spots};
-pub use surface::{FileOrigin, Origin, Surface, sha256_hex};
+pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surroundings::{Surrounded, on_given};
+pub use tabulated::{BadCurve, CurvePoint, Tabulated};
+pub use theory::{Assumes, BuildError, Card, Theory};

@@ -1,10 +1,13 @@
 //! What a study says while it works, and why there may be none.
 
-use crate::models::MODELS;
 use contact_accuracy::plan::BadRequest;
 use contact_types::SurfaceError;
-use fft_bem_solver::SolverError;
+use fft_bem_solver::{Iteration, SolverError};
+use std::ops::ControlFlow;
 use surface_stats::StatsError;
+
+/// Who is told what a study does, and may stop it.
+pub type Listener<'a> = dyn FnMut(Progress<'_>) -> ControlFlow<()> + Send + 'a;
 
 /// What a study reports while it works.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +23,19 @@ pub enum Progress<'a> {
         /// Loads.
         loads: usize,
     },
+    /// An iteration of the solver is done; breaking off here ends the study within this load.
+    Iterated {
+        /// Index of the load, from 0, by rising pressure.
+        index: usize,
+        /// Iterations done on this load.
+        number: usize,
+        /// FFT pairs spent on it.
+        transforms: f64,
+        /// Estimated relative rms pressure error; infinite while there is no estimate.
+        residual: f64,
+        /// The residual at which the iteration ends.
+        tolerance: f64,
+    },
     /// A load is solved.
     Solved {
         /// From 0, by rising pressure.
@@ -31,6 +47,19 @@ pub enum Progress<'a> {
     },
     /// The models are being asked.
     Models,
+}
+
+impl Progress<'static> {
+    /// What the solver says of one of its iterations.
+    pub(crate) fn of_iteration(index: usize, now: &Iteration<'_>) -> Self {
+        Self::Iterated {
+            index,
+            number: now.number,
+            transforms: now.transforms,
+            residual: now.residual,
+            tolerance: now.tolerance,
+        }
+    }
 }
 
 /// Why there is no study.
@@ -60,14 +89,19 @@ pub enum StudyError {
         value: f64,
     },
     /// A name that is no model of the study.
-    #[error("the study has no model '{name}'; it has {}", model_names())]
+    #[error("the study has no model '{name}'; it has {known}")]
     UnknownModel {
         /// The name.
         name: String,
+        /// Those it has.
+        known: String,
     },
     /// The list of models is empty.
-    #[error("the list of models is empty; name at least one of {}", model_names())]
-    NoModel,
+    #[error("the list of models is empty; name at least one of {known}")]
+    NoModel {
+        /// Those there are.
+        known: String,
+    },
     /// Statistics refuse the surface.
     #[error("{surface}: {source}")]
     Statistics {
@@ -99,10 +133,4 @@ pub enum StudyError {
     /// The observer asked to stop.
     #[error("stopped")]
     Stopped,
-}
-
-/// Names of the models of a study, for a message.
-fn model_names() -> String {
-    let names: Vec<&str> = MODELS.iter().filter(|m| m.in_study).map(|m| m.name).collect();
-    names.join(", ")
 }

@@ -1,7 +1,8 @@
 //! What a study finds, as plain data.
 
-use crate::models::{BuildError, Inputs, ModelEntry};
+use crate::inputs::Inputs;
 use crate::survey::Experience;
+use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spots};
 use contact_accuracy::NoAreaInterval;
 use contact_accuracy::budget::{Budget, Map, grid};
@@ -230,8 +231,8 @@ pub struct Coarser {
 /// One model beside the deterministic curve.
 #[derive(Debug)]
 pub struct ModelComparison {
-    /// Its row of the model list.
-    pub entry: &'static ModelEntry,
+    /// What it is.
+    pub card: Card,
     /// Its answers at the loads, or why it has none on this surface.
     pub outcome: Result<ModelCurve, BuildError>,
     /// Whether its theory covers this surface.
@@ -287,7 +288,7 @@ pub enum Reason {
     /// Something it is made of is absent.
     Missing {
         /// What is absent.
-        needs: &'static str,
+        needs: Cow<'static, str>,
         /// What a fractal fit gave, if that is what is missing \[-\].
         dimension: Option<f64>,
     },

@@ -2,8 +2,8 @@
 
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
-use crate::models::{BuildError, Inputs, MODELS, ModelEntry};
-use crate::progress::{Progress, StudyError};
+use crate::inputs::Inputs;
+use crate::progress::{Listener, Progress, StudyError};
 use crate::refine::refine;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison,
@@ -11,12 +11,13 @@ use crate::result::{
 use crate::solver_of::builder;
 use crate::spots::spots_beyond;
 use crate::survey::{Query, Survey, peak_slope};
+use crate::theory::{BuildError, Theory};
 use crate::verdict::verdict;
-use crate::{EdgesName, Settings, Surface, Surrounded, default_pressures};
+use crate::{EdgesName, Registry, Settings, Surface, Surrounded, default_pressures};
 use contact_accuracy::budget::Between;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
-use fft_bem_solver::{Boundary, Load, Maps};
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverError};
 use std::borrow::Cow;
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -24,7 +25,9 @@ use std::time::{Duration, Instant};
 use surface_stats::SurfaceStatistics;
 
 impl Comparison {
-    /// Runs a study. `progress` is told what happens and may stop it.
+    /// Runs a study: every surface solved over the loads, and the theories of `registry` that the
+    /// settings ask beside it. `progress` is told what happens, down to every iteration, and may stop it
+    /// there. It is called on a thread of the solver.
     ///
     /// # Errors
     /// [`StudyError`]. A load at which the solver does not converge and a model that does not
@@ -32,7 +35,8 @@ impl Comparison {
     pub fn run(
         surfaces: Vec<Surface>,
         settings: Settings,
-        progress: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+        registry: &Registry,
+        progress: &mut Listener<'_>,
     ) -> Result<Self, StudyError> {
         let start = Instant::now();
         if surfaces.is_empty() {
@@ -40,14 +44,14 @@ impl Comparison {
         }
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
         check_pressures(&settings)?;
-        check_models(&settings)?;
+        check_models(&settings, registry)?;
         if settings.accuracy.is_some() && settings.edges == EdgesName::Mirrored {
             return Err(StudyError::PlannedMirrored);
         }
         let count = surfaces.len();
         let mut done = Vec::with_capacity(count);
         for (index, surface) in surfaces.into_iter().enumerate() {
-            done.push(compare(surface, modulus, &settings, [index, count], progress)?);
+            done.push(compare(surface, modulus, (&settings, registry), [index, count], progress)?);
         }
         Ok(Self { settings, surfaces: done, seconds: start.elapsed().as_secs_f64() })
     }
@@ -64,12 +68,16 @@ fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
     }
 }
 
-fn check_models(settings: &Settings) -> Result<(), StudyError> {
+fn check_models(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
     let Some(names) = &settings.models else { return Ok(()) };
-    let is_known = |name: &str| MODELS.iter().any(|m| m.in_study && m.name == name);
+    let known = || {
+        let names: Vec<&str> = registry.of_maps().map(|t| t.card().name.as_ref()).collect();
+        names.join(", ")
+    };
+    let is_known = |name: &str| registry.of_maps().any(|t| t.card().name == name);
     match names.iter().find(|name| !is_known(name)) {
-        Some(name) => Err(StudyError::UnknownModel { name: name.clone() }),
-        None if names.is_empty() => Err(StudyError::NoModel),
+        Some(name) => Err(StudyError::UnknownModel { name: name.clone(), known: known() }),
+        None if names.is_empty() => Err(StudyError::NoModel { known: known() }),
         None => Ok(()),
     }
 }
@@ -77,9 +85,9 @@ fn check_models(settings: &Settings) -> Result<(), StudyError> {
 fn compare(
     surface: Surface,
     modulus: ContactModulus,
-    settings: &Settings,
+    (settings, registry): (&Settings, &Registry),
     [index, count]: [usize; 2],
-    progress: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+    progress: &mut Listener<'_>,
 ) -> Result<SurfaceComparison, StudyError> {
     let Surface { name, origin, heights } = surface;
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
@@ -87,7 +95,9 @@ fn compare(
     let (map, statistics, spectra) = describe(&heights, &origin, settings).map_err(refused)?;
     drop(heights);
     let (spectral, known) = spectral(&map, &spectra.power, &statistics);
-    let inputs = model_inputs(&map, &statistics, spectra.amplitudes, modulus, settings);
+    let mut inputs =
+        model_inputs(&map, &statistics, spectra.amplitudes, modulus, (settings, registry));
+    inputs.surface = Some(name.clone());
     drop(spectra.power);
     let setup_seconds = setup.elapsed().as_secs_f64();
 
@@ -107,7 +117,15 @@ fn compare(
                 .build(whole.map().grid(), modulus)
                 .map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })?;
             for (i, &p) in pressures.iter().enumerate() {
-                let result = whole.solve(&mut solver, Load::MeanPressure(p));
+                let mut watch = |now: &Iteration<'_>| match tell(Progress::of_iteration(i, now)) {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(_) => ControlFlow::Break(()),
+                };
+                let load = Load::MeanPressure(p);
+                let result = whole.solve_observed(&mut solver, load, &mut watch);
+                if matches!(result, Err(SolverError::Stopped(_))) {
+                    return Err(StudyError::Stopped);
+                }
                 let pressure = result.as_ref().map_or(&[][..], |s| &s.pressure);
                 let between = Between::of(&map, known.repeats, pressure, modulus);
                 curve.take(p, result, between.as_ref());
@@ -158,8 +176,8 @@ fn compare(
     tell(Progress::Models)?;
     let alike = likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]);
     let models = settings
-        .asked_models()
-        .map(|entry| ask(entry, &inputs, &deterministic, &statistics, alike.as_ref()))
+        .asked_models(registry)
+        .map(|theory| ask(theory, &inputs, &deterministic, &statistics, alike.as_ref()))
         .collect();
     Ok(SurfaceComparison {
         name,
@@ -211,13 +229,14 @@ fn same(a: f64, b: f64) -> bool {
 
 /// Asks a model at every load, with its time.
 fn ask(
-    entry: &'static ModelEntry,
+    theory: &dyn Theory,
     inputs: &Inputs,
     deterministic: &[DeterministicPoint],
     statistics: &SurfaceStatistics,
     alike: Option<&Query>,
 ) -> ModelComparison {
-    let outcome = entry.build(inputs).and_then(|model| {
+    let card = theory.card().clone();
+    let outcome = theory.build(inputs).and_then(|model| {
         let (points, seconds) = timed(model.as_ref(), deterministic);
         // A theory that refuses every load does not apply: its reason is the outcome.
         if let Some(Err(first)) = points.first()
@@ -228,9 +247,9 @@ fn ask(
         let errors = points.iter().zip(deterministic).map(|(m, d)| error(m, d)).collect();
         Ok(ModelCurve { points, seconds, errors })
     });
-    let verdict = verdict(entry, inputs, &outcome, deterministic, statistics);
-    let experience = alike.and_then(|query| Survey::built_in().ask(entry.name, query));
-    ModelComparison { entry, outcome, verdict, experience }
+    let verdict = verdict(&card, inputs, &outcome, deterministic, statistics);
+    let experience = alike.and_then(|query| Survey::built_in().ask(&card.name, query));
+    ModelComparison { card, outcome, verdict, experience }
 }
 
 /// This surface at this load as the survey sees it; `None` for a flat map or without a solution.

@@ -2,7 +2,7 @@
 
 use crate::EdgesName;
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Load, Solution, Solver, SolverError};
+use fft_bem_solver::{Load, Observer, Solution, Solver, SolverError};
 use std::borrow::Cow;
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
@@ -47,6 +47,19 @@ impl<'a> Surrounded<'a> {
     /// [`SolverError`]; the iterate inside is that of the given map too.
     pub fn solve(&self, solver: &mut Solver, load: Load) -> Result<Solution, SolverError> {
         on_given(solver.solve(&self.map, load), self.given)
+    }
+
+    /// The same while `observer` looks on and may stop it.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve), and [`SolverError::Stopped`].
+    pub fn solve_observed(
+        &self,
+        solver: &mut Solver,
+        load: Load,
+        observer: &mut dyn Observer,
+    ) -> Result<Solution, SolverError> {
+        on_given(solver.solve_observed(&self.map, load, observer), self.given)
     }
 }
 

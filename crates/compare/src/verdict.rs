@@ -1,13 +1,14 @@
 //! Does a theory cover this surface? Yes, with caution, or no, each with the measured reason.
 
-use crate::models::{Assumes, BuildError, Inputs, ModelEntry};
+use crate::inputs::Inputs;
 use crate::result::{Applies, DeterministicPoint, ModelCurve, Reason, Verdict};
+use crate::theory::{Assumes, BuildError, Card};
 use contact_types::Caveat;
 use surface_stats::SurfaceStatistics;
 
 /// Judges the domain, not the error.
 pub(crate) fn verdict(
-    entry: &ModelEntry,
+    card: &Card,
     inputs: &Inputs,
     outcome: &Result<ModelCurve, BuildError>,
     loads: &[DeterministicPoint],
@@ -20,7 +21,7 @@ pub(crate) fn verdict(
             return Verdict { answer: Applies::No, reasons, at_every_load: true };
         }
     };
-    let reasons = strains(entry, inputs, curve, loads, statistics);
+    let reasons = strains(card, inputs, curve, loads, statistics);
     let answer = if reasons.is_empty() { Applies::Yes } else { Applies::Caution };
     let at_every_load = reasons.is_empty() || reasons.iter().any(|r| !r.is_by_load());
     Verdict { answer, reasons, at_every_load }
@@ -31,21 +32,21 @@ fn refusal(error: &BuildError, inputs: &Inputs) -> Reason {
         BuildError::Model(error) => Reason::Refused(error.clone()),
         BuildError::Missing { needs, .. } => {
             let dimension = inputs.dimension.filter(|_| needs.contains("fractal"));
-            Reason::Missing { needs, dimension }
+            Reason::Missing { needs: needs.clone(), dimension }
         }
     }
 }
 
 /// Assumptions that this surface or these loads strain, with the numbers.
 fn strains(
-    entry: &ModelEntry,
+    card: &Card,
     inputs: &Inputs,
     curve: &ModelCurve,
     loads: &[DeterministicPoint],
     statistics: &SurfaceStatistics,
 ) -> Vec<Reason> {
     let mut reasons = Vec::new();
-    if matches!(entry.assumes, Assumes::Summits | Assumes::Gaussian) {
+    if matches!(card.assumes, Assumes::Summits | Assumes::Gaussian) {
         if let Some(ratio) = statistics.anisotropy.filter(|r| *r > 2.0) {
             reasons.push(Reason::Lay { ratio });
         }
@@ -55,7 +56,7 @@ fn strains(
             reasons.push(Reason::NotGaussian { skewness, kurtosis });
         }
     }
-    match entry.assumes {
+    match card.assumes {
         Assumes::Summits => {
             // Summits begin to feel each other well before the caveat at 10 %.
             let crowded = curve
@@ -83,7 +84,7 @@ fn strains(
                 reasons.push(Reason::FitRange { dimension, short, long });
             }
         }
-        Assumes::Gaussian => {}
+        Assumes::Gaussian | Assumes::Unstated => {}
     }
     reasons.extend(caveat(curve, loads));
     let failed = curve.points.iter().filter(|p| p.is_err()).count();

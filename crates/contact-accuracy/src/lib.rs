@@ -17,10 +17,15 @@ mod refinement;
 mod table;
 
 pub use budget::{AreaAccuracy, Budget, Estimate, Map, NoAreaInterval};
+pub use contact_types::{ContactModulus, Grid, HeightMap};
 pub use continuation::regrid;
 pub use edge_share::EdgeShare;
+pub use fft_bem_solver::{
+    BOUNDARY_CORRECTION, Boundary, Load, Maps, Method, Precision, Solution, Solver, SolverBuilder,
+    SolverError,
+};
 pub use refinement::{NotRefined, TwiceFiner, fits};
+pub use surface_stats::StatsError;
 pub use table::{median, quantile, round_to_digits};
 
 // What the results of this crate are said with.
-pub use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Precision};

@@ -18,7 +18,8 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
          area_fraction_prediction_low [-],area_fraction_prediction_high [-],mean_gap_low [m],\
          mean_gap_high [m]",
     );
-    let models: Vec<&str> = comparison.settings.asked_models().map(|m| m.name).collect();
+    let asked = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
+    let models: Vec<&str> = asked.iter().map(|m| m.card.name.as_ref()).collect();
     for model in &models {
         let name = model.replace('-', "_");
         let _ = write!(

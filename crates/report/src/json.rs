@@ -171,7 +171,7 @@ fn point(p: &DeterministicPoint) -> Value {
 fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
     let curve = m.outcome.as_ref().ok();
     json!({
-        "model": m.entry.name,
+        "model": m.card.name,
         "citation": citation(m),
         "applicable": m.outcome.is_ok(),
         "verdict": m.verdict.answer.word(),
@@ -189,7 +189,7 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
 }
 
 fn citation(m: &ModelComparison) -> Value {
-    let c = m.entry.citation();
+    let c = m.card.citation.clone();
     json!({ "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi })
 }
 

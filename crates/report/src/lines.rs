@@ -12,9 +12,9 @@ pub(crate) const WANTED: f64 = 0.10;
 #[derive(Debug, Clone)]
 pub(crate) struct ModelLine {
     /// Name of the model.
-    pub name: &'static str,
+    pub name: String,
     /// Short label, unique.
-    pub label: &'static str,
+    pub label: String,
     /// How it is drawn.
     pub look: Look,
     /// Area fraction at each load; `None` where the model does not answer.
@@ -43,8 +43,8 @@ impl Lines {
         let models = surface.models.iter().enumerate().filter_map(|(place, m)| {
             let curve = m.outcome.as_ref().ok()?;
             let area = curve.points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction));
-            let (name, label) = (m.entry.name, m.entry.label);
-            let look = look(name, place);
+            let (name, label) = (m.card.name.to_string(), m.card.label.to_string());
+            let look = look(&name, place);
             Some(ModelLine { name, label, look, area: area.collect() })
         });
         Self {

@@ -4,6 +4,8 @@
 use crate::draw::palette::{
     BGT, ELLIPTICAL, GW, INK2, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
 };
+use crate::draw::svg::escape;
+use compare::Card;
 
 /// Name, look, and inputs as HTML symbols.
 const LOOKS: [(&str, Look, &str); 8] = [
@@ -37,23 +39,26 @@ pub fn look(name: &str, place: usize) -> Look {
     known.map_or(RESERVE[place % RESERVE.len()], |row| row.1)
 }
 
-/// What a model is made of, as HTML symbols; nothing for one that is not known.
-pub(crate) fn inputs_html(name: &str) -> &'static str {
-    LOOKS.iter().find(|row| row.0 == name).map_or("", |row| row.2)
+/// What a model is made of, as HTML symbols; in its own words if its name is not known.
+pub(crate) fn inputs_html(card: &Card) -> String {
+    let known = LOOKS.iter().find(|row| row.0 == card.name);
+    known.map_or_else(|| escape(&card.needs), |row| row.2.to_owned())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use compare::models::MODELS;
+    use compare::{Registry, Theory};
 
     /// Every model of the list is drawn in a way of its own; strangers differ from all of them.
     #[test]
     fn every_model_has_its_own_look() {
-        let looks: Vec<Look> = MODELS.iter().map(|m| look(m.name, 0)).collect();
-        for (i, model) in MODELS.iter().enumerate() {
-            assert!(!inputs_html(model.name).is_empty(), "{}", model.name);
-            assert!(!looks[..i].contains(&looks[i]), "{}", model.name);
+        let registry = Registry::built_in();
+        let cards: Vec<&Card> = registry.iter().map(Theory::card).collect();
+        let looks: Vec<Look> = cards.iter().map(|card| look(&card.name, 0)).collect();
+        for (i, card) in cards.iter().enumerate() {
+            assert!(LOOKS.iter().any(|row| row.0 == card.name), "{}", card.name);
+            assert!(!looks[..i].contains(&looks[i]), "{}", card.name);
         }
         for place in 0..RESERVE.len() {
             assert!(!looks.contains(&look("another", place)));

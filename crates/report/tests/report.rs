@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-use compare::{Comparison, FileOrigin, Origin, Settings, Surface, built_in_recipes};
+use compare::{Comparison, FileOrigin, Origin, Registry, Settings, Surface, built_in_recipes};
 use contact_types::{Grid, HeightMap};
 use report::{Provenance, write_area_svg, write_csv, write_html, write_json, write_pressure_svg};
 use std::collections::HashMap;
@@ -11,7 +11,8 @@ use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
 fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
-    Comparison::run(surfaces, settings, &mut |_| ControlFlow::Continue(())).unwrap()
+    Comparison::run(surfaces, settings, &Registry::built_in(), &mut |_| ControlFlow::Continue(()))
+        .unwrap()
 }
 
 /// The built-in surfaces on 96 x 96 points.

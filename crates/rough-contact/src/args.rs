@@ -4,7 +4,7 @@ use crate::outcome::Failure;
 use crate::quantity::{self, Dimension, QuantityError};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use compare::models::MODELS;
+use compare::built_in;
 use compare::{EdgesName, LevelName, MethodName, PrecisionName};
 use contact_types::{ContactModulus, Elastic};
 use surface_io::Layout;
@@ -212,7 +212,7 @@ pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {
 
 /// A model that a study can ask.
 pub(crate) fn study_models() -> PossibleValuesParser {
-    PossibleValuesParser::new(MODELS.iter().filter(|m| m.in_study).map(|m| m.name))
+    PossibleValuesParser::new(built_in().of_maps().map(|t| t.card().name.as_ref()))
 }
 
 /// What surface-stats calls a form.

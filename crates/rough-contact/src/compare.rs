@@ -12,7 +12,8 @@ use clap::Args;
 use compare::plan::Request;
 use compare::{
     Cleaning, Comparison, EdgesName, FileOrigin, LevelName, MethodName, Origin, PrecisionName,
-    RunFile, RunSurface, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
+    Registry, RunFile, RunSurface, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison,
+    sha256_hex,
 };
 use report::Provenance;
 use std::fmt::Write as _;
@@ -189,6 +190,10 @@ fn repeat(path: &Path) -> Result<(Settings, Vec<Surface>), Failure> {
     for RunSurface { name, origin } in run.surfaces {
         let surface = match origin {
             Origin::Recipe(recipe) => from_recipe(&recipe)?,
+            Origin::Given(_) => {
+                let error = compare::RunFileError::Given { name };
+                return Err(Failure::from_error(&error));
+            }
             Origin::File(file) => again(path, &file)?,
         };
         surfaces.push(Surface { name, ..surface });
@@ -246,7 +251,7 @@ fn study(
 ) -> Result<Comparison, Failure> {
     let mut progress = Progress::new(common.quiet, 0);
     let mut current = String::new();
-    let comparison = Comparison::run(surfaces, settings, &mut |news| {
+    let comparison = Comparison::run(surfaces, settings, &Registry::built_in(), &mut |news| {
         match news {
             compare::Progress::Surface { name, index, count, loads } => {
                 current = format!("{name} ({} of {count})", index + 1);
@@ -257,6 +262,7 @@ fn study(
                 let area = area_fraction.map_or_else(|| "no answer".to_owned(), text::percent);
                 progress.step(&format!("{current}: {}, {area}", text::pressure(mean_pressure)));
             }
+            compare::Progress::Iterated { .. } => {}
             compare::Progress::Models => progress.step(&format!("{current}: models")),
         }
         ControlFlow::Continue(())
@@ -331,7 +337,7 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
             "applies",
         ]);
         for model in &surface.models {
-            let label = model.entry.title.to_owned();
+            let label = model.card.title.to_string();
             let applies = model.verdict.answer.word().to_owned();
             let Ok(curve) = &model.outcome else {
                 columns.row([label, "–".into(), "–".into(), "–".into(), applies]);

@@ -7,7 +7,7 @@ use crate::outcome::{Failure, Reply, variant};
 use crate::roughness::Source;
 use crate::text::{self, Columns};
 use clap::Args;
-use compare::models::{BuildError, Inputs, MODELS, ModelEntry};
+use compare::{BuildError, Card, Inputs, Theory, built_in};
 use contact_types::{Caveat, Citation, ContactState, ModelError};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -43,7 +43,7 @@ pub(crate) struct Model {
 }
 
 fn names() -> clap::builder::PossibleValuesParser {
-    clap::builder::PossibleValuesParser::new(MODELS.iter().map(|m| m.name))
+    clap::builder::PossibleValuesParser::new(built_in().iter().map(|t| t.card().name.as_ref()))
 }
 
 /// What is asked of the model.
@@ -59,21 +59,22 @@ type Ask = Box<dyn Fn(&Question) -> Answer>;
 impl Model {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
         let Some(name) = &self.name else { return Ok(list()) };
-        let entry = compare::models::find(name).expect("clap accepts only these names");
+        let theory = compare::find(name).expect("clap accepts only these names");
+        let card = theory.card();
         let modulus = self.bodies.required()?;
         let questions = self.questions()?;
         let mut cleaned = Vec::new();
-        self.source.refuse_unused(entry.name, self.file.as_deref())?;
+        self.source.refuse_unused(&card.name, self.file.as_deref())?;
         let inputs = if let Some(path) = &self.file {
             let surface = self.reading.surface(path, self.cleaning.asked())?;
             cleaned.clone_from(&surface.cleaned);
-            self.source.measured(entry.name, modulus, path, surface)?
+            self.source.measured(&card.name, modulus, path, surface)?
         } else {
             self.cleaning.refuse_without_file()?;
-            self.source.typed(entry.name, modulus)?
+            self.source.typed(&card.name, modulus)?
         };
-        let answers = answer(entry, &inputs, &questions)?;
-        let mut reply = reply(entry, &inputs, &questions, &answers);
+        let answers = answer(theory, &inputs, &questions)?;
+        let mut reply = reply(card, &inputs, &questions, &answers);
         reply.text.insert_str(0, &text::cleaning(&cleaned));
         reply.json["cleaning"] = report::cleaning_json(&cleaned);
         Ok(reply)
@@ -94,40 +95,44 @@ impl Model {
 
 /// One answer per question. A model that cannot be made refuses every question.
 fn answer(
-    entry: &ModelEntry,
+    theory: &dyn Theory,
     inputs: &Inputs,
     questions: &[Question],
 ) -> Result<Vec<Answer>, Failure> {
     let ask: Ask = match questions.first() {
         Some(Question::Separation(_)) => {
-            let Some(model) = entry.build_separation(inputs) else {
-                let able: Vec<&str> =
-                    MODELS.iter().filter(|m| m.has_separation()).map(|m| m.name).collect();
+            let Some(model) = theory.build_separation(inputs) else {
+                let able: Vec<&str> = built_in()
+                    .iter()
+                    .map(Theory::card)
+                    .filter(|card| card.has_separation)
+                    .map(|card| card.name.as_ref())
+                    .collect();
                 let message = format!(
                     "{} has no separation; give --pressure, or one of {}",
-                    entry.name,
+                    theory.card().name,
                     able.join(", ")
                 );
                 return Err(Failure::refused("usage", message));
             };
             match model {
                 Ok(model) => Box::new(move |q| model.at_separation(q.value())),
-                Err(error) => refuse_all(entry, error)?,
+                Err(error) => refuse_all(theory.card(), error)?,
             }
         }
-        _ => match entry.build(inputs) {
+        _ => match theory.build(inputs) {
             Ok(model) => Box::new(move |q| model.at_pressure(q.value())),
-            Err(error) => refuse_all(entry, error)?,
+            Err(error) => refuse_all(theory.card(), error)?,
         },
     };
     Ok(questions.iter().map(ask).collect())
 }
 
-fn refuse_all(entry: &ModelEntry, error: BuildError) -> Result<Ask, Failure> {
+fn refuse_all(card: &Card, error: BuildError) -> Result<Ask, Failure> {
     match error {
         BuildError::Model(error) => Ok(Box::new(move |_| Err(error.clone()))),
         BuildError::Missing { .. } => {
-            let way_out = crate::roughness::options_of(entry.name).join(", or ");
+            let way_out = crate::roughness::options_of(&card.name).join(", or ");
             let message = format!("{error}; give a surface FILE, or {way_out}");
             Err(Failure::refused("missing_input", message))
         }
@@ -142,7 +147,7 @@ impl Question {
     }
 }
 
-fn reply(entry: &ModelEntry, inputs: &Inputs, questions: &[Question], answers: &[Answer]) -> Reply {
+fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer]) -> Reply {
     let mut columns =
         Columns::new(&["mean pressure", "area", "real pressure", "separation", "mean gap"]);
     let mut notes: Vec<String> = Vec::new();
@@ -154,14 +159,14 @@ fn reply(entry: &ModelEntry, inputs: &Inputs, questions: &[Question], answers: &
         };
         notes.extend(note.filter(|note| !notes.contains(note)));
     }
-    let mut text = format!("{} ({})\n{columns}", entry.title, cited(&entry.citation()));
+    let mut text = format!("{} ({})\n{columns}", card.title, cited(&card.citation));
     for note in notes {
         let _ = writeln!(text, "{note}"); // a String takes everything
     }
     let points: Vec<Value> = questions.iter().zip(answers).map(|(q, a)| point(*q, a)).collect();
     let json = json!({
-        "model": entry.name,
-        "citation": citation(&entry.citation()),
+        "model": card.name,
+        "citation": citation(&card.citation),
         "modulus": inputs.modulus.pascals(),
         "inputs": crate::roughness::object(inputs),
         "points": points,
@@ -277,32 +282,25 @@ fn cited(c: &Citation) -> String {
 fn list() -> Reply {
     let mut text = String::new();
     let mut models = Vec::new();
-    for entry in MODELS {
-        let c = entry.citation();
+    for card in built_in().iter().map(Theory::card) {
+        let c = &card.citation;
         let doi = if c.doi.is_empty() { String::new() } else { format!(" doi:{}", c.doi) };
-        let options = crate::roughness::options_of(entry.name).join(", or ");
-        let separation = if entry.has_separation() { "; --separation as well" } else { "" };
+        let options = crate::roughness::options_of(&card.name).join(", or ");
+        let separation = if card.has_separation { "; --separation as well" } else { "" };
         // A String takes everything.
         let _ = writeln!(
             text,
             "{}: {}\n  {} ({}) {}. {}.{doi}\n  inputs: {}\n  domain: {}\n  options: {options}{separation}\n",
-            entry.name,
-            entry.title,
-            c.authors,
-            c.year,
-            c.title,
-            c.journal,
-            entry.inputs,
-            entry.domain,
+            card.name, card.title, c.authors, c.year, c.title, c.journal, card.needs, card.domain,
         );
         models.push(json!({
-            "name": entry.name,
-            "title": entry.title,
-            "citation": citation(&c),
-            "inputs": entry.inputs,
-            "domain": entry.domain,
-            "options": crate::roughness::options_of(entry.name),
-            "separation": entry.has_separation(),
+            "name": card.name,
+            "title": card.title,
+            "citation": citation(c),
+            "inputs": card.needs,
+            "domain": card.domain,
+            "options": crate::roughness::options_of(&card.name),
+            "separation": card.has_separation,
         }));
     }
     Reply::new(text, json!({ "models": models }))

@@ -5,7 +5,7 @@ use crate::input::Complete;
 use crate::outcome::Failure;
 use clap::{Args, ValueEnum};
 use compare::LevelName;
-use compare::models::{Inputs, MomentSource};
+use compare::{Inputs, MomentSource};
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, ModelError,
     SpectralMoments,

@@ -5,7 +5,9 @@ use super::{Candidate, Candidates, Line, Request, budget};
 use crate::budget::iteration::area_error;
 use crate::budget::{Between, Budget, Map, NoAreaInterval};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Boundary, Load, Maps, Method, Precision, Solution, Solver, SolverError};
+use fft_bem_solver::{
+    Boundary, Iteration, Load, Maps, Method, Precision, Solution, Solver, SolverError,
+};
 use std::ops::ControlFlow;
 use std::time::Instant;
 use surface_stats::StatsError;
@@ -36,9 +38,14 @@ pub struct Task<'a> {
 }
 
 /// Where the solutions go.
-pub trait Sink {
+pub trait Sink: Send {
     /// A grid is begun. What was taken before was on a grid that is given up.
     fn begin(&mut self, map: &HeightMap);
+
+    /// An iteration of the solver on the load of this index is done. `Break` ends everything.
+    fn iterated(&mut self, _index: usize, _now: &Iteration<'_>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 
     /// A load, by its index among the loads, with its error budget on this grid if it was solved.
     /// `Break` ends everything.
@@ -154,7 +161,11 @@ fn attempt(
     sink.begin(&map);
     let mut attempt = Attempt { loads: Vec::new(), transforms: 0.0, leave_for: None };
     for (index, &load) in task.loads.iter().enumerate() {
-        let result = solver.solve(&map, load);
+        let mut watch = |now: &Iteration<'_>| sink.iterated(index, now);
+        let result = solver.solve_observed(&map, load, &mut watch);
+        if matches!(result, Err(SolverError::Stopped(_))) {
+            return Err(PlanError::Stopped);
+        }
         let budget = result.as_ref().ok().map(|s| {
             let found =
                 Between::on_points_of(task.map, task.known.repeats, s, map.grid(), task.modulus);

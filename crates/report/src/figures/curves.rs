@@ -144,7 +144,7 @@ impl Plot<'_> {
         let mut ends = Vec::new();
         for (model, values) in lines.models.iter().zip(&self.models) {
             if let Some(y) = draw_model(&mut canvas, &frame, &x, values, model.look) {
-                ends.push(end(&frame, y, model.label, model.look, false));
+                ends.push(end(&frame, y, &model.label, model.look, false));
             }
         }
         let last = draw_reference(&mut canvas, &frame, &x, &self.reference);
@@ -300,7 +300,7 @@ pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
         if let Some(y) = draw_model(&mut canvas, &frame, &x, values, model.look)
             && (lo..=hi).contains(&y)
         {
-            ends.push(end(&frame, y, model.label, model.look, false));
+            ends.push(end(&frame, y, &model.label, model.look, false));
         }
     }
     canvas.raw(clip);

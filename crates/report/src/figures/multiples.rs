@@ -252,7 +252,7 @@ fn draw_panel(
         if let Some(last) = values.iter().flatten().last().filter(|v| frame.y.holds(**v)) {
             ends.push(EndLabel {
                 y: frame.y.at(*last),
-                text: model.label.into(),
+                text: model.label.clone(),
                 colour: look.colour,
                 bold: false,
             });

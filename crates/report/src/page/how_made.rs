@@ -93,6 +93,19 @@ fn origin_words(origin: &Origin) -> String {
             text.push_str(&format!(", SHA-256 <code>{}</code>", escape(sha256)));
             text
         }
+        Origin::Given(given) => {
+            let filled = if given.missing > 0 {
+                format!(", {} missing points filled before", given.missing)
+            } else {
+                String::new()
+            };
+            format!(
+                "{} (heights handed over by a program{filled}), SHA-256 of the heights \
+                 <code>{}</code>",
+                escape(&given.note),
+                escape(&given.sha256)
+            )
+        }
         Origin::Recipe(Recipe { description, hurst, rolloff, cutoff, seed, quantise, .. }) => {
             let about = if description.is_empty() {
                 String::new()

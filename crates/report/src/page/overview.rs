@@ -81,7 +81,7 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
     let count = surfaces.len();
     match best {
         Some((k, error)) => {
-            let name = surfaces[0].models[k].entry.title;
+            let name = escape(&surfaces[0].models[k].card.title);
             let percent = crate::numbers::percent(error);
             if error <= WANTED {
                 format!(
@@ -100,17 +100,17 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
 /// Whether the order of the models is the same on every surface, among those that answer on all.
 fn ranking(surfaces: &[SurfaceComparison]) -> String {
     let all: Vec<Vec<Option<f64>>> = surfaces.iter().map(mean_errors).collect();
-    let order = |errors: &[Option<f64>], s: &SurfaceComparison| -> Vec<&'static str> {
-        let mut list: Vec<(f64, &'static str)> = errors
+    let order = |errors: &[Option<f64>], s: &SurfaceComparison| -> Vec<String> {
+        let mut list: Vec<(f64, String)> = errors
             .iter()
             .enumerate()
             .filter(|(k, _)| all.iter().all(|e| e[*k].is_some()))
-            .filter_map(|(k, e)| Some(((*e)?, s.models[k].entry.label)))
+            .filter_map(|(k, e)| Some(((*e)?, escape(&s.models[k].card.label))))
             .collect();
         list.sort_by(|a, b| a.0.total_cmp(&b.0));
         list.into_iter().map(|(_, label)| label).collect()
     };
-    let orders: Vec<Vec<&str>> = all.iter().zip(surfaces).map(|(e, s)| order(e, s)).collect();
+    let orders: Vec<Vec<String>> = all.iter().zip(surfaces).map(|(e, s)| order(e, s)).collect();
     let Some(first) = orders.first().filter(|o| !o.is_empty()) else { return String::new() };
     if orders.iter().all(|o| o == first) {
         return format!(
@@ -145,7 +145,7 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
                 answer.map_or("–".into(), words::real_pressure_prediction),
                 nearest.as_ref().map_or("–".into(), |r| format!(
                     "{} ({}), {}",
-                    r.model.entry.label,
+                    r.model.card.label,
                     signed_percent(r.error),
                     duration(r.seconds)
                 )),

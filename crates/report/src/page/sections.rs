@@ -17,8 +17,7 @@ use crate::page::{statistics, tables};
 use crate::sources::AREA_CORRECTION;
 use crate::words::finding::finding;
 use crate::words::{self, coarser};
-use compare::models::MomentSource;
-use compare::{Finding, SurfaceComparison, Weight, findings};
+use compare::{Finding, MomentSource, SurfaceComparison, Weight, findings};
 
 /// A figure with its caption; the caption is HTML and opens with a bold subject.
 pub(crate) fn figure(svg: &str, caption: &str) -> String {
@@ -168,8 +167,8 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<cost::Route>> {
     let mut routes: Vec<cost::Route> = words::ranked(surface)
         .into_iter()
         .map(|r| cost::Route {
-            label: r.model.entry.label.into(),
-            look: look(r.model.entry.name, r.place),
+            label: r.model.card.label.to_string(),
+            look: look(&r.model.card.name, r.place),
             seconds: r.seconds,
             error: r.error.abs(),
             bold: false,

@@ -65,8 +65,8 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
         let area: Vec<String> = curve.points.iter().map(tables::model_area).collect();
         let error: Vec<String> =
             curve.errors.iter().map(|e| e.map_or("–".into(), signed_percent)).collect();
-        cells.insert(format!("a-{}", model.entry.name), json!(area));
-        cells.insert(format!("e-{}", model.entry.name), json!(error));
+        cells.insert(format!("a-{}", model.card.name), json!(area));
+        cells.insert(format!("e-{}", model.card.name), json!(error));
     }
     let data = json!({ "read": read_out(surface), "cells": cells }).to_string();
     // "</script>" cannot end the element early.

@@ -212,14 +212,14 @@ fn model_row(
     model: &ModelComparison,
     place: usize,
 ) -> String {
-    let entry = model.entry;
-    let source = reference(page, entry.citation());
+    let card = &model.card;
+    let source = reference(page, card.citation.clone());
     let several = surface.deterministic.len() > 1;
     let name = format!(
         "<th scope=\"row\"><div>{}<span>{}<small>{}</small></span></div></th>",
-        swatch(look(entry.name, place)),
-        escape(entry.title),
-        inputs_html(entry.name)
+        swatch(look(&card.name, place)),
+        escape(&card.title),
+        inputs_html(card)
     );
     let domain = format!(
         "<td data-l=\"Applies\" class=\"dom\">{}{}</td>",
@@ -238,7 +238,7 @@ fn model_row(
         );
     };
     let key = |prefix: &str| {
-        if several { format!(" data-k=\"{prefix}-{}\"", entry.name) } else { String::new() }
+        if several { format!(" data-k=\"{prefix}-{}\"", card.name) } else { String::new() }
     };
     let error = curve.errors[surface.headline].map_or("–".into(), signed_percent);
     let range = curve.range().map_or("–".into(), |(lo, hi)| signed_range(lo, hi));

@@ -8,7 +8,12 @@ pub(crate) fn edge_words(surface: &SurfaceComparison) -> String {
     let done = match (surface.edges, &surface.origin) {
         (EdgesName::Mirrored, _) => "Continued by its mirror images.",
         (EdgesName::Periodic, Origin::Recipe(_)) => return "Periodic, as made.".to_owned(),
-        (EdgesName::Periodic, Origin::File(_)) => "Repeated periodically as it is.",
+        (EdgesName::Periodic, Origin::Given(given)) if given.repeats == Some(true) => {
+            return "Periodic, as given.".to_owned();
+        }
+        (EdgesName::Periodic, Origin::File(_) | Origin::Given(_)) => {
+            "Repeated periodically as it is."
+        }
     };
     seam(surface).map_or(done.to_owned(), |s| format!("{done} {}", seam_words(&s)))
 }

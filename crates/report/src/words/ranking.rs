@@ -1,5 +1,6 @@
 //! Sentences that rank the closed forms: they say low and high, and name the number.
 
+use crate::draw::svg::escape;
 use crate::lines::WANTED;
 use crate::numbers::{PASCALS, SPACE, chosen, duration, percent, signed_percent, times};
 use crate::words::coarser;
@@ -51,7 +52,7 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
         return format!(
             "The ± itself exceeds 10{SPACE}%, so the closed forms cannot be ranked at \
              10{SPACE}%. By the numbers alone {} is nearest ({}), {}, {}.",
-            nearest.model.entry.title,
+            escape(&nearest.model.card.title),
             signed_percent(nearest.error),
             duration(nearest.seconds),
             faster(nearest)
@@ -65,7 +66,7 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
     match cheapest {
         Some(r) => text.push_str(&format!(
             "Cheapest closed form within 10{SPACE}%: {} ({}), {}, {}.",
-            r.model.entry.title,
+            escape(&r.model.card.title),
             signed_percent(r.error),
             duration(r.seconds),
             faster(r)
@@ -73,7 +74,7 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
         None => text.push_str(&format!(
             "No closed form comes within 10{SPACE}% at this load. The nearest, {}, reads {} {} and \
              takes {}, {}.",
-            nearest.model.entry.title,
+            escape(&nearest.model.card.title),
             percent(nearest.error),
             if nearest.error < 0.0 { "low" } else { "high" },
             duration(nearest.seconds),
@@ -81,11 +82,11 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
         )),
     }
     if let Some(r) = cheapest
-        && nearest.model.entry.name != r.model.entry.name
+        && nearest.model.card.name != r.model.card.name
     {
         text.push_str(&format!(
             " The nearest, {}, is {} off and takes {}.",
-            nearest.model.entry.title,
+            escape(&nearest.model.card.title),
             percent(nearest.error),
             duration(nearest.seconds)
         ));
@@ -102,11 +103,12 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
 }
 
 /// "GW, BGT and Elliptical"
-fn list(names: &[&str]) -> String {
-    match names {
+fn list(names: &[impl AsRef<str>]) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    match names.as_slice() {
         [] => String::new(),
         [one] => (*one).into(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
     }
 }
 
@@ -117,7 +119,7 @@ pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
         let Some((lo, hi)) = model.outcome.as_ref().ok().and_then(ModelCurve::range) else {
             continue;
         };
-        let label = model.entry.label;
+        let label = escape(&model.card.label);
         match (lo < 0.0, hi > 0.0) {
             (true, false) => low.push(label),
             (false, true) => high.push(label),
@@ -125,7 +127,7 @@ pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
         }
     }
     let always = if surface.deterministic.len() > 1 { "at every load" } else { "at this load" };
-    let verb = |names: &[&str], one: &str, many: &str| {
+    let verb = |names: &[String], one: &str, many: &str| {
         if names.len() == 1 { one.to_owned() } else { many.to_owned() }
     };
     let mut parts = Vec::new();
@@ -183,7 +185,7 @@ pub(crate) fn within_ten(surface: &SurfaceComparison) -> String {
                 (a, b) => format!("{} to {}", at(a), at(b)),
             })
             .collect();
-        parts.push(format!("{} {}", model.entry.label, words.join(" and ")));
+        parts.push(format!("{} {}", escape(&model.card.label), words.join(" and ")));
     }
     if parts.is_empty() {
         format!(

@@ -1,7 +1,7 @@
 //! Whether a theory covers a surface, in words.
 
 use crate::numbers::{SPACE, length, pressure};
-use compare::models::Assumes;
+use compare::Assumes;
 use compare::{ModelComparison, Reason};
 use contact_types::ModelError;
 
@@ -9,7 +9,7 @@ use contact_types::ModelError;
 pub(crate) fn reason(model: &ModelComparison) -> String {
     let verdict = &model.verdict;
     if verdict.reasons.is_empty() {
-        return within(model.entry.assumes).into();
+        return within(model.card.assumes).into();
     }
     verdict.reasons.iter().map(words).collect::<Vec<_>>().join("; ")
 }
@@ -19,6 +19,7 @@ fn within(assumes: Assumes) -> &'static str {
         Assumes::Summits => "light contact on an isotropic Gaussian surface",
         Assumes::Gaussian => "any load; known to read low at light load",
         Assumes::Amplitudes | Assumes::Fractal => "",
+        Assumes::Unstated => "its assumptions are not known here; it names none that is strained",
     }
 }
 

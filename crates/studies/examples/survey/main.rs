@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let recipes = ensemble::recipes();
     let first = first.unwrap_or(recipes.len());
     fs::create_dir_all(&folder)?;
-    let labels: Vec<&str> = measure::models().iter().map(|m| m.name).collect();
+    let labels: Vec<&str> = measure::models().iter().map(|m| m.name.as_ref()).collect();
     println!("{}", header(&labels));
     for (index, recipe) in recipes.iter().enumerate().take(first) {
         let file = folder.join(format!("{index:03}.csv"));

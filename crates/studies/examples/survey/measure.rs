@@ -1,9 +1,8 @@
 //! One surface: its features, the deterministic area with its own error bar, every model's error.
 
 use crate::ensemble::{PIXEL, Recipe, make};
-use compare::models::{MODELS, ModelEntry};
 use compare::survey::{Family, Row, peak_slope};
-use compare::{Comparison, LevelName, Origin, Settings, Surface};
+use compare::{Card, Comparison, LevelName, Origin, Registry, Settings, Surface, Theory, built_in};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solution, Solver};
 use std::error::Error;
@@ -16,8 +15,8 @@ const MODULUS: f64 = 1e11;
 const LOADS: [f64; 7] = [0.003, 0.01, 0.03, 0.06, 0.1, 0.2, 0.4];
 
 /// Models whose errors are kept, in the order of the list of models.
-pub(crate) fn models() -> Vec<&'static ModelEntry> {
-    MODELS.iter().filter(|m| m.in_study).collect()
+pub(crate) fn models() -> Vec<&'static Card> {
+    built_in().of_maps().map(Theory::card).collect()
 }
 
 /// Everything the survey keeps of one surface, one row per load.
@@ -41,8 +40,8 @@ pub(crate) fn surface(index: usize, recipe: &Recipe) -> Result<Vec<Row>, Box<dyn
             result.deterministic[k].answer.as_ref().ok_or("no solution on the given grid")?;
         let errors = models()
             .iter()
-            .map(|entry| {
-                let model = result.models.iter().find(|m| m.entry.name == entry.name)?;
+            .map(|card| {
+                let model = result.models.iter().find(|m| m.card.name == card.name)?;
                 let state = model.outcome.as_ref().ok()?.points[k].as_ref().ok()?;
                 Some(state.area_fraction / area - 1.0)
             })
@@ -79,7 +78,9 @@ fn study(index: usize, map: &HeightMap, pressures: Vec<f64>) -> Result<Compariso
         tolerance: 1e-5,
         ..Settings::default()
     };
-    Ok(Comparison::run(vec![surface], settings, &mut |_| ControlFlow::Continue(()))?)
+    Ok(Comparison::run(vec![surface], settings, &Registry::built_in(), &mut |_| {
+        ControlFlow::Continue(())
+    })?)
 }
 
 /// Relative half width of the reference: 0.3 of the correction on the fine grid, or what refining

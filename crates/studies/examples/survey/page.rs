@@ -1,6 +1,6 @@
 //! What the book says of the survey, from its table: figures and the summary.
 
-use compare::models::find;
+use compare::find;
 use compare::survey::{Family, Query, Row, Survey};
 use std::error::Error;
 use std::fmt::Write as _;
@@ -46,8 +46,11 @@ fn bars(survey: &Survey) -> String {
 /// Median and 5 to 95 % range of each model's error, by family and load.
 fn summary(survey: &Survey) -> String {
     let mut page = String::from("| surfaces | load p/(E\\* h′rms) |");
-    let labels: Vec<_> =
-        survey.models().iter().map(|m| find(m).map_or(m.as_str(), |e| e.label)).collect();
+    let labels: Vec<_> = survey
+        .models()
+        .iter()
+        .map(|m| find(m).map_or(m.as_str(), |e| e.card().label.as_ref()))
+        .collect();
     for label in &labels {
         let _ = write!(page, " {label} |");
     }
@@ -115,7 +118,7 @@ fn check(survey: &Survey) -> String {
         let _ = writeln!(
             page,
             "| {} | {asked} | {answered} | {held} ({:.1} %) | {:.0} points |",
-            find(model).map_or(model.as_str(), |e| e.label),
+            find(model).map_or(model.as_str(), |e| e.card().label.as_ref()),
             100.0 * held as f64 / answered as f64,
             100.0 * width
         );

@@ -1,8 +1,8 @@
 //! The measurements: every closed form, and the solver over methods, grids, precisions and
 //! tolerances, each with its time and its true error.
 
-use compare::models::{Inputs, MODELS};
-use compare::{Comparison, LevelName, Settings, Surface, built_in_recipes};
+use compare::Inputs;
+use compare::{Comparison, LevelName, Registry, Settings, Surface, built_in, built_in_recipes};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
     BOUNDARY_CORRECTION, HalfSpace, Iteration, Load, Method, Precision, Real, Solution, Solver,
@@ -168,7 +168,9 @@ fn as_compared(surface: Surface) -> Outcome<(HeightMap, Inputs)> {
         tolerance: 0.1,
         ..Settings::default()
     };
-    let mut study = Comparison::run(vec![surface], settings, &mut |_| ControlFlow::Continue(()))?;
+    let mut study = Comparison::run(vec![surface], settings, &Registry::built_in(), &mut |_| {
+        ControlFlow::Continue(())
+    })?;
     let found = study.surfaces.pop().ok_or("no surface came back")?;
     Ok((found.surface, found.inputs))
 }
@@ -205,8 +207,8 @@ fn truth(
 
 /// Every model that a map gives all inputs for.
 fn models(plan: &Plan, inputs: &Inputs, pressure: f64, case: &Row, take: &mut dyn FnMut(Row)) {
-    for entry in MODELS.iter().filter(|m| m.in_study) {
-        let Ok(model) = entry.build(inputs) else { continue };
+    for theory in built_in().of_maps() {
+        let Ok(model) = theory.build(inputs) else { continue };
         let Ok(state) = model.at_pressure(pressure) else { continue };
         // Many calls to a reading, so that the clock itself does not count.
         let reading = |calls: u32| {
@@ -222,7 +224,7 @@ fn models(plan: &Plan, inputs: &Inputs, pressure: f64, case: &Row, take: &mut dy
         }
         let seconds = shortest(0.1 * plan.seconds, || reading(calls)) / f64::from(calls);
         let area = Some(state.area_fraction);
-        take(Row { method: entry.name.into(), area, seconds, ..case.clone() });
+        take(Row { method: theory.card().name.to_string(), area, seconds, ..case.clone() });
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the book says of the measurements, from their table: figures, what to use for a given
 //! error, and the numbers.
 
-use compare::models::find;
+use compare::find;
 use contact_accuracy::median;
 use std::error::Error;
 use std::fmt::Write as _;
@@ -117,7 +117,7 @@ pub(crate) fn name(way: &Way<'_>) -> String {
 }
 
 fn model_name(row: &Row) -> String {
-    find(&row.method).map_or(&*row.method, |m| m.title).to_owned()
+    find(&row.method).map_or(&*row.method, |m| m.card().title.as_ref()).to_owned()
 }
 
 fn grid_name(row: &Row) -> String {

@@ -1,7 +1,7 @@
 //! Two complete measurements beside each other: what is the same, and how far times moved.
 
 use crate::page::{cheapest, name, percent};
-use compare::models::find;
+use compare::find;
 use contact_accuracy::quantile;
 use std::fmt::Write as _;
 use studies::tradeoff::{Row, Table, ways};

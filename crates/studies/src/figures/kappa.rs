@@ -2,7 +2,7 @@
 //! spectrum and over the load, and the way to full contact.
 
 use crate::light_load::{Kind, LIGHT, LogLaw, Row, log_law};
-use compare::models::{Inputs, find};
+use compare::{Inputs, find};
 use contact_types::{ContactModulus, SpectralMoments};
 use report::draw::axes::{Axis, Frame};
 use report::draw::labels::{EndLabel, draw_end_labels};

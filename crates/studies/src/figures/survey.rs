@@ -1,7 +1,7 @@
 //! Figures of the survey: how wrong each model is by bandwidth and load, and how its error
 //! follows the slope of the highest points.
 
-use compare::models::find;
+use compare::find;
 use compare::survey::{Family, Row, Survey};
 use contact_accuracy::median;
 use report::draw::axes::{Axis, Frame};
@@ -38,7 +38,7 @@ pub fn write_survey_map(survey: &Survey, out: &mut impl Write) -> io::Result<()>
     let mut described = Vec::new();
     for (k, name) in MODELS.iter().enumerate() {
         let Some(column) = survey.models().iter().position(|m| m == name) else { continue };
-        let title = find(name).map_or(*name, |m| m.label);
+        let title = find(name).map_or(*name, |m| m.card().label.as_ref());
         let [x0, y0] = [(k % 2) as f64 * PANEL[0] + 52.0, (k / 2) as f64 * PANEL[1] + 24.0];
         canvas.text(&Text { bold: true, ..Text::new([x0, y0 - 8.0], title) });
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];

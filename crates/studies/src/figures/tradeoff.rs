@@ -2,7 +2,7 @@
 //! the solver; and the error of the pressure against time, method by method.
 
 use crate::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, ways};
-use compare::models::find;
+use compare::find;
 use contact_accuracy::median;
 use report::draw::axes::{Axis, Frame};
 use report::draw::labels::{place_near, push_apart};
@@ -174,7 +174,7 @@ pub fn write_tradeoff_area(table: &Table, out: &mut impl Write) -> io::Result<()
     }
     for (i, way) in shown.iter().enumerate() {
         let name = match way.area {
-            AreaOf::Model => find(&way.row.method).map_or("", |m| m.label),
+            AreaOf::Model => find(&way.row.method).map_or("", |m| m.card().label.as_ref()),
             AreaOf::Corrected => grid_name(way.row.scale.unwrap_or(1.0)),
             AreaOf::Count => continue,
         };
@@ -217,7 +217,7 @@ fn is_shown(way: &Way<'_>) -> bool {
 
 fn look_of(area: AreaOf, method: &str) -> Look {
     match area {
-        AreaOf::Model => find(method).map_or(DETERMINISTIC_LOOK, |m| look(m.name, 0)),
+        AreaOf::Model => find(method).map_or(DETERMINISTIC_LOOK, |m| look(&m.card().name, 0)),
         AreaOf::Count => COUNTED,
         AreaOf::Corrected => DETERMINISTIC_LOOK,
     }
@@ -226,7 +226,9 @@ fn look_of(area: AreaOf, method: &str) -> Look {
 fn listed(shown: &[&Way<'_>]) -> String {
     let one = |w: &&Way<'_>| {
         let name = match (w.area, w.row.scale) {
-            (AreaOf::Model, _) => find(&w.row.method).map_or("", |m| m.label).to_owned(),
+            (AreaOf::Model, _) => {
+                find(&w.row.method).map_or("", |m| m.card().label.as_ref()).to_owned()
+            }
             (AreaOf::Count, s) => format!("{} counted", grid_name(s.unwrap_or(1.0))),
             (AreaOf::Corrected, s) => format!("{} corrected", grid_name(s.unwrap_or(1.0))),
         };

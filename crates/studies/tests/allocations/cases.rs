@@ -3,7 +3,7 @@
 
 use allocation_counter::{AllocationInfo, measure};
 use asperity_models::{BushGibsonThomas, GreenwoodElliptical, MeanCurvature};
-use compare::{Comparison, Settings, Surface, built_in_recipes};
+use compare::{Comparison, Registry, Settings, Surface, built_in_recipes};
 use contact_types::{
     ContactModel, ContactModulus, FractalParameters, Grid, HeightMap, SeparationModel,
     SpectralMoments,
@@ -221,7 +221,9 @@ fn studies() -> Vec<Case> {
     let map = surface.heights.clone();
     let run = |surface: Surface| {
         let settings = Settings { pressures: Some(vec![1e7, 1e8, 1e9]), ..Settings::default() };
-        let study = Comparison::run(vec![surface], settings, &mut |_| ControlFlow::Continue(()));
+        let study = Comparison::run(vec![surface], settings, &Registry::built_in(), &mut |_| {
+            ControlFlow::Continue(())
+        });
         black_box(study.expect("a study"));
     };
     let call = "study of 128 × 128 points at three loads, beside its solver";
