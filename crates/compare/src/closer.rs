@@ -69,7 +69,7 @@ fn certify(surface: &mut SurfaceComparison, settings: &Settings, modulus: Contac
     if answer.finer.is_some()
         && let Ok(mut finer) =
             TwiceFiner::of(whole.map(), &map, Boundary::Periodic, builder(settings), modulus)
-        && let Ok(found) = finer.solve_with_stiffness(Load::MeanPressure(pressure))
+        && let Ok(found) = finer.solve(Load::MeanPressure(pressure), &answer.budget)
     {
         answer.budget = answer.budget.refined(&found);
         answer.finer = Some(found);

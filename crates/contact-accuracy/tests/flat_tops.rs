@@ -84,7 +84,7 @@ fn budget(map: &HeightMap, load: f64) -> Budget {
         let builder = Solver::builder();
         let mut finer =
             TwiceFiner::of(map, &known, Boundary::Periodic, builder, modulus()).unwrap();
-        budget = budget.refined(&finer.solve_with_stiffness(load).unwrap());
+        budget = budget.refined(&finer.solve(load, &budget).unwrap());
     }
     budget
 }

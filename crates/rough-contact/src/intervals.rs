@@ -36,7 +36,7 @@ impl Finest {
         load: Load,
         map: &HeightMap,
         known: &Map,
-        stiffness: bool,
+        budget: &Budget,
     ) -> Result<Refined, NotRefined> {
         let start = Instant::now();
         let finer = match &mut self.made {
@@ -46,8 +46,7 @@ impl Finest {
                 none.insert(TwiceFiner::of(map, known, self.boundary, builder, self.modulus)?)
             }
         };
-        let found =
-            if stiffness { finer.solve_with_stiffness(load)? } else { finer.solve(load)? };
+        let found = finer.solve(load, budget)?;
         Ok(Refined { found, grid: finer.grid(), seconds: start.elapsed().as_secs_f64() })
     }
 }

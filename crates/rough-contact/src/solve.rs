@@ -214,7 +214,7 @@ impl Solve {
         if !((self.refine || unasked) && TwiceFiner::helps(&budget)) {
             return (Some(budget), None);
         }
-        let refined = errors.finer.solve(load, surface, &errors.known, self.stiffness);
+        let refined = errors.finer.solve(load, surface, &errors.known, &budget);
         let budget = refined.as_ref().map_or(budget, |r| budget.refined(&r.found));
         (Some(budget), Some(refined))
     }

@@ -11,8 +11,10 @@
 //! A share of the whole map, such as the gradient that differences see, does not find flat tops: they
 //! are a few per cent of it.
 
+use crate::monotone::inside;
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::Solution;
+use std::f64::consts::PI;
 
 /// Doubt above which the bar of the grid is not known to hold.
 pub const MOST_DOUBT: f64 = 0.07;
@@ -26,6 +28,10 @@ pub struct Between {
     pub at_line: f64,
     /// What a pixel's worth of load deforms, (mean real pressure / E*) x pixel (m).
     pub deformed: f64,
+    /// In full contact, the largest share of the pressure that the difference may take off: as a wave
+    /// of two points it carries E* (pi/2) / pixel times its height (Johnson 1985, section 13.2). 0
+    /// where something is open.
+    pub lifted: f64,
 }
 
 /// Difference of the polynomials through eight and through four points, halfway: weights of the
@@ -47,12 +53,20 @@ impl Between {
         if pressure.len() != surface.grid().len() || ny.min(nx) < 8 {
             return None;
         }
+        let [dy, dx] = surface.grid().pixel();
         let (mut touching, mut load) = (0.0, 0.0);
         // Squares and their number, at the contact and at its line.
         let (mut all, mut line) = ([0.0; 2], [0.0; 2]);
-        let mut add = |square: f64, both: bool| {
+        // The largest share of the pressure that a difference may take off where both touch.
+        let mut lifted = 0.0f64;
+        let lift = 0.5 * PI * modulus.pascals() / dy.min(dx);
+        let mut add = |difference: f64, pressures: [f64; 2]| {
+            let square = difference * difference;
             all = [all[0] + square, all[1] + 1.0];
-            if !both {
+            let least = pressures[0].min(pressures[1]);
+            if least > 0.0 {
+                lifted = lifted.max(lift * difference.abs() / least);
+            } else {
                 line = [line[0] + square, line[1] + 1.0];
             }
         };
@@ -65,24 +79,24 @@ impl Between {
             let (iy, ix) = (i / nx, i % nx);
             // Halfway to the next point along x, then along y.
             let (right, below) = (inside(ix, 1, nx, repeats), inside(iy, 1, ny, repeats));
-            let next = pressure[iy * nx + right] > 0.0;
-            if touches || next {
+            let next = pressure[iy * nx + right];
+            if touches || next > 0.0 {
                 let along = |k: isize| surface.at(iy, inside(ix, k, nx, repeats));
-                add(difference(along).powi(2), touches && next);
+                add(difference(along), [p, next]);
             }
-            let next = pressure[below * nx + ix] > 0.0;
-            if touches || next {
+            let next = pressure[below * nx + ix];
+            if touches || next > 0.0 {
                 let along = |k: isize| surface.at(inside(iy, k, ny, repeats), ix);
-                add(difference(along).powi(2), touches && next);
+                add(difference(along), [p, next]);
             }
         }
         if load <= 0.0 {
             return None;
         }
         let [height, at_line] = [all, line].map(|[sum, count]| (sum / f64::max(count, 1.0)).sqrt());
-        let [dy, dx] = surface.grid().pixel();
         let deformed = load / touching / modulus.pascals() * dy.min(dx);
-        Some(Self { height, at_line, deformed })
+        let lifted = if line[1] > 0.0 { 0.0 } else { lifted };
+        Some(Self { height, at_line, deformed, lifted })
     }
 
     /// The same of a `solution` on another `grid` of the same area: what the given points say at its
@@ -113,9 +127,9 @@ impl Between {
 
     /// The difference over what a pixel's worth of load deforms: at the contact or along its line,
     /// whichever is larger (-). In a large contact the line alone is open, and its part of all is
-    /// small.
+    /// small. Full contact is in doubt where the difference may lift it off.
     pub fn doubt(&self) -> f64 {
-        self.height.max(self.at_line) / self.deformed
+        (self.height.max(self.at_line) / self.deformed).max(MOST_DOUBT * self.lifted)
     }
 }
 
@@ -123,13 +137,6 @@ impl Between {
 fn difference(at: impl Fn(isize) -> f64) -> f64 {
     let pairs = WEIGHTS.iter().enumerate();
     pairs.map(|(k, weight)| weight * (at(-(k as isize)) + at(k as isize + 1))).sum()
-}
-
-/// The point `k` away from `i` of `n` in line: around the edge, or mirrored at it.
-fn inside(i: usize, k: isize, n: usize, repeats: bool) -> usize {
-    let (i, n) = (i as isize + k, n as isize);
-    let j = if repeats { i.rem_euclid(n) } else { i.rem_euclid(2 * n) };
-    (if j < n { j } else { 2 * n - 1 - j }) as usize
 }
 
 #[cfg(test)]

@@ -160,8 +160,7 @@ pub fn gradient_scatter(surface: &HeightMap) -> f64 {
         for (ix, y) in row.iter_mut().enumerate() {
             let right = if ix + 1 < nx { ix + 1 } else { ix };
             let here = surface.at(iy, ix);
-            let slopes =
-                [(surface.at(below, ix) - here) / dy, (surface.at(iy, right) - here) / dx];
+            let slopes = [(surface.at(below, ix) - here) / dy, (surface.at(iy, right) - here) / dx];
             *y = slopes[0] * slopes[0] + slopes[1] * slopes[1];
         }
     })

@@ -88,9 +88,7 @@ impl Budget {
             value: k,
             grid: self.own.map(|()| k * relative),
             iteration: found.iteration.map(|r| k * r),
-            sample: self
-                .area_scatter
-                .map(|_| k * map.scatter.stiffness_half_width(area_scatter)),
+            sample: self.area_scatter.map(|_| k * map.scatter.stiffness_half_width(area_scatter)),
             most: f64::INFINITY,
         });
         self
