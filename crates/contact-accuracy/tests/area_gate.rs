@@ -73,7 +73,7 @@ fn area_interval_is_refused_outside_its_gate() {
     ));
     let smooth = self_affine(0.8, 64.0, 16.0, 5);
     assert!(matches!(
-        AreaAccuracy::of(&smooth).unwrap().interval(&solve(&smooth, 1e-4, 1e-5)),
+        AreaAccuracy::of(&smooth).unwrap().interval(&solve(&smooth, 1e-6, 1e-5)),
         Err(NoAreaInterval::SpotsTooSmall { .. })
     ));
     // The chord iteration does not stop that early.

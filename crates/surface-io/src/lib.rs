@@ -40,6 +40,8 @@ mod text;
 mod units;
 pub mod write;
 
+pub use contact_types::{Grid, HeightMap, SurfaceError};
+
 pub use error::{FillError, Place, ReadError};
 pub use fill::Fill;
 pub use format::{FORMATS, Format, FormatSpec};

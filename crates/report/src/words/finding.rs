@@ -121,10 +121,13 @@ fn steps(cleaned: &[Record]) -> String {
     cleaned.iter().map(step).collect::<Vec<_>>().join(", ")
 }
 
-/// The text with a capital letter.
+/// The text with a capital letter; a symbol stays what it is, Α is not α.
 fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
+    let mut text = text.to_owned();
+    if let Some(first) = text.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    text
 }
 
 fn no_bar(reason: NoAreaInterval) -> String {
@@ -258,4 +261,16 @@ fn tested(passed: &Passed) -> Worded {
         texts.push(format!("finite differences see {} of the rms gradient", percent(resolved)));
     }
     worded(format!("{}.", capital(&claims.join(", "))), format!("{}.", capital(&texts.join("; "))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_keep_their_case() {
+        assert_eq!(capital("skewness 0.1"), "Skewness 0.1");
+        assert_eq!(capital("α = 15"), "α = 15");
+        assert_eq!(capital(""), "");
+    }
 }
