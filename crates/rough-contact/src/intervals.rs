@@ -67,6 +67,7 @@ impl Refined {
             "area_fraction_corrected": self.found.area,
             "mean_pressure": self.found.pressure,
             "mean_gap": self.found.gap,
+            "monotone_area_fraction_corrected": self.found.monotone.map(|(area, ..)| area),
             "seconds": self.seconds,
         })
     }
@@ -101,8 +102,12 @@ impl Intervals {
     ) {
         if let Some(Refined { found, grid, seconds }) = refined {
             let [ny, nx] = grid.shape();
+            let other = found.monotone.map_or(String::new(), |(area, ..)| {
+                let area = text::percent(area);
+                format!(", and one of a surface through the same points that does not ring, {area}")
+            });
             self.lines.push(format!(
-                "{shown}: ± from one more solution on {ny} × {nx} points, which reads {} ({})",
+                "{shown}: ± from one more solution on {ny} × {nx} points, which reads {}{other} ({})",
                 text::percent(found.area),
                 text::seconds(seconds)
             ));

@@ -14,9 +14,9 @@ const GAP: f64 = 0.016;
 /// The same on a map whose edges do not match.
 const GAP_AT_SEAM: f64 = 0.08;
 /// Relative error of the stiffness over the share of the contact line.
-const STIFFNESS: f64 = 0.15;
+const STIFFNESS: f64 = 0.2;
 /// The same on a map whose edges do not match.
-const STIFFNESS_AT_SEAM: f64 = 0.25;
+const STIFFNESS_AT_SEAM: f64 = 0.33;
 
 /// Share of a pixel's worth of deformation from which the gap errs by all of the difference of the
 /// interpolants.

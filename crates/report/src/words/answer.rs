@@ -9,8 +9,11 @@ use compare::{DeterministicAnswer, SurfaceComparison};
 /// "1.96 ± 0.12 %", or "1.96 %" where there is no bar.
 pub(crate) fn area(answer: &DeterministicAnswer) -> String {
     let area = 100.0 * answer.area_fraction_corrected;
-    let number = match answer.uncertainty() {
-        Some(u) if u > 0.0 => plus_minus(area, 100.0 * u),
+    let number = match answer.uncertainty().map(|u| 100.0 * u) {
+        Some(u) if u > 0.0 && u >= area => {
+            format!("at most {}", significant((area + u).min(100.0), 2))
+        }
+        Some(u) if u > 0.0 => plus_minus(area, u),
         _ => significant(area, 3),
     };
     format!("{number}{SPACE}%")
@@ -29,11 +32,14 @@ pub(crate) fn real_pressure(mean_pressure: f64, answer: &DeterministicAnswer) ->
     }
 }
 
-/// "1.96 ± 0.25 %": with the finite sample on top, where this map can tell.
+/// "1.96 ± 0.25 %", "at most 2.8 %": with the finite sample on top, where this map can tell.
 pub(crate) fn area_prediction(answer: &DeterministicAnswer) -> String {
     let Some(half) = answer.budget.area.prediction_half_width() else { return area(answer) };
-    let value = 100.0 * answer.area_fraction_corrected;
-    format!("{}{SPACE}%", plus_minus(value, 100.0 * half))
+    let value = answer.area_fraction_corrected;
+    if half >= value {
+        return format!("at most {}{SPACE}%", significant(100.0 * (value + half).min(1.0), 2));
+    }
+    format!("{}{SPACE}%", plus_minus(100.0 * value, 100.0 * half))
 }
 
 /// Mean real pressure with the finite sample on top. Its ± is that of the area, to first order.
@@ -41,7 +47,11 @@ pub(crate) fn real_pressure_prediction(answer: &DeterministicAnswer) -> String {
     let budget = &answer.budget;
     match (budget.real_pressure(), budget.area.prediction_half_width()) {
         (Some(real), Some(half)) => {
-            let spread = real.value() * half / budget.area.value;
+            let (area, load) = (budget.area.value, budget.mean_pressure.value);
+            if half >= area {
+                return format!("at least {}", quantity(load / (area + half).min(1.0), PASCALS, 2));
+            }
+            let spread = real.value() * half / area;
             quantity_plus_minus(real.value(), spread, PASCALS)
         }
         _ => real_pressure(budget.mean_pressure.value, answer),
