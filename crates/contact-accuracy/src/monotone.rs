@@ -36,9 +36,9 @@ pub(crate) fn twice_as_fine(map: &HeightMap, repeats: bool) -> Result<HeightMap,
 /// The point `k` away from `i` of `n` in line: around the edge if the map `repeats`, mirrored at it
 /// otherwise.
 pub(crate) fn inside(i: usize, k: isize, n: usize, repeats: bool) -> usize {
-    let (i, n) = (i as isize + k, n as isize);
+    let (i, n) = (i.cast_signed() + k, n.cast_signed());
     let j = if repeats { i.rem_euclid(n) } else { i.rem_euclid(2 * n) };
-    (if j < n { j } else { 2 * n - 1 - j }) as usize
+    (if j < n { j } else { 2 * n - 1 - j }).cast_unsigned()
 }
 
 /// The two new points that stand for point 0 of a line.
@@ -96,7 +96,7 @@ mod tests {
         let step = square(|y, x| if y > 5.0 && x > 7.0 { 1.0 } else { 0.0 });
         for repeats in [true, false] {
             let (low, high) = twice_as_fine(&step, repeats).unwrap().range();
-            assert_eq!([low, high], [0.0, 1.0]);
+            assert!(low.abs() < 1e-12 && (high - 1.0).abs() < 1e-12, "{low} {high}");
         }
         let q = std::f64::consts::TAU / 16.0;
         let fine = twice_as_fine(&square(|y, x| (q * (x - 2.0 * y)).sin()), true).unwrap();

@@ -166,5 +166,5 @@ fn full_contact_has_no_stiffness_and_no_reversed_interval() {
     for [low, high] in [gap.comparison().unwrap(), gap.prediction().unwrap()] {
         assert!(0.0 <= low && low <= high, "{low:e} {high:e}");
     }
-    assert_eq!(budget.area.comparison().unwrap()[1], 1.0);
+    assert!(budget.area.comparison().unwrap()[1] >= 1.0);
 }
