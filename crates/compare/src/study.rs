@@ -15,6 +15,7 @@ use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::verdict;
 use crate::{EdgesName, Registry, Settings, Surface, Surrounded, default_pressures};
+use contact_accuracy::budget::Between;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_accuracy::round_to_digits;
 use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
@@ -123,10 +124,13 @@ fn compare(
                     Err(_) => ControlFlow::Break(()),
                 };
                 let load = Load::MeanPressure(p);
-                match whole.solve_observed(&mut solver, load, &mut watch) {
-                    Err(SolverError::Stopped(_)) => return Err(StudyError::Stopped),
-                    result => curve.take(p, result),
+                let result = whole.solve_observed(&mut solver, load, &mut watch);
+                if matches!(result, Err(SolverError::Stopped(_))) {
+                    return Err(StudyError::Stopped);
                 }
+                let pressure = result.as_ref().map_or(&[][..], |s| &s.pressure);
+                let between = Between::of(&map, known.repeats, pressure, modulus);
+                curve.take(p, result, between.as_ref());
                 tell(curve.news(i))?;
             }
             None
