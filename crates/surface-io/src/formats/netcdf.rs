@@ -24,8 +24,8 @@
 use super::npy::transpose;
 use super::scattered::Line;
 use crate::binary::{Bytes, Sample, text};
-use crate::measurement::{Channel, Contents, Pixel};
 use crate::cells::Digits;
+use crate::measurement::{Channel, Contents, Pixel};
 use crate::{Format, Limits, ReadError, metres_per};
 use std::collections::BTreeMap;
 
