@@ -13,14 +13,14 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     let rows = root().join("target/accuracy").display().to_string();
     if !check {
-        let table = output(example("compare", "accuracy").arg(&rows))?;
+        let table = output(example("studies", "accuracy").arg(&rows))?;
         let origin = "# Requests against true errors of the area; made by 'cargo xtask accuracy' \
-                      from its own seeds, columns in crates/compare/examples/accuracy/measure.rs";
+                      from its own seeds, columns in crates/studies/examples/accuracy/measure.rs";
         keep(TABLE, &format!("{origin}\n{table}"), false)?;
     }
     let folder = root().join("target/accuracy-page");
     let out = folder.display().to_string();
-    shell::run(example("compare", "accuracy").args(["--page", TABLE, &out]))?;
+    shell::run(example("studies", "accuracy").args(["--page", TABLE, &out]))?;
     keep("docs/src/figures/accuracy.svg", &read(&folder.join("accuracy.svg"))?, check)?;
     keep_section(PAGE, "accuracy", &read(&folder.join("accuracy.md"))?, check)
 }

@@ -15,26 +15,26 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     if !check {
         let folder = |name: &str| root().join("target").join(name).display().to_string();
-        let table = output(example("compare", "budget").arg(folder("budget")))?;
+        let table = output(example("studies", "budget").arg(folder("budget")))?;
         let origin = "# Area, gap and stiffness on three grids and at three tolerances; made by \
                       'cargo xtask budget' from its own seeds, columns in \
-                      crates/compare/examples/budget/measure.rs";
+                      crates/studies/examples/budget/measure.rs";
         keep(TABLE, &format!("{origin}\n{table}"), false)?;
         let table =
-            output(example("compare", "budget").args(["--fresh", &folder("budget-fresh")]))?;
+            output(example("studies", "budget").args(["--fresh", &folder("budget-fresh")]))?;
         let origin = "# The same of maps that took no part in fixing any constant; made by 'cargo \
-                      xtask budget' from its own seeds (crates/compare/examples/budget/fresh.rs)";
+                      xtask budget' from its own seeds (crates/studies/examples/budget/fresh.rs)";
         keep(FRESH, &format!("{origin}\n{table}"), false)?;
         let table = output(
-            example("compare", "budget").args(["--realisations", &folder("budget-realisations")]),
+            example("studies", "budget").args(["--realisations", &folder("budget-realisations")]),
         )?;
         let origin = "# Realisations of families of surfaces; made by 'cargo xtask budget' from its \
-                      own seeds, columns in crates/compare/examples/budget/realisations.rs";
+                      own seeds, columns in crates/studies/examples/budget/realisations.rs";
         keep(SAMPLE, &format!("{origin}\n{table}"), false)?;
     }
     let folder = root().join("target/budget-page");
     let out = folder.display().to_string();
-    shell::run(example("compare", "budget").args(["--page", TABLE, FRESH, SAMPLE, &out]))?;
+    shell::run(example("studies", "budget").args(["--page", TABLE, FRESH, SAMPLE, &out]))?;
     for name in ["budget.svg", "budget-fresh.svg"] {
         keep(&format!("docs/src/figures/{name}"), &read(&folder.join(name))?, check)?;
     }

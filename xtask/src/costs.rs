@@ -22,7 +22,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
         other => return Err(format!("unknown arguments {other:?}; there are --check and --build")),
     };
     keep_section(PAGE, "dependencies", &dependencies()?, check)?;
-    let allocations = output(&mut example("compare", "costs"))?;
+    let allocations = output(&mut example("studies", "costs"))?;
     keep_section(PAGE, "allocations", &allocations, check)
 }
 
@@ -47,7 +47,7 @@ fn dependencies() -> Result<String, String> {
 const PROGRAMS: [(&str, [&str; 2], &str); 3] = [
     ("gw-closed-form", ["--example", "by_hand"], "examples/by_hand"),
     ("fft-bem-solver", ["--example", "hertz"], "examples/hertz"),
-    ("compare", ["--bin", "rough-contact"], "rough-contact"),
+    ("rough-contact", ["--bin", "rough-contact"], "rough-contact"),
 ];
 
 /// Builds every crate from nothing, then once more alone.

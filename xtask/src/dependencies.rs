@@ -15,22 +15,57 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
     ("asperity-models", 1, &["contact-types", "gw-closed-form"], 10),
     ("multiscale-models", 1, &["contact-types"], 10),
     ("fft-bem-solver", 1, &["contact-types", "grid-fft"], 30),
+    ("contact-accuracy", 2, &["contact-types", "grid-fft", "surface-stats", "fft-bem-solver"], 65),
     (
-        "compare",
-        2,
+        "contact-compare",
+        3,
         &[
+            "contact-accuracy",
             "contact-types",
-            "grid-fft",
-            "surface-io",
             "surface-stats",
             "gw-closed-form",
             "asperity-models",
             "multiscale-models",
             "fft-bem-solver",
         ],
+        90,
+    ),
+    // Types of results only: nothing is computed there.
+    (
+        "contact-report",
+        4,
+        &["contact-accuracy", "contact-types", "surface-stats", "contact-compare"],
+        100,
+    ),
+    (
+        "rough-contact",
+        5,
+        &[
+            "contact-accuracy",
+            "contact-types",
+            "surface-io",
+            "surface-stats",
+            "multiscale-models",
+            "fft-bem-solver",
+            "contact-compare",
+            "contact-report",
+        ],
         130,
     ),
-    ("xtask", 3, &[], 10),
+    // The research programs: their tests and examples reach for every crate.
+    (
+        "studies",
+        5,
+        &[
+            "contact-types",
+            "surface-stats",
+            "contact-accuracy",
+            "contact-compare",
+            "contact-report",
+        ],
+        100,
+    ),
+    ("xtask", 6, &[], 10),
 ];
 
 /// The crates that come with one of ours, with default features, without tests.

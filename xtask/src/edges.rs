@@ -8,11 +8,11 @@ use crate::shell::{self, example, read, root};
 pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     let folder = root().join("target/edges");
-    shell::run(example("compare", "edges").arg(&folder))?;
+    shell::run(example("studies", "edges").arg(&folder))?;
     let origin = "# Area of crops treated as periodic against the area in natural surroundings; \
                   made by 'cargo xtask edges' from its own seeds, columns in \
-                  crates/compare/src/edge_study.rs";
+                  crates/contact-accuracy/src/edge_study.rs";
     let rows = read(&folder.join("edges.csv"))?;
-    keep("fixtures/edges.csv", &format!("{origin}\n{rows}"), check)?;
+    keep("crates/contact-accuracy/data/edges.csv", &format!("{origin}\n{rows}"), check)?;
     keep_section("docs/src/edges.md", "edges", &read(&folder.join("edges.md"))?, check)
 }

@@ -6,7 +6,7 @@ use crate::generated::{check_flag, keep};
 use crate::shell::{self, cargo, read, root, rough_contact};
 
 /// The surface, as `rough-contact synth` makes it: the recipe "ground" of
-/// `fixtures/surfaces.toml`.
+/// `crates/compare/data/surfaces.toml`.
 const GROUND: &str = "synth --shape 1001,1001 --pixel 1um --hurst 0.7 --rolloff 80um --cutoff 6um \
                       --rms-height 0.6um --quantise 10nm --seed 2";
 

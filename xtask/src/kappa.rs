@@ -12,15 +12,15 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     let rows = root().join("target/kappa").display().to_string();
     if !check {
-        let table = output(example("compare", "kappa").arg(&rows))?;
+        let table = output(example("studies", "kappa").arg(&rows))?;
         let origin = "# Area of random surfaces from light load to full contact; made by \
                       'cargo xtask kappa' from its own seeds, columns in \
-                      crates/compare/src/light_load.rs";
+                      crates/studies/src/light_load.rs";
         keep(TABLE, &format!("{origin}\n{table}"), false)?;
     }
     let folder = root().join("target/kappa-page");
     let out = folder.display().to_string();
-    shell::run(example("compare", "kappa").args(["--page", TABLE, &out]))?;
+    shell::run(example("studies", "kappa").args(["--page", TABLE, &out]))?;
     for name in ["kappa-bandwidth.svg", "kappa-load.svg", "kappa-full.svg"] {
         keep(&format!("docs/src/figures/{name}"), &read(&folder.join(name))?, check)?;
     }

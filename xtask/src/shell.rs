@@ -20,7 +20,7 @@ pub(crate) fn cargo() -> Command {
 /// `rough-contact ARGS`, built in release. Relative paths are the caller's: the command runs
 /// where the task was started.
 pub(crate) fn rough_contact(args: &[String]) -> Command {
-    let mut command = released("compare", ["--bin", "rough-contact"]);
+    let mut command = released("rough-contact", ["--bin", "rough-contact"]);
     command.args(args);
     command
 }

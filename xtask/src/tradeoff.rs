@@ -52,14 +52,14 @@ pub(crate) fn redraw(check: bool) -> TaskResult {
 
 /// Figures and page of a table, into `folder`.
 fn draw(table: &Path, folder: &Path) -> TaskResult {
-    shell::run(example("compare", "tradeoff").arg("--page").args([table, folder]))
+    shell::run(example("studies", "tradeoff").arg("--page").args([table, folder]))
 }
 
 /// The table with the machine it was measured on, and how busy that was.
 fn measure(args: &[&str]) -> Result<String, String> {
     let machine = machine()?;
     let before = load_average();
-    let table = output(example("compare", "tradeoff").args(args))?;
+    let table = output(example("studies", "tradeoff").args(args))?;
     let load = before.zip(load_average()).map_or(String::new(), |(before, after)| {
         format!("# Load average of the machine: {before} before, {after} at the end, this run included.\n")
     });
@@ -76,7 +76,7 @@ fn load_average() -> Option<String> {
 fn repeat() -> TaskResult {
     let second = "target/tradeoff-repeat/tradeoff.csv";
     keep(second, &measure(&[])?, false)?;
-    let found = output(example("compare", "tradeoff").args(["--repeat", TABLE, second]))?;
+    let found = output(example("studies", "tradeoff").args(["--repeat", TABLE, second]))?;
     keep_section(PAGE, "repeat", &found, false)
 }
 

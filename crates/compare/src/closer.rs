@@ -2,11 +2,11 @@
 //! choices in preparing the map would have made of its area. Asked for when a report is written; a
 //! study alone does not need it.
 
-use crate::budget::{Map, Stiffness};
-use crate::regrid::regrid;
-use crate::result::{Comparison, SurfaceComparison};
-use crate::study::builder;
+use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
+use crate::solver_of::builder;
 use crate::{EdgesName, Origin, Settings, Surrounded};
+use contact_accuracy::budget::{Map, Stiffness};
+use contact_accuracy::regrid;
 use contact_types::{ContactModulus, HeightMap, SurfaceError};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load};
 use std::borrow::Cow;
@@ -16,47 +16,6 @@ use surface_stats::{Level, level};
 
 /// Points a side above which the choices are compared on a coarser grid.
 const MOST_POINTS: usize = 1024;
-
-/// What a closer look found.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Closer {
-    /// Other choices, each with the relative change of the area it makes.
-    pub choices: Vec<Choice>,
-    /// Wall-clock time of all of it (s).
-    pub seconds: f64,
-}
-
-/// Another choice in preparing the map.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Choice {
-    /// What it is.
-    pub kind: ChoiceKind,
-    /// Area with it over area without, less 1.
-    pub effect: f64,
-}
-
-/// A choice that was tried.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum ChoiceKind {
-    /// A paraboloid removed too.
-    Paraboloid,
-    /// Waves shorter than this (m), twice the shortest of the map, removed.
-    Cutoff(f64),
-    /// Mirror images at the edges instead of the same map again.
-    Mirrored,
-}
-
-impl ChoiceKind {
-    /// Name in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Paraboloid => "paraboloid",
-            Self::Cutoff(_) => "twice_the_shortest_wavelength",
-            Self::Mirrored => "mirrored",
-        }
-    }
-}
 
 impl Comparison {
     /// Looks closer at the headline of every surface that has a converged one on the grid as given.
@@ -139,7 +98,7 @@ fn choices(
         list.extend(with.map(|a| Choice { kind, effect: a / without - 1.0 }));
     };
     let is_levelled = matches!(surface.statistics.level, Level::Plane);
-    if matches!(surface.origin, Origin::File(_)) && is_levelled {
+    if matches!(surface.origin, Origin::File(_) | Origin::Given(_)) && is_levelled {
         let form = level(&used, Level::Quadratic).ok();
         tried(ChoiceKind::Paraboloid, form.and_then(|m| area(&m)), reference);
     }

@@ -2,13 +2,13 @@
 //! cost in accuracy. Asked for when a report is written; a study alone does not need it.
 
 use crate::Surrounded;
-use crate::plan::repeats;
-use crate::regrid::regrid;
-use crate::result::{Comparison, SurfaceComparison};
-use crate::study::builder;
+use crate::result::{Coarser, Comparison, SurfaceComparison};
+use crate::solver_of::builder;
+use contact_accuracy::regrid;
 use contact_types::{ContactModulus, HeightMap, SurfaceError};
 use fft_bem_solver::Load;
 use std::borrow::Cow;
+use surface_stats::repeats;
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
@@ -23,24 +23,6 @@ const REPEATS: usize = 5;
 
 /// Seconds after which a solution is not repeated.
 const SHORT: f64 = 0.05;
-
-/// The map on fewer points: its waves up to the shortest the coarse grid holds (its cosines if it
-/// does not repeat), the others dropped; solved from nothing, to the tolerance of the study.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Coarser {
-    /// Point spacing over that of the map.
-    pub factor: usize,
-    /// Points `[ny, nx]`.
-    pub shape: [usize; 2],
-    /// Points that carry pressure over all points.
-    pub area_fraction: f64,
-    /// That corrected for the contact line.
-    pub area_fraction_corrected: f64,
-    /// Signed relative error of the corrected area against that of the map as given.
-    pub error: f64,
-    /// Wall-clock time of the solution (s), the shortest of up to five runs within 0.05 s.
-    pub seconds: f64,
-}
 
 impl Comparison {
     /// Solves the headline load of every surface on its coarser grids. A grid without a converged
@@ -104,7 +86,7 @@ fn coarsened(map: &HeightMap, factor: usize) -> Option<HeightMap> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Settings, built_in_recipes};
+    use crate::{Registry, Settings, built_in_recipes};
     use std::ops::ControlFlow;
 
     /// The error is against the map's own answer. A map whose shortest wave is 8 points long
@@ -118,7 +100,9 @@ mod tests {
         recipe.cutoff = 8.0 * dy.max(dx);
         let settings = Settings::default();
         let mut go = |_: crate::Progress<'_>| ControlFlow::Continue(());
-        let mut study = Comparison::run(vec![recipe.make().unwrap()], settings, &mut go).unwrap();
+        let mut study =
+            Comparison::run(vec![recipe.make().unwrap()], settings, &Registry::built_in(), &mut go)
+                .unwrap();
         assert!(study.surfaces[0].coarser.is_empty(), "not asked for, not computed");
         study.solve_coarser().unwrap();
         let surface = &study.surfaces[0];

@@ -1,11 +1,11 @@
 //! The deterministic curve while it is solved.
 
-use crate::budget::{Budget, Map};
-use crate::plan::Sink;
+use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
-use crate::study::{Progress, StudyError};
+use contact_accuracy::budget::{Budget, Map};
+use contact_accuracy::plan::Sink;
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Solution, SolverError};
+use fft_bem_solver::{Iteration, Solution, SolverError};
 use std::ops::ControlFlow;
 
 /// Area fraction the headline is looked for at.
@@ -80,13 +80,20 @@ pub(crate) struct ToCurve<'a> {
     pub(crate) curve: &'a mut Curve,
     pub(crate) given: Grid,
     pub(crate) pressures: &'a [f64],
-    pub(crate) tell: &'a mut dyn FnMut(Progress<'_>) -> Result<(), StudyError>,
+    pub(crate) tell: &'a mut (dyn FnMut(Progress<'_>) -> Result<(), StudyError> + Send),
 }
 
 impl Sink for ToCurve<'_> {
     fn begin(&mut self, map: &HeightMap) {
         *self.curve = Curve::new(self.curve.map.on(map.grid()), self.curve.wanted);
         self.curve.solved = (map.grid() != self.given).then(|| map.clone());
+    }
+
+    fn iterated(&mut self, index: usize, now: &Iteration<'_>) -> ControlFlow<()> {
+        match (self.tell)(Progress::of_iteration(index, now)) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(_) => ControlFlow::Break(()),
+        }
     }
 
     fn take(

@@ -1,18 +1,21 @@
 //! From a surface to what models and the report need of it, each computed once.
 
-use crate::budget::Map;
-use crate::models::{Assumes, Inputs, MomentSource};
-use crate::plan;
+use crate::inputs::{Inputs, MomentSource};
 use crate::result::Spectral;
 use crate::settings::LevelName;
-use crate::{Origin, Settings};
+use crate::theory::Assumes;
+use crate::{Origin, Registry, Settings};
+use contact_accuracy::budget::Map;
+
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
-use surface_stats::{Edges, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
+use surface_stats::{
+    Edges, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats,
+};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
-/// does not.
+/// does not; one that was given, only if who gave it says so.
 pub(crate) fn describe(
     heights: &HeightMap,
     origin: &Origin,
@@ -22,6 +25,10 @@ pub(crate) fn describe(
     let (edges, missing, height_step) = match origin {
         Origin::Recipe(_) => (Edges::Periodic, 0, None),
         Origin::File(file) => (Edges::Open, file.missing, file.height_step),
+        Origin::Given(given) => {
+            let edges = if given.repeats == Some(true) { Edges::Periodic } else { Edges::Open };
+            (edges, given.missing, given.height_step)
+        }
     };
     let fractal_range = settings.fractal_range;
     let options = StatsOptions { level: form, edges, fractal_range, missing, height_step };
@@ -32,15 +39,18 @@ pub(crate) fn describe(
 
 /// One set of moments for all models, by finite differences: they stay inside the map, so that a
 /// map that does not repeat brings no jump at its edges, and they see less of the noise near two
-/// points than the spectrum does. Amplitudes are kept for the models that are asked and need them.
+/// points than the spectrum does. Amplitudes are kept if a
+/// model that is asked needs them, or may need them.
 pub(crate) fn model_inputs(
     map: &HeightMap,
     statistics: &SurfaceStatistics,
     amplitudes: AmplitudeSpectrum,
     modulus: ContactModulus,
-    settings: &Settings,
+    (settings, registry): (&Settings, &Registry),
 ) -> Inputs {
-    let has_use = settings.asked_models().any(|m| m.assumes == Assumes::Amplitudes);
+    let has_use = settings
+        .asked_models(registry)
+        .any(|t| matches!(t.card().assumes, Assumes::Amplitudes | Assumes::Unstated));
     Inputs {
         moments: Some(statistics.moments()).filter(|m| m.m2 > 0.0 && m.m4 > 0.0),
         source: MomentSource::FiniteDifferences,
@@ -60,8 +70,8 @@ pub(crate) fn spectral(
     statistics: &SurfaceStatistics,
 ) -> (Spectral, Map) {
     let windowed = statistics.edges == Edges::Open;
-    let repeats = !windowed || plan::repeats(map);
-    let known = Map::known(map, power, statistics.height_step.unwrap_or(0.0), repeats);
+    let repeats = !windowed || repeats(map);
+    let known = Map::known(map, power, statistics.height_step, repeats);
     let spectral = Spectral {
         moments: power.moments().0,
         resolved: power.resolved_gradient().unwrap_or(1.0),

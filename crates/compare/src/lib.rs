@@ -1,52 +1,60 @@
 //! The study: surfaces and settings go in; statistics, the deterministic solution and every
-//! closed-form model over the loads come out, with errors and times, and a report to read them
-//! in. The command `rough-contact` is built from this package.
+//! closed-form model over the loads come out, with errors, times and verdicts, as data.
 //!
-//! Nothing here opens a file or prints: the report writes to any [`std::io::Write`].
+//! Nothing here opens a file, prints, draws or words anything: the crate `report` makes documents
+//! out of these results.
 
-pub mod budget;
 mod cleaning;
 mod closer;
 mod coarser;
 mod curve;
 mod describe;
-mod edge_share;
-pub mod edge_study;
-pub mod light_load;
-pub mod models;
-pub mod plan;
-pub mod quantity;
+mod finding;
+mod findings;
+mod inputs;
+mod progress;
 mod recipe;
 mod refine;
-mod regrid;
-pub mod report;
+mod registry;
 mod result;
 mod run_file;
 mod settings;
+mod solver_of;
 mod spots;
 mod study;
 mod surface;
 mod surroundings;
 pub mod survey;
-pub mod tradeoff;
+mod tabulated;
+mod theories;
+mod theory;
 mod verdict;
 
-pub use budget::{Budget, Estimate};
 pub use cleaning::{Cleaning, CleaningError, FormName};
-pub use closer::{Choice, ChoiceKind, Closer};
-pub use coarser::{COARSER, Coarser};
-pub use edge_share::EdgeShare;
+pub use coarser::COARSER;
+pub use contact_accuracy::{
+    Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
+};
+pub use contact_types::{
+    Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
+    SeparationModel, SpectralMoments, SurfaceError,
+};
+pub use finding::{Bare, Fact, Finding, Passed, Seam, Subject, Weight};
+pub use findings::{Solved, findings, seam};
+pub use inputs::{Inputs, MomentSource};
+pub use progress::{Listener, Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
-pub use refine::{NotRefined, TwiceFiner};
+pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
-    Applies, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,
-    Spectral, SurfaceComparison, Verdict,
+    Applies, Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer,
+    DeterministicPoint, ModelComparison, ModelCurve, Reason, Spectral, SurfaceComparison, Verdict,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{
     EdgesName, LevelName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
 };
 pub use spots::{Spots, contact_spots};
-pub use study::{Progress, StudyError};
-pub use surface::{FileOrigin, Origin, Surface, sha256_hex};
+pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surroundings::{Surrounded, on_given};
+pub use tabulated::{BadCurve, CurvePoint, Tabulated};
+pub use theory::{Assumes, BuildError, Card, Theory};

@@ -1,13 +1,12 @@
-//! Surfaces that are made, not stored: the recipes of `fixtures/surfaces.toml`.
+//! Surfaces that are made, not stored: the recipes of `data/surfaces.toml`.
 
-use crate::{Origin, Surface};
-use contact_types::Grid;
+use contact_types::{Grid, HeightMap};
 use serde::{Deserialize, Serialize};
 use surface_stats::StatsError;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
 /// The recipes of the built-in surfaces.
-const BUILT_IN: &str = include_str!("../../../fixtures/surfaces.toml");
+const BUILT_IN: &str = include_str!("../data/surfaces.toml");
 
 /// A random self-affine surface: everything its heights depend on. SI units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,12 +41,12 @@ pub struct Recipe {
 }
 
 impl Recipe {
-    /// Makes the surface.
+    /// Makes the heights.
     ///
     /// # Errors
     /// [`RecipeError::Scale`] unless exactly one of rms height and rms gradient is given;
     /// [`RecipeError::Impossible`] if a value is out of its range.
-    pub fn make(&self) -> Result<Surface, RecipeError> {
+    pub fn heights(&self) -> Result<HeightMap, RecipeError> {
         let name = || self.name.clone();
         let scale = match (self.rms_height, self.rms_gradient) {
             (Some(height), None) => Scale::RmsHeight(height),
@@ -61,10 +60,9 @@ impl Recipe {
         let grid =
             Grid::new(self.shape, self.pixel).map_err(|e| impossible(StatsError::from(e)))?;
         let Self { hurst, rolloff, cutoff, seed, quantise, .. } = *self;
-        let heights = SelfAffine { grid, hurst, rolloff, cutoff, scale, seed, quantise }
+        SelfAffine { grid, hurst, rolloff, cutoff, scale, seed, quantise }
             .generate()
-            .map_err(impossible)?;
-        Ok(Surface { name: name(), origin: Origin::Recipe(self.clone()), heights })
+            .map_err(impossible)
     }
 }
 
@@ -156,9 +154,9 @@ mod tests {
     fn built_in_recipes_can_be_made() {
         for mut recipe in built_in_recipes().unwrap() {
             recipe.shape = [96, 80];
-            assert_eq!(recipe.make().unwrap().heights.grid().shape(), [96, 80]);
+            assert_eq!(recipe.heights().unwrap().grid().shape(), [96, 80]);
             recipe.hurst = -1.0;
-            assert!(matches!(recipe.make(), Err(RecipeError::Impossible { .. })));
+            assert!(matches!(recipe.heights(), Err(RecipeError::Impossible { .. })));
         }
     }
 

@@ -1,12 +1,15 @@
 //! What a study finds, as plain data.
 
-use crate::budget::{Budget, Map, grid};
-use crate::models::{BuildError, Inputs, ModelEntry};
-use crate::plan::Outcome;
+use crate::inputs::Inputs;
 use crate::survey::Experience;
-use crate::{Closer, Coarser, EdgesName, Origin, Settings, Spots};
+use crate::theory::{BuildError, Card};
+use crate::{EdgesName, Origin, Settings, Spots};
+use contact_accuracy::NoAreaInterval;
+use contact_accuracy::budget::{Budget, Map, grid};
+use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{NoAreaInterval, Residuals, Solution};
+use fft_bem_solver::{Residuals, Solution};
+use std::borrow::Cow;
 use surface_stats::SurfaceStatistics;
 
 /// A finished study.
@@ -167,11 +170,69 @@ impl DeterministicAnswer {
     }
 }
 
+/// What a closer look found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Closer {
+    /// Other choices, each with the relative change of the area it makes.
+    pub choices: Vec<Choice>,
+    /// Wall-clock time of all of it (s).
+    pub seconds: f64,
+}
+
+/// Another choice in preparing the map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// What it is.
+    pub kind: ChoiceKind,
+    /// Area with it over area without, less 1.
+    pub effect: f64,
+}
+
+/// A choice that was tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ChoiceKind {
+    /// A paraboloid removed too.
+    Paraboloid,
+    /// Waves shorter than this (m), twice the shortest of the map, removed.
+    Cutoff(f64),
+    /// Mirror images at the edges instead of the same map again.
+    Mirrored,
+}
+
+impl ChoiceKind {
+    /// Name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Paraboloid => "paraboloid",
+            Self::Cutoff(_) => "twice_the_shortest_wavelength",
+            Self::Mirrored => "mirrored",
+        }
+    }
+}
+
+/// The map on fewer points: its waves up to the shortest the coarse grid holds (its cosines if it
+/// does not repeat), the others dropped; solved from nothing, to the tolerance of the study.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coarser {
+    /// Point spacing over that of the map.
+    pub factor: usize,
+    /// Points `[ny, nx]`.
+    pub shape: [usize; 2],
+    /// Points that carry pressure over all points.
+    pub area_fraction: f64,
+    /// That corrected for the contact line.
+    pub area_fraction_corrected: f64,
+    /// Signed relative error of the corrected area against that of the map as given.
+    pub error: f64,
+    /// Wall-clock time of the solution (s), the shortest of up to five runs within 0.05 s.
+    pub seconds: f64,
+}
+
 /// One model beside the deterministic curve.
 #[derive(Debug)]
 pub struct ModelComparison {
-    /// Its row of the model list.
-    pub entry: &'static ModelEntry,
+    /// What it is.
+    pub card: Card,
     /// Its answers at the loads, or why it has none on this surface.
     pub outcome: Result<ModelCurve, BuildError>,
     /// Whether its theory covers this surface.
@@ -209,14 +270,102 @@ impl ModelCurve {
 }
 
 /// Whether a theory covers a surface. This judges the domain, not the error.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// Yes, caution or no.
     pub answer: Applies,
-    /// Why, with the measured number.
-    pub reason: String,
+    /// Why not simply yes, with the measured numbers.
+    pub reasons: Vec<Reason>,
     /// True if the surface itself is the reason, and not the height of some loads.
     pub at_every_load: bool,
+}
+
+/// Why a theory covers a surface only with caution, or not at all.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reason {
+    /// The theory has no meaning for this surface.
+    Refused(ModelError),
+    /// Something it is made of is absent.
+    Missing {
+        /// What is absent.
+        needs: Cow<'static, str>,
+        /// What a fractal fit gave, if that is what is missing \[-\].
+        dimension: Option<f64>,
+    },
+    /// The surface has a lay.
+    Lay {
+        /// Larger over smaller mean square slope \[-\].
+        ratio: f64,
+    },
+    /// The heights are not normal.
+    NotGaussian {
+        /// Skewness \[-\].
+        skewness: f64,
+        /// Kurtosis \[-\].
+        kurtosis: f64,
+    },
+    /// Summits no longer act alone.
+    Crowded {
+        /// The first mean pressure at which the area exceeds 5 % (Pa).
+        from: f64,
+    },
+    /// The input depends on how long the rows of the map are.
+    RecordLength {
+        /// Where the input sits (m); `None` if no wave stands out.
+        wavelength: Option<f64>,
+        /// Length of the rows (m).
+        length: f64,
+    },
+    /// The input depends on the range that a fractal was fitted over.
+    FitRange {
+        /// Dimension of the fit \[-\].
+        dimension: f64,
+        /// Shortest wavelength of the fit (m).
+        short: f64,
+        /// Longest wavelength of the fit (m).
+        long: f64,
+    },
+    /// The model says itself that an assumption is strained.
+    Beyond {
+        /// The quantity that shows it.
+        quantity: Cow<'static, str>,
+        /// Its value.
+        value: f64,
+        /// Where the assumption is usually taken to end.
+        limit: f64,
+        /// What is strained.
+        reason: Cow<'static, str>,
+    },
+    /// The model reaches full contact.
+    Full {
+        /// The first mean pressure at which it does (Pa).
+        from: f64,
+    },
+    /// Some loads have no answer.
+    NoAnswer {
+        /// How many.
+        loads: usize,
+        /// Of how many.
+        of: usize,
+    },
+}
+
+impl Reason {
+    /// True if it depends on the load, and not on the surface alone.
+    pub fn is_by_load(&self) -> bool {
+        match self {
+            Self::Crowded { .. }
+            | Self::Beyond { .. }
+            | Self::Full { .. }
+            | Self::NoAnswer { .. } => true,
+            Self::Refused(_)
+            | Self::Missing { .. }
+            | Self::Lay { .. }
+            | Self::NotGaussian { .. }
+            | Self::RecordLength { .. }
+            | Self::FitRange { .. } => false,
+        }
+    }
 }
 
 /// The answer of a [`Verdict`].

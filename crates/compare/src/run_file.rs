@@ -33,6 +33,15 @@ pub enum RunFileError {
     /// It is not TOML, or a key is missing, unknown or of the wrong type.
     #[error("this is no run file of this program: {0}")]
     Syntax(#[from] toml::de::Error),
+    /// A surface was handed over by a program.
+    #[error(
+        "the surface '{name}' was handed over by a program, not read from a file: its heights are \
+         not in the run file, so only that program can repeat the run"
+    )]
+    Given {
+        /// Its name.
+        name: String,
+    },
     /// It lists no surface.
     #[error("the run file lists no surface; it needs at least one [[surface]]")]
     NoSurface,
@@ -47,6 +56,10 @@ impl RunFile {
         let file: Self = toml::from_str(text)?;
         if file.surfaces.is_empty() {
             return Err(RunFileError::NoSurface);
+        }
+        let is_given = |s: &&RunSurface| matches!(s.origin, Origin::Given(_));
+        if let Some(given) = file.surfaces.iter().find(is_given) {
+            return Err(RunFileError::Given { name: given.name.clone() });
         }
         Ok(file)
     }
@@ -63,7 +76,8 @@ impl RunFile {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Cleaning, FileOrigin, Recipe};
+    use crate::{Cleaning, FileOrigin, GivenOrigin, Recipe};
+    use contact_types::{Grid, HeightMap};
 
     #[test]
     fn a_run_file_reads_back_as_it_was_written() {
@@ -99,6 +113,18 @@ mod tests {
                 RunSurface { name: "ground".into(), origin: Origin::Recipe(recipe) },
             ],
         };
+        let grid = Grid::new([2, 2], [1e-6, 1e-6]).unwrap();
+        let map = HeightMap::new(grid, vec![0.0; 4]).unwrap();
+        let given = RunSurface {
+            name: "mine".into(),
+            origin: Origin::Given(GivenOrigin::of(&map, "four points")),
+        };
+        let with_given = RunFile { surfaces: vec![given], ..run.clone() }.to_toml().unwrap();
+        assert_eq!(
+            RunFile::parse(&with_given),
+            Err(RunFileError::Given { name: "mine".into() }),
+            "{with_given}"
+        );
         let text = run.to_toml().unwrap();
         assert_eq!(RunFile::parse(&text).unwrap(), run, "{text}");
         assert!(RunFile::parse("program = 1").is_err());

@@ -1,6 +1,6 @@
 //! Everything a user can choose about a study.
 
-use crate::models::{MODELS, ModelEntry};
+use crate::{Registry, Theory};
 use serde::{Deserialize, Serialize};
 
 /// Settings of a study. SI units.
@@ -35,8 +35,8 @@ pub struct Settings {
     pub tolerance: f64,
     /// Threads the solver may use.
     pub threads: usize,
-    /// Names of the models to ask, of [`MODELS`](crate::models::MODELS); absent: every one that a
-    /// height map gives all it needs.
+    /// Names of the models to ask, of the [`Registry`] of the study; absent: every one that a height
+    /// map gives all it needs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub models: Option<Vec<String>>,
     /// Wavelengths `[shortest, longest]` between which the fractal dimension is fitted (m);
@@ -66,11 +66,14 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// The rows of the models to ask, in the order of the list.
-    pub fn asked_models(&self) -> impl Iterator<Item = &'static ModelEntry> {
+    /// The theories to ask, in the order of the registry.
+    pub fn asked_models<'a>(
+        &'a self,
+        registry: &'a Registry,
+    ) -> impl Iterator<Item = &'a dyn Theory> {
         let asked =
             |name: &str| self.models.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
-        MODELS.iter().filter(move |m| m.in_study && asked(m.name))
+        registry.of_maps().filter(move |theory| asked(&theory.card().name))
     }
 }
 
@@ -156,6 +159,15 @@ impl From<PrecisionName> for fft_bem_solver::Precision {
         match name {
             PrecisionName::F64 => Self::Double,
             PrecisionName::F32 => Self::Single,
+        }
+    }
+}
+
+impl From<fft_bem_solver::Precision> for PrecisionName {
+    fn from(precision: fft_bem_solver::Precision) -> Self {
+        match precision {
+            fft_bem_solver::Precision::Double => Self::F64,
+            fft_bem_solver::Precision::Single => Self::F32,
         }
     }
 }

@@ -2,129 +2,31 @@
 
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
-use crate::models::{BuildError, Inputs, MODELS, ModelEntry};
-use crate::plan::{self, BadRequest, PlanError, Request, Task};
+use crate::inputs::Inputs;
+use crate::progress::{Listener, Progress, StudyError};
 use crate::refine::refine;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison,
 };
+use crate::solver_of::builder;
 use crate::spots::spots_beyond;
 use crate::survey::{Query, Survey, peak_slope};
+use crate::theory::{BuildError, Theory};
 use crate::verdict::verdict;
-use crate::{EdgesName, Settings, Surface, Surrounded, default_pressures};
-use contact_types::{
-    ContactModel, ContactModulus, ContactState, HeightMap, ModelError, SurfaceError,
-};
-use fft_bem_solver::{Boundary, Load, Maps, Solver, SolverBuilder, SolverError};
+use crate::{EdgesName, Registry, Settings, Surface, Surrounded, default_pressures};
+use contact_accuracy::plan::{self, PlanError, Request, Task};
+use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverError};
 use std::borrow::Cow;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use surface_stats::{StatsError, SurfaceStatistics};
-
-/// What a study reports while it works.
-#[derive(Debug, Clone, Copy)]
-pub enum Progress<'a> {
-    /// A surface begins: its place among `count`, and how many loads it will be asked at.
-    Surface {
-        /// Name.
-        name: &'a str,
-        /// From 0.
-        index: usize,
-        /// Surfaces in all.
-        count: usize,
-        /// Loads.
-        loads: usize,
-    },
-    /// A load is solved.
-    Solved {
-        /// From 0, by rising pressure.
-        index: usize,
-        /// Nominal pressure (Pa).
-        mean_pressure: f64,
-        /// Area fraction, if there is an answer.
-        area_fraction: Option<f64>,
-    },
-    /// The models are being asked.
-    Models,
-}
-
-/// Why there is no study.
-#[derive(Debug, Clone, thiserror::Error)]
-#[non_exhaustive]
-pub enum StudyError {
-    /// No surface was given.
-    #[error("a study needs at least one surface")]
-    NoSurface,
-    /// The modulus is no modulus.
-    #[error(transparent)]
-    Material(#[from] SurfaceError),
-    /// A pressure that is no load.
-    #[error(
-        "nominal pressure {value:e} Pa cannot be applied: it must be finite and greater than 0"
-    )]
-    BadPressure {
-        /// The value (Pa).
-        value: f64,
-    },
-    /// The headline is not among the loads.
-    #[error(
-        "the headline pressure {value:e} Pa is not among the pressures of the study; add it to them"
-    )]
-    HeadlineNotComputed {
-        /// The value (Pa).
-        value: f64,
-    },
-    /// A name that is no model of the study.
-    #[error("the study has no model '{name}'; it has {}", model_names())]
-    UnknownModel {
-        /// The name.
-        name: String,
-    },
-    /// The list of models is empty.
-    #[error("the list of models is empty; name at least one of {}", model_names())]
-    NoModel,
-    /// Statistics refuse the surface.
-    #[error("{surface}: {source}")]
-    Statistics {
-        /// Its name.
-        surface: String,
-        /// Why.
-        source: StatsError,
-    },
-    /// The solver refuses the settings.
-    #[error("{surface}: {source}")]
-    Solver {
-        /// Name of the surface.
-        surface: String,
-        /// Why.
-        source: Box<SolverError>,
-    },
-    /// The accuracy asked for is none.
-    #[error(transparent)]
-    Accuracy {
-        /// Why.
-        source: BadRequest,
-    },
-    /// An accuracy with mirror images at the edges.
-    #[error(
-        "an accuracy cannot be planned with mirror images at the edges: the error of the area was \
-         studied for maps that are repeated; give a tolerance, or leave the edges periodic"
-    )]
-    PlannedMirrored,
-    /// The observer asked to stop.
-    #[error("stopped")]
-    Stopped,
-}
-
-/// Names of the models of a study, for a message.
-fn model_names() -> String {
-    let names: Vec<&str> = MODELS.iter().filter(|m| m.in_study).map(|m| m.name).collect();
-    names.join(", ")
-}
+use surface_stats::SurfaceStatistics;
 
 impl Comparison {
-    /// Runs a study. `progress` is told what happens and may stop it.
+    /// Runs a study: every surface solved over the loads, and the theories of `registry` that the
+    /// settings ask beside it. `progress` is told what happens, down to every iteration, and may stop it
+    /// there. It is called on a thread of the solver.
     ///
     /// # Errors
     /// [`StudyError`]. A load at which the solver does not converge and a model that does not
@@ -132,7 +34,8 @@ impl Comparison {
     pub fn run(
         surfaces: Vec<Surface>,
         settings: Settings,
-        progress: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+        registry: &Registry,
+        progress: &mut Listener<'_>,
     ) -> Result<Self, StudyError> {
         let start = Instant::now();
         if surfaces.is_empty() {
@@ -140,14 +43,14 @@ impl Comparison {
         }
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
         check_pressures(&settings)?;
-        check_models(&settings)?;
+        check_models(&settings, registry)?;
         if settings.accuracy.is_some() && settings.edges == EdgesName::Mirrored {
             return Err(StudyError::PlannedMirrored);
         }
         let count = surfaces.len();
         let mut done = Vec::with_capacity(count);
         for (index, surface) in surfaces.into_iter().enumerate() {
-            done.push(compare(surface, modulus, &settings, [index, count], progress)?);
+            done.push(compare(surface, modulus, (&settings, registry), [index, count], progress)?);
         }
         Ok(Self { settings, surfaces: done, seconds: start.elapsed().as_secs_f64() })
     }
@@ -164,12 +67,16 @@ fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
     }
 }
 
-fn check_models(settings: &Settings) -> Result<(), StudyError> {
+fn check_models(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
     let Some(names) = &settings.models else { return Ok(()) };
-    let is_known = |name: &str| MODELS.iter().any(|m| m.in_study && m.name == name);
+    let known = || {
+        let names: Vec<&str> = registry.of_maps().map(|t| t.card().name.as_ref()).collect();
+        names.join(", ")
+    };
+    let is_known = |name: &str| registry.of_maps().any(|t| t.card().name == name);
     match names.iter().find(|name| !is_known(name)) {
-        Some(name) => Err(StudyError::UnknownModel { name: name.clone() }),
-        None if names.is_empty() => Err(StudyError::NoModel),
+        Some(name) => Err(StudyError::UnknownModel { name: name.clone(), known: known() }),
+        None if names.is_empty() => Err(StudyError::NoModel { known: known() }),
         None => Ok(()),
     }
 }
@@ -177,9 +84,9 @@ fn check_models(settings: &Settings) -> Result<(), StudyError> {
 fn compare(
     surface: Surface,
     modulus: ContactModulus,
-    settings: &Settings,
+    (settings, registry): (&Settings, &Registry),
     [index, count]: [usize; 2],
-    progress: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+    progress: &mut Listener<'_>,
 ) -> Result<SurfaceComparison, StudyError> {
     let Surface { name, origin, heights } = surface;
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
@@ -187,7 +94,9 @@ fn compare(
     let (map, statistics, spectra) = describe(&heights, &origin, settings).map_err(refused)?;
     drop(heights);
     let (spectral, known) = spectral(&map, &spectra.power, &statistics);
-    let inputs = model_inputs(&map, &statistics, spectra.amplitudes, modulus, settings);
+    let mut inputs =
+        model_inputs(&map, &statistics, spectra.amplitudes, modulus, (settings, registry));
+    inputs.surface = Some(name.clone());
     drop(spectra.power);
     let setup_seconds = setup.elapsed().as_secs_f64();
 
@@ -207,7 +116,15 @@ fn compare(
                 .build(whole.map().grid(), modulus)
                 .map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })?;
             for (i, &p) in pressures.iter().enumerate() {
-                curve.take(p, whole.solve(&mut solver, Load::MeanPressure(p)));
+                let mut watch = |now: &Iteration<'_>| match tell(Progress::of_iteration(i, now)) {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(_) => ControlFlow::Break(()),
+                };
+                let load = Load::MeanPressure(p);
+                match whole.solve_observed(&mut solver, load, &mut watch) {
+                    Err(SolverError::Stopped(_)) => return Err(StudyError::Stopped),
+                    result => curve.take(p, result),
+                }
                 tell(curve.news(i))?;
             }
             None
@@ -255,8 +172,8 @@ fn compare(
     tell(Progress::Models)?;
     let alike = likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]);
     let models = settings
-        .asked_models()
-        .map(|entry| ask(entry, &inputs, &deterministic, &statistics, alike.as_ref()))
+        .asked_models(registry)
+        .map(|theory| ask(theory, &inputs, &deterministic, &statistics, alike.as_ref()))
         .collect();
     Ok(SurfaceComparison {
         name,
@@ -290,14 +207,6 @@ fn refused_plan(error: PlanError, name: &str) -> StudyError {
     }
 }
 
-pub(crate) fn builder(settings: &Settings) -> SolverBuilder {
-    Solver::builder()
-        .method(settings.method.into())
-        .precision(settings.precision.into())
-        .tolerance(settings.tolerance)
-        .threads(settings.threads.max(1))
-}
-
 /// The pressures of a study on one surface, rising and distinct.
 fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) -> Vec<f64> {
     let mut loads = settings
@@ -316,13 +225,14 @@ fn same(a: f64, b: f64) -> bool {
 
 /// Asks a model at every load, with its time.
 fn ask(
-    entry: &'static ModelEntry,
+    theory: &dyn Theory,
     inputs: &Inputs,
     deterministic: &[DeterministicPoint],
     statistics: &SurfaceStatistics,
     alike: Option<&Query>,
 ) -> ModelComparison {
-    let outcome = entry.build(inputs).and_then(|model| {
+    let card = theory.card().clone();
+    let outcome = theory.build(inputs).and_then(|model| {
         let (points, seconds) = timed(model.as_ref(), deterministic);
         // A theory that refuses every load does not apply: its reason is the outcome.
         if let Some(Err(first)) = points.first()
@@ -333,9 +243,9 @@ fn ask(
         let errors = points.iter().zip(deterministic).map(|(m, d)| error(m, d)).collect();
         Ok(ModelCurve { points, seconds, errors })
     });
-    let verdict = verdict(entry, inputs, &outcome, deterministic, statistics);
-    let experience = alike.and_then(|query| Survey::built_in().ask(entry.name, query));
-    ModelComparison { entry, outcome, verdict, experience }
+    let verdict = verdict(&card, inputs, &outcome, deterministic, statistics);
+    let experience = alike.and_then(|query| Survey::built_in().ask(&card.name, query));
+    ModelComparison { card, outcome, verdict, experience }
 }
 
 /// This surface at this load as the survey sees it; `None` for a flat map or without a solution.

@@ -1,6 +1,6 @@
 //! A height map with a name and where it came from.
 
-use crate::{Cleaning, Recipe};
+use crate::{Cleaning, Recipe, RecipeError};
 use contact_types::HeightMap;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -18,6 +18,17 @@ pub struct Surface {
     pub heights: HeightMap,
 }
 
+impl Recipe {
+    /// Makes the surface: its [heights](Self::heights), with its name and the recipe.
+    ///
+    /// # Errors
+    /// Those of [`heights`](Self::heights).
+    pub fn make(&self) -> Result<Surface, RecipeError> {
+        let heights = self.heights()?;
+        Ok(Surface { name: self.name.clone(), origin: Origin::Recipe(self.clone()), heights })
+    }
+}
+
 /// Where a surface came from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -26,6 +37,53 @@ pub enum Origin {
     File(FileOrigin),
     /// A random surface made from a recipe and a seed.
     Recipe(Recipe),
+    /// Heights that a program handed over.
+    Given(GivenOrigin),
+}
+
+/// Heights that a program handed over, of which no file and no recipe tells.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct GivenOrigin {
+    /// What they are, in the words of who gave them.
+    pub note: String,
+    /// SHA-256 of the heights (m) as little-endian doubles row by row, in hexadecimal.
+    pub sha256: String,
+    /// Whether the map is one cell of a surface that repeats; absent: its edges tell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub repeats: Option<bool>,
+    /// Missing points that were filled before it was given.
+    #[serde(default)]
+    pub missing: usize,
+    /// Height step the data came in (m), if any and if it is still in the heights.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub height_step: Option<f64>,
+}
+
+impl GivenOrigin {
+    /// Of these heights, described by `note`; nothing filled, no height step, edges as they are.
+    pub fn of(heights: &HeightMap, note: impl Into<String>) -> Self {
+        let mut hash = Sha256::new();
+        for height in heights.heights() {
+            hash.update(height.to_le_bytes());
+        }
+        Self {
+            note: note.into(),
+            sha256: hexadecimal(&hash.finalize()),
+            repeats: None,
+            missing: 0,
+            height_step: None,
+        }
+    }
+}
+
+impl Surface {
+    /// Heights that a program made or read by itself, described by `note`.
+    pub fn given(name: impl Into<String>, heights: HeightMap, note: impl Into<String>) -> Self {
+        let origin = Origin::Given(GivenOrigin::of(&heights, note));
+        Self { name: name.into(), origin, heights }
+    }
 }
 
 /// How a file became a height map: every choice that changes a height.
@@ -76,18 +134,22 @@ pub struct FileOrigin {
 }
 
 impl Origin {
-    /// What cleaning did, step by step; nothing for a recipe.
+    /// What cleaning did, step by step; nothing where no file was read.
     pub fn cleaned(&self) -> &[Record] {
         match self {
             Self::File(file) => &file.cleaned,
-            Self::Recipe(_) => &[],
+            Self::Recipe(_) | Self::Given(_) => &[],
         }
     }
 }
 
 /// SHA-256 of `bytes` in lower-case hexadecimal.
 pub fn sha256_hex(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().fold(String::with_capacity(64), |mut text, byte| {
+    hexadecimal(&Sha256::digest(bytes))
+}
+
+fn hexadecimal(digest: &[u8]) -> String {
+    digest.iter().fold(String::with_capacity(64), |mut text, byte| {
         // Writing to a String cannot fail.
         let _ = write!(text, "{byte:02x}");
         text
@@ -105,5 +167,18 @@ mod tests {
             sha256_hex(b"abc"),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
         );
+    }
+
+    /// The bytes of two heights, 1 and -2: 3ff0… and c000… as doubles, low byte first.
+    #[test]
+    fn given_heights_are_known_by_their_bytes() {
+        let grid = contact_types::Grid::new([1, 2], [1.0, 1.0]).unwrap();
+        let heights = HeightMap::new(grid, vec![1.0, -2.0]).unwrap();
+        let bytes = [0, 0, 0, 0, 0, 0, 0xf0, 0x3f, 0, 0, 0, 0, 0, 0, 0, 0xc0];
+        let Origin::Given(given) = Surface::given("a", heights, "two points").origin else {
+            panic!("not given")
+        };
+        assert_eq!(given.sha256, sha256_hex(&bytes));
+        assert_eq!(given.note, "two points");
     }
 }

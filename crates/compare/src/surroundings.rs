@@ -2,7 +2,7 @@
 
 use crate::EdgesName;
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Load, Solution, Solver, SolverError};
+use fft_bem_solver::{Load, Observer, Solution, Solver, SolverError};
 use std::borrow::Cow;
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
@@ -48,6 +48,19 @@ impl<'a> Surrounded<'a> {
     pub fn solve(&self, solver: &mut Solver, load: Load) -> Result<Solution, SolverError> {
         on_given(solver.solve(&self.map, load), self.given)
     }
+
+    /// The same while `observer` looks on and may stop it.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve), and [`SolverError::Stopped`].
+    pub fn solve_observed(
+        &self,
+        solver: &mut Solver,
+        load: Load,
+        observer: &mut dyn Observer,
+    ) -> Result<Solution, SolverError> {
+        on_given(solver.solve_observed(&self.map, load, observer), self.given)
+    }
 }
 
 /// The part of an answer that belongs to the map on `given`, if that is a quarter of what was
@@ -65,6 +78,7 @@ pub fn on_given(
         if solution.pressure.len() != 4 * given.len() {
             return solution;
         }
+        solution.grid = given;
         let [ny, nx] = given.shape();
         for field in [&mut solution.pressure, &mut solution.gap] {
             if field.len() == 4 * given.len() {

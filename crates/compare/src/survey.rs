@@ -1,12 +1,12 @@
 //! What the survey found, and what it says of a surface: how far each closed form was from the
 //! deterministic area on surfaces like it.
 //!
-//! The rows come from `cargo xtask survey` and are kept in `fixtures/survey.csv`. A surface is
+//! The rows come from `cargo xtask survey` and are kept in `crates/compare/data/survey.csv`. A surface is
 //! *like* another if their measured numbers agree within the limits of [`Likeness`]; nothing is
 //! fitted, so a claim is never more than a range of what was seen, with the number of surfaces
 //! behind it.
 
-use crate::quantity::round_to_digits;
+use contact_accuracy::round_to_digits;
 use contact_types::HeightMap;
 use std::sync::OnceLock;
 
@@ -270,7 +270,7 @@ impl Survey {
     pub fn built_in() -> &'static Self {
         static SURVEY: OnceLock<Survey> = OnceLock::new();
         SURVEY.get_or_init(|| {
-            Self::parse(include_str!("../../../fixtures/survey.csv"))
+            Self::parse(include_str!("../data/survey.csv"))
                 .expect("a test reads the committed table")
         })
     }

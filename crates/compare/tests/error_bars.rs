@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-use compare::{Comparison, Settings, built_in_recipes};
+use compare::{Comparison, Registry, Settings, built_in_recipes};
 use contact_types::ContactModulus;
 use fft_bem_solver::{Load, Solver};
 use std::ops::ControlFlow;
@@ -42,7 +42,8 @@ fn coverage(cutoffs: &[f64], step: Option<f64>) -> Coverage {
         };
         let surface = recipe.make().unwrap();
         let mut go = |_: compare::Progress<'_>| ControlFlow::Continue(());
-        let comparison = Comparison::run(vec![surface], settings, &mut go).unwrap();
+        let comparison =
+            Comparison::run(vec![surface], settings, &Registry::built_in(), &mut go).unwrap();
         let study = &comparison.surfaces[0];
 
         let fine = resample(&study.surface, [512, 512], Edges::Periodic).unwrap();

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-use compare::models::{Inputs, find};
+use compare::{Inputs, find};
 use contact_types::Grid;
 use contact_types::{ContactModulus, SpectralMoments};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solver};

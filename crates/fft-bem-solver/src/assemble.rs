@@ -84,7 +84,8 @@ impl<T: Real> Engine<T> {
             caveat: None,
         };
         let approach = self.state.level * units.height;
-        Solution { state, approach, pressure: pressure_map, gap: gap_map, diagnostics }
+        let grid = problem.given;
+        Solution { grid, state, approach, pressure: pressure_map, gap: gap_map, diagnostics }
     }
 }
 

@@ -20,8 +20,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod accuracy;
 mod assemble;
+mod boundary_correction;
 mod certificate;
 mod control;
 mod curve;
@@ -43,10 +43,7 @@ mod solver;
 mod special_cases;
 pub mod validation;
 
-pub use accuracy::{
-    AREA_PER_RESIDUAL, AreaAccuracy, BOUNDARY_CORRECTION, LEFT_OF_CORRECTION, NoAreaInterval,
-    iteration_half_width, left_of_correction,
-};
+pub use boundary_correction::BOUNDARY_CORRECTION;
 pub use error::SolverError;
 pub use half_space::HalfSpace;
 pub use half_space_free::{FreeHalfSpace, love};

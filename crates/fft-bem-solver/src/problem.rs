@@ -28,6 +28,8 @@ impl Units {
 /// A surface pressed against a flat, scaled.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<T> {
+    /// As given, in metres.
+    pub(crate) given: Grid,
     /// Shape as given; the finer pixel side (of the axes with more than one pixel) is 1.
     pub(crate) grid: Grid,
     /// From -1 to 0, row-major. All 0 for a flat surface.
@@ -77,14 +79,14 @@ impl<T: Real> Problem<T> {
         }
         let heights: Vec<T> = crate::fields::filled(raw.len(), |i| units.scaled(raw[i]));
         let mean_height = crate::fields::sum(&heights) / heights.len() as f64;
-        Ok(Self { grid: scaled, heights, mean_height, units })
+        Ok(Self { given: surface.grid(), grid: scaled, heights, mean_height, units })
     }
 
     /// Heights that are scaled already.
     pub(crate) fn unscaled(grid: Grid, heights: Vec<T>) -> Self {
         let mean_height = crate::fields::sum(&heights) / heights.len() as f64;
         let units = Units { origin: 0.0, height: 1.0, pressure: 1.0 };
-        Self { grid, heights, mean_height, units }
+        Self { given: grid, grid, heights, mean_height, units }
     }
 
     /// Whether `surface` is the one this problem was made from.

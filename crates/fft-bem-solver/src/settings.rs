@@ -30,7 +30,6 @@ impl std::fmt::Display for Method {
 
 /// What lies beyond the edges of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum Boundary {
     /// The map repeats without end.
     #[default]
@@ -41,7 +40,6 @@ pub enum Boundary {
 
 /// Floating-point type of the fields during a solve. Results are always `f64`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum Precision {
     /// `f64`: any tolerance down to rounding, about 1e-12.
     #[default]

@@ -1,11 +1,13 @@
 //! The answer and what is known about it.
 
 use crate::{Boundary, Method, Precision};
-use contact_types::ContactState;
+use contact_types::{ContactState, Grid};
 
 /// A contact at one load.
 #[derive(Clone, PartialEq)]
 pub struct Solution {
+    /// The grid it was found on.
+    pub grid: Grid,
     /// Mean pressure, raw area fraction (pixels that carry pressure), mean gap.
     pub state: ContactState,
     /// How far the flat has moved since first touch (m); see [`Load::Approach`](crate::Load).
@@ -25,6 +27,7 @@ impl std::fmt::Debug for Solution {
     /// Everything but the maps.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Solution")
+            .field("grid", &self.grid)
             .field("state", &self.state)
             .field("approach", &self.approach)
             .field("diagnostics", &self.diagnostics)

@@ -4,6 +4,7 @@ use crate::fractal::PowerLaw;
 use crate::noise::white_noise_moments;
 use crate::options::{StatsOptions, check_range};
 use crate::polynomial::Polynomial;
+use crate::seam::{MOST_SEAM_JUMP, seam_jump};
 use crate::spectral_scales::SpectralScales;
 use crate::spectrum::{Axis, PowerSpectrum, Window, amplitudes_of_levelled};
 use crate::{
@@ -167,7 +168,7 @@ impl SurfaceStatistics {
         let differences = DirectionalMoments::of(&surface, options.edges)?;
         let summits = Summits::of(&surface, options.edges)?;
         let amplitudes = amplitudes_of_levelled(&surface, Axis::X)?;
-        let edge_jump = edge_jump(&surface);
+        let edge_jump = seam_jump(&surface);
 
         let power = PowerSpectrum::of_field(grid, surface.heights());
         let (spectral, _) = power.moments();
@@ -315,7 +316,7 @@ impl SurfaceStatistics {
         if let Some(bandwidth) = self.bandwidth.filter(|&b| b < 1.5) {
             warnings.push(Warning::NarrowBand { bandwidth });
         }
-        if edge_jump > 3.0 {
+        if edge_jump > MOST_SEAM_JUMP {
             warnings.push(Warning::EdgeJump { ratio: edge_jump });
         }
         let side = (self.shape[0] as f64 * self.pixel[0]).min(self.record_length);
@@ -331,21 +332,4 @@ impl SurfaceStatistics {
         }
         warnings
     }
-}
-
-/// Rms difference across the seams between opposite edges over that of neighbours inside; 0 for
-/// a flat map.
-fn edge_jump(map: &HeightMap) -> f64 {
-    let [ny, nx] = map.grid().shape();
-    let across = |iy: usize, ix: usize, y: usize, x: usize| map.at(iy, ix) - map.at(y, x);
-    let (mut seam, mut inside) = (0.0, 0.0);
-    for iy in 0..ny {
-        seam += across(iy, 0, iy, nx - 1).powi(2);
-        inside += across(iy, nx / 2, iy, nx / 2 - 1).powi(2);
-    }
-    for ix in 0..nx {
-        seam += across(0, ix, ny - 1, ix).powi(2);
-        inside += across(ny / 2, ix, ny / 2 - 1, ix).powi(2);
-    }
-    if inside > 0.0 { (seam / inside).sqrt() } else { 0.0 }
 }

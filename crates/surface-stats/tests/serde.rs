@@ -1,5 +1,7 @@
 //! Options are written under the names that commands and files use, and read back.
 
+#![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
+
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
 use surface_stats::clean::{Form, OutlierRule, Step};

@@ -1,0 +1,186 @@
+//! What may change a conclusion, or was tested and is fine: as numbers. `report` has the words.
+
+use crate::EdgesName;
+use contact_accuracy::edge_study::EdgeExperience;
+use contact_accuracy::plan::Outcome;
+use contact_accuracy::{EdgeShare, NoAreaInterval};
+use surface_stats::Warning;
+use surface_stats::clean::Record;
+
+/// How much a finding matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Weight {
+    /// May change a conclusion.
+    Check,
+    /// Good to know.
+    Note,
+    /// Tested and fine.
+    Passed,
+}
+
+impl Weight {
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Check => "check",
+            Self::Note => "note",
+            Self::Passed => "passed",
+        }
+    }
+}
+
+/// What a finding is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subject {
+    /// The heights.
+    Surface,
+    /// The point spacing, against what it has to resolve.
+    Grid,
+    /// The deterministic solution.
+    Solution,
+    /// What lies beyond the edges of the map.
+    Edges,
+    /// The choice made for an accuracy asked for.
+    Plan,
+}
+
+impl Subject {
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Surface => "surface",
+            Self::Grid => "grid",
+            Self::Solution => "solution",
+            Self::Edges => "edges",
+            Self::Plan => "plan",
+        }
+    }
+}
+
+/// One finding.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// How much it matters.
+    pub weight: Weight,
+    /// What was found.
+    pub fact: Fact,
+}
+
+impl Finding {
+    /// What it is about.
+    pub fn subject(&self) -> Subject {
+        match &self.fact {
+            Fact::NotConverged { .. } => Subject::Solution,
+            Fact::PlanUnmet(_) => Subject::Plan,
+            Fact::FinerGrid { .. } | Fact::NoBar { .. } => Subject::Grid,
+            Fact::EdgeJump { .. } => Subject::Edges,
+            Fact::Warned(_) | Fact::Filled { .. } | Fact::Cleaned(_) | Fact::Passed(_) => {
+                Subject::Surface
+            }
+        }
+    }
+}
+
+/// What was found, with its numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Fact {
+    /// Loads without a converged solution.
+    NotConverged {
+        /// How many.
+        loads: usize,
+        /// Of how many.
+        of: usize,
+    },
+    /// An accuracy that was asked for and is not met.
+    PlanUnmet(Box<Outcome>),
+    /// The grid does not resolve the contact; the bar is that of a twice finer one.
+    FinerGrid {
+        /// What the given grid lacks.
+        why: NoAreaInterval,
+        /// Area fraction on the finer grid \[-\].
+        area: f64,
+        /// Loads solved there, the headline among them.
+        loads: usize,
+    },
+    /// An area without a bar.
+    NoBar {
+        /// Why.
+        why: NoAreaInterval,
+        /// Which areas.
+        at: Bare,
+    },
+    /// A warning of the statistics.
+    Warned(Warning),
+    /// Edges that do not match.
+    EdgeJump {
+        /// Their jump over the inner step \[-\].
+        ratio: f64,
+        /// What was put beyond them.
+        edges: EdgesName,
+        /// What they do to the area, if there is a solution.
+        seam: Option<Seam>,
+    },
+    /// Points that were filled.
+    Filled {
+        /// Their part of the map \[-\].
+        share: f64,
+        /// True if some of them were spikes.
+        spikes: bool,
+        /// By which rule.
+        how: String,
+    },
+    /// Steps of cleaning.
+    Cleaned(Vec<Record>),
+    /// What was tested and is fine.
+    Passed(Passed),
+}
+
+/// Which areas have no bar.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bare {
+    /// That of every load.
+    Every,
+    /// That of the headline.
+    Headline,
+    /// Those of some loads.
+    Some {
+        /// How many.
+        loads: usize,
+        /// Of how many.
+        of: usize,
+    },
+}
+
+/// What the strip along the edges does to the area at the headline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seam {
+    /// What the strip holds.
+    pub share: EdgeShare,
+    /// Its sides `[y, x]` (m).
+    pub strip: [f64; 2],
+    /// True if the map was repeated, as those of the study of edges were.
+    pub is_repeated: bool,
+    /// What happened on crops with a like strip; `None` if there are too few.
+    pub experience: Option<EdgeExperience>,
+}
+
+impl Seam {
+    /// Largest size of the relative error of the area to expect.
+    pub fn worst(&self) -> f64 {
+        let direct = self.share.direct_effect();
+        self.experience.map_or(direct.abs(), |e| e.low.abs().max(e.high.abs()))
+    }
+}
+
+/// What was tested and is fine; what was not, or is not, is absent.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Passed {
+    /// Nayak's parameter, at least 1.5 \[-\].
+    pub bandwidth: Option<f64>,
+    /// Skewness and kurtosis near those of a normal distribution \[-\].
+    pub heights: Option<[f64; 2]>,
+    /// Larger over smaller mean square slope, at most 2 \[-\].
+    pub anisotropy: Option<f64>,
+    /// Part of the rms gradient that finite differences see \[-\].
+    pub resolved: Option<f64>,
+}

@@ -1,0 +1,217 @@
+//! What may change a conclusion: decided here once, for page, terminal and files alike.
+
+use crate::finding::{Bare, Fact, Finding, Passed, Seam, Weight};
+use crate::result::SurfaceComparison;
+use crate::{EdgesName, Origin};
+use contact_accuracy::edge_study::EdgeStudy;
+use contact_accuracy::plan::Outcome;
+use contact_accuracy::{EdgeShare, NoAreaInterval};
+use surface_stats::Warning;
+use surface_stats::clean::Record;
+
+/// Error of the area from which the edges may change a conclusion.
+const EDGES_MATTER: f64 = 0.05;
+/// Part of filled points from which they may.
+const FILLED_MATTER: f64 = 0.05;
+
+fn check(fact: Fact) -> Finding {
+    Finding { weight: Weight::Check, fact }
+}
+
+/// The findings of a study on one surface, worst first.
+pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
+    let points = &surface.deterministic;
+    let unsolved = points.iter().filter(|p| p.answer.as_ref().is_none_or(|a| !a.converged)).count();
+    let mut found: Vec<Finding> = Vec::new();
+    found.extend(not_converged(unsolved, points.len()));
+    found.extend(surface.plan.as_ref().and_then(unmet));
+    found.extend(bar(surface, unsolved));
+    let said = matches!(surface.map.accuracy.gate(), Err(NoAreaInterval::Unresolved { .. }));
+    let warnings = surface.statistics.warnings.iter();
+    found.extend(warnings.filter_map(|w| match w {
+        Warning::Unresolved { .. } if said => None,
+        Warning::EdgeJump { ratio } => Some(edge_jump(*ratio, surface)),
+        other => Some(warned(other)),
+    }));
+    if let Origin::File(file) = &surface.origin {
+        let all = surface.surface.grid().len();
+        found.extend(filled(file.missing, all, &file.fill, &file.cleaned));
+    }
+    found.extend(cleaned(surface.origin.cleaned()));
+    found.extend(passed(surface));
+    found.sort_by_key(|f| f.weight);
+    found
+}
+
+/// What is known of loads that were solved on one map, without a study.
+#[derive(Debug, Clone, Default)]
+pub struct Solved<'a> {
+    /// Of each load: whether it converged, and why its area has no bar, if it has none.
+    pub loads: Vec<(bool, Option<NoAreaInterval>)>,
+    /// What was chosen for an accuracy, if one was asked for.
+    pub plan: Option<&'a Outcome>,
+    /// Points that were filled.
+    pub missing: usize,
+    /// Points of the map.
+    pub points: usize,
+    /// The rule they were filled by.
+    pub fill: &'a str,
+    /// Steps of cleaning.
+    pub cleaned: &'a [Record],
+}
+
+impl Solved<'_> {
+    /// The findings, worst first.
+    pub fn findings(&self) -> Vec<Finding> {
+        let of = self.loads.len();
+        let mut found: Vec<Finding> = Vec::new();
+        found.extend(not_converged(self.loads.iter().filter(|l| !l.0).count(), of));
+        found.extend(self.plan.and_then(unmet));
+        let bare: Vec<NoAreaInterval> =
+            self.loads.iter().filter(|l| l.0).filter_map(|l| l.1).collect();
+        if let Some(why) = bare.first().copied() {
+            let loads = bare.len();
+            let at = if loads == of { Bare::Every } else { Bare::Some { loads, of } };
+            found.push(check(Fact::NoBar { why, at }));
+        }
+        found.extend(filled(self.missing, self.points, self.fill, self.cleaned));
+        found.extend(cleaned(self.cleaned));
+        found.sort_by_key(|f| f.weight);
+        found
+    }
+}
+
+fn not_converged(loads: usize, of: usize) -> Option<Finding> {
+    (loads > 0).then(|| check(Fact::NotConverged { loads, of }))
+}
+
+fn unmet(plan: &Outcome) -> Option<Finding> {
+    plan.unmet.as_ref().map(|_| check(Fact::PlanUnmet(Box::new(plan.clone()))))
+}
+
+/// Whether the area has a bar, and whether a finer grid had to give it.
+fn bar(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> {
+    if surface.statistics.rms_height <= 0.0 {
+        return None;
+    }
+    let headline = surface.headline_answer();
+    let finer = headline.and_then(|a| a.finer);
+    let bar = headline.map(|a| a.budget.area.comparison_half_width());
+    Some(check(match (surface.map.accuracy.gate(), finer, bar) {
+        (Err(why), Some(finer), _) => {
+            let points = surface.deterministic.iter();
+            let loads = points.filter_map(|p| p.answer.as_ref()?.finer).count();
+            Fact::FinerGrid { why, area: finer.area, loads }
+        }
+        (Err(why), None, _) => Fact::NoBar { why, at: Bare::Every },
+        (Ok(()), _, Some(Err(why))) if unsolved == 0 => Fact::NoBar { why, at: Bare::Headline },
+        _ => return None,
+    }))
+}
+
+fn warned(warning: &Warning) -> Finding {
+    let weight = match warning {
+        Warning::Rounding { .. }
+        | Warning::Flat
+        | Warning::Tilted { .. }
+        | Warning::Anisotropic { .. }
+        | Warning::NotGaussian { .. }
+        | Warning::NarrowBand { .. }
+        | Warning::Unresolved { .. }
+        | Warning::Stepped { .. }
+        | Warning::Noisy { .. } => Weight::Check,
+        _ => Weight::Note,
+    };
+    Finding { weight, fact: Fact::Warned(*warning) }
+}
+
+fn edge_jump(ratio: f64, surface: &SurfaceComparison) -> Finding {
+    let seam = seam(surface);
+    let matters = seam.is_some_and(|s| s.worst() > EDGES_MATTER);
+    let weight = if matters { Weight::Check } else { Weight::Note };
+    Finding { weight, fact: Fact::EdgeJump { ratio, edges: surface.edges, seam } }
+}
+
+/// What the strip along the edges does at the headline; `None` without a solution.
+pub fn seam(surface: &SurfaceComparison) -> Option<Seam> {
+    let grid = surface.solved_map().grid();
+    let share = EdgeShare::of(&surface.pressure, grid)?;
+    let gradient = surface.inputs.rms_gradient();
+    let load = surface.headline_pressure() / (surface.inputs.modulus.pascals() * gradient);
+    // The rows of the study are those of crops that were repeated.
+    let is_repeated = surface.edges == EdgesName::Periodic;
+    let direct = share.direct_effect();
+    let experience = is_repeated.then(|| EdgeStudy::built_in().ask(load, direct)).flatten();
+    let strip = grid.pixel().map(|d| share.width as f64 * d);
+    Some(Seam { share, strip, is_repeated, experience })
+}
+
+fn filled(missing: usize, all: usize, how: &str, cleaned: &[Record]) -> Option<Finding> {
+    if missing == 0 {
+        return None;
+    }
+    let share = missing as f64 / all as f64;
+    let spikes = |r: &Record| matches!(r, Record::Outliers { count, .. } if *count > 0);
+    let weight = if share > FILLED_MATTER { Weight::Check } else { Weight::Note };
+    let spikes = cleaned.iter().any(spikes);
+    Some(Finding { weight, fact: Fact::Filled { share, spikes, how: how.to_owned() } })
+}
+
+fn cleaned(records: &[Record]) -> Option<Finding> {
+    let fact = || Fact::Cleaned(records.to_vec());
+    (!records.is_empty()).then(|| Finding { weight: Weight::Note, fact: fact() })
+}
+
+/// What was tested and is fine.
+fn passed(surface: &SurfaceComparison) -> Option<Finding> {
+    let s = &surface.statistics;
+    if s.rms_height <= 0.0 {
+        return None;
+    }
+    let is_normal = !s.warnings.iter().any(|w| matches!(w, Warning::NotGaussian { .. }));
+    let passed = Passed {
+        bandwidth: s.bandwidth.filter(|b| *b >= 1.5),
+        heights: s.skewness.zip(s.kurtosis).filter(|_| is_normal).map(|(a, b)| [a, b]),
+        anisotropy: s.anisotropy.filter(|a| *a <= 2.0),
+        resolved: surface.map.accuracy.gate().is_ok().then_some(surface.spectral.resolved),
+    };
+    let any = passed != Passed::default();
+    any.then_some(Finding { weight: Weight::Passed, fact: Fact::Passed(passed) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn facts(solved: &Solved<'_>) -> Vec<(Weight, Fact)> {
+        solved.findings().into_iter().map(|f| (f.weight, f.fact)).collect()
+    }
+
+    #[test]
+    fn a_clean_solve_has_no_findings() {
+        let solved = Solved { loads: vec![(true, None); 3], points: 100, ..Solved::default() };
+        assert_eq!(facts(&solved), []);
+    }
+
+    #[test]
+    fn the_worst_comes_first_and_counts_its_loads() {
+        let why = NoAreaInterval::Empty;
+        let loads = vec![(true, None), (true, Some(why)), (false, Some(why))];
+        let solved =
+            Solved { loads, missing: 2, points: 100, fill: "nearest", ..Solved::default() };
+        assert_eq!(
+            facts(&solved),
+            [
+                (Weight::Check, Fact::NotConverged { loads: 1, of: 3 }),
+                (Weight::Check, Fact::NoBar { why, at: Bare::Some { loads: 1, of: 3 } }),
+                (
+                    Weight::Note,
+                    Fact::Filled { share: 0.02, spikes: false, how: "nearest".to_owned() }
+                ),
+            ]
+        );
+        // More than a twentieth of guessed points may change a conclusion.
+        let many = Solved { missing: 6, ..solved };
+        assert_eq!(many.findings().last().map(|f| f.weight), Some(Weight::Check));
+    }
+}

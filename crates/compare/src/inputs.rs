@@ -1,0 +1,109 @@
+//! Everything a model may be made from.
+
+use contact_types::{
+    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, RoughnessSpectrum,
+    SpectralMoments, Wave,
+};
+use gw_closed_form::asperities_from_moments;
+use multiscale_models::{SelfAffineSpectrum, SphereLevel};
+
+/// Everything a model may be made from. What a case does not have stays `None`.
+#[derive(Debug, Clone)]
+pub struct Inputs {
+    /// Contact modulus.
+    pub modulus: ContactModulus,
+    /// Name of the surface in its study.
+    pub surface: Option<String>,
+    /// Profile spectral moments.
+    pub moments: Option<SpectralMoments>,
+    /// Where they come from.
+    pub source: MomentSource,
+    /// Asperities, if they were given rather than derived from the moments.
+    pub asperities: Option<AsperityStatistics>,
+    /// Radial spectrum; only Persson's mean gap needs it.
+    pub spectrum: Option<RoughnessSpectrum>,
+    /// A continuous spectrum, in place of a radial one.
+    pub self_affine: Option<SelfAffineSpectrum>,
+    /// Weight of partial contact in Persson's mean gap; 1 if not given \[-\].
+    pub gamma: Option<f64>,
+    /// Amplitudes of the rows.
+    pub amplitudes: Option<AmplitudeSpectrum>,
+    /// Largest amplitude over wavelength, if it was given rather than taken from amplitudes \[-\].
+    pub max_amplitude_ratio: Option<f64>,
+    /// Dimension and roughness of a fractal fit.
+    pub fractal: Option<FractalParameters>,
+    /// Fitted dimension, also where it is no dimension of a profile \[-\].
+    pub dimension: Option<f64>,
+    /// Nominal area (m²).
+    pub nominal_area: Option<f64>,
+    /// Critical area of the elastic-plastic transition (m²).
+    pub critical_area: Option<f64>,
+    /// Spheres on spheres, coarse to fine.
+    pub spheres: Vec<SphereLevel>,
+}
+
+/// Where moments come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MomentSource {
+    /// Finite differences of a map.
+    FiniteDifferences,
+    /// Numbers typed in.
+    Given,
+}
+
+impl MomentSource {
+    /// Short name for files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::FiniteDifferences => "finite-differences",
+            Self::Given => "given",
+        }
+    }
+}
+
+impl Inputs {
+    /// Nothing but the modulus.
+    pub fn new(modulus: ContactModulus) -> Self {
+        Self {
+            modulus,
+            surface: None,
+            moments: None,
+            source: MomentSource::Given,
+            asperities: None,
+            spectrum: None,
+            self_affine: None,
+            gamma: None,
+            amplitudes: None,
+            max_amplitude_ratio: None,
+            fractal: None,
+            dimension: None,
+            nominal_area: None,
+            critical_area: None,
+            spheres: Vec::new(),
+        }
+    }
+
+    /// Inputs that every model takes, to ask a model for what does not depend on them.
+    pub(crate) fn example() -> Self {
+        let wave = Wave { frequency: 1e4, amplitude: 1e-7 };
+        let steel = ContactModulus::from_pascals(1e11).expect("a positive modulus");
+        Self {
+            moments: Some(SpectralMoments { m0: 1e-14, m2: 1e-3, m4: 1e9 }),
+            amplitudes: AmplitudeSpectrum::new(vec![wave], 1e-3).ok(),
+            fractal: Some(FractalParameters { dimension: 1.3, roughness: 1e-10 }),
+            nominal_area: Some(1e-6),
+            spheres: vec![SphereLevel { radius: 1e-3, density: 1e6 }],
+            ..Self::new(steel)
+        }
+    }
+
+    /// Rms gradient of the moments \[-\]; 0 without them.
+    pub fn rms_gradient(&self) -> f64 {
+        self.moments.map_or(0.0, |m| m.rms_gradient())
+    }
+
+    /// Asperities given, or those of the moments.
+    pub fn asperities(&self) -> Option<AsperityStatistics> {
+        self.asperities.or_else(|| asperities_from_moments(self.moments?).ok())
+    }
+}

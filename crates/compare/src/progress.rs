@@ -1,0 +1,136 @@
+//! What a study says while it works, and why there may be none.
+
+use contact_accuracy::plan::BadRequest;
+use contact_types::SurfaceError;
+use fft_bem_solver::{Iteration, SolverError};
+use std::ops::ControlFlow;
+use surface_stats::StatsError;
+
+/// Who is told what a study does, and may stop it.
+pub type Listener<'a> = dyn FnMut(Progress<'_>) -> ControlFlow<()> + Send + 'a;
+
+/// What a study reports while it works.
+#[derive(Debug, Clone, Copy)]
+pub enum Progress<'a> {
+    /// A surface begins: its place among `count`, and how many loads it will be asked at.
+    Surface {
+        /// Name.
+        name: &'a str,
+        /// From 0.
+        index: usize,
+        /// Surfaces in all.
+        count: usize,
+        /// Loads.
+        loads: usize,
+    },
+    /// An iteration of the solver is done; breaking off here ends the study within this load.
+    Iterated {
+        /// Index of the load, from 0, by rising pressure.
+        index: usize,
+        /// Iterations done on this load.
+        number: usize,
+        /// FFT pairs spent on it.
+        transforms: f64,
+        /// Estimated relative rms pressure error; infinite while there is no estimate.
+        residual: f64,
+        /// The residual at which the iteration ends.
+        tolerance: f64,
+    },
+    /// A load is solved.
+    Solved {
+        /// From 0, by rising pressure.
+        index: usize,
+        /// Nominal pressure (Pa).
+        mean_pressure: f64,
+        /// Area fraction, if there is an answer.
+        area_fraction: Option<f64>,
+    },
+    /// The models are being asked.
+    Models,
+}
+
+impl Progress<'static> {
+    /// What the solver says of one of its iterations.
+    pub(crate) fn of_iteration(index: usize, now: &Iteration<'_>) -> Self {
+        Self::Iterated {
+            index,
+            number: now.number,
+            transforms: now.transforms,
+            residual: now.residual,
+            tolerance: now.tolerance,
+        }
+    }
+}
+
+/// Why there is no study.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum StudyError {
+    /// No surface was given.
+    #[error("a study needs at least one surface")]
+    NoSurface,
+    /// The modulus is no modulus.
+    #[error(transparent)]
+    Material(#[from] SurfaceError),
+    /// A pressure that is no load.
+    #[error(
+        "nominal pressure {value:e} Pa cannot be applied: it must be finite and greater than 0"
+    )]
+    BadPressure {
+        /// The value (Pa).
+        value: f64,
+    },
+    /// The headline is not among the loads.
+    #[error(
+        "the headline pressure {value:e} Pa is not among the pressures of the study; add it to them"
+    )]
+    HeadlineNotComputed {
+        /// The value (Pa).
+        value: f64,
+    },
+    /// A name that is no model of the study.
+    #[error("the study has no model '{name}'; it has {known}")]
+    UnknownModel {
+        /// The name.
+        name: String,
+        /// Those it has.
+        known: String,
+    },
+    /// The list of models is empty.
+    #[error("the list of models is empty; name at least one of {known}")]
+    NoModel {
+        /// Those there are.
+        known: String,
+    },
+    /// Statistics refuse the surface.
+    #[error("{surface}: {source}")]
+    Statistics {
+        /// Its name.
+        surface: String,
+        /// Why.
+        source: StatsError,
+    },
+    /// The solver refuses the settings.
+    #[error("{surface}: {source}")]
+    Solver {
+        /// Name of the surface.
+        surface: String,
+        /// Why.
+        source: Box<SolverError>,
+    },
+    /// The accuracy asked for is none.
+    #[error(transparent)]
+    Accuracy {
+        /// Why.
+        source: BadRequest,
+    },
+    /// An accuracy with mirror images at the edges.
+    #[error(
+        "an accuracy cannot be planned with mirror images at the edges: the error of the area was \
+         studied for maps that are repeated; give a tolerance, or leave the edges periodic"
+    )]
+    PlannedMirrored,
+    /// The observer asked to stop.
+    #[error("stopped")]
+    Stopped,
+}

@@ -1,0 +1,176 @@
+//! The open list of models: the built-in ones and those a program adds.
+
+use crate::theories;
+use crate::theory::Theory;
+use std::sync::{Arc, LazyLock};
+
+/// Every theory that a study may ask, in the order of tables and figures.
+///
+/// The names of the built-in ones cannot be taken again: a report would not say which is meant.
+#[derive(Clone)]
+pub struct Registry {
+    theories: Vec<Arc<dyn Theory>>,
+}
+
+impl std::fmt::Debug for Registry {
+    /// The names.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_list().entries(self.iter().map(|theory| &theory.card().name)).finish()
+    }
+}
+
+/// Why a theory cannot join a registry.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NotRegistered {
+    /// Another theory has its name.
+    #[error("there is a model '{name}' already; give the new one another name")]
+    NameTaken {
+        /// The name.
+        name: String,
+    },
+    /// Another theory has its label, so that figures could not tell them apart.
+    #[error("the model '{other}' has the label '{label}' already; give the new one another label")]
+    LabelTaken {
+        /// The label.
+        label: String,
+        /// Who has it.
+        other: String,
+    },
+    /// The name cannot be typed as an option or be a column of a table.
+    #[error(
+        "'{name}' cannot be the name of a model: use lower-case letters, digits and hyphens, for \
+         example 'my-model'"
+    )]
+    BadName {
+        /// The name.
+        name: String,
+    },
+}
+
+static BUILT_IN: LazyLock<Registry> = LazyLock::new(|| Registry { theories: theories::all() });
+
+/// The built-in theories, for the life of the program.
+pub fn built_in() -> &'static Registry {
+    &BUILT_IN
+}
+
+/// The built-in theory of a name.
+pub fn find(name: &str) -> Option<&'static dyn Theory> {
+    BUILT_IN.find(name)
+}
+
+impl Registry {
+    /// The built-in theories.
+    pub fn built_in() -> Self {
+        BUILT_IN.clone()
+    }
+
+    /// The same with one more, after the others.
+    ///
+    /// # Errors
+    /// [`NotRegistered`].
+    pub fn with(mut self, theory: impl Theory + 'static) -> Result<Self, NotRegistered> {
+        let (name, label) = (theory.card().name.to_string(), theory.card().label.to_string());
+        let may_be = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        if name.is_empty() || !name.chars().all(may_be) {
+            return Err(NotRegistered::BadName { name });
+        }
+        if self.find(&name).is_some() {
+            return Err(NotRegistered::NameTaken { name });
+        }
+        if let Some(other) = self.iter().find(|t| t.card().label == label) {
+            let other = other.card().name.to_string();
+            return Err(NotRegistered::LabelTaken { label, other });
+        }
+        self.theories.push(Arc::new(theory));
+        Ok(self)
+    }
+
+    /// The theory of a name.
+    pub fn find(&self, name: &str) -> Option<&dyn Theory> {
+        self.iter().find(|theory| theory.card().name == name)
+    }
+
+    /// All of them, in order.
+    pub fn iter(&self) -> impl Iterator<Item = &dyn Theory> {
+        self.theories.iter().map(AsRef::as_ref)
+    }
+
+    /// Those that a height map gives all they need, in order.
+    pub fn of_maps(&self) -> impl Iterator<Item = &dyn Theory> {
+        self.iter().filter(|theory| theory.card().from_map)
+    }
+}
+
+impl Default for Registry {
+    fn default() -> Self {
+        Self::built_in()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::inputs::Inputs;
+    use crate::theory::{BuildError, Card};
+    use contact_types::{Citation, ContactModel, ContactModulus};
+
+    /// Every row makes its model, which answers and cites its paper; names are unique.
+    #[test]
+    fn every_built_in_theory_is_complete() {
+        let registry = Registry::built_in();
+        for (i, theory) in registry.iter().enumerate() {
+            let card = theory.card();
+            let model = theory.build(&Inputs::example()).unwrap();
+            assert!(card.citation.year > 1950 && card.citation == model.citation(), "{card:?}");
+            let state = model.at_pressure(1e6).unwrap();
+            assert!(state.area_fraction > 0.0 && state.area_fraction < 1.0, "{card:?}");
+            let before = || registry.iter().take(i).map(Theory::card);
+            assert!(before().all(|c| c.name != card.name && c.label != card.label));
+            assert_eq!(registry.find(&card.name).unwrap().card(), card);
+        }
+        assert!(registry.find("nothing").is_none());
+    }
+
+    #[test]
+    fn a_missing_input_is_named() {
+        let bare = Inputs::new(ContactModulus::from_pascals(1e11).unwrap());
+        for theory in Registry::built_in().iter() {
+            let made = theory.build(&bare);
+            assert!(matches!(made, Err(BuildError::Missing { .. })), "{:?}", theory.card().name);
+        }
+    }
+
+    struct Named(Card);
+
+    impl Theory for Named {
+        fn card(&self) -> &Card {
+            &self.0
+        }
+
+        fn build(&self, _: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
+            Err(BuildError::missing("it", "everything"))
+        }
+    }
+
+    #[test]
+    fn names_and_labels_are_unique() {
+        let card = |name: &'static str, title: &'static str| {
+            let source = ["me", "title", "journal", ""].map(std::borrow::Cow::from);
+            let [authors, title_, journal, doi] = source;
+            let citation = Citation { authors, year: 2026, title: title_, journal, doi };
+            Named(Card::new(name, title, citation))
+        };
+        let own = Registry::built_in().with(card("mine", "Mine")).unwrap();
+        assert_eq!(own.iter().last().unwrap().card().label, "Mine");
+        let taken = own.clone().with(card("gw", "Other"));
+        assert!(matches!(taken, Err(NotRegistered::NameTaken { .. })));
+        let taken = own.clone().with(card("mine-2", "Persson"));
+        assert!(matches!(taken, Err(NotRegistered::LabelTaken { .. })));
+        for bad in ["", "My model", "a,b"] {
+            let refused = own.clone().with(card(bad, "Other"));
+            assert!(matches!(refused, Err(NotRegistered::BadName { .. })), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! The order of the built-in theories in tables and figures.
+
+use super::{
+    archard, bgt, greenwood_elliptical, gw, majumdar_bhushan, multiscale, persson, stacked,
+};
+use crate::theory::Theory;
+use std::sync::Arc;
+
+/// Every built-in theory.
+pub(crate) fn all() -> Vec<Arc<dyn Theory>> {
+    let rows = [
+        gw::theory(),
+        bgt::theory(),
+        greenwood_elliptical::theory(),
+        persson::theory(),
+        stacked::theory(),
+        multiscale::theory(),
+        archard::theory(),
+        majumdar_bhushan::theory(),
+    ];
+    rows.into_iter().map(super::row::Row::theory).collect()
+}

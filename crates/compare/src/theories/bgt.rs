@@ -1,0 +1,25 @@
+//! Bush, Gibson and Thomas.
+
+use super::row::{Build, Row, moments};
+use crate::inputs::Inputs;
+use crate::theory::{Assumes, BuildError};
+use asperity_models::BushGibsonThomas;
+use contact_types::SeparationModel;
+
+pub(super) fn theory() -> Row {
+    Row {
+        name: "bgt",
+        label: "BGT",
+        title: "Bush–Gibson–Thomas",
+        needs: "m0, m2, m4",
+        domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
+        from_map: true,
+        assumes: Assumes::Summits,
+        build: Build::Separation(build),
+    }
+}
+
+fn build(inputs: &Inputs) -> Result<Box<dyn SeparationModel>, BuildError> {
+    let moments = moments(inputs, "Bush-Gibson-Thomas")?;
+    Ok(Box::new(BushGibsonThomas::new(moments, inputs.modulus)?))
+}

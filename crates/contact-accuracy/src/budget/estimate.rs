@@ -1,0 +1,203 @@
+//! The numbers of one solution, each with its errors by source.
+
+use super::area::iteration_half_width;
+use super::map::Map;
+use super::no_interval::NoAreaInterval;
+use super::{grid, iteration, sample};
+use fft_bem_solver::{Boundary, Solution};
+
+/// What was prescribed, so that it has no error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Given {
+    /// The mean pressure.
+    Load,
+    /// The mean gap.
+    Gap,
+}
+
+/// A number with what is known about its error: half widths in its own unit, by source.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// Left by the grid, or why that is not known.
+    pub grid: Result<f64, NoAreaInterval>,
+    /// Left by stopping the iteration, or why that is not known.
+    pub iteration: Result<f64, NoAreaInterval>,
+    /// Scatter over maps of the same surface, 95 %; `None` if this map cannot tell.
+    pub sample: Option<f64>,
+    /// Largest value that has a meaning; the smallest is 0.
+    pub(super) most: f64,
+}
+
+impl Estimate {
+    /// Half width from grid and iteration.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn comparison_half_width(&self) -> Result<f64, NoAreaInterval> {
+        Ok(self.grid? + self.iteration?)
+    }
+
+    /// Half width from grid, iteration and finite sample. The sample is independent of the others,
+    /// whose share is a bias: they add as squares.
+    pub fn prediction_half_width(&self) -> Option<f64> {
+        Some(self.comparison_half_width().ok()?.hypot(self.sample?))
+    }
+
+    /// `[low, high]` from grid and iteration.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn comparison(&self) -> Result<[f64; 2], NoAreaInterval> {
+        Ok(self.around(self.comparison_half_width()?))
+    }
+
+    /// `[low, high]` from grid, iteration and finite sample.
+    pub fn prediction(&self) -> Option<[f64; 2]> {
+        Some(self.around(self.prediction_half_width()?))
+    }
+
+    /// A number that was prescribed.
+    pub(super) fn exact(value: f64) -> Self {
+        let none = Ok(0.0);
+        Self { value, grid: none, iteration: none, sample: Some(0.0), most: f64::INFINITY }
+    }
+
+    fn around(&self, half: f64) -> [f64; 2] {
+        [(self.value - half).max(0.0), (self.value + half).min(self.most)]
+    }
+}
+
+/// The numbers of one deterministic solution with their errors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Budget {
+    /// Whether the load or the gap was prescribed; what was has no error.
+    pub given: Given,
+    /// Load over nominal area (Pa); exact if it was given.
+    pub mean_pressure: Estimate,
+    /// Area fraction, corrected for the contact line (-).
+    pub area: Estimate,
+    /// Mean gap (m); exact if it was given.
+    pub mean_gap: Option<Estimate>,
+    /// Contact stiffness, -dp/d(mean gap) (Pa/m), if it was computed.
+    pub stiffness: Option<Estimate>,
+    /// Relative standard error of the area by blocks, where they can tell.
+    pub area_scatter: Option<f64>,
+}
+
+impl Budget {
+    /// The budget of a solution on the grid of `map`. Without a stiffness, which takes two more
+    /// solutions: [`with_stiffness`](Self::with_stiffness).
+    pub fn of(solution: &Solution, map: &Map) -> Self {
+        let found = &solution.diagnostics;
+        let area = found.area_fraction_corrected;
+        let iteration = iteration_half_width(found);
+        let gate = if found.contact_pixels == 0 {
+            Err(NoAreaInterval::Empty)
+        } else {
+            map.accuracy.grid_half_width(solution)
+        };
+        let line = grid::line_share(solution);
+        // An isolated contact is no sample of a surface that goes on.
+        let goes_on = found.boundary == Boundary::Periodic;
+        let scatter = goes_on
+            .then(|| sample::area_scatter(&solution.pressure, map.accuracy.grid(), sample::PARTS))
+            .flatten();
+        let relative = scatter.map(|s| sample::area_half_width(s, map.height_scatter));
+        let gap = |gap: f64| Estimate {
+            value: gap,
+            grid: if goes_on {
+                gate.map(|_| grid::gap_half_width(map, line))
+            } else {
+                Err(NoAreaInterval::NotStudied("the gap of an isolated contact"))
+            },
+            iteration: iteration.map(|_| iteration::gap_half_width(map, found)),
+            sample: goes_on.then(|| gap * sample::gap_half_width(map.height_scatter)),
+            most: f64::INFINITY,
+        };
+        Self {
+            given: Given::Load,
+            mean_pressure: Estimate::exact(solution.state.mean_pressure),
+            area: Estimate {
+                value: area,
+                grid: gate,
+                iteration,
+                sample: relative.map(|r| r * area),
+                most: 1.0,
+            },
+            mean_gap: solution.state.mean_gap.map(gap),
+            stiffness: None,
+            area_scatter: scatter,
+        }
+    }
+
+    /// The same with another half width of the area from the grid, or the reason why there is
+    /// none, in units of the area fraction: for a solution on a grid whose bar is not that of
+    /// [`AreaAccuracy`](super::AreaAccuracy). `more` is by how much the part of the gap from the grid grows (m).
+    #[must_use]
+    pub fn with_grid(mut self, area: Result<f64, NoAreaInterval>, more: f64) -> Self {
+        self.area.grid = area;
+        if let Some(gap) = &mut self.mean_gap {
+            gap.grid = area.and(gap.grid.map(|half| half + more));
+        }
+        if let Some(stiffness) = &mut self.stiffness {
+            stiffness.grid = area.and(stiffness.grid);
+        }
+        self
+    }
+
+    /// The same with the bar that holds outside the gate as well, from one more solution on a twice
+    /// finer Fourier interpolation; the numbers stay those of the given grid.
+    #[must_use]
+    pub fn refined(mut self, finer: &grid::Finer) -> Self {
+        self.area.grid = Ok(finer.area_half_width(self.area.value));
+        match self.given {
+            Given::Load => {
+                if let Some(gap) = &mut self.mean_gap {
+                    gap.grid = finer.gap_half_width(gap.value).map_or(gap.grid, Ok);
+                }
+            }
+            Given::Gap => {
+                let load = &mut self.mean_pressure;
+                load.grid = Ok(finer.pressure_half_width(load.value));
+            }
+        }
+        self
+    }
+
+    /// Mean real pressure, load over area, and its intervals; `None` if nothing touches.
+    pub fn real_pressure(&self) -> Option<RealPressure<'_>> {
+        (self.area.value > 0.0).then_some(RealPressure { budget: self })
+    }
+}
+
+/// Mean real pressure, load over area: its error is that of the area, turned round.
+#[derive(Debug, Clone, Copy)]
+pub struct RealPressure<'a> {
+    budget: &'a Budget,
+}
+
+impl RealPressure<'_> {
+    /// The number (Pa).
+    pub fn value(self) -> f64 {
+        self.budget.mean_pressure.value / self.budget.area.value
+    }
+
+    /// `[low, high]` from grid and iteration (Pa); infinite if the area may be 0.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn comparison(self) -> Result<[f64; 2], NoAreaInterval> {
+        self.budget.area.comparison().map(|area| self.turned(area))
+    }
+
+    /// `[low, high]` from grid, iteration and finite sample (Pa).
+    pub fn prediction(self) -> Option<[f64; 2]> {
+        self.budget.area.prediction().map(|area| self.turned(area))
+    }
+
+    fn turned(self, [low, high]: [f64; 2]) -> [f64; 2] {
+        [high, low].map(|area| self.budget.mean_pressure.value / area)
+    }
+}

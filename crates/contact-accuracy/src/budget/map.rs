@@ -1,0 +1,65 @@
+//! What a map says about the accuracy of answers on it, before anything is solved.
+
+use super::area::AreaAccuracy;
+use super::sample;
+use crate::continuation::window_for;
+use contact_types::{Grid, HeightMap};
+use surface_stats::spectrum::PowerSpectrum;
+use surface_stats::{StatsError, height_step, repeats};
+
+/// What a map says about the accuracy of answers on it, whatever the load. Made once per surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Map {
+    /// The gate, and the bar of the area inside it.
+    pub accuracy: AreaAccuracy,
+    /// Whether its edges match; if not, answers know less about its gap.
+    pub repeats: bool,
+    /// Rms height (m).
+    pub rms_height: f64,
+    /// Relative standard error of the rms height over maps of the same surface.
+    pub height_scatter: f64,
+}
+
+impl Map {
+    /// Looks at edges, gradients, steps and spectrum of `surface`. If the edges do not match, the
+    /// spectrum is taken under a Hann window.
+    ///
+    /// # Errors
+    /// [`StatsError::OutOfRange`].
+    pub fn of(surface: &HeightMap) -> Result<Self, StatsError> {
+        Self::with_step(surface, height_step(surface.heights()))
+    }
+
+    /// The same of a map whose heights came in steps of `step` (m), if in any, before it was
+    /// levelled or cleaned: afterwards the heights do not show them.
+    ///
+    /// # Errors
+    /// [`StatsError::OutOfRange`].
+    pub fn with_step(surface: &HeightMap, step: Option<f64>) -> Result<Self, StatsError> {
+        let repeats = repeats(surface);
+        let power = PowerSpectrum::of(surface, window_for(repeats))?;
+        Ok(Self::known(surface, &power, step, repeats))
+    }
+
+    /// The same map on another grid: its accuracy there comes from elsewhere.
+    #[must_use]
+    pub fn on(self, grid: Grid) -> Self {
+        Self { accuracy: self.accuracy.on(grid), ..self }
+    }
+
+    /// The same from a spectrum (under a window unless the map `repeats`) and a height step (m)
+    /// that are known already.
+    pub fn known(
+        surface: &HeightMap,
+        power: &PowerSpectrum,
+        step: Option<f64>,
+        repeats: bool,
+    ) -> Self {
+        Self {
+            accuracy: AreaAccuracy::of_waves(surface.grid(), power, step),
+            repeats,
+            rms_height: power.moments().0.rms_height(),
+            height_scatter: sample::height_scatter(surface, power),
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! What lies beyond the edges of a map: itself, or its mirror images; and the same surface on
+//! another number of points, which depends on it.
+
+use contact_types::HeightMap;
+use surface_stats::clean::{resample, resample_mirrored};
+use surface_stats::spectrum::Window;
+use surface_stats::{Edges, StatsError};
+
+/// The window under which the waves of a map are looked at: none if it repeats; or the jump at its
+/// edges would count as waves.
+pub(crate) fn window_for(repeats: bool) -> Window {
+    if repeats { Window::None } else { Window::Hann }
+}
+
+/// The map on `shape` points: by its waves if it repeats, by its cosines otherwise, so that the jump
+/// at its edges does not ring.
+///
+/// # Errors
+/// [`StatsError`].
+pub fn regrid(map: &HeightMap, shape: [usize; 2], repeats: bool) -> Result<HeightMap, StatsError> {
+    if repeats { resample(map, shape, Edges::Periodic) } else { resample_mirrored(map, shape) }
+}

@@ -1,0 +1,109 @@
+//! `curves.csv`: every number the figures over the load draw, units in the header.
+
+use crate::lines::Lines;
+use compare::{Comparison, SurfaceComparison};
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+/// Writes one row per surface and load. SI units; a missing number is an empty cell. Columns of
+/// a model are `area_fraction_NAME` and `real_pressure_NAME [Pa]`, with its signed relative error.
+///
+/// # Errors
+/// Whatever the writer reports.
+pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
+    let mut header = String::from(
+        "surface,mean_pressure [Pa],area_fraction_deterministic [-],area_fraction_low [-],\
+         area_fraction_high [-],area_fraction_counted [-],real_pressure_deterministic [Pa],\
+         real_pressure_low [Pa],real_pressure_high [Pa],mean_gap_deterministic [m],\
+         area_fraction_prediction_low [-],area_fraction_prediction_high [-],mean_gap_low [m],\
+         mean_gap_high [m]",
+    );
+    let asked = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
+    let models: Vec<&str> = asked.iter().map(|m| m.card.name.as_ref()).collect();
+    for model in &models {
+        let name = model.replace('-', "_");
+        let _ = write!(
+            header,
+            ",area_fraction_{name} [-],real_pressure_{name} [Pa],area_error_{name} [-]"
+        );
+    }
+    writeln!(out, "{header}")?;
+    for surface in &comparison.surfaces {
+        write_surface(surface, &models, out)?;
+    }
+    Ok(())
+}
+
+fn write_surface(
+    surface: &SurfaceComparison,
+    models: &[&str],
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let lines = Lines::of(surface);
+    let name = quoted(&surface.name);
+    for (i, &p) in lines.pressures.iter().enumerate() {
+        let area = lines.area[i];
+        let interval = lines.interval[i];
+        let answer = surface.deterministic[i].answer.as_ref();
+        let real = |a: Option<f64>| a.filter(|a| *a > 0.0).map(|a| p / a);
+        let mut cells = vec![
+            Some(p),
+            area,
+            interval.map(|b| b[0]),
+            interval.map(|b| b[1]),
+            answer.map(|a| a.area_fraction),
+            real(area),
+            real(interval.map(|b| b[1])),
+            real(interval.map(|b| b[0])),
+            answer.and_then(|a| a.mean_gap),
+        ];
+        let prediction = answer.and_then(|a| a.budget.area.prediction());
+        let gap = answer.and_then(|a| a.budget.mean_gap?.comparison().ok());
+        for range in [prediction, gap] {
+            cells.extend([range.map(|r| r[0]), range.map(|r| r[1])]);
+        }
+        for model in models {
+            let line = lines.models.iter().find(|l| l.name == *model);
+            let area = line.and_then(|l| l.area[i]);
+            let error = line.and_then(|l| lines.errors(l)[i]);
+            cells.extend([area, real(area), error]);
+        }
+        let row: Vec<String> = cells.into_iter().map(cell).collect();
+        writeln!(out, "{name},{}", row.join(","))?;
+    }
+    Ok(())
+}
+
+/// The shortest decimal that reads back as the same number.
+fn cell(value: Option<f64>) -> String {
+    value.filter(|v| v.is_finite()).map_or(String::new(), |v| {
+        if v != 0.0 && !(1e-4..1e7).contains(&v.abs()) { format!("{v:e}") } else { format!("{v}") }
+    })
+}
+
+/// A text cell, quoted where RFC 4180 asks for it, harmless to spreadsheets.
+fn quoted(text: &str) -> String {
+    // A leading =, +, - or @ would be taken for a formula.
+    let text =
+        if text.starts_with(['=', '+', '-', '@']) { format!("'{text}") } else { text.into() };
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_read_back_and_names_are_quoted() {
+        for v in [1.0 / 3.0, 1e-9 / 3.0, 2.5e11, 0.0, -0.25] {
+            assert_eq!(cell(Some(v)).parse::<f64>().unwrap().to_bits(), v.to_bits());
+        }
+        assert_eq!(cell(Some(f64::NAN)), "");
+        assert_eq!(quoted("a,\"b\""), "\"a,\"\"b\"\"\"");
+        assert_eq!(quoted("=1+1"), "'=1+1");
+    }
+}

@@ -1,0 +1,262 @@
+//! Axes: from data to figure units, ticks where a reader expects them, a frame on two sides.
+
+use crate::draw::palette::{GRID, INK, INK2, LINE};
+use crate::draw::svg::{Anchor, Canvas, Stroke, Text};
+use crate::numbers::{fixed, power_of_ten};
+
+/// Spacing of an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spacing {
+    /// Equal differences are equally far apart.
+    Linear,
+    /// Equal ratios are equally far apart.
+    Log,
+}
+
+/// One axis: data `[lo, hi]` onto figure units `[start, end]`.
+#[derive(Debug, Clone, Copy)]
+pub struct Axis {
+    /// Spacing.
+    pub spacing: Spacing,
+    /// Data limits.
+    pub data: [f64; 2],
+    /// Where they lie in the figure.
+    pub units: [f64; 2],
+}
+
+impl Axis {
+    /// A logarithmic axis; both limits above 0.
+    pub fn log(data: [f64; 2], units: [f64; 2]) -> Self {
+        Self { spacing: Spacing::Log, data, units }
+    }
+
+    /// A linear axis.
+    pub fn linear(data: [f64; 2], units: [f64; 2]) -> Self {
+        Self { spacing: Spacing::Linear, data, units }
+    }
+
+    fn warp(&self, value: f64) -> f64 {
+        match self.spacing {
+            Spacing::Linear => value,
+            Spacing::Log => value.max(f64::MIN_POSITIVE).log10(),
+        }
+    }
+
+    /// Position of a value.
+    pub fn at(&self, value: f64) -> f64 {
+        let (lo, hi) = (self.warp(self.data[0]), self.warp(self.data[1]));
+        self.units[0] + (self.warp(value) - lo) / (hi - lo) * (self.units[1] - self.units[0])
+    }
+
+    /// True if the value lies within the limits, rounding allowed for.
+    pub fn holds(&self, value: f64) -> bool {
+        let [a, b] = [self.at(self.data[0]), self.at(self.data[1])];
+        let x = self.at(value);
+        x.is_finite() && x >= a.min(b) - 1e-6 && x <= a.max(b) + 1e-6
+    }
+
+    /// Labelled ticks: decades over two decades or more, 1-2-5 or finer below, round steps when
+    /// linear.
+    pub fn major(&self) -> Vec<f64> {
+        let (lo, hi) = (self.data[0].min(self.data[1]), self.data[0].max(self.data[1]));
+        let candidates: Vec<f64> = match self.spacing {
+            Spacing::Linear => {
+                let step = round_step((hi - lo) / 5.0);
+                let first = (lo / step - 1e-9).ceil() as i64;
+                let last = (hi / step + 1e-9).floor() as i64;
+                (first..=last).map(|k| k as f64 * step).collect()
+            }
+            Spacing::Log => {
+                let (first, last) = (lo.log10().floor() as i32, hi.log10().ceil() as i32);
+                let decades = hi.log10() - lo.log10();
+                let every = ((decades / 6.0).ceil() as i32).max(1);
+                let ticks = |mantissas: &[f64]| -> Vec<f64> {
+                    (first..=last)
+                        .filter(|d| d.rem_euclid(every) == 0)
+                        .flat_map(|d| mantissas.iter().map(move |m| m * 10f64.powi(d)))
+                        .filter(|&v| self.holds(v))
+                        .collect()
+                };
+                // Decades over two decades or more; below that the coarsest set with three that
+                // reaches both ends.
+                let finer: [&[f64]; 4] = [
+                    &[1.0, 2.0, 5.0],
+                    &[1.0, 2.0, 3.0, 4.0, 6.0, 8.0],
+                    &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
+                    &[1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.2, 2.4, 2.6, 2.8],
+                ];
+                if decades >= 2.0 {
+                    ticks(&[1.0])
+                } else {
+                    // A third of the axis beyond the last tick is too much to guess.
+                    let reaches = |t: &[f64]| {
+                        let beyond = |tick: f64, end: f64| (end / tick).log10() <= decades / 3.0;
+                        beyond(lo, t[0]) && beyond(t[t.len() - 1], hi)
+                    };
+                    let sets = || finer.into_iter().map(ticks).filter(|t| t.len() >= 3);
+                    sets().find(|t| reaches(t)).or_else(|| sets().next()).unwrap_or_else(|| {
+                        // Less than a tenth: as on a linear axis.
+                        Self { spacing: Spacing::Linear, ..*self }.major()
+                    })
+                }
+            }
+        };
+        candidates.into_iter().filter(|&v| self.holds(v)).collect()
+    }
+
+    /// Unlabelled ticks of a logarithmic axis, 2 to 9 of every decade.
+    pub fn minor(&self) -> Vec<f64> {
+        if self.spacing == Spacing::Linear {
+            return Vec::new();
+        }
+        let (lo, hi) = (self.data[0].min(self.data[1]), self.data[0].max(self.data[1]));
+        (lo.log10().floor() as i32..=hi.log10().ceil() as i32)
+            .flat_map(|d| (1..10).map(move |m| f64::from(m) * 10f64.powi(d)))
+            .filter(|&v| self.holds(v))
+            .collect()
+    }
+
+    /// How a tick is written: 0.01, 1, 100; a power only beyond 10³ or below 10⁻³.
+    pub fn tick_text(&self, value: f64) -> String {
+        if self.spacing == Spacing::Log {
+            let e = value.log10().round() as i32;
+            let is_decade = (value / 10f64.powi(e) - 1.0).abs() < 1e-9;
+            if !(-3..=3).contains(&e) && is_decade {
+                return power_of_ten(e);
+            }
+        }
+        let decimals = (0..9)
+            .find(|&d| {
+                let scaled = value * 10f64.powi(d);
+                (scaled - scaled.round()).abs() < 1e-6 * scaled.abs().max(1e-3)
+            })
+            .unwrap_or(9);
+        fixed(value, decimals as usize)
+    }
+}
+
+/// 1, 2 or 5 times a power of ten, at least `about`.
+pub fn round_step(about: f64) -> f64 {
+    let decade = 10f64.powf(about.log10().floor());
+    [1.0, 2.0, 5.0, 10.0]
+        .map(|m| m * decade)
+        .into_iter()
+        .find(|s| *s >= about * (1.0 - 1e-9))
+        .unwrap_or(10.0 * decade)
+}
+
+/// A plot box with its two axes.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis; `units` run from bottom to top.
+    pub y: Axis,
+    /// Title of the horizontal axis, "Quantity (unit)".
+    pub x_title: String,
+    /// Title of the vertical axis.
+    pub y_title: String,
+}
+
+impl Frame {
+    /// Position of a point.
+    pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.x.at(x), self.y.at(y)]
+    }
+
+    /// Draws grid, ticks, axes, numbers and titles.
+    pub fn draw(&self, canvas: &mut Canvas) {
+        let x_ticks: Vec<_> =
+            self.x.major().into_iter().map(|v| (v, self.x.tick_text(v))).collect();
+        let y_ticks: Vec<_> =
+            self.y.major().into_iter().map(|v| (v, self.y.tick_text(v))).collect();
+        self.draw_with(canvas, &x_ticks, &y_ticks);
+    }
+
+    /// As [`Frame::draw`], with ticks chosen by the caller.
+    pub fn draw_with(
+        &self,
+        canvas: &mut Canvas,
+        x_ticks: &[(f64, String)],
+        y_ticks: &[(f64, String)],
+    ) {
+        let [left, right] = self.x.units;
+        let [bottom, top] = self.y.units;
+        let (xs, ys): (Vec<f64>, Vec<f64>) = (
+            x_ticks.iter().map(|(v, _)| self.x.at(*v)).collect(),
+            y_ticks.iter().map(|(v, _)| self.y.at(*v)).collect(),
+        );
+        let mut grid: Vec<[f64; 4]> = ys.iter().map(|&y| [left, y, right, y]).collect();
+        grid.extend(xs.iter().map(|&x| [x, top, x, bottom]));
+        canvas.ticks(&grid, Stroke::solid(GRID, 0.6));
+
+        let minor: Vec<[f64; 4]> = self
+            .x
+            .minor()
+            .into_iter()
+            .map(|v| [self.x.at(v), bottom, self.x.at(v), bottom + 2.0])
+            .chain(
+                self.y.minor().into_iter().map(|v| [left - 2.0, self.y.at(v), left, self.y.at(v)]),
+            )
+            .collect();
+        canvas.ticks(&minor, Stroke::solid(LINE, 0.4));
+        let major: Vec<[f64; 4]> = xs
+            .iter()
+            .map(|&x| [x, bottom, x, bottom + 3.5])
+            .chain(ys.iter().map(|&y| [left - 3.0, y, left, y]))
+            .collect();
+        canvas.ticks(&major, Stroke::solid(LINE, 0.6));
+        canvas.ticks(
+            &[[left, bottom, right, bottom], [left, top, left, bottom]],
+            Stroke::solid(LINE, 0.8),
+        );
+
+        for (&x, (_, text)) in xs.iter().zip(x_ticks) {
+            canvas.text(&Text {
+                colour: INK2,
+                anchor: Anchor::Middle,
+                ..Text::new([x, bottom + 13.0], text)
+            });
+        }
+        for (&y, (_, text)) in ys.iter().zip(y_ticks) {
+            canvas.text(&Text {
+                colour: INK2,
+                anchor: Anchor::End,
+                ..Text::new([left - 5.0, y + 3.4], text)
+            });
+        }
+        let middle = f64::midpoint(left, right);
+        canvas.text(&Text {
+            colour: INK,
+            anchor: Anchor::Middle,
+            ..Text::new([middle, bottom + 29.0], &self.x_title)
+        });
+        canvas.upright(&Text::new([left - 34.0, f64::midpoint(top, bottom)], &self.y_title));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn log_ticks_are_decades_or_one_two_five() {
+        let wide = Axis::log([0.25, 250.0], [0.0, 100.0]);
+        assert_eq!(wide.major(), [1.0, 10.0, 100.0]);
+        let narrow = Axis::log([0.08, 3.0], [0.0, 100.0]);
+        assert_eq!(narrow.major().len(), 5); // 0.1 0.2 0.5 1 2
+        assert_eq!(narrow.tick_text(0.2), "0.2");
+        // Coarser sets would leave the part above 1 to be guessed.
+        let last = Axis::log([0.49, 1.93], [0.0, 100.0]).major().pop();
+        assert_eq!(last, Some(1.5));
+        assert_eq!(wide.tick_text(1e-6), "10⁻⁶");
+        assert!((wide.at(25.0_f64.sqrt() * 0.5) - 100.0 / 3.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn linear_ticks_are_round_and_inside() {
+        let axis = Axis::linear([-43.0, 22.0], [0.0, 1.0]);
+        assert_eq!(axis.major(), [-40.0, -20.0, 0.0, 20.0]);
+        assert_eq!(axis.tick_text(-20.0), "\u{2212}20");
+    }
+}

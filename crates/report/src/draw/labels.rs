@@ -1,0 +1,126 @@
+//! Direct labels: names beside the ends of lines, pushed apart until all can be read.
+
+use crate::draw::palette::Colour;
+use crate::draw::svg::{Canvas, Rect, Stroke, Text, overlap};
+
+/// Distance between base lines of neighbouring labels, in units.
+pub const PITCH: f64 = 11.5;
+
+/// A name for the right end of a line.
+#[derive(Debug, Clone)]
+pub struct EndLabel {
+    /// Where the line ends.
+    pub y: f64,
+    /// The name.
+    pub text: String,
+    /// Its colour.
+    pub colour: Colour,
+    /// Bold.
+    pub bold: bool,
+}
+
+/// Moves `wanted` positions apart to at least `pitch`, within `[lo, hi]`, staying as near as
+/// they can: neighbours that collide form a block, and each block sits at the mean of what its
+/// members want (pool-adjacent-violators). The order of the input is kept in the output.
+pub fn push_apart(wanted: &[f64], pitch: f64, [lo, hi]: [f64; 2]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..wanted.len()).collect();
+    order.sort_by(|&a, &b| wanted[a].total_cmp(&wanted[b]));
+    // In coordinates y_k - k pitch the labels need only be non-decreasing.
+    let mut blocks: Vec<(f64, usize)> = Vec::new(); // (mean, members)
+    for (k, &i) in order.iter().enumerate() {
+        blocks.push((wanted[i] - k as f64 * pitch, 1));
+        while blocks.len() > 1 && blocks[blocks.len() - 2].0 > blocks[blocks.len() - 1].0 {
+            let (mean, n) = blocks.pop().unwrap_or_default();
+            if let Some(last) = blocks.last_mut() {
+                let total = (last.1 + n) as f64;
+                *last = ((last.0 * last.1 as f64 + mean * n as f64) / total, last.1 + n);
+            }
+        }
+    }
+    let top = hi - (wanted.len().saturating_sub(1)) as f64 * pitch;
+    let mut placed = vec![0.0; wanted.len()];
+    let levels = blocks.iter().flat_map(|&(mean, n)| std::iter::repeat_n(mean, n));
+    for (k, (&i, level)) in order.iter().zip(levels).enumerate() {
+        placed[i] = level.clamp(lo, top.max(lo)) + k as f64 * pitch;
+    }
+    placed
+}
+
+/// Draws the labels right of `x` with hairline leaders, within `[top, bottom]`.
+pub fn draw_end_labels(canvas: &mut Canvas, x: f64, [top, bottom]: [f64; 2], labels: &[EndLabel]) {
+    let wanted: Vec<f64> = labels.iter().map(|l| l.y).collect();
+    for (label, y) in labels.iter().zip(push_apart(&wanted, PITCH, [top, bottom])) {
+        let leader = [[x + 1.5, label.y], [x + 9.0, y]];
+        canvas.polyline(&leader, Stroke::solid(label.colour, 0.6));
+        canvas.label(&Text {
+            colour: label.colour,
+            bold: label.bold,
+            ..Text::new([x + 11.0, y + 3.4], &label.text)
+        });
+    }
+}
+
+/// A free place for a label around a point: the first of right, left, above, below and the
+/// diagonals that stays inside `frame` and clear of everything in `taken`.
+pub fn place_near(
+    [x, y]: [f64; 2],
+    [width, height]: [f64; 2],
+    taken: &[Rect],
+    frame: Rect,
+) -> Option<Rect> {
+    let gap = 5.0;
+    let (up, down) = (y - gap - height, y + gap);
+    let (middle, centre) = (y - height / 2.0, x - width / 2.0);
+    let (left, right) = (x - gap - width, x + gap);
+    [
+        [right, middle],
+        [left, middle],
+        [centre, up],
+        [centre, down],
+        [right - 2.0, up + 3.0],
+        [right - 2.0, down - 3.0],
+        [left + 2.0, up + 3.0],
+        [left + 2.0, down - 3.0],
+        [right + 6.0, up - 4.0],
+        [right + 6.0, down + 4.0],
+        [left - 6.0, up - 4.0],
+        [left - 6.0, down + 4.0],
+    ]
+    .into_iter()
+    .map(|[l, t]| [l, t, l + width, t + height])
+    .find(|r| {
+        r[0] >= frame[0]
+            && r[1] >= frame[1]
+            && r[2] <= frame[2]
+            && r[3] <= frame[3]
+            && !taken.iter().any(|t| overlap(*t, *r))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Labels keep their order, their distance and the frame, if it is tall enough.
+        #[test]
+        fn pushed_apart(wanted in prop::collection::vec(0.0..200.0f64, 1..12)) {
+            let placed = push_apart(&wanted, PITCH, [0.0, 200.0]);
+            let mut pairs: Vec<_> = wanted.iter().zip(&placed).collect();
+            pairs.sort_by(|a, b| a.1.total_cmp(b.1));
+            for w in pairs.windows(2) {
+                prop_assert!(w[1].1 - w[0].1 >= PITCH - 1e-9);
+                prop_assert!(w[0].0 <= w[1].0);
+            }
+            prop_assert!(placed.iter().all(|y| (-1e-9..=200.0 + 1e-9).contains(y)));
+        }
+    }
+
+    #[test]
+    fn labels_with_room_stay_where_they_are() {
+        assert_eq!(push_apart(&[50.0, 20.0, 80.0], 11.5, [0.0, 100.0]), [50.0, 20.0, 80.0]);
+        // Two that want the same place share the displacement.
+        assert_eq!(push_apart(&[50.0, 50.0], 10.0, [0.0, 100.0]), [45.0, 55.0]);
+    }
+}

@@ -1,0 +1,217 @@
+//! Colours by role, line styles by series, and the two colour ramps of the maps.
+//!
+//! The light value is written into every mark, so a figure file stands alone; the class beside
+//! it lets the report's stylesheet put the dark value in its place.
+
+/// A colour with a role.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Colour {
+    /// Name of the CSS variable and end of the class name.
+    pub class: &'static str,
+    /// On white.
+    pub light: &'static str,
+    /// On the dark page.
+    pub dark: &'static str,
+}
+
+const fn colour(class: &'static str, light: &'static str, dark: &'static str) -> Colour {
+    Colour { class, light, dark }
+}
+
+/// The page.
+pub const PAPER: Colour = colour("paper", "#FFFFFF", "#15181B");
+/// Text.
+pub const INK: Colour = colour("ink", "#111418", "#F2F4F5");
+/// Ticks and notes.
+pub const INK2: Colour = colour("ink2", "#4A5259", "#B4BCC3");
+/// Axes.
+pub const LINE: Colour = colour("line", "#868F97", "#5D676F");
+/// Grid lines.
+pub const GRID: Colour = colour("grid", "#E3E6E9", "#2A3035");
+/// Tolerance bands.
+pub const BAND: Colour = colour("band", "#EEF1F3", "#20262A");
+/// Warnings.
+pub const WARN: Colour = colour("warn", "#9A4B00", "#FFB066");
+/// The deterministic solution.
+pub const DETERMINISTIC: Colour = colour("det", "#111418", "#FFFFFF");
+/// Greenwood–Williamson.
+pub const GW: Colour = colour("gw", "#8C001A", "#F86237");
+/// Bush–Gibson–Thomas.
+pub const BGT: Colour = colour("bgt", "#3C26AE", "#909FFA");
+/// Greenwood's simplified elliptical model.
+pub const ELLIPTICAL: Colour = colour("sge", "#13836F", "#30E4F5");
+/// Persson.
+pub const PERSSON: Colour = colour("per", "#B542B5", "#EC83B7");
+/// Stacked multiscale.
+pub const STACKED: Colour = colour("stk", "#835C00", "#F9C379");
+/// Majumdar–Bhushan. At least 11 OKLab units from every other model, also for readers without
+/// red, green or blue cones (Machado 2009), and 4.5:1 on the page.
+pub const MAJUMDAR_BHUSHAN: Colour = colour("mb", "#5A2D69", "#B46987");
+/// Jackson–Streator multiscale; chosen as [`MAJUMDAR_BHUSHAN`].
+pub const MULTISCALE: Colour = colour("js", "#780FFF", "#6978F0");
+
+/// Every colour, in the order of the stylesheet.
+pub const COLOURS: [Colour; 15] = [
+    PAPER,
+    INK,
+    INK2,
+    LINE,
+    GRID,
+    BAND,
+    WARN,
+    DETERMINISTIC,
+    GW,
+    BGT,
+    ELLIPTICAL,
+    PERSSON,
+    STACKED,
+    MAJUMDAR_BHUSHAN,
+    MULTISCALE,
+];
+
+/// Shape that marks a series where colour is not seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// Filled dot.
+    Dot,
+    /// Open circle.
+    Ring,
+    /// Open square.
+    Square,
+    /// Open triangle, point up.
+    TriangleUp,
+    /// Open triangle, point down.
+    TriangleDown,
+    /// Open diamond.
+    Diamond,
+    /// Diagonal cross.
+    Cross,
+    /// Upright cross.
+    Plus,
+    /// Open hexagon.
+    Hexagon,
+}
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Look {
+    /// Colour of line, marker and label.
+    pub colour: Colour,
+    /// Line width in figure units.
+    pub width: f64,
+    /// SVG dash pattern; empty for a solid line.
+    pub dash: &'static str,
+    /// Marker.
+    pub marker: Marker,
+    /// The marker sits on loads `i` with `i % 4 == marker_offset`.
+    pub marker_offset: usize,
+}
+
+impl Look {
+    /// A model's line.
+    pub const fn model(
+        colour: Colour,
+        dash: &'static str,
+        marker: Marker,
+        marker_offset: usize,
+    ) -> Self {
+        Self { colour, width: 1.35, dash, marker, marker_offset }
+    }
+}
+
+/// The deterministic solution: the heaviest line, a dot at every computed load.
+pub const DETERMINISTIC_LOOK: Look =
+    Look { colour: DETERMINISTIC, width: 2.0, dash: "", marker: Marker::Dot, marker_offset: 0 };
+
+/// Height: dark low, light high, lightness linear in the value.
+pub const HEIGHT_RAMP: [u32; 9] =
+    [0x1F2D4C, 0x234560, 0x2A5F71, 0x3B797D, 0x569286, 0x79A98D, 0xA1C096, 0xCBD4A1, 0xF6E8B3];
+
+/// Pressure: light low, dark high, lightness linear in the value.
+pub const PRESSURE_RAMP: [u32; 9] =
+    [0xFCBE62, 0xF7983D, 0xEB7230, 0xD74F38, 0xBB3045, 0x9A164D, 0x75064E, 0x500247, 0x2D0236];
+
+/// A colour as OKLab lightness and the two opponent axes (Ottosson 2020).
+#[derive(Debug, Clone, Copy)]
+pub struct OkLab(pub f64, pub f64, pub f64);
+
+fn linear(channel: u32) -> f64 {
+    let c = f64::from(channel & 0xFF) / 255.0;
+    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+}
+
+impl OkLab {
+    /// From `0xRRGGBB`.
+    pub fn from_rgb(rgb: u32) -> Self {
+        let (r, g, b) = (linear(rgb >> 16), linear(rgb >> 8), linear(rgb));
+        let l = (0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b).cbrt();
+        let m = (0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b).cbrt();
+        let s = (0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b).cbrt();
+        Self(
+            0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+            1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+            0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s,
+        )
+    }
+
+    /// To 8-bit sRGB; colours outside it are clipped.
+    pub fn to_rgb(self) -> [u8; 3] {
+        let Self(lightness, a, b) = self;
+        let l = (lightness + 0.3963377774 * a + 0.2158037573 * b).powi(3);
+        let m = (lightness - 0.1055613458 * a - 0.0638541728 * b).powi(3);
+        let s = (lightness - 0.0894841775 * a - 1.2914855480 * b).powi(3);
+        [
+            4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+            -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+            -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s,
+        ]
+        .map(|c: f64| {
+            let c = c.clamp(0.0, 1.0);
+            let encoded =
+                if c <= 0.0031308 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
+            (255.0 * encoded).round() as u8
+        })
+    }
+}
+
+/// A ramp resampled to `N` colours in OKLab, for fast look-up.
+pub fn ramp_table<const N: usize>(stops: &[u32; 9]) -> [OkLab; N] {
+    let labs = stops.map(OkLab::from_rgb);
+    std::array::from_fn(|i| {
+        let x = i as f64 / (N - 1) as f64 * 8.0;
+        let k = (x as usize).min(7);
+        let t = x - k as f64;
+        let mix = |a: f64, b: f64| a + t * (b - a);
+        OkLab(
+            mix(labs[k].0, labs[k + 1].0),
+            mix(labs[k].1, labs[k + 1].1),
+            mix(labs[k].2, labs[k + 1].2),
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn oklab_round_trip_and_known_values() {
+        for rgb in HEIGHT_RAMP.into_iter().chain(PRESSURE_RAMP).chain([0, 0xFFFFFF, 0xFF0000]) {
+            let [r, g, b] = OkLab::from_rgb(rgb).to_rgb().map(u32::from);
+            assert_eq!(r << 16 | g << 8 | b, rgb, "{rgb:06X}");
+        }
+        // Ottosson's published value for sRGB red.
+        let OkLab(l, a, b) = OkLab::from_rgb(0xFF0000);
+        assert!((l - 0.62796).abs() < 1e-4 && (a - 0.22486).abs() < 1e-4);
+        assert!((b - 0.12585).abs() < 1e-4);
+    }
+
+    #[test]
+    fn ramps_print_in_grey() {
+        for (ramp, sign) in [(HEIGHT_RAMP, 1.0), (PRESSURE_RAMP, -1.0)] {
+            let l: Vec<f64> = ramp.iter().map(|&c| sign * OkLab::from_rgb(c).0).collect();
+            let step = (l[8] - l[0]) / 8.0;
+            assert!(l.windows(2).all(|w| (w[1] - w[0] - step).abs() < 0.2 * step), "{l:?}");
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Pictures as text: RGB pixels to PNG to a `data:` address.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+
+/// An 8-bit RGB picture, row-major from the upper left.
+#[derive(Debug, Clone)]
+pub struct Picture {
+    /// Pixels along x.
+    pub width: usize,
+    /// Pixels along y.
+    pub height: usize,
+    /// Three bytes per pixel.
+    pub rgb: Vec<u8>,
+}
+
+impl Picture {
+    /// The PNG file.
+    ///
+    /// # Errors
+    /// If the number of bytes does not fit the size.
+    pub fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, self.width as u32, self.height as u32);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_compression(png::Compression::High);
+        encoder.write_header()?.write_image_data(&self.rgb)?;
+        Ok(file)
+    }
+
+    /// `data:image/png;base64,…`.
+    ///
+    /// # Errors
+    /// As [`Picture::png`].
+    pub fn data_address(&self) -> Result<String, png::EncodingError> {
+        Ok(format!("data:image/png;base64,{}", STANDARD.encode(self.png()?)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn png_reads_back() {
+        let rgb: Vec<u8> = (0..5 * 3 * 3).map(|i| (i * 5) as u8).collect();
+        let picture = Picture { width: 5, height: 3, rgb: rgb.clone() };
+        let file = picture.png().unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
+        let mut back = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut back).unwrap();
+        assert_eq!((info.width, info.height), (5, 3));
+        assert_eq!(back, rgb);
+    }
+
+    #[test]
+    fn bytes_that_do_not_fit_are_an_error() {
+        assert!(Picture { width: 2, height: 2, rgb: vec![0; 3] }.data_address().is_err());
+    }
+}

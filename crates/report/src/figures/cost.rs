@@ -1,0 +1,117 @@
+//! Fig. 4: what accuracy costs, error against time.
+
+use crate::draw::axes::{Axis, Frame};
+use crate::draw::labels::place_near;
+use crate::draw::palette::{BAND, DETERMINISTIC_LOOK, INK2, LINE, Look};
+use crate::draw::svg::{COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
+use crate::figures::front::front;
+use crate::numbers::{duration, percent, time_tick};
+
+/// One way to an answer.
+#[derive(Debug, Clone)]
+pub(crate) struct Route {
+    /// Short name.
+    pub label: String,
+    /// How it is drawn.
+    pub look: Look,
+    /// Seconds per load.
+    pub seconds: f64,
+    /// Size of its relative error.
+    pub error: f64,
+    /// Bold label.
+    pub bold: bool,
+}
+
+/// Error against time per load. `floor` is the uncertainty of the reference; `None` if it has
+/// no bar.
+pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) -> Figure {
+    const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 226.0];
+    let seconds: Vec<f64> = routes.iter().map(|r| r.seconds).collect();
+    let fastest = seconds.iter().copied().fold(f64::INFINITY, f64::min).max(1e-9);
+    let slowest = seconds.iter().copied().fold(0.0, f64::max).max(10.0 * fastest);
+    let errors = routes.iter().map(|r| 100.0 * r.error).chain(floor.map(|f| 100.0 * f));
+    let (mut lo, mut hi) = (f64::INFINITY, 0.0_f64);
+    for e in errors {
+        // An error of 0 has no place on a logarithmic axis; it is drawn at the lower edge.
+        lo = lo.min(e.max(1e-3));
+        hi = hi.max(e);
+    }
+    hi = hi.max(10.0 * lo);
+    let frame = Frame {
+        x: Axis::log([fastest / 3.0, slowest * 4.0], [FRAME[0], FRAME[2]]),
+        y: Axis::log([lo / 2.5, hi * 1.8], [FRAME[3], FRAME[1]]),
+        x_title: "Time per load".into(),
+        y_title: format!("|Error| in area at {at} (%)"),
+    };
+    let mut canvas = Canvas::default();
+    let mut taken: Vec<Rect> = Vec::new();
+    if let Some(floor) = floor {
+        canvas.rect([FRAME[0], frame.y.at(100.0 * floor), FRAME[2], FRAME[3]], BAND, 1.0);
+    }
+    let x_ticks: Vec<_> = frame.x.major().into_iter().map(|s| (s, time_tick(s))).collect();
+    let y_ticks: Vec<_> = frame.y.major().into_iter().map(|v| (v, frame.y.tick_text(v))).collect();
+    frame.draw_with(&mut canvas, &x_ticks, &y_ticks);
+    if let Some(floor) = floor {
+        let note = format!("within the reference’s own ±{}: not ranked", percent(floor));
+        let text =
+            Text { colour: INK2, size: 9.0, ..Text::new([FRAME[0] + 4.0, FRAME[3] - 5.0], &note) };
+        taken.push(text.bounds());
+        canvas.label(&text);
+    }
+    let place = |r: &Route| {
+        let y = frame.y.at((100.0 * r.error).max(lo / 2.5));
+        [frame.x.at(r.seconds.max(fastest / 3.0)), y]
+    };
+    let costs: Vec<[f64; 2]> = routes.iter().map(|r| [r.seconds, r.error]).collect();
+    let steps: Vec<[f64; 2]> = front(&costs, floor.unwrap_or(0.0))
+        .windows(2)
+        .flat_map(|w| {
+            let (a, b) = (place(&routes[w[0]]), place(&routes[w[1]]));
+            [a, [b[0], a[1]], b]
+        })
+        .collect();
+    canvas.polyline(&steps, Stroke { colour: LINE, width: 1.1, dash: "3 2" });
+    for route in routes {
+        let [x, y] = place(route);
+        canvas.marker([x, y], 3.4, route.look);
+        taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
+    }
+    for route in routes {
+        let size = [text_width(&route.label, 10.0, route.bold), 10.0];
+        let inside = [FRAME[0], FRAME[1] - 8.0, COLUMN - 2.0, FRAME[3]];
+        if let Some(r) = place_near(place(route), size, &taken, inside) {
+            taken.push(r);
+            canvas.label(&Text {
+                colour: route.look.colour,
+                bold: route.bold,
+                halo: true,
+                ..Text::new([r[0], r[1] + 7.8], &route.label)
+            });
+        }
+    }
+    let listed: Vec<String> = routes
+        .iter()
+        .map(|r| format!("{} {} in {}", r.label, percent(r.error), duration(r.seconds)))
+        .collect();
+    Figure {
+        key: key.into(),
+        title: "Error against time per load".into(),
+        description: format!(
+            "Log-log plot of the size of the error in area at {at} against computing time: {}.",
+            listed.join("; ")
+        ),
+        size: [COLUMN, 262.0],
+        canvas,
+    }
+}
+
+/// The deterministic solution as a route: its error is its own uncertainty.
+pub(crate) fn deterministic(seconds: f64, uncertainty: f64) -> Route {
+    Route {
+        label: "Deterministic".into(),
+        look: DETERMINISTIC_LOOK,
+        seconds,
+        error: uncertainty,
+        bold: true,
+    }
+}

@@ -1,0 +1,435 @@
+//! Pictures of fields: height with hill shading, contact pressure over grey relief.
+
+use crate::draw::axes::round_step;
+use crate::draw::palette::{HEIGHT_RAMP, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
+use crate::draw::png::Picture;
+use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
+use crate::numbers::{METRES, PASCALS, chosen, significant, unit_for};
+use contact_accuracy::round_to_digits;
+use contact_types::Grid;
+
+/// Depth of the hill shading in OKLab lightness.
+const SHADE: f64 = 0.07;
+/// Lightness of the relief where nothing touches, and its depth.
+const RELIEF: (f64, f64) = (0.965, 0.022);
+/// Height of the colour bar and its texts below a map.
+const LEGEND: f64 = 34.0;
+
+/// How several pixels become one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reduce {
+    /// The mean over what the new pixel covers: heights.
+    Mean,
+    /// The largest value in it, so that no small contact is lost: pressures.
+    Max,
+}
+
+/// A rectangular part `[y0, x0, ny, nx]` of a grid.
+pub(crate) type Window = [usize; 4];
+
+/// A field cut to a window and reduced to at most `limit` pixels along its longer side.
+pub(crate) fn reduced(
+    field: &[f64],
+    grid: Grid,
+    [y0, x0, ny, nx]: Window,
+    limit: usize,
+    how: Reduce,
+) -> (Vec<f64>, [usize; 2]) {
+    let stride = grid.shape()[1];
+    let factor = (ny.max(nx) as f64 / limit.max(1) as f64).max(1.0);
+    let shape = [ny, nx].map(|n| ((n as f64 / factor).round() as usize).max(1));
+    let mut out = Vec::with_capacity(shape[0] * shape[1]);
+    // New pixel j covers old pixels [j n/m, (j+1) n/m), the ends in part.
+    let span = |j: usize, n: usize, m: usize| {
+        let (a, b) = (j as f64 * n as f64 / m as f64, (j + 1) as f64 * n as f64 / m as f64);
+        let last = (b.ceil() as usize).clamp(1, n);
+        (a.floor() as usize..last)
+            .map(move |i| (i, (b.min((i + 1) as f64) - a.max(i as f64)).max(0.0)))
+    };
+    for jy in 0..shape[0] {
+        for jx in 0..shape[1] {
+            let (mut sum, mut weight, mut top) = (0.0, 0.0, f64::NEG_INFINITY);
+            for (iy, wy) in span(jy, ny, shape[0]) {
+                for (ix, wx) in span(jx, nx, shape[1]) {
+                    let value = field[(y0 + iy) * stride + x0 + ix];
+                    sum += wy * wx * value;
+                    weight += wy * wx;
+                    top = top.max(value);
+                }
+            }
+            out.push(if how == Reduce::Max || weight <= 0.0 { top } else { sum / weight });
+        }
+    }
+    (out, shape)
+}
+
+/// Slope towards the light in the upper left, scaled so that two standard deviations are 1.
+fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
+    let slope: Vec<f64> = (0..ny * nx)
+        .map(|i| {
+            let (y, x) = (i / nx, i % nx);
+            let at = |y: usize, x: usize| heights[y * nx + x];
+            let across = at(y, (x + 1).min(nx - 1)) - at(y, x.saturating_sub(1));
+            let down = at((y + 1).min(ny - 1), x) - at(y.saturating_sub(1), x);
+            across + down
+        })
+        .collect();
+    let rms = (slope.iter().map(|s| s * s).sum::<f64>() / slope.len() as f64).sqrt();
+    if rms > 0.0 {
+        slope.iter().map(|s| (s / (2.0 * rms)).clamp(-1.0, 1.0)).collect()
+    } else {
+        slope
+    }
+}
+
+/// The 0.1 and 99.9 percentiles, between which the height ramp runs.
+fn percentiles(values: &[f64]) -> [f64; 2] {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let at = |q: f64| sorted[((sorted.len() - 1) as f64 * q).round() as usize];
+    [at(0.001), at(0.999)]
+}
+
+fn picture([ny, nx]: [usize; 2], colour: impl Fn(usize) -> OkLab) -> Picture {
+    let rgb = (0..ny * nx).flat_map(|i| colour(i).to_rgb()).collect();
+    Picture { width: nx, height: ny, rgb }
+}
+
+/// Heights by colour, lit from the upper left; the limits of the ramp come back.
+fn height_picture(heights: &[f64], shape: [usize; 2]) -> (Picture, [f64; 2]) {
+    let ramp = ramp_table::<256>(&HEIGHT_RAMP);
+    let [lo, hi] = percentiles(heights);
+    let shade = shading(heights, shape);
+    let image = picture(shape, |i| {
+        let t = if hi > lo { ((heights[i] - lo) / (hi - lo)).clamp(0.0, 1.0) } else { 0.5 };
+        let OkLab(l, a, b) = ramp[(t * 255.0).round() as usize];
+        OkLab((l + SHADE * shade[i]).clamp(0.0, 1.0), a, b)
+    });
+    (image, [lo, hi])
+}
+
+/// Pressure by colour from 0 to `top`; where nothing touches, the relief in faint grey.
+fn contact_picture(pressure: &[f64], heights: &[f64], shape: [usize; 2], top: f64) -> Picture {
+    let ramp = ramp_table::<256>(&PRESSURE_RAMP);
+    let shade = shading(heights, shape);
+    picture(shape, |i| {
+        if pressure[i] > 0.0 {
+            ramp[((pressure[i] / top).clamp(0.0, 1.0) * 255.0).round() as usize]
+        } else {
+            OkLab(RELIEF.0 + RELIEF.1 * shade[i], 0.0, 0.0)
+        }
+    })
+}
+
+/// What a map figure shows besides its picture.
+struct Legend<'a> {
+    low: String,
+    high: String,
+    title: &'a str,
+    ramp: &'static [u32; 9],
+}
+
+/// Width and height of a map in units: as wide as the column, no taller than wide.
+fn map_size([height, width]: [f64; 2]) -> [f64; 2] {
+    let scale = (COLUMN / width).min(COLUMN / height);
+    [(width * scale).max(8.0), (height * scale).max(8.0)]
+}
+
+/// Heights of the whole map.
+///
+/// # Errors
+/// If the picture cannot be encoded.
+pub(crate) fn heights(
+    heights: &[f64],
+    grid: Grid,
+    limit: usize,
+    key: &str,
+) -> Result<Figure, png::EncodingError> {
+    let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
+    let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
+    let (image, [lo, hi]) = height_picture(&small, shape);
+    let unit = unit_for(lo.abs().max(hi.abs()), METRES);
+    let text = |v: f64| {
+        let t = significant(v / unit.scale, 3);
+        if v > 0.0 { format!("+{t}") } else { t }
+    };
+    let title = format!("Height above mean ({})", unit.name);
+    let legend = Legend { low: text(lo), high: text(hi), title: &title, ramp: &HEIGHT_RAMP };
+    let figure = map_figure(&image, grid.size(), key, Some(&legend), None, false)?;
+    Ok(Figure {
+        title: "Shaded height map".into(),
+        description: format!(
+            "Height map, {} by {}, heights from {} to {} {} between the 0.1 and 99.9 percentiles.",
+            chosen(grid.size()[1], METRES),
+            chosen(grid.size()[0], METRES),
+            legend.low,
+            legend.high,
+            unit.name
+        ),
+        ..figure
+    })
+}
+
+/// The contact at one load: pressure by colour, the surface in grey, and the window that
+/// [`enlarged`] shows.
+///
+/// # Errors
+/// If the picture cannot be encoded.
+pub(crate) fn contact(
+    pressure: &[f64],
+    heights: &[f64],
+    grid: Grid,
+    window: Option<Window>,
+    limit: usize,
+    key: &str,
+) -> Result<Figure, png::EncodingError> {
+    let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
+    let (p, shape) = reduced(pressure, grid, whole, limit, Reduce::Max);
+    let (h, _) = reduced(heights, grid, whole, limit, Reduce::Mean);
+    let (top, clipped) = pressure_top(pressure);
+    let unit = unit_for(top, PASCALS);
+    let title = format!("Local pressure ({})", unit.name);
+    let high = significant(top / unit.scale, 2);
+    let legend = Legend {
+        low: "0".into(),
+        high: if clipped { format!("≥{high}") } else { high },
+        title: &title,
+        ramp: &PRESSURE_RAMP,
+    };
+    let image = contact_picture(&p, &h, shape, top);
+    let figure =
+        map_figure(&image, grid.size(), key, Some(&legend), window.map(|w| (w, grid)), false)?;
+    let touching = pressure.iter().filter(|p| **p > 0.0).count();
+    Ok(Figure {
+        title: "Contact map".into(),
+        description: format!(
+            "{touching} of {} points of the map carry pressure; highest {} {}.",
+            grid.len(),
+            significant(pressure.iter().copied().fold(0.0, f64::max) / unit.scale, 2),
+            unit.name
+        ),
+        ..figure
+    })
+}
+
+/// The window of the contact map, one square per point of the grid.
+///
+/// # Errors
+/// If the picture cannot be encoded.
+pub(crate) fn enlarged(
+    pressure: &[f64],
+    heights: &[f64],
+    grid: Grid,
+    window: Window,
+    key: &str,
+) -> Result<Figure, png::EncodingError> {
+    let limit = window[2].max(window[3]);
+    let (p, shape) = reduced(pressure, grid, window, limit, Reduce::Max);
+    let (h, _) = reduced(heights, grid, window, limit, Reduce::Mean);
+    let (top, _) = pressure_top(pressure);
+    let image = contact_picture(&p, &h, shape, top);
+    let [dy, dx] = grid.pixel();
+    let size = [shape[0] as f64 * dy, shape[1] as f64 * dx];
+    let figure = map_figure(&image, size, key, None, None, true)?;
+    Ok(Figure {
+        title: "Enlargement of the boxed area".into(),
+        description: format!(
+            "{} by {} of the contact map, one square per point.",
+            chosen(size[1], METRES),
+            chosen(size[0], METRES)
+        ),
+        ..figure
+    })
+}
+
+/// Upper end of the pressure ramp: the 99th percentile of the contact pressures, rounded to two
+/// digits, and whether anything lies above it.
+fn pressure_top(pressure: &[f64]) -> (f64, bool) {
+    let mut contact: Vec<f64> = pressure.iter().copied().filter(|p| *p > 0.0).collect();
+    contact.sort_by(f64::total_cmp);
+    let Some(&highest) = contact.last() else { return (1.0, false) };
+    let high = contact[(contact.len() - 1) * 99 / 100];
+    let rounded = round_to_digits(high, 2);
+    (rounded, highest > rounded)
+}
+
+fn map_figure(
+    image: &Picture,
+    size: [f64; 2],
+    key: &str,
+    legend: Option<&Legend<'_>>,
+    window: Option<(Window, Grid)>,
+    squares: bool,
+) -> Result<Figure, png::EncodingError> {
+    let [width, height] = map_size(size);
+    let mut canvas = Canvas::default();
+    canvas.raw(&format!(
+        "<image class=\"px\" href=\"{}\" x=\"0\" y=\"0\" width=\"{}\" height=\"{}\" \
+         preserveAspectRatio=\"none\"{}/>",
+        image.data_address()?,
+        num(width),
+        num(height),
+        if squares { " style=\"image-rendering:pixelated\"" } else { "" }
+    ));
+    canvas.raw(&format!(
+        "<rect x=\".3\" y=\".3\" width=\"{}\" height=\"{}\" fill=\"none\" class=\"s-line\" \
+         stroke=\"{}\" stroke-width=\".6\"/>",
+        num(width - 0.6),
+        num(height - 0.6),
+        LINE.light
+    ));
+    scale_bar(&mut canvas, [width, height], size[1]);
+    if let Some(([y0, x0, ny, nx], grid)) = window {
+        let [gy, gx] = grid.shape().map(|n| n as f64);
+        canvas.raw(&format!(
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#111\"/>",
+            num(x0 as f64 / gx * width),
+            num(y0 as f64 / gy * height),
+            num(nx as f64 / gx * width),
+            num(ny as f64 / gy * height)
+        ));
+    }
+    if let Some(legend) = legend {
+        colour_bar(&mut canvas, height + 9.0, legend, key);
+    }
+    Ok(Figure {
+        key: key.into(),
+        title: String::new(),
+        description: String::new(),
+        size: [COLUMN, height + LEGEND],
+        canvas,
+    })
+}
+
+/// A bar of round length, at most a third of the width, on a light ground.
+fn scale_bar(canvas: &mut Canvas, [width, height]: [f64; 2], metres: f64) {
+    if height < 40.0 || width < 80.0 {
+        return;
+    }
+    let step = round_step(metres / 3.0);
+    let length = if step > metres / 3.0 { round_step(metres / 7.5) } else { step };
+    let bar = length / metres * width;
+    let text = chosen(length, METRES);
+    let wide = bar.max(text_width(&text, 10.0, false)) + 12.0;
+    let (left, top) = (width - wide - 6.0, height - 28.0);
+    let middle = left + wide / 2.0;
+    canvas.raw(&format!(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"22\" fill=\"#fff\" fill-opacity=\".86\"/>\
+         <rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"2.4\" fill=\"#111\"/>\
+         <text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"#111\">{text}</text>",
+        num(left),
+        num(top),
+        num(wide),
+        num(middle - bar / 2.0),
+        num(top + 16.0),
+        num(bar),
+        num(middle),
+        num(top + 12.0)
+    ));
+}
+
+fn colour_bar(canvas: &mut Canvas, top: f64, legend: &Legend<'_>, key: &str) {
+    const WIDTH: f64 = 130.0;
+    let stops: String = ramp_table::<17>(legend.ramp)
+        .iter()
+        .enumerate()
+        .map(|(i, c)| {
+            let [r, g, b] = c.to_rgb();
+            format!(
+                "<stop offset=\"{}\" stop-color=\"#{r:02X}{g:02X}{b:02X}\"/>",
+                num(i as f64 / 16.0)
+            )
+        })
+        .collect();
+    canvas.raw(&format!(
+        "<defs><linearGradient id=\"{key}-g\">{stops}</linearGradient></defs>\
+         <rect class=\"px\" x=\"0\" y=\"{}\" width=\"{WIDTH}\" height=\"8\" fill=\"url(#{key}-g)\"/>",
+        num(top)
+    ));
+    canvas.text(&Text { colour: INK2, ..Text::new([0.0, top + 19.0], &legend.low) });
+    canvas.text(&Text {
+        colour: INK2,
+        anchor: Anchor::End,
+        ..Text::new([WIDTH, top + 19.0], &legend.high)
+    });
+    canvas.text(&Text { colour: INK, ..Text::new([WIDTH + 8.0, top + 8.0], legend.title) });
+}
+
+/// The square of about a sixth of the map (at least 32 points) that carries the most contact
+/// points without being full of them; `None` if nothing or everything touches, or the map is
+/// small enough to be seen whole.
+pub(crate) fn busiest_window(pressure: &[f64], [ny, nx]: [usize; 2]) -> Option<Window> {
+    let side = (ny.min(nx) / 6).clamp(32, 128);
+    if ny.min(nx) < 2 * side {
+        return None;
+    }
+    // Summed-area table of contact points.
+    let stride = nx + 1;
+    let mut sums = vec![0_u32; (ny + 1) * stride];
+    for y in 0..ny {
+        let mut row = 0;
+        for x in 0..nx {
+            row += u32::from(pressure[y * nx + x] > 0.0);
+            sums[(y + 1) * stride + x + 1] = sums[y * stride + x + 1] + row;
+        }
+    }
+    let count = |y: usize, x: usize| {
+        sums[(y + side) * stride + x + side] + sums[y * stride + x]
+            - sums[y * stride + x + side]
+            - sums[(y + side) * stride + x]
+    };
+    let half = (side * side / 2) as u32;
+    let step = (side / 4).max(1);
+    let mut best: Option<(u32, Window)> = None;
+    for y in (0..=ny - side).step_by(step) {
+        for x in (0..=nx - side).step_by(step) {
+            let found = count(y, x);
+            let score = if found <= half { found } else { (2 * half).saturating_sub(found) };
+            if score > best.map_or(0, |(s, _)| s) {
+                best = Some((score, [y, x, side, side]));
+            }
+        }
+    }
+    best.map(|(_, window)| window)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reduction_keeps_the_mean_and_the_highest_point() {
+        let grid = Grid::new([7, 10], [1.0, 1.0]).unwrap();
+        let field: Vec<f64> = (0..70).map(|i| f64::from((i * 37) % 71)).collect();
+        let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
+        let (small, shape) = reduced(&field, grid, [0, 0, 7, 10], 5, Reduce::Mean);
+        assert_eq!(shape, [4, 5]);
+        assert!((mean(&small) - mean(&field)).abs() < 1e-9);
+        let (peaks, _) = reduced(&field, grid, [0, 0, 7, 10], 5, Reduce::Max);
+        let top = |v: &[f64]| v.iter().copied().fold(0.0, f64::max);
+        assert!((top(&peaks) - top(&field)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_window_is_a_plain_cut_when_it_is_small() {
+        let grid = Grid::new([6, 8], [1.0, 1.0]).unwrap();
+        let field: Vec<f64> = (0..48).map(f64::from).collect();
+        let (cut, shape) = reduced(&field, grid, [2, 3, 2, 3], 64, Reduce::Mean);
+        assert_eq!(shape, [2, 3]);
+        assert_eq!(cut, [19.0, 20.0, 21.0, 27.0, 28.0, 29.0]);
+    }
+
+    #[test]
+    fn the_window_goes_where_contact_is() {
+        let mut pressure = vec![0.0; 200 * 200];
+        for y in 150..160 {
+            for x in 20..30 {
+                pressure[y * 200 + x] = 1.0;
+            }
+        }
+        let [y0, x0, ny, nx] = busiest_window(&pressure, [200, 200]).unwrap();
+        assert!(y0 <= 150 && y0 + ny >= 160 && x0 <= 20 && x0 + nx >= 30);
+        assert!(busiest_window(&vec![0.0; 200 * 200], [200, 200]).is_none());
+        assert!(busiest_window(&pressure[..100], [10, 10]).is_none());
+    }
+}

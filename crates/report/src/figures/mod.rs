@@ -1,0 +1,9 @@
+//! The figures of a study.
+
+pub(crate) mod cost;
+pub(crate) mod curves;
+pub mod front;
+pub(crate) mod maps;
+pub(crate) mod multiples;
+pub(crate) mod panels;
+pub(crate) mod surface;

@@ -1,0 +1,235 @@
+//! Figures of the surface itself: distribution of heights, power spectrum.
+
+use crate::draw::axes::{Axis, Frame};
+use crate::draw::palette::{BAND, DETERMINISTIC, GW, INK, INK2, LINE};
+use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text};
+use crate::numbers::{METRES, SPACE, chosen, quantity, significant, unit_for};
+use std::f64::consts::TAU;
+
+const FRAME: Rect = [44.0, 12.0, COLUMN - 12.0, 194.0];
+const HEIGHT: f64 = 230.0;
+
+/// Heights counted in bins of a fifth of the rms height: all of them, and those that touch.
+#[derive(Debug, Clone)]
+pub(crate) struct Histogram {
+    /// Lower edge of the first bin, in rms heights above the mean.
+    pub start: f64,
+    /// Width of a bin in rms heights.
+    pub step: f64,
+    /// Probability density of all heights, per rms height.
+    pub all: Vec<f64>,
+    /// The part of it that touches.
+    pub touching: Vec<f64>,
+}
+
+/// Counts heights about their mean. `None` for a flat map.
+pub(crate) fn histogram(heights: &[f64], pressure: &[f64]) -> Option<Histogram> {
+    const STEP: f64 = 0.2;
+    let n = heights.len() as f64;
+    let mean = heights[0] + heights.iter().map(|h| h - heights[0]).sum::<f64>() / n;
+    let rms = (heights.iter().map(|h| (h - mean).powi(2)).sum::<f64>() / n).sqrt();
+    if rms <= 0.0 {
+        return None;
+    }
+    let bin = |h: f64| ((h - mean) / rms / STEP).floor().clamp(-60.0, 59.0) as i64;
+    let (lo, hi) =
+        heights.iter().fold((i64::MAX, i64::MIN), |(lo, hi), &h| (lo.min(bin(h)), hi.max(bin(h))));
+    let mut all = vec![0.0; (hi - lo + 1) as usize];
+    let mut touching = all.clone();
+    for (i, &h) in heights.iter().enumerate() {
+        let k = (bin(h) - lo) as usize;
+        all[k] += 1.0 / (n * STEP);
+        if pressure.get(i).is_some_and(|p| *p > 0.0) {
+            touching[k] += 1.0 / (n * STEP);
+        }
+    }
+    Some(Histogram { start: lo as f64 * STEP, step: STEP, all, touching })
+}
+
+/// Distribution of heights on a logarithmic scale, with the normal curve and the part that
+/// touches.
+pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
+    const FLOOR: f64 = 1e-4;
+    let Histogram { start, step, all, touching } = histogram;
+    let end = start + step * all.len() as f64;
+    let (left, right) = (start.clamp(-8.0, -4.0), end.clamp(4.0, 8.0));
+    let frame = Frame {
+        x: Axis::linear([left - 0.2, right + 0.2], [FRAME[0], FRAME[2]]),
+        y: Axis::log(
+            [FLOOR, 1.0_f64.max(1.2 * all.iter().copied().fold(0.0, f64::max))],
+            [FRAME[3], FRAME[1]],
+        ),
+        x_title: "Height / Sq".into(),
+        y_title: "Probability density".into(),
+    };
+    let mut canvas = Canvas::default();
+    frame.draw(&mut canvas);
+    let steps = |values: &[f64]| -> Vec<[f64; 2]> {
+        let mut points = vec![];
+        for (k, &v) in values.iter().enumerate() {
+            let (a, b) = (start + step * k as f64, start + step * (k + 1) as f64);
+            if a < left - 0.2 || b > right + 0.2 {
+                continue;
+            }
+            let y = v.max(FLOOR);
+            points.push(frame.at([a, y]));
+            points.push(frame.at([b, y]));
+        }
+        if let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) {
+            points.insert(0, [first[0], FRAME[3]]);
+            points.push([last[0], FRAME[3]]);
+        }
+        points
+    };
+    canvas.area(&steps(all), LINE, 0.35);
+    if touching.iter().any(|v| *v > 0.0) {
+        canvas.area(&steps(touching), GW, 0.75);
+    }
+    // phi(x) falls below the floor at |x| = sqrt(-2 ln(floor sqrt(2 pi))).
+    let reach = (-2.0 * (FLOOR * TAU.sqrt()).ln()).sqrt();
+    let normal: Vec<[f64; 2]> = (0..=80)
+        .map(|i| reach * (f64::from(i) / 40.0 - 1.0))
+        .map(|x| frame.at([x, (-x * x / 2.0).exp() / TAU.sqrt()]))
+        .collect();
+    canvas.polyline(&normal, Stroke::solid(DETERMINISTIC, 1.2));
+    canvas.label(&Text {
+        anchor: Anchor::End,
+        halo: true,
+        ..Text::new([frame.x.at(-2.35), frame.y.at(0.045)], "normal")
+    });
+    canvas.label(&Text {
+        colour: INK2,
+        anchor: Anchor::Middle,
+        ..Text::new([frame.x.at(-0.35), frame.y.at(0.012)], "measured")
+    });
+    let text = format!("touching at {at}");
+    if touching.iter().any(|v| *v > 0.0) {
+        canvas.label(&Text {
+            colour: GW,
+            anchor: Anchor::End,
+            halo: true,
+            ..Text::new([FRAME[2] - 2.0, frame.y.at(0.35)], &text)
+        });
+    }
+    let lowest = touching.iter().position(|v| *v > 0.0).map(|k| start + step * k as f64);
+    Figure {
+        key: key.into(),
+        title: "Height distribution".into(),
+        description: format!(
+            "Semi-log histogram of heights from {} to {} rms heights with the normal curve.{}",
+            significant(*start, 2),
+            significant(end, 2),
+            lowest.map_or(String::new(), |x| format!(
+                " Only heights above {} rms heights touch at {at}.",
+                significant(x, 2)
+            ))
+        ),
+        size: [COLUMN, HEIGHT],
+        canvas,
+    }
+}
+
+/// A radial power spectrum, as drawn and as listed.
+#[derive(Debug, Clone)]
+pub(crate) struct Spectrum {
+    /// `[wavelength (m), C (m⁴)]`, long to short.
+    pub points: Vec<[f64; 2]>,
+    /// Hurst exponent and the wavelengths between which it was fitted (m).
+    pub fit: Option<(f64, [f64; 2])>,
+}
+
+/// Radial power spectral density over wavelength, long to short.
+pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
+    let points: Vec<[f64; 2]> =
+        spectrum.points.iter().copied().filter(|[l, c]| *l > 0.0 && *c > 0.0).collect();
+    let (first, last) = (points.first()?, points.last()?);
+    let highest = points.iter().map(|p| p[1]).fold(0.0, f64::max);
+    // Twelve decades hold any rough surface; below that there is rounding.
+    let lowest = points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min).max(1e-12 * highest);
+    let unit = unit_for((first[0] * last[0]).sqrt(), METRES);
+    let fourth = unit.scale.powi(4);
+    let frame = Frame {
+        x: Axis::log([first[0] / unit.scale, last[0] / unit.scale], [FRAME[0], FRAME[2]]),
+        y: Axis::log([lowest / fourth / 2.0, highest / fourth * 4.0], [FRAME[3], FRAME[1]]),
+        x_title: format!("Wavelength ({})", unit.name),
+        y_title: format!("Radial PSD C ({}⁴)", unit.name),
+    };
+    let mut canvas = Canvas::default();
+    if let Some((_, [short, long])) = spectrum.fit {
+        let at = |l: f64| frame.x.at(l / unit.scale).clamp(FRAME[0], FRAME[2]);
+        canvas.rect([at(long), FRAME[1], at(short), FRAME[3]], BAND, 0.9);
+    }
+    frame.draw(&mut canvas);
+    let line: Vec<[f64; 2]> = points
+        .iter()
+        .filter(|p| p[1] >= lowest)
+        .map(|[l, c]| frame.at([l / unit.scale, c / fourth]))
+        .collect();
+    canvas.polyline(&line, Stroke::solid(DETERMINISTIC, 1.4));
+    let mut description = format!(
+        "Log-log radial power spectral density over wavelengths from {} to {}.",
+        chosen(first[0], METRES),
+        chosen(last[0], METRES)
+    );
+    if let Some((hurst, [short, long])) = spectrum.fit {
+        let slope = -2.0 - 2.0 * hurst;
+        let inside: Vec<&[f64; 2]> =
+            points.iter().filter(|[l, _]| (short..=long).contains(l)).collect();
+        if !inside.is_empty() {
+            // The line passes above the points by a factor of 2.2, to stay visible.
+            let level: f64 = inside.iter().map(|[l, c]| c.ln() + slope * l.ln()).sum::<f64>()
+                / inside.len() as f64;
+            let fit = |l: f64| 2.2 * (level - slope * l.ln()).exp() / fourth;
+            let ends = [long, short].map(|l| frame.at([l / unit.scale, fit(l)]));
+            canvas.polyline(&ends, Stroke { colour: GW, width: 1.4, dash: "5 3" });
+            let middle = (short * long).sqrt();
+            let [x, y] = frame.at([middle / unit.scale, fit(middle)]);
+            let text = format!("H = {}", significant(hurst, 2));
+            canvas.label(&Text { colour: GW, halo: true, ..Text::new([x + 6.0, y - 4.0], &text) });
+        }
+        let text =
+            format!("fitted {}–{}", significant(long / unit.scale, 2), quantity(short, METRES, 2));
+        canvas.label(&Text {
+            colour: INK2,
+            size: 9.0,
+            halo: true,
+            ..Text::new([FRAME[0] + 4.0, FRAME[3] - 5.0], &text)
+        });
+        description.push_str(&format!(
+            " Between {} and {} it falls as a Hurst exponent of {}.",
+            quantity(long, METRES, 2),
+            quantity(short, METRES, 2),
+            significant(hurst, 2)
+        ));
+    }
+    canvas.text(&Text {
+        colour: INK,
+        size: 9.0,
+        anchor: Anchor::End,
+        halo: true,
+        ..Text::new([FRAME[2] - 2.0, FRAME[1] + 8.0], &format!("long{SPACE}→{SPACE}short"))
+    });
+    Some(Figure {
+        key: key.into(),
+        title: "Radial power spectral density".into(),
+        description,
+        size: [COLUMN, HEIGHT],
+        canvas,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn histogram_integrates_to_one_and_touching_to_the_area() {
+        let heights: Vec<f64> = (0..1000).map(|i| f64::from(i % 100)).collect();
+        let pressure: Vec<f64> = heights.iter().map(|h| (h - 89.5).max(0.0)).collect();
+        let h = histogram(&heights, &pressure).unwrap();
+        let sum = |v: &[f64]| v.iter().sum::<f64>() * h.step;
+        assert!((sum(&h.all) - 1.0).abs() < 1e-12);
+        assert!((sum(&h.touching) - 0.1).abs() < 1e-12);
+        assert!(histogram(&[1.0; 9], &[0.0; 9]).is_none());
+    }
+}

@@ -1,0 +1,353 @@
+//! `results.json`: everything, in SI units, for other programs. Absent numbers are `null`.
+
+use crate::error::ReportError;
+use crate::provenance::Provenance;
+use crate::words;
+use crate::words::finding::finding;
+use crate::words::plan as plan_words;
+use compare::PrecisionName;
+use compare::{
+    Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
+};
+use contact_accuracy::BOUNDARY_CORRECTION;
+use contact_accuracy::plan::Outcome;
+use contact_types::{ContactState, ModelError};
+use serde_json::{Value, json};
+use std::io::Write;
+use surface_stats::SurfaceStatistics;
+use surface_stats::clean::{FormParameters, Record};
+
+/// Writes the results.
+///
+/// # Errors
+/// [`ReportError::Io`] or [`ReportError::Json`].
+pub fn write(
+    comparison: &Comparison,
+    provenance: &Provenance,
+    out: &mut impl Write,
+) -> Result<(), ReportError> {
+    serde_json::to_writer_pretty(&mut *out, &self::comparison(comparison, provenance))?;
+    writeln!(out)?;
+    Ok(())
+}
+
+/// The results as one object.
+pub fn comparison(comparison: &Comparison, provenance: &Provenance) -> Value {
+    json!({
+        "surfaces": comparison.surfaces.iter().map(|s| surface(s, comparison)).collect::<Vec<_>>(),
+        "settings": comparison.settings,
+        "versions": { "rough-contact": provenance.version, "platform": provenance.platform },
+        "seconds": comparison.seconds,
+    })
+}
+
+/// Findings with their words.
+pub fn findings(found: &[Finding]) -> Value {
+    let one = |f: &Finding| {
+        let words = finding(f);
+        json!({
+            "weight": f.weight.name(),
+            "subject": f.subject().name(),
+            "claim": words.claim,
+            "text": words.text,
+        })
+    };
+    found.iter().map(one).collect()
+}
+
+fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
+    let grid = s.solved_map().grid();
+    let settings = &comparison.settings;
+    let (precision, tolerance) = s
+        .plan
+        .as_ref()
+        .map_or((settings.precision, settings.tolerance), |p| (p.precision.into(), p.tolerance));
+    let method = s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.method.clone()));
+    json!({
+        "name": s.name,
+        "origin": s.origin,
+        "cleaning": cleaning(s.origin.cleaned()),
+        "findings": findings(&compare::findings(s)),
+        "statistics": statistics(&s.statistics),
+        "inputs": {
+            "moments": s.inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })),
+            "source": s.inputs.source.name(),
+        },
+        "headline_pressure": s.headline_pressure(),
+        "resolved": s.spectral.resolved,
+        "contact_spots": s.spots.map(|c| json!({
+            "count": c.count,
+            "median_area": c.median_area,
+            "largest_area": c.largest_area,
+        })),
+        "refined": refined(s),
+        "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|c| json!({
+            "choice": c.kind.name(),
+            "area_effect": c.effect,
+        })).collect::<Vec<_>>()),
+        "coarser": s.coarser.iter().map(|c| json!({
+            "mean_pressure": s.headline_pressure(),
+            "factor": c.factor,
+            "shape": c.shape,
+            "area_fraction": c.area_fraction,
+            "area_fraction_corrected": c.area_fraction_corrected,
+            "area_error": c.error,
+            "seconds": c.seconds,
+        })).collect::<Vec<_>>(),
+        "setup_seconds": s.setup_seconds,
+        "deterministic": {
+            "shape": grid.shape(),
+            "pixel": grid.pixel(),
+            "boundary": "periodic",
+            "method": method,
+            "precision": precision,
+            "modulus": settings.modulus,
+            "tolerance": tolerance,
+            "accuracy": s.plan.as_ref().map(accuracy),
+            "points": s.deterministic.iter().map(point).collect::<Vec<_>>(),
+        },
+        "models": s.models.iter().map(|m| model(m, s)).collect::<Vec<_>>(),
+    })
+}
+
+/// The headline load on a twice finer grid, if it was solved there.
+fn refined(s: &SurfaceComparison) -> Value {
+    let finer = s.headline_answer().and_then(|a| a.finer);
+    finer.map_or(Value::Null, |f| {
+        json!({
+            "mean_pressure": s.headline_pressure(),
+            "area_fraction_corrected": f.area,
+            "contact_perimeter": f.correction / BOUNDARY_CORRECTION,
+            "mean_gap": f.gap,
+            "seconds": s.refined_seconds,
+            "loads": s.deterministic.iter().filter_map(|p| p.answer.as_ref()?.finer).count(),
+        })
+    })
+}
+
+/// One load of the deterministic curve, with the keys of `solve --json`.
+fn point(p: &DeterministicPoint) -> Value {
+    let Some(a) = &p.answer else {
+        return json!({
+            "mean_pressure": p.mean_pressure,
+            "area_fraction": null,
+            "area_fraction_corrected": null,
+            "converged": false,
+            "trouble": p.trouble,
+        });
+    };
+    let real = |area: f64| (area > 0.0).then(|| p.mean_pressure / area);
+    let mut point = json!({
+    "mean_pressure": p.mean_pressure,
+    "area_fraction": a.area_fraction,
+    "area_fraction_corrected": a.area_fraction_corrected,
+    "area_interval_covers": "grid and iteration",
+    "no_interval_because": a.budget.area.comparison_half_width().err().map(|r| r.to_string()),
+    "mean_gap": a.mean_gap,
+    "approach": a.approach,
+    "max_pressure": a.max_pressure,
+    "real_pressure": real(a.area_fraction),
+    "converged": a.converged,
+    "trouble": p.trouble,
+    "iterations": a.iterations,
+    "transforms": a.transforms,
+    "seconds": a.seconds,
+    "residuals": {
+        "preconditioned": a.residuals.preconditioned,
+        "complementarity": a.residuals.complementarity,
+        "penetration": a.residuals.penetration,
+    },
+    "duality_gap": a.duality_gap,
+    "energy_bound": a.energy_bound,
+    "contact_pixels": a.contact_pixels,
+    "contact_perimeter": a.contact_perimeter,
+    });
+    if let Value::Object(keys) = &mut point {
+        keys.extend(crate::budget_json::keys(Some(&a.budget)));
+    }
+    point
+}
+
+fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
+    let curve = m.outcome.as_ref().ok();
+    json!({
+        "model": m.card.name,
+        "citation": citation(m),
+        "applicable": m.outcome.is_ok(),
+        "verdict": m.verdict.answer.word(),
+        "reason": words::reason(m),
+        "survey": m.experience.map(|e| json!({
+            "area_error": [e.low, e.high],
+            "surfaces": e.surfaces,
+        })),
+        "seconds": curve.map(|c| c.seconds),
+        "area_error": curve.map(|c| area_error(c, surface)),
+        "points": curve.map_or(Vec::new(), |c| {
+            c.points.iter().zip(&surface.deterministic).map(|(r, p)| answer(p.mean_pressure, r)).collect()
+        }),
+    })
+}
+
+fn citation(m: &ModelComparison) -> Value {
+    let c = m.card.citation.clone();
+    json!({ "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi })
+}
+
+fn area_error(curve: &ModelCurve, surface: &SurfaceComparison) -> Value {
+    let summary = curve.worst_and_mean();
+    json!({
+        "signed": curve.errors,
+        "headline": curve.errors.get(surface.headline),
+        "worst": summary.map(|(worst, _)| worst),
+        "mean_absolute": summary.map(|(_, mean)| mean),
+    })
+}
+
+fn answer(mean_pressure: f64, result: &Result<ContactState, ModelError>) -> Value {
+    match result {
+        Ok(s) => json!({
+            "mean_pressure": mean_pressure,
+            "area_fraction": s.area_fraction,
+            "real_pressure": s.real_pressure(),
+            "separation": s.separation,
+            "mean_gap": s.mean_gap,
+            "caveat": s.caveat.as_ref().map(ToString::to_string),
+            "error": null,
+        }),
+        Err(e) => json!({
+            "mean_pressure": mean_pressure,
+            "area_fraction": null,
+            "error": { "message": e.to_string() },
+        }),
+    }
+}
+
+/// What was chosen for a request, and why.
+pub fn accuracy(outcome: &Outcome) -> Value {
+    json!({
+        "requested": outcome.request.relative(),
+        "met": outcome.met,
+        "given": outcome.given.shape(),
+        "grid": outcome.grid.shape(),
+        "factor": outcome.factor,
+        "precision": PrecisionName::from(outcome.precision),
+        "tolerance": outcome.tolerance,
+        "half_width": outcome.half_width,
+        "transforms": outcome.transforms,
+        "work": outcome.work,
+        "seconds": outcome.seconds,
+        "given_up": outcome.given_up,
+        "next": outcome.next.map(|next| json!({
+            "grid": next.shape,
+            "factor": next.factor,
+            "half_width": next.half_width,
+            "seconds": next.seconds,
+        })),
+        "reason": plan_words::reason(outcome),
+        "explanation": plan_words::explanation(outcome),
+    })
+}
+
+/// What cleaning did, one object per step in the order in which it was done.
+pub fn cleaning(records: &[Record]) -> Value {
+    records.iter().map(cleaning_step).collect()
+}
+
+fn cleaning_step(record: &Record) -> Value {
+    let mut object = match *record {
+        Record::Outliers { rule, count, limit, largest } => json!({
+            "step": "outliers",
+            "threshold": rule.threshold,
+            "window": 2 * rule.reach + 1,
+            "count": count,
+            "limit": limit,
+            "largest": largest,
+        }),
+        Record::Form { parameters, points } => {
+            let mut form = form(parameters);
+            form["step"] = json!("form");
+            form["points"] = json!(points);
+            form
+        }
+        Record::SFilter { nesting_index } => {
+            json!({ "step": "s_filter", "nesting_index": nesting_index })
+        }
+        Record::LFilter { nesting_index } => {
+            json!({ "step": "l_filter", "nesting_index": nesting_index })
+        }
+    };
+    object["message"] = json!(record.to_string());
+    object
+}
+
+/// A radius is positive if convex and `null` for a plane.
+fn form(parameters: FormParameters) -> Value {
+    let finite = |radius: f64| radius.is_finite().then_some(radius);
+    match parameters {
+        FormParameters::Polynomial { degree } => json!({ "form": "polynomial", "degree": degree }),
+        FormParameters::Sphere { radius, apex } => {
+            json!({ "form": "sphere", "radius": finite(radius), "apex": apex })
+        }
+        FormParameters::Cylinder { radius, direction, tilt } => json!({
+            "form": "cylinder", "radius": finite(radius), "direction": direction, "tilt": tilt,
+        }),
+    }
+}
+
+/// Statistics with the keys of `stats --json`.
+pub fn statistics(s: &SurfaceStatistics) -> Value {
+    let warnings: Vec<Value> =
+        s.warnings.iter().map(|w| json!({ "kind": w.kind(), "message": w.to_string() })).collect();
+    json!({
+        "shape": s.shape,
+        "pixel": s.pixel,
+        "level": format!("{:?}", s.level).to_lowercase(),
+        "boundary": s.edges.name(),
+        "missing": s.missing,
+        "rms_height": s.rms_height,
+        "mean_abs_height": s.mean_abs_height,
+        "skewness": s.skewness,
+        "kurtosis": s.kurtosis,
+        "peak_height": s.peak_height,
+        "pit_depth": s.pit_depth,
+        "rms_gradient": s.rms_gradient,
+        "m0": s.m0,
+        "m2": s.m2,
+        "m4": s.m4,
+        "m2_x": s.m2_x,
+        "m2_y": s.m2_y,
+        "m4_x": s.m4_x,
+        "m4_y": s.m4_y,
+        "m0_spectral": s.m0_spectral,
+        "m2_spectral": s.m2_spectral,
+        "m4_spectral": s.m4_spectral,
+        "bandwidth": s.bandwidth,
+        "anisotropy": s.anisotropy,
+        "asperities": s.asperities.map(|a| json!({
+            "density": a.density,
+            "radius": a.radius,
+            "height_std": a.height_std,
+            "mean_offset": a.mean_offset,
+        })),
+        "summits": {
+            "count": s.summits.count,
+            "density": s.summits.density,
+            "height_mean": s.summits.height_mean,
+            "height_std": s.summits.height_std,
+            "curvature_mean": s.summits.curvature_mean,
+            "plateaus": s.summits.plateaus,
+        },
+        "hurst": s.hurst,
+        "dimension": s.dimension,
+        "roughness": s.roughness,
+        "fractal_range": s.fractal_range,
+        "rolloff": s.rolloff,
+        "cutoff": s.cutoff,
+        "max_amplitude_ratio": s.max_amplitude_ratio,
+        "record_length": s.record_length,
+        "height_step": s.height_step,
+        "noise_rms": s.noise_rms,
+        "reliable_wavelength": s.reliable_wavelength,
+        "warnings": warnings,
+    })
+}

@@ -1,0 +1,35 @@
+//! What a study looks like: one page to read, figures as files, and tables for other programs.
+//! Everything writes to [`std::io::Write`]; nothing here opens a file.
+
+#![allow(
+    clippy::format_collect,
+    clippy::format_push_string,
+    reason = "a page is text put together from pieces, once"
+)]
+
+mod budget_json;
+mod csv;
+pub mod draw;
+mod error;
+pub mod figures;
+mod json;
+mod lines;
+pub mod looks;
+pub mod numbers;
+mod page;
+mod provenance;
+mod sources;
+mod words;
+
+pub use budget_json::keys as budget_keys;
+pub use csv::write as write_csv;
+pub use error::ReportError;
+pub use figures::panels::{write_area_svg, write_pressure_svg};
+pub use json::{
+    accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,
+    findings as findings_json, statistics as statistics_json, write as write_json,
+};
+pub use page::html::write as write_html;
+pub use provenance::Provenance;
+pub use words::finding::{Worded, finding};
+pub use words::plan::{explanation as plan_explanation, reason as plan_reason};

@@ -1,0 +1,105 @@
+//! The numbers every figure over the load draws: the same that `curves.csv` lists.
+
+use crate::draw::palette::Look;
+use crate::looks::look;
+use crate::numbers::{PASCALS, Unit, signed_range, significant, unit_for};
+use compare::{DeterministicAnswer, SurfaceComparison};
+
+/// Error within which a closed form counts as an answer.
+pub(crate) const WANTED: f64 = 0.10;
+
+/// One closed form over the loads.
+#[derive(Debug, Clone)]
+pub(crate) struct ModelLine {
+    /// Name of the model.
+    pub name: String,
+    /// Short label, unique.
+    pub label: String,
+    /// How it is drawn.
+    pub look: Look,
+    /// Area fraction at each load; `None` where the model does not answer.
+    pub area: Vec<Option<f64>>,
+}
+
+/// What the figures over the load draw: the same numbers `curves.csv` lists.
+#[derive(Debug, Clone)]
+pub(crate) struct Lines {
+    /// Nominal pressures (Pa), rising.
+    pub pressures: Vec<f64>,
+    /// Deterministic area fraction at each; `None` where there is none.
+    pub area: Vec<Option<f64>>,
+    /// Its interval from grid and iteration.
+    pub interval: Vec<Option<[f64; 2]>>,
+    /// The closed forms that answer at one load at least.
+    pub models: Vec<ModelLine>,
+    /// Index of the load read off.
+    pub headline: usize,
+}
+
+impl Lines {
+    /// The numbers of a surface.
+    pub(crate) fn of(surface: &SurfaceComparison) -> Self {
+        let answers = || surface.deterministic.iter().map(|p| p.answer.as_ref());
+        let models = surface.models.iter().enumerate().filter_map(|(place, m)| {
+            let curve = m.outcome.as_ref().ok()?;
+            let area = curve.points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction));
+            let (name, label) = (m.card.name.to_string(), m.card.label.to_string());
+            let look = look(&name, place);
+            Some(ModelLine { name, label, look, area: area.collect() })
+        });
+        Self {
+            pressures: surface.deterministic.iter().map(|p| p.mean_pressure).collect(),
+            area: answers().map(|a| a.map(|a| a.area_fraction_corrected)).collect(),
+            interval: answers().map(|a| a.and_then(DeterministicAnswer::interval)).collect(),
+            models: models.collect(),
+            headline: surface.headline,
+        }
+    }
+
+    /// Unit in which this surface's nominal pressures are read.
+    pub(crate) fn pressure_unit(&self) -> Unit {
+        let middle = (self.pressures[0] * self.pressures[self.pressures.len() - 1]).sqrt();
+        unit_for(middle, PASCALS)
+    }
+
+    /// Signed relative error of a model at each load.
+    pub(crate) fn errors(&self, model: &ModelLine) -> Vec<Option<f64>> {
+        model
+            .area
+            .iter()
+            .zip(&self.area)
+            .map(|(m, d)| Some(m.as_ref()? / d.as_ref().filter(|d| **d > 0.0)? - 1.0))
+            .collect()
+    }
+}
+
+pub(crate) fn min_max(values: &[f64]) -> Option<(f64, f64)> {
+    let lo = values.iter().copied().min_by(f64::total_cmp)?;
+    let hi = values.iter().copied().max_by(f64::total_cmp)?;
+    Some((lo, hi))
+}
+
+pub(crate) fn range_words(values: &[Option<f64>], unit: &str) -> String {
+    let present: Vec<f64> = values.iter().flatten().copied().collect();
+    min_max(&present).map_or("none".into(), |(lo, hi)| {
+        format!("{} to {}{unit}", significant(lo, 3), significant(hi, 3))
+    })
+}
+
+/// "GW −38 to −4.3 %; Persson …": the finding, for the text alternative of a figure.
+pub(crate) fn compared(lines: &Lines) -> String {
+    let parts: Vec<String> = lines
+        .models
+        .iter()
+        .filter_map(|m| {
+            let errors: Vec<f64> = lines.errors(m).into_iter().flatten().collect();
+            let (lo, hi) = min_max(&errors)?;
+            Some(format!("{} {}", m.label, signed_range(lo, hi)))
+        })
+        .collect();
+    if parts.is_empty() {
+        "No closed form answers.".into()
+    } else {
+        format!("Errors over the loads: {}.", parts.join("; "))
+    }
+}

@@ -1,0 +1,68 @@
+//! What the report knows of each closed form: how it is drawn, and the symbols of its inputs. Both
+//! by the name of the model; one that is not in this list is drawn in a reserve.
+
+use crate::draw::palette::{
+    BGT, ELLIPTICAL, GW, INK2, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
+};
+use crate::draw::svg::escape;
+use compare::Card;
+
+/// Name, look, and inputs as HTML symbols.
+const LOOKS: [(&str, Look, &str); 8] = [
+    ("gw", Look::model(GW, "6 2.5", Marker::Square, 1), MOMENTS),
+    ("bgt", Look::model(BGT, "2 2", Marker::TriangleUp, 2), MOMENTS),
+    ("greenwood-elliptical", Look::model(ELLIPTICAL, "", Marker::Diamond, 3), MOMENTS),
+    ("persson", Look::model(PERSSON, "8 2 1.5 2", Marker::TriangleDown, 0), "<i>m</i><sub>2</sub>"),
+    ("stacked", Look::model(STACKED, "4 2 1 2 1 2", Marker::Cross, 2), "<i>B</i><sub>max</sub>"),
+    ("multiscale", Look::model(MULTISCALE, "10 2 2 2", Marker::Hexagon, 3), "<i>Δ</i>(<i>f</i>)"),
+    ("archard", Look::model(STACKED, "1 3", Marker::Diamond, 0), "<i>R</i>, <i>m</i>"),
+    (
+        "majumdar-bhushan",
+        Look::model(MAJUMDAR_BHUSHAN, "1 2.5", Marker::Plus, 1),
+        "<i>D</i>, <i>G</i>",
+    ),
+];
+
+const MOMENTS: &str = "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>";
+
+/// For models that are not in the list, in their order in the study.
+const RESERVE: [Look; 4] = [
+    Look::model(INK2, "5 2", Marker::Square, 1),
+    Look::model(INK2, "2 3", Marker::TriangleUp, 2),
+    Look::model(INK2, "9 3", Marker::Diamond, 3),
+    Look::model(INK2, "1 1.5", Marker::TriangleDown, 0),
+];
+
+/// How a model is drawn; one of the reserve by its `place` in the study if its name is not known.
+pub fn look(name: &str, place: usize) -> Look {
+    let known = LOOKS.iter().find(|row| row.0 == name);
+    known.map_or(RESERVE[place % RESERVE.len()], |row| row.1)
+}
+
+/// What a model is made of, as HTML symbols; in its own words if its name is not known.
+pub(crate) fn inputs_html(card: &Card) -> String {
+    let known = LOOKS.iter().find(|row| row.0 == card.name);
+    known.map_or_else(|| escape(&card.needs), |row| row.2.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use compare::{Registry, Theory};
+
+    /// Every model of the list is drawn in a way of its own; strangers differ from all of them.
+    #[test]
+    fn every_model_has_its_own_look() {
+        let registry = Registry::built_in();
+        let cards: Vec<&Card> = registry.iter().map(Theory::card).collect();
+        let looks: Vec<Look> = cards.iter().map(|card| look(&card.name, 0)).collect();
+        for (i, card) in cards.iter().enumerate() {
+            assert!(LOOKS.iter().any(|row| row.0 == card.name), "{}", card.name);
+            assert!(!looks[..i].contains(&looks[i]), "{}", card.name);
+        }
+        for place in 0..RESERVE.len() {
+            assert!(!looks.contains(&look("another", place)));
+            assert!((0..place).all(|other| look("another", other) != look("another", place)));
+        }
+    }
+}

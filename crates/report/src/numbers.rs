@@ -1,0 +1,316 @@
+//! Numbers as people read them: digits that the uncertainty supports, true minus signs, narrow
+//! no-break spaces before units and in groups of three digits.
+
+/// Narrow no-break space.
+pub const SPACE: char = '\u{202F}';
+/// Minus sign, as wide as a plus.
+pub const MINUS: char = '\u{2212}';
+
+/// `value` with `decimals` decimals, a true minus, and groups of three digits from 10 000.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{:.decimals$}", value.abs());
+    let (whole, fraction) = text.split_once('.').unwrap_or((&text, ""));
+    let mut out = String::new();
+    if value < 0.0 && text.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
+        out.push(MINUS);
+    }
+    for (i, digit) in whole.chars().enumerate() {
+        if i > 0 && whole.len() > 4 && (whole.len() - i) % 3 == 0 {
+            out.push(SPACE);
+        }
+        out.push(digit);
+    }
+    if !fraction.is_empty() {
+        out.push('.');
+        out.push_str(fraction);
+    }
+    out
+}
+
+/// Decimal exponent of the leading digit after rounding to `digits` significant digits.
+fn exponent(value: f64, digits: i32) -> i32 {
+    let text = format!("{:.*e}", (digits - 1).max(0) as usize, value.abs());
+    text.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0)
+}
+
+/// `value` to `digits` significant digits, without an exponent; beyond 10⁵ and below 10⁻³ as a
+/// power of ten. Zero is "0".
+pub fn significant(value: f64, digits: i32) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    let e = exponent(value, digits);
+    if !(-3..6).contains(&e) {
+        let mantissa = value / 10f64.powi(e);
+        return format!(
+            "{}{SPACE}×{SPACE}{}",
+            fixed(mantissa, (digits - 1).max(0) as usize),
+            power_of_ten(e)
+        );
+    }
+    let place = 10f64.powi(e + 1 - digits);
+    let rounded = if place > 1.0 { (value / place).round() * place } else { value };
+    fixed(rounded, usize::try_from(digits - 1 - e).unwrap_or(0))
+}
+
+/// "10⁻⁶".
+pub fn power_of_ten(exponent: i32) -> String {
+    let digits: String = exponent
+        .unsigned_abs()
+        .to_string()
+        .chars()
+        .map(|c| match c {
+            '0' => '⁰',
+            '1' => '¹',
+            '2' => '²',
+            '3' => '³',
+            '4' => '⁴',
+            '5' => '⁵',
+            '6' => '⁶',
+            '7' => '⁷',
+            '8' => '⁸',
+            _ => '⁹',
+        })
+        .collect();
+    format!("10{}{digits}", if exponent < 0 { "⁻" } else { "" })
+}
+
+/// Decimals to which a value with this uncertainty is printed, negative for tens, hundreds…:
+/// one significant digit of the uncertainty, two if it starts with 1.
+fn decimals_of(uncertainty: f64) -> i32 {
+    let e = exponent(uncertainty, 2);
+    let leading = uncertainty / 10f64.powi(e);
+    // 1.2 and, since it rounds to 10, 9.6 start with 1.
+    if leading < 1.95 { 1 - e } else { -e }
+}
+
+/// "1.96 ± 0.12": both to the place the uncertainty supports. Without a usable uncertainty,
+/// three significant digits of the value.
+pub fn plus_minus(value: f64, uncertainty: f64) -> String {
+    if !(uncertainty > 0.0 && uncertainty.is_finite()) {
+        return significant(value, 3);
+    }
+    let decimals = decimals_of(uncertainty);
+    if decimals >= 0 {
+        let d = decimals as usize;
+        return format!("{} ± {}", fixed(value, d), fixed(uncertainty, d));
+    }
+    let place = 10f64.powi(-decimals);
+    let round = |x: f64| fixed((x / place).round() * place, 0);
+    format!("{} ± {}", round(value), round(uncertainty))
+}
+
+/// "+399 %", "−4.3 %": a signed relative error, whole per cent from 10, one decimal below.
+pub fn signed_percent(error: f64) -> String {
+    format!("{}{SPACE}%", signed(100.0 * error))
+}
+
+/// "−26 to −4.4 %": a range of signed relative errors.
+pub fn signed_range(low: f64, high: f64) -> String {
+    let (a, b) = (signed(100.0 * low), signed(100.0 * high));
+    if a == b { format!("{a}{SPACE}%") } else { format!("{a} to {b}{SPACE}%") }
+}
+
+/// The number of [`signed_percent`] without its unit.
+pub fn signed(percent: f64) -> String {
+    let text = fixed(percent, usize::from(percent.abs() < 9.95));
+    if percent > 0.0 && text.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
+        format!("+{text}")
+    } else {
+        text
+    }
+}
+
+/// "15 %": the size of a relative error or bound.
+pub fn percent(fraction: f64) -> String {
+    let p = 100.0 * fraction.abs();
+    if p > 0.0 && p < 0.01 {
+        return format!("<{SPACE}0.01{SPACE}%");
+    }
+    let digits =
+        if p >= 10.0 { significant(p, if p >= 100.0 { 3 } else { 2 }) } else { significant(p, 2) };
+    format!("{digits}{SPACE}%")
+}
+
+/// "58 µs": a duration with two significant digits.
+pub fn duration(seconds: f64) -> String {
+    const UNITS: [(f64, &str); 4] = [(1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")];
+    if seconds >= 119.5 {
+        return format!("{}{SPACE}min", significant(seconds / 60.0, 2));
+    }
+    let (scale, unit) =
+        UNITS.into_iter().find(|(scale, _)| seconds >= 0.995 * scale).unwrap_or(UNITS[3]);
+    format!("{}{SPACE}{unit}", significant(seconds / scale, 2))
+}
+
+/// "20 000" or "21": how many times; two digits below 100, one above.
+pub fn times(ratio: f64) -> String {
+    fixed_significant(ratio, if ratio < 99.5 { 2 } else { 1 })
+}
+
+/// `value` to `digits` significant digits, always written out.
+fn fixed_significant(value: f64, digits: i32) -> String {
+    let e = exponent(value, digits);
+    let place = 10f64.powi(e + 1 - digits);
+    if place >= 1.0 {
+        fixed((value / place).round() * place, 0)
+    } else {
+        fixed(value, usize::try_from(digits - 1 - e).unwrap_or(0))
+    }
+}
+
+/// A decimal multiple of an SI unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// How many SI units one of these is.
+    pub scale: f64,
+    /// How it is written.
+    pub name: &'static str,
+}
+
+/// Multiples of the pascal.
+pub const PASCALS: &[Unit] = &[
+    Unit { scale: 1e-3, name: "mPa" },
+    Unit { scale: 1.0, name: "Pa" },
+    Unit { scale: 1e3, name: "kPa" },
+    Unit { scale: 1e6, name: "MPa" },
+    Unit { scale: 1e9, name: "GPa" },
+    Unit { scale: 1e12, name: "TPa" },
+];
+
+/// Multiples of the metre.
+pub const METRES: &[Unit] = &[
+    Unit { scale: 1e-15, name: "fm" },
+    Unit { scale: 1e-12, name: "pm" },
+    Unit { scale: 1e-9, name: "nm" },
+    Unit { scale: 1e-6, name: "µm" },
+    Unit { scale: 1e-3, name: "mm" },
+    Unit { scale: 1.0, name: "m" },
+    Unit { scale: 1e3, name: "km" },
+];
+
+/// Multiples of the newton.
+pub const NEWTONS: &[Unit] = &[
+    Unit { scale: 1e-9, name: "nN" },
+    Unit { scale: 1e-6, name: "µN" },
+    Unit { scale: 1e-3, name: "mN" },
+    Unit { scale: 1.0, name: "N" },
+    Unit { scale: 1e3, name: "kN" },
+    Unit { scale: 1e6, name: "MN" },
+];
+
+/// The multiple in which `value` reads as 1 to 999.
+pub fn unit_for(value: f64, units: &[Unit]) -> Unit {
+    let size = value.abs();
+    units
+        .iter()
+        .rev()
+        .find(|unit| size >= 0.9995 * unit.scale)
+        .or_else(|| if size > 0.0 { units.first() } else { units.iter().find(|u| u.scale >= 1.0) })
+        .copied()
+        .unwrap_or(Unit { scale: 1.0, name: "" })
+}
+
+/// "62 nm": a value with `digits` significant digits in the multiple that suits it.
+pub fn quantity(value: f64, units: &[Unit], digits: i32) -> String {
+    let unit = unit_for(value, units);
+    format!("{}{SPACE}{}", significant(value / unit.scale, digits), unit.name)
+}
+
+/// "10 MPa", "2.5 kPa": a value that was chosen, with as many digits as it needs up to four.
+pub fn chosen(value: f64, units: &[Unit]) -> String {
+    let unit = unit_for(value, units);
+    let number = value / unit.scale;
+    let digits = (1..4)
+        .find(|&d: &i32| {
+            let rounded: f64 = format!("{number:.*e}", (d - 1) as usize).parse().unwrap_or(number);
+            (rounded - number).abs() <= 1e-9 * number.abs()
+        })
+        .unwrap_or(4);
+    format!("{}{SPACE}{}", fixed_significant(number, digits), unit.name)
+}
+
+/// "0.51 ± 0.03 GPa": the multiple is the one in which the uncertainty needs no trailing zeros
+/// that would pass for digits.
+pub fn quantity_plus_minus(value: f64, uncertainty: f64, units: &[Unit]) -> String {
+    let mut unit = unit_for(value, units);
+    if uncertainty > 0.0
+        && decimals_of(uncertainty / unit.scale) < 0
+        && let Some(larger) = units.iter().find(|u| u.scale > unit.scale)
+    {
+        unit = *larger;
+    }
+    format!("{}{SPACE}{}", plus_minus(value / unit.scale, uncertainty / unit.scale), unit.name)
+}
+
+/// A pressure as the report writes it, "10 MPa".
+pub fn pressure(pascals: f64) -> String {
+    chosen(pascals, PASCALS)
+}
+
+/// A length as the report writes it, "28 µm".
+pub fn length(metres: f64) -> String {
+    quantity(metres, METRES, 2)
+}
+
+/// "10 ns", "1 µs", "0.1 ms", "1 s", "100 s".
+pub fn time_tick(seconds: f64) -> String {
+    let (scale, unit) = match seconds {
+        s if s < 0.5e-6 => (1e-9, "ns"),
+        s if s < 0.5e-4 => (1e-6, "µs"),
+        s if s < 0.5 => (1e-3, "ms"),
+        _ => (1.0, "s"),
+    };
+    format!("{}{SPACE}{unit}", significant(seconds / scale, 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn uncertainty_sets_the_digits() {
+        assert_eq!(plus_minus(1.9612, 0.1188), "1.96 ± 0.12");
+        assert_eq!(plus_minus(0.5101, 0.0311), "0.51 ± 0.03");
+        assert_eq!(plus_minus(12345.0, 320.0), "12\u{202F}300 ± 300");
+        assert_eq!(plus_minus(5.0, 0.0961), "5.00 ± 0.10");
+        assert_eq!(plus_minus(5.0, 0.099_9), "5.00 ± 0.10");
+        assert_eq!(plus_minus(5.0, f64::NAN), "5.00");
+        assert_eq!(quantity_plus_minus(510.2e6, 31e6, PASCALS), "0.51 ± 0.03\u{202F}GPa");
+        assert_eq!(quantity_plus_minus(510.2e6, 12e6, PASCALS), "510 ± 12\u{202F}MPa");
+    }
+
+    #[test]
+    fn signs_and_groups() {
+        assert_eq!(signed_percent(3.987), "+399\u{202F}%");
+        assert_eq!(signed_percent(-0.0434), "\u{2212}4.3\u{202F}%");
+        assert_eq!(signed_percent(-0.0001), "0.0\u{202F}%");
+        assert_eq!(signed_range(-0.262, -0.0442), "\u{2212}26 to \u{2212}4.4\u{202F}%");
+        assert_eq!(times(20_312.0), "20\u{202F}000");
+        assert_eq!(times(21.4), "21");
+        assert_eq!(significant(10_712.0, 3), "10\u{202F}700");
+        assert_eq!(significant(1.6e-5, 2), "1.6\u{202F}×\u{202F}10⁻⁵");
+        assert_eq!(significant(9999.7, 3), "10\u{202F}000");
+    }
+
+    #[test]
+    fn units_follow_the_value() {
+        assert_eq!(duration(5.8e-5), "58\u{202F}µs");
+        assert_eq!(duration(0.9996e-3), "1.0\u{202F}ms");
+        assert_eq!(duration(1.3), "1.3\u{202F}s");
+        assert_eq!(chosen(1e7, PASCALS), "10\u{202F}MPa");
+        assert_eq!(chosen(2.5e3, PASCALS), "2.5\u{202F}kPa");
+        assert_eq!(chosen(115.384_615e9, PASCALS), "115.4\u{202F}GPa");
+        assert_eq!(quantity(6.2e-8, METRES, 2), "62\u{202F}nm");
+        assert_eq!(quantity(0.0, METRES, 2), "0\u{202F}m");
+    }
+
+    #[test]
+    fn time_ticks_read_well() {
+        let texts: Vec<String> = [1e-8, 1e-6, 1e-4, 1e-2, 1.0].into_iter().map(time_tick).collect();
+        assert_eq!(
+            texts,
+            ["10\u{202F}ns", "1\u{202F}µs", "0.1\u{202F}ms", "10\u{202F}ms", "1\u{202F}s"]
+        );
+    }
+}

@@ -1,0 +1,144 @@
+//! The error budget of the headline by source, and choices that move it.
+
+use crate::numbers::{METRES, SPACE, duration, percent, quantity, signed_percent, significant};
+use crate::page::phrases::tolerance_words;
+use crate::words::edges::edge_words;
+use compare::ChoiceKind;
+use compare::Origin;
+use compare::{DeterministicAnswer, SurfaceComparison};
+use contact_accuracy::budget::Estimate;
+
+/// A half width as a share of its value.
+fn share(half: Option<f64>, value: f64) -> String {
+    match half.filter(|h| h.is_finite() && value > 0.0) {
+        Some(half) => format!("±{}", percent(half / value)).replace("±<", "&lt;\u{202F}±"),
+        None => "–".into(),
+    }
+}
+
+/// Rows by source, columns by number, and how each part was obtained.
+pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, at: &str) -> String {
+    let budget = &answer.budget;
+    let row = |class: &str, name: &str, part: fn(&Estimate) -> Option<f64>, how: &str| {
+        let of = |e: Option<Estimate>| e.map_or("–".into(), |e| share(part(&e), e.value));
+        let area = of(Some(budget.area));
+        format!(
+            "<tr{class}><th scope=\"row\">{name}</th><td class=\"n\">{area}</td>\
+             <td class=\"n\">{area}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
+             <td class=\"why\">{how}</td></tr>\n",
+            of(budget.mean_gap),
+            of(budget.stiffness)
+        )
+    };
+    let eta = answer.energy_bound.map_or(String::new(), |eta| {
+        format!("; proven: energy error at most {} (η)", tolerance_words(eta.max(1e-16)))
+    });
+    let left = tolerance_words(answer.residuals.preconditioned.max(1e-16));
+    let rows = [
+        row("", "Grid", |e| e.grid.ok(), &grid_words(answer, surface)),
+        row(
+            "",
+            "Iteration stopped early",
+            |e| e.iteration.ok(),
+            &format!("from the relative rms pressure error left, {left}{eta}"),
+        ),
+        row(
+            " class=\"sum\"",
+            "Comparison ±",
+            |e| e.comparison_half_width().ok(),
+            "their sum: Figs. 1 to 4, both sides see this map",
+        ),
+        row(
+            "",
+            "Finite sample, 95{SPACE}%",
+            |e| e.sample,
+            "area: 8 × 8 parts of this solution; gap and stiffness: the waves of this map",
+        ),
+        row(
+            " class=\"sum\"",
+            "Prediction ±",
+            Estimate::prediction_half_width,
+            "root of the squares: the ± of the headline",
+        ),
+    ];
+    format!(
+        "<table class=\"bud\"><caption>Error budget at {at}, shares of each number</caption>\
+         <thead><tr><th scope=\"col\">Source</th><th scope=\"col\" class=\"n\">Area</th>\
+         <th scope=\"col\" class=\"n\">Real pressure</th><th scope=\"col\" class=\"n\">Mean \
+         gap</th><th scope=\"col\" class=\"n\">Stiffness</th><th scope=\"col\">How \
+         obtained</th></tr></thead><tbody>\n{}<tr><th scope=\"row\">Edges, in no ±</th>\
+         <td class=\"why\" colspan=\"5\">{}</td></tr>\n</tbody></table>\n",
+        rows.concat().replace("{SPACE}", &SPACE.to_string()),
+        edge_words(surface)
+    )
+}
+
+/// How the part of the grid was obtained.
+fn grid_words(answer: &DeterministicAnswer, surface: &SurfaceComparison) -> String {
+    if let Some(finer) = answer.finer {
+        let loads = surface.deterministic.iter().filter_map(|p| p.answer.as_ref()?.finer).count();
+        return format!(
+            "one more solution on the twice finer interpolation of the map reads {}{SPACE}%; the \
+             bar covers the difference twice ({loads} loads in {})",
+            significant(100.0 * finer.area, 3),
+            duration(surface.refined_seconds)
+        );
+    }
+    if let Some(plan) = &surface.plan {
+        let [ny, nx] = plan.grid.shape();
+        return format!(
+            "what the contact-line correction leaves, chance, and the gradient that {nx} × {ny} \
+             points cannot hold"
+        );
+    }
+    let left = surface.map.accuracy.left_of_correction();
+    format!(
+        "{} of the contact-line correction, for maps whose finite differences see \
+         94{SPACE}% of the gradient (here {})",
+        significant(left, 2),
+        percent(surface.spectral.resolved)
+    )
+}
+
+/// What other choices in preparing the map do to the area, largest first; only what was computed.
+pub(crate) fn choices(surface: &SurfaceComparison) -> String {
+    let Some(closer) = &surface.closer else { return String::new() };
+    let mut list: Vec<(f64, String)> =
+        closer.choices.iter().map(|c| (c.effect, words(c.kind))).collect();
+    if let Some(answer) = surface.headline_answer()
+        && answer.area_fraction_corrected > 0.0
+    {
+        let counted = answer.area_fraction / answer.area_fraction_corrected - 1.0;
+        list.push((counted, "touching points counted, contact line not corrected".into()));
+    }
+    list.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    let rows: String = list
+        .iter()
+        .map(|(effect, what)| {
+            format!(
+                "<tr><th scope=\"row\">{what}</th><td class=\"n\">{}</td></tr>\n",
+                signed_percent(*effect)
+            )
+        })
+        .collect();
+    let fill = match &surface.origin {
+        Origin::File(file) if file.missing > 0 => " Filling of missing points was not varied.",
+        _ => "",
+    };
+    format!(
+        "<table class=\"key\"><caption>Choices that move the answer: area</caption>\
+         <tbody>\n{rows}</tbody></table>\n<p class=\"why\">Each by one more solution with that \
+         choice alone changed, with stiffness and η in {} together.{fill}</p>\n",
+        duration(closer.seconds)
+    )
+}
+
+fn words(kind: ChoiceKind) -> String {
+    match kind {
+        ChoiceKind::Paraboloid => "paraboloid removed, not a plane".into(),
+        ChoiceKind::Cutoff(shortest) => {
+            format!("waves shorter than {} removed", quantity(shortest, METRES, 2))
+        }
+        ChoiceKind::Mirrored => "mirror images at the edges".into(),
+    }
+}

@@ -1,0 +1,175 @@
+//! How a report was made: program, inputs, material, solver, and how to repeat it.
+
+use crate::draw::svg::escape;
+use crate::numbers::{METRES, PASCALS, SPACE, chosen, duration, significant};
+use crate::page::context::Page;
+use crate::page::phrases::{levelled, tolerance_words};
+use crate::words::edges::edge_words;
+use crate::words::plan as plan_words;
+use compare::{DeterministicAnswer, SurfaceComparison};
+use compare::{FileOrigin, Origin, Recipe};
+use contact_accuracy::BOUNDARY_CORRECTION;
+use contact_accuracy::plan::Outcome;
+
+/// Program, inputs, settings, the command that repeats it.
+pub(crate) fn section(page: &Page<'_>) -> String {
+    let settings = &page.comparison.settings;
+    let made = page.provenance;
+    let mut rows = vec![(
+        "Program".to_owned(),
+        format!(
+            "rough-contact {}, {}, {} {}, {}",
+            escape(&made.version),
+            escape(&made.platform),
+            settings.threads,
+            if settings.threads == 1 { "thread" } else { "threads" },
+            duration(page.comparison.seconds)
+        ),
+    )];
+    for surface in &page.comparison.surfaces {
+        rows.push((
+            if page.several() { escape(&surface.name) } else { "Input".into() },
+            format!("{}. {}", origin_words(&surface.origin), map_words(surface)),
+        ));
+        let cleaned = surface.origin.cleaned();
+        if !cleaned.is_empty() {
+            let steps: Vec<String> = cleaned
+                .iter()
+                .enumerate()
+                .map(|(i, step)| format!("{}. {}", i + 1, escape(&step.to_string())))
+                .collect();
+            let term = if page.several() { "its cleaning" } else { "Cleaning" };
+            rows.push((term.into(), steps.join("<br>\n")));
+        }
+    }
+    for surface in &page.comparison.surfaces {
+        let term = if page.several() {
+            format!("{}, edges", escape(&surface.name))
+        } else {
+            "Edges".into()
+        };
+        rows.push((term, edge_words(surface)));
+    }
+    rows.push((
+        "Material".into(),
+        format!(
+            "<i>E</i>* = {}, elastic half space against a rigid flat",
+            chosen(settings.modulus, PASCALS)
+        ),
+    ));
+    for surface in &page.comparison.surfaces {
+        let Some(plan) = &surface.plan else { continue };
+        let term = if page.several() {
+            format!("{}, accuracy", escape(&surface.name))
+        } else {
+            "Accuracy".into()
+        };
+        rows.push((term, plan_words(plan)));
+    }
+    rows.push(("Solver".into(), solver_words(page)));
+    let list: String =
+        rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();
+    format!(
+        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<p>Repeat with</p><pre>{}</pre>\n\
+         <p class=\"why\">The numbers behind the figures are in <code>curves.csv</code>, all \
+         results in <code>results.json</code>, every setting in <code>run.toml</code>.</p>\n",
+        escape(&made.repeat)
+    )
+}
+
+fn origin_words(origin: &Origin) -> String {
+    match origin {
+        Origin::File(FileOrigin { path, sha256, format, fill, missing, crop, channel, .. }) => {
+            let mut text = format!("{} ({})", escape(path), escape(format));
+            if let Some(channel) = channel {
+                text.push_str(&format!(", channel {}", escape(channel)));
+            }
+            if let Some([y0, x0, ny, nx]) = crop {
+                text.push_str(&format!(", cut to {nx} × {ny} points from column {x0}, row {y0}"));
+            }
+            if *missing > 0 {
+                text.push_str(&format!(", {missing} missing points filled ({})", escape(fill)));
+            }
+            text.push_str(&format!(", SHA-256 <code>{}</code>", escape(sha256)));
+            text
+        }
+        Origin::Given(given) => {
+            let filled = if given.missing > 0 {
+                format!(", {} missing points filled before", given.missing)
+            } else {
+                String::new()
+            };
+            format!(
+                "{} (heights handed over by a program{filled}), SHA-256 of the heights \
+                 <code>{}</code>",
+                escape(&given.note),
+                escape(&given.sha256)
+            )
+        }
+        Origin::Recipe(Recipe { description, hurst, rolloff, cutoff, seed, quantise, .. }) => {
+            let about = if description.is_empty() {
+                String::new()
+            } else {
+                format!("{}. ", escape(description))
+            };
+            format!(
+                "{about}Made from a recipe: self-affine, H = {hurst}, roll-off {}, cut-off {}{}, \
+                 seed {seed}",
+                chosen(*rolloff, METRES),
+                chosen(*cutoff, METRES),
+                quantise.map_or(String::new(), |q| format!(", height steps {}", chosen(q, METRES)))
+            )
+        }
+    }
+}
+
+fn map_words(surface: &SurfaceComparison) -> String {
+    let grid = surface.surface.grid();
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
+    format!(
+        "{nx} × {ny} points of {} × {}; {}",
+        chosen(dx, METRES),
+        chosen(dy, METRES),
+        levelled(surface)
+    )
+}
+
+/// What was asked for, what was chosen for it, and where the models were asked.
+fn plan_words(plan: &Outcome) -> String {
+    let [ny, nx] = plan.given.shape();
+    let order = if ny == nx { "" } else { " (rows × columns)" };
+    format!(
+        "{}{SPACE}% of the area asked for at every load; chosen: {}{order}. Models were given the \
+         map as it is",
+        significant(100.0 * plan.request.relative(), 2),
+        escape(&plan_words::explanation(plan))
+    )
+}
+
+fn solver_words(page: &Page<'_>) -> String {
+    let settings = &page.comparison.settings;
+    let answers = || {
+        page.comparison
+            .surfaces
+            .iter()
+            .flat_map(|s| &s.deterministic)
+            .filter_map(|p| p.answer.as_ref())
+    };
+    let methods: std::collections::BTreeSet<&str> = answers().map(|a| a.method.as_str()).collect();
+    let pairs: f64 = answers().map(|a: &DeterministicAnswer| a.transforms).sum();
+    let seconds: f64 = answers().map(|a| a.seconds).sum();
+    let plan = page.comparison.surfaces.iter().find_map(|s| s.plan.as_ref());
+    let (precision, tolerance) = plan
+        .map_or((settings.precision, settings.tolerance), |p| (p.precision.into(), p.tolerance));
+    format!(
+        "periodic half space, FFT; {}, {}; stop at a relative rms pressure error of {}; {} loads, \
+         {} FFT pairs, {}; area corrected for the contact line, c = {}",
+        methods.into_iter().collect::<Vec<_>>().join(", "),
+        precision,
+        tolerance_words(tolerance),
+        answers().count(),
+        significant(pairs, 3),
+        duration(seconds),
+        significant(BOUNDARY_CORRECTION, 4)
+    )
+}

@@ -1,0 +1,186 @@
+//! `report.html`: one file, no network, readable without scripts.
+
+use crate::draw::palette::{COLOURS, Colour};
+use crate::draw::svg::escape;
+use crate::error::ReportError;
+use crate::lines::Lines;
+use crate::numbers::{METRES, PASCALS, SPACE, chosen, fixed};
+use crate::page::context::Page;
+use crate::page::{how_made, overview, sections, slider};
+use crate::provenance::Provenance;
+use crate::words;
+use compare::{Comparison, SurfaceComparison};
+use contact_types::Citation;
+use std::io::Write;
+
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("slider.js");
+/// Nothing may be fetched: pictures are data, style and script are in the page.
+const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; \
+                      script-src 'unsafe-inline'";
+
+/// Writes the report.
+///
+/// # Errors
+/// [`ReportError`] if the writer fails or a picture cannot be encoded.
+pub fn write(
+    comparison: &Comparison,
+    provenance: &Provenance,
+    out: &mut impl Write,
+) -> Result<(), ReportError> {
+    let several = comparison.surfaces.len() > 1;
+    let mut page = Page {
+        comparison,
+        provenance,
+        figures: 0,
+        sources: Vec::new(),
+        // Pictures take a byte and a half per pixel and colour noise does not compress: this
+        // keeps the file under 3 MB for up to ten surfaces.
+        map_limit: ((640.0 / (comparison.surfaces.len().max(1) as f64).sqrt()) as usize).max(160),
+    };
+    let mut body = String::new();
+    if several {
+        body.push_str(&overview::section(&mut page));
+        for (index, surface) in comparison.surfaces.iter().enumerate() {
+            let title = format!("<h2>{}</h2>", escape(&surface.name));
+            body.push_str(&surface_sections(&mut page, surface, index, &title)?);
+        }
+    } else if let Some(surface) = comparison.surfaces.first() {
+        body.push_str(&surface_sections(&mut page, surface, 0, "")?);
+    }
+    body.push_str(&how_made::section(&page));
+    body.push_str(&references(&page.sources));
+
+    let title = title(comparison);
+    write!(
+        out,
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
+         <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\
+         <meta name=\"color-scheme\" content=\"light dark\"><title>{}</title>\n<style>\n{}{STYLE}</style>\
+         </head>\n<body><main{}>\n{body}</main>\n<script>{SCRIPT}</script></body></html>\n",
+        escape(&title),
+        palette_css(),
+        if several { " class=\"several\"" } else { "" }
+    )?;
+    Ok(())
+}
+
+fn title(comparison: &Comparison) -> String {
+    match comparison.surfaces.as_slice() {
+        [one] => {
+            let p = chosen(one.headline_pressure(), PASCALS);
+            one.headline_answer().map_or_else(
+                || format!("{} (rough-contact)", one.name),
+                |a| format!("At {p} {} touches: {} (rough-contact)", words::area(a), one.name),
+            )
+        }
+        many => format!("{} surfaces compared (rough-contact)", many.len()),
+    }
+}
+
+/// All sections of one surface. `title` is its heading where there are several.
+fn surface_sections(
+    page: &mut Page<'_>,
+    surface: &SurfaceComparison,
+    index: usize,
+    title: &str,
+) -> Result<String, ReportError> {
+    let id = format!("s{index}");
+    let lines = Lines::of(surface);
+    let mut out =
+        format!("<div class=\"surface\" data-loads=\"{}\">\n{title}", lines.pressures.len());
+    out.push_str(&opening(page, surface));
+    out.push_str(&sections::key_and_notes(surface, &id));
+    out.push_str(&sections::over_load(page, surface, &lines, &id));
+    out.push_str(&sections::models(page, surface));
+    out.push_str(&sections::where_it_touches(page, surface, &id)?);
+    out.push_str(&sections::the_surface(page, surface, &id)?);
+    out.push_str(&sections::accuracy(page, surface));
+    out.push_str(&slider::data(surface));
+    out.push_str("</div>\n");
+    Ok(out)
+}
+
+fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
+    let grid = surface.surface.grid();
+    let ([ly, lx], [ny, nx]) = (grid.size(), grid.shape());
+    let unit = crate::numbers::unit_for(lx, METRES);
+    let side = |metres: f64| {
+        let v = metres / unit.scale;
+        fixed(v, if v < 9.995 { 3 } else { 1 })
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_owned()
+    };
+    let (before, after) = if page.several() {
+        (String::new(), String::new())
+    } else {
+        (
+            format!("rough-contact report · <b>{}</b> · ", escape(&surface.name)),
+            format!(" · {}", words::date(page.provenance.unix_time)),
+        )
+    };
+    let line = format!(
+        "<p class=\"file\">{before}{} × {}{SPACE}{}, {nx} × {ny} points · <i>E</i>* = \
+         {}{after}</p>\n",
+        side(lx),
+        side(ly),
+        unit.name,
+        chosen(page.comparison.settings.modulus, PASCALS)
+    );
+    let say = words::headline(surface);
+    let first = if page.several() {
+        format!("<p class=\"say\">{say}</p>\n")
+    } else {
+        format!("<h1>{say}</h1>\n")
+    };
+    format!("<header>{line}{first}<p>{}</p></header>\n", words::recommendation(surface))
+}
+
+/// The list of sources, numbered as cited.
+fn references(sources: &[Citation]) -> String {
+    let items: String = sources
+        .iter()
+        .enumerate()
+        .map(|(i, c)| {
+            let doi =
+                if c.doi.is_empty() { String::new() } else { format!(", doi:{}", escape(&c.doi)) };
+            format!(
+                "<li id=\"r{}\">{}, {}, {} ({}){doi}.</li>\n",
+                i + 1,
+                escape(&c.authors),
+                escape(&c.title),
+                escape(&c.journal),
+                c.year
+            )
+        })
+        .collect();
+    format!("<h2>References</h2>\n<ol class=\"refs\">{items}</ol>\n")
+}
+
+/// Colours by role: light, dark by preference or on request, and always light in print.
+fn palette_css() -> String {
+    let variables = |dark: bool| -> String {
+        COLOURS
+            .iter()
+            .map(|c| format!("--{}:{};", c.class, if dark { c.dark } else { c.light }))
+            .collect()
+    };
+    let (light, dark) = (variables(false), variables(true));
+    let classes: String = COLOURS
+        .iter()
+        .map(|Colour { class, .. }| {
+            format!(".s-{class}{{stroke:var(--{class})}}.f-{class}{{fill:var(--{class})}}")
+        })
+        .collect();
+    format!(
+        ":root{{color-scheme:light dark;{light}}}\n\
+         @media screen and (prefers-color-scheme:dark){{:root:not([data-theme=light]){{{dark}}}\
+         :root:not([data-theme=light]) .px{{filter:brightness(.86)}}}}\n\
+         @media screen{{:root[data-theme=dark]{{color-scheme:dark;{dark}}}\
+         :root[data-theme=dark] .px{{filter:brightness(.86)}}\
+         :root[data-theme=light]{{color-scheme:light}}}}\n\
+         @media print{{:root{{color-scheme:light}}}}\n{classes}\n"
+    )
+}

@@ -1,0 +1,12 @@
+//! The page `report.html`, section by section.
+
+pub(crate) mod budget;
+pub(crate) mod context;
+pub(crate) mod how_made;
+pub(crate) mod html;
+pub(crate) mod overview;
+pub(crate) mod phrases;
+pub(crate) mod sections;
+pub(crate) mod slider;
+pub(crate) mod statistics;
+pub(crate) mod tables;

@@ -1,0 +1,165 @@
+//! Several surfaces at once: does the ranking of the models hold on all of them?
+
+use crate::draw::svg::escape;
+use crate::figures::multiples::{self, Quantity};
+use crate::lines::WANTED;
+use crate::numbers::{
+    METRES, PASCALS, SPACE, chosen, duration, quantity, signed_percent, significant,
+};
+use crate::page::context::Page;
+use crate::words;
+use compare::{ModelCurve, SurfaceComparison};
+
+/// The opening of a report on several surfaces.
+pub(crate) fn section(page: &mut Page<'_>) -> String {
+    let surfaces = &page.comparison.surfaces;
+    let line = format!(
+        "<p class=\"file\">rough-contact report · {} surfaces · <i>E</i>* = {} · {}</p>\n",
+        surfaces.len(),
+        chosen(page.comparison.settings.modulus, PASCALS),
+        words::date(page.provenance.unix_time)
+    );
+    let mut out = format!(
+        "<header>{line}<h1>{}</h1>\n<p>{}</p></header>\n{}",
+        headline(surfaces),
+        ranking(surfaces),
+        table(surfaces)
+    );
+    let surfaces = &page.comparison.surfaces;
+    let names: Vec<&str> = surfaces.iter().map(|s| s.name.as_str()).collect();
+    for (quantity, title, caption) in [
+        (
+            Quantity::Area,
+            "Real contact area on each surface",
+            "Real contact area</b> over the load. Dots: deterministic solutions.".to_owned(),
+        ),
+        (
+            Quantity::Pressure,
+            "Mean real pressure on each surface",
+            "Mean real pressure</b>, load over real area, in units of E* times the rms gradient g."
+                .to_owned(),
+        ),
+        (
+            Quantity::Error,
+            "Error of the closed forms on each surface",
+            format!(
+                "Does the ranking hold?</b> Error of each closed form. Grey: within 10{SPACE}%. \
+                 What lies beyond an axis is listed above its panel."
+            ),
+        ),
+    ] {
+        let n = page.next_figure();
+        let description = format!("{title}: {}. {}", names.join(", "), ranking(surfaces));
+        let svg =
+            multiples::figure(surfaces, quantity, title, description, &format!("o-f{n}")).inline();
+        out.push_str(&format!(
+            "<figure class=\"wide scroll\">{svg}<figcaption><b>Fig. {n}. {caption}</figcaption>\
+             </figure>\n"
+        ));
+    }
+    out.push_str("<div class=\"page1\"></div>\n");
+    out
+}
+
+/// Mean size of the error of each model over all loads of a surface, by the order of the list.
+fn mean_errors(surface: &SurfaceComparison) -> Vec<Option<f64>> {
+    surface
+        .models
+        .iter()
+        .map(|m| m.outcome.as_ref().ok().and_then(ModelCurve::worst_and_mean).map(|(_, mean)| mean))
+        .collect()
+}
+
+/// Which closed form has the smallest largest mean error over the surfaces.
+fn headline(surfaces: &[SurfaceComparison]) -> String {
+    let all: Vec<Vec<Option<f64>>> = surfaces.iter().map(mean_errors).collect();
+    let models = all.first().map_or(0, Vec::len);
+    let worst = |k: usize| -> Option<f64> {
+        all.iter().map(|errors| errors[k]).try_fold(0.0_f64, |w, e| Some(w.max(e?)))
+    };
+    let best = (0..models).filter_map(|k| Some((k, worst(k)?))).min_by(|a, b| a.1.total_cmp(&b.1));
+    let count = surfaces.len();
+    match best {
+        Some((k, error)) => {
+            let name = escape(&surfaces[0].models[k].card.title);
+            let percent = crate::numbers::percent(error);
+            if error <= WANTED {
+                format!(
+                    "On {count} surfaces {name} stays nearest: on average within <b>{percent}</b> of the deterministic area."
+                )
+            } else {
+                format!(
+                    "No closed form is within 10{SPACE}% on all {count} surfaces; the nearest, {name}, is off by up to <b>{percent}</b> on average over the loads."
+                )
+            }
+        }
+        None => format!("No closed form answers on all {count} surfaces."),
+    }
+}
+
+/// Whether the order of the models is the same on every surface, among those that answer on all.
+fn ranking(surfaces: &[SurfaceComparison]) -> String {
+    let all: Vec<Vec<Option<f64>>> = surfaces.iter().map(mean_errors).collect();
+    let order = |errors: &[Option<f64>], s: &SurfaceComparison| -> Vec<String> {
+        let mut list: Vec<(f64, String)> = errors
+            .iter()
+            .enumerate()
+            .filter(|(k, _)| all.iter().all(|e| e[*k].is_some()))
+            .filter_map(|(k, e)| Some(((*e)?, escape(&s.models[k].card.label))))
+            .collect();
+        list.sort_by(|a, b| a.0.total_cmp(&b.0));
+        list.into_iter().map(|(_, label)| label).collect()
+    };
+    let orders: Vec<Vec<String>> = all.iter().zip(surfaces).map(|(e, s)| order(e, s)).collect();
+    let Some(first) = orders.first().filter(|o| !o.is_empty()) else { return String::new() };
+    if orders.iter().all(|o| o == first) {
+        return format!(
+            "The ranking by mean error is the same on all of them, nearest first: {}.",
+            first.join(", ")
+        );
+    }
+    let each: Vec<String> = surfaces
+        .iter()
+        .zip(&orders)
+        .map(|(s, o)| format!("{}: {}", escape(&s.name), o.join(", ")))
+        .collect();
+    format!("The ranking by mean error, nearest first, differs. {}.", each.join("; "))
+}
+
+fn table(surfaces: &[SurfaceComparison]) -> String {
+    let rows: String = surfaces
+        .iter()
+        .enumerate()
+        .map(|(i, s)| {
+            let answer = s.headline_answer();
+            let nearest = words::ranked(s).into_iter().next();
+            format!(
+                "<tr><th scope=\"row\"><a href=\"#s{i}-w\">{}</a></th><td class=\"n\">{}</td>\
+                 <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
+                 <td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td></tr>\n",
+                escape(&s.name),
+                quantity(s.statistics.rms_height, METRES, 3),
+                significant(s.inputs.rms_gradient(), 2),
+                chosen(s.headline_pressure(), PASCALS),
+                answer.map_or("–".into(), words::area_prediction),
+                answer.map_or("–".into(), words::real_pressure_prediction),
+                nearest.as_ref().map_or("–".into(), |r| format!(
+                    "{} ({}), {}",
+                    r.model.card.label,
+                    signed_percent(r.error),
+                    duration(r.seconds)
+                )),
+                answer.map_or("–".into(), |a| duration(a.seconds)),
+            )
+        })
+        .collect();
+    format!(
+        "<table class=\"over\"><caption>Each surface at one load; ± of grid, iteration and \
+         finite sample</caption><thead><tr><th \
+         scope=\"col\">Surface</th><th scope=\"col\" class=\"n\"><i>Sq</i></th><th scope=\"col\" \
+         class=\"n\"><i>Sdq</i></th><th scope=\"col\" class=\"n\">Load</th><th scope=\"col\" \
+         class=\"n\">Area</th><th scope=\"col\" class=\"n\">Real pressure</th><th \
+         scope=\"col\">Nearest closed form</th><th scope=\"col\" class=\"n\">Solver, per \
+         load</th></tr></thead><tbody>\n{rows}</tbody></table>\n"
+    )
+}

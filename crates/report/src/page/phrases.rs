@@ -1,0 +1,67 @@
+//! Phrases that several sections use.
+
+use crate::numbers::{
+    METRES, NEWTONS, PASCALS, SPACE, chosen, percent, power_of_ten, quantity, significant, unit_for,
+};
+use compare::SurfaceComparison;
+
+/// What was done to the form of the map.
+pub(crate) fn levelled(surface: &SurfaceComparison) -> &'static str {
+    match surface.statistics.level {
+        surface_stats::Level::Plane => "least-squares plane removed",
+        surface_stats::Level::Quadratic => "least-squares paraboloid removed",
+        surface_stats::Level::Mean => "mean removed",
+        surface_stats::Level::None if surface.origin.cleaned().is_empty() => "as given",
+        surface_stats::Level::None => "cleaned, not levelled",
+    }
+}
+
+/// A tolerance, as a power of ten if it is one.
+pub(crate) fn tolerance_words(tolerance: f64) -> String {
+    let e = tolerance.log10();
+    if (e - e.round()).abs() < 1e-9 {
+        power_of_ten(e.round() as i32)
+    } else {
+        significant(tolerance, 2)
+    }
+}
+
+/// Load on the whole map (N), "10 MPa × 0.262 mm²".
+pub(crate) fn load_words(surface: &SurfaceComparison) -> (String, String) {
+    let area = surface.surface.grid().area();
+    let force = surface.headline_pressure() * area;
+    let side = unit_for(area.sqrt(), METRES);
+    (
+        quantity(force, NEWTONS, 3),
+        format!(
+            "{} × {}{SPACE}{}²",
+            chosen(surface.headline_pressure(), PASCALS),
+            significant(area / side.scale.powi(2), 3),
+            side.name
+        ),
+    )
+}
+
+/// "± 0.12 %" of the area, for tables.
+pub(crate) fn spread_words(surface: &SurfaceComparison) -> String {
+    let relative: Vec<f64> = surface
+        .deterministic
+        .iter()
+        .filter_map(|p| {
+            let a = p.answer.as_ref()?;
+            Some(a.uncertainty()? / a.area_fraction_corrected).filter(|u| u.is_finite())
+        })
+        .collect();
+    let (Some(lo), Some(hi)) = (
+        relative.iter().copied().min_by(f64::total_cmp),
+        relative.iter().copied().max_by(f64::total_cmp),
+    ) else {
+        return "no ±".into();
+    };
+    let (a, b) = (percent(lo), percent(hi));
+    if a == b {
+        format!("±{a}")
+    } else {
+        format!("±{} to ±{b}", a.trim_end_matches(['%', SPACE]))
+    }
+}

@@ -1,0 +1,74 @@
+//! The slider over the loads: its element, and the numbers that it shows.
+
+use crate::numbers::{PASCALS, chosen, signed_percent};
+use crate::page::tables;
+use crate::words;
+use compare::SurfaceComparison;
+use serde_json::json;
+
+/// What the read-out says at each load.
+fn read_out(surface: &SurfaceComparison) -> Vec<String> {
+    surface
+        .deterministic
+        .iter()
+        .map(|point| {
+            let p = chosen(point.mean_pressure, PASCALS);
+            point.answer.as_ref().map_or_else(
+                || format!("{p}: no answer"),
+                |a| {
+                    format!(
+                        "{p}: area {}, real pressure {}",
+                        words::area(a),
+                        words::real_pressure(point.mean_pressure, a)
+                    )
+                },
+            )
+        })
+        .collect()
+}
+
+/// The slider over the loads, with its read-out.
+pub(crate) fn dial(surface: &SurfaceComparison, id: &str) -> String {
+    let n = surface.deterministic.len();
+    if n < 2 {
+        return String::new();
+    }
+    let read = read_out(surface);
+    format!(
+        "<div class=\"dial\"><label for=\"{id}-load\">Read off at</label><input type=\"range\" \
+         id=\"{id}-load\" min=\"0\" max=\"{}\" step=\"1\" value=\"{}\"><output \
+         for=\"{id}-load\">{}</output><button type=\"button\">back to {}</button></div>\n",
+        n - 1,
+        surface.headline,
+        read[surface.headline],
+        chosen(surface.headline_pressure(), PASCALS)
+    )
+}
+
+/// The numbers the slider shows, written here so that script and page agree to the last digit.
+pub(crate) fn data(surface: &SurfaceComparison) -> String {
+    if surface.deterministic.len() < 2 {
+        return String::new();
+    }
+    let mut cells = serde_json::Map::new();
+    let loads: Vec<String> =
+        surface.deterministic.iter().map(|p| chosen(p.mean_pressure, PASCALS)).collect();
+    cells.insert("load".into(), json!(loads));
+    let area: Vec<String> = surface
+        .deterministic
+        .iter()
+        .map(|p| p.answer.as_ref().map_or("–".into(), words::area))
+        .collect();
+    cells.insert("a-det".into(), json!(area));
+    for model in &surface.models {
+        let Ok(curve) = &model.outcome else { continue };
+        let area: Vec<String> = curve.points.iter().map(tables::model_area).collect();
+        let error: Vec<String> =
+            curve.errors.iter().map(|e| e.map_or("–".into(), signed_percent)).collect();
+        cells.insert(format!("a-{}", model.card.name), json!(area));
+        cells.insert(format!("e-{}", model.card.name), json!(error));
+    }
+    let data = json!({ "read": read_out(surface), "cells": cells }).to_string();
+    // "</script>" cannot end the element early.
+    format!("<script type=\"application/json\">{}</script>\n", data.replace('<', "\\u003c"))
+}

@@ -1,0 +1,256 @@
+//! Tables: key numbers, models, statistics, error budget.
+
+use crate::draw::palette::{DETERMINISTIC_LOOK, Look};
+use crate::draw::svg::{Canvas, Stroke, escape};
+use crate::looks::{inputs_html, look};
+use crate::numbers::{
+    METRES, PASCALS, SPACE, chosen, duration, fixed, percent, quantity, quantity_plus_minus,
+    signed_percent, signed_range, significant, unit_for,
+};
+use crate::page::context::Page;
+use crate::page::phrases::{load_words, spread_words};
+use crate::sources::DETERMINISTIC;
+use crate::words;
+use compare::survey::Experience;
+use compare::{Applies, ModelComparison, SurfaceComparison};
+use contact_types::{ContactState, ModelError};
+
+/// Value, and what its ± covers, of the numbers people came for.
+pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
+    let p = chosen(surface.headline_pressure(), PASCALS);
+    let mut rows: Vec<(String, String, String)> = Vec::new();
+    if let Some(a) = surface.headline_answer() {
+        let alone = a.uncertainty().filter(|u| *u > 0.0).map(|u| u / a.area_fraction_corrected);
+        let covers = match (a.budget.area.comparison_half_width(), a.budget.area.sample) {
+            (Ok(_), Some(_)) => format!(
+                "grid, iteration and finite sample (95{SPACE}%); without the sample ±{}",
+                alone.map_or("0".into(), percent)
+            ),
+            (Ok(_), None) => "grid and iteration; not another map of the same surface".to_owned(),
+            (Err(reason), _) => format!("no ±: {}", escape(&reason.to_string())),
+        };
+        rows.push((
+            "Real contact area <i>A</i><sub>r</sub>/<i>A</i><sub>n</sub>".into(),
+            words::area_prediction(a),
+            covers,
+        ));
+        rows.push((
+            "Mean real pressure".into(),
+            words::real_pressure_prediction(a),
+            if a.uncertainty().is_some() {
+                "load over that area; same ±"
+            } else {
+                "load over that area"
+            }
+            .into(),
+        ));
+        rows.push((
+            "Highest local pressure".into(),
+            quantity(a.max_pressure, PASCALS, 2),
+            "one point of the map; grows with a finer grid".into(),
+        ));
+        if let Some(gap) = a.mean_gap {
+            let sq = surface.statistics.rms_height;
+            let relative = if sq > 0.0 {
+                format!(", {}{SPACE}Sq", significant(gap / sq, 3))
+            } else {
+                String::new()
+            };
+            let half = a.budget.mean_gap.and_then(|g| g.prediction_half_width());
+            let value = match half {
+                Some(half) => quantity_plus_minus(gap, half, METRES),
+                None => quantity(gap, METRES, 3),
+            };
+            rows.push((
+                "Mean gap".into(),
+                value,
+                format!("average over the whole map{relative}; ± as above"),
+            ));
+        }
+        if let Some(k) = a.budget.stiffness {
+            let micro = 1e-6; // Pa per metre -> Pa per micrometre
+            let value = match k.prediction_half_width() {
+                Some(half) => quantity_plus_minus(k.value * micro, half * micro, PASCALS),
+                None => quantity(k.value * micro, PASCALS, 3),
+            };
+            rows.push((
+                "Contact stiffness".into(),
+                format!("{value}/µm"),
+                "−d<i>p</i>/d(mean gap), from two loads beside this one".into(),
+            ));
+        }
+        if let Some(spots) = surface.spots {
+            let square = |area: f64| {
+                let side = unit_for(area.sqrt(), METRES);
+                format!("{}{SPACE}{}²", significant(area / side.scale.powi(2), 2), side.name)
+            };
+            rows.push((
+                "Contact spots".into(),
+                fixed(spots.count as f64, 0),
+                format!(
+                    "median {}, largest {}; joined over edges and corners",
+                    square(spots.median_area),
+                    square(spots.largest_area)
+                ),
+            ));
+        }
+        rows.push((
+            "Touching points".into(),
+            fixed(a.contact_pixels as f64, 0),
+            format!("of {}", fixed(surface.solved_map().grid().len() as f64, 0)),
+        ));
+    }
+    let (force, product) = load_words(surface);
+    rows.push(("Load on this area".into(), force, product));
+    let body: String = rows
+        .iter()
+        .map(|(name, value, why)| {
+            format!(
+                "<tr><th scope=\"row\">{name}</th><td class=\"n\">{value}</td>\
+                 <td class=\"why\">{why}</td></tr>\n"
+            )
+        })
+        .collect();
+    format!(
+        "<table class=\"key\"><caption>Key numbers at {p}</caption><tbody>\n{body}</tbody></table>\n"
+    )
+}
+
+/// A model's area at one load, "1.67 %".
+pub(crate) fn model_area(point: &Result<ContactState, ModelError>) -> String {
+    point
+        .as_ref()
+        .map_or("–".into(), |s| format!("{}{SPACE}%", significant(100.0 * s.area_fraction, 3)))
+}
+
+/// A short piece of a series' line with its marker.
+pub(crate) fn swatch(look: Look) -> String {
+    let mut canvas = Canvas::default();
+    let stroke = Stroke { colour: look.colour, width: 1.2 * look.width, dash: look.dash };
+    canvas.line([1.0, 6.0], [33.0, 6.0], stroke);
+    canvas.marker([17.0, 6.0], 3.0, look);
+    format!(
+        "<svg viewBox=\"0 0 34 12\" width=\"34\" height=\"12\" aria-hidden=\"true\">{}</svg>",
+        canvas.body()
+    )
+}
+
+fn applies(answer: Applies, reason: &str) -> String {
+    format!("<b class=\"{0}\">{0}</b> {1}", answer.word(), escape(reason))
+}
+
+/// Every model: number, error, cost, domain with its reason, source.
+pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
+    let p = chosen(surface.headline_pressure(), PASCALS);
+    let loads = &surface.deterministic;
+    let range = format!(
+        "{} to {}",
+        chosen(loads[0].mean_pressure, PASCALS),
+        chosen(loads[loads.len() - 1].mean_pressure, PASCALS)
+    );
+    let mut rows = deterministic_row(page, surface);
+    let mut order: Vec<(usize, &ModelComparison)> = surface.models.iter().enumerate().collect();
+    let size = |(_, m): &(usize, &ModelComparison)| {
+        let error = m.outcome.as_ref().ok().and_then(|c| c.errors[surface.headline]);
+        error.map_or(f64::INFINITY, f64::abs)
+    };
+    order.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    for (place, model) in order {
+        rows.push_str(&model_row(page, surface, model, place));
+    }
+    let k = if loads.len() > 1 { " data-k=\"load\"" } else { "" };
+    format!(
+        "<table class=\"models\"><thead><tr><th scope=\"col\">Model</th><th scope=\"col\" \
+         class=\"n\">Area at <span{k}>{p}</span></th><th scope=\"col\" class=\"n\">Error</th>\
+         <th scope=\"col\" class=\"n\">Error,<br>{range}</th><th scope=\"col\" class=\"n\">Mean \
+         |error|</th><th scope=\"col\" class=\"n\">Time<br>per load</th><th scope=\"col\">Applies \
+         to this surface?</th><th scope=\"col\" class=\"n\">Ref.</th></tr></thead><tbody>\n{rows}\
+         </tbody></table>\n"
+    )
+}
+
+fn reference(page: &mut Page<'_>, citation: contact_types::Citation) -> String {
+    let n = page.source(citation);
+    format!("<td data-l=\"Ref.\" class=\"n src\"><a href=\"#r{n}\">{n}</a></td>")
+}
+
+fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
+    let answer = surface.headline_answer();
+    let source = reference(page, DETERMINISTIC);
+    let k = if surface.deterministic.len() > 1 { " data-k=\"a-det\"" } else { "" };
+    format!(
+        "<tr class=\"ref\"><th scope=\"row\"><div>{}<span>Deterministic, <span style=\"white-space:nowrap\">FFT-BEM</span><small>height \
+         map</small></span></div></th><td data-l=\"Area\" class=\"n\"{k}>{}</td>\
+         <td data-l=\"Error at load\" class=\"n\">reference</td><td data-l=\"Error, all loads\" \
+         class=\"n\">{}</td><td data-l=\"Mean |error|\" class=\"n\">–</td><td data-l=\"Time per \
+         load\" class=\"n\">{}</td><td data-l=\"Applies\" class=\"dom\">{}</td>{source}</tr>\n",
+        swatch(DETERMINISTIC_LOOK),
+        answer.map_or("–".into(), words::area),
+        spread_words(surface),
+        answer.map_or("–".into(), |a| duration(a.seconds)),
+        match (answer, surface.map.accuracy.gate()) {
+            (None, _) => applies(Applies::No, "no solution at this load"),
+            (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),
+            (_, Err(reason)) => applies(Applies::Caution, &reason.to_string()),
+            _ => applies(Applies::Yes, "full map, elastic, periodic cell"),
+        }
+    )
+}
+
+/// What the survey saw of this model on surfaces like this one.
+fn experience(seen: &Experience) -> String {
+    format!(
+        "<small>{} on surfaces like this (<i>n</i> = {})</small>",
+        signed_range(seen.low, seen.high),
+        seen.surfaces
+    )
+}
+
+fn model_row(
+    page: &mut Page<'_>,
+    surface: &SurfaceComparison,
+    model: &ModelComparison,
+    place: usize,
+) -> String {
+    let card = &model.card;
+    let source = reference(page, card.citation.clone());
+    let several = surface.deterministic.len() > 1;
+    let name = format!(
+        "<th scope=\"row\"><div>{}<span>{}<small>{}</small></span></div></th>",
+        swatch(look(&card.name, place)),
+        escape(&card.title),
+        inputs_html(card)
+    );
+    let domain = format!(
+        "<td data-l=\"Applies\" class=\"dom\">{}{}</td>",
+        applies(model.verdict.answer, &words::reason(model)),
+        model.experience.as_ref().map_or(String::new(), experience)
+    );
+    let Ok(curve) = &model.outcome else {
+        let dash = |l: &str| format!("<td data-l=\"{l}\" class=\"n\">–</td>");
+        return format!(
+            "<tr class=\"na\">{name}{}{}{}{}{}{domain}{source}</tr>\n",
+            dash("Area"),
+            dash("Error at load"),
+            dash("Error, all loads"),
+            dash("Mean |error|"),
+            dash("Time per load")
+        );
+    };
+    let key = |prefix: &str| {
+        if several { format!(" data-k=\"{prefix}-{}\"", card.name) } else { String::new() }
+    };
+    let error = curve.errors[surface.headline].map_or("–".into(), signed_percent);
+    let range = curve.range().map_or("–".into(), |(lo, hi)| signed_range(lo, hi));
+    let mean = curve.worst_and_mean().map_or("–".into(), |(_, mean)| percent(mean));
+    format!(
+        "<tr>{name}<td data-l=\"Area\" class=\"n\"{}>{}</td><td data-l=\"Error at load\" \
+         class=\"n\"{}>{error}</td><td data-l=\"Error, all loads\" class=\"n\">{range}</td>\
+         <td data-l=\"Mean |error|\" class=\"n\">{mean}</td><td data-l=\"Time per load\" \
+         class=\"n\">{}</td>{domain}{source}</tr>\n",
+        key("a"),
+        model_area(&curve.points[surface.headline]),
+        key("e"),
+        duration(curve.seconds)
+    )
+}

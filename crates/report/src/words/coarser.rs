@@ -1,0 +1,100 @@
+//! What a coarser grid would have cost in accuracy: its place in Fig. 4 and in the headline.
+
+use crate::draw::palette::{INK2, Look, Marker};
+use crate::figures::cost::Route;
+use crate::lines::WANTED;
+use crate::numbers::{SPACE, duration, signed_percent, times};
+use compare::Coarser;
+use compare::SurfaceComparison;
+
+/// A filled dot as the deterministic solution has, in the grey of notes.
+const LOOK: Look =
+    Look { colour: INK2, width: 2.0, dash: "", marker: Marker::Dot, marker_offset: 0 };
+
+/// "½ grid": half as many points along each side.
+fn label(factor: usize) -> String {
+    match factor {
+        2 => "½ grid".into(),
+        4 => "¼ grid".into(),
+        8 => "⅛ grid".into(),
+        other => format!("1/{other} grid"),
+    }
+}
+
+/// The coarser grids as routes to an answer.
+pub(crate) fn routes(surface: &SurfaceComparison) -> impl Iterator<Item = Route> {
+    surface.coarser.iter().map(|c| Route {
+        label: label(c.factor),
+        look: LOOK,
+        seconds: c.seconds,
+        error: c.error.abs(),
+        bold: false,
+    })
+}
+
+/// The coarsest grid that is within the wanted error together with all finer ones: a coarse grid
+/// that is near while a finer one is not is near by chance.
+fn cheapest(grids: &[Coarser]) -> Option<&Coarser> {
+    grids.iter().take_while(|c| c.error.abs() <= WANTED).last()
+}
+
+/// " Cheapest grid within 10 %: the map on 128 × 128 points (+1.2 %), 3.1 ms, 14 times faster."; empty if
+/// no coarser grid comes that near or none is faster.
+pub(crate) fn sentence(surface: &SurfaceComparison, full_seconds: f64) -> String {
+    let Some(grid) = cheapest(&surface.coarser).filter(|c| c.seconds < full_seconds) else {
+        return String::new();
+    };
+    let [ny, nx] = grid.shape;
+    format!(
+        " Cheapest grid within 10{SPACE}%: the map on {nx} × {ny} points ({}), {}, {} times faster.",
+        signed_percent(grid.error),
+        duration(grid.seconds),
+        times(full_seconds / grid.seconds)
+    )
+}
+
+/// What the grids in Fig. 4 are, for its caption; empty if there are none.
+pub(crate) fn caption(surface: &SurfaceComparison, full_seconds: f64) -> String {
+    let (Some(first), Some(last)) = (surface.coarser.first(), surface.coarser.last()) else {
+        return String::new();
+    };
+    let spent: f64 = surface.coarser.iter().map(|c| c.seconds).sum();
+    let which = if first.factor == last.factor {
+        format!("1/{} as many points a side", first.factor)
+    } else {
+        format!("1/{} to 1/{} as many points a side", first.factor, last.factor)
+    };
+    format!(
+        " Grids: the deterministic solution of the same map with {which}, waves too short for them \
+         dropped, each the shortest of up to five runs within 50{SPACE}ms; together they take \
+         {:.0}{SPACE}% of the time of the full one.",
+        100.0 * spent / full_seconds
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grid(factor: usize, error: f64) -> Coarser {
+        Coarser {
+            factor,
+            shape: [512 / factor; 2],
+            area_fraction: 0.02,
+            area_fraction_corrected: 0.02,
+            error,
+            seconds: 1.0,
+        }
+    }
+
+    #[test]
+    fn a_grid_that_is_near_by_chance_is_not_recommended() {
+        let chosen = |errors: [f64; 3]| {
+            let grids = [2, 4, 8].into_iter().zip(errors).map(|(f, e)| grid(f, e));
+            cheapest(&grids.collect::<Vec<_>>()).map(|c| c.factor)
+        };
+        assert_eq!(chosen([0.01, 0.05, 0.30]), Some(4));
+        assert_eq!(chosen([-0.01, -0.05, 0.09]), Some(8));
+        assert_eq!(chosen([0.12, 0.05, 0.02]), None);
+    }
+}

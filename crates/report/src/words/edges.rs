@@ -1,0 +1,51 @@
+//! What lay beyond the edges of a measured map, and how much it matters on this map.
+
+use crate::numbers::{METRES, percent, quantity, signed_percent, signed_range};
+use compare::{EdgesName, Origin, Seam, SurfaceComparison, seam};
+
+/// For "How this was made": the treatment of the edges, and for a measured map its effect.
+pub(crate) fn edge_words(surface: &SurfaceComparison) -> String {
+    let done = match (surface.edges, &surface.origin) {
+        (EdgesName::Mirrored, _) => "Continued by its mirror images.",
+        (EdgesName::Periodic, Origin::Recipe(_)) => return "Periodic, as made.".to_owned(),
+        (EdgesName::Periodic, Origin::Given(given)) if given.repeats == Some(true) => {
+            return "Periodic, as given.".to_owned();
+        }
+        (EdgesName::Periodic, Origin::File(_) | Origin::Given(_)) => {
+            "Repeated periodically as it is."
+        }
+    };
+    seam(surface).map_or(done.to_owned(), |s| format!("{done} {}", seam_words(&s)))
+}
+
+/// What the strip along the edges holds and does.
+pub(crate) fn seam_words(seam: &Seam) -> String {
+    let share = &seam.share;
+    let [high, wide] = seam.strip.map(|d| quantity(d, METRES, 2));
+    let strip = if high == wide { wide } else { format!("{wide} × {high}") };
+    let verdict = if share.attraction() > 1.25 {
+        "more than their share"
+    } else {
+        "no more than their share: the seam does not attract contact"
+    };
+    let experience = match seam.experience {
+        Some(e) => format!(
+            " On {} crops of larger surfaces with a like strip, the area differed by {} from that \
+             in natural surroundings (nine of ten).",
+            e.crops,
+            signed_range(e.low, e.high)
+        ),
+        None if seam.is_repeated => {
+            " The study of edges has too few maps like it to say what follows.".to_owned()
+        }
+        None => String::new(),
+    };
+    format!(
+        "Its outer {strip} hold {} of the map, {} of the touching points and {} of the load, \
+         {verdict}. By itself that moves the area by {}.{experience}",
+        percent(share.map),
+        percent(share.contact),
+        percent(share.load),
+        signed_percent(share.direct_effect()),
+    )
+}

@@ -1,0 +1,276 @@
+//! Findings in words: plain text, the same on the page, on the terminal and in files.
+
+use crate::numbers::{METRES, SPACE, fixed, percent, quantity, significant};
+use crate::words::edges::seam_words;
+use crate::words::plan;
+use compare::{Bare, EdgesName, Fact, Finding, Passed, Seam};
+use contact_accuracy::NoAreaInterval;
+use contact_accuracy::plan::Outcome;
+use surface_stats::Warning;
+use surface_stats::clean::{FormParameters, Record};
+
+/// A finding in words, as plain text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Worded {
+    /// What was found, with its number.
+    pub claim: String,
+    /// Its effect, and what to do.
+    pub text: String,
+}
+
+fn worded(claim: impl Into<String>, text: impl Into<String>) -> Worded {
+    Worded { claim: claim.into(), text: text.into() }
+}
+
+/// The words of a finding.
+pub fn finding(finding: &Finding) -> Worded {
+    match &finding.fact {
+        Fact::NotConverged { loads, of } => worded(
+            format!("{loads} of {of} loads did not converge."),
+            "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
+             the tolerance.",
+        ),
+        Fact::PlanUnmet(outcome) => unmet(outcome),
+        Fact::FinerGrid { why, area, loads } => worded(
+            "The grid does not resolve the contact.",
+            format!(
+                "{}. The ± is that of one more solution on a twice finer interpolation, whose area \
+                 is {}{SPACE}%; {}.",
+                capital(&why.to_string()),
+                significant(100.0 * area, 3),
+                if *loads > 1 {
+                    "so are those of the other loads"
+                } else {
+                    "other loads carry none"
+                }
+            ),
+        ),
+        Fact::NoBar { why, at } => {
+            let claim = match at {
+                Bare::Every => "The area carries no ±.".to_owned(),
+                Bare::Headline => "The area at this load carries no ±.".to_owned(),
+                Bare::Some { loads, of } => {
+                    format!("The area carries no ± at {loads} of {of} loads.")
+                }
+            };
+            worded(claim, no_bar(*why))
+        }
+        Fact::Warned(found) => warning(found),
+        Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),
+        Fact::Filled { share, spikes, how } => worded(
+            format!(
+                "{} of the points were {}.",
+                percent(*share),
+                if *spikes { "missing or spikes" } else { "missing" }
+            ),
+            format!(
+                "They were filled ({how}) from their neighbours, which makes them smoother than \
+                 the surface; contact there is a guess."
+            ),
+        ),
+        Fact::Cleaned(records) => worded(
+            format!("The heights were cleaned: {}.", steps(records)),
+            "What was taken off is in no answer here.",
+        ),
+        Fact::Passed(passed) => tested(passed),
+    }
+}
+
+fn unmet(outcome: &Outcome) -> Worded {
+    let asked = percent(outcome.request.relative());
+    worded(
+        format!("The accuracy of {asked} asked for is not met at every load."),
+        plan::reason(outcome).map_or_else(String::new, |why| format!("{}.", capital(&why))),
+    )
+}
+
+fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Worded {
+    let done = match edges {
+        EdgesName::Periodic => {
+            "The map was repeated as it is, jump included; --edges mirrored takes the jump out."
+        }
+        EdgesName::Mirrored => {
+            "The map was continued by its mirror images, which leave a kink and no jump."
+        }
+    };
+    worded(
+        format!("Edges do not match: they jump {} times the inner step.", significant(ratio, 2)),
+        seam.map_or_else(|| done.to_owned(), |s| format!("{done} {}", seam_words(s))),
+    )
+}
+
+/// The steps of cleaning in a few words.
+fn steps(cleaned: &[Record]) -> String {
+    let step = |record: &Record| match *record {
+        Record::Outliers { count: 0, .. } => "no spikes found".to_owned(),
+        Record::Outliers { count: 1, .. } => "1 spike".to_owned(),
+        Record::Outliers { count, .. } => format!("{count} spikes"),
+        Record::Form { parameters: FormParameters::Polynomial { degree: 1 }, .. } => "plane".into(),
+        Record::Form { parameters: FormParameters::Polynomial { degree }, .. } => {
+            format!("polynomial of degree {degree}")
+        }
+        Record::Form { parameters: FormParameters::Sphere { .. }, .. } => "sphere".into(),
+        Record::Form { parameters: FormParameters::Cylinder { .. }, .. } => "cylinder".into(),
+        Record::SFilter { nesting_index } => {
+            format!("S-filter {}", quantity(nesting_index, METRES, 3))
+        }
+        Record::LFilter { nesting_index } => {
+            format!("L-filter {}", quantity(nesting_index, METRES, 3))
+        }
+    };
+    cleaned.iter().map(step).collect::<Vec<_>>().join(", ")
+}
+
+/// The text with a capital letter; a symbol stays what it is, Α is not α.
+fn capital(text: &str) -> String {
+    let mut text = text.to_owned();
+    if let Some(first) = text.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    text
+}
+
+fn no_bar(reason: NoAreaInterval) -> String {
+    let text = capital(&reason.to_string());
+    let advice = match reason {
+        NoAreaInterval::Unresolved { .. } | NoAreaInterval::SpotsTooSmall { .. } => {
+            " Measure finer, or remove short wavelengths and quote the cut-off."
+        }
+        NoAreaInterval::Stepped { .. } => " Measure with finer steps.",
+        _ => "",
+    };
+    format!(
+        "{text}. Outside this limit the error of the area has reached tens of per cent.{advice}"
+    )
+}
+
+fn warning(warning: &Warning) -> Worded {
+    let ratio = |x: f64| significant(x, 2);
+    match *warning {
+        Warning::Rounding { rms_height, spacing } => worded(
+            format!("The rms height of {} is rounding.", quantity(rms_height, METRES, 2)),
+            format!(
+                "The heights are stored to {}; what is left after levelling is no roughness.",
+                quantity(spacing, METRES, 1)
+            ),
+        ),
+        Warning::Flat => worded(
+            "The map is flat.",
+            "There is no roughness: any load closes the contact, and the models have no input.",
+        ),
+        Warning::Tilted { explained } => worded(
+            format!("A plane explains {} of the height variance.", percent(explained)),
+            "A tilt left in moves the gap by 3 to 14\u{202F}% and the summit models by −7 to \
+             −11\u{202F}%. Level the map, unless the tilt belongs to the contact.",
+        ),
+        Warning::Anisotropic { ratio: r } => worded(
+            format!("The surface has a lay: mean square slopes differ {} times.", ratio(r)),
+            "The closed forms assume an isotropic surface; beyond 2 none of them is safe.",
+        ),
+        Warning::NotGaussian { skewness, kurtosis } => worded(
+            format!(
+                "Heights are not normal: skewness {}, kurtosis {}.",
+                significant(skewness, 2).replace('-', "\u{2212}"),
+                ratio(kurtosis)
+            ),
+            "The closed forms assume 0 and 3; beyond ±0.2 and ±0.3 none of them is safe.",
+        ),
+        Warning::NarrowBand { bandwidth } => worded(
+            format!("Bandwidth α = {} is below 1.5.", ratio(bandwidth)),
+            "No isotropic Gaussian surface has that; the summit models do not apply.",
+        ),
+        Warning::Unresolved { ratio: r } => worded(
+            format!("Finite differences see {} of the rms gradient.", percent(r)),
+            "The shortest waves are near two points, so m₂, m₄ and every area depend on the point spacing. Measure finer, or \
+             remove short wavelengths and quote the cut-off.",
+        ),
+        Warning::Stepped { step, m2_share, m4_share } => worded(
+            format!(
+                "Height steps of {} make {} of m₂ and {} of \
+                 m₄.",
+                quantity(step, METRES, 2),
+                percent(m2_share),
+                percent(m4_share)
+            ),
+            "Models made of them describe the instrument. Measure with finer steps, or remove \
+             short wavelengths.",
+        ),
+        Warning::Noisy { rms, m2_share, m4_share, reliable } => worded(
+            format!(
+                "{} of m₄ and {} of m₂ are noise of {} rms.",
+                percent(m4_share),
+                percent(m2_share),
+                quantity(rms, METRES, 2)
+            ),
+            format!(
+                "Every model made of them describes the instrument, and so does the area at light \
+                 load.{}",
+                reliable.map_or(String::new(), |l| format!(
+                    " Waves longer than {} stand out of the noise: remove shorter ones and quote \
+                     the cut-off.",
+                    quantity(l, METRES, 2)
+                ))
+            ),
+        ),
+        Warning::FlatTops { plateaus, summits } => worded(
+            format!("{plateaus} flat tops beside {summits} summits."),
+            "Height steps hide summits; the count depends on the step.",
+        ),
+        Warning::NoRolloff => worded(
+            "No roll-off within the map.",
+            "Its longest waves are not sampled: rms height and everything made of it grow with \
+             the size of the map.",
+        ),
+        Warning::FewWaves { count } => worded(
+            format!("Only {} of the longest waves fit the map.", ratio(count)),
+            "Another map of the same surface will give other numbers: the ± here does not cover \
+             that.",
+        ),
+        Warning::NotSelfAffine { hurst } => worded(
+            format!("The spectrum fits H = {}.", significant(hurst, 2)),
+            "That is not between 0 and 1: not a self-affine surface over this range, and fractal \
+             parameters have no meaning.",
+        ),
+        ref other => worded("", other.to_string()),
+    }
+}
+
+/// What was tested and is fine, in one entry.
+fn tested(passed: &Passed) -> Worded {
+    let mut claims: Vec<&str> = Vec::new();
+    let mut texts: Vec<String> = Vec::new();
+    if let Some(bandwidth) = passed.bandwidth {
+        claims.push("bandwidth");
+        texts.push(format!("α = {} (≥{SPACE}1.5 needed)", significant(bandwidth, 3)));
+    }
+    if let Some([skewness, kurtosis]) = passed.heights {
+        claims.push("height distribution");
+        texts.push(format!(
+            "skewness {}, kurtosis {}",
+            fixed(skewness, 2),
+            significant(kurtosis, 3)
+        ));
+    }
+    if let Some(anisotropy) = passed.anisotropy {
+        claims.push("isotropy");
+        texts
+            .push(format!("slopes differ {} times between directions", significant(anisotropy, 3)));
+    }
+    if let Some(resolved) = passed.resolved {
+        claims.push("resolution");
+        texts.push(format!("finite differences see {} of the rms gradient", percent(resolved)));
+    }
+    worded(format!("{}.", capital(&claims.join(", "))), format!("{}.", capital(&texts.join("; "))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_keep_their_case() {
+        assert_eq!(capital("skewness 0.1"), "Skewness 0.1");
+        assert_eq!(capital("α = 15"), "α = 15");
+        assert_eq!(capital(""), "");
+    }
+}

@@ -1,0 +1,15 @@
+//! Sentences: what was decided below, in words.
+
+mod answer;
+pub(crate) mod coarser;
+mod date;
+pub(crate) mod edges;
+pub(crate) mod finding;
+pub(crate) mod plan;
+mod ranking;
+mod verdict;
+
+pub(crate) use answer::{area, area_prediction, headline, real_pressure, real_pressure_prediction};
+pub(crate) use date::date;
+pub(crate) use ranking::{curves_lead, ranked, recommendation, survey, within_ten};
+pub(crate) use verdict::reason;

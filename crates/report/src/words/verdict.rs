@@ -1,0 +1,76 @@
+//! Whether a theory covers a surface, in words.
+
+use crate::numbers::{SPACE, length, pressure};
+use compare::Assumes;
+use compare::{ModelComparison, Reason};
+use contact_types::ModelError;
+
+/// Why a model applies to a surface, or only with caution, or not.
+pub(crate) fn reason(model: &ModelComparison) -> String {
+    let verdict = &model.verdict;
+    if verdict.reasons.is_empty() {
+        return within(model.card.assumes).into();
+    }
+    verdict.reasons.iter().map(words).collect::<Vec<_>>().join("; ")
+}
+
+fn within(assumes: Assumes) -> &'static str {
+    match assumes {
+        Assumes::Summits => "light contact on an isotropic Gaussian surface",
+        Assumes::Gaussian => "any load; known to read low at light load",
+        Assumes::Amplitudes | Assumes::Fractal => "",
+        Assumes::Unstated => "its assumptions are not known here; it names none that is strained",
+    }
+}
+
+fn words(reason: &Reason) -> String {
+    match reason {
+        Reason::Refused(error) => refusal(error),
+        Reason::Missing { dimension: Some(d), .. } => {
+            format!("fitted D = {}: no profile dimension between 1 and 2", plain(*d))
+        }
+        Reason::Missing { needs, dimension: None } => format!("needs {needs}"),
+        Reason::Lay { ratio } => format!("the surface has a lay (slopes {ratio:.1} : 1)"),
+        Reason::NotGaussian { skewness, kurtosis } => {
+            format!("skewness {}, kurtosis {}", plain(*skewness), plain(*kurtosis))
+        }
+        Reason::Crowded { from } => format!(
+            "area exceeds 5{SPACE}% from {}, where summits no longer act alone",
+            pressure(*from)
+        ),
+        Reason::RecordLength { wavelength, length: record } => format!(
+            "its input sits at λ = {} and depends on the record length ({})",
+            wavelength.map_or("–".into(), length),
+            length(*record)
+        ),
+        Reason::FitRange { dimension, short, long } => format!(
+            "D = {} from the fit between {} and {}; another range gives another D",
+            plain(*dimension),
+            length(*short),
+            length(*long)
+        ),
+        Reason::Beyond { quantity, value, limit, reason } => {
+            format!("{quantity} {} beyond {}: {reason}", plain(*value), plain(*limit))
+        }
+        Reason::Full { from } => format!("full contact from {}", pressure(*from)),
+        Reason::NoAnswer { loads, of } => format!("no answer at {loads} of {of} loads"),
+    }
+}
+
+fn refusal(error: &ModelError) -> String {
+    match error {
+        ModelError::OutsideDomain { quantity, value, domain, reason, .. } => {
+            let bound = if value < domain.start() {
+                format!("< {}", plain(*domain.start()))
+            } else {
+                format!("≥ {}", plain(*domain.end()))
+            };
+            format!("{quantity} = {} {bound}: {reason}", plain(*value))
+        }
+        other => other.to_string(),
+    }
+}
+
+fn plain(value: f64) -> String {
+    format!("{value:.2}").trim_end_matches('0').trim_end_matches('.').replace('-', "\u{2212}")
+}

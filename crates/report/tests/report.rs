@@ -1,0 +1,431 @@
+//! The report as a reader, a printer and a program meet it: the checks of its contract on real
+//! studies of small surfaces.
+
+#![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
+
+use compare::{Comparison, FileOrigin, Origin, Registry, Settings, Surface, built_in_recipes};
+use contact_types::{Grid, HeightMap};
+use report::{Provenance, write_area_svg, write_csv, write_html, write_json, write_pressure_svg};
+use std::collections::HashMap;
+use std::ops::ControlFlow;
+use std::sync::OnceLock;
+
+fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
+    Comparison::run(surfaces, settings, &Registry::built_in(), &mut |_| ControlFlow::Continue(()))
+        .unwrap()
+}
+
+/// The built-in surfaces on 96 x 96 points.
+fn small(names: &[&str]) -> Vec<Surface> {
+    built_in_recipes()
+        .unwrap()
+        .into_iter()
+        .filter(|r| names.contains(&r.name.as_str()))
+        .map(|mut recipe| {
+            recipe.shape = [96, 96];
+            recipe.make().unwrap()
+        })
+        .collect()
+}
+
+fn one() -> &'static Comparison {
+    static ONE: OnceLock<Comparison> = OnceLock::new();
+    ONE.get_or_init(|| {
+        let mut study = run(small(&["ground"]), Settings::default());
+        study.solve_coarser().unwrap();
+        study.look_closer().unwrap();
+        study
+    })
+}
+
+fn three() -> &'static Comparison {
+    static THREE: OnceLock<Comparison> = OnceLock::new();
+    THREE.get_or_init(|| run(small(&["polished", "ground", "blasted"]), Settings::default()))
+}
+
+/// Names that would break a page if they were not escaped, heights that do not repeat.
+fn hostile() -> &'static Comparison {
+    static HOSTILE: OnceLock<Comparison> = OnceLock::new();
+    HOSTILE.get_or_init(|| {
+        let grid = Grid::new([40, 56], [2e-6, 1e-6]).unwrap();
+        let heights =
+            HeightMap::from_fn(grid, |y, x| 1e-7 * ((3e5 * x).sin() + (2e5 * y).cos()) + 1e-3 * x)
+                .unwrap();
+        let name = "</script><b>\"&'.x3p".to_owned();
+        let file = FileOrigin {
+            path: name.clone(),
+            fill: "harmonic".into(),
+            missing: 300,
+            ..FileOrigin::default()
+        };
+        let pressures = Some(vec![1e5, 1e7, 1e8]);
+        run(
+            vec![Surface { name, origin: Origin::File(file), heights }],
+            Settings { pressures, ..Settings::default() },
+        )
+    })
+}
+
+fn all() -> [&'static Comparison; 3] {
+    [one(), three(), hostile()]
+}
+
+fn provenance() -> Provenance {
+    Provenance {
+        version: "0".into(),
+        platform: "test".into(),
+        unix_time: 0,
+        repeat: "rough-contact compare <x> --out y".into(),
+    }
+}
+
+fn html(comparison: &Comparison) -> String {
+    let mut out = Vec::new();
+    write_html(comparison, &provenance(), &mut out).unwrap();
+    String::from_utf8(out).unwrap()
+}
+
+fn csv(comparison: &Comparison) -> String {
+    let mut out = Vec::new();
+    write_csv(comparison, &mut out).unwrap();
+    String::from_utf8(out).unwrap()
+}
+
+/// Width of a letter in ems, at least, in Helvetica and what replaces it.
+fn least_width(letter: char) -> f64 {
+    match letter {
+        'i' | 'j' | 'l' | '\u{202F}' => 0.2,
+        'f' | 't' | 'I' | ' ' | '.' | ',' | '/' => 0.27,
+        'r' | '-' | '(' | ')' => 0.33,
+        _ => 0.5,
+    }
+}
+
+/// The figures inside a page.
+fn figures(page: &str) -> Vec<&str> {
+    page.split("<svg ")
+        .skip(1)
+        .map(|rest| &page[rest.as_ptr() as usize - page.as_ptr() as usize - 5..])
+        .map(|from| &from[..from.find("</svg>").unwrap() + 6])
+        .collect()
+}
+
+/// Attributes and text of every element of a figure, which must parse as XML.
+fn elements(svg: &str) -> Vec<(String, HashMap<String, String>, String)> {
+    use quick_xml::events::Event;
+    let mut reader = quick_xml::Reader::from_str(svg);
+    let mut found: Vec<(String, HashMap<String, String>, String)> = Vec::new();
+    loop {
+        match reader.read_event().unwrap() {
+            Event::Start(e) | Event::Empty(e) => {
+                let attributes = e
+                    .attributes()
+                    .map(|a| a.unwrap())
+                    .map(|a| {
+                        let key = a.key.as_ref().to_owned();
+                        (key, a.value.to_string())
+                    })
+                    .collect();
+                let name = e.name().as_ref().to_owned();
+                found.push((name, attributes, String::new()));
+            }
+            Event::Text(t) => {
+                if let Some(last) = found.last_mut() {
+                    last.2.push_str(&t);
+                }
+            }
+            Event::Eof => return found,
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn one_file_that_fetches_nothing() {
+    for comparison in all() {
+        let page = html(comparison);
+        let elsewhere = page.replace("http://www.w3.org/2000/svg", "");
+        assert!(!elsewhere.contains("http:") && !elsewhere.contains("https:"));
+        assert!(!elsewhere.contains("src=") && !elsewhere.contains("@import"));
+        assert!(page.contains("default-src 'none'"));
+        assert!(page.len() < 3_000_000, "{} bytes", page.len());
+    }
+}
+
+#[test]
+fn no_number_is_missing_or_broken() {
+    for comparison in all() {
+        let page = html(comparison);
+        for bad in ["NaN", "inf ", "inf<", "-0.0", "<td></td>", "e-0", "class=\"n\"></td>"] {
+            assert!(!page.contains(bad), "{bad}: {}", &page[page.find(bad).unwrap() - 80..][..160]);
+        }
+        let mut json = Vec::new();
+        write_json(comparison, &provenance(), &mut json).unwrap();
+        let value: serde_json::Value = serde_json::from_slice(&json).unwrap();
+        assert_eq!(value["surfaces"].as_array().unwrap().len(), comparison.surfaces.len());
+    }
+}
+
+#[test]
+fn ids_are_unique_and_references_lead_somewhere() {
+    for comparison in all() {
+        let page = html(comparison);
+        let mut ids: Vec<&str> =
+            page.split(" id=\"").skip(1).map(|s| &s[..s.find('"').unwrap()]).collect();
+        let count = ids.len();
+        ids.sort_unstable();
+        ids.dedup();
+        assert_eq!(ids.len(), count);
+        for target in page.split("href=\"#").skip(1).map(|s| &s[..s.find('"').unwrap()]) {
+            assert!(ids.contains(&target), "#{target}");
+        }
+    }
+}
+
+#[test]
+fn user_strings_cannot_leave_their_place() {
+    let page = html(hostile());
+    assert!(!page.contains("<b>\"&"));
+    // One data element and one program; nothing of the file's name in between.
+    assert_eq!(page.matches("</script>").count(), 2);
+    assert!(csv(hostile()).contains("\"</script><b>\"\"&'.x3p\""));
+}
+
+#[test]
+fn figures_are_xml_and_say_what_they_show() {
+    for comparison in all() {
+        let page = html(comparison);
+        for svg in figures(&page) {
+            let found = elements(svg);
+            if svg.starts_with("<svg viewBox=\"0 0 34 12\"") {
+                continue; // a swatch in a table, beside its name
+            }
+            let text = |name: &str| {
+                let element = found.iter().find(|(n, ..)| n == name).unwrap();
+                assert!(element.2.len() > 10, "{name}: {:?}", element.2);
+            };
+            text("title");
+            text("desc");
+        }
+        for write in [write_area_svg, write_pressure_svg] {
+            let mut file = Vec::new();
+            write(comparison, &mut file).unwrap();
+            let file = String::from_utf8(file).unwrap();
+            assert!(
+                file.contains("mm\"") && !file.contains("var(") && !file.contains("class=\"cur\"")
+            );
+            assert!(elements(&file).len() > 20);
+        }
+    }
+}
+
+/// Direct labels of one figure keep the distance of a line of type.
+#[test]
+fn labels_do_not_overlap() {
+    let number =
+        |a: &HashMap<String, String>, key: &str| a.get(key).map(|v| v.parse::<f64>().unwrap());
+    for comparison in all() {
+        let page = html(comparison);
+        for svg in figures(&page) {
+            let labels: Vec<[f64; 4]> = elements(svg)
+                .into_iter()
+                .filter(|(n, a, _)| {
+                    n == "text" && a.get("class").is_some_and(|c| c.ends_with(" label"))
+                })
+                .map(|(_, a, text)| {
+                    let size = number(&a, "font-size").unwrap_or(10.0);
+                    let width = size * text.chars().map(least_width).sum::<f64>();
+                    let (x, y) = (number(&a, "x").unwrap(), number(&a, "y").unwrap());
+                    let left = match a.get("text-anchor").map(String::as_str) {
+                        Some("end") => x - width,
+                        Some("middle") => x - width / 2.0,
+                        _ => x,
+                    };
+                    [left, y - 0.75 * size, left + width, y + 0.2 * size]
+                })
+                .collect();
+            for (i, a) in labels.iter().enumerate() {
+                for b in &labels[..i] {
+                    let apart = a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1];
+                    assert!(apart, "{a:?} {b:?} in {}", &svg[..200]);
+                }
+            }
+        }
+    }
+}
+
+/// A dot of Fig. 1 stands where its row of the table puts it.
+#[test]
+fn plotted_numbers_are_in_the_csv() {
+    let table = csv(one());
+    let mut rows = table.lines();
+    let header: Vec<&str> = rows.next().unwrap().split(',').collect();
+    let column = |name: &str| header.iter().position(|h| *h == name).unwrap();
+    let (p, a) = (column("mean_pressure [Pa]"), column("area_fraction_deterministic [-]"));
+    let numbers: Vec<[f64; 2]> = rows
+        .map(|r| r.split(',').collect::<Vec<_>>())
+        .map(|r| [r[p].parse().unwrap(), r[a].parse().unwrap()])
+        .collect();
+    assert_eq!(numbers.len(), one().surfaces[0].deterministic.len());
+
+    let mut file = Vec::new();
+    write_area_svg(one(), &mut file).unwrap();
+    let dots: Vec<[f64; 2]> = elements(&String::from_utf8(file).unwrap())
+        .into_iter()
+        .filter(|(n, ..)| n == "circle")
+        .map(|(_, a, _)| [a["cx"].parse().unwrap(), a["cy"].parse().unwrap()])
+        .collect();
+    assert_eq!(dots.len(), numbers.len());
+    // Both axes are logarithmic: positions are linear in the logarithms of the table.
+    for axis in 0..2 {
+        let (n, last) = (dots.len(), dots.len() - 1);
+        let slope =
+            (dots[last][axis] - dots[0][axis]) / (numbers[last][axis] / numbers[0][axis]).ln();
+        for i in 0..n {
+            let expected = dots[0][axis] + slope * (numbers[i][axis] / numbers[0][axis]).ln();
+            assert!(
+                (dots[i][axis] - expected).abs() < 0.02,
+                "dot {i}: {} {expected}",
+                dots[i][axis]
+            );
+        }
+    }
+}
+
+#[test]
+fn the_headline_agrees_with_table_and_csv() {
+    let page = html(one());
+    let surface = &one().surfaces[0];
+    let area = 100.0 * surface.headline_answer().unwrap().area_fraction_corrected;
+    let h1 = &page[page.find("<h1>").unwrap()..page.find("</h1>").unwrap()];
+    let bold = &h1[h1.find("<b>").unwrap() + 3..h1.find("</b>").unwrap()];
+    let printed: f64 = bold.split(' ').next().unwrap().parse().unwrap();
+    assert!((printed / area - 1.0).abs() < 0.03, "{printed} {area}");
+    assert!(page.matches(bold).count() >= 2, "headline and key number: prediction");
+    // The model table and the read-out carry the narrower comparison.
+    let budget = surface.headline_answer().unwrap().budget.area;
+    let comparison = budget.comparison_half_width().unwrap();
+    assert!(budget.prediction_half_width().unwrap() > comparison);
+    let row = &page[page.find("data-k=\"a-det\"").unwrap()..];
+    let cell = &row[row.find('>').unwrap() + 1..row.find("</td>").unwrap()];
+    assert!(page.matches(cell).count() >= 3, "table, read-out, slider: {cell}");
+    let spread: f64 =
+        cell.split("± ").nth(1).unwrap().split('\u{202F}').next().unwrap().parse().unwrap();
+    assert!((spread / (100.0 * comparison) - 1.0).abs() < 0.35, "{spread} {comparison}");
+}
+
+/// The same study gives the same bytes, times excepted.
+#[test]
+fn the_report_is_deterministic() {
+    let timeless = |mut comparison: Comparison| {
+        comparison.seconds = 1.0;
+        for surface in &mut comparison.surfaces {
+            surface.setup_seconds = 1.0;
+            for answer in surface.deterministic.iter_mut().filter_map(|p| p.answer.as_mut()) {
+                answer.seconds = 1.0;
+            }
+            for curve in surface.models.iter_mut().filter_map(|m| m.outcome.as_mut().ok()) {
+                curve.seconds = 1e-6;
+            }
+        }
+        comparison
+    };
+    let settings = |threads| Settings { threads, ..Settings::default() };
+    let a = timeless(run(small(&["blasted"]), settings(1)));
+    let mut b = timeless(run(small(&["blasted"]), settings(2)));
+    b.settings.threads = 1;
+    assert!(html(&a) == html(&b));
+    assert_eq!(csv(&a), csv(&b));
+}
+
+/// Waves of two points: no bar for the curve, one more solution for every load, whose bar holds
+/// both areas; and the page says so.
+#[test]
+fn an_unresolved_map_gets_its_bar_from_a_finer_grid() {
+    let mut recipe = built_in_recipes().unwrap().remove(0);
+    (recipe.shape, recipe.cutoff, recipe.quantise) = ([96, 80], 2e-6, None);
+    (recipe.rms_height, recipe.rms_gradient) = (None, Some(0.1));
+    let comparison = run(vec![recipe.make().unwrap()], Settings::default());
+    let surface = &comparison.surfaces[0];
+    assert!(surface.map.accuracy.gate().is_err());
+    let bars = surface.deterministic.iter().filter_map(|p| p.answer.as_ref()?.interval()).count();
+    assert_eq!(bars, surface.deterministic.len());
+    let [low, high] = surface.headline_answer().unwrap().interval().unwrap();
+    let refined = surface.headline_answer().unwrap().finer.unwrap().area;
+    assert!((low..=high).contains(&refined), "{low} {refined} {high}");
+    let page = html(&comparison);
+    assert!(
+        page.contains("The grid does not resolve the contact.") && page.contains("twice finer")
+    );
+}
+
+/// The closer look of a report: a proven bound, a stiffness with both intervals, choices with what
+/// they do, and all of it on the page and in the results.
+#[test]
+fn the_budget_has_every_source_and_choices_are_listed() {
+    let surface = &one().surfaces[0];
+    let answer = surface.headline_answer().unwrap();
+    let eta = answer.energy_bound.unwrap();
+    assert!(eta > 0.0 && eta < 1e-3, "{eta}");
+    let stiffness = answer.budget.stiffness.unwrap();
+    let [low, high] = stiffness.comparison().unwrap();
+    let [lowest, highest] = stiffness.prediction().unwrap();
+    assert!(lowest < low && low < stiffness.value && stiffness.value < high && high < highest);
+    // The slope of the curve between the loads beside the headline holds it.
+    let gap = |i: usize| surface.deterministic[i].answer.as_ref().unwrap().mean_gap.unwrap();
+    let load = |i: usize| surface.deterministic[i].mean_pressure;
+    let h = surface.headline;
+    let slope =
+        surface.headline_pressure() * (load(h + 1) / load(h - 1)).ln() / (gap(h - 1) - gap(h + 1));
+    assert!((stiffness.value / slope - 1.0).abs() < 0.1, "{} {slope}", stiffness.value);
+    assert!(!surface.closer.as_ref().unwrap().choices.is_empty());
+    let page = html(one());
+    for words in ["Comparison ±", "Finite sample", "Prediction ±", "Choices that move the answer"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
+}
+
+/// A flat map has an answer, a reason for every model, and a report.
+/// Grids that were solved are in Fig. 4, in its caption and in the results; those that were not
+/// asked for are nowhere.
+#[test]
+fn coarser_grids_are_drawn_and_listed_where_they_were_solved() {
+    let page = html(one());
+    let figure = figures(&page).into_iter().find(|svg| svg.contains("Error against time")).unwrap();
+    let mut json = Vec::new();
+    write_json(one(), &provenance(), &mut json).unwrap();
+    let value: serde_json::Value = serde_json::from_slice(&json).unwrap();
+    let listed = value["surfaces"][0]["coarser"].as_array().unwrap();
+    // 96 x 96 points: an eighth of them a side are too few.
+    assert_eq!(listed.len(), 2);
+    for (grid, label) in listed.iter().zip(["½ grid", "¼ grid"]) {
+        assert!(figure.contains(label), "{label}");
+        let area = grid["area_fraction_corrected"].as_f64().unwrap();
+        let truth = one().surfaces[0].headline_answer().unwrap().area_fraction_corrected;
+        assert!((grid["area_error"].as_f64().unwrap() - (area / truth - 1.0)).abs() < 1e-12);
+    }
+    assert!(page.contains("1/2 to 1/4 as many points a side"));
+    // The headline names a grid only if it is within 10 %, with points in the order x, y.
+    let near = listed.iter().take_while(|g| g["area_error"].as_f64().unwrap().abs() <= 0.1).last();
+    match near.map(|g| g["shape"].clone()) {
+        Some(shape) => assert!(page.contains(&format!("{} × {} points (", shape[1], shape[0]))),
+        None => assert!(!page.contains("Cheapest grid")),
+    }
+
+    let page = html(three());
+    assert!(!page.contains("½ grid") && !page.contains("as many points a side"));
+}
+
+#[test]
+fn a_flat_surface_is_answered() {
+    let grid = Grid::new([16, 16], [1e-6, 1e-6]).unwrap();
+    let heights = HeightMap::new(grid, vec![2e-6; 256]).unwrap();
+    let file = FileOrigin { path: "flat".into(), fill: "refuse".into(), ..FileOrigin::default() };
+    let surface = Surface { name: "flat".into(), origin: Origin::File(file), heights };
+    let comparison = run(vec![surface], Settings::default());
+    let answer = comparison.surfaces[0].headline_answer().unwrap();
+    assert!((answer.area_fraction - 1.0).abs() < 1e-12);
+    let page = html(&comparison);
+    assert!(page.contains("flat") && !page.contains("NaN"));
+}

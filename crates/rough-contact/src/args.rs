@@ -1,0 +1,226 @@
+//! Options that several commands share.
+
+use crate::outcome::Failure;
+use crate::quantity::{self, Dimension, QuantityError};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use compare::built_in;
+use compare::{EdgesName, LevelName, MethodName, PrecisionName};
+use contact_types::{ContactModulus, Elastic};
+use surface_io::Layout;
+
+/// Options of every command.
+#[derive(Args)]
+pub(crate) struct Common {
+    /// One JSON object on standard output, nothing else there
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+    /// No progress on standard error
+    #[arg(long, global = true)]
+    pub(crate) quiet: bool,
+    /// Threads to use; results do not depend on it [default: all]
+    #[arg(long, global = true, value_name = "N", value_parser = threads)]
+    pub(crate) threads: Option<usize>,
+    /// Overwrite outputs that exist
+    #[arg(long, global = true)]
+    pub(crate) force: bool,
+}
+
+impl Common {
+    /// Threads asked for, or as many as the machine has.
+    pub(crate) fn threads(&self) -> usize {
+        let all = || std::thread::available_parallelism().map_or(1, usize::from);
+        self.threads.unwrap_or_else(all)
+    }
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(n) if (1..=1024).contains(&n) => Ok(n),
+        _ => Err(format!("'{text}' is not a number of threads from 1 to 1024")),
+    }
+}
+
+/// The elastic constants.
+#[derive(Args)]
+pub(crate) struct Bodies {
+    /// Contact modulus E*, 1/E* = sum of (1 - nu^2)/E over both bodies
+    #[arg(long, value_name = "E", value_parser = pressure, allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["young", "poisson"])]
+    pub(crate) modulus: Option<f64>,
+    /// Young's modulus, instead of --modulus; twice for two elastic bodies
+    #[arg(long, value_name = "E", value_parser = pressure, allow_hyphen_values = true)]
+    pub(crate) young: Vec<f64>,
+    /// Poisson's ratio to each --young
+    #[arg(long, value_name = "NU", value_parser = number, allow_hyphen_values = true)]
+    pub(crate) poisson: Vec<f64>,
+}
+
+impl Bodies {
+    /// E*, if any of its options was given.
+    pub(crate) fn given(&self) -> Result<Option<ContactModulus>, Failure> {
+        let elastic = |i: usize| Elastic::new(self.young[i], self.poisson[i]);
+        let modulus = match (self.modulus, self.young.len(), self.poisson.len()) {
+            (None, 0, 0) => return Ok(None),
+            (Some(pascals), ..) => ContactModulus::from_pascals(pascals),
+            (None, 1, 1) => elastic(0).and_then(ContactModulus::against_rigid),
+            (None, 2, 2) => {
+                elastic(0).and_then(|first| ContactModulus::of_pair(first, elastic(1)?))
+            }
+            (None, young, poisson) => {
+                let message = format!(
+                    "--young given {young} times and --poisson {poisson} times; give both once \
+                     (the other body is rigid) or both twice"
+                );
+                return Err(Failure::refused("usage", message));
+            }
+        };
+        modulus.map(Some).map_err(|e| Failure::from_error(&e))
+    }
+
+    /// E*; an error if it was not given.
+    pub(crate) fn required(&self) -> Result<ContactModulus, Failure> {
+        self.given()?.ok_or_else(|| {
+            Failure::refused(
+                "usage",
+                "the contact modulus is missing; give --modulus E*, for example --modulus 110GPa, \
+                 or --young 210GPa --poisson 0.3, twice for two elastic bodies",
+            )
+        })
+    }
+}
+
+/// A list of quantities as one argument, so that clap shows it as one value.
+#[derive(Clone, Debug)]
+pub(crate) struct List(pub(crate) Vec<f64>);
+
+pub(crate) fn pressure(text: &str) -> Result<f64, QuantityError> {
+    quantity::parse(text, Dimension::Pressure)
+}
+
+pub(crate) fn length(text: &str) -> Result<f64, QuantityError> {
+    quantity::parse(text, Dimension::Length)
+}
+
+pub(crate) fn area(text: &str) -> Result<f64, QuantityError> {
+    quantity::parse(text, Dimension::Area)
+}
+
+pub(crate) fn per_area(text: &str) -> Result<f64, QuantityError> {
+    quantity::parse(text, Dimension::PerArea)
+}
+
+pub(crate) fn per_areas(text: &str) -> Result<List, QuantityError> {
+    quantity::parse_list(text, Dimension::PerArea).map(List)
+}
+
+pub(crate) fn number(text: &str) -> Result<f64, QuantityError> {
+    quantity::parse(text, Dimension::Number)
+}
+
+pub(crate) fn pressures(text: &str) -> Result<List, QuantityError> {
+    quantity::parse_list(text, Dimension::Pressure).map(List)
+}
+
+pub(crate) fn lengths(text: &str) -> Result<List, QuantityError> {
+    quantity::parse_list(text, Dimension::Length).map(List)
+}
+
+/// `DX` or `DX,DY` as `[dy, dx]` in metres.
+pub(crate) fn pixel(text: &str) -> Result<[f64; 2], String> {
+    match quantity::parse_list(text, Dimension::Length).map_err(|e| e.to_string())?[..] {
+        [d] => Ok([d, d]),
+        [dx, dy] => Ok([dy, dx]),
+        _ => Err(format!("'{text}' is not DX or DX,DY; write for example 1um or 1um,2um")),
+    }
+}
+
+/// `SHORT,LONG`: two wavelengths in metres.
+pub(crate) fn range(text: &str) -> Result<[f64; 2], String> {
+    match quantity::parse_list(text, Dimension::Length).map_err(|e| e.to_string())?[..] {
+        [short, long] => Ok([short, long]),
+        _ => Err(format!("'{text}' is not two wavelengths; write for example 4um,100um")),
+    }
+}
+
+/// `NY,NX`: two counts.
+pub(crate) fn shape(text: &str) -> Result<[usize; 2], String> {
+    counts(text).ok_or_else(|| format!("'{text}' is not NY,NX; write for example 512,512"))
+}
+
+/// `Y0,X0,NY,NX`: four counts.
+pub(crate) fn crop(text: &str) -> Result<[usize; 4], String> {
+    counts(text)
+        .ok_or_else(|| format!("'{text}' is not Y0,X0,NY,NX; write for example 0,0,512,512"))
+}
+
+fn counts<const N: usize>(text: &str) -> Option<[usize; N]> {
+    let numbers: Result<Vec<usize>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+    numbers.ok()?.try_into().ok()
+}
+
+/// One of a list of names that the library knows.
+fn one_of<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.iter().map(|&item| name(item))).map(move |text| {
+        let found = all.iter().copied().find(|&item| name(item) == text);
+        found.expect("clap accepts only these names")
+    })
+}
+
+pub(crate) fn level() -> impl TypedValueParser<Value = LevelName> {
+    one_of(LevelName::ALL, LevelName::name)
+}
+
+pub(crate) fn method() -> impl TypedValueParser<Value = MethodName> {
+    one_of(MethodName::ALL, MethodName::name)
+}
+
+pub(crate) fn precision() -> impl TypedValueParser<Value = PrecisionName> {
+    one_of(PrecisionName::ALL, PrecisionName::name)
+}
+
+pub(crate) fn edges() -> impl TypedValueParser<Value = EdgesName> {
+    one_of(EdgesName::ALL, EdgesName::name)
+}
+
+/// Mirror images at the edges are for periodic maps solved to a tolerance.
+pub(crate) fn refuse_mirrored(
+    edges: EdgesName,
+    is_planned: bool,
+    is_free: bool,
+) -> Result<(), Failure> {
+    let message = match (edges, is_planned, is_free) {
+        (EdgesName::Periodic, _, _) | (EdgesName::Mirrored, false, false) => return Ok(()),
+        (EdgesName::Mirrored, _, true) => {
+            "--edges mirrored puts mirror images beyond the edges and --boundary free nothing; give \
+             one of them"
+        }
+        (EdgesName::Mirrored, true, _) => {
+            "--accuracy cannot be planned with --edges mirrored: the error of the area was studied \
+             for maps that are repeated; give --tolerance, or leave out --edges"
+        }
+    };
+    Err(Failure::refused("combination", message))
+}
+
+pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {
+    one_of(Layout::ALL, Layout::name)
+}
+
+/// A model that a study can ask.
+pub(crate) fn study_models() -> PossibleValuesParser {
+    PossibleValuesParser::new(built_in().of_maps().map(|t| t.card().name.as_ref()))
+}
+
+/// What surface-stats calls a form.
+pub(crate) fn form(level: LevelName) -> surface_stats::Level {
+    match level {
+        LevelName::None => surface_stats::Level::None,
+        LevelName::Mean => surface_stats::Level::Mean,
+        LevelName::Plane => surface_stats::Level::Plane,
+        LevelName::Quadratic => surface_stats::Level::Quadratic,
+    }
+}

@@ -1,0 +1,393 @@
+//! `rough-contact compare`: the study and its report.
+
+use crate::args::{self, Bodies, Common, List};
+use crate::cleaning::CleaningOptions;
+use crate::input::{Complete, Fill, Reading};
+use crate::outcome::{Failure, Reply};
+use crate::output::Folder;
+use crate::planned;
+use crate::progress::Progress;
+use crate::text::{self, Columns};
+use clap::Args;
+use compare::plan::Request;
+use compare::{
+    Cleaning, Comparison, EdgesName, FileOrigin, LevelName, MethodName, Origin, PrecisionName,
+    Registry, RunFile, RunSurface, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison,
+    sha256_hex,
+};
+use report::Provenance;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use surface_io::Layout;
+
+/// What the folder receives.
+const OUTPUTS: [&str; 6] =
+    ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg", "run.toml"];
+
+#[derive(Args)]
+pub(crate) struct Compare {
+    /// Surface files; without any, three built-in surfaces: polished, ground, blasted
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    bodies: Bodies,
+    /// Nominal pressures [default: chosen so that about 0.1 % to half of the surface touches]
+    #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
+    pressure: Option<List>,
+    /// Pressure of headline and contact map, one of --pressure [default: at about 2 % contact]
+    #[arg(long, value_name = "P", value_parser = args::pressure, allow_hyphen_values = true)]
+    headline: Option<f64>,
+    /// Models to ask, such as gw,persson [default: every one that a surface gives all it needs]
+    #[arg(long, value_name = "LIST", value_parser = args::study_models(), value_delimiter = ',')]
+    models: Option<Vec<String>>,
+    /// Form to remove by least squares first
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "plane")]
+    level: LevelName,
+    /// Shortest and longest wavelength of the fractal fit [default: cut-off to roll-off as found]
+    #[arg(long, value_name = "L,L", value_parser = args::range, allow_hyphen_values = true)]
+    fractal_range: Option<[f64; 2]>,
+    /// Beyond the edges of a map: the map again, or its mirror images (four times the points,
+    /// memory and time of the solver), which take the jump out of a map that does not repeat
+    #[arg(long, value_name = "EDGES", value_parser = args::edges(), default_value = "periodic")]
+    edges: EdgesName,
+    /// Method of the deterministic solver
+    #[arg(long, value_parser = args::method(), default_value = "auto")]
+    method: MethodName,
+    /// Floating-point type of the solver's iteration
+    #[arg(long, value_parser = args::precision(), default_value = "f64")]
+    precision: PrecisionName,
+    /// Relative rms error of the pressure at which the solver stops
+    #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
+    #[arg(default_value = "1e-4")]
+    tolerance: f64,
+    /// Error of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
+    #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["tolerance", "precision"])]
+    accuracy: Option<Request>,
+    /// Repeat the run that wrote this run.toml
+    #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
+        "files", "pressure", "headline", "models", "level", "fractal_range", "edges", "method",
+        "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
+        "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
+    ])]
+    from: Option<PathBuf>,
+    /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    #[command(flatten)]
+    reading: Reading,
+    #[command(flatten)]
+    cleaning: CleaningOptions,
+}
+
+impl Compare {
+    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+        let (mut settings, surfaces) = match &self.from {
+            Some(path) => repeat(path)?,
+            None => (self.settings()?, self.surfaces()?),
+        };
+        settings.threads = common.threads();
+        let names = OUTPUTS.map(str::to_owned);
+        let folder = Folder::prepare(&self.out, &names, common.force)?;
+        let run_file = RunFile {
+            program: env!("CARGO_PKG_VERSION").to_owned(),
+            settings: settings.clone(),
+            surfaces: surfaces
+                .iter()
+                .map(|s| RunSurface { name: s.name.clone(), origin: s.origin.clone() })
+                .collect(),
+        };
+        let comparison = study(surfaces, settings, common)?;
+        let repeat = format!("rough-contact compare --from run.toml --out {}", self.out.display());
+        let provenance = Provenance::here(repeat);
+        let mut reply = Reply::new(
+            describe(&comparison, folder.path()),
+            report::comparison_json(&comparison, &provenance),
+        );
+        reply.trouble = not_met(&comparison);
+        // What was computed is printed even if it cannot be written.
+        if let Err(failure) = write(&folder, &comparison, &provenance, &run_file) {
+            reply.trouble = Some(failure);
+        }
+        Ok(reply)
+    }
+
+    fn settings(&self) -> Result<Settings, Failure> {
+        args::refuse_mirrored(self.edges, self.accuracy.is_some(), false)?;
+        let modulus = match self.bodies.given()? {
+            Some(modulus) => modulus.pascals(),
+            None if self.files.is_empty() => STEEL_ON_STEEL,
+            None => self.bodies.required()?.pascals(),
+        };
+        Ok(Settings {
+            modulus,
+            pressures: self.pressure.as_ref().map(|List(pressures)| pressures.clone()),
+            headline: self.headline,
+            models: self.models.clone(),
+            level: self.level,
+            edges: self.edges,
+            method: self.method,
+            precision: self.precision,
+            tolerance: self.tolerance,
+            accuracy: self.accuracy.map(Request::relative),
+            fractal_range: self.fractal_range,
+            ..Settings::default()
+        })
+    }
+
+    fn surfaces(&self) -> Result<Vec<Surface>, Failure> {
+        if !self.files.is_empty() {
+            let cleaning = self.cleaning.asked();
+            return self
+                .files
+                .iter()
+                .map(|path| from_file(path, &self.reading, cleaning))
+                .collect();
+        }
+        self.cleaning.refuse_without_file()?;
+        let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
+        recipes.iter().map(from_recipe).collect()
+    }
+}
+
+fn from_file(path: &Path, reading: &Reading, cleaning: Cleaning) -> Result<Surface, Failure> {
+    let measurement = reading.measurement(path)?;
+    let format = measurement.format().name().to_owned();
+    let Complete { map, missing, cleaned, height_step } =
+        reading.surface_of(path, measurement, cleaning)?;
+    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
+    let origin = FileOrigin {
+        path: path.display().to_string(),
+        sha256: sha256_hex(&bytes),
+        format,
+        channel: reading.channel.clone(),
+        pixel: reading.pixel,
+        lateral_unit: reading.lateral_unit,
+        height_unit: reading.height_unit,
+        override_height_unit: reading.override_height_unit,
+        layout: reading.layout.map(|layout| layout.name().to_owned()),
+        crop: reading.crop,
+        fill: reading.fill.name().to_owned(),
+        missing,
+        cleaning,
+        cleaned,
+        height_step,
+    };
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    Ok(Surface { name, origin: Origin::File(origin), heights: map })
+}
+
+fn from_recipe(recipe: &compare::Recipe) -> Result<Surface, Failure> {
+    recipe.make().map_err(|e| Failure::from_error(&e))
+}
+
+/// Settings and surfaces of a run file. A file whose content has changed is refused.
+fn repeat(path: &Path) -> Result<(Settings, Vec<Surface>), Failure> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|e| Failure::refused("io", format!("{}: {e}", path.display())))?;
+    let run = RunFile::parse(&text).map_err(|e| Failure::in_file(path, &e))?;
+    let mut surfaces = Vec::new();
+    for RunSurface { name, origin } in run.surfaces {
+        let surface = match origin {
+            Origin::Recipe(recipe) => from_recipe(&recipe)?,
+            Origin::Given(_) => {
+                let error = compare::RunFileError::Given { name };
+                return Err(Failure::from_error(&error));
+            }
+            Origin::File(file) => again(path, &file)?,
+        };
+        surfaces.push(Surface { name, ..surface });
+    }
+    Ok((run.settings, surfaces))
+}
+
+fn again(run_file: &Path, file: &FileOrigin) -> Result<Surface, Failure> {
+    let fill = Fill::of_name(&file.fill).ok_or_else(|| {
+        let message = format!(
+            "{}: fill = \"{}\" is none of refuse, harmonic, nearest",
+            run_file.display(),
+            file.fill
+        );
+        Failure::refused("syntax", message)
+    })?;
+    let layout = match &file.layout {
+        None => None,
+        Some(name) => Some(Layout::of_name(name).ok_or_else(|| {
+            let message =
+                format!("{}: layout = \"{name}\" is none of matrix, list", run_file.display());
+            Failure::refused("syntax", message)
+        })?),
+    };
+    let reading = Reading {
+        channel: file.channel.clone(),
+        pixel: file.pixel,
+        lateral_unit: file.lateral_unit,
+        height_unit: file.height_unit,
+        override_height_unit: file.override_height_unit,
+        layout,
+        fill,
+        crop: file.crop,
+    };
+    let path = Path::new(&file.path);
+    let surface = from_file(path, &reading, file.cleaning)?;
+    match &surface.origin {
+        Origin::File(now) if now.sha256 != file.sha256 => {
+            let message = format!(
+                "{} has changed since {} was written (SHA-256 {} instead of {}); compare it anew \
+                 without --from",
+                path.display(),
+                run_file.display(),
+                now.sha256,
+                file.sha256
+            );
+            Err(Failure::refused("changed_file", message))
+        }
+        _ => Ok(surface),
+    }
+}
+
+fn study(
+    surfaces: Vec<Surface>,
+    settings: Settings,
+    common: &Common,
+) -> Result<Comparison, Failure> {
+    let mut progress = Progress::new(common.quiet, 0);
+    let mut current = String::new();
+    let comparison = Comparison::run(surfaces, settings, &Registry::built_in(), &mut |news| {
+        match news {
+            compare::Progress::Surface { name, index, count, loads } => {
+                current = format!("{name} ({} of {count})", index + 1);
+                progress.restart(loads + 1);
+                progress.working_on(&format!("{current}: first load"));
+            }
+            compare::Progress::Solved { mean_pressure, area_fraction, .. } => {
+                let area = area_fraction.map_or_else(|| "no answer".to_owned(), text::percent);
+                progress.step(&format!("{current}: {}, {area}", text::pressure(mean_pressure)));
+            }
+            compare::Progress::Iterated { .. } => {}
+            compare::Progress::Models => progress.step(&format!("{current}: models")),
+        }
+        ControlFlow::Continue(())
+    });
+    let mut comparison = comparison.map_err(|e| Failure::from_error(&e))?;
+    progress.working_on("coarser grids");
+    comparison.solve_coarser().map_err(|e| Failure::incomplete("coarser_grids", e.to_string()))?;
+    comparison.look_closer().map_err(|e| Failure::incomplete("closer_look", e.to_string()))?;
+    drop(progress);
+    Ok(comparison)
+}
+
+fn write(
+    folder: &Folder,
+    comparison: &Comparison,
+    provenance: &Provenance,
+    run_file: &RunFile,
+) -> Result<(), Failure> {
+    let io = |e: report::ReportError| match e {
+        report::ReportError::Io(e) => e,
+        other => std::io::Error::other(other),
+    };
+    folder
+        .write("report.html", |out| report::write_html(comparison, provenance, out).map_err(io))?;
+    folder
+        .write("results.json", |out| report::write_json(comparison, provenance, out).map_err(io))?;
+    folder.write("curves.csv", |out| report::write_csv(comparison, out))?;
+    folder.write("area.svg", |out| report::write_area_svg(comparison, out))?;
+    folder.write("pressure.svg", |out| report::write_pressure_svg(comparison, out))?;
+    let text = run_file.to_toml().map_err(|e| Failure::incomplete("output", e.to_string()))?;
+    folder.write("run.toml", |out| out.write_all(text.as_bytes()))
+}
+
+fn not_converged(comparison: &Comparison) -> Option<Failure> {
+    let mut lines = Vec::new();
+    for surface in &comparison.surfaces {
+        for point in &surface.deterministic {
+            if let Some(trouble) = &point.trouble {
+                let pressure = text::pressure(point.mean_pressure);
+                lines.push(format!("{}, {pressure}: {trouble}", surface.name));
+            }
+        }
+    }
+    (!lines.is_empty()).then(|| Failure::incomplete("not_converged", lines.join("\n")))
+}
+
+/// Loads that did not converge, and surfaces whose plan misses the accuracy asked for.
+fn not_met(comparison: &Comparison) -> Option<Failure> {
+    let unmet = comparison
+        .surfaces
+        .iter()
+        .filter_map(|surface| planned::unmet(&surface.name, surface.plan.as_ref()?, ""));
+    not_converged(comparison).into_iter().chain(unmet).reduce(Failure::and)
+}
+
+/// A short table per surface, and where the report is.
+fn describe(comparison: &Comparison, folder: &Path) -> String {
+    let mut out = String::new();
+    for surface in &comparison.surfaces {
+        let _ = writeln!(out, "{}", headline(surface));
+        out.push_str(&text::cleaning(surface.origin.cleaned()));
+        out.push_str(&text::findings(&compare::findings(surface)));
+        if let Some(plan) = &surface.plan {
+            let _ = writeln!(out, "{}", report::plan_explanation(plan));
+        }
+        out.push('\n');
+        let mut columns = Columns::new(&[
+            "model",
+            "mean |area error|",
+            "range over the loads",
+            "time",
+            "applies",
+        ]);
+        for model in &surface.models {
+            let label = model.card.title.to_string();
+            let applies = model.verdict.answer.word().to_owned();
+            let Ok(curve) = &model.outcome else {
+                columns.row([label, "–".into(), "–".into(), "–".into(), applies]);
+                continue;
+            };
+            let mean = curve.worst_and_mean().map_or_else(
+                || "–".to_owned(),
+                |(_, mean)| format!("{} %", text::digits(100.0 * mean)),
+            );
+            let range = curve.range().map_or_else(
+                || "–".to_owned(),
+                |(low, high)| format!("{} to {} %", signed(low), signed(high)),
+            );
+            columns.row([label, mean, range, text::seconds(curve.seconds), applies]);
+        }
+        let solved: Vec<f64> =
+            surface.deterministic.iter().filter_map(|p| Some(p.answer.as_ref()?.seconds)).collect();
+        if !solved.is_empty() {
+            let mean = solved.iter().sum::<f64>() / solved.len() as f64;
+            let dash = || "–".to_owned();
+            columns.row(["Deterministic".into(), dash(), dash(), text::seconds(mean), dash()]);
+        }
+        let _ = writeln!(out, "{columns}");
+    }
+    let _ = writeln!(out, "report: {}", folder.join("report.html").display());
+    out
+}
+
+fn headline(surface: &SurfaceComparison) -> String {
+    let [ny, nx] = surface.surface.grid().shape();
+    let first = format!("{}, {ny} × {nx} points", surface.name);
+    let Some(answer) = surface.headline_answer() else { return first };
+    let area = answer.area_fraction_corrected;
+    let area = answer
+        .uncertainty()
+        .map_or_else(|| text::percent(area), |u| text::plus_minus(100.0 * area, 100.0 * u, "%"));
+    format!(
+        "{first}: at {} {area} of the area touches",
+        text::pressure(surface.headline_pressure())
+    )
+}
+
+/// A signed relative error in percent: whole from 10, one decimal below.
+fn signed(error: f64) -> String {
+    let percent = 100.0 * error;
+    let text =
+        if percent.abs() < 9.95 { format!("{percent:+.1}") } else { format!("{percent:+.0}") };
+    text.replace('-', "−")
+}

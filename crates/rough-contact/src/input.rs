@@ -1,0 +1,186 @@
+//! A surface file and how to read it: the options every command with a FILE takes.
+
+use crate::args;
+use crate::cleaning::{self, CleaningOptions};
+use crate::needs;
+use crate::outcome::{self, Failure};
+use crate::quantity;
+use clap::{Args, ValueEnum};
+use compare::Cleaning;
+use contact_types::HeightMap;
+use std::path::{Path, PathBuf};
+use surface_io::{HeightUnit, Layout, Measurement, ReadOptions};
+use surface_stats::clean::Record;
+use surface_stats::height_step;
+
+/// How missing points are filled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Fill {
+    /// Missing points are an error
+    #[default]
+    Refuse,
+    /// A smooth surface through the neighbours: the solution of Laplace's equation
+    Harmonic,
+    /// The height of the nearest point
+    Nearest,
+}
+
+impl Fill {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Refuse => "refuse",
+            Self::Harmonic => "harmonic",
+            Self::Nearest => "nearest",
+        }
+    }
+
+    pub(crate) fn of_name(name: &str) -> Option<Self> {
+        Self::value_variants().iter().copied().find(|fill| fill.name() == name)
+    }
+
+    fn rule(self) -> surface_io::Fill {
+        match self {
+            Self::Refuse => surface_io::Fill::Refuse,
+            Self::Harmonic => surface_io::Fill::Harmonic,
+            Self::Nearest => surface_io::Fill::Nearest,
+        }
+    }
+}
+
+/// What the file does not say, and which part of it is wanted.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "File options")]
+pub(crate) struct Reading {
+    /// Channel to read: its name, a part of it, or #2 [default: the topography]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) channel: Option<String>,
+    /// Distance of neighbouring points, if the file does not say
+    #[arg(long, value_name = "DX[,DY]", value_parser = args::pixel, allow_hyphen_values = true)]
+    pub(crate) pixel: Option<[f64; 2]>,
+    /// Unit of x and y in a list of coordinates, if the file does not say
+    #[arg(long, value_name = "U", value_parser = quantity::parse_length_unit)]
+    pub(crate) lateral_unit: Option<f64>,
+    /// Unit of the heights, if the file does not say
+    #[arg(long, value_name = "U", value_parser = quantity::parse_length_unit)]
+    pub(crate) height_unit: Option<f64>,
+    /// Unit of the heights, whatever the file says
+    #[arg(long, value_name = "U", value_parser = quantity::parse_length_unit)]
+    #[arg(conflicts_with = "height_unit")]
+    pub(crate) override_height_unit: Option<f64>,
+    /// What the columns of a text file are [default: what its header and numbers say]
+    #[arg(long, value_name = "WHAT", value_parser = args::layout())]
+    pub(crate) layout: Option<Layout>,
+    /// What to do with missing points
+    #[arg(long, value_enum, default_value_t, value_name = "RULE")]
+    pub(crate) fill: Fill,
+    /// Cut out NY x NX points from row Y0, column X0
+    #[arg(long, value_name = "Y0,X0,NY,NX", value_parser = args::crop)]
+    pub(crate) crop: Option<[usize; 4]>,
+}
+
+impl Reading {
+    /// Reads and crops; missing points stay missing.
+    pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Failure> {
+        let mut options = ReadOptions::default();
+        options.channel.clone_from(&self.channel);
+        options.pixel = self.pixel;
+        options.lateral_unit = self.lateral_unit;
+        options.height_unit = match self.override_height_unit {
+            Some(metres) => Some(HeightUnit::Always(metres)),
+            None => self.height_unit.map(HeightUnit::IfSilent),
+        };
+        options.layout = self.layout;
+        let measurement = surface_io::read(path, &options).map_err(|e| needs::unread(path, &e))?;
+        if let Some(unit) = measurement.kept_unit() {
+            outcome::tell(&format!(
+                "rough-contact: {}: the file gives its heights in {unit}, which is kept; \
+                 --override-height-unit U would overrule it",
+                path.display()
+            ));
+        }
+        match self.crop {
+            None => Ok(measurement),
+            Some(crop) => measurement.crop(crop).map_err(|e| needs::unread(path, &e)),
+        }
+    }
+
+    /// A complete surface: read, cropped, cleaned, filled.
+    pub(crate) fn surface(&self, path: &Path, cleaning: Cleaning) -> Result<Complete, Failure> {
+        self.surface_of(path, self.measurement(path)?, cleaning)
+    }
+
+    /// The same from what was read.
+    pub(crate) fn surface_of(
+        &self,
+        path: &Path,
+        measurement: Measurement,
+        cleaning: Cleaning,
+    ) -> Result<Complete, Failure> {
+        if let Some(reading) = measurement.ambiguity() {
+            let reading = needs::reading(reading);
+            outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
+        }
+        refuse_profile(path, &measurement)?;
+        // Neither a removed form nor filled points take the steps away; only smoothing does.
+        let kept = cleaning.s_filter.is_none();
+        let height_step = kept.then(|| height_step(measurement.heights())).flatten();
+        let (measurement, cleaned) = cleaning::apply(path, measurement, cleaning)?;
+        let missing = measurement.missing();
+        let spikes = cleaning::spikes(&cleaned);
+        if self.fill == Fill::Refuse && spikes > 0 && missing == spikes {
+            let message = format!(
+                "{}: --outliers made {spikes} {} missing points, and --fill refuse keeps none; \
+                 add --fill harmonic or --fill nearest, or raise the threshold",
+                path.display(),
+                if spikes == 1 { "spike" } else { "spikes" }
+            );
+            return Err(Failure::refused("missing", message));
+        }
+        let map = measurement.fill(self.fill.rule()).map_err(|e| needs::unfilled(path, &e))?;
+        Ok(Complete { map, missing, cleaned, height_step })
+    }
+}
+
+/// A surface without missing points, and what was done to it.
+pub(crate) struct Complete {
+    pub(crate) map: HeightMap,
+    /// Points that were filled, spikes among them.
+    pub(crate) missing: usize,
+    /// What each step of cleaning did.
+    pub(crate) cleaned: Vec<Record>,
+    /// Height step of the data as measured, if they have one and it is still in the heights (m).
+    pub(crate) height_step: Option<f64>,
+}
+
+/// A single line of points is a profile; contact of surfaces needs both directions.
+fn refuse_profile(path: &Path, measurement: &Measurement) -> Result<(), Failure> {
+    let [ny, nx] = measurement.grid().shape();
+    if ny > 1 && nx > 1 {
+        return Ok(());
+    }
+    let message = format!(
+        "{}: {ny} x {nx} points are a profile, not a surface; a surface needs at least 2 x 2 \
+         points (`rough-contact info` still reads it)",
+        path.display()
+    );
+    Err(Failure::refused("profile", message))
+}
+
+/// One file and how to read it.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Input {
+    /// Surface file; recognised by its content
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) reading: Reading,
+    #[command(flatten)]
+    cleaning: CleaningOptions,
+}
+
+impl Input {
+    /// The surface, complete.
+    pub(crate) fn surface(&self) -> Result<Complete, Failure> {
+        self.reading.surface(&self.file, self.cleaning.asked())
+    }
+}

@@ -1,0 +1,106 @@
+//! The command `rough-contact`. People read its text, scripts its `--json`; both get the same
+//! numbers, and exit status 0 (all answers given), 1 (something did not converge or could not
+//! be written) or 2 (refused).
+
+mod args;
+mod cleaning;
+mod compare;
+mod info;
+mod input;
+mod intervals;
+mod iso;
+mod loads;
+mod model;
+mod needs;
+mod outcome;
+mod output;
+mod planned;
+mod progress;
+mod quantity;
+mod roughness;
+mod solve;
+mod stats;
+mod synth;
+mod text;
+mod validate;
+mod work;
+
+use args::Common;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use outcome::{Failure, Reply};
+use std::process::ExitCode;
+
+/// Real area of contact between rough surfaces: closed-form models beside a deterministic
+/// solution.
+#[derive(Parser)]
+#[command(
+    name = "rough-contact",
+    version,
+    subcommand_required = true,
+    arg_required_else_help = true
+)]
+#[command(after_help = "\
+Quantities carry units: 110GPa, 1.5um, 0.2nm^2, 3e12m^-2. A LIST is 1MPa,2MPa or \
+1kPa..1GPa:16 (log-spaced, ends included).
+Exit status: 0 all answers given; 1 something did not converge or could not be written; \
+2 refused.")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    #[command(flatten)]
+    common: Common,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// What a surface file holds: size, pixel, missing points, channels, metadata
+    Info(info::Info),
+    /// Roughness statistics of a surface, each with its unit
+    Stats(stats::Stats),
+    /// A closed-form model, from a surface or from numbers
+    Model(Box<model::Model>),
+    /// The deterministic solution for a surface
+    Solve(solve::Solve),
+    /// The study: every model beside the deterministic solution, as a report
+    Compare(compare::Compare),
+    /// Make a random self-affine surface
+    Synth(synth::Synth),
+    /// The solver against exact solutions, on this machine
+    Validate(validate::Validate),
+}
+
+fn main() -> ExitCode {
+    // clap's own errors leave through the same door as ours, so scripts see one contract.
+    let wants_json = std::env::args_os().any(|arg| arg == "--json");
+    let parsed = Cli::command()
+        .try_get_matches()
+        .and_then(|mut matches| Cli::from_arg_matches_mut(&mut matches));
+    let cli = match parsed {
+        Ok(cli) => cli,
+        Err(error) if error.use_stderr() => {
+            return outcome::finish(Err(Failure::usage(&error)), wants_json);
+        }
+        Err(help) => {
+            outcome::show(&help.to_string());
+            return ExitCode::SUCCESS;
+        }
+    };
+    outcome::finish(run(&cli), cli.common.json)
+}
+
+fn run(cli: &Cli) -> Result<Reply, Failure> {
+    let common = &cli.common;
+    if let Some(threads) = common.threads {
+        // Fails only if a pool exists already, which nothing before this line makes.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    }
+    match &cli.command {
+        Command::Info(info) => info.run(common),
+        Command::Stats(stats) => stats.run(common),
+        Command::Model(model) => model.run(common),
+        Command::Solve(solve) => solve.run(common),
+        Command::Compare(compare) => compare.run(common),
+        Command::Synth(synth) => synth.run(common),
+        Command::Validate(validate) => validate.run(common),
+    }
+}

@@ -1,0 +1,307 @@
+//! `rough-contact model`: a closed-form model from a surface or from numbers.
+
+use crate::args::{self, Bodies, Common, List};
+use crate::cleaning::CleaningOptions;
+use crate::input::Reading;
+use crate::outcome::{Failure, Reply, variant};
+use crate::roughness::Source;
+use crate::text::{self, Columns};
+use clap::Args;
+use compare::{BuildError, Card, Inputs, Theory, built_in};
+use contact_types::{Caveat, Citation, ContactState, ModelError};
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+#[derive(Args)]
+pub(crate) struct Model {
+    /// Which model; --list describes them
+    #[arg(value_name = "NAME", value_parser = names(), required_unless_present = "list")]
+    name: Option<String>,
+    /// Surface file to take the roughness from, instead of typing it in
+    #[arg(value_name = "FILE")]
+    file: Option<PathBuf>,
+    /// Every model with citation, inputs and domain
+    #[arg(long, conflicts_with_all = ["name", "file", "pressure", "separation"])]
+    list: bool,
+    #[command(flatten)]
+    bodies: Bodies,
+    /// Nominal pressures to answer at
+    #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "separation")]
+    pressure: Option<List>,
+    /// Separations to answer at (flat to mean plane of the undeformed heights), instead of
+    /// --pressure
+    #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
+    separation: Option<List>,
+    #[command(flatten)]
+    source: Source,
+    #[command(flatten)]
+    reading: Reading,
+    #[command(flatten)]
+    cleaning: CleaningOptions,
+}
+
+fn names() -> clap::builder::PossibleValuesParser {
+    clap::builder::PossibleValuesParser::new(built_in().iter().map(|t| t.card().name.as_ref()))
+}
+
+/// What is asked of the model.
+#[derive(Clone, Copy)]
+enum Question {
+    Pressure(f64),
+    Separation(f64),
+}
+
+type Answer = Result<ContactState, ModelError>;
+type Ask = Box<dyn Fn(&Question) -> Answer>;
+
+impl Model {
+    pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
+        let Some(name) = &self.name else { return Ok(list()) };
+        let theory = compare::find(name).expect("clap accepts only these names");
+        let card = theory.card();
+        let modulus = self.bodies.required()?;
+        let questions = self.questions()?;
+        let mut cleaned = Vec::new();
+        self.source.refuse_unused(&card.name, self.file.as_deref())?;
+        let inputs = if let Some(path) = &self.file {
+            let surface = self.reading.surface(path, self.cleaning.asked())?;
+            cleaned.clone_from(&surface.cleaned);
+            self.source.measured(&card.name, modulus, path, surface)?
+        } else {
+            self.cleaning.refuse_without_file()?;
+            self.source.typed(&card.name, modulus)?
+        };
+        let answers = answer(theory, &inputs, &questions)?;
+        let mut reply = reply(card, &inputs, &questions, &answers);
+        reply.text.insert_str(0, &text::cleaning(&cleaned));
+        reply.json["cleaning"] = report::cleaning_json(&cleaned);
+        Ok(reply)
+    }
+
+    fn questions(&self) -> Result<Vec<Question>, Failure> {
+        match (&self.pressure, &self.separation) {
+            (Some(List(p)), _) => Ok(p.iter().copied().map(Question::Pressure).collect()),
+            (_, Some(List(d))) => Ok(d.iter().copied().map(Question::Separation).collect()),
+            _ => Err(Failure::refused(
+                "usage",
+                "nothing is asked; give --pressure LIST, for example --pressure 1MPa..1GPa:10, or \
+                 --separation LIST",
+            )),
+        }
+    }
+}
+
+/// One answer per question. A model that cannot be made refuses every question.
+fn answer(
+    theory: &dyn Theory,
+    inputs: &Inputs,
+    questions: &[Question],
+) -> Result<Vec<Answer>, Failure> {
+    let ask: Ask = match questions.first() {
+        Some(Question::Separation(_)) => {
+            let Some(model) = theory.build_separation(inputs) else {
+                let able: Vec<&str> = built_in()
+                    .iter()
+                    .map(Theory::card)
+                    .filter(|card| card.has_separation)
+                    .map(|card| card.name.as_ref())
+                    .collect();
+                let message = format!(
+                    "{} has no separation; give --pressure, or one of {}",
+                    theory.card().name,
+                    able.join(", ")
+                );
+                return Err(Failure::refused("usage", message));
+            };
+            match model {
+                Ok(model) => Box::new(move |q| model.at_separation(q.value())),
+                Err(error) => refuse_all(theory.card(), error)?,
+            }
+        }
+        _ => match theory.build(inputs) {
+            Ok(model) => Box::new(move |q| model.at_pressure(q.value())),
+            Err(error) => refuse_all(theory.card(), error)?,
+        },
+    };
+    Ok(questions.iter().map(ask).collect())
+}
+
+fn refuse_all(card: &Card, error: BuildError) -> Result<Ask, Failure> {
+    match error {
+        BuildError::Model(error) => Ok(Box::new(move |_| Err(error.clone()))),
+        BuildError::Missing { .. } => {
+            let way_out = crate::roughness::options_of(&card.name).join(", or ");
+            let message = format!("{error}; give a surface FILE, or {way_out}");
+            Err(Failure::refused("missing_input", message))
+        }
+    }
+}
+
+impl Question {
+    fn value(&self) -> f64 {
+        match *self {
+            Self::Pressure(value) | Self::Separation(value) => value,
+        }
+    }
+}
+
+fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer]) -> Reply {
+    let mut columns =
+        Columns::new(&["mean pressure", "area", "real pressure", "separation", "mean gap"]);
+    let mut notes: Vec<String> = Vec::new();
+    for (question, answer) in questions.iter().zip(answers) {
+        columns.row(cells(*question, answer));
+        let note = match answer {
+            Ok(state) => state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
+            Err(error) => Some(format!("refused: {error}")),
+        };
+        notes.extend(note.filter(|note| !notes.contains(note)));
+    }
+    let mut text = format!("{} ({})\n{columns}", card.title, cited(&card.citation));
+    for note in notes {
+        let _ = writeln!(text, "{note}"); // a String takes everything
+    }
+    let points: Vec<Value> = questions.iter().zip(answers).map(|(q, a)| point(*q, a)).collect();
+    let json = json!({
+        "model": card.name,
+        "citation": citation(&card.citation),
+        "modulus": inputs.modulus.pascals(),
+        "inputs": crate::roughness::object(inputs),
+        "points": points,
+    });
+    let trouble = answers.iter().find_map(|answer| answer.as_ref().err()).map(failure);
+    Reply { text, json, trouble }
+}
+
+/// A refusal by the theory, or an iteration that did not end.
+fn failure(error: &ModelError) -> Failure {
+    match error {
+        ModelError::NotConverged { .. } => Failure::incomplete("not_converged", error.to_string()),
+        _ => Failure::from_error(error),
+    }
+}
+
+fn cells(question: Question, answer: &Answer) -> Vec<String> {
+    let absent = || "–".to_owned();
+    let length = |x: Option<f64>| x.map_or_else(absent, text::length);
+    match (answer, question) {
+        (Ok(state), _) => vec![
+            text::pressure(state.mean_pressure),
+            text::percent(state.area_fraction),
+            state.real_pressure().map_or_else(absent, text::pressure),
+            length(state.separation),
+            length(state.mean_gap),
+        ],
+        (Err(_), Question::Pressure(p)) => {
+            vec![text::pressure(p), "refused".to_owned(), absent(), absent(), absent()]
+        }
+        (Err(_), Question::Separation(d)) => {
+            vec![absent(), "refused".to_owned(), absent(), text::length(d), absent()]
+        }
+    }
+}
+
+fn point(question: Question, answer: &Answer) -> Value {
+    match answer {
+        Ok(state) => json!({
+            "mean_pressure": state.mean_pressure,
+            "area_fraction": state.area_fraction,
+            "real_pressure": state.real_pressure(),
+            "separation": state.separation,
+            "mean_gap": state.mean_gap,
+            "caveat": state.caveat.as_ref().map(caveat),
+            "error": null,
+        }),
+        Err(error) => {
+            let (pressure, separation) = match question {
+                Question::Pressure(p) => (Some(p), None),
+                Question::Separation(d) => (None, Some(d)),
+            };
+            json!({
+                "mean_pressure": pressure,
+                "area_fraction": null,
+                "real_pressure": null,
+                "separation": separation,
+                "mean_gap": null,
+                "caveat": null,
+                "error": refusal(error),
+            })
+        }
+    }
+}
+
+fn caveat(caveat: &Caveat) -> Value {
+    let (quantity, value, limit) = match caveat {
+        Caveat::Saturated { quantity } | Caveat::Underflow { quantity } => {
+            (quantity.as_ref(), None, None)
+        }
+        Caveat::BeyondModel { quantity, value, limit, .. } => {
+            (quantity.as_ref(), Some(*value), Some(*limit))
+        }
+        _ => ("", None, None),
+    };
+    json!({
+        "kind": variant(caveat), "quantity": quantity, "value": value, "limit": limit,
+        "message": caveat.to_string(),
+    })
+}
+
+fn refusal(error: &ModelError) -> Value {
+    let (quantity, value, domain) = match error {
+        ModelError::InvalidInput { quantity, value, .. } => (quantity.as_ref(), Some(*value), None),
+        ModelError::OutsideDomain { quantity, value, domain, .. } => {
+            // The largest double stands for no bound.
+            let bound = |end: f64| (end.abs() < f64::MAX).then_some(end);
+            (quantity.as_ref(), Some(*value), Some([bound(*domain.start()), bound(*domain.end())]))
+        }
+        ModelError::NotConverged { residual, .. } => ("residual", Some(*residual), None),
+        _ => ("", None, None),
+    };
+    json!({
+        "kind": variant(error), "quantity": quantity, "value": value, "domain": domain,
+        "message": error.to_string(),
+    })
+}
+
+fn citation(c: &Citation) -> Value {
+    json!({
+        "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi,
+    })
+}
+
+fn cited(c: &Citation) -> String {
+    if c.doi.is_empty() {
+        format!("{} {}", c.authors, c.year)
+    } else {
+        format!("{} {}, doi:{}", c.authors, c.year, c.doi)
+    }
+}
+
+fn list() -> Reply {
+    let mut text = String::new();
+    let mut models = Vec::new();
+    for card in built_in().iter().map(Theory::card) {
+        let c = &card.citation;
+        let doi = if c.doi.is_empty() { String::new() } else { format!(" doi:{}", c.doi) };
+        let options = crate::roughness::options_of(&card.name).join(", or ");
+        let separation = if card.has_separation { "; --separation as well" } else { "" };
+        // A String takes everything.
+        let _ = writeln!(
+            text,
+            "{}: {}\n  {} ({}) {}. {}.{doi}\n  inputs: {}\n  domain: {}\n  options: {options}{separation}\n",
+            card.name, card.title, c.authors, c.year, c.title, c.journal, card.needs, card.domain,
+        );
+        models.push(json!({
+            "name": card.name,
+            "title": card.title,
+            "citation": citation(c),
+            "inputs": card.needs,
+            "domain": card.domain,
+            "options": crate::roughness::options_of(&card.name),
+            "separation": card.has_separation,
+        }));
+    }
+    Reply::new(text, json!({ "models": models }))
+}

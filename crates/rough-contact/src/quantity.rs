@@ -1,0 +1,446 @@
+//! Quantities as a person types them: `110GPa`, `1.5um`, `0.2nm^2`, `3e12m^-2`, and lists such
+//! as `1MPa,2MPa` or `1kPa..1GPa:16`. Everything comes out in SI units.
+//!
+//! A bare number where a unit is needed is refused: 50 could be pascals or megapascals, and the
+//! answer would look equally reasonable.
+
+use contact_accuracy::round_to_digits;
+
+/// What kind of quantity an option takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Dimension {
+    /// A pure number, written without a unit; a percentage is one too.
+    Number,
+    /// Metres.
+    Length,
+    /// Square metres.
+    Area,
+    /// Per square metre.
+    PerArea,
+    /// Pascals.
+    Pressure,
+}
+
+/// Why a text is not the quantity asked for. The message says how to write it.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub(crate) enum QuantityError {
+    /// The text does not begin with a number.
+    #[error("'{text}' is not a number; write {example}")]
+    NotANumber {
+        /// What was typed.
+        text: String,
+        /// A spelling that works.
+        example: &'static str,
+    },
+    /// NaN, infinity, or a number beyond the range of a double.
+    #[error("'{text}' is not a finite number; write {example}")]
+    NotFinite {
+        /// What was typed.
+        text: String,
+        /// A spelling that works.
+        example: &'static str,
+    },
+    /// A number that is not zero, but smaller than the smallest double.
+    #[error("'{text}' is smaller than the smallest number a double can hold, 4.9e-324")]
+    TooSmall {
+        /// What was typed.
+        text: String,
+    },
+    /// The unit is missing.
+    #[error("'{number}' has no unit; write for example {suggestion}")]
+    MissingUnit {
+        /// What was typed.
+        number: String,
+        /// The same number with units.
+        suggestion: String,
+    },
+    /// The unit is not one of this kind of quantity.
+    #[error("'{unit}' is not a unit of {kind}; write {units}")]
+    UnknownUnit {
+        /// What was typed after the number.
+        unit: String,
+        /// The kind of quantity.
+        kind: &'static str,
+        /// Units that work.
+        units: &'static str,
+    },
+    /// A unit on a pure number.
+    #[error("'{text}' has a unit, but this is a pure number; write {number}")]
+    UnexpectedUnit {
+        /// What was typed.
+        text: String,
+        /// The number in it.
+        number: String,
+    },
+    /// A range that is not `FIRST..LAST:COUNT` with positive ends and at least two points.
+    #[error("'{text}' is no range ({fault}); write FIRST..LAST:COUNT, for example {example}")]
+    Range {
+        /// What was typed.
+        text: String,
+        /// What is wrong with it.
+        fault: &'static str,
+        /// A spelling that works.
+        example: &'static str,
+    },
+}
+
+/// Most points a range may ask for.
+const MAX_POINTS: usize = 100_000;
+
+/// Length units and their powers of ten.
+const LENGTHS: &[(&str, i32)] = &[
+    ("m", 0),
+    ("cm", -2),
+    ("mm", -3),
+    ("um", -6),
+    ("micron", -6),
+    ("nm", -9),
+    ("A", -10),
+    ("pm", -12),
+    ("fm", -15),
+    ("km", 3),
+];
+
+/// Pressure units and their powers of ten.
+const PRESSURES: &[(&str, i32)] = &[
+    ("Pa", 0),
+    ("hPa", 2),
+    ("kPa", 3),
+    ("MPa", 6),
+    ("GPa", 9),
+    ("TPa", 12),
+    ("mPa", -3),
+    ("uPa", -6),
+    ("N/m^2", 0),
+    ("N/mm^2", 6),
+    ("mbar", 2),
+    ("bar", 5),
+    ("kbar", 8),
+];
+
+impl Dimension {
+    /// What people call it.
+    fn kind(self) -> &'static str {
+        match self {
+            Self::Number => "a pure number",
+            Self::Length => "length",
+            Self::Area => "area",
+            Self::PerArea => "number per area",
+            Self::Pressure => "pressure",
+        }
+    }
+
+    /// Units to offer.
+    fn units(self) -> &'static str {
+        match self {
+            Self::Number => "no unit, or %",
+            Self::Length => "m, mm, um, nm or A",
+            Self::Area => "m^2, mm^2, um^2 or nm^2",
+            Self::PerArea => "m^-2, mm^-2, um^-2 or nm^-2",
+            Self::Pressure => "Pa, kPa, MPa, GPa, bar or N/mm^2",
+        }
+    }
+
+    /// One spelling that works.
+    fn example(self) -> &'static str {
+        match self {
+            Self::Number => "for example 0.8",
+            Self::Length => "for example 1.5um",
+            Self::Area => "for example 0.2nm^2",
+            Self::PerArea => "for example 3e12m^-2",
+            Self::Pressure => "for example 50MPa",
+        }
+    }
+
+    /// The power of ten of a unit; `None` if it is not a unit of this dimension.
+    fn exponent(self, unit: &str) -> Option<i32> {
+        let find = |table: &[(&str, i32)], unit: &str| {
+            table.iter().find(|(name, _)| *name == unit).map(|&(_, exponent)| exponent)
+        };
+        match self {
+            Self::Number => match unit {
+                "" => Some(0),
+                "%" => Some(-2),
+                _ => None,
+            },
+            Self::Length => find(LENGTHS, unit),
+            Self::Area => find(LENGTHS, unit.strip_suffix("^2")?).map(|e| 2 * e),
+            Self::PerArea => {
+                let length = unit.strip_suffix("^-2").or_else(|| {
+                    let squared = unit.strip_prefix("1/").or_else(|| unit.strip_prefix('/'))?;
+                    squared.strip_suffix("^2")
+                })?;
+                find(LENGTHS, length).map(|e| -2 * e)
+            }
+            Self::Pressure => find(PRESSURES, unit),
+        }
+    }
+}
+
+/// Reads one quantity, in SI units. The decimal number is scaled by its power of ten before it
+/// is rounded to a double, so `0.2nm^2` is the double nearest to 2e-19.
+///
+/// # Errors
+/// [`QuantityError`], whose message says how to write it.
+pub(crate) fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+    let text = text.trim();
+    let (number, unit) = text.split_at(number_length(text));
+    if number.is_empty() {
+        let bare = text.trim_start_matches(['+', '-']).to_ascii_lowercase();
+        let example = dimension.example();
+        return Err(if bare.starts_with("nan") || bare.starts_with("inf") {
+            QuantityError::NotFinite { text: text.to_owned(), example }
+        } else {
+            QuantityError::NotANumber { text: text.to_owned(), example }
+        });
+    }
+    let unit = plain(unit);
+    let exponent = dimension.exponent(&unit).ok_or_else(|| {
+        if unit.is_empty() {
+            missing_unit(number, dimension)
+        } else if dimension == Dimension::Number {
+            QuantityError::UnexpectedUnit { text: text.to_owned(), number: number.to_owned() }
+        } else {
+            QuantityError::UnknownUnit {
+                unit: unit.clone(),
+                kind: dimension.kind(),
+                units: dimension.units(),
+            }
+        }
+    })?;
+    let value = scaled(number, exponent);
+    if !value.is_finite() {
+        return Err(QuantityError::NotFinite {
+            text: text.to_owned(),
+            example: dimension.example(),
+        });
+    }
+    let mantissa = number.split(['e', 'E']).next().unwrap_or_default();
+    if value.abs() < f64::from_bits(1) && mantissa.contains(|c: char| ('1'..='9').contains(&c)) {
+        return Err(QuantityError::TooSmall { text: text.to_owned() });
+    }
+    Ok(value)
+}
+
+/// Reads a comma-separated list whose items are quantities or ranges `FIRST..LAST:COUNT`,
+/// spaced evenly in the logarithm, ends included. The order is kept.
+///
+/// # Errors
+/// [`QuantityError`], whose message says how to write it.
+pub(crate) fn parse_list(text: &str, dimension: Dimension) -> Result<Vec<f64>, QuantityError> {
+    let mut values = Vec::new();
+    for item in text.split(',') {
+        match item.split_once("..") {
+            None => values.push(parse(item, dimension)?),
+            Some((first, tail)) => values.extend(range(item, first, tail, dimension)?),
+        }
+    }
+    Ok(values)
+}
+
+/// Reads a unit of length standing alone, as metres per unit: `um` is 1e-6.
+///
+/// # Errors
+/// [`QuantityError::UnknownUnit`].
+pub(crate) fn parse_length_unit(text: &str) -> Result<f64, QuantityError> {
+    let unit = plain(text);
+    let dimension = Dimension::Length;
+    match dimension.exponent(&unit) {
+        Some(exponent) => Ok(scaled("1", exponent)),
+        None => Err(QuantityError::UnknownUnit {
+            unit,
+            kind: dimension.kind(),
+            units: dimension.units(),
+        }),
+    }
+}
+
+fn range(
+    item: &str,
+    first: &str,
+    tail: &str,
+    dimension: Dimension,
+) -> Result<Vec<f64>, QuantityError> {
+    let fault = |fault| QuantityError::Range {
+        text: item.trim().to_owned(),
+        fault,
+        example: match dimension {
+            Dimension::Number => "0.1..10:5",
+            Dimension::Length => "1nm..1um:16",
+            Dimension::Area => "1nm^2..1um^2:16",
+            Dimension::PerArea => "1mm^-2..1um^-2:16",
+            Dimension::Pressure => "1kPa..1GPa:16",
+        },
+    };
+    let (last, count) = tail.split_once(':').ok_or(fault("the number of points is missing"))?;
+    let (first, last) = (parse(first, dimension)?, parse(last, dimension)?);
+    let count: usize = count.trim().parse().map_err(|_| fault("the count is no whole number"))?;
+    if !(2..=MAX_POINTS).contains(&count) {
+        return Err(fault("the count must be from 2 to 100000"));
+    }
+    if first <= 0.0 || last <= 0.0 {
+        return Err(fault("both ends of a logarithmic range must be greater than 0"));
+    }
+    let step = |i: usize| match i {
+        0 => first,
+        i if i + 1 == count => last,
+        i => {
+            let t = i as f64 / (count - 1) as f64;
+            round_to_digits((first.ln() * (1.0 - t) + last.ln() * t).exp(), 13) // so that the decades of a range are the decades
+        }
+    };
+    Ok((0..count).map(step).collect())
+}
+
+/// Length in bytes of the decimal number at the start of `text`; 0 if there is none.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+    let mut at = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    let whole = digits(at);
+    at += whole;
+    let mut fraction = 0;
+    if bytes.get(at) == Some(&b'.') && bytes.get(at + 1) != Some(&b'.') {
+        fraction = digits(at + 1);
+        at += 1 + fraction;
+    }
+    if whole + fraction == 0 {
+        return 0;
+    }
+    if matches!(bytes.get(at), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(at + 1), Some(b'+' | b'-')));
+        let exponent = digits((at + 1 + sign).min(bytes.len()));
+        if exponent > 0 {
+            at += 1 + sign + exponent;
+        }
+    }
+    at
+}
+
+/// A unit in one spelling: `µm²` is `um^2`.
+fn plain(unit: &str) -> String {
+    let mut out = String::new();
+    for c in unit.chars().filter(|c| !c.is_whitespace()) {
+        match c {
+            'µ' | 'μ' => out.push('u'),
+            'Å' | '\u{212b}' => out.push('A'),
+            '²' => out.push_str("^2"),
+            '⁻' => out.push_str("^-"),
+            other => out.push(other),
+        }
+    }
+    // From a superscript minus followed by a superscript two.
+    out.replace("^-^2", "^-2")
+}
+
+/// `number` times ten to the `exponent`, rounded once.
+fn scaled(number: &str, exponent: i32) -> f64 {
+    let (mantissa, own) = match number.split_once(['e', 'E']) {
+        // An exponent too long for an integer is beyond every double, up or down.
+        Some((mantissa, own)) => {
+            let limit = if own.starts_with('-') { -99_999 } else { 99_999 };
+            (mantissa, own.parse().unwrap_or(limit).clamp(-99_999, 99_999))
+        }
+        None => (number, 0),
+    };
+    format!("{mantissa}e{}", own + exponent).parse().unwrap_or(f64::NAN)
+}
+
+fn missing_unit(number: &str, dimension: Dimension) -> QuantityError {
+    let suggestion = match dimension {
+        Dimension::Number => number.to_owned(),
+        Dimension::Length => format!("{number}um or {number}nm"),
+        Dimension::Area => format!("{number}um^2 or {number}nm^2"),
+        Dimension::PerArea => format!("{number}m^-2 or {number}um^-2"),
+        Dimension::Pressure => format!("{number}MPa or {number}GPa"),
+    };
+    QuantityError::MissingUnit { number: number.to_owned(), suggestion }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Dimension::{Area, Length, Number, PerArea, Pressure};
+
+    /// The doubles on the right are what the compiler makes of the decimal: correctly rounded.
+    #[test]
+    #[allow(clippy::float_cmp, reason = "parsing must be exact")]
+    fn quantities_are_the_nearest_doubles() {
+        for (text, dimension, expected) in [
+            ("110GPa", Pressure, 110e9),
+            ("1.5um", Length, 1.5e-6),
+            ("1.5 µm", Length, 1.5e-6),
+            ("0.2nm^2", Area, 2e-19),
+            ("0.3um²", Area, 0.3e-12),
+            ("3e12m^-2", PerArea, 3e12),
+            ("3/um^2", PerArea, 3e12),
+            ("2.5mm⁻²", PerArea, 2.5e6),
+            ("-0.7e-3nm", Length, -0.7e-12),
+            ("7e2N/mm^2", Pressure, 7e8),
+            ("3bar", Pressure, 3e5),
+            ("4.9e-324Pa", Pressure, 4.9e-324),
+            ("0.8", Number, 0.8),
+            ("2%", Number, 0.02),
+            (".5", Number, 0.5),
+            ("0Pa", Pressure, 0.0),
+            ("0e-999Pa", Pressure, 0.0),
+            ("1e-3m", Length, 1e-3),
+            ("5A", Length, 5e-10),
+        ] {
+            assert_eq!(parse(text, dimension).unwrap(), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn refusals_say_how_to_write_it() {
+        for (text, dimension, part) in [
+            ("110", Pressure, "110MPa or 110GPa"),
+            ("1.5", Length, "1.5um or 1.5nm"),
+            ("3um", Pressure, "Pa, kPa, MPa"),
+            ("3um", Area, "um^2"),
+            ("3furlong", Length, "m, mm, um"),
+            ("0.8m", Number, "write 0.8"),
+            ("nanPa", Pressure, "not a finite number"),
+            ("infPa", Pressure, "not a finite number"),
+            ("1e400Pa", Pressure, "not a finite number"),
+            ("1e99999999999999999999Pa", Pressure, "not a finite number"),
+            ("1e-400Pa", Pressure, "smaller than the smallest"),
+            ("", Length, "1.5um"),
+            ("um", Length, "1.5um"),
+            ("--json", Pressure, "50MPa"),
+        ] {
+            let message = parse(text, dimension).unwrap_err().to_string();
+            assert!(message.contains(part), "{text}: {message}");
+        }
+    }
+
+    #[test]
+    #[allow(clippy::float_cmp, reason = "the decades of a range are meant to be exact")]
+    fn lists_and_ranges() {
+        assert_eq!(parse_list("1MPa,2MPa", Pressure).unwrap(), [1e6, 2e6]);
+        assert_eq!(
+            parse_list("1kPa..1GPa:7", Pressure).unwrap(),
+            [1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9]
+        );
+        assert_eq!(parse_list("1um..1nm:2,5nm", Length).unwrap(), [1e-6, 1e-9, 5e-9]);
+        let sixteen = parse_list("1kPa..1GPa:16", Pressure).unwrap();
+        assert_eq!(sixteen.len(), 16);
+        for w in sixteen.windows(2) {
+            assert!((w[1] / w[0] / 10f64.powf(0.4) - 1.0).abs() < 1e-12);
+        }
+        for bad in
+            ["1kPa..1GPa", "1kPa..1GPa:1", "1kPa..1GPa:x", "0Pa..1GPa:3", "1..2MPa:3", "1MPa,", ""]
+        {
+            assert!(parse_list(bad, Pressure).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    #[allow(clippy::float_cmp, reason = "parsing must be exact")]
+    fn a_unit_alone() {
+        assert_eq!(parse_length_unit("um").unwrap(), 1e-6);
+        assert_eq!(parse_length_unit("Å").unwrap(), 1e-10);
+        assert!(parse_length_unit("parsec").is_err());
+    }
+}

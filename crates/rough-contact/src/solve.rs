@@ -1,0 +1,283 @@
+//! `rough-contact solve`: the deterministic solution.
+
+use crate::args::{self, Bodies, Common, List};
+use crate::input::{Complete, Input};
+use crate::intervals::{Errors, Finest, Refined, under};
+use crate::loads::{positive, rising, shown};
+use crate::outcome::{Failure, Reply};
+use crate::output::Folder;
+use crate::planned;
+use crate::progress::Progress;
+use crate::text::{self, Columns};
+use crate::work::{Work, map_names};
+use clap::Args;
+use compare::budget::{Budget, Map, NoAreaInterval, Stiffness, grid};
+use compare::plan::Request;
+use compare::{
+    EdgesName, LevelName, MethodName, NotRefined, PrecisionName, Solved, Surrounded, TwiceFiner,
+    on_given,
+};
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solution, Solver, SolverError};
+use serde_json::json;
+use std::borrow::Cow;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+#[derive(Args)]
+pub(crate) struct Solve {
+    #[command(flatten)]
+    bodies: Bodies,
+    /// Mean pressures to solve for
+    #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
+    #[arg(required_unless_present = "gap", conflicts_with = "gap")]
+    pressure: Option<List>,
+    /// Mean gaps to solve for, instead of --pressure
+    #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
+    gap: Option<List>,
+    /// Form to remove by least squares first
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "none")]
+    level: LevelName,
+    /// What lies beyond the edges: the same map again, or nothing
+    #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
+    boundary: String,
+    /// Beyond the edges of a periodic map: the map again, or its mirror images (four times the
+    /// points, memory and time), which take the jump out of a map that does not repeat
+    #[arg(long, value_name = "EDGES", value_parser = args::edges(), default_value = "periodic")]
+    edges: EdgesName,
+    /// How to solve
+    #[arg(long, value_parser = args::method(), default_value = "auto")]
+    method: MethodName,
+    /// Floating-point type of the iteration; results are always f64
+    #[arg(long, value_parser = args::precision(), default_value = "f64")]
+    precision: PrecisionName,
+    /// Relative rms error of the pressure to reach
+    #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
+    #[arg(default_value = "1e-4")]
+    tolerance: f64,
+    /// Error of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
+    #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["tolerance", "precision", "refine"])]
+    accuracy: Option<Request>,
+    /// Solve loads that have no error interval once more on a twice finer grid, which gives one:
+    /// four times the points, about five times the time
+    #[arg(long)]
+    refine: bool,
+    /// Prove how wrong each answer may be, for one more FFT pair: energy_bound in the JSON
+    #[arg(long)]
+    certify: bool,
+    /// Contact stiffness too, -dp/d(mean gap), from two more solutions beside each load
+    #[arg(long, conflicts_with = "accuracy")]
+    stiffness: bool,
+    /// Folder for pressure-000.npy and gap-000.npy of each load
+    #[arg(long, value_name = "DIR")]
+    maps: Option<PathBuf>,
+    #[command(flatten)]
+    input: Input,
+}
+
+/// Why an isolated contact is not solved for its gap.
+const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mean gap of an isolated \
+                        contact depends on where one stops looking; give --pressure, or solve with \
+                        --boundary periodic";
+
+impl Solve {
+    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+        let modulus = self.bodies.required()?;
+        let loads = self.loads()?;
+        let boundary = match self.boundary.as_str() {
+            "free" if self.gap.is_some() => return Err(Failure::refused("combination", FREE_GAP)),
+            "free" => Boundary::Free,
+            _ => Boundary::Periodic,
+        };
+        args::refuse_mirrored(self.edges, self.accuracy.is_some(), self.boundary == "free")?;
+        let maps = match &self.maps {
+            None => None,
+            Some(path) => Some(Folder::prepare(path, &map_names(loads.len()), common.force)?),
+        };
+        let Complete { map: surface, cleaned, height_step, missing } = self.input.surface()?;
+        let mut solved = Solved {
+            missing,
+            points: surface.grid().len(),
+            fill: self.input.reading.fill.name(),
+            cleaned: &cleaned,
+            ..Solved::default()
+        };
+        let surface = match self.level {
+            LevelName::None => surface,
+            form => surface_stats::level(&surface, args::form(form))
+                .map_err(|e| Failure::in_file(&self.input.file, &e))?,
+        };
+        let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
+        let known = Map::with_step(&surface, height_step)
+            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
+        let given = surface.grid();
+        let surface = Surrounded::new(Cow::Owned(surface), self.edges)
+            .map_err(|e| Failure::in_file(&self.input.file, &e))?
+            .into_map();
+        let can_be_refined = TwiceFiner::is_possible(surface.grid());
+        let mut progress = Progress::new(common.quiet, loads.len());
+        if let Some(request) = self.accuracy {
+            let asked = planned::Asked {
+                surface: &surface,
+                known: &known,
+                boundary,
+                modulus,
+                request,
+                method: self.method,
+                certified: self.certify,
+                fields: self.maps.is_some(),
+                threads: common.threads(),
+            };
+            let outcome = asked.solve(&loads, &mut work, &mut progress)?;
+            drop(progress);
+            let refinable = work.intervals.refinable.is_some() && can_be_refined;
+            solved.loads = work.found();
+            solved.plan = Some(&outcome);
+            let mut reply = self.reply(work, modulus.pascals(), "", &solved);
+            planned::state(&outcome, refinable, &mut reply);
+            return Ok(reply);
+        }
+        let builder = Solver::builder()
+            .method(self.method.into())
+            .boundary(boundary)
+            .precision(self.precision.into())
+            .tolerance(self.tolerance)
+            .threads(common.threads());
+        let mut solver = builder
+            .clone()
+            .certified(self.certify)
+            // The budget of errors looks at the pressure.
+            .maps(if work.keeps_maps() { Maps::PressureAndGap } else { Maps::Pressure })
+            .build(surface.grid(), modulus)
+            .map_err(|e| Failure::from_error(&e))?;
+        let finer = Finest { builder: builder.maps(Maps::None), boundary, modulus, made: None };
+        let mut errors = Errors { known, kept: None, finer };
+        // Only the stiffness and a finer grid need the map again.
+        let taken = if self.stiffness || self.refine {
+            errors.kept = Some(surface);
+            Ok(())
+        } else {
+            solver.take_surface(surface)
+        };
+        let mut watch = |_: &Iteration<'_>| ControlFlow::Continue(());
+        // Rising load, each solution the start of the next.
+        for index in rising(&loads) {
+            let load = loads[index];
+            progress.working_on(&shown(load));
+            let result = match (&errors.kept, &taken) {
+                (Some(surface), _) => solver.solve(surface, load),
+                (None, Ok(())) => solver.solve_again(load, &mut watch),
+                (None, Err(error)) => Err(error.clone()),
+            };
+            let result = on_given(result, given);
+            let (budget, refined) = self.budget(load, &result, &mut solver, &mut errors);
+            work.take(index, load, &result, budget.as_ref(), refined);
+            progress.step(&shown(load));
+        }
+        drop(progress);
+        let notes = work.intervals.notes(!self.refine && can_be_refined);
+        solved.loads = work.found();
+        Ok(self.reply(work, modulus.pascals(), &notes, &solved))
+    }
+
+    /// The errors of a solution: with its stiffness, and with what a twice finer grid says of it, if
+    /// those were asked for.
+    fn budget(
+        &self,
+        load: Load,
+        result: &Result<Solution, SolverError>,
+        solver: &mut Solver,
+        errors: &mut Errors,
+    ) -> (Option<Budget>, Option<Result<Refined, NotRefined>>) {
+        let solution = match result {
+            Ok(solution) => solution,
+            Err(error) => {
+                let none = Err(NoAreaInterval::NotConverged);
+                let budget =
+                    error.solution().map(|s| Budget::of(s, &errors.known).with_grid(none, 0.0));
+                return (budget, None);
+            }
+        };
+        let mut budget = Budget::of(solution, &errors.known);
+        let Some(surface) = &errors.kept else {
+            return (Some(under(load, &budget, solution)), None);
+        };
+        if self.stiffness {
+            // Loads beside one that was solved are no reason to fail: without them there is no
+            // number.
+            let pressure = solution.state.mean_pressure;
+            if let Ok(Some(near)) = Stiffness::near(solver, surface, &errors.known, pressure) {
+                let line = grid::line_share(solution);
+                budget = budget.with_stiffness(&near, &errors.known, line);
+            }
+        }
+        let budget = under(load, &budget, solution);
+        if !(self.refine && TwiceFiner::helps(&budget)) {
+            return (Some(budget), None);
+        }
+        let refined = errors.finer.solve(load, surface, &errors.known);
+        let budget = refined.as_ref().map_or(budget, |r| budget.refined(&r.found));
+        (Some(budget), Some(refined))
+    }
+
+    /// The loads in the order given; zero and negative ones are refused before any work.
+    fn loads(&self) -> Result<Vec<Load>, Failure> {
+        if let Some(List(pressures)) = &self.pressure {
+            for &p in pressures {
+                positive("mean pressure", p, "Pa", "at which something touches")?;
+            }
+            return Ok(pressures.iter().map(|&p| Load::MeanPressure(p)).collect());
+        }
+        let List(gaps) = self.gap.as_ref().expect("clap requires one of the two");
+        for &g in gaps {
+            positive("mean gap", g, "m", "or use --pressure for a closed gap")?;
+        }
+        Ok(gaps.iter().map(|&g| Load::MeanGap(g)).collect())
+    }
+
+    fn reply(&self, work: Work, modulus: f64, notes: &str, solved: &Solved<'_>) -> Reply {
+        let findings = solved.findings();
+        let mut headings = vec!["mean pressure"];
+        if self.gap.is_some() {
+            headings.push("±"); // the load is an answer too
+        }
+        headings.extend([
+            "area",
+            "corrected",
+            "±",
+            "± sample",
+            "mean gap",
+            "real pressure",
+            "highest",
+            "FFT pairs",
+            "residual",
+            "time",
+        ]);
+        if self.stiffness {
+            headings.push("stiffness");
+        }
+        let mut columns = Columns::new(&headings);
+        let mut points = Vec::new();
+        for point in work.points.into_iter().flatten() {
+            columns.row(point.cells);
+            points.push(point.json);
+        }
+        let json = json!({
+            "shape": work.grid.shape(),
+            "pixel": work.grid.pixel(),
+            "level": self.level.name(),
+            "boundary": self.boundary,
+            "edges": self.edges.name(),
+            "method": work.method,
+            "precision": self.precision.name(),
+            "modulus": modulus,
+            "tolerance": self.tolerance,
+            "points": points,
+            "cleaning": report::cleaning_json(solved.cleaned),
+            "findings": report::findings_json(&findings),
+        });
+        let text =
+            text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
+        Reply { text: text + notes, json, trouble: work.trouble }
+    }
+}

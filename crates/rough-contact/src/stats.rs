@@ -1,0 +1,96 @@
+//! `rough-contact stats`: roughness statistics, each with its unit.
+
+use crate::args::{self, Common};
+use crate::input::{Complete, Input};
+use crate::iso::Iso;
+use crate::outcome::{Failure, Reply};
+use crate::roughness::Edges;
+use crate::text::{self, Table};
+use clap::Args;
+use compare::LevelName;
+use std::fmt::Write as _;
+use surface_stats::{StatsOptions, SurfaceStatistics, level};
+
+#[derive(Args)]
+pub(crate) struct Stats {
+    /// Form to remove by least squares first
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "mean")]
+    level: LevelName,
+    /// What lies beyond the edges: nothing, or the same map again
+    #[arg(long, value_enum, default_value_t = Edges::Open)]
+    boundary: Edges,
+    /// The areal parameters of ISO 25178-2 too: Sdr, Sal, Str, Std, the Sk family, volumes
+    #[arg(long)]
+    iso: bool,
+    #[command(flatten)]
+    input: Input,
+}
+
+impl Stats {
+    pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
+        let Complete { map, missing, cleaned, height_step } = self.input.surface()?;
+        let options = StatsOptions {
+            level: args::form(self.level),
+            edges: self.boundary.rule(),
+            missing,
+            height_step,
+            ..StatsOptions::default()
+        };
+        let s = SurfaceStatistics::of(&map, &options)
+            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
+        let mut json = report::statistics_json(&s);
+        json["cleaning"] = report::cleaning_json(&cleaned);
+        let mut text = text::cleaning(&cleaned) + &self.describe(&s);
+        if self.iso {
+            let iso = level(&map, options.level)
+                .and_then(|map| Iso::of(&map, options.edges))
+                .map_err(|e| Failure::in_file(&self.input.file, &e))?;
+            text = format!("{text}\nISO 25178-2\n{}", iso.describe());
+            json["iso25178"] = iso.json();
+        }
+        Ok(Reply::new(text, json))
+    }
+
+    fn describe(&self, s: &SurfaceStatistics) -> String {
+        let absent = || "–".to_owned();
+        let length = |x: Option<f64>| x.map_or_else(absent, text::length);
+        let number = |x: Option<f64>| x.map_or_else(absent, text::number);
+        let [ny, nx] = s.shape;
+        let [dy, dx] = s.pixel;
+        let mut t = Table::default();
+        t.row("points", format!("{ny} rows × {nx} columns, {} filled in", s.missing));
+        t.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
+        t.row("level, edges", format!("{}, {}", self.level.name(), self.boundary.name()));
+        t.row("rms height Sq", text::length(s.rms_height));
+        t.row("mean abs height Sa", text::length(s.mean_abs_height));
+        t.row("skewness Ssk", number(s.skewness));
+        t.row("kurtosis Sku", number(s.kurtosis));
+        t.row("rms gradient Sdq", text::number(s.rms_gradient));
+        t.row("m0", format!("{:.4e} m²", s.m0));
+        t.row("m2", format!("{:.4e} (x {:.4e}, y {:.4e})", s.m2, s.m2_x, s.m2_y));
+        t.row("m4", format!("{:.4e} m⁻² (x {:.4e}, y {:.4e})", s.m4, s.m4_x, s.m4_y));
+        let spectral =
+            format!("{:.4e} m², {:.4e}, {:.4e} m⁻²", s.m0_spectral, s.m2_spectral, s.m4_spectral);
+        t.row("m0, m2, m4 spectral", spectral);
+        t.row("bandwidth m0 m4/m2²", number(s.bandwidth));
+        if let Some(a) = s.asperities {
+            t.row("asperity density", format!("{:.4e} m⁻²", a.density));
+            t.row("asperity radius", text::length(a.radius));
+            t.row("asperity height std", text::length(a.height_std));
+            t.row("asperity mean offset", text::length(a.mean_offset));
+        }
+        let summits = format!("{}, {:.4e} m⁻²", s.summits.count, s.summits.density);
+        t.row("summits counted", summits);
+        t.row("Hurst exponent H", number(s.hurst));
+        t.row("profile dimension D", number(s.dimension));
+        t.row("fractal roughness G", length(s.roughness));
+        t.row("roll-off, cut-off", format!("{}, {}", length(s.rolloff), length(s.cutoff)));
+        let ratio = text::number(s.max_amplitude_ratio);
+        t.row("B_max", format!("{ratio} on records of {}", text::length(s.record_length)));
+        let mut out = t.to_string();
+        for warning in &s.warnings {
+            let _ = writeln!(out, "warning: {warning}"); // a String takes everything
+        }
+        out
+    }
+}

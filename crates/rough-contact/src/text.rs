@@ -1,0 +1,214 @@
+//! Numbers and tables as people read them on a terminal.
+
+use compare::{Finding, Weight};
+use std::fmt;
+use surface_stats::clean::Record;
+
+/// Two columns: a name and what it is.
+#[derive(Default)]
+pub(crate) struct Table {
+    rows: Vec<(String, String)>,
+}
+
+impl Table {
+    pub(crate) fn row(&mut self, name: impl Into<String>, value: impl Into<String>) {
+        self.rows.push((name.into(), value.into()));
+    }
+}
+
+impl fmt::Display for Table {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self.rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+        for (name, value) in &self.rows {
+            writeln!(f, "{name:<width$}  {value}")?;
+        }
+        Ok(())
+    }
+}
+
+/// One line for each step of cleaning; nothing if there was none.
+pub(crate) fn cleaning(records: &[Record]) -> String {
+    records.iter().map(|record| format!("cleaned: {record}\n")).collect::<Vec<_>>().concat()
+}
+
+/// Most findings that are shown.
+const MOST: usize = 3;
+
+/// The worst findings, one line each, and how many more there are.
+pub(crate) fn findings(found: &[Finding]) -> String {
+    let open: Vec<&Finding> = found.iter().filter(|f| f.weight != Weight::Passed).collect();
+    let line = |f: &&Finding| {
+        let words = report::finding(f);
+        let line = format!("{}: {} {}", f.weight.name(), words.claim, words.text);
+        format!("{}\n", line.replace('\u{202F}', " ").trim_end())
+    };
+    let text = open.iter().take(MOST).map(line).collect::<Vec<_>>().concat();
+    match open.len().saturating_sub(MOST) {
+        0 => text,
+        more => format!("{text}and {more} more: --json has all findings\n"),
+    }
+}
+
+/// Columns of equal width under a header; the first is left-aligned, the others are not.
+pub(crate) struct Columns {
+    rows: Vec<Vec<String>>,
+}
+
+impl Columns {
+    pub(crate) fn new(header: &[&str]) -> Self {
+        Self { rows: vec![header.iter().map(|&h| h.to_owned()).collect()] }
+    }
+
+    pub(crate) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+        self.rows.push(cells.into_iter().collect());
+    }
+
+    /// A line across all columns.
+    pub(crate) fn heading(&mut self, text: &str) {
+        self.rows.push(vec![text.to_owned()]);
+    }
+}
+
+impl fmt::Display for Columns {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let length = |cell: &String| cell.chars().count();
+        let width = |column: usize| {
+            let rows = self.rows.iter().filter(|row| row.len() > 1);
+            rows.filter_map(|row| row.get(column)).map(length).max().unwrap_or(0)
+        };
+        for row in &self.rows {
+            let mut line = String::new();
+            for (column, cell) in row.iter().enumerate() {
+                let pad = " ".repeat(width(column).saturating_sub(length(cell)));
+                let aligned =
+                    if column == 0 { format!("{cell}{pad}") } else { format!("  {pad}{cell}") };
+                line.push_str(&aligned);
+            }
+            writeln!(f, "{}", line.trim_end())?;
+        }
+        Ok(())
+    }
+}
+
+/// SI prefixes that people use for these quantities.
+const PREFIXES: &[(f64, &str)] = &[
+    (1e12, "T"),
+    (1e9, "G"),
+    (1e6, "M"),
+    (1e3, "k"),
+    (1.0, ""),
+    (1e-3, "m"),
+    (1e-6, "µ"),
+    (1e-9, "n"),
+    (1e-12, "p"),
+];
+
+/// A length in metres, such as `1.50 µm`.
+pub(crate) fn length(metres: f64) -> String {
+    with_prefix(metres, "m", 1e3)
+}
+
+/// A pressure in pascals, such as `50.0 MPa`.
+pub(crate) fn pressure(pascals: f64) -> String {
+    with_prefix(pascals, "Pa", 1e13)
+}
+
+/// Seconds, such as `1.20 ms`.
+pub(crate) fn seconds(seconds: f64) -> String {
+    with_prefix(seconds, "s", 1e3)
+}
+
+/// A fraction in percent with three digits.
+pub(crate) fn percent(fraction: f64) -> String {
+    format!("{} %", digits(100.0 * fraction))
+}
+
+/// A stiffness per area, such as `1.23e13 Pa/m`.
+pub(crate) fn stiffness(pascals_per_metre: f64) -> String {
+    format!("{pascals_per_metre:.2e} Pa/m")
+}
+
+/// A half width as a share of its value, such as `±2.1 %`; a dash where there is none.
+pub(crate) fn relative(half_width: Option<f64>, value: f64) -> String {
+    match half_width {
+        Some(half) if value > 0.0 => format!("±{} %", significant(100.0 * half / value, 2)),
+        _ => "–".to_owned(),
+    }
+}
+
+/// A value with its uncertainty to one digit (two if it starts with 1), such as `1.96 ± 0.12 %`.
+pub(crate) fn plus_minus(value: f64, uncertainty: f64, unit: &str) -> String {
+    if !(uncertainty.is_normal() && uncertainty > 0.0) {
+        return format!("{} {unit}", digits(value));
+    }
+    let exponent = uncertainty.log10().floor();
+    let leading = (uncertainty / 10f64.powf(exponent)).round();
+    let extra = if leading < 2.0 { 1.0 } else { 0.0 };
+    let places = (extra - exponent).max(0.0) as usize;
+    minus(format!("{value:.places$} ± {uncertainty:.places$} {unit}"))
+}
+
+/// A pure number with four significant digits.
+pub(crate) fn number(value: f64) -> String {
+    significant(value, 4)
+}
+
+fn with_prefix(value: f64, unit: &str, largest: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return format!("0 {unit}");
+    }
+    let prefix = PREFIXES.iter().find(|(scale, _)| *scale <= largest && size >= 0.9999 * scale);
+    match prefix {
+        Some((scale, prefix)) if size < 1e4 * scale => {
+            format!("{} {prefix}{unit}", digits(value / scale))
+        }
+        _ => minus(format!("{value:.2e} {unit}")),
+    }
+}
+
+/// Three significant digits without a power of ten between 0.001 and 10 000.
+pub(crate) fn digits(value: f64) -> String {
+    significant(value, 3)
+}
+
+fn significant(value: f64, count: i32) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".to_owned();
+    }
+    if !(1e-3..1e5).contains(&size) {
+        return minus(format!("{value:.*e}", count as usize - 1));
+    }
+    let places = (count - 1 - size.log10().floor() as i32).max(0);
+    minus(format!("{value:.*}", places as usize))
+}
+
+/// The true minus sign in text for people.
+fn minus(text: String) -> String {
+    match text.strip_prefix('-') {
+        Some(rest) => format!("−{rest}"),
+        None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_as_people_write_them() {
+        assert_eq!(length(1.5e-6), "1.50 µm");
+        assert_eq!(length(-3.21e-8), "−32.1 nm");
+        assert_eq!(length(0.0), "0 m");
+        assert_eq!(length(1e-3), "1.00 mm");
+        assert_eq!(length(2e-15), "2.00e-15 m");
+        assert_eq!(pressure(5e7), "50.0 MPa");
+        assert_eq!(pressure(1.1e11), "110 GPa");
+        assert_eq!(percent(0.0196), "1.96 %");
+        assert_eq!(number(2.50663), "2.507");
+        assert_eq!(plus_minus(1.5012, 0.0551, "%"), "1.50 ± 0.06 %");
+        assert_eq!(plus_minus(1.9632, 0.1234, "%"), "1.96 ± 0.12 %");
+        assert_eq!(plus_minus(53.4, 3.2, "%"), "53 ± 3 %");
+    }
+}

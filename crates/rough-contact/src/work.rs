@@ -1,0 +1,203 @@
+//! What is collected while loads are solved: one point each, maps on the disk, what went wrong.
+
+use crate::intervals::{Intervals, Refined};
+use crate::loads::shown;
+use crate::outcome::{Failure, variant};
+use crate::output::Folder;
+use crate::text;
+use compare::NotRefined;
+use compare::budget::{Budget, Given, NoAreaInterval};
+use contact_types::Grid;
+use fft_bem_solver::{Load, Solution, SolverError};
+use serde_json::{Value, json};
+
+/// A load that was solved for.
+pub(crate) struct Point {
+    pub(crate) json: Value,
+    pub(crate) cells: Vec<String>,
+}
+
+/// What is collected while the loads are solved. Fields go to the map files and are dropped.
+pub(crate) struct Work {
+    maps: Option<Folder>,
+    pub(crate) trouble: Option<Failure>,
+    pub(crate) method: String,
+    pub(crate) points: Vec<Option<Point>>,
+    pub(crate) intervals: Intervals,
+    pub(crate) grid: Grid,
+    /// Whether each load converged, and why its area has no bar.
+    found: Vec<Option<(bool, Option<NoAreaInterval>)>>,
+}
+
+impl Work {
+    /// Nothing yet, of so many loads.
+    pub(crate) fn new(maps: Option<Folder>, loads: usize, method: String, grid: Grid) -> Self {
+        Self {
+            maps,
+            trouble: None,
+            method,
+            points: (0..loads).map(|_| None).collect(),
+            intervals: Intervals::default(),
+            grid,
+            found: vec![None; loads],
+        }
+    }
+
+    /// Of each load taken: whether it converged, and why its area has no bar, if it has none.
+    pub(crate) fn found(&self) -> Vec<(bool, Option<NoAreaInterval>)> {
+        self.found.iter().copied().flatten().collect()
+    }
+
+    /// True if the pressure and the gap of each load are written.
+    pub(crate) fn keeps_maps(&self) -> bool {
+        self.maps.is_some()
+    }
+
+    /// Forgets what was taken: the loads are solved again, on `grid`.
+    pub(crate) fn begin(&mut self, grid: Grid) {
+        self.points.iter_mut().for_each(|point| *point = None);
+        self.found.iter_mut().for_each(|found| *found = None);
+        self.trouble = None;
+        self.intervals = Intervals::default();
+        self.grid = grid;
+    }
+
+    /// A load by its place in the list, with the errors of its numbers.
+    pub(crate) fn take(
+        &mut self,
+        index: usize,
+        load: Load,
+        result: &Result<Solution, SolverError>,
+        budget: Option<&Budget>,
+        refined: Option<Result<Refined, NotRefined>>,
+    ) {
+        let (solution, error) = match result {
+            Ok(solution) => (Some(solution), None),
+            Err(error) => (error.solution(), Some(error)),
+        };
+        let refined = match refined {
+            Some(Err(why)) => {
+                let message = format!("{}: {why}", shown(load));
+                self.report(Failure::incomplete("not_refined", message));
+                None
+            }
+            Some(Ok(refined)) => Some(refined),
+            None => None,
+        };
+        let mut point = point(load, solution.zip(budget), error);
+        point.json["refined"] = json!(refined.as_ref().map(Refined::json));
+        self.points[index] = Some(point);
+        let bare = budget.and_then(|b| b.area.comparison_half_width().err());
+        self.found[index] = Some((error.is_none(), bare));
+        if let (Ok(solution), Some(budget)) = (result, budget) {
+            self.intervals.take(&shown(load), solution, budget, refined);
+        }
+        if let Some(error) = error {
+            let message = format!("{}: {error}", shown(load));
+            self.report(match error {
+                SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
+                _ => Failure::refused(&variant(error), message),
+            });
+        }
+        let Some(solution) = solution else { return };
+        self.method = solution.diagnostics.method.to_string();
+        if let Some(Err(failure)) = self.maps.as_ref().map(|maps| self.write(maps, index, solution))
+        {
+            self.report(failure);
+        }
+    }
+
+    fn report(&mut self, failure: Failure) {
+        self.trouble = Some(match self.trouble.take() {
+            None => failure,
+            Some(earlier) => earlier.and(failure),
+        });
+    }
+
+    fn write(&self, maps: &Folder, index: usize, solution: &Solution) -> Result<(), Failure> {
+        for (name, field) in [("pressure", &solution.pressure), ("gap", &solution.gap)] {
+            let name = map_name(name, index);
+            maps.write(&name, |out| surface_io::write::npy_array(out, self.grid.shape(), field))?;
+        }
+        Ok(())
+    }
+}
+
+fn map_name(field: &str, index: usize) -> String {
+    format!("{field}-{index:03}.npy")
+}
+
+/// The files of the maps of so many loads.
+pub(crate) fn map_names(loads: usize) -> Vec<String> {
+    (0..loads).flat_map(|i| [map_name("pressure", i), map_name("gap", i)]).collect()
+}
+
+fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverError>) -> Point {
+    let error_json = error.map(|e| json!({ "kind": variant(e), "message": e.to_string() }));
+    let Some((solution, budget)) = found else {
+        let asked = if let Load::MeanPressure(p) = load { Some(p) } else { None };
+        let mut json = json!({
+                "mean_pressure": asked, "area_fraction": null, "area_fraction_corrected": null,
+                "mean_gap": if let Load::MeanGap(g) = load { Some(g) } else { None },
+                "approach": null, "max_pressure": null, "real_pressure": null,
+                "converged": false, "iterations": null, "transforms": null, "seconds": null,
+                "residuals": null, "duality_gap": null, "error": error_json,
+        });
+        with_keys(&mut json, None);
+        return Point { json, cells: vec![shown(load), "refused".to_owned()] };
+    };
+    let (state, d) = (&solution.state, &solution.diagnostics);
+    let real = state.real_pressure();
+    let mut json = json!({
+        "mean_pressure": state.mean_pressure,
+        "area_fraction": state.area_fraction,
+        "area_fraction_corrected": d.area_fraction_corrected,
+        "mean_gap": state.mean_gap,
+        "approach": solution.approach,
+        "max_pressure": d.max_pressure,
+        "real_pressure": real,
+        "converged": error.is_none(),
+        "iterations": d.iterations,
+        "transforms": d.transforms,
+        "seconds": d.seconds,
+        "residuals": {
+            "preconditioned": d.residuals.preconditioned,
+            "complementarity": d.residuals.complementarity,
+            "penetration": d.residuals.penetration,
+        },
+        "duality_gap": d.duality_gap,
+        "energy_bound": d.energy_bound,
+        "contact_pixels": d.contact_pixels,
+        "contact_perimeter": d.contact_perimeter,
+        "exact": d.exact,
+        "error": error_json,
+    });
+    with_keys(&mut json, Some(budget));
+    let real = budget.real_pressure();
+    let mut cells = vec![text::pressure(state.mean_pressure)];
+    if budget.given == Given::Gap {
+        let load = budget.mean_pressure;
+        cells.push(text::relative(load.comparison_half_width().ok(), load.value));
+    }
+    cells.extend([
+        text::percent(state.area_fraction),
+        text::percent(d.area_fraction_corrected),
+        text::relative(budget.area.comparison_half_width().ok(), budget.area.value),
+        text::relative(budget.area.prediction_half_width(), budget.area.value),
+        state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
+        real.map_or_else(|| "–".to_owned(), |r| text::pressure(r.value())),
+        text::pressure(d.max_pressure),
+        text::number(d.transforms),
+        format!("{:.1e}", d.residuals.preconditioned),
+        text::seconds(d.seconds),
+    ]);
+    cells.extend(budget.stiffness.map(|k| text::stiffness(k.value)));
+    Point { json, cells }
+}
+
+/// Adds the keys of the budget, all `null` without one.
+fn with_keys(point: &mut Value, budget: Option<&Budget>) {
+    if let Value::Object(keys) = point {
+        keys.extend(report::budget_keys(budget));
+    }
+}

@@ -1,0 +1,304 @@
+//! What the book says of the measurements, from their table: figures, what to use for a given
+//! error, and the numbers.
+
+use compare::find;
+use contact_accuracy::median;
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs::{self, File};
+use std::path::Path;
+use studies::figures::tradeoff::{write_tradeoff_area, write_tradeoff_pressure};
+use studies::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, ways};
+
+/// Errors a reader may want to stay below.
+const WANTED: [f64; 6] = [0.5, 0.3, 0.15, 0.05, 0.025, 0.015];
+/// Tolerance at which grids are compared, the solver's default; and one that is cheaper.
+const DEFAULT: f64 = 1e-4;
+const LOOSE: f64 = 1e-2;
+
+/// Writes `tradeoff-area.svg`, `tradeoff-pressure.svg` and `tradeoff.md` into `folder`.
+pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
+    let table = Table::parse(&fs::read_to_string(table)?)?;
+    fs::create_dir_all(folder)?;
+    write_tradeoff_area(&table, &mut File::create(folder.join("tradeoff-area.svg"))?)?;
+    write_tradeoff_pressure(&table, &mut File::create(folder.join("tradeoff-pressure.svg"))?)?;
+    fs::write(folder.join("tradeoff.md"), page(&table))?;
+    Ok(())
+}
+
+/// The generated part of the page.
+pub(crate) fn page(table: &Table) -> String {
+    let found = ways(table.rows.iter());
+    let everywhere = everywhere(&found);
+    let mut page = String::new();
+    for line in &table.origin {
+        let _ = writeln!(page, "{line}  ");
+    }
+    let one_pair = pair(table).unwrap_or(f64::NAN);
+    let statistics = table.rows.iter().filter(|r| r.method == STATISTICS).map(|r| r.seconds);
+    let bars = table.rows.iter().filter_map(|r| Some(r.bar? / r.truth?));
+    let [low, high] = bars.fold([f64::INFINITY, 0.0_f64], |[l, h], b| [l.min(b), h.max(b)]);
+    let _ = writeln!(
+        page,
+        "One FFT pair on the given grid, f64: {}. Statistics of a map: {}. The truth is known to \
+         ±{} to ±{} of itself.\n",
+        duration(one_pair),
+        duration(median(statistics).unwrap_or(f64::NAN)),
+        percent(low),
+        percent(high)
+    );
+    choice(&mut page, &found);
+    spread(&mut page, &everywhere, one_pair);
+    close_up(&mut page, table, one_pair);
+    page
+}
+
+/// Seconds of one FFT pair on the given grid in double precision.
+fn pair(table: &Table) -> Option<f64> {
+    let is_it =
+        |r: &&Row| r.method == PAIR && r.precision.as_deref() == Some("f64") && is(r.scale, 1.0);
+    table.rows.iter().find(is_it).map(|r| r.seconds)
+}
+
+/// Ways that were measured in all cases.
+fn everywhere<'a>(found: &'a [Way<'a>]) -> Vec<&'a Way<'a>> {
+    let cases = found.iter().map(|w| w.cases).max().unwrap_or(0);
+    found.iter().filter(|w| w.cases == cases).collect()
+}
+
+/// The cheapest way that stayed below each error in every case, the truth's own half width added.
+/// Grids are compared at one tolerance and precision, so that their times are far apart and the
+/// choice does not hang on the last per cent of a clock.
+pub(crate) fn cheapest<'a>(found: &'a [Way<'a>]) -> Vec<(f64, Option<&'a Way<'a>>)> {
+    let mut fits = everywhere(found);
+    fits.retain(|w| w.area == AreaOf::Model || is_default(w.row));
+    let best = |wanted: f64| {
+        let good = fits.iter().copied().filter(|w| w.worst <= wanted);
+        good.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
+    };
+    WANTED.into_iter().map(|wanted| (wanted, best(wanted))).collect()
+}
+
+fn choice(page: &mut String, found: &[Way<'_>]) {
+    let cases = found.iter().map(|w| w.cases).max().unwrap_or(0);
+    let _ = writeln!(
+        page,
+        "| real area within | cheapest way that stayed there in all {cases} cases | its largest \
+         error | time per load |\n|---|---|---|---|"
+    );
+    for (wanted, best) in cheapest(found) {
+        let Some(best) = best else {
+            let _ = writeln!(page, "| {} | none of these | – | – |", percent(wanted));
+            continue;
+        };
+        let _ = writeln!(
+            page,
+            "| {} | {} | {} | {} |",
+            percent(wanted),
+            name(best),
+            percent(best.worst),
+            duration(best.seconds)
+        );
+    }
+}
+
+/// The fast method in double precision at the default tolerance.
+fn is_default(row: &Row) -> bool {
+    row.method == "chord" && row.precision.as_deref() == Some("f64") && is(row.tolerance, DEFAULT)
+}
+
+pub(crate) fn name(way: &Way<'_>) -> String {
+    let grid = || grid_name(way.row);
+    match way.area {
+        AreaOf::Model => model_name(way.row),
+        AreaOf::Count => format!("solver, {}, pixel count", grid()),
+        AreaOf::Corrected => format!("solver, {}, corrected area", grid()),
+    }
+}
+
+fn model_name(row: &Row) -> String {
+    find(&row.method).map_or(&*row.method, |m| m.card().title.as_ref()).to_owned()
+}
+
+fn grid_name(row: &Row) -> String {
+    let points = row.points.map_or(String::new(), |n| format!(" ({n}²)"));
+    let words = match row.scale.unwrap_or(1.0) {
+        s if s > 1.5 => "2 × finer grid",
+        s if s > 0.7 => "given grid",
+        s if s > 0.35 => "½ of the points per side",
+        s if s > 0.18 => "¼ of the points per side",
+        _ => "⅛ of the points per side",
+    };
+    format!("{words}{points}")
+}
+
+/// Every way in every case: median and range.
+fn spread(page: &mut String, found: &[&Way<'_>], one_pair: f64) {
+    page.push_str(
+        "\nSize of the error over all surfaces and loads, median (smallest to largest):\n\n\
+         | way | precision | tolerance | pixel count | corrected | FFT pairs | time per load | \
+         the same in full-size pairs |\n|---|---|---|---:|---:|---:|---:|---:|\n",
+    );
+    let range = |w: &Way<'_>| {
+        let [low, middle, high] = w.error.map(percent);
+        format!("{middle} ({low} to {high})")
+    };
+    for way in found.iter().filter(|w| w.area == AreaOf::Model) {
+        let _ = writeln!(
+            page,
+            "| {} | – | – | {} | – | – | {} | {} |",
+            model_name(way.row),
+            range(way),
+            duration(way.seconds),
+            digits(way.seconds / one_pair)
+        );
+    }
+    for way in found.iter().filter(|w| w.area == AreaOf::Corrected) {
+        let count = found
+            .iter()
+            .find(|w| w.area == AreaOf::Count && std::ptr::eq(w.row, way.row))
+            .map_or("–".into(), |w| range(w));
+        let _ = writeln!(
+            page,
+            "| {} | {} | {} | {count} | {} | {} | {} | {} |",
+            grid_name(way.row),
+            way.row.precision.as_deref().unwrap_or("–"),
+            tolerance(way.row),
+            range(way),
+            way.pairs.map_or("–".into(), digits),
+            duration(way.seconds),
+            digits(way.seconds / one_pair)
+        );
+    }
+}
+
+/// Every method at one load: what was asked for, what came out.
+fn close_up(page: &mut String, table: &Table, one_pair: f64) {
+    let rows: Vec<&Row> = table.rows.iter().filter(|r| r.pressure_error.is_some()).collect();
+    let Some(first) = rows.first() else { return };
+    let _ = writeln!(
+        page,
+        "\nEvery method on *{}* at p = {} E\\* h′rms; pairs are of the row's own grid:\n\n\
+         | method | grid | precision | tolerance | pixel count | corrected | true pressure error | \
+         FFT pairs | time | the same in full-size pairs |\n\
+         |---|---|---|---|---:|---:|---:|---:|---:|---:|",
+        first.surface,
+        first.load.unwrap_or(0.0)
+    );
+    // Coarse grids with the two tolerances anybody would use there.
+    let is_told =
+        |r: &&&Row| is(r.scale, 1.0) || is(r.tolerance, DEFAULT) || is(r.tolerance, LOOSE);
+    for row in rows.iter().filter(is_told) {
+        let signed = |area| row.error_of(area).map_or("–".into(), signed_percent);
+        let stopped = if row.is_capped { " (stopped)" } else { "" };
+        let _ = writeln!(
+            page,
+            "| {} | {}² | {} | {} | {} | {} | {} | {}{stopped} | {} | {} |",
+            row.method,
+            row.points.unwrap_or(0),
+            row.precision.as_deref().unwrap_or("–"),
+            tolerance(row),
+            signed(row.area),
+            signed(row.corrected),
+            row.pressure_error.map_or("–".into(), power),
+            row.pairs.map_or("–".into(), digits),
+            duration(row.seconds),
+            digits(row.seconds / one_pair)
+        );
+    }
+}
+
+fn is(value: Option<f64>, wanted: f64) -> bool {
+    value.is_some_and(|v| (v / wanted - 1.0).abs() < 1e-6)
+}
+
+fn tolerance(row: &Row) -> String {
+    row.tolerance.map_or("–".into(), |t| format!("{t:e}").replace("1e-", "1e\u{2212}"))
+}
+
+fn power(value: f64) -> String {
+    format!("{value:.1e}").replace("e-", "e\u{2212}")
+}
+
+/// Two significant digits, three from 100.
+fn digits(value: f64) -> String {
+    if value < 1e-3 {
+        return power(value);
+    }
+    let places = (1 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 6);
+    format!("{value:.*}", places as usize)
+}
+
+pub(crate) fn percent(fraction: f64) -> String {
+    format!("{}\u{202F}%", digits(100.0 * fraction))
+}
+
+fn signed_percent(error: f64) -> String {
+    let sign = if error < 0.0 { '\u{2212}' } else { '+' };
+    format!("{sign}{}", percent(error.abs()))
+}
+
+fn duration(seconds: f64) -> String {
+    let units = [(1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")];
+    let (scale, unit) =
+        units.into_iter().find(|(scale, _)| seconds >= 0.995 * scale).unwrap_or(units[3]);
+    format!("{}\u{202F}{unit}", digits(seconds / scale))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measure::{Plan, run};
+
+    #[test]
+    fn numbers_read_well() {
+        assert_eq!(percent(0.0123), "1.2\u{202F}%");
+        assert_eq!(signed_percent(-5.35), "\u{2212}535\u{202F}%");
+        assert_eq!(digits(13.37), "13");
+        assert_eq!(digits(3.3e-7), "3.3e\u{2212}7");
+        assert_eq!(
+            [duration(2e-8), duration(0.126), duration(23.7)],
+            ["20\u{202F}ns", "126\u{202F}ms", "24\u{202F}s"]
+        );
+    }
+
+    /// From measurement to page on a tiny grid: the table can be read back, every way is in the
+    /// page, the solver is nearer the truth than its pixel count, and the pressure is as accurate
+    /// as was asked for.
+    #[test]
+    fn a_tiny_run_fills_figures_and_page() {
+        let mut text = format!("# a test\n{}\n", studies::tradeoff::HEADER);
+        run(&Plan::TINY, &mut |row| text += &(row.line() + "\n")).unwrap();
+        let table = Table::parse(&text).unwrap();
+        let found = ways(table.rows.iter());
+        let at = |area| found.iter().find(|w| w.area == area && is_default(w.row)).unwrap();
+        assert!(at(AreaOf::Corrected).error[1] < 0.5 * at(AreaOf::Count).error[1]);
+        let close: Vec<&Row> = table.rows.iter().filter(|r| r.pressure_error.is_some()).collect();
+        assert!(close.iter().any(|r| r.method == "stanley-kato" && r.is_capped));
+        for row in close.iter().filter(|r| !r.is_capped) {
+            let [error, asked] = [row.pressure_error.unwrap(), row.tolerance.unwrap()];
+            assert!(error < 3.0 * asked, "{row:?}");
+        }
+        let page = page(&table);
+        for word in ["Persson", "½ of the points", "2 × finer", "stanley-kato", "(stopped)"] {
+            assert!(page.contains(word), "{word} is not in\n{page}");
+        }
+        let mut again = table.clone();
+        again.rows.iter_mut().for_each(|row| row.seconds *= 1.25);
+        let repeat = crate::repeat::compare(&table, &again);
+        assert!(
+            repeat.contains("1.25 | 1.25 to 1.25") && repeat.contains("is the same"),
+            "{repeat}"
+        );
+        again.rows.iter_mut().for_each(|row| row.pairs = row.pairs.map(|pairs| 1.1 * pairs));
+        assert!(crate::repeat::compare(&table, &again).contains("10\u{202F}% of a number"));
+        assert!(!page.contains("NaN") && !page.contains("inf"), "{page}");
+        let [mut area, mut pressure] = [Vec::new(), Vec::new()];
+        write_tradeoff_area(&table, &mut area).unwrap();
+        write_tradeoff_pressure(&table, &mut pressure).unwrap();
+        for svg in [area, pressure] {
+            let svg = String::from_utf8(svg).unwrap();
+            assert!(svg.contains("<svg") && !svg.contains("NaN"), "{svg}");
+        }
+    }
+}

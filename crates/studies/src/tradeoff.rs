@@ -1,0 +1,310 @@
+//! What accuracy costs: ways to an answer with their time and true error, as `cargo xtask
+//! tradeoff` measured them, and the ways that no other beats.
+//!
+//! The table is a CSV whose lines beginning with `#` say where it comes from.
+
+use contact_accuracy::{median, round_to_digits};
+use std::fmt::Write as _;
+
+/// One way to an answer, in one case: a surface at a load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Name of the surface.
+    pub surface: String,
+    /// Mean pressure over E* h'_rms; `None` for what does not depend on a load.
+    pub load: Option<f64>,
+    /// Name of a model or of a method of the solver; or [`PAIR`] or [`STATISTICS`].
+    pub method: String,
+    /// Points per side over those of the given map; `None` for a model.
+    pub scale: Option<f64>,
+    /// Points per side.
+    pub points: Option<usize>,
+    /// `f64` or `f32`; `None` for a model.
+    pub precision: Option<String>,
+    /// Relative rms pressure error asked for.
+    pub tolerance: Option<f64>,
+    /// Area fraction: of a model, or the pixels that carry pressure.
+    pub area: Option<f64>,
+    /// That corrected for the contact line.
+    pub corrected: Option<f64>,
+    /// True area fraction, from a refined grid.
+    pub truth: Option<f64>,
+    /// Half width of the truth's own interval.
+    pub bar: Option<f64>,
+    /// Relative rms error of the pressure against the exact solution on the same grid.
+    pub pressure_error: Option<f64>,
+    /// FFT pairs spent, in pairs of its own grid.
+    pub pairs: Option<f64>,
+    /// Shortest wall-clock time (s).
+    pub seconds: f64,
+    /// True if the limit of FFT pairs ended it.
+    pub is_capped: bool,
+}
+
+/// Method of a row that holds the time of one FFT pair.
+pub const PAIR: &str = "fft-pair";
+/// Method of a row that holds the time of the statistics that models are made from.
+pub const STATISTICS: &str = "statistics";
+
+/// First line of the table that is no comment.
+pub const HEADER: &str = "surface,load,method,scale,points,precision,tolerance,area,corrected,\
+                          truth,bar,pressure_error,pairs,seconds,capped";
+
+impl Row {
+    /// The row as a line of the table, six digits each; empty cells where there is nothing.
+    pub fn line(&self) -> String {
+        let number = |value: Option<f64>| value.map_or(String::new(), six);
+        let mut line = format!("{},{},{}", self.surface, number(self.load), self.method);
+        let points = self.points.map_or(String::new(), |n| n.to_string());
+        let precision = self.precision.as_deref().unwrap_or_default();
+        // Writing to a String cannot fail.
+        let _ = write!(line, ",{},{points},{precision}", number(self.scale));
+        for value in [
+            self.tolerance,
+            self.area,
+            self.corrected,
+            self.truth,
+            self.bar,
+            self.pressure_error,
+            self.pairs,
+            Some(self.seconds),
+        ] {
+            let _ = write!(line, ",{}", number(value));
+        }
+        line + if self.is_capped { ",yes" } else { ",no" }
+    }
+
+    fn parse(line: &str) -> Option<Self> {
+        let cells: Vec<&str> = line.split(',').collect();
+        if cells.len() != HEADER.split(',').count() {
+            return None;
+        }
+        // An empty cell is no number; anything else must be one.
+        let number = |k: usize| match cells[k] {
+            "" => Some(None),
+            text => text.parse::<f64>().ok().map(Some),
+        };
+        Some(Self {
+            surface: cells[0].into(),
+            load: number(1)?,
+            method: cells[2].into(),
+            scale: number(3)?,
+            points: if cells[4].is_empty() { None } else { Some(cells[4].parse().ok()?) },
+            precision: Some(cells[5].to_owned()).filter(|text| !text.is_empty()),
+            tolerance: number(6)?,
+            area: number(7)?,
+            corrected: number(8)?,
+            truth: number(9)?,
+            bar: number(10)?,
+            pressure_error: number(11)?,
+            pairs: number(12)?,
+            seconds: number(13)??,
+            is_capped: match cells[14] {
+                "yes" => true,
+                "no" => false,
+                _ => return None,
+            },
+        })
+    }
+
+    /// Signed relative error of an area of this row.
+    pub fn error_of(&self, area: Option<f64>) -> Option<f64> {
+        Some(area? / self.truth? - 1.0)
+    }
+}
+
+/// Six significant digits, with an exponent where it is shorter.
+fn six(value: f64) -> String {
+    let rounded = round_to_digits(value, 6);
+    let (plain, power) = (format!("{rounded}"), format!("{rounded:e}"));
+    if plain.len() <= power.len() { plain } else { power }
+}
+
+/// The whole table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// The lines that say where it comes from, without `#`.
+    pub origin: Vec<String>,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+impl Table {
+    /// Reads a table.
+    ///
+    /// # Errors
+    /// The first line that is not one of a table.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let mut table = Self { origin: Vec::new(), rows: Vec::new() };
+        let mut is_headed = false;
+        for line in text.lines().filter(|line| !line.trim().is_empty()) {
+            if let Some(words) = line.strip_prefix('#') {
+                table.origin.push(words.trim().to_owned());
+            } else if line == HEADER {
+                is_headed = true;
+            } else {
+                let row = Row::parse(line).filter(|_| is_headed);
+                table.rows.push(row.ok_or_else(|| format!("this is no row of costs: {line:?}"))?);
+            }
+        }
+        Ok(table)
+    }
+}
+
+/// Which area of an answer is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AreaOf {
+    /// A closed form.
+    Model,
+    /// The pixels that carry pressure.
+    Count,
+    /// That corrected for the contact line.
+    Corrected,
+}
+
+/// One way to an area over all cases it was measured in.
+#[derive(Debug, Clone)]
+pub struct Way<'a> {
+    /// Its first row: method, grid, precision, tolerance.
+    pub row: &'a Row,
+    /// Which area.
+    pub area: AreaOf,
+    /// Size of the relative error: smallest, median, largest.
+    pub error: [f64; 3],
+    /// Largest error with the truth's own half width on top.
+    pub worst: f64,
+    /// Median time (s).
+    pub seconds: f64,
+    /// Median FFT pairs; `None` for a model.
+    pub pairs: Option<f64>,
+    /// Cases.
+    pub cases: usize,
+}
+
+/// Ways to an area in the rows given: equal settings on different surfaces and loads are one way.
+pub fn ways<'a>(rows: impl Iterator<Item = &'a Row>) -> Vec<Way<'a>> {
+    let mut groups: Vec<Vec<&Row>> = Vec::new();
+    let is_same = |a: &Row, b: &Row| {
+        let key = |r: &Row| (r.method.clone(), r.precision.clone());
+        key(a) == key(b) && same(a.scale, b.scale) && same(a.tolerance, b.tolerance)
+    };
+    for row in rows.filter(|r| r.area.is_some() && r.truth.is_some()) {
+        match groups.iter_mut().find(|g| is_same(g[0], row)) {
+            Some(group) => group.push(row),
+            None => groups.push(vec![row]),
+        }
+    }
+    groups
+        .iter()
+        .flat_map(|group| {
+            let kinds: &[AreaOf] = if group[0].scale.is_some() {
+                &[AreaOf::Count, AreaOf::Corrected]
+            } else {
+                &[AreaOf::Model]
+            };
+            kinds.iter().filter_map(|&kind| way(group, kind))
+        })
+        .collect()
+}
+
+fn way<'a>(group: &[&'a Row], area: AreaOf) -> Option<Way<'a>> {
+    let error = |r: &&Row| {
+        let value = if area == AreaOf::Corrected { r.corrected } else { r.area };
+        Some((r.error_of(value)?.abs(), r.bar? / r.truth?))
+    };
+    let errors: Vec<(f64, f64)> = group.iter().filter_map(error).collect();
+    let sizes = || errors.iter().map(|(e, _)| *e);
+    Some(Way {
+        row: group.first()?,
+        area,
+        error: [sizes().reduce(f64::min)?, median(sizes())?, sizes().reduce(f64::max)?],
+        worst: errors.iter().map(|(e, bar)| e + bar).reduce(f64::max)?,
+        seconds: median(group.iter().map(|r| r.seconds))?,
+        pairs: median(group.iter().filter_map(|r| r.pairs)),
+        cases: errors.len(),
+    })
+}
+
+fn same(a: Option<f64>, b: Option<f64>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => (a / b - 1.0).abs() < 1e-6,
+        (None, None) => true,
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row() -> Row {
+        Row {
+            surface: "ground".into(),
+            load: Some(0.05),
+            method: "chord".into(),
+            scale: Some(0.5),
+            points: Some(500),
+            precision: Some("f32".into()),
+            tolerance: Some(1e-4),
+            area: Some(0.0912),
+            corrected: Some(0.0845),
+            truth: Some(0.084),
+            bar: Some(0.0005),
+            pressure_error: Some(7.5e-5),
+            pairs: Some(6.5),
+            seconds: 0.0213,
+            is_capped: false,
+        }
+    }
+
+    #[test]
+    fn a_row_is_read_as_written() {
+        let full = row();
+        let model = Row { scale: None, points: None, precision: None, tolerance: None, ..row() };
+        let pair = Row { load: None, area: None, truth: None, is_capped: true, ..row() };
+        let rows = vec![full, model, pair];
+        let text: String = rows.iter().map(|row| row.line() + "\n").collect();
+        let table = Table::parse(&format!("# made here\n{HEADER}\n{text}")).unwrap();
+        assert_eq!(table.origin, ["made here"]);
+        assert_eq!(table.rows, rows);
+        assert!(
+            (table.rows[0].error_of(table.rows[0].corrected).unwrap() - 5e-4 / 0.084).abs() < 1e-12
+        );
+    }
+
+    #[test]
+    fn a_damaged_table_is_refused_with_its_line() {
+        let line = row().line();
+        for bad in [line.replace("0.0912", "x"), format!("{line},"), line.replace(",no", ",maybe")]
+        {
+            let error = Table::parse(&format!("{HEADER}\n{bad}")).unwrap_err();
+            assert!(error.contains("ground"), "{error}");
+        }
+        assert!(Table::parse(&line).is_err()); // no header
+    }
+
+    #[test]
+    fn equal_settings_are_one_way_with_its_range() {
+        let at = |surface: &str, corrected: f64, seconds: f64| Row {
+            surface: surface.into(),
+            corrected: Some(0.1 * (1.0 + corrected)),
+            area: Some(0.11),
+            truth: Some(0.1),
+            bar: Some(0.001),
+            seconds,
+            ..row()
+        };
+        let model = Row { scale: None, method: "persson".into(), ..at("a", 0.0, 1e-8) };
+        let finer = Row { tolerance: Some(1e-5), ..at("a", 0.0, 3.0) };
+        let rows = [at("a", -0.04, 1.0), model, at("b", 0.02, 2.0), finer, at("c", 0.01, 9.0)];
+        let ways = ways(rows.iter());
+        assert_eq!(ways.len(), 5); // count and corrected of two tolerances, one model
+        let way = &ways[1];
+        assert_eq!((way.area, way.cases), (AreaOf::Corrected, 3));
+        for (found, expected) in way.error.into_iter().zip([0.01, 0.02, 0.04]) {
+            assert!((found - expected).abs() < 1e-12);
+        }
+        assert!((way.worst - 0.05).abs() < 1e-12 && (way.seconds - 2.0).abs() < 1e-12);
+        assert_eq!(ways[2].area, AreaOf::Model);
+    }
+}
