@@ -37,8 +37,10 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let pages = tiff::pages(bytes, FORMAT, limits, usize::MAX)?;
     let first = pages.first().ok_or_else(|| b.fault(4, "there is no directory"))?;
     let fields = document(first, IMAGE_DESCRIPTION, limits)?;
-    let device = match first.sub_page(EXIF) {
-        Ok(exif) if exif.has(DEVICE) => document(&exif, DEVICE, limits)?,
+    // Calibration that is there and cannot be read is no reason to go without it.
+    let exif = if first.has(EXIF) { Some(first.sub_page(EXIF)?) } else { None };
+    let device = match exif {
+        Some(exif) if exif.has(DEVICE) => document(&exif, DEVICE, limits)?,
         _ => BTreeMap::new(),
     };
     let number = |fields: &BTreeMap<String, String>, key: String| {

@@ -142,7 +142,8 @@ pub(crate) fn read_attribute(
     let data_at = space_at + padded(sizes[2]);
     let name = b.text(name_at, sizes[0])?;
     let (kind, _) = read_type(file, type_at, 0)?;
-    let count = read_shape(file, space_at)?.iter().product::<u64>();
+    let sides = read_shape(file, space_at)?;
+    let count = sides.iter().fold(1u64, |count, &side| count.saturating_mul(side));
     Ok(value(file, &kind, data_at, count)?.map(|value| (name, value)))
 }
 
