@@ -1,8 +1,7 @@
 //! The check of `--accuracy`: surfaces that took no part in its calibration; table, figure, page.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, example, output, read, root};
+use crate::shell::{self, TaskResult, example, output, read, root};
 
 const TABLE: &str = "fixtures/accuracy.csv";
 const PAGE: &str = "docs/src/accuracy.md";

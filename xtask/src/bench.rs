@@ -1,8 +1,7 @@
 //! Drives the criterion benchmarks and writes their table into the book.
 
-use crate::TaskResult;
 use crate::generated::keep_section;
-use crate::shell::{self, cargo, files, output, read, root};
+use crate::shell::{self, TaskResult, cargo, files, output, read, root};
 use serde_json::Value;
 use std::fmt::Write;
 use std::path::Path;

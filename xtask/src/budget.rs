@@ -1,8 +1,7 @@
 //! The study of the error bars: many surfaces against finer grids and against other realisations.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, example, output, read, root};
+use crate::shell::{self, TaskResult, example, output, read, root};
 
 const TABLE: &str = "fixtures/budget.csv";
 const FRESH: &str = "fixtures/budget-fresh.csv";

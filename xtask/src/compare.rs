@@ -1,7 +1,6 @@
 //! The study, as `rough-contact compare` runs it: the same code, built in release.
 
-use crate::TaskResult;
-use crate::shell::{self, root, rough_contact};
+use crate::shell::{self, TaskResult, root, rough_contact};
 
 /// Where the study goes when nothing else is asked for.
 pub(crate) const FOLDER: &str = "target/compare";

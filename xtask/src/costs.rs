@@ -1,10 +1,9 @@
 //! The page "what each part costs": dependencies, allocations, build times.
 
-use crate::TaskResult;
 use crate::bench::machine;
 use crate::dependencies::{LAYERS, brought_along};
 use crate::generated::keep_section;
-use crate::shell::{self, cargo, example, output, root};
+use crate::shell::{self, TaskResult, cargo, example, output, root};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;

@@ -1,9 +1,8 @@
 //! Tables of the book that repeat what the code knows: models and formats; and the page drawn
 //! from the measurements of cost.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep_section};
-use crate::shell::{output, rough_contact};
+use crate::shell::{TaskResult, output, rough_contact};
 use serde_json::Value;
 use std::fmt::Write;
 

@@ -1,8 +1,7 @@
 //! The study of maps that do not repeat: tables into the book, rows for the report.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, example, read, root};
+use crate::shell::{self, TaskResult, example, read, root};
 
 /// Runs the study and writes its rows and tables, or checks that they are current.
 pub(crate) fn run(args: &[String]) -> TaskResult {

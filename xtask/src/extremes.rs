@@ -1,8 +1,7 @@
 //! The page "the ends of the inputs": models, statistics and solver each print their own table.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep_section};
-use crate::shell::{example, output};
+use crate::shell::{TaskResult, example, output};
 
 /// Crates with an example `extremes`, each with a section of its name in the page; what the summary
 /// calls it; and how many of the last columns are errors.

@@ -1,9 +1,8 @@
 //! The figures that README and book show: area and real pressure over the load for one ground
 //! surface, made by the commands that the README shows, and the fields of one solver iteration.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep};
-use crate::shell::{self, cargo, read, root, rough_contact};
+use crate::shell::{self, TaskResult, cargo, read, root, rough_contact};
 
 /// The surface, as `rough-contact synth` makes it: the recipe "ground" of
 /// `crates/compare/data/surfaces.toml`.

@@ -2,8 +2,7 @@
 //! current. Numbers are compared to 1e-9, not by their digits, because sine and cosine differ
 //! in the last place between platforms.
 
-use crate::TaskResult;
-use crate::shell::{read, root};
+use crate::shell::{TaskResult, read, root};
 
 /// Relative difference below which two numbers count as the same.
 const TOLERANCE: f64 = 1e-9;

@@ -1,8 +1,7 @@
 //! The study of light load and full contact: table, figures, page.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, example, output, read, root};
+use crate::shell::{self, TaskResult, example, output, read, root};
 
 const TABLE: &str = "fixtures/kappa.csv";
 

@@ -5,16 +5,19 @@ mod accuracy;
 mod bench;
 mod budget;
 mod ci;
+mod circles;
 mod compare;
 mod costs;
 mod dependencies;
 mod docs;
 mod edges;
 mod extremes;
+mod features;
 mod figures;
 mod generated;
 mod kappa;
 mod shell;
+mod strangers;
 mod surfaces;
 mod survey;
 mod tidy;
@@ -50,13 +53,14 @@ Usage: cargo xtask <task> [options]
                             time against true error, models and solver; table, figures, page
                             (under 10 minutes; wants a quiet machine); --repeat measures again
                             and says how far the times moved
-  tidy                      layers, citations, pages, file lengths, dependency counts
+  tidy                      layers, circles of files, citations, pages, file lengths,
+                            dependency counts
+  features                  every crate builds without and with each of its features
+  strangers                 every published crate can be packaged, and its front-page example
+                            compiles with that crate alone
   ci [--slow]               everything a change must pass, as the CI runs it
 
 --check verifies that what is committed is current instead of writing it.";
-
-/// What a task returns; an error is one sentence for a person.
-type TaskResult = Result<(), String>;
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -72,6 +76,8 @@ fn main() -> ExitCode {
         "docs" => docs::run(rest),
         "edges" => edges::run(rest),
         "extremes" => extremes::run(rest),
+        "features" => features::run(rest),
+        "strangers" => strangers::run(rest),
         "accuracy" => accuracy::run(rest),
         "bench" => bench::run(rest),
         "budget" => budget::run(rest),

@@ -1,8 +1,10 @@
 //! Starting other programs from the repository root.
 
-use crate::TaskResult;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+
+/// What a task returns; an error is one sentence for a person.
+pub(crate) type TaskResult = Result<(), String>;
 
 /// The repository root.
 pub(crate) fn root() -> PathBuf {
@@ -33,11 +35,16 @@ pub(crate) fn example(package: &str, name: &str) -> Command {
     command
 }
 
-/// A program of a crate, built in release and run where the task was started; its arguments are to
-/// follow.
+/// Names the profile in which tasks build the programs that they run, in place of `release`. The
+/// checks of `ci` set it to `test`: they time nothing, and the tests have built most of it already.
+pub(crate) const PROFILE: &str = "XTASK_PROFILE";
+
+/// A program of a crate, built in release unless [`PROFILE`] says otherwise, and run where the task
+/// was started; its arguments are to follow.
 pub(crate) fn released(package: &str, program: [&str; 2]) -> Command {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["run", "--quiet", "--release", "--locked", "--manifest-path"]);
+    let profile = std::env::var(PROFILE).unwrap_or_else(|_| "release".to_owned());
+    cargo.args(["run", "--quiet", "--locked", "--profile", &profile, "--manifest-path"]);
     cargo.arg(root().join("crates").join(package).join("Cargo.toml"));
     cargo.args(program).arg("--");
     cargo

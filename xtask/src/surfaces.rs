@@ -1,7 +1,6 @@
 //! Files of real instruments against their expected values.
 
-use crate::TaskResult;
-use crate::shell::{released, run as start};
+use crate::shell::{TaskResult, released, run as start};
 
 /// Checks every file of `--dir DIR` against `--expected FILE`, one line each. The work is done
 /// by an example of `surface-io`, built in release; relative paths are the caller's.

@@ -1,8 +1,7 @@
 //! The survey: many surfaces, every model against the deterministic area; table, figures, page.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, example, output, read, root};
+use crate::shell::{self, TaskResult, example, output, read, root};
 
 const TABLE: &str = "crates/compare/data/survey.csv";
 const PAGE: &str = "docs/src/survey.md";

@@ -1,14 +1,20 @@
 //! Checks of the architecture that no compiler makes. `docs/src/architecture.md` says why.
 
-use crate::TaskResult;
+use crate::circles;
 use crate::dependencies::{LAYERS, brought_along};
-use crate::shell::{cargo, files, output, root};
+use crate::shell::{TaskResult, cargo, files, output, root};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// A file longer than this is reported: think again whether it is about one thing.
+/// A file longer than this is about more than one thing.
 const LONG_FILE: usize = 500;
+
+/// Half of the files are at most this long.
+const MEDIAN_FILE: usize = 250;
+
+/// Crates that talk to a person; all others are libraries.
+const TALKING: [&str; 2] = ["rough-contact", "studies"];
 
 pub(crate) fn run(args: &[String]) -> TaskResult {
     if !args.is_empty() {
@@ -19,6 +25,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     layers(&packages, &mut faults);
     dependency_counts(&packages, &mut faults)?;
     sources(&mut faults);
+    rooms(&mut faults);
     models(&mut faults);
     book(&mut faults);
     if faults.is_empty() {
@@ -30,6 +37,9 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     }
     Err(format!("{} faults", faults.len()))
 }
+
+/// Crates that only a command needs.
+const COMMAND_LINE: [&str; 4] = ["clap", "clap_builder", "console", "indicatif"];
 
 /// The packages of this workspace, by name.
 fn packages() -> Result<BTreeMap<String, Value>, String> {
@@ -69,26 +79,32 @@ fn layers(packages: &BTreeMap<String, Value>, faults: &mut Vec<String>) {
 fn dependency_counts(packages: &BTreeMap<String, Value>, faults: &mut Vec<String>) -> TaskResult {
     println!("registry crates that each crate brings along (limit)");
     for &(name, _, _, limit) in LAYERS.iter().filter(|row| packages.contains_key(row.0)) {
-        let count = brought_along(name)?.from_registry.len();
+        let along = brought_along(name)?.from_registry;
+        let count = along.len();
         println!("  {name:<18} {count:>3} ({limit})");
         if count > limit {
             faults.push(format!("{name} brings {count} registry crates, limit {limit}"));
+        }
+        let is_library = !TALKING.contains(&name);
+        for brought in COMMAND_LINE.iter().filter(|c| is_library && along.contains(**c)) {
+            faults.push(format!(
+                "the library {name} brings {brought}: command lines are for commands"
+            ));
         }
     }
     Ok(())
 }
 
-/// Long files, printing and file access in libraries, unfinished work.
+/// Lengths of files, printing and file access in libraries, unfinished work.
 fn sources(faults: &mut Vec<String>) {
-    let mut long = Vec::new();
-    for path in
-        files(&root().join("crates"), "rs").iter().chain(&files(&root().join("xtask"), "rs"))
-    {
+    let mut lengths = Vec::new();
+    for path in &source_files() {
         let Ok(text) = std::fs::read_to_string(path) else { continue };
         let shown = relative(path);
         let lines = text.lines().count();
+        lengths.push(lines);
         if lines > LONG_FILE {
-            long.push((lines, shown.clone()));
+            faults.push(format!("{shown} has {lines} lines, more than {LONG_FILE}: take it apart"));
         }
         for (number, line) in text.lines().enumerate() {
             let at = format!("{shown}:{}", number + 1);
@@ -100,10 +116,71 @@ fn sources(faults: &mut Vec<String>) {
             library_source(&shown, &text, faults);
         }
     }
-    long.sort_by(|a, b| b.cmp(a));
-    println!("files over {LONG_FILE} lines: {}", long.len());
-    for (lines, path) in long {
-        println!("  {lines:>5}  {path}");
+    lengths.sort_unstable();
+    let median = lengths.get(lengths.len() / 2).copied().unwrap_or_default();
+    let longest = lengths.last().copied().unwrap_or_default();
+    println!("files: {}, median {median} lines, longest {longest}", lengths.len());
+    if median > MEDIAN_FILE {
+        faults.push(format!("the median file has {median} lines, more than {MEDIAN_FILE}"));
+    }
+}
+
+/// The sources of crates and tasks; workspaces of their own below `crates` count, what was built
+/// there does not.
+fn source_files() -> Vec<PathBuf> {
+    let mut found = files(&root().join("crates"), "rs");
+    found.extend(files(&root().join("xtask"), "rs"));
+    found.retain(|path| !path.components().any(|part| part.as_os_str() == "target"));
+    found
+}
+
+/// The files from which the modules of a crate, an example or a test are reached.
+fn crate_roots() -> Vec<PathBuf> {
+    let is_root = |path: &PathBuf| {
+        let shown = relative(path);
+        let place: Vec<&str> = shown.split('/').rev().take(3).collect();
+        match place[..] {
+            ["lib.rs", "src", ..] | ["main.rs", "src", ..] => true,
+            ["main.rs", _, kind] => matches!(kind, "bin" | "examples" | "tests"),
+            _ => false,
+        }
+    };
+    source_files().into_iter().filter(is_root).collect()
+}
+
+/// Files import each other downwards only, faces define nothing, and no crate reads a file outside
+/// its folder when it is compiled.
+fn rooms(faults: &mut Vec<String>) {
+    let roots = crate_roots();
+    for main in &roots {
+        let shown = relative(main);
+        let mut found = circles::circles(main);
+        if shown.ends_with("src/lib.rs") {
+            found.extend(circles::faces(main));
+        }
+        let here = format!("{}/", root().display());
+        faults.extend(found.iter().map(|fault| format!("{shown}: {}", fault.replace(&here, ""))));
+    }
+    println!("crates, examples and tests looked through for circles of files: {}", roots.len());
+    for path in source_files() {
+        let shown = relative(&path);
+        if !shown.contains("/src/") || shown.starts_with("xtask/") || is_test_module(&path) {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+        for included in ["include_str!(\"", "include_bytes!(\"", "include!(\""]
+            .iter()
+            .flat_map(|call| code.split(call).skip(1))
+            .filter_map(|rest| rest.split('"').next())
+        {
+            let ups = included.matches("../").count();
+            let depth = shown.split("/src/").nth(1).map_or(0, |rest| rest.matches('/').count());
+            // `src/a.rs` reaches its crate's folder with one step up.
+            if ups > depth + 1 {
+                faults.push(format!("{shown} includes {included}, outside its crate"));
+            }
+        }
     }
 }
 
@@ -136,9 +213,8 @@ fn is_test_module(path: &Path) -> bool {
 }
 
 fn is_library(shown: &str) -> bool {
-    shown.starts_with("crates/")
-        && shown.contains("/src/")
-        && !shown.starts_with("crates/rough-contact/")
+    let talks = |place| shown.starts_with(&format!("crates/{place}/"));
+    shown.starts_with("crates/") && shown.contains("/src/") && !TALKING.iter().any(talks)
 }
 
 /// Every type that implements `ContactModel` has a DOI in its file and a page in the book that

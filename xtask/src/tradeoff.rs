@@ -1,10 +1,9 @@
 //! Time against true error: every closed form, and the solver over methods, grids, precisions and
 //! tolerances. Measures, then draws the figures and the page from the table.
 
-use crate::TaskResult;
 use crate::bench::machine;
 use crate::generated::{keep, keep_section};
-use crate::shell::{self, example, output, read, root};
+use crate::shell::{self, TaskResult, example, output, read, root};
 use std::path::Path;
 
 const TABLE: &str = "fixtures/tradeoff.csv";

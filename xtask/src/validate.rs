@@ -1,8 +1,7 @@
 //! The solver against exact solutions, as the book prints it.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep_section};
-use crate::shell::{output, rough_contact};
+use crate::shell::{TaskResult, output, rough_contact};
 
 /// Writes the table of `rough-contact validate` into the book, or checks that it is current.
 pub(crate) fn run(args: &[String]) -> TaskResult {

@@ -1,5 +1,6 @@
-//! Contact of isotropic Gaussian surfaces by their summits, from three spectral moments.
+#![doc = include_str!("../README.md")]
 //!
+//! # The models
 //! Each summit is an elliptic paraboloid with its own height and two curvatures, distributed as
 //! Nayak's random-process theory says. The models differ in how one summit answers:
 //!
@@ -21,6 +22,11 @@ mod mean_curvature;
 pub mod nayak;
 mod quadrature;
 mod summit_model;
+
+pub use contact_types::{
+    Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic, ModelError,
+    SeparationModel, SpectralMoments, SurfaceError,
+};
 
 pub use bgt::{BushGibsonThomas, EllipticHertz};
 pub use greenwood_elliptical::{GeometricMeanSphere, GreenwoodElliptical};

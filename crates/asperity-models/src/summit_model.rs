@@ -157,6 +157,44 @@ impl<L: SummitLaw> SummitModel<L> {
         Ok(self.ln_pressure_of(load, h))
     }
 
+    /// The contact whose real area fraction is `area_fraction`, by inversion. At 0 nothing touches
+    /// and there is no finite separation.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless it is finite and not negative,
+    /// [`ModelError::OutsideDomain`] if pressure or separation exceed the largest double.
+    pub fn at_area(&self, area_fraction: f64) -> Result<ContactState, ModelError> {
+        if !(area_fraction.is_finite() && area_fraction >= 0.0) {
+            let requirement = "must be finite and not negative";
+            return Err(Self::invalid("area fraction", area_fraction, requirement));
+        }
+        if area_fraction <= 0.0 {
+            return Ok(nothing_touches());
+        }
+        let h = self.solve_area(area_fraction)?;
+        let [load, slope, area, area_slope] = self.integrals(h);
+        let found = gaussian(self.area_scale() * area, h);
+        let missing = if found.is_normal() { area_fraction / found - 1.0 } else { 0.0 };
+        let elasticity = (slope / load) / (area_slope / area);
+        let pressure = gaussian(self.pressure_scale() * load * (1.0 + missing * elasticity), h);
+        let pressure = Self::finite(pressure, "area fraction", area_fraction)?;
+        let separation = (h - missing * area / area_slope) * self.moments.rms_height();
+        let separation = Self::finite(separation, "area fraction", area_fraction)?;
+        Ok(ContactState::of_isolated_summits(pressure, area_fraction, separation))
+    }
+
+    /// Load, area and their slopes -d/dh, as integrals over the summits.
+    fn integrals(&self, h: f64) -> [f64; 4] {
+        self.correlation.integrate(h, |summit| {
+            [
+                load_of::<L>(summit),
+                stiffness_of::<L>(summit),
+                area_of::<L>(summit),
+                area_slope_of::<L>(summit),
+            ]
+        })
+    }
+
     /// ln p from the load integral.
     fn ln_pressure_of(&self, load: f64, h: f64) -> f64 {
         let exponent = if h > 0.0 { -0.5 * h * h } else { 0.0 };
@@ -204,6 +242,32 @@ impl<L: SummitLaw> SummitModel<L> {
             let gauss = if h > 0.0 { -0.5 * h * h } else { 0.0 };
             let excess = (self.dimensionless_scale() * load).ln() + gauss - target;
             step = excess * load / slope;
+            h += step;
+            if step.abs() <= 1e-8 * h.abs().max(1.0) {
+                return Ok(h);
+            }
+        }
+        Err(ModelError::NotConverged {
+            model: L::NAME.into(),
+            residual: step.abs(),
+            iterations: MAX_STEPS,
+        })
+    }
+
+    /// h at which the real area fraction is `area`, by the same iteration: ln A is concave too.
+    fn solve_area(&self, area: f64) -> Result<f64, ModelError> {
+        let target = area.ln() - self.area_scale().ln();
+        // h -> -inf: A is proportional to -h. Else light contact, A -> sqrt(pi) p / (E* sqrt m2).
+        let [deep] = self.correlation.integrate(DEEP, |summit| [area_of::<L>(summit)]);
+        let full = -(target - (deep / -DEEP).ln()).min(709.0).exp();
+        let mut h = if full < -4.0 { full } else { self.starting_value(area.ln() - 0.5 * PI.ln()) };
+        let mut step = f64::INFINITY;
+        for _ in 0..MAX_STEPS {
+            let [area, slope] = self
+                .correlation
+                .integrate(h, |summit| [area_of::<L>(summit), area_slope_of::<L>(summit)]);
+            let gauss = if h > 0.0 { -0.5 * h * h } else { 0.0 };
+            step = (area.ln() + gauss - target) * area / slope;
             h += step;
             if step.abs() <= 1e-8 * h.abs().max(1.0) {
                 return Ok(h);
@@ -266,24 +330,11 @@ impl<L: SummitLaw> ContactModel for SummitModel<L> {
             return Err(Self::invalid("mean pressure", mean_pressure, requirement));
         }
         if mean_pressure <= 0.0 {
-            return Ok(ContactState {
-                mean_pressure: 0.0,
-                area_fraction: 0.0,
-                separation: None,
-                mean_gap: None,
-                caveat: None,
-            });
+            return Ok(nothing_touches());
         }
         let unit = self.modulus.pascals().ln() + 0.5 * self.moments.m2.ln();
         let h = self.solve(mean_pressure.ln() - unit)?;
-        let [load, slope, area, area_slope] = self.correlation.integrate(h, |summit| {
-            [
-                load_of::<L>(summit),
-                stiffness_of::<L>(summit),
-                area_of::<L>(summit),
-                area_slope_of::<L>(summit),
-            ]
-        });
+        let [load, slope, area, area_slope] = self.integrals(h);
         // h is a rounded number, and the area changes by h² times its rounding. What the load
         // still lacks at this h is known, so the area is moved along with it.
         let found = gaussian(self.pressure_scale() * load, h);
@@ -317,6 +368,11 @@ impl<L: SummitLaw> SeparationModel for SummitModel<L> {
     }
 }
 
+fn nothing_touches() -> ContactState {
+    let (mean_pressure, area_fraction) = (0.0, 0.0);
+    ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat: None }
+}
+
 /// 4 t^{7/2} s^{3/2} J_3/2 W_P.
 fn load_of<L: SummitLaw>(summit: &Summit) -> f64 {
     let t = summit.t;
@@ -345,6 +401,9 @@ fn area_slope_of<L: SummitLaw>(summit: &Summit) -> f64 {
 fn gaussian(x: f64, h: f64) -> f64 {
     if h > 0.0 { times_gaussian(x, h) } else { x }
 }
+
+/// Rms heights at which everything overlaps.
+const DEEP: f64 = -1e3;
 
 /// In rms heights: (1e60)^{7/2} is still a double.
 const FARTHEST: f64 = 1e60;

@@ -1,8 +1,12 @@
 //! Any finite input gives a finite answer or a typed error; area and load fall with separation.
 #![allow(clippy::unwrap_used, reason = "tests: a panic is the report")]
 
-use asperity_models::{BushGibsonThomas, GreenwoodElliptical, MeanCurvature, nayak};
-use contact_types::{Caveat, ContactModulus, ModelError, SeparationModel, SpectralMoments};
+use asperity_models::{
+    BushGibsonThomas, GreenwoodElliptical, MeanCurvature, SummitLaw, SummitModel, nayak,
+};
+use contact_types::{
+    Caveat, ContactModel, ContactModulus, ModelError, SeparationModel, SpectralMoments,
+};
 use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::prelude::*;
 
@@ -137,5 +141,39 @@ fn caveats_and_refusals() {
             assert!(model.at_pressure(bad).is_err());
         }
         assert!(model.at_separation(f64::NAN).is_err());
+    }
+}
+
+proptest! {
+    /// Pressure to area to pressure: the same digits, from pressures near the smallest double to full
+    /// overlap, at every bandwidth.
+    #[test]
+    fn area_and_back(bandwidth in bandwidth(), pressure in -290.0..12.0f64) {
+        prop_assume!(bandwidth < 1e8);
+        let moments = SpectralMoments { m0: 1e-12, m2: 0.01, m4: bandwidth * 1e8 };
+        let modulus = ContactModulus::from_pascals(1e11).unwrap();
+        let pressure = 10f64.powf(pressure);
+        same_digits(&BushGibsonThomas::new(moments, modulus).unwrap(), pressure)?;
+        same_digits(&GreenwoodElliptical::new(moments, modulus).unwrap(), pressure)?;
+        same_digits(&MeanCurvature::new(moments, modulus).unwrap(), pressure)?;
+    }
+}
+
+fn same_digits<L: SummitLaw>(model: &SummitModel<L>, pressure: f64) -> Result<(), TestCaseError> {
+    let there = model.at_pressure(pressure).unwrap();
+    let back = model.at_area(there.area_fraction).unwrap();
+    prop_assert!((back.mean_pressure / pressure - 1.0).abs() < 1e-13, "{there:?} {back:?}");
+    prop_assert_eq!(back.area_fraction, there.area_fraction);
+    Ok(())
+}
+
+#[test]
+fn at_no_area_nothing_touches() {
+    let moments = SpectralMoments { m0: 0.25e-12, m2: 5e-3, m4: 1e9 };
+    let modulus = ContactModulus::from_pascals(1e11).unwrap();
+    let model = BushGibsonThomas::new(moments, modulus).unwrap();
+    assert_eq!(model.at_area(0.0).unwrap(), model.at_pressure(0.0).unwrap());
+    for bad in [-0.1, f64::NAN, f64::INFINITY] {
+        assert!(matches!(model.at_area(bad), Err(ModelError::InvalidInput { .. })), "{bad}");
     }
 }

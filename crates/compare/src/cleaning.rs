@@ -63,7 +63,7 @@ impl Cleaning {
 
     /// The steps in the order in which they are done.
     pub fn steps(&self) -> Vec<Step> {
-        let rule = |threshold| OutlierRule { threshold, ..OutlierRule::default() };
+        let rule = |threshold| OutlierRule::beyond(threshold);
         [
             self.outliers.map(|threshold| Step::Outliers(rule(threshold))),
             self.form.map(|FormName(form)| Step::Form(form)),

@@ -2,7 +2,6 @@
 
 use crate::inputs::{Inputs, MomentSource};
 use crate::result::Spectral;
-use crate::settings::LevelName;
 use crate::theory::Assumes;
 use crate::{Origin, Registry, Settings};
 use contact_accuracy::budget::Map;
@@ -10,9 +9,7 @@ use contact_accuracy::budget::Map;
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
-use surface_stats::{
-    Edges, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats,
-};
+use surface_stats::{Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
 /// does not; one that was given, only if who gave it says so.
@@ -21,7 +18,7 @@ pub(crate) fn describe(
     origin: &Origin,
     settings: &Settings,
 ) -> Result<(HeightMap, SurfaceStatistics, Spectra), StatsError> {
-    let form = form(settings.level);
+    let form = settings.level;
     let (edges, missing, height_step) = match origin {
         Origin::Recipe(_) => (Edges::Periodic, 0, None),
         Origin::File(file) => (Edges::Open, file.missing, file.height_step),
@@ -31,7 +28,12 @@ pub(crate) fn describe(
         }
     };
     let fractal_range = settings.fractal_range;
-    let options = StatsOptions { level: form, edges, fractal_range, missing, height_step };
+    let options = StatsOptions::default()
+        .with_level(form)
+        .with_edges(edges)
+        .with_fractal_range(fractal_range)
+        .with_missing(missing)
+        .with_height_step(height_step);
     // From the heights as given, so that a tilt that is removed is still reported.
     let (statistics, spectra) = SurfaceStatistics::with_spectra(heights, &options)?;
     Ok((level(heights, form)?, statistics, spectra))
@@ -98,13 +100,4 @@ fn thinned(rings: &[Ring]) -> Vec<[f64; 2]> {
         }
     }
     bins.into_iter().map(|(_, waves, c, q)| [TAU / (q / waves).exp(), c / waves]).collect()
-}
-
-fn form(name: LevelName) -> Level {
-    match name {
-        LevelName::None => Level::None,
-        LevelName::Mean => Level::Mean,
-        LevelName::Plane => Level::Plane,
-        LevelName::Quadratic => Level::Quadratic,
-    }
 }

@@ -4,7 +4,6 @@ use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, RoughnessSpectrum,
     SpectralMoments, Wave,
 };
-use gw_closed_form::asperities_from_moments;
 use multiscale_models::{SelfAffineSpectrum, SphereLevel};
 
 /// Everything a model may be made from. What a case does not have stays `None`.
@@ -104,6 +103,6 @@ impl Inputs {
 
     /// Asperities given, or those of the moments.
     pub fn asperities(&self) -> Option<AsperityStatistics> {
-        self.asperities.or_else(|| asperities_from_moments(self.moments?).ok())
+        self.asperities.or_else(|| AsperityStatistics::from_moments(self.moments?).ok())
     }
 }

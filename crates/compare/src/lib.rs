@@ -51,10 +51,11 @@ pub use result::{
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use settings::{
-    EdgesName, LevelName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
+    EdgesName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
 };
 pub use spots::{Spots, contact_spots};
 pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
+pub use surface_stats::Level;
 pub use surroundings::{Surrounded, on_given};
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};

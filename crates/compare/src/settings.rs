@@ -2,6 +2,7 @@
 
 use crate::{Registry, Theory};
 use serde::{Deserialize, Serialize};
+use surface_stats::Level;
 
 /// Settings of a study. SI units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -17,7 +18,7 @@ pub struct Settings {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub headline: Option<f64>,
     /// Form removed before everything else: `none`, `mean`, `plane` or `quadratic`.
-    pub level: LevelName,
+    pub level: Level,
     /// What lies beyond the edges of a map: `periodic`, the map again, or `mirrored`, its mirror
     /// images.
     #[serde(default)]
@@ -52,7 +53,7 @@ impl Default for Settings {
             modulus: STEEL_ON_STEEL,
             pressures: None,
             headline: None,
-            level: LevelName::Plane,
+            level: Level::Plane,
             edges: EdgesName::Periodic,
             method: MethodName::Auto,
             accuracy: None,
@@ -102,20 +103,6 @@ macro_rules! names {
             }
         }
     };
-}
-
-names! {
-    /// Form to remove.
-    LevelName {
-        /// Nothing.
-        None = "none",
-        /// The mean height.
-        Mean = "mean",
-        /// The least-squares plane.
-        Plane = "plane",
-        /// The least-squares paraboloid.
-        Quadratic = "quadratic",
-    }
 }
 
 names! {

@@ -67,8 +67,21 @@ impl HeightMap {
     }
 
     /// Height of pixel (iy, ix) in metres.
+    ///
+    /// # Panics
+    /// If there is no such pixel; [`get`](Self::get) asks first.
     pub fn at(&self, iy: usize, ix: usize) -> f64 {
-        self.heights[iy * self.grid.shape()[1] + ix]
+        self.get(iy, ix).unwrap_or_else(|| {
+            let [ny, nx] = self.grid.shape();
+            panic!("pixel ({iy}, {ix}) is outside a map of {ny} x {nx} pixels")
+        })
+    }
+
+    /// Height of pixel (iy, ix) in metres; `None` outside the map.
+    pub fn get(&self, iy: usize, ix: usize) -> Option<f64> {
+        let [ny, nx] = self.grid.shape();
+        // Without the second test a column too far would be read from the next row.
+        (iy < ny && ix < nx).then(|| self.heights[iy * nx + ix])
     }
 
     /// Lowest and highest height in metres.
@@ -101,6 +114,15 @@ mod tests {
         let grid = Grid::new([2, 3], [1.0, 1.0]).unwrap();
         let err = HeightMap::new(grid, vec![0.0, 1.0, 2.0, 3.0, f64::NAN, f64::INFINITY]);
         assert!(matches!(err, Err(SurfaceError::NotFinite { iy: 1, ix: 1, count: 2, .. })));
+    }
+
+    #[test]
+    fn a_column_too_far_is_not_read_from_the_next_row() {
+        let grid = Grid::new([2, 3], [1.0, 1.0]).unwrap();
+        let map = HeightMap::new(grid, (0..6).map(f64::from).collect()).unwrap();
+        assert_eq!(map.get(1, 2), Some(5.0));
+        assert_eq!((map.get(0, 3), map.get(2, 0), map.get(usize::MAX, 1)), (None, None, None));
+        assert!(std::panic::catch_unwind(|| map.at(0, 3)).is_err());
     }
 
     #[test]

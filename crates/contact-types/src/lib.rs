@@ -1,5 +1,4 @@
-//! The vocabulary every rough-contact crate shares. No input or output, no FFT, no numerics
-//! beyond what a definition needs.
+#![doc = include_str!("../README.md")]
 //!
 //! # Conventions
 //! - SI units in `f64`, everywhere.
@@ -17,6 +16,7 @@ mod grid;
 mod height_map;
 mod material;
 mod moments;
+mod psd;
 #[cfg(feature = "serde")]
 mod reading;
 mod spectrum;
@@ -27,4 +27,5 @@ pub use grid::Grid;
 pub use height_map::HeightMap;
 pub use material::{ContactModulus, Elastic};
 pub use moments::{AsperityStatistics, FractalParameters, SpectralMoments};
+pub use psd::PsdConvention;
 pub use spectrum::{AmplitudeSpectrum, RoughnessSpectrum, Shell, Wave};

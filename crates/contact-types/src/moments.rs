@@ -1,5 +1,6 @@
 //! A rough surface reduced to a few numbers.
 
+use crate::ModelError;
 use std::f64::consts::PI;
 
 /// Profile spectral moments of the equivalent rough surface (Nayak 1971, doi:10.1115/1.3451608).
@@ -26,9 +27,15 @@ impl SpectralMoments {
     }
 
     /// Nayak's bandwidth parameter α = m0 m4 / m2² \[-\]; at least 3/2 for an isotropic Gaussian
-    /// surface.
+    /// surface. Infinite where it exceeds the largest double, NaN for a flat surface.
     pub fn bandwidth(&self) -> f64 {
-        (self.m0 / self.m2) * (self.m4 / self.m2)
+        let (long, short) = (self.m0 / self.m2, self.m4 / self.m2);
+        if long.is_normal() && short.is_normal() {
+            return long * short;
+        }
+        // The quotients leave the range of doubles where the bandwidth need not.
+        let root = self.m0.sqrt() * self.m4.sqrt() / self.m2;
+        root * root
     }
 }
 
@@ -47,35 +54,72 @@ pub struct AsperityStatistics {
 }
 
 impl AsperityStatistics {
-    /// Summits of an isotropic Gaussian surface with these moments; `None` if a moment is not
-    /// positive and finite, or the bandwidth αN is so small (at most 0.8968) that the variance of
-    /// the summit heights would not be positive.
+    /// Summits of an isotropic Gaussian surface with these moments:
     ///
     /// ```math
     /// \eta = \frac{m_4/m_2}{6\pi\sqrt3}, \quad R = \frac38\sqrt{\frac{\pi}{m_4}}, \quad
-    /// y_s = 4\sqrt{\frac{m_0}{\pi\alpha_N}}, \quad
-    /// \sigma_s^2 = \Big(1 - \frac{1 + 16/\pi - 3\sqrt3}{\alpha_N}\Big) m_0
+    /// y_s = 4\sqrt{\frac{m_0}{\pi\alpha_N}} = \frac{4 m_2}{\sqrt{\pi m_4}}, \quad
+    /// \sigma_s^2 = \Big(1 - \frac{c}{\alpha_N}\Big) m_0, \quad c = 1 + \tfrac{16}\pi - 3\sqrt3
     /// ```
+    ///
+    /// Exact mean and variance of Nayak's summit heights; the often quoted decimals 0.8968,
+    /// 0.045944 and 3.717e-4 are these constants rounded. Between c and 3/2 there is no isotropic
+    /// Gaussian surface, but measured surfaces get there, and the result is still computed.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless all moments are finite and positive and the asperities
+    /// normal numbers, [`ModelError::OutsideDomain`] if the bandwidth αN is at most c = 0.8968:
+    /// summits would have no variance of height.
     ///
     /// # Source
     /// Nayak (1971), doi:10.1115/1.3451608; in this form McCool (1986),
     /// doi:10.1016/0043-1648(86)90045-1.
-    pub fn from_moments(moments: SpectralMoments) -> Option<Self> {
+    pub fn from_moments(moments: SpectralMoments) -> Result<Self, ModelError> {
         let SpectralMoments { m0, m2, m4 } = moments;
-        if ![m0, m2, m4].iter().all(|m| m.is_normal() && *m > 0.0) {
-            return None;
+        let invalid = |quantity: &'static str, value: f64, requirement: &'static str| {
+            let (model, quantity) = (SUMMITS.into(), quantity.into());
+            ModelError::InvalidInput { model, quantity, value, requirement: requirement.into() }
+        };
+        for (quantity, value) in [("m0", m0), ("m2", m2), ("m4", m4)] {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(invalid(quantity, value, "must be finite and greater than 0"));
+            }
         }
-        let bandwidth = moments.bandwidth();
-        let variance_ratio = 1.0 - (1.0 + 16.0 / PI - 3.0 * 3f64.sqrt()) / bandwidth;
+        let bandwidth = moments.bandwidth().min(f64::MAX);
+        if bandwidth <= LEAST_BANDWIDTH {
+            return Err(ModelError::OutsideDomain {
+                model: SUMMITS.into(),
+                quantity: "bandwidth m0 m4 / m2^2".into(),
+                value: bandwidth,
+                domain: LEAST_BANDWIDTH..=f64::MAX,
+                reason: "the variance of summit heights would not be positive".into(),
+            });
+        }
         let summits = Self {
             density: m4 / m2 / (6.0 * PI * 3f64.sqrt()),
             radius: 0.375 * (PI / m4).sqrt(),
-            height_std: (variance_ratio * m0).sqrt(),
-            mean_offset: 4.0 * (m0 / (PI * bandwidth)).sqrt(),
+            height_std: ((1.0 - LEAST_BANDWIDTH / bandwidth) * m0).sqrt(),
+            mean_offset: 4.0 * m2 / (PI.sqrt() * m4.sqrt()),
         };
-        (variance_ratio > 0.0 && summits.density.is_normal()).then_some(summits)
+        for (quantity, value) in [
+            ("asperity density", summits.density),
+            ("asperity radius", summits.radius),
+            ("asperity height deviation", summits.height_std),
+        ] {
+            if !value.is_normal() {
+                let requirement = "must be a normal number; scale the moments to metres";
+                return Err(invalid(quantity, value, requirement));
+            }
+        }
+        Ok(summits)
     }
 }
+
+/// Who speaks in errors about summits.
+const SUMMITS: &str = "summits of a Gaussian surface";
+
+/// c = 1 + 16/π - 3√3: at this bandwidth the variance of summit heights would be 0.
+const LEAST_BANDWIDTH: f64 = 0.896_805_756_234_018_9;
 
 /// Parameters of a fractal profile (Majumdar & Bhushan 1991, doi:10.1115/1.2920588).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,7 +155,44 @@ mod tests {
         for (m0, m2, m4) in
             [(1.0, 1.0, 0.89), (0.0, 0.0, 0.0), (1.0, f64::NAN, 1.0), (1.0, 1.0, f64::INFINITY)]
         {
-            assert!(AsperityStatistics::from_moments(SpectralMoments { m0, m2, m4 }).is_none());
+            assert!(AsperityStatistics::from_moments(SpectralMoments { m0, m2, m4 }).is_err());
         }
+        let narrow = SpectralMoments { m0: 1.0, m2: 1.0, m4: LEAST_BANDWIDTH };
+        let error = AsperityStatistics::from_moments(narrow).unwrap_err();
+        assert!(matches!(error, ModelError::OutsideDomain { .. }), "{error}");
+    }
+
+    /// In other units of length the asperities are the same: L^2 and 1/L^2 scale m0 and m4. Powers of
+    /// two lose nothing, so that only over- and underflow on the way could show.
+    #[test]
+    fn any_unit_of_length_gives_the_same_summits() {
+        let of = |unit: f64| {
+            let square = unit * unit;
+            let (m0, m2, m4) = (2.0 * square, 1.0, 1.5 / square);
+            AsperityStatistics::from_moments(SpectralMoments { m0, m2, m4 }).unwrap()
+        };
+        let expected = of(1.0);
+        for exponent in [-500, -100, -20, 20, 100, 500] {
+            let unit = 2f64.powi(exponent);
+            let found = of(unit);
+            assert_relative_eq!(
+                found.density * unit * unit,
+                expected.density,
+                max_relative = 1e-15
+            );
+            assert_relative_eq!(found.radius / unit, expected.radius, max_relative = 1e-15);
+            assert_relative_eq!(found.height_std / unit, expected.height_std, max_relative = 1e-15);
+            assert_relative_eq!(
+                found.mean_offset / unit,
+                expected.mean_offset,
+                max_relative = 1e-15
+            );
+        }
+        // Here m0/m2 overflows, and the bandwidth is only 2^200.
+        let [m0, m2, m4] = [1000, -100, -1000].map(|e| 2f64.powi(e));
+        let wide = SpectralMoments { m0, m2, m4 };
+        assert_relative_eq!(wide.bandwidth(), 2f64.powi(200), max_relative = 1e-15);
+        let found = AsperityStatistics::from_moments(wide).unwrap();
+        assert_relative_eq!(found.height_std, 2f64.powi(500), max_relative = 1e-15);
     }
 }

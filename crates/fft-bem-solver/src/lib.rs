@@ -44,6 +44,9 @@ mod special_cases;
 pub mod validation;
 
 pub use boundary_correction::BOUNDARY_CORRECTION;
+pub use contact_types::{
+    ContactModulus, ContactState, Elastic, Grid, HeightMap, ModelError, SurfaceError,
+};
 pub use error::SolverError;
 pub use half_space::HalfSpace;
 pub use half_space_free::{FreeHalfSpace, love};

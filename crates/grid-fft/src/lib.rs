@@ -1,5 +1,6 @@
-//! Real two-dimensional FFT on a grid: one convention for the PSD and for the solver.
+#![doc = include_str!("../README.md")]
 //!
+//! # Convention
 //! The forward transform is unnormalised with `exp(-i q x)`; the inverse divides by `ny nx`, so
 //! that `inverse(forward(field))` is `field`. Only the half spectrum `0..=nx/2` along x is kept.
 

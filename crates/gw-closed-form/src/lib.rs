@@ -1,6 +1,7 @@
-//! Greenwood-Williamson contact of rough surfaces in closed form, right to rounding for every
-//! double.
+#![cfg_attr(feature = "model", doc = include_str!("../README.md"))]
+#![cfg_attr(not(feature = "model"), doc = "Partial moments of the Gaussian, for any double.")]
 //!
+//! # What is where
 //! - [`partial_moments`]: J_n(α) of the Gaussian, n = 0, 1/2, 1, 3/2, 5/2: plain, scaled,
 //!   logarithm, derivative.
 //! - [`integrals`]: I_ep (load) and I_ea (area) of the source paper.
@@ -11,8 +12,6 @@
 )]
 //! - [`appendix`], [`bessel`]: (A1) and (A2) literally, with their loss of digits.
 //! - [`approximations`]: the exponential height law and the curve fits they replaced.
-//!
-//! The crate is `no_std`. Without the feature `model` it needs only `libm`.
 //!
 //! # Source
 //! Greenwood & Williamson (1966), doi:10.1098/rspa.1966.0242; Jackson & Green, IJTC2009-15106.
@@ -27,11 +26,12 @@ pub mod inverse;
 pub mod partial_moments;
 
 #[cfg(feature = "model")]
-mod asperities;
-#[cfg(feature = "model")]
 mod model;
 
 #[cfg(feature = "model")]
-pub use asperities::asperities_from_moments;
+pub use contact_types::{
+    AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic,
+    ModelError, SeparationModel, SpectralMoments, SurfaceError,
+};
 #[cfg(feature = "model")]
 pub use model::GreenwoodWilliamson;

@@ -1,7 +1,6 @@
 //! The Greenwood-Williamson model with units.
 
 use crate::arithmetic::{Quotient, product};
-use crate::asperities::{MODEL, asperities_from_moments, bandwidth};
 use crate::integrals::{area_factors, load_factors, slope_factors};
 use crate::partial_moments::{self, Order};
 use crate::{integrals, inverse};
@@ -10,6 +9,8 @@ use contact_types::{
     SeparationModel, SpectralMoments,
 };
 use core::f64::consts::PI;
+
+const MODEL: &str = "Greenwood-Williamson";
 
 /// Spherical summits of one radius and Gaussian heights, each in Hertz contact on its own.
 ///
@@ -77,16 +78,16 @@ impl GreenwoodWilliamson {
         Ok(Self { asperities, modulus, bandwidth: None })
     }
 
-    /// From the moments of a surface, by [`asperities_from_moments`].
+    /// From the moments of a surface, by [`AsperityStatistics::from_moments`].
     ///
     /// # Errors
-    /// As [`asperities_from_moments`].
+    /// As [`AsperityStatistics::from_moments`].
     pub fn from_moments(
         moments: SpectralMoments,
         modulus: ContactModulus,
     ) -> Result<Self, ModelError> {
-        let model = Self::new(asperities_from_moments(moments)?, modulus)?;
-        Ok(Self { bandwidth: Some(bandwidth(moments)), ..model })
+        let model = Self::new(AsperityStatistics::from_moments(moments)?, modulus)?;
+        Ok(Self { bandwidth: Some(moments.bandwidth()), ..model })
     }
 
     /// The asperities of this model.
@@ -179,6 +180,29 @@ impl GreenwoodWilliamson {
         finite(separation, "area fraction", area_fraction)
     }
 
+    /// The contact whose real area fraction is `area_fraction`: pressure and separation, right to
+    /// rounding like the area at a pressure. At 0 nothing touches and there is no finite separation.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless it is finite and not negative,
+    /// [`ModelError::OutsideDomain`] if pressure or separation exceed the largest double.
+    pub fn at_area(&self, area_fraction: f64) -> Result<ContactState, ModelError> {
+        if !(area_fraction.is_finite() && area_fraction >= 0.0) {
+            return Err(invalid("area fraction", area_fraction, "must be finite and not negative"));
+        }
+        if area_fraction <= 0.0 {
+            return Ok(nothing_touches());
+        }
+        let AsperityStatistics { density, radius, height_std: s, .. } = self.asperities;
+        let area = Quotient::of(area_fraction, &[PI, density, radius, s]);
+        let alpha = alpha_of(Order::One, area)?;
+        let separation = finite(self.separation_of(alpha), "area fraction", area_fraction)?;
+        let j = moved_along([Order::One, Order::ThreeHalves], alpha, area.value);
+        let pressure = self.pressure_of(&[s, libm::sqrt(s), j]);
+        let pressure = finite(pressure, "area fraction", area_fraction)?;
+        Ok(self.state(pressure, area_fraction, separation))
+    }
+
     /// a = d - y_s [m].
     fn height_above_summit_mean(&self, separation: f64) -> Result<f64, ModelError> {
         if separation.is_finite() {
@@ -242,13 +266,7 @@ impl ContactModel for GreenwoodWilliamson {
             return Err(invalid("mean pressure", mean_pressure, "must be finite and not negative"));
         }
         if mean_pressure <= 0.0 {
-            return Ok(ContactState {
-                mean_pressure: 0.0,
-                area_fraction: 0.0,
-                separation: None,
-                mean_gap: None,
-                caveat: None,
-            });
+            return Ok(nothing_touches());
         }
         let AsperityStatistics { density, radius, height_std: s, .. } = self.asperities;
         let hertz = 4.0 / 3.0;
@@ -256,14 +274,7 @@ impl ContactModel for GreenwoodWilliamson {
         let load = Quotient::of(mean_pressure, &scale);
         let alpha = alpha_of(Order::ThreeHalves, load)?;
         let separation = finite(self.separation_of(alpha), "mean pressure", mean_pressure)?;
-        // α is a rounded number, and the area changes by α² times its rounding. What the load
-        // still lacks at this α is known, so the area is moved along with it.
-        let j = partial_moments::value(Order::ThreeHalves, alpha);
-        let representable = load.value.is_normal() && j.is_normal();
-        let missing = if representable { load.value / j - 1.0 } else { 0.0 };
-        let elasticity = partial_moments::ln_derivative(Order::One, alpha)
-            / partial_moments::ln_derivative(Order::ThreeHalves, alpha);
-        let j1 = partial_moments::value(Order::One, alpha) * (1.0 + missing * elasticity);
+        let j1 = moved_along([Order::ThreeHalves, Order::One], alpha, load.value);
         let area = finite(self.area_of(&[s, j1]), "mean pressure", mean_pressure)?;
         Ok(self.state(mean_pressure, area, separation))
     }
@@ -277,6 +288,24 @@ impl SeparationModel for GreenwoodWilliamson {
         let area = finite(self.area_of(&area_factors(a, s)), "separation", separation)?;
         Ok(self.state(pressure, area, separation))
     }
+}
+
+/// J of order `wanted` at the α where J of order `known` is `target`.
+///
+/// α is a rounded number, and both change by α² times its rounding. What the known one still lacks
+/// at this α can be computed, so the wanted one is moved along with it.
+fn moved_along([known, wanted]: [Order; 2], alpha: f64, target: f64) -> f64 {
+    let j = partial_moments::value(known, alpha);
+    let representable = target.is_normal() && j.is_normal();
+    let missing = if representable { target / j - 1.0 } else { 0.0 };
+    let elasticity = partial_moments::ln_derivative(wanted, alpha)
+        / partial_moments::ln_derivative(known, alpha);
+    partial_moments::value(wanted, alpha) * (1.0 + missing * elasticity)
+}
+
+fn nothing_touches() -> ContactState {
+    let (mean_pressure, area_fraction) = (0.0, 0.0);
+    ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat: None }
 }
 
 /// α where J_n(α) is the quotient, also where no double can hold that.

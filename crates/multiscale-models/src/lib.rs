@@ -1,5 +1,7 @@
-//! Multiscale theories of elastic contact between rough surfaces: what each scale of roughness
-//! does to the contact that the larger scales left.
+#![doc = include_str!("../README.md")]
+//!
+//! # The models
+//! What each scale of roughness does to the contact that the larger scales left:
 //!
 //! | model | from | knows |
 //! |---|---|---|
@@ -11,8 +13,6 @@
 //! | [`YanKomvopoulos`] | surface dimension and roughness | area |
 //! | [`MoragEtsion`] | profile dimension and roughness | one asperity |
 //!
-//! Every model answers for any finite input with a number, a number and a
-//! [`Caveat`](contact_types::Caveat), or a typed error: never NaN, never infinity.
 
 mod archard;
 pub mod fractal;
@@ -27,6 +27,12 @@ mod spots;
 mod stacked;
 mod wide;
 mod yan_komvopoulos;
+
+pub use contact_types::{
+    AmplitudeSpectrum, Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic,
+    FractalParameters, ModelError, PsdConvention, RoughnessSpectrum, Shell, SpectralMoments,
+    SurfaceError, Wave,
+};
 
 pub use archard::{Archard, SphereLevel};
 pub use jackson_streator::JacksonStreator;

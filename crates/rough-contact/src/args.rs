@@ -6,7 +6,7 @@ use crate::units::Dimension;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use compare::built_in;
-use compare::{EdgesName, LevelName, MethodName, PrecisionName};
+use compare::{EdgesName, Level, MethodName, PrecisionName};
 use contact_types::{ContactModulus, Elastic};
 use surface_io::Layout;
 
@@ -171,8 +171,8 @@ fn one_of<T: Copy + Send + Sync + 'static>(
     })
 }
 
-pub(crate) fn level() -> impl TypedValueParser<Value = LevelName> {
-    one_of(LevelName::ALL, LevelName::name)
+pub(crate) fn level() -> impl TypedValueParser<Value = Level> {
+    one_of(Level::ALL, Level::name)
 }
 
 pub(crate) fn method() -> impl TypedValueParser<Value = MethodName> {
@@ -214,14 +214,4 @@ pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {
 /// A model that a study can ask.
 pub(crate) fn study_models() -> PossibleValuesParser {
     PossibleValuesParser::new(built_in().of_maps().map(|t| t.card().name.as_ref()))
-}
-
-/// What surface-stats calls a form.
-pub(crate) fn form(level: LevelName) -> surface_stats::Level {
-    match level {
-        LevelName::None => surface_stats::Level::None,
-        LevelName::Mean => surface_stats::Level::Mean,
-        LevelName::Plane => surface_stats::Level::Plane,
-        LevelName::Quadratic => surface_stats::Level::Quadratic,
-    }
 }

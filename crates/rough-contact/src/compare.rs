@@ -11,7 +11,7 @@ use crate::text::{self, Columns};
 use clap::Args;
 use compare::plan::Request;
 use compare::{
-    Cleaning, Comparison, EdgesName, FileOrigin, LevelName, MethodName, Origin, PrecisionName,
+    Cleaning, Comparison, EdgesName, FileOrigin, Level, MethodName, Origin, PrecisionName,
     Registry, RunFile, RunSurface, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison,
     sha256_hex,
 };
@@ -44,7 +44,7 @@ pub(crate) struct Compare {
     models: Option<Vec<String>>,
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "plane")]
-    level: LevelName,
+    level: Level,
     /// Shortest and longest wavelength of the fractal fit [default: cut-off to roll-off as found]
     #[arg(long, value_name = "L,L", value_parser = args::range, allow_hyphen_values = true)]
     fractal_range: Option<[f64; 2]>,

@@ -4,7 +4,7 @@ use crate::args::{self, List};
 use crate::input::Complete;
 use crate::outcome::Failure;
 use clap::{Args, ValueEnum};
-use compare::LevelName;
+use compare::Level;
 use compare::{Inputs, MomentSource};
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, ModelError,
@@ -86,7 +86,7 @@ pub(crate) struct Source {
     sphere_density: Option<List>,
     /// Form to remove from a FILE by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level())]
-    level: Option<LevelName>,
+    level: Option<Level>,
     /// What lies beyond the edges of a FILE [default: open]
     #[arg(long, value_enum)]
     boundary: Option<Edges>,
@@ -259,7 +259,7 @@ impl Source {
         surface: Complete,
     ) -> Result<Inputs, Failure> {
         let refused = |e: StatsError| Failure::in_file(path, &e);
-        let form = args::form(self.level.unwrap_or(LevelName::Mean));
+        let form = self.level.unwrap_or(Level::Mean);
         let edges = self.boundary.unwrap_or(Edges::Open).rule();
         let Complete { map: heights, missing, .. } = surface;
         let mut inputs = Inputs::new(modulus);
@@ -267,7 +267,8 @@ impl Source {
         inputs.critical_area = self.critical_area;
         inputs.nominal_area = Some(heights.grid().area());
         if model == "majumdar-bhushan" {
-            let options = StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
+            let options =
+                StatsOptions::default().with_level(form).with_edges(edges).with_missing(missing);
             let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
             let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
             inputs.dimension = fractal.map(|(dimension, _)| dimension);

@@ -14,7 +14,7 @@ use clap::Args;
 use compare::budget::{Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, LevelName, MethodName, NotRefined, PrecisionName, Solved, Surrounded, TwiceFiner,
+    EdgesName, Level, MethodName, NotRefined, PrecisionName, Solved, Surrounded, TwiceFiner,
     on_given,
 };
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solution, Solver, SolverError};
@@ -36,7 +36,7 @@ pub(crate) struct Solve {
     gap: Option<List>,
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "none")]
-    level: LevelName,
+    level: Level,
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
     boundary: String,
@@ -103,8 +103,8 @@ impl Solve {
             ..Solved::default()
         };
         let surface = match self.level {
-            LevelName::None => surface,
-            form => surface_stats::level(&surface, args::form(form))
+            Level::None => surface,
+            form => surface_stats::level(&surface, form)
                 .map_err(|e| Failure::in_file(&self.input.file, &e))?,
         };
         let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());

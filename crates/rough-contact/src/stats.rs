@@ -7,7 +7,7 @@ use crate::outcome::{Failure, Reply};
 use crate::roughness::Edges;
 use crate::text::{self, Table};
 use clap::Args;
-use compare::LevelName;
+use compare::Level;
 use std::fmt::Write as _;
 use surface_stats::{StatsOptions, SurfaceStatistics, level};
 
@@ -15,7 +15,7 @@ use surface_stats::{StatsOptions, SurfaceStatistics, level};
 pub(crate) struct Stats {
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "mean")]
-    level: LevelName,
+    level: Level,
     /// What lies beyond the edges: nothing, or the same map again
     #[arg(long, value_enum, default_value_t = Edges::Open)]
     boundary: Edges,
@@ -29,13 +29,11 @@ pub(crate) struct Stats {
 impl Stats {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
         let Complete { map, missing, cleaned, height_step } = self.input.surface()?;
-        let options = StatsOptions {
-            level: args::form(self.level),
-            edges: self.boundary.rule(),
-            missing,
-            height_step,
-            ..StatsOptions::default()
-        };
+        let options = StatsOptions::default()
+            .with_level(self.level)
+            .with_edges(self.boundary.rule())
+            .with_missing(missing)
+            .with_height_step(height_step);
         let s = SurfaceStatistics::of(&map, &options)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
         let mut json = report::statistics_json(&s);

@@ -37,7 +37,7 @@ fn whole(c: &mut Criterion) {
         let map = surface(n);
         group.throughput(Throughput::Elements((n * n) as u64));
         for edges in [Edges::Open, Edges::Periodic] {
-            let options = StatsOptions { level: Level::Plane, edges, ..StatsOptions::default() };
+            let options = StatsOptions::default().with_level(Level::Plane).with_edges(edges);
             group.bench_with_input(BenchmarkId::new(edges.name(), n), &map, |b, map| {
                 b.iter(|| SurfaceStatistics::of(black_box(map), &options));
             });

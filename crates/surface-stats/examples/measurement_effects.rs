@@ -55,7 +55,7 @@ fn main() -> Result<(), StatsError> {
         let noise = noise.generate()?;
         let heights = map.heights().iter().zip(noise.heights()).map(|(a, b)| a + b);
         let noisy = HeightMap::new(map.grid(), heights.collect())?;
-        let options = StatsOptions { edges, ..StatsOptions::default() };
+        let options = StatsOptions::default().with_edges(edges);
         let statistics = SurfaceStatistics::of(&noisy, &options)?;
         println!(
             "{:>3.0} | {} | {:.2} nm | {:.1} µm",
@@ -69,7 +69,7 @@ fn main() -> Result<(), StatsError> {
 }
 
 fn row(moments: SpectralMoments) -> String {
-    let asperities = AsperityStatistics::from_moments(moments);
+    let asperities = AsperityStatistics::from_moments(moments).ok();
     let (density, radius) = asperities.map_or((0.0, 0.0), |a| (a.density, a.radius));
     format!(
         "{:.4} | {:6.2} | {:6.0} | {:6.2}",

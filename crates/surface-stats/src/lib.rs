@@ -1,5 +1,6 @@
-//! From a height map to the numbers that contact models need, and from a recipe to a height map.
+#![doc = include_str!("../README.md")]
 //!
+//! # What is where
 //! [`SurfaceStatistics::of`] answers most questions in one call; the parts are public beside it.
 //! Definitions, choices and their consequences are in the book, chapter "Surface statistics".
 
@@ -24,6 +25,11 @@ mod steps;
 mod summits;
 pub mod synthesis;
 mod warning;
+
+pub use contact_types::{
+    AmplitudeSpectrum, AsperityStatistics, FractalParameters, Grid, HeightMap, RoughnessSpectrum,
+    Shell, SpectralMoments, SurfaceError, Wave,
+};
 
 pub use differences::{DirectionalMoments, Edges};
 pub use error::StatsError;

@@ -31,7 +31,7 @@ use contact_types::{
 ///     quantise: None,
 /// }
 /// .generate()?;
-/// let options = StatsOptions { edges: Edges::Periodic, ..StatsOptions::default() };
+/// let options = StatsOptions::default().with_edges(Edges::Periodic);
 /// let statistics = SurfaceStatistics::of(&map, &options)?;
 /// assert!((statistics.rms_height / 0.5e-6 - 1.0).abs() < 1e-12);
 /// assert!((statistics.hurst.unwrap() - 0.8).abs() < 0.1);
@@ -39,6 +39,7 @@ use contact_types::{
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct SurfaceStatistics {
     /// `[ny, nx]` of the map.
     pub shape: [usize; 2],
@@ -214,7 +215,7 @@ impl SurfaceStatistics {
             m4_spectral: spectral.m4,
             bandwidth: Some(moments.bandwidth()).filter(|b| b.is_finite()),
             anisotropy: differences.anisotropy().filter(|r| r.is_finite()),
-            asperities: AsperityStatistics::from_moments(moments),
+            asperities: AsperityStatistics::from_moments(moments).ok(),
             summits,
             hurst: scales.power_law.map(|fit| fit.hurst()),
             dimension: fractal.map(|(dimension, _)| dimension),

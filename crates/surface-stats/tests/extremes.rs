@@ -82,7 +82,7 @@ fn all_finite(m: &HeightMap) -> SurfaceStatistics {
     let mut last = None;
     for edges in [Edges::Open, Edges::Periodic] {
         for level in [Level::None, Level::Mean, Level::Plane, Level::Quadratic] {
-            let options = StatsOptions { level, edges, ..StatsOptions::default() };
+            let options = StatsOptions::default().with_level(level).with_edges(edges);
             let s = SurfaceStatistics::of(m, &options).unwrap();
             for (i, x) in numbers(&s).iter().enumerate() {
                 assert!(x.is_finite(), "number {i} is {x} ({edges}, {level})");
@@ -113,7 +113,7 @@ fn flat_surfaces_are_answered() {
 #[test]
 fn a_tilted_plane_is_flat_once_levelled() {
     let m = map([33, 47], [1e-6, 1e-6], |iy, ix| 76e-3 + 1e-7 * iy as f64 + 3e-7 * ix as f64);
-    let options = StatsOptions { level: Level::Plane, ..StatsOptions::default() };
+    let options = StatsOptions::default().with_level(Level::Plane);
     let s = SurfaceStatistics::of(&m, &options).unwrap();
     assert!(matches!(s.warnings[..], [Warning::Rounding { .. } | Warning::Flat]));
     all_finite(&m);
@@ -160,7 +160,7 @@ fn what_cannot_be_answered_is_refused_with_the_limit() {
         assert!(matches!(error, Err(StatsError::OutOfRange { .. })), "{z:e} {l:e}");
     }
     for range in [[0.0, 1.0], [2.0, 1.0], [f64::NAN, 1.0], [1.0, f64::INFINITY]] {
-        let options = StatsOptions { fractal_range: Some(range), ..StatsOptions::default() };
+        let options = StatsOptions::default().with_fractal_range(range);
         let error = SurfaceStatistics::of(&map([5, 5], [1.0, 1.0], ripple), &options);
         assert!(matches!(error, Err(StatsError::BadSetting { .. })), "{range:?}");
     }

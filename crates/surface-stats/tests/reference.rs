@@ -53,7 +53,7 @@ fn sums_of_cosines_to_13_digits() {
             close(m.m2_y_central, &key("m2_cen_y"));
             close(m.m4_x, &key("m4_x"));
             close(m.m4_y, &key("m4_y"));
-            let options = StatsOptions { edges, ..StatsOptions::default() };
+            let options = StatsOptions::default().with_edges(edges);
             let s = SurfaceStatistics::of(&map, &options).unwrap();
             close(s.m0, "m0");
             close(s.m0_spectral, "m0");

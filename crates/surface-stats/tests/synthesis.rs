@@ -24,7 +24,7 @@ fn recipe(n: usize) -> SelfAffine {
 }
 
 fn statistics(map: &HeightMap) -> SurfaceStatistics {
-    let options = StatsOptions { edges: Edges::Periodic, ..StatsOptions::default() };
+    let options = StatsOptions::default().with_edges(Edges::Periodic);
     SurfaceStatistics::of(map, &options).unwrap()
 }
 

@@ -1,7 +1,8 @@
-//! The inverse error functions.
+//! The error functions and their inverses.
 
 use approx::assert_relative_eq;
-use multiscale_models::special::{erf_inv, erfc_inv};
+use multiscale_models::special::{erf, erf_inv, erfc, erfc_inv};
+use special::{Error, Gamma};
 
 #[test]
 fn inverse_error_functions() {
@@ -20,3 +21,24 @@ fn inverse_error_functions() {
     assert!(erf_inv(1.0).is_infinite() && erfc_inv(0.0).is_infinite());
     assert!(erf_inv(-0.1).is_nan() && erfc_inv(1.1).is_nan());
 }
+
+/// Against the crate `special`, whose code has nothing in common with ours here: its incomplete gamma
+/// function gives `erf x = P(1/2, x^2)`, its inverse error function is a fit with one step of Halley's.
+/// (Its `erf` and `erfc` themselves are those of `libm`, as ours are: no second opinion.)
+#[test]
+fn another_implementation_agrees() {
+    let [mut direct, mut complement, mut inverse] = [0.0f64; 3];
+    for i in 1..=1600 {
+        let x = f64::from(i) / 320.0; // to 5
+        let other = (x * x).inc_gamma(0.5);
+        direct = direct.max((erf(x) / other - 1.0).abs());
+        complement = complement.max((erfc(x) - (1.0 - other)).abs());
+        let y = f64::from(i) / 1601.0;
+        inverse = inverse.max((erf_inv(y) / y.inv_error() - 1.0).abs());
+    }
+    println!("erf {direct:.1e}, erfc {complement:.1e} (absolute), inverse {inverse:.1e}");
+    assert!(direct < AGREE[0] && complement < AGREE[1] && inverse < AGREE[2]);
+}
+
+/// Measured: 8.7e-15, 7.2e-15, 1.3e-15.
+const AGREE: [f64; 3] = [2e-14, 2e-14, 3e-15];

@@ -140,7 +140,7 @@ fn rows(surface: &SurfaceComparison) -> Vec<Row> {
         ));
     }
     if let Some(a) = s.asperities {
-        let b = AsperityStatistics::from_moments(spectral);
+        let b = AsperityStatistics::from_moments(spectral).ok();
         let other = |pick: fn(&AsperityStatistics) -> f64| b.as_ref().map_or(f64::NAN, pick);
         let side = if a.density >= 1e6 { METRES[4] } else { METRES[5] };
         rows.push(pair(

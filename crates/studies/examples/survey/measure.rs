@@ -2,7 +2,7 @@
 
 use crate::ensemble::{PIXEL, Recipe, make};
 use compare::survey::{Family, Row, peak_slope};
-use compare::{Card, Comparison, LevelName, Origin, Registry, Settings, Surface, Theory, built_in};
+use compare::{Card, Comparison, Level, Origin, Registry, Settings, Surface, Theory, built_in};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solution, Solver};
 use std::error::Error;
@@ -74,7 +74,7 @@ fn study(index: usize, map: &HeightMap, pressures: Vec<f64>) -> Result<Compariso
     let settings = Settings {
         modulus: MODULUS,
         pressures: Some(pressures),
-        level: LevelName::Mean,
+        level: Level::Mean,
         tolerance: 1e-5,
         ..Settings::default()
     };

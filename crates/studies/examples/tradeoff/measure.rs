@@ -2,7 +2,7 @@
 //! tolerances, each with its time and its true error.
 
 use compare::Inputs;
-use compare::{Comparison, LevelName, Registry, Settings, Surface, built_in, built_in_recipes};
+use compare::{Comparison, Level, Registry, Settings, Surface, built_in, built_in_recipes};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
     BOUNDARY_CORRECTION, HalfSpace, Iteration, Load, Method, Precision, Real, Solution, Solver,
@@ -15,7 +15,7 @@ use std::time::Instant;
 use studies::tradeoff::{PAIR, Row, STATISTICS};
 use surface_stats::clean::resample;
 use surface_stats::spectrum::{Axis, amplitudes};
-use surface_stats::{Edges, Level, StatsOptions, SurfaceStatistics};
+use surface_stats::{Edges, StatsOptions, SurfaceStatistics};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -164,7 +164,7 @@ fn as_compared(surface: Surface) -> Outcome<(HeightMap, Inputs)> {
     let settings = Settings {
         modulus: MODULUS,
         pressures: Some(vec![1e-4 * MODULUS]),
-        level: LevelName::Mean,
+        level: Level::Mean,
         tolerance: 0.1,
         ..Settings::default()
     };
@@ -177,7 +177,7 @@ fn as_compared(surface: Surface) -> Outcome<(HeightMap, Inputs)> {
 
 /// Seconds for everything a model may need of a map.
 fn statistics_seconds(map: &HeightMap) -> Outcome<f64> {
-    let options = StatsOptions { level: Level::None, edges: PERIODIC, ..StatsOptions::default() };
+    let options = StatsOptions::default().with_level(Level::None).with_edges(PERIODIC);
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
         let clock = Instant::now();

@@ -162,7 +162,7 @@ fn files(map: &HeightMap) -> [Case; 2] {
 fn statistics(map: &HeightMap) -> Vec<Case> {
     let package = "surface-stats";
     let all = |edges| {
-        let options = StatsOptions { edges, ..StatsOptions::default() };
+        let options = StatsOptions::default().with_edges(edges);
         black_box(SurfaceStatistics::of(map, &options).expect("a surface"));
     };
     vec![

@@ -9,6 +9,7 @@ mod gaussian;
 mod mirror;
 mod outliers;
 mod plan;
+mod rows;
 mod transform;
 
 pub use form::{FittedForm, Form, FormParameters, fit_form};
@@ -17,4 +18,5 @@ pub use gaussian::{gaussian_filter, l_filter, s_filter};
 pub use mirror::{mirrored, resample_mirrored};
 pub use outliers::{OutlierRule, Outliers, find_outliers};
 pub use plan::{Record, Step, apply};
+pub use rows::{RowOffsets, row_offsets};
 pub use transform::{Facing, combine, equivalent, flip, resample};

@@ -6,11 +6,19 @@ use contact_types::Grid;
 /// When a point is a spike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct OutlierRule {
     /// Half width of the square window of neighbours, in pixels; 2 sees spikes up to 3 x 3.
     pub reach: usize,
     /// How many robust standard deviations a point must be off.
     pub threshold: f64,
+}
+
+impl OutlierRule {
+    /// Points more than `threshold` robust standard deviations off, the rest as by default.
+    pub fn beyond(threshold: f64) -> Self {
+        Self { threshold, ..Self::default() }
+    }
 }
 
 impl Default for OutlierRule {

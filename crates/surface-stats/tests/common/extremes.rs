@@ -37,7 +37,7 @@ fn map(shape: [usize; 2], pixel: [f64; 2], height: impl Fn(usize, usize) -> f64)
 }
 
 fn statistics(map: &HeightMap) -> SurfaceStatistics {
-    let options = StatsOptions { edges: Edges::Periodic, ..StatsOptions::default() };
+    let options = StatsOptions::default().with_edges(Edges::Periodic);
     SurfaceStatistics::of(map, &options).expect("the map is within range")
 }
 
@@ -323,8 +323,7 @@ fn spike(height: f64) -> f64 {
 fn stairs(offset: f64) -> f64 {
     let (levels, step, d) = (25.0_f64, 1e-8, 1e-6);
     let map = map([8, 50], [d, d], |_, ix| offset + step * (ix % 25) as f64);
-    let options =
-        StatsOptions { edges: Edges::Periodic, level: Level::Mean, ..StatsOptions::default() };
+    let options = StatsOptions::default().with_edges(Edges::Periodic).with_level(Level::Mean);
     let s = SurfaceStatistics::of(&map, &options).expect("within range");
     let squares = levels * levels;
     worst(&[

@@ -1,0 +1,254 @@
+//! Scan lines: rows of a probe microscope that stand at heights of their own.
+
+use crate::{StatsError, scale};
+use contact_types::Grid;
+
+/// How rows of a map stand against each other.
+///
+/// Neighbouring rows are compared by the median of their differences, which holes and summits hardly
+/// move. A probe that loses or catches something between two rows, or drifts, makes that median jump
+/// from row to row, while a surface makes it small (its slopes cancel along a row) or smooth (a lay
+/// along the rows, sampled by several of them).
+#[derive(Debug, Clone, PartialEq)]
+pub struct RowOffsets {
+    /// Height of each row (m), by the sum of the medians, less the straight line through them: that is
+    /// a tilt and stays.
+    pub offsets: Vec<f64>,
+    /// Rms of the jumps from row to row (m).
+    pub jump: f64,
+    /// Share of the mean square difference between neighbouring rows that jumps of whole rows make \[-\].
+    pub share: f64,
+    /// The same between neighbouring columns \[-\].
+    pub share_of_columns: f64,
+    /// Mean square change of the jump from row to row over the mean square jump \[-\]: near 0 for
+    /// waves of many rows, 2 for jumps that do not know of each other, 3 for rows that do not.
+    pub roughness: f64,
+}
+
+/// Share of the differences from which rows are said to jump.
+const LEAST_SHARE: f64 = 0.25;
+
+/// How many times the share of the columns that must be.
+const LEAST_RATIO: f64 = 4.0;
+
+/// Roughness below which the offsets are waves that the rows resolve: 1 is a wave of six rows.
+const LEAST_ROUGHNESS: f64 = 1.0;
+
+/// Rows and columns below which medians say nothing.
+const FEWEST: usize = 32;
+
+/// Compares neighbouring rows of `heights` (m, row-major, NaN = missing).
+///
+/// # Errors
+/// [`StatsError::Shape`]; [`StatsError::Surface`] for infinite heights; [`StatsError::OutOfRange`].
+pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError> {
+    scale::check_measured(grid, heights)?;
+    let [ny, nx] = grid.shape();
+    let rows = jumps(ny, nx, |line, i| heights[line * nx + i]);
+    let columns = jumps(nx, ny, |line, i| heights[i * nx + line]);
+    let mut offsets = vec![0.0; ny];
+    for i in 1..ny {
+        offsets[i] = offsets[i - 1] + rows.jumps[i - 1];
+    }
+    take_line_off(&mut offsets);
+    let change: f64 = rows.jumps.windows(2).map(|j| (j[1] - j[0]).powi(2)).sum();
+    let square: f64 = rows.jumps.iter().map(|j| j * j).sum();
+    let count = rows.jumps.len();
+    Ok(RowOffsets {
+        offsets,
+        jump: (square / count.max(1) as f64).sqrt(),
+        share: rows.share,
+        share_of_columns: columns.share,
+        roughness: if square > 0.0 { change / square } else { 0.0 },
+    })
+}
+
+impl RowOffsets {
+    /// Whether the rows jump: their offsets make a good part of the slope across them, far more than
+    /// those of columns do along them, and are no wave that several rows show. A lay along the rows
+    /// that is as fine as the rows looks the same.
+    pub fn rows_jump(&self) -> bool {
+        self.offsets.len() >= FEWEST
+            && self.share >= LEAST_SHARE
+            && self.share >= LEAST_RATIO * self.share_of_columns
+            && self.roughness >= LEAST_ROUGHNESS
+    }
+
+    /// Takes the offsets off.
+    ///
+    /// # Panics
+    /// If `heights` are not those compared.
+    pub fn remove_from(&self, heights: &mut [f64]) {
+        let nx = heights.len() / self.offsets.len();
+        assert_eq!(nx * self.offsets.len(), heights.len(), "whole rows");
+        for (row, offset) in heights.chunks_exact_mut(nx).zip(&self.offsets) {
+            row.iter_mut().for_each(|h| *h -= offset);
+        }
+    }
+}
+
+/// Takes the line of least squares off.
+fn take_line_off(values: &mut [f64]) {
+    let middle = 0.5 * (values.len() as f64 - 1.0);
+    let (mut sum, mut moment, mut inertia) = (0.0, 0.0, 0.0);
+    for (i, v) in values.iter().enumerate() {
+        let x = i as f64 - middle;
+        sum += v;
+        moment += x * v;
+        inertia += x * x;
+    }
+    let mean = sum / values.len() as f64;
+    let slope = if inertia > 0.0 { moment / inertia } else { 0.0 };
+    for (i, v) in values.iter_mut().enumerate() {
+        *v -= mean + slope * (i as f64 - middle);
+    }
+}
+
+/// Jumps between `lines` lines of `points` points.
+struct Jumps {
+    /// Median difference of each line to the one before, less the median of these.
+    jumps: Vec<f64>,
+    share: f64,
+}
+
+fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> Jumps {
+    let mut differences = Vec::with_capacity(points);
+    let mut medians = Vec::with_capacity(lines);
+    let (mut sums, mut count) = ([0.0; 2], 0.0);
+    for line in 1..lines {
+        differences.clear();
+        let pairs = (0..points).map(|i| at(line, i) - at(line - 1, i));
+        differences.extend(pairs.filter(|d| !d.is_nan()));
+        for d in &differences {
+            sums[0] += d;
+            sums[1] += d * d;
+        }
+        count += differences.len() as f64;
+        // A row without a neighbour stays where it is.
+        medians.push(median(&mut differences).unwrap_or(0.0));
+    }
+    let tilt = median(&mut medians.clone()).unwrap_or(0.0);
+    let jumps: Vec<f64> = medians.iter().map(|m| m - tilt).collect();
+    let square = jumps.iter().map(|j| j * j).sum::<f64>() / jumps.len().max(1) as f64;
+    // Mean square of all differences about the tilt.
+    let all =
+        if count > 0.0 { sums[1] / count - tilt * (2.0 * sums[0] / count - tilt) } else { 0.0 };
+    let share = if all > 0.0 && points >= FEWEST { (square / all).min(1.0) } else { 0.0 };
+    Jumps { jumps, share }
+}
+
+/// The median, the lower one of two; the order is lost.
+fn median(values: &mut [f64]) -> Option<f64> {
+    let middle = values.len().checked_sub(1)? / 2;
+    Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::{Scale, SelfAffine};
+    use approx::assert_abs_diff_eq;
+
+    const SHAPE: [usize; 2] = [128, 160];
+
+    fn rough(seed: u64) -> (Grid, Vec<f64>) {
+        let grid = Grid::new(SHAPE, [1e-6, 1e-6]).unwrap();
+        let recipe = SelfAffine {
+            grid,
+            hurst: 0.8,
+            rolloff: 40e-6,
+            cutoff: 4e-6,
+            scale: Scale::RmsHeight(20e-9),
+            seed,
+            quantise: None,
+        };
+        (grid, recipe.generate().unwrap().into_heights())
+    }
+
+    /// Numbers between -1 and 1 that do not know of each other.
+    fn noise(i: usize) -> f64 {
+        let x = (i as f64 * 12.9898).sin() * 43758.5453;
+        2.0 * (x - x.floor()) - 1.0
+    }
+
+    /// Offsets planted row by row come off again, beside missing points and a tilt, which stays.
+    #[test]
+    fn planted_offsets_come_off() {
+        let (grid, mut heights) = rough(3);
+        let before = row_offsets(grid, &heights).unwrap();
+        assert!(!before.rows_jump(), "{:?} {}", before.share, before.roughness);
+        before.remove_from(&mut heights); // what the medians see of the relief itself
+        let nx = SHAPE[1];
+        let wanted = heights.clone();
+        for (iy, row) in heights.chunks_exact_mut(nx).enumerate() {
+            row.iter_mut().for_each(|h| *h += 30e-9 * noise(iy));
+        }
+        heights[5000..5100].fill(f64::NAN);
+        let found = row_offsets(grid, &heights).unwrap();
+        assert!(
+            found.rows_jump(),
+            "{} {} {}",
+            found.share,
+            found.share_of_columns,
+            found.roughness
+        );
+        found.remove_from(&mut heights);
+        // What is left differs from the relief by a tilt, which is not ours to take.
+        let left: Vec<f64> = (0..SHAPE[0]).map(|iy| heights[iy * nx] - wanted[iy * nx]).collect();
+        let mut bent = left.clone();
+        take_line_off(&mut bent);
+        for (i, (h, w)) in heights.iter().zip(&wanted).enumerate() {
+            let iy = i / nx;
+            if (5000..5100).contains(&i) {
+                assert!(h.is_nan());
+            } else {
+                // The median of the rows with missing points is that of fewer points.
+                assert_abs_diff_eq!(bent[iy], 0.0, epsilon = 1e-9);
+                assert_abs_diff_eq!(*h, w + left[iy], epsilon = 1e-15);
+            }
+        }
+        assert!(!row_offsets(grid, &heights).unwrap().rows_jump());
+    }
+
+    /// A lay that several rows show, along or across them, a tilt and a step edge are no scan lines.
+    #[test]
+    fn surfaces_are_no_scan_lines() {
+        for seed in 0..5 {
+            let (grid, relief) = rough(seed);
+            let shapes: [fn(f64, f64) -> f64; 5] = [
+                |y, _| 60e-9 * (0.5 * y).sin() + 30e-9 * (0.23 * y).cos(),
+                |_, x| 60e-9 * (0.5 * x).sin(),
+                |y, x| 4e-9 * y - 2e-9 * x,
+                |y, _| if y < 60.0 { 0.0 } else { 2e-6 },
+                |y, x| 1e-6 * (0.02 * (y + x)).sin(),
+            ];
+            for (k, shape) in shapes.iter().enumerate() {
+                let heights: Vec<f64> = relief
+                    .iter()
+                    .enumerate()
+                    .map(|(i, h)| h + shape((i / SHAPE[1]) as f64, (i % SHAPE[1]) as f64))
+                    .collect();
+                let found = row_offsets(grid, &heights).unwrap();
+                // One step edge is one jump among many rows: its change is twice its square.
+                let is_edge = k == 3;
+                assert!(
+                    !found.rows_jump() || is_edge,
+                    "{seed} {k}: {} {}",
+                    found.share,
+                    found.roughness
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn small_flat_and_missing_maps_do_not_jump() {
+        for (shape, height) in
+            [([1, 50], 1.0), ([50, 1], 1.0), ([40, 40], 76e-3), ([40, 40], f64::NAN)]
+        {
+            let grid = Grid::new(shape, [1e-6, 1e-6]).unwrap();
+            let found = row_offsets(grid, &vec![height; grid.len()]).unwrap();
+            assert!(!found.rows_jump() && found.jump == 0.0);
+        }
+    }
+}

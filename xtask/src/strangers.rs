@@ -1,0 +1,145 @@
+//! What a stranger meets who takes one crate of ours: it can be packaged with all files it needs,
+//! and the example on its front page compiles with that crate as the only dependency.
+
+use crate::shell::{self, TaskResult, cargo, output, read, root};
+use serde_json::Value;
+use std::fmt::Write;
+use std::path::Path;
+
+/// A crate that strangers get.
+struct Published {
+    package: String,
+    /// Name in `use`.
+    library: Option<String>,
+    folder: String,
+}
+
+pub(crate) fn run(args: &[String]) -> TaskResult {
+    if !args.is_empty() {
+        return Err(format!("unknown arguments {args:?}; strangers takes none"));
+    }
+    let published = published()?;
+    package(&published)?;
+    compile_front_pages(&published)
+}
+
+fn published() -> Result<Vec<Published>, String> {
+    let text =
+        output(cargo().args(["metadata", "--no-deps", "--locked", "--format-version", "1"]))?;
+    let metadata: Value =
+        serde_json::from_str(&text).map_err(|e| format!("cargo metadata is not JSON: {e}"))?;
+    let packages = metadata["packages"].as_array().ok_or("cargo metadata names no packages")?;
+    let is_published = |p: &&Value| p["publish"].as_array().is_none_or(|r| !r.is_empty());
+    let of = |p: &Value| {
+        let targets = p["targets"].as_array().into_iter().flatten();
+        let library = targets.filter(|t| t["kind"][0] == "lib").find_map(|t| t["name"].as_str());
+        Some(Published {
+            package: p["name"].as_str()?.to_owned(),
+            library: library.map(|name| name.replace('-', "_")),
+            folder: p["manifest_path"].as_str()?.strip_suffix("/Cargo.toml")?.to_owned(),
+        })
+    };
+    Ok(packages.iter().filter(is_published).filter_map(of).collect())
+}
+
+/// `cargo package` of all of them at once, so that they find each other; each has its licence and
+/// a page of its own.
+fn package(published: &[Published]) -> TaskResult {
+    for krate in published {
+        for file in ["README.md", "LICENSE-MIT", "LICENSE-APACHE"] {
+            if !Path::new(&krate.folder).join(file).is_file() {
+                return Err(format!("{} has no {file} of its own", krate.folder));
+            }
+        }
+    }
+    let mut package = cargo();
+    package.args(["package", "--quiet", "--locked", "--no-verify", "--allow-dirty"]);
+    for krate in published {
+        package.args(["-p", &krate.package]);
+    }
+    shell::run(&mut package)?;
+    println!("packages: {}", published.len());
+    Ok(())
+}
+
+/// Writes a workspace with one crate for each of ours, whose program is the front-page example and
+/// whose only dependency is ours, and checks it.
+fn compile_front_pages(published: &[Published]) -> TaskResult {
+    let folder = root().join("target/strangers");
+    let write = |path: &Path, text: &str| {
+        let parent = path.parent().unwrap_or(&folder);
+        std::fs::create_dir_all(parent)
+            .and_then(|()| std::fs::write(path, text))
+            .map_err(|e| format!("cannot write {}: {e}", path.display()))
+    };
+    let mut members = String::new();
+    let mut compiled = 0;
+    for krate in published {
+        let Some(library) = &krate.library else { continue };
+        let page = read(&Path::new(&krate.folder).join("src/lib.rs"))?;
+        let example = front_page_example(&page).ok_or_else(|| {
+            format!("{}/src/lib.rs has no example on its front page", krate.folder)
+        })?;
+        let name = format!("stranger-of-{}", krate.package);
+        let _ = write!(members, "\"{name}\", ");
+        let manifest = format!(
+            "[package]\nname = \"{name}\"\nedition = \"2024\"\npublish = false\n\n[dependencies]\n\
+             {library} = {{ package = \"{}\", path = '{}' }}\n",
+            krate.package, krate.folder
+        );
+        write(&folder.join(&name).join("Cargo.toml"), &manifest)?;
+        write(&folder.join(&name).join("src/main.rs"), &program(&example))?;
+        compiled += 1;
+    }
+    write(
+        &folder.join("Cargo.toml"),
+        &format!("[workspace]\nresolver = \"3\"\nmembers = [{members}]\n"),
+    )?;
+    std::fs::copy(root().join("Cargo.lock"), folder.join("Cargo.lock"))
+        .map_err(|e| format!("cannot copy Cargo.lock: {e}"))?;
+    let mut check = cargo();
+    check.current_dir(&folder).args(["check", "--quiet", "--workspace", "--offline"]);
+    check.arg("--target-dir").arg(root().join("target"));
+    shell::run(&mut check)?;
+    println!("front pages: {compiled} examples compile with one dependency each");
+    Ok(())
+}
+
+/// The first Rust example of the page, without the marks of hidden lines.
+fn front_page_example(page: &str) -> Option<String> {
+    let lines = page.lines().map_while(|line| line.strip_prefix("//!"));
+    let mut lines = lines.map(|line| line.strip_prefix(' ').unwrap_or(line));
+    while let Some(opening) = lines.find(|line| line.starts_with("```")) {
+        let inside = lines.by_ref().take_while(|line| !line.starts_with("```"));
+        let shown = inside
+            .map(|line| if line == "#" { "" } else { line.strip_prefix("# ").unwrap_or(line) });
+        let text: String = shown.flat_map(|line| [line, "\n"]).collect();
+        if matches!(opening, "```" | "```rust" | "```no_run") {
+            return Some(text);
+        }
+    }
+    None
+}
+
+/// The example as a program.
+fn program(example: &str) -> String {
+    if example.contains("fn main()") {
+        return example.to_owned();
+    }
+    format!(
+        "fn main() -> Result<(), Box<dyn std::error::Error>> {{\n{example}\n#[allow(unreachable_code)]\nOk(())\n}}\n"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_front_page_example_is_found() {
+        let page = "//! Title.\n//!\n//! ```math\n//! a\n//! ```\n//!\n//! ```\n//! # use a::B;\n\
+                    //! let b = B;\n//! ```\n\nmod c;\n";
+        assert_eq!(front_page_example(page).unwrap(), "use a::B;\nlet b = B;\n");
+        assert_eq!(front_page_example("//! ```math\n//! a\n//! ```\n"), None);
+    }
+}
