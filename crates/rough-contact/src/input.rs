@@ -98,6 +98,16 @@ impl Reading {
                 path.display()
             ));
         }
+        let heights = measurement.channels().iter().filter(|c| c.is_height && c.fault.is_none());
+        let heights = heights.count();
+        if self.channel.is_none() && heights > 1 {
+            outcome::tell(&format!(
+                "rough-contact: {}: {:?} is read, one of {heights} channels in units of length; \
+                 `info` lists them, --channel NAME reads another",
+                path.display(),
+                measurement.channel()
+            ));
+        }
         match self.crop {
             None => Ok(measurement),
             Some(crop) => measurement.crop(crop).map_err(|e| needs::unread(path, &e)),

@@ -122,7 +122,7 @@ pub(crate) fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityErr
             unknown(unit.clone(), dimension)
         }
     })?;
-    let value = factor * scaled(number, exponent);
+    let value = in_si(number, factor, exponent);
     if !value.is_finite() {
         return Err(QuantityError::NotFinite {
             text: text.to_owned(),
@@ -164,7 +164,7 @@ pub(crate) fn parse_length_unit(text: &str) -> Result<f64, QuantityError> {
     let unit = plain(text);
     let dimension = Dimension::Length;
     match dimension.scale(&unit) {
-        Some((factor, exponent)) => Ok(factor * scaled("1", exponent)),
+        Some((factor, exponent)) => Ok(in_si("1", factor, exponent)),
         None => Err(unknown(unit, dimension)),
     }
 }
@@ -253,6 +253,19 @@ fn unknown(unit: String, dimension: Dimension) -> QuantityError {
 
 fn decimal_comma(text: &str) -> QuantityError {
     QuantityError::DecimalComma { text: text.to_owned(), meant: text.replacen(',', ".", 1) }
+}
+
+/// `number` in a unit of `factor` times ten to the `exponent`: rounded once if the factor is 1, and
+/// as rarely as can be otherwise.
+fn in_si(number: &str, factor: f64, exponent: i32) -> f64 {
+    if factor.to_bits() == 1.0f64.to_bits() {
+        scaled(number, exponent)
+    } else if exponent < 0 {
+        // A whole factor and a power of ten are exact: 1 inch is the double nearest to 0.0254.
+        scaled(number, 0) * factor / 10f64.powi(-exponent)
+    } else {
+        scaled(number, exponent) * factor
+    }
 }
 
 /// `number` times ten to the `exponent`, rounded once.

@@ -15,8 +15,7 @@ pub(crate) enum Dimension {
     Pressure,
 }
 
-/// A unit: its name, and a factor and a power of ten that make it one of SI. Both are exact, so a
-/// decimal number in a unit of factor 1 is rounded once, in the others twice.
+/// A unit: its name, and a factor and a power of ten that make it one of SI.
 type Unit = (&'static str, f64, i32);
 
 /// Length units.
