@@ -1,7 +1,8 @@
 //! Options that several commands share.
 
 use crate::outcome::Failure;
-use crate::quantity::{self, Dimension, QuantityError};
+use crate::quantity::{self, QuantityError};
+use crate::units::Dimension;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use compare::built_in;

@@ -14,7 +14,8 @@ use clap::Args;
 use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, Level, Method, NotRefined, Precision, Scene, Solved, Surrounded, TwiceFiner, on_given,
+    EdgesName, Level, Method, NotRefined, Precision, Scene, Solved, Surrounded, TwiceFiner,
+    on_given,
 };
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};

@@ -207,8 +207,12 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
     cells.extend([
         text::percent(state.area_fraction),
         text::percent(d.area_fraction_corrected),
-        text::relative(area.comparison_half_width().ok(), area.value, text::percent),
-        text::relative(area.prediction_half_width(), area.value, text::percent),
+        text::relative(area.comparison_half_width().ok(), area.value, |most| {
+            text::percent(most.min(1.0))
+        }),
+        text::relative(area.prediction_half_width(), area.value, |most| {
+            text::percent(most.min(1.0))
+        }),
         state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
         mean.map_or_else(|| "–".to_owned(), text::pressure),
         text::highest(d.max_pressure, mean),
