@@ -1,8 +1,7 @@
 //! Error bars where a surface is not smooth between its points: table and page.
 
-use crate::TaskResult;
 use crate::generated::{check_flag, keep, keep_section};
-use crate::shell::{self, example, output, read, root};
+use crate::shell::{self, TaskResult, example, output, read, root};
 
 const TABLE: &str = "fixtures/flat-tops.csv";
 const PAGE: &str = "docs/src/flat-tops.md";
