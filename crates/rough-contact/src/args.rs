@@ -1,11 +1,12 @@
 //! Options that several commands share.
 
 use crate::outcome::Failure;
-use crate::quantity::{self, Dimension, QuantityError};
+use crate::quantity::{self, QuantityError};
+use crate::units::Dimension;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use compare::built_in;
-use compare::{Body, EdgesName, Level, MethodName, PrecisionName};
+use compare::{Body, EdgesName, Level, Method, Precision};
 use contact_types::{ContactModulus, Elastic, SurfaceError};
 use surface_io::Layout;
 
@@ -184,16 +185,19 @@ fn one_of<T: Copy + Send + Sync + 'static>(
     })
 }
 
+/// The form taken off where nothing is said, by every command: the tilt of a mounting.
+pub(crate) const LEVEL: &str = "plane";
+
 pub(crate) fn level() -> impl TypedValueParser<Value = Level> {
     one_of(Level::ALL, Level::name)
 }
 
-pub(crate) fn method() -> impl TypedValueParser<Value = MethodName> {
-    one_of(MethodName::ALL, MethodName::name)
+pub(crate) fn method() -> impl TypedValueParser<Value = Method> {
+    one_of(Method::ALL, Method::name)
 }
 
-pub(crate) fn precision() -> impl TypedValueParser<Value = PrecisionName> {
-    one_of(PrecisionName::ALL, PrecisionName::name)
+pub(crate) fn precision() -> impl TypedValueParser<Value = Precision> {
+    one_of(Precision::ALL, Precision::name)
 }
 
 pub(crate) fn edges() -> impl TypedValueParser<Value = EdgesName> {

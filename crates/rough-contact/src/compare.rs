@@ -11,9 +11,8 @@ use crate::text::{self, Columns};
 use clap::Args;
 use compare::plan::Request;
 use compare::{
-    Cleaning, Comparison, EdgesName, FileOrigin, Level, MethodName, Origin, PrecisionName,
-    Registry, RunFile, RunSurface, STEEL, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison,
-    sha256_hex,
+    Cleaning, Comparison, EdgesName, FileOrigin, Level, Method, Origin, Precision, Registry,
+    RunFile, RunSurface, STEEL, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
 };
 use report::Provenance;
 use std::fmt::Write as _;
@@ -43,7 +42,7 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "LIST", value_parser = args::study_models(), value_delimiter = ',')]
     models: Option<Vec<String>>,
     /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "plane")]
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
     level: Level,
     /// Shortest and longest wavelength of the fractal fit [default: cut-off to roll-off as found]
     #[arg(long, value_name = "L,L", value_parser = args::range, allow_hyphen_values = true)]
@@ -54,10 +53,10 @@ pub(crate) struct Compare {
     edges: EdgesName,
     /// Method of the deterministic solver
     #[arg(long, value_parser = args::method(), default_value = "auto")]
-    method: MethodName,
+    method: Method,
     /// Floating-point type of the solver's iteration
     #[arg(long, value_parser = args::precision(), default_value = "f64")]
-    precision: PrecisionName,
+    precision: Precision,
     /// Relative rms error of the pressure at which the solver stops
     #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
     #[arg(default_value = "1e-4")]
@@ -70,7 +69,7 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "pressure", "headline", "models", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
-        "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
+        "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
@@ -361,7 +360,8 @@ fn not_met(comparison: &Comparison) -> Option<Failure> {
 
 /// A short table per surface, and where the report is.
 fn describe(comparison: &Comparison, folder: &Path) -> String {
-    let mut out = String::new();
+    let mut out = text::level(comparison.settings.level);
+    out.push_str(text::MOMENTS);
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
         out.push_str(&text::cleaning(surface.origin.cleaned()));

@@ -126,11 +126,21 @@ impl Reading {
         let options = self.options();
         let measurement = surface_io::read(path, &options).map_err(|e| needs::unread(path, &e))?;
         if let Some(unit) = measurement.kept_unit() {
-            eprintln!(
+            outcome::tell(&format!(
                 "rough-contact: {}: the file gives its heights in {unit}, which is kept; \
                  --override-height-unit U would overrule it",
                 path.display()
-            );
+            ));
+        }
+        let heights = measurement.channels().iter().filter(|c| c.is_height && c.fault.is_none());
+        let heights = heights.count();
+        if self.channel.is_none() && heights > 1 {
+            outcome::tell(&format!(
+                "rough-contact: {}: {:?} is read, one of {heights} channels in units of length; \
+                 `info` lists them, --channel NAME reads another",
+                path.display(),
+                measurement.channel()
+            ));
         }
         match self.crop {
             None => Ok(measurement),
@@ -151,11 +161,8 @@ impl Reading {
         cleaning: Cleaning,
     ) -> Result<Complete, Failure> {
         if let Some(reading) = measurement.ambiguity() {
-            outcome::tell(&format!(
-                "rough-contact: {}: {}",
-                path.display(),
-                needs::reading(reading)
-            ));
+            let reading = needs::reading(reading);
+            outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
         }
         refuse_profile(path, &measurement)?;
         // Neither a removed form nor filled points take the steps away; only smoothing does.

@@ -1,6 +1,6 @@
 //! Numbers and tables as people read them on a terminal.
 
-use compare::{Finding, Weight};
+use compare::{Finding, Level, Weight};
 use std::fmt;
 use surface_stats::clean::Record;
 
@@ -29,6 +29,17 @@ impl fmt::Display for Table {
 /// One line for each step of cleaning; nothing if there was none.
 pub(crate) fn cleaning(records: &[Record]) -> String {
     records.iter().map(|record| format!("cleaned: {record}\n")).collect::<Vec<_>>().concat()
+}
+
+/// Which moments every model is given.
+pub(crate) const MOMENTS: &str = "moments of the models: finite differences\n";
+
+/// What was taken off every map first.
+pub(crate) fn level(form: Level) -> String {
+    match form {
+        Level::None => "level: none, the heights as they are\n".to_owned(),
+        form => format!("level: {} taken off (--level)\n", form.name()),
+    }
 }
 
 /// Most findings that are shown.

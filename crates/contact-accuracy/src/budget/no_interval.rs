@@ -1,5 +1,6 @@
 //! Where no interval for an area is known, and why.
 
+use super::between::MOST_DOUBT;
 use contact_types::Grid;
 
 /// Coarsest height step over (rms gradient times pixel side).
@@ -41,6 +42,16 @@ pub enum NoAreaInterval {
     SpotsTooSmall {
         /// Correction over raw area.
         ratio: f64,
+    },
+    /// What lies between the points decides what touches, and the points do not fix it.
+    #[error(
+        "between the points, what touches is not fixed by the map: ways to interpolate differ by \
+         {doubt:.2} of what the load deforms over a pixel ({MOST_DOUBT} at most); measure on finer \
+         points"
+    )]
+    BetweenPoints {
+        /// [`Between::doubt`](super::Between::doubt).
+        doubt: f64,
     },
     /// The iteration stopped too early.
     #[error(

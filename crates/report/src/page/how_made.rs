@@ -176,8 +176,8 @@ fn solver_words(page: &Page<'_>) -> String {
     let pairs: f64 = answers().map(|a: &DeterministicAnswer| a.transforms).sum();
     let seconds: f64 = answers().map(|a| a.seconds).sum();
     let plan = page.comparison.surfaces.iter().find_map(|s| s.plan.as_ref());
-    let (precision, tolerance) = plan
-        .map_or((settings.precision, settings.tolerance), |p| (p.precision.into(), p.tolerance));
+    let (precision, tolerance) =
+        plan.map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
     format!(
         "periodic half space, FFT; {}, {}; stop at a relative rms pressure error of {}; {} loads, \
          {} FFT pairs, {}; area corrected for the contact line, c = {}",

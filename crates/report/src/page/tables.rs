@@ -12,7 +12,7 @@ use crate::page::phrases::{load_words, spread_words};
 use crate::sources::DETERMINISTIC;
 use crate::words;
 use compare::survey::Experience;
-use compare::{Applies, ModelComparison, SurfaceComparison};
+use compare::{Applies, ModelComparison, SurfaceComparison, is_steep};
 use contact_types::{ContactState, ModelError};
 
 /// Value, and what its ± covers, of the numbers people came for.
@@ -191,6 +191,9 @@ fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
             (None, _) => applies(Applies::No, "no solution at this load"),
             (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),
             (_, Err(reason)) => applies(Applies::Caution, &reason.to_string()),
+            _ if is_steep(surface.statistics.rms_gradient) => {
+                applies(Applies::Caution, words::SMALL_SLOPES)
+            }
             _ => applies(Applies::Yes, "full map, elastic, periodic cell"),
         }
     )

@@ -19,6 +19,10 @@ pub(crate) fn area_prediction(answer: &DeterministicAnswer) -> String {
 
 fn percent_with(fraction: f64, half: Option<f64>) -> String {
     let number = match half {
+        // No more than all of it can touch.
+        Some(half) if half >= fraction && fraction + half > 1.0 => {
+            return format!("at most 100{SPACE}%");
+        }
         Some(half) if half > 0.0 => with_bar(100.0 * fraction, 100.0 * half),
         _ => significant(100.0 * fraction, 3),
     };

@@ -15,4 +15,4 @@ pub(crate) use answer::{
 };
 pub(crate) use date::date;
 pub(crate) use ranking::{curves_lead, ranked, recommendation, survey, within_ten};
-pub(crate) use verdict::reason;
+pub(crate) use verdict::{SMALL_SLOPES, reason};

@@ -1,9 +1,12 @@
 //! Whether a theory covers a surface, in words.
 
-use crate::numbers::{SPACE, length, pressure};
+use crate::numbers::{SPACE, length, pressure, significant};
 use compare::Assumes;
 use compare::{ModelComparison, Reason};
 use contact_types::ModelError;
+
+/// What steep slopes strain.
+pub(crate) const SMALL_SLOPES: &str = "small-slope elasticity ends near 0.5";
 
 /// Why a model applies to a surface, or only with caution, or not.
 pub(crate) fn reason(model: &ModelComparison) -> String {
@@ -25,11 +28,15 @@ fn within(assumes: Assumes) -> &'static str {
 
 fn words(reason: &Reason) -> String {
     match reason {
+        Reason::Steep { gradient } => {
+            format!("rms gradient {}: {SMALL_SLOPES}", significant(*gradient, 2))
+        }
         Reason::Refused(error) => refusal(error),
         Reason::Missing { dimension: Some(d), .. } => {
             format!("fitted D = {}: no profile dimension between 1 and 2", plain(*d))
         }
         Reason::Missing { needs, dimension: None } => format!("needs {needs}"),
+        Reason::RowsJump => "rows of the map jump".to_owned(),
         Reason::Lay { ratio } => format!("the surface has a lay (slopes {ratio:.1} : 1)"),
         Reason::NotGaussian { skewness, kurtosis } => {
             format!("skewness {}, kurtosis {}", plain(*skewness), plain(*kurtosis))
