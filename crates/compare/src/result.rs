@@ -8,7 +8,7 @@ use contact_accuracy::NoAreaInterval;
 use contact_accuracy::budget::{Budget, Map, grid};
 use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{Residuals, Solution};
+use fft_bem_solver::{End, Residuals, Solution};
 use std::borrow::Cow;
 use surface_stats::SurfaceStatistics;
 
@@ -128,6 +128,8 @@ pub struct DeterministicAnswer {
     pub method: String,
     /// True if the tolerance was reached.
     pub converged: bool,
+    /// True if rounding kept the iteration from reaching it.
+    pub stopped_at_rounding: bool,
 }
 
 impl DeterministicAnswer {
@@ -156,6 +158,7 @@ impl DeterministicAnswer {
             duality_gap: d.duality_gap,
             method: d.method.to_string(),
             converged,
+            stopped_at_rounding: d.end == End::Rounding,
         }
     }
 

@@ -147,6 +147,7 @@ fn point(p: &DeterministicPoint) -> Value {
     "max_pressure": a.max_pressure,
     "real_pressure": real(a.area_fraction),
     "converged": a.converged,
+        "stopped_at_rounding": a.stopped_at_rounding,
     "trouble": p.trouble,
     "iterations": a.iterations,
     "transforms": a.transforms,

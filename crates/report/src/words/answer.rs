@@ -89,6 +89,15 @@ pub fn headline_line(surface: &SurfaceComparison) -> Option<String> {
     Some(line.replace(SPACE, " "))
 }
 
+/// How a sentence on an answer begins that is not to tolerance.
+fn opening(converged: bool, stopped_at_rounding: bool) -> &'static str {
+    match (converged, stopped_at_rounding) {
+        (true, _) => "",
+        (false, true) => "Stopped at rounding: ",
+        (false, false) => "Not converged: ",
+    }
+}
+
 /// The first sentence, as HTML.
 pub(crate) fn headline(surface: &SurfaceComparison) -> String {
     let p = chosen(surface.headline_pressure(), PASCALS);
@@ -100,7 +109,7 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
     if answer.contact_pixels == 0 {
         return format!("At {p} nothing touches.");
     }
-    let opening = if answer.converged { "" } else { "Not converged: " };
+    let opening = opening(answer.converged, answer.stopped_at_rounding);
     let about = if answer.uncertainty().is_some() { "" } else { "about " };
     let unresolved = if answer.interval().is_some_and(|[low, _]| low <= 0.0) {
         ": this map does not resolve its contacts"
@@ -131,6 +140,13 @@ mod tests {
         assert_eq!(percent_with(0.0196, None), "1.96\u{202F}%");
         assert_eq!(real_pressure_of(1e6, 0.0031, Some(0.0048)), "at least 120\u{202F}MPa");
         assert_eq!(real_pressure_of(1e6, 0.0, None), "–");
+    }
+
+    #[test]
+    fn rounding_is_not_convergence() {
+        assert_eq!(opening(true, false), "");
+        assert_eq!(opening(false, true), "Stopped at rounding: ");
+        assert_eq!(opening(false, false), "Not converged: ");
     }
 
     #[test]
