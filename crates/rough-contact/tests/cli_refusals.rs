@@ -38,9 +38,21 @@ fn what_the_file_does_not_say_is_asked_for() {
     let dir = folder();
     let at = dir.path();
     matrix(at, "bare.txt", 4, 5, wavy);
-    refused(at, "info bare.txt", 2, &["--pixel", "--height-unit"]);
-    refused(at, "info bare.txt --pixel 1um", 2, &["--height-unit"]);
-    refused(at, "info bare.txt --height-unit um", 2, &["--pixel"]);
+    for (line, needs) in [
+        ("info bare.txt", &["--pixel", "--height-unit"][..]),
+        ("info bare.txt --pixel 1um", &["--height-unit"]),
+        ("info bare.txt --height-unit um", &["--pixel"]),
+    ] {
+        // What can be said without units is said.
+        let said = rough_contact(at, line);
+        assert_eq!(said.status, 2, "{line}: {}", said.err);
+        assert!(said.out.contains("4 rows × 5 columns"), "{line}: {}", said.out);
+        assert_eq!(said.out.contains("unit unknown"), needs.contains(&"--height-unit"));
+        assert!(needs.iter().all(|need| said.err.contains(need)), "{line}: {}", said.err);
+    }
+    let raw = rough_contact(at, "info bare.txt --json").json();
+    assert_eq!(raw["shape"], serde_json::json!([4, 5]));
+    assert!(raw["raw_height_min"].is_f64() && raw["error"]["message"].is_string(), "{raw}");
     refused(at, "info bare.txt --height-unit MM --pixel 1um", 2, &["did you mean mm?"]);
     refused(at, "info bare.txt --height-unit um --pixel 0,5um", 2, &["decimal comma", "0.5um"]);
     refused(at, "info bare.txt --height-unit furlong --pixel 1um", 2, &["furlong", "um"]);
