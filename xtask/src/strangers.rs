@@ -20,7 +20,27 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     }
     let published = published()?;
     package(&published)?;
-    compile_front_pages(&published)
+    compile_front_pages(&published)?;
+    run_external()
+}
+
+/// Programs under `fixtures/external`, each a workspace of its own, as somebody else would write them.
+fn run_external() -> TaskResult {
+    let folder = root().join("fixtures/external");
+    let entries =
+        std::fs::read_dir(&folder).map_err(|e| format!("no {}: {e}", folder.display()))?;
+    let mut programs: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
+    programs.sort();
+    for program in &programs {
+        let mut run = cargo();
+        run.current_dir(root().join("target"));
+        run.args(["run", "--quiet", "--locked", "--profile", "test", "--target-dir", "."]);
+        run.arg("--manifest-path").arg(program.join("Cargo.toml"));
+        run.args(["--", "external"]); // the folder that it writes to
+        shell::run(&mut run)?;
+    }
+    println!("external programs: {} built and run", programs.len());
+    Ok(())
 }
 
 fn published() -> Result<Vec<Published>, String> {
@@ -46,9 +66,11 @@ fn published() -> Result<Vec<Published>, String> {
 /// a page of its own.
 fn package(published: &[Published]) -> TaskResult {
     for krate in published {
-        for file in ["README.md", "LICENSE-MIT", "LICENSE-APACHE"] {
-            if !Path::new(&krate.folder).join(file).is_file() {
-                return Err(format!("{} has no {file} of its own", krate.folder));
+        let folder = Path::new(&krate.folder);
+        read(&folder.join("README.md"))?;
+        for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
+            if read(&folder.join(licence))? != read(&root().join(licence))? {
+                return Err(format!("{}/{licence} is not that of the workspace", krate.folder));
             }
         }
     }
@@ -76,10 +98,8 @@ fn compile_front_pages(published: &[Published]) -> TaskResult {
     let mut compiled = 0;
     for krate in published {
         let Some(library) = &krate.library else { continue };
-        let page = read(&Path::new(&krate.folder).join("src/lib.rs"))?;
-        let example = front_page_example(&page).ok_or_else(|| {
-            format!("{}/src/lib.rs has no example on its front page", krate.folder)
-        })?;
+        let example = front_page_example(&front_page(Path::new(&krate.folder))?)
+            .ok_or_else(|| format!("{} has no example on its front page", krate.folder))?;
         let name = format!("stranger-of-{}", krate.package);
         let _ = write!(members, "\"{name}\", ");
         let manifest = format!(
@@ -105,10 +125,21 @@ fn compile_front_pages(published: &[Published]) -> TaskResult {
     Ok(())
 }
 
+/// The first page of a crate's documentation: its README where `lib.rs` includes that, else the
+/// comment at the top.
+fn front_page(folder: &Path) -> Result<String, String> {
+    let library = read(&folder.join("src/lib.rs"))?;
+    if library.contains("include_str!(\"../README.md\")") {
+        return read(&folder.join("README.md"));
+    }
+    let comment = library.lines().map_while(|line| line.strip_prefix("//!"));
+    let lines = comment.map(|line| line.strip_prefix(' ').unwrap_or(line));
+    Ok(lines.flat_map(|line| [line, "\n"]).collect())
+}
+
 /// The first Rust example of the page, without the marks of hidden lines.
 fn front_page_example(page: &str) -> Option<String> {
-    let lines = page.lines().map_while(|line| line.strip_prefix("//!"));
-    let mut lines = lines.map(|line| line.strip_prefix(' ').unwrap_or(line));
+    let mut lines = page.lines();
     while let Some(opening) = lines.find(|line| line.starts_with("```")) {
         let inside = lines.by_ref().take_while(|line| !line.starts_with("```"));
         let shown = inside
@@ -126,9 +157,8 @@ fn program(example: &str) -> String {
     if example.contains("fn main()") {
         return example.to_owned();
     }
-    format!(
-        "fn main() -> Result<(), Box<dyn std::error::Error>> {{\n{example}\n#[allow(unreachable_code)]\nOk(())\n}}\n"
-    )
+    let end = if example.contains("Ok::<") { "" } else { "Ok(())\n" };
+    format!("fn main() -> Result<(), Box<dyn std::error::Error>> {{\n{example}{end}}}\n")
 }
 
 #[cfg(test)]
@@ -137,9 +167,8 @@ mod tests {
 
     #[test]
     fn the_front_page_example_is_found() {
-        let page = "//! Title.\n//!\n//! ```math\n//! a\n//! ```\n//!\n//! ```\n//! # use a::B;\n\
-                    //! let b = B;\n//! ```\n\nmod c;\n";
+        let page = "Title.\n\n```math\na\n```\n\n```\n# use a::B;\nlet b = B;\n```\nText.\n";
         assert_eq!(front_page_example(page).unwrap(), "use a::B;\nlet b = B;\n");
-        assert_eq!(front_page_example("//! ```math\n//! a\n//! ```\n"), None);
+        assert_eq!(front_page_example("```math\na\n```\n"), None);
     }
 }

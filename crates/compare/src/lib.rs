@@ -1,8 +1,8 @@
-//! The study: surfaces and settings go in; statistics, the deterministic solution and every
-//! closed-form model over the loads come out, with errors, times and verdicts, as data.
+#![doc = include_str!("../README.md")]
 //!
-//! Nothing here opens a file, prints, draws or words anything: the crate `report` makes documents
-//! out of these results.
+//! # What is not here
+//! Nothing here opens a file, prints, draws or words anything: the crate `contact-report` makes
+//! documents out of these results.
 
 mod ask;
 mod cleaning;

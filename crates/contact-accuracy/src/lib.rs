@@ -1,5 +1,6 @@
-//! How wrong a deterministic answer of rough contact may be, and what it takes to make it better.
+#![doc = include_str!("../README.md")]
 //!
+//! # What is where
 //! - [`budget`]: the error of area, gap, real pressure and stiffness, by source.
 //! - [`plan`]: the cheapest grid, precision and tolerance for an accuracy that is asked for.
 //! - [`TwiceFiner`]: bars where the map does not resolve its shortest waves, from a finer grid.

@@ -1,6 +1,4 @@
-//! What a study looks like: one page to read, figures as files, and tables for other programs.
-//! Everything writes to [`std::io::Write`]; nothing here opens a file.
-
+#![doc = include_str!("../README.md")]
 #![allow(
     clippy::format_collect,
     clippy::format_push_string,
@@ -20,6 +18,8 @@ mod page;
 mod provenance;
 mod sources;
 mod words;
+
+pub use compare; // whose results are written here
 
 pub use budget_json::keys as budget_keys;
 pub use csv::write as write_csv;

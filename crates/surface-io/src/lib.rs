@@ -1,21 +1,10 @@
-//! Measured surfaces: files in, files out.
+#![doc = include_str!("../README.md")]
 //!
 //! [`read`] recognises a file by its content and returns a [`Measurement`]: heights in metres,
 //! missing points as NaN, the pixel size, and what the file says about itself. A unit or a pixel
-//! size that the file does not give is an error that tells what is needed; nothing is guessed. [`Measurement::fill`] is the only way from a file to a complete
-//! [`HeightMap`](contact_types::HeightMap), so no formula meets a missing point.
-//!
-//! ```
-//! use surface_io::{Fill, ReadOptions, read_bytes};
-//!
-//! let text = "# Width: 4 µm\n# Height: 2 µm\n# Value units: nm\n1 2 3 4\n5 NaN 7 8\n";
-//! let measurement = read_bytes(text.as_bytes(), &ReadOptions::default())?;
-//! assert_eq!(measurement.grid().shape(), [2, 4]);
-//! assert_eq!(measurement.missing(), 1);
-//! let map = measurement.fill(Fill::Harmonic)?;
-//! assert!((map.at(0, 1) - 2e-9).abs() < 1e-24);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+//! size that the file does not give is an error that tells what is needed; nothing is guessed.
+//! [`Measurement::fill`] is the only way from a file to a complete [`HeightMap`], so no formula meets
+//! a missing point.
 //!
 //! # Pixel size and the number of intervals
 //!
