@@ -204,10 +204,22 @@ fn passed(surface: &SurfaceComparison) -> Option<Finding> {
         bandwidth: s.bandwidth.filter(|b| *b >= 1.5),
         heights: s.skewness.zip(s.kurtosis).filter(|_| is_normal).map(|(a, b)| [a, b]),
         anisotropy: s.anisotropy.filter(|a| *a <= 2.0 && !rows_jump(s)),
-        resolved: surface.map.accuracy.gate().is_ok().then_some(surface.spectral.resolved),
+        resolved: resolves(surface).then_some(surface.spectral.resolved),
     };
     let any = passed != Passed::default();
     any.then_some(Finding { weight: Weight::Passed, fact: Fact::Passed(passed) })
+}
+
+/// Whether the grid resolves the slopes and, at the headline, the contacts.
+fn resolves(surface: &SurfaceComparison) -> bool {
+    let interval = surface.headline_answer().and_then(|a| a.interval());
+    surface.map.accuracy.gate().is_ok() && nothing_against(&surface.statistics.warnings, interval)
+}
+
+/// No warning of the slopes, and a bar of the area that has a lower end.
+fn nothing_against(warnings: &[Warning], interval: Option<[f64; 2]>) -> bool {
+    !warnings.iter().any(|w| matches!(w, Warning::Unresolved { .. }))
+        && interval.is_some_and(|[low, _]| low > 0.0)
 }
 
 #[cfg(test)]
@@ -216,6 +228,16 @@ mod tests {
 
     fn facts(solved: &Solved<'_>) -> Vec<(Weight, Fact)> {
         solved.findings().into_iter().map(|f| (f.weight, f.fact)).collect()
+    }
+
+    #[test]
+    fn a_grid_that_is_warned_of_has_not_passed() {
+        let warned = [Warning::Unresolved { ratio: 0.93 }];
+        assert!(nothing_against(&[], Some([0.01, 0.02])));
+        assert!(!nothing_against(&warned, Some([0.01, 0.02])));
+        // "This map does not resolve its contacts."
+        assert!(!nothing_against(&[], Some([0.0, 0.02])));
+        assert!(!nothing_against(&[], None));
     }
 
     #[test]

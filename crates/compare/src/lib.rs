@@ -42,6 +42,9 @@ pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
     SeparationModel, SpectralMoments, SurfaceError,
 };
+pub use fft_bem_solver::{
+    Answer, Iteration, Load, Method, Precision, Solution, Solver, SolverError,
+};
 pub use finding::{Bare, Fact, Finding, Passed, Seam, Steep, Subject, Weight, Yield};
 pub use findings::{Solved, findings, seam};
 pub use inputs::{Inputs, MomentSource};
@@ -54,9 +57,7 @@ pub use result::{
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Pressed, Scene, is_steep};
-pub use settings::{
-    EdgesName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
-};
+pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures};
 pub use spots::{Spots, contact_spots};
 pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surface_stats::Level;

@@ -1,6 +1,7 @@
 //! Everything a user can choose about a study.
 
 use crate::{Registry, Theory};
+use fft_bem_solver::{Method, Precision};
 use serde::{Deserialize, Serialize};
 use surface_stats::Level;
 
@@ -10,6 +11,9 @@ use surface_stats::Level;
 pub struct Settings {
     /// Contact modulus E* (Pa).
     pub modulus: f64,
+    /// The elastic bodies it is made of, if they are known: one against a rigid flat, or two.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bodies: Vec<Body>,
     /// Nominal pressures (Pa); absent: chosen per surface, see [`default_pressures`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures: Option<Vec<f64>>,
@@ -24,14 +28,14 @@ pub struct Settings {
     #[serde(default)]
     pub edges: EdgesName,
     /// Solver method: `auto`, `chord`, `polonsky-keer` or `stanley-kato`.
-    pub method: MethodName,
+    pub method: Method,
     /// Half width of the interval around the area to stay within, relative to it, as 0.02. If
     /// given, grid, precision and tolerance are chosen for each surface, and the two below are
     /// not used.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<f64>,
     /// Floating-point precision of the solver: `f64` or `f32`.
-    pub precision: PrecisionName,
+    pub precision: Precision,
     /// Relative rms pressure error at which the solver stops.
     pub tolerance: f64,
     /// Threads the solver may use.
@@ -51,13 +55,14 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             modulus: STEEL_ON_STEEL,
+            bodies: Vec::new(),
             pressures: None,
             headline: None,
             level: Level::Plane,
             edges: EdgesName::Periodic,
-            method: MethodName::Auto,
+            method: Method::Auto,
             accuracy: None,
-            precision: PrecisionName::F64,
+            precision: Precision::Double,
             tolerance: 1e-4,
             threads: 1,
             models: None,
@@ -77,6 +82,19 @@ impl Settings {
         registry.of_maps().filter(move |theory| asked(&theory.card().name))
     }
 }
+
+/// An elastic body.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Body {
+    /// Young's modulus (Pa).
+    pub young: f64,
+    /// Poisson's ratio (-).
+    pub poisson: f64,
+}
+
+/// Steel.
+pub const STEEL: Body = Body { young: 210e9, poisson: 0.3 };
 
 /// E* of two steel bodies, `E / (2 (1 - nu^2))` with E = 210 GPa and nu = 0.3 (Pa).
 pub const STEEL_ON_STEEL: f64 = 210e9 / (2.0 * (1.0 - 0.3 * 0.3));
@@ -114,59 +132,6 @@ names! {
         Periodic = "periodic",
         /// Its mirror images: no jump, four times the points.
         Mirrored = "mirrored",
-    }
-}
-
-names! {
-    /// Method of the deterministic solver.
-    MethodName {
-        /// The fastest that applies.
-        Auto = "auto",
-        /// Extension-preconditioned chord iteration.
-        Chord = "chord",
-        /// Polonsky and Keer (1999).
-        PolonskyKeer = "polonsky-keer",
-        /// Stanley and Kato (1997).
-        StanleyKato = "stanley-kato",
-    }
-}
-
-names! {
-    /// Precision of the solver's kernels.
-    PrecisionName {
-        /// Double.
-        F64 = "f64",
-        /// Single.
-        F32 = "f32",
-    }
-}
-
-impl From<PrecisionName> for fft_bem_solver::Precision {
-    fn from(name: PrecisionName) -> Self {
-        match name {
-            PrecisionName::F64 => Self::Double,
-            PrecisionName::F32 => Self::Single,
-        }
-    }
-}
-
-impl From<fft_bem_solver::Precision> for PrecisionName {
-    fn from(precision: fft_bem_solver::Precision) -> Self {
-        match precision {
-            fft_bem_solver::Precision::Double => Self::F64,
-            fft_bem_solver::Precision::Single => Self::F32,
-        }
-    }
-}
-
-impl From<MethodName> for fft_bem_solver::Method {
-    fn from(name: MethodName) -> Self {
-        match name {
-            MethodName::Auto => Self::Auto,
-            MethodName::Chord => Self::Chord,
-            MethodName::PolonskyKeer => Self::PolonskyKeer,
-            MethodName::StanleyKato => Self::StanleyKato,
-        }
     }
 }
 

@@ -5,8 +5,8 @@ use fft_bem_solver::{Solver, SolverBuilder};
 
 pub(crate) fn builder(settings: &Settings) -> SolverBuilder {
     Solver::builder()
-        .method(settings.method.into())
-        .precision(settings.precision.into())
+        .method(settings.method)
+        .precision(settings.precision)
         .tolerance(settings.tolerance)
         .threads(settings.threads.max(1))
 }

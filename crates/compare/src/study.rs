@@ -15,7 +15,9 @@ use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::verdict;
 use crate::{EdgesName, Registry, Settings, Surface, Surrounded, default_pressures};
+use contact_accuracy::budget::Between;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
+use contact_accuracy::round_to_digits;
 use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverError};
 use std::borrow::Cow;
@@ -122,10 +124,13 @@ fn compare(
                     Err(_) => ControlFlow::Break(()),
                 };
                 let load = Load::MeanPressure(p);
-                match whole.solve_observed(&mut solver, load, &mut watch) {
-                    Err(SolverError::Stopped(_)) => return Err(StudyError::Stopped),
-                    result => curve.take(p, result),
+                let result = whole.solve_observed(&mut solver, load, &mut watch);
+                if matches!(result, Err(SolverError::Stopped(_))) {
+                    return Err(StudyError::Stopped);
                 }
+                let pressure = result.as_ref().map_or(&[][..], |s| &s.pressure);
+                let between = Between::of(&map, known.repeats, pressure, modulus);
+                curve.take(p, result, between.as_ref());
                 tell(curve.news(i))?;
             }
             None
@@ -141,7 +146,7 @@ fn compare(
                 loads: &loads,
                 boundary: Boundary::Periodic,
                 request,
-                method: settings.method.into(),
+                method: settings.method,
                 certified: false,
                 maps: Maps::Pressure,
                 threads: settings.threads,
@@ -162,7 +167,7 @@ fn compare(
         Some(_) => 0.0,
     };
     if let Some(value) = settings.headline
-        && !same(deterministic[headline].mean_pressure, value)
+        && !named(deterministic[headline].mean_pressure, value)
     {
         return Err(StudyError::HeadlineNotComputed { value });
     }
@@ -222,6 +227,13 @@ fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) -> Vec
 /// Equal but for the rounding of a decimal.
 fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
+}
+
+/// True if `value` names this load: equal, or what it is to three digits, as it is printed.
+fn named(load: f64, value: f64) -> bool {
+    same(load, value)
+        || same(round_to_digits(load, 3), value)
+        || same(round_to_digits(load, 4), value)
 }
 
 /// Asks a model at every load, with its time.
@@ -298,4 +310,19 @@ fn timed(
     }
     passes.sort();
     (answers, passes[passes.len() / 2].as_secs_f64() / loads.len().max(1) as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_load_answers_to_what_is_printed_of_it() {
+        let load = 10f64.powf(7.5);
+        for printed in [31.6e6, 31.62e6, load] {
+            assert!(named(load, printed), "{printed}");
+        }
+        assert!(!named(load, 31.7e6));
+        assert!(!named(10e6, 10.04e6));
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::EdgesName;
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Load, Observer, Solution, Solver, SolverError};
+use fft_bem_solver::{Answer, Iteration, Load, Solution, Solver, SolverError};
 use std::borrow::Cow;
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
@@ -53,11 +53,11 @@ impl<'a> Surrounded<'a> {
     ///
     /// # Errors
     /// As [`solve`](Self::solve), and [`SolverError::Stopped`].
-    pub fn solve_observed(
+    pub fn solve_observed<A: Answer>(
         &self,
         solver: &mut Solver,
         load: Load,
-        observer: &mut dyn Observer,
+        observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Solution, SolverError> {
         on_given(solver.solve_observed(&self.map, load, observer), self.given)
     }
@@ -95,6 +95,7 @@ pub fn on_given(
         Err(SolverError::NotConverged(best)) => {
             Err(SolverError::NotConverged(Box::new(quarter(*best))))
         }
+        Err(SolverError::Rounding(best)) => Err(SolverError::Rounding(Box::new(quarter(*best)))),
         Err(SolverError::Stopped(last)) => Err(SolverError::Stopped(Box::new(quarter(*last)))),
         Err(error) => Err(error),
     }

@@ -151,11 +151,7 @@ fn solver(map: &HeightMap, tolerance: f64) -> Outcome<Solver> {
 
 /// Solutions along the curve.
 fn solutions(map: &HeightMap, tolerance: f64, loads: &[f64]) -> Outcome<Vec<Solution>> {
-    let mut found = Vec::new();
-    solver(map, tolerance)?.curve(map, loads, |_, result| {
-        found.push(result);
-        ControlFlow::Continue(())
-    });
+    let found = solver(map, tolerance)?.curve(map, loads);
     Ok(found.into_iter().collect::<Result<_, SolverError>>()?)
 }
 

@@ -115,20 +115,7 @@ fn curve(surface: &HeightMap, tolerance: f64) -> Result<(f64, f64), Box<dyn Erro
     let loads: Vec<f64> = (0..16).map(|k| 0.005 * 200_f64.powf(f64::from(k) / 15.0)).collect();
     let mut solver = solver(surface, Method::Chord, tolerance, 4)?;
     let clock = Instant::now();
-    let mut pairs = 0.0;
-    let mut failure = None;
-    solver.curve(surface, &loads, |_, result| match result {
-        Ok(solution) => {
-            pairs += solution.diagnostics.transforms;
-            ControlFlow::Continue(())
-        }
-        Err(error) => {
-            failure = Some(error);
-            ControlFlow::Break(())
-        }
-    });
-    match failure {
-        Some(error) => Err(error.into()),
-        None => Ok((pairs / loads.len() as f64, clock.elapsed().as_secs_f64())),
-    }
+    let found = solver.curve(surface, &loads).into_iter().collect::<Result<Vec<_>, _>>()?;
+    let pairs = found.iter().map(|solution| solution.diagnostics.transforms).sum::<f64>();
+    Ok((pairs / loads.len() as f64, clock.elapsed().as_secs_f64()))
 }

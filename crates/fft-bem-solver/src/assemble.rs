@@ -30,6 +30,10 @@ impl<T: Real> Engine<T> {
             (&state.pressure, &state.displacement, &problem.heights, state.level);
         let pressure = |i: usize| p[i].wide() * units.pressure;
         let gap = |i: usize| (u[i].wide() - h[i].wide() - level) * units.height;
+        // Under a free boundary nothing fixes the displacement but the load: in contact, what the iteration
+        // leaves may be large beside the heights, and is no gap.
+        let is_free = settings.boundary == Boundary::Free;
+        let counted = |i: usize| if is_free && p[i] > T::zero() { 0.0 } else { gap(i) };
         let (pixels, n) = (p.len(), p.len() as f64);
         let load_sum = fields::sum_of(pixels, pressure);
         let lowest = fields::least_of(pixels, gap);
@@ -38,6 +42,8 @@ impl<T: Real> Engine<T> {
         let area_fraction = contact_pixels as f64 / n;
         let complementarity = fields::sum_of(pixels, |i| pressure(i) * gap(i).abs());
         let work = fields::dot(p, u) / n;
+        let highest = fields::largest_of(pixels, |i| u[i].wide().abs());
+        let gap_rounding = problem.rounding + T::EPSILON * (highest + 1.0) * units.height;
         let residuals = Residuals {
             preconditioned: run.outcome.residual,
             complementarity: if load_sum > 0.0 {
@@ -53,11 +59,15 @@ impl<T: Real> Engine<T> {
             boundary: settings.boundary,
             precision: settings.precision,
             exact: run.exact,
+            end: run.outcome.end,
             iterations: run.outcome.iterations,
             transforms,
+            fallbacks: run.outcome.fallbacks,
             residuals,
             duality_gap,
             energy_bound,
+            height_rounding: problem.rounding,
+            gap_rounding,
             seconds: run.clock.elapsed().as_secs_f64(),
             contact_pixels,
             contact_perimeter,
@@ -80,7 +90,7 @@ impl<T: Real> Engine<T> {
             mean_pressure,
             area_fraction,
             separation: Some(-(problem.mean_height + state.level) * units.height),
-            mean_gap: Some(fields::sum_of(pixels, gap) / n),
+            mean_gap: Some(fields::sum_of(pixels, counted) / n),
             caveat: None,
         };
         let approach = self.state.level * units.height;

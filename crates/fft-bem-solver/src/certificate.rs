@@ -17,7 +17,7 @@
 //! The bound says nothing about the contact area.
 
 use crate::methods::{Compliance, State};
-use crate::{Real, fields};
+use crate::{End, Real, fields};
 use std::f64::consts::FRAC_PI_2;
 
 /// `displacement - heights` in contact, averaged with the pressure as weight.
@@ -54,9 +54,7 @@ pub(crate) fn energy_error<T: Real>(
     operator: &mut dyn Compliance<T>,
 ) -> EnergyError {
     let p = &state.pressure;
-    for (i, r) in scratch.iter_mut().enumerate() {
-        *r = violation(p[i], gap(i));
-    }
+    fields::write(scratch, |i, _| violation(p[i], gap(i)));
     if !operator.invert(scratch) {
         return EnergyError { relative: f64::INFINITY, transforms: 0.0 };
     }
@@ -95,7 +93,7 @@ const STALL: usize = 10;
 
 /// What [`Patience::judge`] found.
 pub(crate) struct Verdict {
-    pub(crate) is_converged: bool,
+    pub(crate) end: Option<End>,
     pub(crate) residual: Option<f64>,
     pub(crate) transforms: f64,
 }
@@ -119,7 +117,7 @@ impl Patience {
         let plain = FRAC_PI_2 * (fields::sum_of(p.len(), square) / fields::dot(p, p)).sqrt();
         let is_rounding = is_rounding(state, heights, gap);
         if plain > self.worthwhile.max(30.0 * T::ATTAINABLE) && !is_rounding {
-            return Verdict { is_converged: false, residual: None, transforms: 0.0 };
+            return Verdict { end: None, residual: None, transforms: 0.0 };
         }
         let bound = energy_error(state, |i| gap[i], scratch, operator);
         let relative = if bound.relative.is_finite() { CAUTION * bound.relative } else { plain };
@@ -128,26 +126,28 @@ impl Patience {
             (self.best, self.since) = (relative, 0);
         }
         let is_stalled = self.since >= STALL && relative <= T::ATTAINABLE;
-        let is_converged = relative <= self.tolerance || is_rounding || is_stalled;
+        let end = if relative <= self.tolerance {
+            Some(End::Converged)
+        } else {
+            (is_rounding || is_stalled).then_some(End::Rounding)
+        };
         let aim = self.tolerance.max(T::ATTAINABLE);
         self.worthwhile = plain * (0.7 * aim / relative).clamp(0.01, 0.9);
         if relative <= T::ATTAINABLE {
             self.worthwhile = 2.0 * plain; // near rounding: look every time
         }
-        Verdict { is_converged, residual: Some(relative), transforms: bound.transforms }
+        Verdict { end, residual: Some(relative), transforms: bound.transforms }
     }
 }
 
 /// True if what is left of the gap in contact is rounding of the two fields it is made of.
 fn is_rounding<T: Real>(state: &State<T>, heights: &[T], gap: &[T]) -> bool {
     let (p, u) = (&state.pressure, &state.displacement);
-    let (mut worst, mut size) = (0.0_f64, 0.0_f64);
-    for i in 0..p.len() {
-        let r = violation(p[i], gap[i]).wide();
-        worst = worst.max(r.abs());
-        if r.abs() > 0.0 || p[i] > T::zero() {
-            size = size.max(heights[i].wide().abs());
-        }
-    }
+    let violation = |i: usize| violation(p[i], gap[i]).wide().abs();
+    let worst = fields::largest_of(p.len(), violation);
+    let size = fields::largest_of(p.len(), |i| {
+        let matters = violation(i) > 0.0 || p[i] > T::zero();
+        if matters { heights[i].wide().abs() } else { 0.0 }
+    });
     worst <= 2.0 * T::EPSILON * (size + fields::max(u).max(-fields::min(u)))
 }

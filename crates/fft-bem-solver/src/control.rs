@@ -2,12 +2,15 @@
 //! secant in the logarithm of the mean pressure, kept inside a bracket, warm-started.
 
 use crate::methods::{
-    Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch,
+    Compliance, ContactMethod, Outcome, RISE, Start, State, Step, Target, Task, Watch,
 };
-use crate::{Boundary, Real, fields};
+use crate::{Boundary, End, Real, certificate, fields};
 
 /// Iterations a method may try to control the level itself before the secant takes over.
 const NATIVE_ITERATIONS: usize = 60;
+
+/// Near full contact the rise is no more than this times the gap that is left.
+const LEVELLING_OFF: f64 = 1.5;
 
 /// Loads to try before giving up; a few are enough but for rounding.
 const MAX_LOADS: usize = 100;
@@ -25,7 +28,7 @@ pub(crate) fn solve<T: Real>(
         return method.solve(task, operator, start, state, watch);
     };
     let nothing =
-        Outcome { end: End::Exhausted, iterations: 0, transforms: 0.0, residual: f64::INFINITY };
+        Outcome { end: End::Exhausted, residual: f64::INFINITY, ..Outcome::without_iterating(0.0) };
     if !method.controls_level() {
         return by_loads(method, task, (level, guess), operator, start, state, watch, nothing);
     }
@@ -60,10 +63,10 @@ fn by_loads<T: Real>(
     let mut start = start;
     let (mut low, mut high) = (0.0_f64, f64::INFINITY); // loads known to be too small, too large
     let mut last: Option<(f64, f64, f64)> = None; // ln load, level reached, relative accuracy
-    let (mut iterations, mut transforms) = (before.iterations, before.transforms);
+    let Outcome { mut iterations, mut transforms, mut fallbacks, .. } = before;
     let mut accuracy: f64 = 0.1;
     let finest = 0.25 * task.tolerance; // so that the level is known better than it is asked for
-    let mut last_slope = None;
+    let mut last_slope: Option<f64> = None;
     let (mut damping, mut last_missing) = (1.0, 0.0);
     let mut loads = 0;
     loop {
@@ -74,11 +77,17 @@ fn by_loads<T: Real>(
             tolerance: accuracy.max(finest),
             max_iterations: task.max_iterations - iterations,
         };
+        // An iterate that fits its load is no answer yet while its level is another.
+        let known_slope = last_slope;
         let mut shifted = |step: &Step<'_, T>| {
+            let missing = known_slope.map_or(f64::INFINITY, |slope| {
+                let reached = certificate::level(step.state, &task.problem.heights);
+                ((level - reached) / slope).abs()
+            });
             watch(&Step {
                 iteration: iterations + step.iteration,
                 transforms: transforms + step.transforms,
-                residual: step.residual.max(0.1 * accuracy.min(step.residual)),
+                residual: step.residual.max(missing),
                 state: step.state,
             })
         };
@@ -86,12 +95,14 @@ fn by_loads<T: Real>(
         start = Start::Warm;
         iterations += outcome.iterations;
         transforms += outcome.transforms;
+        fallbacks.gradient_steps += outcome.fallbacks.gradient_steps;
+        fallbacks.face_cg_steps += outcome.fallbacks.face_cg_steps;
         // The level rises with the logarithm of the load about as the mean indentation does.
         let work = fields::dot(&state.pressure, &state.displacement);
-        let mut natural = 0.53 * (work / fields::sum(&state.pressure)).abs();
+        let mut natural = RISE * (work / fields::sum(&state.pressure)).abs();
         if operator.boundary() == Boundary::Periodic {
             // Near full contact it levels off with the gap that is left.
-            natural = natural.min(1.5 * (-level - task.problem.mean_height));
+            natural = natural.min(LEVELLING_OFF * (-level - task.problem.mean_height));
         }
         let mut slope = last_slope.unwrap_or(natural).max(f64::MIN_POSITIVE);
         if let Some((ln_load, reached, accuracy)) = last {
@@ -107,15 +118,16 @@ fn by_loads<T: Real>(
         }
         let missing = (level - state.level) / slope; // in ln load
         let residual = outcome.residual.max(missing.abs());
-        if outcome.end != End::Converged {
-            return Outcome { end: outcome.end, iterations, transforms, residual };
+        if !matches!(outcome.end, End::Converged | End::Rounding) {
+            return Outcome { end: outcome.end, iterations, transforms, residual, fallbacks };
         }
         let is_exact = sub.tolerance <= finest;
         if is_exact && missing.abs() <= task.tolerance {
-            return Outcome { end: End::Converged, iterations, transforms, residual };
+            let end = if residual <= task.tolerance { End::Converged } else { End::Rounding };
+            return Outcome { end, iterations, transforms, residual, fallbacks };
         }
         if iterations >= task.max_iterations || loads >= MAX_LOADS {
-            return Outcome { end: End::Exhausted, iterations, transforms, residual };
+            return Outcome { end: End::Exhausted, iterations, transforms, residual, fallbacks };
         }
         // Only an answer clearly on one side of the target may narrow the bracket; one that leaves
         // no room for the target was a mistake.

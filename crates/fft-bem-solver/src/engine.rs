@@ -1,14 +1,16 @@
 //! From a surface and a load in SI units to a solution, through the scaled problem.
 
 use crate::methods::{
-    self, Compliance, ContactMethod, End, Free, Outcome, Start, State, Step, Target, Task,
+    self, Compliance, ContactMethod, Free, Outcome, Start, State, Step, Target, Task,
 };
+use crate::observer::Observe;
 use crate::problem::Problem;
 use crate::{
-    Boundary, FreeHalfSpace, HalfSpace, Iteration, Load, Maps, Method, Observer, Precision, Real,
+    Boundary, End, FreeHalfSpace, HalfSpace, Iteration, Load, Maps, Method, Precision, Real,
     Solution, SolverError, control, fields, special_cases,
 };
 use contact_types::{ContactModulus, Grid, HeightMap};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// The settings of a solver, checked.
@@ -31,7 +33,7 @@ pub(crate) struct Engine<T> {
     method: Box<dyn ContactMethod<T>>,
     operator: Box<dyn Compliance<T>>,
     pub(crate) state: State<T>,
-    problem: Option<Problem<T>>,
+    problem: Option<Arc<Problem<T>>>,
     /// Mean pressure that closes every gap of the problem, once it is known.
     closing_load: Option<f64>,
     /// Mean pressure below which the method does not expect that, once it was asked.
@@ -85,27 +87,25 @@ impl<T: Real> Engine<T> {
         self.closing_load = None;
         self.suspected_closing_load = None;
         self.problem = None;
-        self.problem = Some(Problem::new(surface, self.scaled, self.settings.modulus)?);
+        self.problem = Some(Arc::new(Problem::new(surface, self.scaled, self.settings.modulus)?));
         Ok(())
     }
 
     pub(crate) fn solve(
         &mut self,
         load: Load,
-        observer: &mut dyn Observer,
+        observer: &mut Observe<'_>,
         clock: Instant,
     ) -> Result<Solution, SolverError> {
-        let problem = self.problem.take().ok_or(SolverError::NoSurface)?;
-        let result = self.solve_problem(&problem, load, observer, clock);
-        self.problem = Some(problem);
-        result
+        let problem = self.problem.clone().ok_or(SolverError::NoSurface)?;
+        self.solve_problem(&problem, load, observer, clock)
     }
 
     fn solve_problem(
         &mut self,
         problem: &Problem<T>,
         load: Load,
-        observer: &mut dyn Observer,
+        observer: &mut Observe<'_>,
         clock: Instant,
     ) -> Result<Solution, SolverError> {
         let prescribed = self.prescribed(problem, load)?;
@@ -121,6 +121,7 @@ impl<T: Real> Engine<T> {
         self.is_warm = solution.diagnostics.contact_pixels > 0;
         match end {
             End::Converged => Ok(solution),
+            End::Rounding => Err(SolverError::Rounding(Box::new(solution))),
             End::Exhausted => Err(SolverError::NotConverged(Box::new(solution))),
             End::Stopped => Err(SolverError::Stopped(Box::new(solution))),
         }
@@ -201,7 +202,7 @@ impl<T: Real> Engine<T> {
         problem: &Problem<T>,
         target: Target,
         start: Start,
-        observer: &mut dyn Observer,
+        observer: &mut Observe<'_>,
         clock: Instant,
     ) -> Run {
         let mut spent = 0.0;
@@ -225,7 +226,7 @@ impl<T: Real> Engine<T> {
         let units = problem.units;
         let mut watch = |step: &Step<'_, T>| {
             let state = step.state;
-            observer.on_iteration(&Iteration {
+            observer(&Iteration {
                 number: step.iteration,
                 transforms: spent + step.transforms,
                 residual: step.residual,
@@ -244,7 +245,7 @@ impl<T: Real> Engine<T> {
         let mut outcome = control::solve(method, &task, operator, start, state, &mut watch);
         outcome.transforms += spent;
         if outcome.end == End::Exhausted && outcome.residual <= T::ATTAINABLE && is_patient {
-            outcome.end = End::Converged; // the rest is rounding
+            outcome.end = End::Rounding;
         }
         Run { exact: None, outcome, clock }
     }
@@ -319,7 +320,7 @@ enum Prescribed {
 }
 
 fn exact(reason: &'static str, transforms: f64, clock: Instant) -> Run {
-    let outcome = Outcome { end: End::Converged, iterations: 0, transforms, residual: 0.0 };
+    let outcome = Outcome::without_iterating(transforms);
     Run { exact: Some(reason), outcome, clock }
 }
 

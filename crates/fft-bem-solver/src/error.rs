@@ -80,6 +80,26 @@ pub enum SolverError {
         /// What to do instead.
         way_out: &'static str,
     },
+    /// The solver would not fit into memory.
+    #[error(
+        "a solver for {} x {} pixels takes about {}, which this machine does not grant; \
+         choose a coarser map, single precision or fewer maps",
+        .shape[0], .shape[1], binary(*.bytes)
+    )]
+    Memory {
+        /// `[ny, nx]`.
+        shape: [usize; 2],
+        /// What it would take, with the maps of one solution (bytes).
+        bytes: u128,
+    },
+    /// Rounding keeps the iteration from going on before the tolerance is reached. The iterate is
+    /// inside, as good as this floating-point type can give it; its residual says how good that is.
+    #[error(
+        "stopped at rounding after {} iterations: estimated relative pressure error {:.2e}; \
+         ask for no smaller tolerance than that, or use double precision",
+        .0.diagnostics.iterations, residual(.0)
+    )]
+    Rounding(Box<Solution>),
     /// The iteration limit was reached first. The last iterate is inside; to keep the best one would
     /// take memory for two more fields.
     #[error(
@@ -96,16 +116,43 @@ pub enum SolverError {
     Stopped(Box<Solution>),
 }
 
+/// A number of bytes in the unit that leaves the fewest digits.
+fn binary(bytes: u128) -> String {
+    let units = ["bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"];
+    let mut value = bytes as f64;
+    let mut unit = 0;
+    while value >= 1000.0 && unit + 1 < units.len() {
+        value /= 1024.0;
+        unit += 1;
+    }
+    format!("{value:.3} {}", units[unit])
+}
+
 fn residual(solution: &Solution) -> f64 {
     let Residuals { preconditioned, .. } = solution.diagnostics.residuals;
     preconditioned
 }
 
 impl SolverError {
+    /// The same as [`solution`](Self::solution), to keep. The error itself, if there is none.
+    ///
+    /// # Errors
+    /// This error, if it carries no solution.
+    pub fn into_solution(self) -> Result<Solution, Self> {
+        match self {
+            Self::NotConverged(solution) | Self::Rounding(solution) | Self::Stopped(solution) => {
+                Ok(*solution)
+            }
+            other => Err(other),
+        }
+    }
+
     /// The iterate reached, if the run got that far.
     pub fn solution(&self) -> Option<&Solution> {
         match self {
-            Self::NotConverged(solution) | Self::Stopped(solution) => Some(solution),
+            Self::NotConverged(solution) | Self::Rounding(solution) | Self::Stopped(solution) => {
+                Some(solution)
+            }
             _ => None,
         }
     }

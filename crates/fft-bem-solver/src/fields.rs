@@ -61,6 +61,11 @@ pub(crate) fn least_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     by_blocks(0..n, &|range| range.map(&term).fold(f64::INFINITY, f64::min), &f64::min)
 }
 
+/// Largest `term(i)` over `0..n`; `-inf` if there is none.
+pub(crate) fn largest_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
+    -least_of(n, |i| -term(i))
+}
+
 /// `value(i)` for every pixel.
 pub(crate) fn filled<T: Real>(n: usize, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let mut field = vec![T::zero(); n];
@@ -72,11 +77,24 @@ pub(crate) fn filled<T: Real>(n: usize, value: impl Fn(usize) -> T + Sync) -> Ve
     field
 }
 
-/// Replaces every value `x` by `new(x)`.
-pub(crate) fn change<T: Real>(field: &mut [T], new: impl Fn(T) -> T + Sync + Send) {
-    field.par_chunks_mut(BLOCK).for_each(|block| {
-        for x in block {
-            *x = new(*x);
+/// Replaces every value `x` by `new(i, x)`.
+pub(crate) fn write<T: Real>(field: &mut [T], new: impl Fn(usize, T) -> T + Sync + Send) {
+    field.par_chunks_mut(BLOCK).enumerate().for_each(|(k, block)| {
+        for (i, x) in block.iter_mut().enumerate() {
+            *x = new(k * BLOCK + i, *x);
+        }
+    });
+}
+
+/// The same for two fields at a time.
+pub(crate) fn write_both<T: Real>(
+    [a, b]: [&mut [T]; 2],
+    new: impl Fn(usize, [T; 2]) -> [T; 2] + Sync + Send,
+) {
+    let blocks = a.par_chunks_mut(BLOCK).zip(b.par_chunks_mut(BLOCK));
+    blocks.enumerate().for_each(|(k, (a, b))| {
+        for (i, (a, b)) in a.iter_mut().zip(b).enumerate() {
+            [*a, *b] = new(k * BLOCK + i, [*a, *b]);
         }
     });
 }

@@ -1,18 +1,26 @@
 //! Pressure to displacement on a periodic half space.
 
-use crate::methods::{Partial, RowWork};
+use crate::row_work::{Partial, RowWork};
 use crate::simd::vectorised;
 use crate::{Real, SolverError};
 use contact_types::{ContactModulus, Grid};
 use grid_fft::Convolution;
 
-/// The surface of a periodic elastic half space: turns pressure into displacement and back.
+/// The surface of a periodic elastic half space: turns pressure into displacement and back. With the
+/// feature `parallel` on the threads of the pool of rayon that it is called in.
 pub struct HalfSpace<T: Real> {
     grid: Grid,
     modulus: ContactModulus,
     transform: Convolution<T>,
     /// Square of the wavenumber along y, `ky` in `0..=ny/2`.
     qy2: Vec<T>,
+}
+
+impl<T: Real> std::fmt::Debug for HalfSpace<T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut shown = f.debug_struct("HalfSpace");
+        shown.field("grid", &self.grid).field("modulus", &self.modulus).finish_non_exhaustive()
+    }
 }
 
 impl<T: Real> HalfSpace<T> {

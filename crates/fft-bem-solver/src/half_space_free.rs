@@ -19,6 +19,12 @@ pub struct FreeHalfSpace<T: Real> {
     is_definite: bool,
 }
 
+impl<T: Real> std::fmt::Debug for FreeHalfSpace<T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("FreeHalfSpace").field("grid", &self.grid).finish_non_exhaustive()
+    }
+}
+
 impl<T: Real> FreeHalfSpace<T> {
     /// Plans the transforms for `grid` and transforms the influence coefficients.
     pub fn new(grid: Grid, modulus: ContactModulus) -> Self {

@@ -6,8 +6,7 @@
 //! pressure does not. [`Solver`] finds it, on any grid, and says how accurate it is.
 //!
 //! ```
-//! use contact_types::{ContactModulus, Grid, HeightMap};
-//! use fft_bem_solver::{Load, Solver};
+//! use fft_bem_solver::{ContactModulus, Grid, HeightMap, Load, Solver};
 //!
 //! let grid = Grid::new([32, 32], [1e-6, 1e-6])?; // 32 x 32 pixels of 1 um
 //! let q = std::f64::consts::TAU / 32e-6;
@@ -20,6 +19,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#![warn(missing_debug_implementations)]
+
 mod assemble;
 mod boundary_correction;
 mod certificate;
@@ -30,28 +31,33 @@ mod error;
 mod fields;
 mod half_space;
 mod half_space_free;
+mod memory;
 mod methods;
 mod observer;
+mod pool;
 mod problem;
 mod projection;
 mod real;
 pub mod reference;
+mod row_work;
 mod settings;
 mod simd;
 mod solution;
 mod solver;
 mod special_cases;
+mod unknown_name;
 pub mod validation;
 
 pub use boundary_correction::BOUNDARY_CORRECTION;
 pub use contact_types::{
-    ContactModulus, ContactState, Elastic, Grid, HeightMap, ModelError, SurfaceError,
+    Caveat, ContactModulus, ContactState, Elastic, Grid, HeightMap, ModelError, SurfaceError,
 };
 pub use error::SolverError;
 pub use half_space::HalfSpace;
 pub use half_space_free::{FreeHalfSpace, love};
-pub use observer::{Iteration, Observer};
+pub use observer::{Answer, Iteration};
 pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};
-pub use solution::{Diagnostics, Residuals, Solution};
+pub use solution::{Diagnostics, End, Fallbacks, Residuals, Solution};
 pub use solver::{Solver, SolverBuilder};
+pub use unknown_name::UnknownName;

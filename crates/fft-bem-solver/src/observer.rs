@@ -1,9 +1,15 @@
 //! Looking on while a solve runs.
+//!
+//! An observer is a closure. It is called on a thread of the solver, not on that of the caller, which
+//! waits meanwhile: it must be `Send`, and what is local to a thread is another's there. If it panics,
+//! the panic comes out of the call that solves, and the solver can be used as before: the next solve
+//! starts from nothing.
 
 use std::ops::ControlFlow;
 
 /// What an observer is shown after each iteration.
 #[derive(Clone, Copy)]
+#[non_exhaustive]
 pub struct Iteration<'a> {
     /// Iterations done, counted from 0 before the first.
     pub number: usize,
@@ -41,15 +47,29 @@ impl std::fmt::Debug for Iteration<'_> {
     }
 }
 
-/// Something that follows the iterations and may stop them. Closures implement it.
-pub trait Observer: Send {
-    /// Called after each iteration; `Break` ends the run with
-    /// [`SolverError::Stopped`](crate::SolverError::Stopped).
-    fn on_iteration(&mut self, iteration: &Iteration<'_>) -> ControlFlow<()>;
+/// What an observer may answer: nothing, or whether to go on.
+pub trait Answer: sealed::Sealed {
+    /// Whether to go on.
+    fn flow(self) -> ControlFlow<()>;
 }
 
-impl<F: FnMut(&Iteration<'_>) -> ControlFlow<()> + Send> Observer for F {
-    fn on_iteration(&mut self, iteration: &Iteration<'_>) -> ControlFlow<()> {
-        self(iteration)
+impl Answer for () {
+    fn flow(self) -> ControlFlow<()> {
+        ControlFlow::Continue(())
     }
 }
+
+impl Answer for ControlFlow<()> {
+    fn flow(self) -> ControlFlow<()> {
+        self
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for () {}
+    impl Sealed for std::ops::ControlFlow<()> {}
+}
+
+/// Any observer, once its answers are alike.
+pub(crate) type Observe<'a> = dyn FnMut(&Iteration<'_>) -> ControlFlow<()> + Send + 'a;

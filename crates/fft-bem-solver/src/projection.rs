@@ -25,7 +25,7 @@ pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
         found = fields::positive_part(field, shift);
     }
     let scale = if found[0] > 0.0 { total / found[0] } else { 1.0 }; // rounding
-    fields::change(field, |p| T::of((p.wide() + shift).max(0.0) * scale));
+    fields::write(field, |_, p| T::of((p.wide() + shift).max(0.0) * scale));
 }
 
 #[cfg(test)]

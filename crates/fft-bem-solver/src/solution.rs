@@ -8,7 +8,8 @@ use contact_types::{ContactState, Grid};
 pub struct Solution {
     /// The grid it was found on.
     pub grid: Grid,
-    /// Mean pressure, raw area fraction (pixels that carry pressure), mean gap.
+    /// Mean pressure, raw area fraction (pixels that carry pressure), mean gap. With a free boundary
+    /// the gap of pixels in contact counts as the 0 it stands for, not as what the iteration left of it.
     pub state: ContactState,
     /// How far the flat has moved since first touch (m); see [`Load::Approach`](crate::Load).
     pub approach: f64,
@@ -46,6 +47,30 @@ pub struct Residuals {
     pub penetration: f64,
 }
 
+/// How an iteration ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum End {
+    /// The estimated error is within the tolerance.
+    Converged,
+    /// Rounding keeps it from falling to the tolerance.
+    Rounding,
+    /// The iteration limit was reached first.
+    Exhausted,
+    /// The observer stopped it.
+    Stopped,
+}
+
+/// Steps that a method took because its own did not help: they cost time, not accuracy. The
+/// baselines have none.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Fallbacks {
+    /// Projected gradients, in place of a chord that does not descend or where the estimate stalls.
+    pub gradient_steps: usize,
+    /// Conjugate gradients on the nodes in contact, where gradients do not help either.
+    pub face_cg_steps: usize,
+}
+
 /// How an answer was found and how accurate it is.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -58,11 +83,15 @@ pub struct Diagnostics {
     pub precision: Precision,
     /// `Some` if the answer is exact without iterating, and why.
     pub exact: Option<&'static str>,
+    /// Whether the tolerance was reached, and if not, why.
+    pub end: End,
     /// Iterations done.
     pub iterations: usize,
     /// FFT pairs spent: one forward and one inverse transform of the whole map count 1, coarser
     /// ones in proportion to their cost.
     pub transforms: f64,
+    /// Steps that were taken because the method's own did not help.
+    pub fallbacks: Fallbacks,
     /// What is left of the residuals.
     pub residuals: Residuals,
     /// Upper bound of the energy error per nominal area, `mean p (g - min g)` (J/m²). Rigorous
@@ -71,6 +100,13 @@ pub struct Diagnostics {
     /// Rigorous and tight upper bound of the relative error in the energy norm; computed if the
     /// solver was built with [`certified`](crate::SolverBuilder::certified).
     pub energy_bound: Option<f64>,
+    /// How far the heights may be off because they were given in `f64`: the distance between
+    /// neighbouring numbers at the largest (m). It is large beside the surface where an offset was left on
+    /// it.
+    pub height_rounding: f64,
+    /// How far a gap may be off by rounding: of the heights, and of the displacement in the
+    /// floating-point type of the solve (m).
+    pub gap_rounding: f64,
     /// Wall-clock time (s).
     pub seconds: f64,
     /// Pixels that carry pressure.

@@ -45,7 +45,7 @@ fn iterate(
         .build(map.grid(), unit_modulus());
     match built.unwrap().solve(map, Load::MeanPressure(load)) {
         Ok(solution) => solution,
-        Err(SolverError::NotConverged(solution)) => *solution,
+        Err(SolverError::NotConverged(solution) | SolverError::Rounding(solution)) => *solution,
         Err(other) => panic!("{other}"),
     }
 }

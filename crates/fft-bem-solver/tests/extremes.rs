@@ -10,7 +10,9 @@ mod dense;
 
 use common::{Uniform, self_affine, unit_grid, unit_modulus};
 use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{Boundary, Iteration, Load, Method, Precision, Solution, Solver, SolverError};
+use fft_bem_solver::{
+    Boundary, End, Iteration, Load, Method, Precision, Solution, Solver, SolverError,
+};
 use std::ops::ControlFlow;
 
 const METHODS: [Method; 3] = [Method::Auto, Method::PolonskyKeer, Method::StanleyKato];
@@ -353,7 +355,10 @@ fn tolerances_below_rounding_end() {
                     .tolerance(1e-15)
                     .build(map.grid(), unit_modulus())
                     .unwrap();
-                let found = solver.solve(&map, Load::MeanPressure(0.3)).unwrap().diagnostics;
+                let error = solver.solve(&map, Load::MeanPressure(0.3)).unwrap_err();
+                assert!(matches!(error, SolverError::Rounding(_)), "{error}");
+                let found = error.into_solution().unwrap().diagnostics;
+                assert_eq!(found.end, End::Rounding);
                 let residual = found.residuals.preconditioned;
                 assert!(residual <= limit, "{boundary:?} {precision:?} {method}: {residual:e}");
                 assert!(found.iterations < 2000);

@@ -7,7 +7,6 @@ mod common;
 
 use common::{measured_like, self_affine, unit_grid, unit_modulus};
 use fft_bem_solver::{Load, Method, Solver};
-use std::ops::ControlFlow;
 
 /// Hurst exponent, load, and iterations and pairs to three tolerances.
 type Work = (f64, f64, [(usize, f64); 3]);
@@ -49,12 +48,8 @@ fn iterations_along_a_curve() {
     let found = [1e-2, 1e-4, 1e-6].map(|tolerance| {
         let builder = Solver::builder().method(Method::Chord).tolerance(tolerance);
         let mut solver = builder.build(unit_grid(n, n), unit_modulus()).unwrap();
-        let mut iterations = 0;
-        solver.curve(&surface, &loads, |_, result| {
-            iterations += result.unwrap().diagnostics.iterations;
-            ControlFlow::Continue(())
-        });
-        iterations
+        let points = solver.curve(&surface, &loads);
+        points.into_iter().map(|found| found.unwrap().diagnostics.iterations).sum::<usize>()
     });
     assert_eq!(found, [16, 51, 81], "iterations changed");
 }

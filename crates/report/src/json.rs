@@ -5,7 +5,6 @@ use crate::provenance::Provenance;
 use crate::words;
 use crate::words::finding::finding;
 use crate::words::plan as plan_words;
-use compare::PrecisionName;
 use compare::{
     Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
 };
@@ -61,7 +60,7 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     let (precision, tolerance) = s
         .plan
         .as_ref()
-        .map_or((settings.precision, settings.tolerance), |p| (p.precision.into(), p.tolerance));
+        .map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
     let method = s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.method.clone()));
     json!({
         "name": s.name,
@@ -230,7 +229,7 @@ pub fn accuracy(outcome: &Outcome) -> Value {
         "given": outcome.given.shape(),
         "grid": outcome.grid.shape(),
         "factor": outcome.factor,
-        "precision": PrecisionName::from(outcome.precision),
+        "precision": outcome.precision.name(),
         "tolerance": outcome.tolerance,
         "half_width": outcome.half_width,
         "transforms": outcome.transforms,

@@ -184,10 +184,13 @@ fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer
     let mut columns =
         Columns::new(&["mean pressure", "area", "real pressure", "separation", "mean gap"]);
     let mut notes: Vec<String> = Vec::new();
+    // The first refusal is said on standard error.
+    let told = answers.iter().find_map(|answer| answer.as_ref().err());
     for (question, answer) in questions.iter().zip(answers) {
         columns.row(cells(*question, answer));
         let note = match answer {
             Ok(state) => state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
+            Err(error) if Some(error) == told => None,
             Err(error) => Some(format!("refused: {error}")),
         };
         notes.extend(note.filter(|note| !notes.contains(note)));
@@ -204,7 +207,7 @@ fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer
         "inputs": crate::roughness::object(inputs),
         "points": points,
     });
-    let trouble = answers.iter().find_map(|answer| answer.as_ref().err()).map(failure);
+    let trouble = told.map(failure);
     Reply { text, json, trouble }
 }
 

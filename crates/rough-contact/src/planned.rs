@@ -4,9 +4,9 @@ use crate::loads::{rising, shown};
 use crate::outcome::{Failure, Reply};
 use crate::progress::Progress;
 use crate::work::Work;
+use compare::Method;
 use compare::budget::{Budget, Map};
 use compare::plan::{self, Outcome, PlanError, Request, Sink, Task};
-use compare::{MethodName, PrecisionName};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solution, SolverError};
 use report::{accuracy_json, plan_explanation, plan_reason};
@@ -19,7 +19,7 @@ pub(crate) struct Asked<'a> {
     pub(crate) boundary: Boundary,
     pub(crate) modulus: ContactModulus,
     pub(crate) request: Request,
-    pub(crate) method: MethodName,
+    pub(crate) method: Method,
     pub(crate) certified: bool,
     /// Whether pressure and gap are written.
     pub(crate) fields: bool,
@@ -43,7 +43,7 @@ impl Asked<'_> {
             loads: &risen,
             boundary: self.boundary,
             request: self.request,
-            method: self.method.into(),
+            method: self.method,
             certified: self.certified,
             maps: if self.fields { Maps::PressureAndGap } else { Maps::Pressure },
             threads: self.threads,
@@ -94,7 +94,7 @@ pub(crate) fn state(outcome: &Outcome, refinable: bool, reply: &mut Reply) {
     reply.text.push_str(&line);
     reply.text.push('\n');
     reply.json["accuracy"] = accuracy_json(outcome);
-    reply.json["precision"] = PrecisionName::from(outcome.precision).name().into();
+    reply.json["precision"] = outcome.precision.name().into();
     reply.json["tolerance"] = outcome.tolerance.into();
     let refine =
         "; --refine instead of --accuracy gives the interval that a twice finer grid leaves";

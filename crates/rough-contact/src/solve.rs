@@ -11,17 +11,16 @@ use crate::progress::Progress;
 use crate::text::{self, Columns};
 use crate::work::{Work, map_names};
 use clap::Args;
-use compare::budget::{Budget, Map, NoAreaInterval, Stiffness, grid};
+use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, Level, MethodName, NotRefined, PrecisionName, Scene, Solved, Surrounded, TwiceFiner,
+    EdgesName, Level, Method, NotRefined, Precision, Scene, Solved, Surrounded, TwiceFiner,
     on_given,
 };
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
-use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solution, Solver, SolverError};
+use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};
 use serde_json::json;
 use std::borrow::Cow;
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 use surface_stats::clean::row_offsets;
 use surface_stats::{DirectionalMoments, HeightStatistics};
@@ -49,10 +48,10 @@ pub(crate) struct Solve {
     edges: EdgesName,
     /// How to solve
     #[arg(long, value_parser = args::method(), default_value = "auto")]
-    method: MethodName,
+    method: Method,
     /// Floating-point type of the iteration; results are always f64
     #[arg(long, value_parser = args::precision(), default_value = "f64")]
-    precision: PrecisionName,
+    precision: Precision,
     /// Relative rms error of the pressure to reach
     #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
     #[arg(default_value = "1e-4")]
@@ -77,6 +76,9 @@ pub(crate) struct Solve {
     #[command(flatten)]
     input: Input,
 }
+
+/// Most points of a map that is solved on a twice finer grid without being asked: 1024 x 1024.
+const MOST_UNASKED: usize = 1 << 20;
 
 /// Why an isolated contact is not solved for its gap.
 const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mean gap of an isolated \
@@ -115,6 +117,7 @@ impl Solve {
         let known = Map::with_step(&surface, height_step)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
         let given = surface.grid();
+        let part = (self.edges == EdgesName::Mirrored).then(|| surface.clone());
         let surface = Surrounded::new(Cow::Owned(surface), self.edges)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?
             .into_map();
@@ -143,9 +146,9 @@ impl Solve {
             return Ok(reply);
         }
         let builder = Solver::builder()
-            .method(self.method.into())
+            .method(self.method)
             .boundary(boundary)
-            .precision(self.precision.into())
+            .precision(self.precision)
             .tolerance(self.tolerance)
             .threads(common.threads());
         let mut solver = builder
@@ -156,25 +159,13 @@ impl Solve {
             .build(surface.grid(), modulus)
             .map_err(|e| Failure::from_error(&e))?;
         let finer = Finest { builder: builder.maps(Maps::None), boundary, modulus, made: None };
-        let mut errors = Errors { known, kept: None, finer };
-        // Only the stiffness and a finer grid need the map again.
-        let taken = if self.stiffness || self.refine {
-            errors.kept = Some(surface);
-            Ok(())
-        } else {
-            solver.take_surface(surface)
-        };
-        let mut watch = |_: &Iteration<'_>| ControlFlow::Continue(());
+        // What lies between the points is looked at where each load touches.
+        let mut errors = Errors { known, whole: surface, part, finer };
         // Rising load, each solution the start of the next.
         for index in rising(&loads) {
             let load = loads[index];
             progress.working_on(&shown(load));
-            let result = match (&errors.kept, &taken) {
-                (Some(surface), _) => solver.solve(surface, load),
-                (None, Ok(())) => solver.solve_again(load, &mut watch),
-                (None, Err(error)) => Err(error.clone()),
-            };
-            let result = on_given(result, given);
+            let result = on_given(solver.solve(&errors.whole, load), given);
             let (budget, refined) = self.budget(load, &result, &mut solver, &mut errors);
             work.take(index, load, &result, budget.as_ref(), refined);
             progress.step(&shown(load));
@@ -222,23 +213,31 @@ impl Solve {
             }
         };
         let mut budget = Budget::of(solution, &errors.known);
-        let Some(surface) = &errors.kept else {
-            return (Some(under(load, &budget, solution)), None);
-        };
+        let given = errors.part.as_ref().unwrap_or(&errors.whole);
+        let repeats = errors.known.repeats && self.boundary != "free";
+        let modulus = solver.modulus();
+        if let Some(found) = Between::of(given, repeats, &solution.pressure, modulus) {
+            budget = budget.between(&found);
+        }
+        let surface = &errors.whole;
         if self.stiffness {
             // Loads beside one that was solved are no reason to fail: without them there is no
             // number.
             let pressure = solution.state.mean_pressure;
             if let Ok(Some(near)) = Stiffness::near(solver, surface, &errors.known, pressure) {
-                let line = grid::line_share(solution);
+                let line = grid::Line::of(solution);
                 budget = budget.with_stiffness(&near, &errors.known, line);
             }
         }
         let budget = under(load, &budget, solution);
-        if !(self.refine && TwiceFiner::helps(&budget)) {
+        // Where the points do not fix what touches, the answer itself may be wrong by factors: a
+        // finer grid is solved unasked if it is no more than a few million points.
+        let unasked = matches!(budget.area.grid, Err(NoAreaInterval::BetweenPoints { .. }))
+            && surface.grid().len() <= MOST_UNASKED;
+        if !((self.refine || unasked) && TwiceFiner::helps(&budget)) {
             return (Some(budget), None);
         }
-        let refined = errors.finer.solve(load, surface, &errors.known);
+        let refined = errors.finer.solve(load, surface, &errors.known, &budget);
         let budget = refined.as_ref().map_or(budget, |r| budget.refined(&r.found));
         (Some(budget), Some(refined))
     }

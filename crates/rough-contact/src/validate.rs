@@ -5,7 +5,7 @@ use crate::outcome::{Failure, Reply, variant};
 use crate::progress::Progress;
 use crate::text::Columns;
 use clap::Args;
-use compare::MethodName;
+use compare::Method;
 use fft_bem_solver::validation::{self, Options, Row, ValidationError};
 use serde_json::{Value, json};
 
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 pub(crate) struct Validate {
     /// Method to validate
     #[arg(long, value_parser = args::method(), default_value = "auto")]
-    method: MethodName,
+    method: Method,
     /// Points per side of the finest map; profiles have 16 times as many
     #[arg(long, value_name = "N", default_value_t = 256)]
     finest: usize,
@@ -21,8 +21,7 @@ pub(crate) struct Validate {
 
 impl Validate {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
-        let options =
-            Options { method: self.method.into(), finest: self.finest, ..Options::default() };
+        let options = Options { method: self.method, finest: self.finest, ..Options::default() };
         let mut progress = Progress::new(common.quiet, 0);
         let mut last = String::new();
         let rows = validation::run(&options, |row| {

@@ -8,7 +8,7 @@ use crate::text;
 use compare::budget::{Budget, Given, NoAreaInterval};
 use compare::{NotRefined, Pressed};
 use contact_types::Grid;
-use fft_bem_solver::{Load, Solution, SolverError};
+use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};
 
 /// A load that was solved for.
@@ -108,6 +108,7 @@ impl Work {
             let message = format!("{}: {error}", shown(load));
             self.report(match error {
                 SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
+                SolverError::Rounding(_) => Failure::incomplete("stopped_at_rounding", message),
                 _ => Failure::refused(&variant(error), message),
             });
         }
@@ -178,6 +179,7 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
         "max_pressure": d.max_pressure,
         "real_pressure": real,
         "converged": error.is_none(),
+        "stopped_at_rounding": d.end == End::Rounding,
         "iterations": d.iterations,
         "transforms": d.transforms,
         "seconds": d.seconds,
@@ -194,20 +196,26 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
         "error": error_json,
     });
     with_keys(&mut json, Some(budget));
-    let real = budget.real_pressure();
+    let mean = budget.real_pressure().map(|r| r.value());
+    let area = &budget.area;
     let mut cells = vec![text::pressure(state.mean_pressure)];
     if budget.given == Given::Gap {
         let load = budget.mean_pressure;
-        cells.push(text::relative(load.comparison_half_width().ok(), load.value));
+        let half = load.comparison_half_width().ok();
+        cells.push(text::relative(half, load.value, text::pressure));
     }
     cells.extend([
         text::percent(state.area_fraction),
         text::percent(d.area_fraction_corrected),
-        text::relative(budget.area.comparison_half_width().ok(), budget.area.value),
-        text::relative(budget.area.prediction_half_width(), budget.area.value),
+        text::relative(area.comparison_half_width().ok(), area.value, |most| {
+            text::percent(most.min(1.0))
+        }),
+        text::relative(area.prediction_half_width(), area.value, |most| {
+            text::percent(most.min(1.0))
+        }),
         state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
-        real.map_or_else(|| "–".to_owned(), |r| text::pressure(r.value())),
-        text::pressure(d.max_pressure),
+        mean.map_or_else(|| "–".to_owned(), text::pressure),
+        text::highest(d.max_pressure, mean),
         text::number(d.transforms),
         format!("{:.1e}", d.residuals.preconditioned),
         text::seconds(d.seconds),

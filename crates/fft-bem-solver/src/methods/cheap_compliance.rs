@@ -14,14 +14,13 @@ use super::fitted_stencil::{MAX_REACH, Waves, dot};
 use super::spline::Axis;
 use super::stiffness::{Stiffness, fold_rows};
 use crate::Real;
+use crate::row_work::TASK;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 use std::f64::consts::TAU;
 
 /// Most columns handled at a time.
 const TILE: usize = 512;
-/// Pixels that one task of a parallel loop handles, about.
-const TASK: usize = 1 << 14;
 
 /// `K` for one grid, nearly.
 pub(crate) struct CheapCompliance {

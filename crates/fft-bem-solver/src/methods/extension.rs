@@ -18,6 +18,7 @@
 //! counts [`COUPLING`] times width over length. Everything is single precision: the result is a step, corrected by the next one.
 
 use super::transfer::{Transfer, Weight};
+use crate::row_work::TASK;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
@@ -27,8 +28,10 @@ const EPSILON: f32 = 1e-30;
 /// What a line of long pixels takes from the lines beside it, for each ratio of its length to their
 /// width, in what it takes from them if that ratio is 1.
 const COUPLING: f64 = 0.3;
-/// Pixels that one task of a parallel loop handles, about.
-const TASK: usize = 1 << 14;
+/// b of the module documentation, where cells are halved along both axes, and along one.
+const GAIN: [f32; 2] = [0.6, 0.45];
+/// Axes whose pixels are less than this times as long as the finest are halved together.
+const ALIKE: f64 = 1.5;
 
 /// From the filled fraction of a cell to its weight.
 #[derive(Debug, Clone, Copy)]
@@ -70,7 +73,8 @@ impl Level {
     /// `pixel` is that of this level.
     fn new(transfer: Transfer, pixel: [f64; 2]) -> Self {
         let n = transfer.coarse[0] * transfer.coarse[1];
-        let capacity = Capacity { gain: if transfer.halved == [true, true] { 0.6 } else { 0.45 } };
+        let gain = GAIN[usize::from(transfer.halved != [true, true])];
+        let capacity = Capacity { gain };
         let zeros = || vec![0.0; n];
         let ends = |a: usize| transfer.halved[a] && transfer.coarse[a] == 1;
         let slenderness = match [ends(0), ends(1)] {
@@ -330,7 +334,7 @@ pub(crate) struct Pyramid {
 
 impl Pyramid {
     /// For a grid of `shape` pixels of size `pixel`. At each level every axis is halved whose
-    /// pixel is below 1.5 times the finest of the axes that still have more than one cell, until
+    /// pixel is below [`ALIKE`] times the finest of the axes that still have more than one cell, until
     /// no axis has more than 4 cells.
     pub(crate) fn new(shape: [usize; 2], pixel: [f64; 2]) -> Self {
         let (mut n, mut d) = (shape, pixel);
@@ -338,7 +342,7 @@ impl Pyramid {
         while n[0].max(n[1]) > 4 {
             let divisible = |a: usize| if n[a] > 1 { d[a] } else { f64::INFINITY };
             let finest = divisible(0).min(divisible(1));
-            let halved = [0, 1].map(|a| n[a] > 1 && d[a] < 1.5 * finest);
+            let halved = [0, 1].map(|a| n[a] > 1 && d[a] < ALIKE * finest);
             let transfer = Transfer::new(n, halved);
             // The sweep needs nodes of the finest grid that belong to one cell each.
             let transfer = if levels.is_empty() { transfer } else { transfer.with_cut_cells() };

@@ -1,6 +1,6 @@
 //! The first trial on a load curve: linear extrapolation from the last two solutions.
 
-use super::State;
+use super::contract::State;
 use super::passes;
 use crate::{Real, fields};
 

@@ -6,8 +6,8 @@
 //! writes `docs/src/figures/chord-fields.png`; an ordinary test holds the committed file to what would
 //! be drawn now.
 
-use super::chord::{self, Chord, Kind, Known};
-use super::{ContactMethod, Start, State, Target, Task};
+use super::chord::{Chord, Kind, Known, Run};
+use super::contract::{ContactMethod, Start, State, Target, Task};
 use crate::HalfSpace;
 use crate::problem::{self, Problem};
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -74,35 +74,33 @@ fn picture() -> Vec<u8> {
     let mut state = State::new(N * N);
     let target = Target::Pressure(load);
     let task = Task { problem: &problem, target, tolerance: 1e-9, max_iterations: 1 };
-    let mut watch = |_: &super::Step<'_, f64>| ControlFlow::Continue(());
+    let mut watch = |_: &super::contract::Step<'_, f64>| ControlFlow::Continue(());
     chord.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
 
     // The passes of the next iteration, one by one.
-    let p = &state.pressure;
-    let (_, found) = chord.look(h, Known::default(), 0.0, false, &state);
-    let set = chord.mask.clone();
-    let residual = chord.residual.clone();
-    let extended = chord::room(&mut chord.response, &mut chord.before_response, false).to_vec();
-    chord.precondition(false);
-    chord.make_trial(false, 1.0, &found, &state);
-    let shift = f64::from(chord.sweep.shift);
-    let trial: Vec<f32> = chord
-        .trial
-        .iter()
-        .zip(&set)
-        .map(|(p, m)| (if *m == 1 { p + shift } else { *p }) as f32)
-        .collect();
+    let p = state.pressure.clone();
+    let mut run = Run::new(&mut chord.work, &task, &mut half_space, Start::Warm, None, &mut state);
+    let (_, found) = run.look(Known::Nothing, 0.0);
+    let set = run.work.nodes.clone();
+    let residual = run.work.residual.clone();
+    let extended = run.work.pairs.spare().to_vec();
+    run.precondition();
+    run.make_trial(1.0, found);
+    let shift = f64::from(run.work.sweep.shift);
+    let made = &run.work.pairs.trial.pressure;
+    let shifted = made.iter().zip(&set).map(|(p, m)| if m.is_in() { p + shift } else { *p });
+    let trial: Vec<f32> = shifted.map(|p| p as f32).collect();
     let step: Vec<f32> = p.iter().zip(&trial).map(|(p, t)| *p as f32 - t).collect();
-    chord.sweep_trial(&found, load, 1.0, false);
-    assert!(chord.end_trial(load).is_some());
-    let swept: Vec<f32> = chord.trial.iter().map(|p| *p as f32).collect();
+    run.sweep_trial(found, 1.0);
+    assert!(run.end_trial().is_some());
+    let swept: Vec<f32> = run.work.pairs.trial.pressure.iter().map(|p| *p as f32).collect();
 
     let heights: Vec<f32> = h.iter().map(|h| *h as f32).collect();
     let largest = |x: &[f32]| x.iter().fold(0.0_f32, |m, x| m.max(x.abs()));
     let (gap, pressure) = (largest(&extended), largest(&trial));
     // Signed fields: blue below, white at zero, red above; outside the contact set grey.
     let off = |x: &[f32], scale: f32| -> Vec<Option<f32>> {
-        x.iter().zip(&set).map(|(x, m)| (*m == 1).then_some(x / scale)).collect()
+        x.iter().zip(&set).map(|(x, m)| (m.is_in()).then_some(x / scale)).collect()
     };
     let all = |x: &[f32], scale: f32| x.iter().map(|x| Some(x / scale)).collect::<Vec<_>>();
     let centred: Vec<f32> = heights.iter().map(|h| h + 0.5).collect();

@@ -8,10 +8,10 @@
 //! space itself.
 
 use super::chord::Chord;
-use super::stiffness::Stiffness;
-use super::{Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
+use super::compliance::Compliance;
+use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::problem::Problem;
-use crate::{Boundary, Real, SolverError, fields};
+use crate::{Boundary, End, Real, SolverError, fields};
 use contact_types::Grid;
 
 /// Height of the pixels around the map; those of the map lie between -1 and 0.
@@ -40,12 +40,9 @@ impl<T: Real> FreeChord<T> {
             way_out: "choose the method polonsky-keer or a coarser map",
         })?;
         let n = grid.len();
-        let mut chord = Chord::new(grid);
         let [height, width] = scaled.size();
-        if (height / width).max(width / height) > SLENDER {
-            chord.stiffness = Stiffness::isolated(shape, scaled.pixel());
-            chord.guesses = 0; // the cheap compliance is periodic
-        }
+        let is_slender = (height / width).max(width / height) > SLENDER;
+        let chord = if is_slender { Chord::isolated(grid) } else { Chord::new(grid) };
         Ok(Self {
             chord,
             map,

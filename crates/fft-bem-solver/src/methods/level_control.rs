@@ -14,7 +14,7 @@ use crate::{Boundary, Real, fields};
 /// Rise of the level per logarithm of the load, in units of the mean indentation `<p, u>/<p, 1>`,
 /// while most of the surface is out of contact: 0.48 to 0.67 on self-affine surfaces at loads from
 /// 0.005 to 0.1 of E* times the rms gradient.
-const RISE: f64 = 0.53;
+pub(crate) const RISE: f64 = 0.53;
 /// Near full contact the rise falls with the gap that is left, as `sqrt(1 - exp(-this gap/rise))`,
 /// to 15 % up to 90 % of contact.
 const LEVELLING: f64 = 1.2;

@@ -3,9 +3,13 @@
 //! # Source
 //! Polonsky & Keer (1999), *Wear* 231, 206–219, doi:10.1016/S0043-1648(99)00113-1, section 3.
 
-use super::{Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
+use super::begin::{begin, mean_gap_in_contact_to_zero};
+use super::compliance::Compliance;
+use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
+use super::passes;
 use crate::certificate::{self, Patience};
-use crate::{Boundary, Real, fields};
+use crate::{End, Fallbacks, Real, fields};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The method and its fields: gap, direction, and what a transform gives back.
 pub(crate) struct PolonskyKeer<T> {
@@ -37,7 +41,7 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
         let n = heights.len();
         let mut transforms = begin(load, operator, start, state);
         let (gap, t, r) = (&mut self.gap, &mut self.direction, &mut self.response);
-        t.fill(T::zero());
+        passes::fill(0.0, t);
         let mut conjugate = false; // delta of the paper
         let mut last_norm = 1.0; // G_old
         let mut length = 1.0; // tau, pressure per gap
@@ -54,8 +58,8 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
             if watch(&step).is_break() {
                 break End::Stopped;
             }
-            if check.is_converged {
-                break End::Converged;
+            if let Some(end) = check.end {
+                break end;
             }
             if iterations >= task.max_iterations {
                 break End::Exhausted;
@@ -68,9 +72,7 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
             let norm = fields::sum_of(n, |i| if on(i) { gap[i].wide().powi(2) } else { 0.0 });
             let beta = T::of(if conjugate { norm / last_norm } else { 0.0 });
             last_norm = norm;
-            for (i, t) in t.iter_mut().enumerate() {
-                *t = if on(i) { gap[i] + beta * *t } else { T::zero() };
-            }
+            fields::write(t, |i, t| if on(i) { gap[i] + beta * t } else { T::zero() });
             // Its response, and the length of the step (eqs. 12-14).
             operator.apply(t, r);
             transforms += 1.0;
@@ -83,36 +85,36 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
             let overlaps = |i: usize| p[i] <= T::zero() && gap[i] < T::zero();
             if curvature > 0.0 {
                 length = descent / curvature;
-            } else if !(0..n).any(overlaps) {
+            } else if fields::sum_of(n, |i| if overlaps(i) { 1.0 } else { 0.0 }) < 1.0 {
                 break End::Exhausted; // nothing left but rounding
             } // else the contact is at rest, and the last length takes in what overlaps
             let tau = T::of(length);
 
             // Step, truncate, and take in the pixels that overlap (eqs. 15-17).
-            let (mut truncated, mut taken_in) = (false, false);
-            for ((p, t), g) in state.pressure.iter_mut().zip(t.iter()).zip(gap.iter()) {
-                let trial = *p - tau * *t;
-                truncated |= trial < T::zero();
-                *p = trial.larger(T::zero());
-                if *p <= T::zero() && *g < T::zero() {
-                    taken_in = true;
-                    *p -= tau * *g;
+            let (truncated, taken_in) = (AtomicBool::new(false), AtomicBool::new(false));
+            fields::write(&mut state.pressure, |i, p| {
+                let trial = p - tau * t[i];
+                if trial < T::zero() {
+                    truncated.store(true, Ordering::Relaxed);
                 }
-            }
+                let p = trial.larger(T::zero());
+                if p <= T::zero() && gap[i] < T::zero() {
+                    taken_in.store(true, Ordering::Relaxed);
+                    return p - tau * gap[i];
+                }
+                p
+            });
+            let [truncated, taken_in] = [truncated, taken_in].map(AtomicBool::into_inner);
             conjugate = !taken_in;
             // Restore the load (eq. 18). K is linear: unless a pixel changed sides, the response
             // is known without a transform.
             let scale = T::of(load * n as f64 / fields::sum(&state.pressure));
-            for p in &mut state.pressure {
-                *p *= scale;
-            }
+            fields::write(&mut state.pressure, |_, p| p * scale);
             if truncated || taken_in {
                 operator.apply(&state.pressure, &mut state.displacement);
                 transforms += 1.0;
             } else {
-                for (u, r) in state.displacement.iter_mut().zip(r.iter()) {
-                    *u = (*u - tau * *r) * scale;
-                }
+                fields::write(&mut state.displacement, |i, u| (u - tau * r[i]) * scale);
             }
         };
         if end == End::Exhausted && residual.is_infinite() {
@@ -124,43 +126,6 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
             end = End::Converged;
         }
         state.level = certificate::level(state, heights);
-        Outcome { end, iterations, transforms, residual }
-    }
-}
-
-/// Brings the state to the load; returns the pairs spent.
-pub(super) fn begin<T: Real>(
-    load: f64,
-    operator: &mut dyn Compliance<T>,
-    start: Start,
-    state: &mut State<T>,
-) -> f64 {
-    let n = state.pressure.len() as f64;
-    let present = fields::sum(&state.pressure) / n;
-    if start == Start::Warm && present > 0.0 {
-        let scale = T::of(load / present);
-        for (p, u) in state.pressure.iter_mut().zip(&mut state.displacement) {
-            *p *= scale;
-            *u *= scale;
-        }
-        return 0.0;
-    }
-    state.pressure.fill(T::of(load));
-    if operator.boundary() == Boundary::Periodic {
-        state.displacement.fill(T::zero()); // K of a constant
-        return 0.0;
-    }
-    operator.apply(&state.pressure, &mut state.displacement);
-    1.0
-}
-
-/// `gap = displacement - heights`, less its plain mean over the contact.
-pub(super) fn mean_gap_in_contact_to_zero<T: Real>(state: &State<T>, heights: &[T], gap: &mut [T]) {
-    let (p, u) = (&state.pressure, &state.displacement);
-    let on = |i: usize| p[i] > T::zero();
-    let total = fields::sum_of(p.len(), |i| if on(i) { (u[i] - heights[i]).wide() } else { 0.0 });
-    let level = T::of(total / fields::contact_count(p).max(1) as f64);
-    for ((g, u), h) in gap.iter_mut().zip(u).zip(heights) {
-        *g = *u - *h - level;
+        Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
     }
 }

@@ -12,10 +12,11 @@
 //! # Source
 //! Stanley & Kato (1997), *J. Tribol.* 119, 481–485, doi:10.1115/1.2833523.
 
-use super::polonsky_keer::{begin, mean_gap_in_contact_to_zero};
-use super::{Compliance, ContactMethod, End, Outcome, Start, State, Step, Target, Task, Watch};
+use super::begin::{begin, mean_gap_in_contact_to_zero};
+use super::compliance::Compliance;
+use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::certificate::{self, Patience};
-use crate::{Real, fields, projection};
+use crate::{End, Fallbacks, Real, fields, projection};
 
 /// The method and its fields: gap, redistributed pressure and its displacement.
 pub(crate) struct StanleyKato<T> {
@@ -58,8 +59,8 @@ impl<T: Real> ContactMethod<T> for StanleyKato<T> {
             if watch(&Step { iteration: iterations, transforms, residual, state }).is_break() {
                 break End::Stopped;
             }
-            if check.is_converged {
-                break End::Converged;
+            if let Some(end) = check.end {
+                break end;
             }
             if iterations >= task.max_iterations {
                 break End::Exhausted;
@@ -67,9 +68,8 @@ impl<T: Real> ContactMethod<T> for StanleyKato<T> {
             iterations += 1;
 
             // Down the gradient, then redistribute.
-            for ((new, p), g) in trial.iter_mut().zip(&state.pressure).zip(gap.iter()) {
-                *new = *p - T::of(length) * *g;
-            }
+            let (p, step) = (&state.pressure, T::of(length));
+            fields::write(trial, |i, _| p[i] - step * gap[i]);
             projection::onto_admissible(trial, load);
             operator.apply(trial, response);
             transforms += 1.0;
@@ -88,28 +88,20 @@ impl<T: Real> ContactMethod<T> for StanleyKato<T> {
             // the error of u grows by the factor 1 - part; the next step will be longer.
             let mut part = theta.min(1.5);
             if theta > 1.0 {
-                for i in 0..n {
-                    if trial[i] < p[i] {
-                        part = part.min((p[i].wide() / -s(i)).max(1.0));
-                    }
-                }
+                let reach = fields::least_of(n, |i| {
+                    if trial[i] < p[i] { p[i].wide() / -s(i) } else { f64::INFINITY }
+                });
+                part = part.min(reach.max(1.0));
             }
             let part = T::of(part);
-            for ((p, u), (new, k)) in state
-                .pressure
-                .iter_mut()
-                .zip(&mut state.displacement)
-                .zip(trial.iter().zip(response.iter()))
-            {
-                *p = (*p + part * (*new - *p)).larger(T::zero());
-                *u += part * (*k - *u);
-            }
+            let State { pressure: p, displacement: u, .. } = &mut *state;
+            fields::write_both([p, u], |i, [p, u]| {
+                [(p + part * (trial[i] - p)).larger(T::zero()), u + part * (response[i] - u)]
+            });
             // Beyond the end of the way rounding of the load would grow; K is linear.
             let scale = T::of(load * n as f64 / fields::sum(&state.pressure));
-            for (p, u) in state.pressure.iter_mut().zip(&mut state.displacement) {
-                *p *= scale;
-                *u *= scale;
-            }
+            let State { pressure: p, displacement: u, .. } = &mut *state;
+            fields::write_both([p, u], |_, [p, u]| [p * scale, u * scale]);
         };
         if end == End::Exhausted && residual.is_infinite() {
             let check = certificate::energy_error(state, |i| gap[i], response, operator);
@@ -117,6 +109,6 @@ impl<T: Real> ContactMethod<T> for StanleyKato<T> {
             residual = certificate::CAUTION * check.relative;
         }
         state.level = certificate::level(state, heights);
-        Outcome { end, iterations, transforms, residual }
+        Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
     }
 }

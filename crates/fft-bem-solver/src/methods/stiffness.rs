@@ -12,15 +12,15 @@
 use super::equal_cells::Cells;
 use super::thin_pixels;
 use crate::love;
+use crate::row_work::TASK;
 use crate::simd::vectorised;
+use contact_types::Grid;
 use grid_fft::parallel::prelude::*;
 use grid_fft::{Convolution, GridFft};
 use std::f64::consts::{PI, TAU};
 
 /// Below this many pixels an axis is not coarsened.
 const SHORTEST: usize = 16;
-/// Pixels that one task of a parallel loop handles, about.
-const TASK: usize = 1 << 14;
 /// Columns handled at a time.
 const TILE: usize = 512;
 /// Pixels per coarse cell: about square, and 16 to 32 of them.
@@ -79,19 +79,16 @@ fn relative_cost(small: [usize; 2], large: [usize; 2]) -> f64 {
     m * m.max(2.0).log2() / (n * n.max(2.0).log2())
 }
 
-/// `|q|/2` of wave `(ky, kx)` on a grid of `n` pixels of side `d`.
-fn half_wavenumber(k: [usize; 2], n: [usize; 2], d: [f64; 2]) -> f64 {
-    let q = |a: usize| {
-        TAU * (if 2 * k[a] <= n[a] { k[a] as f64 } else { k[a] as f64 - n[a] as f64 })
-            / (n[a] as f64 * d[a])
-    };
-    0.5 * q(0).hypot(q(1))
+/// `|q|/2` of the waves `[ky, kx]` on a grid.
+fn half_wavenumber(shape: [usize; 2], pixel: [f64; 2]) -> impl Fn([usize; 2]) -> f64 {
+    let grid = Grid::new(shape, pixel).expect("it is the grid of a problem, or a piece of it");
+    move |[ky, kx]| 0.5 * grid.wavenumber(ky, kx)
 }
 
 impl Stiffness {
     /// For a periodic grid of `shape` pixels of size `pixel`.
     pub(crate) fn new(shape: [usize; 2], pixel: [f64; 2]) -> Self {
-        Self::with_symbol(shape, pixel, |k| half_wavenumber(k, shape, pixel))
+        Self::with_symbol(shape, pixel, half_wavenumber(shape, pixel))
     }
 
     /// For an isolated map, padded to this grid: the symbol is the inverse of that of the kernel in
@@ -108,9 +105,10 @@ impl Stiffness {
         let mut spectrum = fft.new_spectrum();
         fft.forward(&kernel, &mut spectrum);
         let columns = nx / 2 + 1;
+        let periodic = half_wavenumber(shape, pixel);
         Self::with_symbol(shape, pixel, |k| {
             let compliance = spectrum[k[0] * columns + k[1]].re;
-            if compliance > 0.0 { 1.0 / compliance } else { half_wavenumber(k, shape, pixel) }
+            if compliance > 0.0 { 1.0 / compliance } else { periodic(k) }
         })
     }
 
@@ -389,9 +387,10 @@ fn stencil(shape: [usize; 2], pixel: [f64; 2], radius: [usize; 2]) -> Taps {
     let mut impulse = vec![0.0; py * px];
     impulse[0] = 1.0;
     let mut kernel = vec![0.0; py * px];
+    let symbol = half_wavenumber(probe, pixel);
     let write = |kx: usize, column: &mut [f64]| {
         for (ky, s) in column.iter_mut().enumerate() {
-            *s = half_wavenumber([ky, kx], probe, pixel);
+            *s = symbol([ky, kx]);
         }
     };
     Convolution::new(probe).apply(&impulse, write, &mut kernel);
@@ -462,7 +461,7 @@ mod tests {
                     .collect();
                 let mut y = vec![0.0; x.len()];
                 s.apply(&mut x, &mut y);
-                let expected = half_wavenumber(k, shape, pixel);
+                let expected = half_wavenumber(shape, pixel)(k);
                 let dot: f64 = x.iter().zip(&y).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum();
                 let found = 2.0 * dot / (ny * nx) as f64;
                 assert!(

@@ -11,7 +11,8 @@
 //! much it is: if it was not worth a round, the nodes would have been clipped, which is the same.
 
 use super::extension::{Level, Pyramid};
-use super::transfer::{ON, Transfer};
+use super::node::Node;
+use super::transfer::Transfer;
 use crate::Real;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -20,10 +21,6 @@ use grid_fft::parallel::prelude::*;
 pub(crate) const ROUNDS: u8 = 12;
 /// Tension, as a part of the load and of the present relative error, that may be clipped.
 pub(crate) const NEGLIGIBLE: f64 = 1e-3;
-/// Mark of a node that carries load but was released before the trial.
-pub(crate) const RELEASED: u8 = 2;
-/// What the mark of a node that is dropped because of its tension has beside [`ON`].
-const DROPPED: u8 = 4;
 /// Cells or nodes that are looked at in one go. Most blocks hold nothing to do.
 const BLOCK: usize = 32;
 /// Fewest rows of cells that one task handles: each has two more to hand load to.
@@ -107,15 +104,15 @@ impl Sweep {
     }
 
     /// Sweeps released nodes, then negative pressures, until no more than a `negligible` tension is
-    /// left. `trial` and `mask` are on the finest grid, `smallest` holds the smallest trial pressure below each
+    /// left. `trial` and `nodes` are on the finest grid, `smallest` holds the smallest trial pressure below each
     /// cell of the first level; `active` nodes are in contact.
-    /// On return a node carries the trial and what is added to it, clipped, if its mark is [`ON`].
+    /// On return a node carries the trial and what is added to it, clipped, if it is still in contact.
     #[allow(clippy::too_many_arguments, reason = "a pass over four fields")]
     pub(crate) fn run<T: Real>(
         &mut self,
         pyramid: &mut Pyramid,
         trial: &[T],
-        mask: &mut [u8],
+        nodes: &mut [Node],
         smallest: &mut [f32],
         active: usize,
         has_released: bool,
@@ -125,12 +122,12 @@ impl Sweep {
             return; // up to 4 x 4 pixels: E^T is the restriction to the contact
         }
         if has_released {
-            Self::hand_up_released(pyramid, trial, mask);
+            Self::hand_up_released(pyramid, trial, nodes);
             pyramid.restrict_above();
         }
         let (mut left, mut has_more) = (active, has_released);
         for _ in 0..=ROUNDS {
-            let (tension, count) = self.drop_negative(pyramid, trial, mask, smallest, has_more);
+            let (tension, count) = self.drop_negative(pyramid, trial, nodes, smallest, has_more);
             if tension <= negligible || count >= left {
                 return;
             }
@@ -143,7 +140,7 @@ impl Sweep {
     }
 
     /// Hands the load of released nodes up. They have no part in the shift.
-    fn hand_up_released<T: Real>(pyramid: &mut Pyramid, trial: &[T], mask: &[u8]) {
+    fn hand_up_released<T: Real>(pyramid: &mut Pyramid, trial: &[T], nodes: &[Node]) {
         let level = &mut pyramid.levels[0];
         let (t, rows) = (level.transfer, level.rows_per_task());
         let (nx, mx) = (t.fine[1], t.coarse[1]);
@@ -156,12 +153,12 @@ impl Sweep {
                         #[inline(always)]
                         |iy, factor, ix, line: &mut [f32]| {
                             let first = iy * nx + ix;
-                            let mask = &mask[first..][..line.len()];
-                            if !mask.iter().fold(false, |any, m| any | (*m == RELEASED)) {
+                            let nodes = &nodes[first..][..line.len()];
+                            if !nodes.iter().fold(false, |any, m| any | (*m == Node::Released)) {
                                 return; // as most lines, but in a first step
                             }
-                            for ((l, m), p) in line.iter_mut().zip(mask).zip(&trial[first..]) {
-                                let load = if *m == RELEASED { p.narrow() } else { 0.0 };
+                            for ((l, m), p) in line.iter_mut().zip(nodes).zip(&trial[first..]) {
+                                let load = if *m == Node::Released { p.narrow() } else { 0.0 };
                                 *l += factor * load;
                             }
                         },
@@ -178,7 +175,7 @@ impl Sweep {
         &mut self,
         pyramid: &mut Pyramid,
         trial: &[T],
-        mask: &mut [u8],
+        nodes: &mut [Node],
         smallest: &mut [f32],
         has_more: bool,
     ) -> (f64, usize) {
@@ -196,8 +193,8 @@ impl Sweep {
             .zip(self.beyond.par_chunks_mut(2 * mx))
             .zip(level.value.par_chunks_mut(rows * mx))
             .zip(level.weight.par_chunks_mut(rows * mx))
-            .zip(mask.par_chunks_mut(fine).zip(trial.par_chunks(fine)))
-            .for_each(|(cells, (mask, trial))| {
+            .zip(nodes.par_chunks_mut(fine).zip(trial.par_chunks(fine)))
+            .for_each(|(cells, (nodes, trial))| {
                 let (((((found, smallest), added), beyond), value), weight) = cells;
                 *found = (0.0, 0);
                 vectorised!({
@@ -216,7 +213,7 @@ impl Sweep {
                             if has_added { Added::Cells(added) } else { Added::Same(shift) };
                         for_each_in_tension(smallest, added, |c, a, smallest| {
                             handed.begin_with(found.1);
-                            let cell = Cell::drop_negative(&t, [r, c], a, trial, mask);
+                            let cell = Cell::drop_negative(&t, [r, c], a, trial, nodes);
                             handed.add(r, c, cell.loads);
                             found.0 += cell.tension;
                             found.1 += cell.dropped;
@@ -318,28 +315,28 @@ impl Cell {
         [r, c]: [usize; 2],
         added: f32,
         trial: &[T],
-        mask: &mut [u8],
+        field: &mut [Node],
     ) -> Self {
         let nx = t.fine[1];
         let (rows, columns) = (t.rows_per_coarse_row(), if t.halved[1] { 2 } else { 1 });
         let first = r * rows * nx + c * columns;
         let has_right = columns == 2 && c * columns + 1 < nx;
-        let has_lower = rows == 2 && first + nx < mask.len();
+        let has_lower = rows == 2 && first + nx < field.len();
         let (right, lower) = (usize::from(has_right), if has_lower { nx } else { 0 });
-        let nodes = [first, first + right, first + lower, first + lower + right];
+        let places = [first, first + right, first + lower, first + lower + right];
         let exists = [true, has_right, has_lower, has_lower & has_right];
 
-        let q = nodes.map(|node| trial[node]);
+        let q = places.map(|place| trial[place]);
         let p = q.map(|q| q.wide() + f64::from(added));
         let (mut on, mut drops, mut load, mut rest) = ([false; 4], [false; 4], [0.0; 4], [0.0; 4]);
         for k in 0..4 {
-            on[k] = exists[k] & (mask[nodes[k]] == ON);
+            on[k] = exists[k] & (field[places[k]].is_in());
             drops[k] = on[k] & (p[k] < 0.0);
             load[k] = if drops[k] { p[k] } else { 0.0 };
             rest[k] = if on[k] & !drops[k] { q[k].narrow() } else { f32::INFINITY };
         }
-        for (node, drops) in nodes.iter().zip(drops) {
-            mask[*node] |= DROPPED * u8::from(drops);
+        for (place, drops) in places.iter().zip(drops) {
+            field[*place] = field[*place].or(Node::Dropped, drops);
         }
         let count = |flags: [bool; 4]| flags.iter().map(|f| usize::from(*f)).sum::<usize>();
         let least = |x: f32, y: f32| if x < y { x } else { y };
@@ -408,26 +405,26 @@ mod tests {
             sweep.begin(0.25);
             let wave = |i: usize| ((i as f64 + 1.3) * 12.9898).sin();
             let trial: Vec<f64> = (0..n).map(|i| 0.5 + wave(i)).collect();
-            let before: Vec<u8> = (0..n).map(|i| u8::from(wave(7 * i) > -0.5)).collect();
+            let before: Vec<Node> = (0..n).map(|i| Node::of(wave(7 * i) > -0.5)).collect();
             let below = |c: usize, i: usize| {
                 let parents = [t.parent(i / nx), if t.halved[1] { i % nx / 2 } else { i % nx }];
                 parents == [c / t.coarse[1], c % t.coarse[1]]
             };
             let mut smallest = vec![0.0; t.coarse[0] * t.coarse[1]];
             for (c, smallest) in smallest.iter_mut().enumerate() {
-                let inside = (0..n).filter(|i| before[*i] == ON && below(c, *i));
+                let inside = (0..n).filter(|i| before[*i].is_in() && below(c, *i));
                 *smallest = inside.map(|i| trial[i] as f32).fold(f32::INFINITY, f32::min);
             }
-            let mut mask = before.clone();
+            let mut nodes = before.clone();
             let (tension, count) =
-                sweep.drop_negative(&mut pyramid, &trial, &mut mask, &mut smallest, false);
+                sweep.drop_negative(&mut pyramid, &trial, &mut nodes, &mut smallest, false);
             sweep.collect(&mut pyramid);
 
             let load: Vec<f32> = (0..n)
-                .map(|i| if before[i] == ON { (trial[i] + 0.25).min(0.0) as f32 } else { 0.0 })
+                .map(|i| if before[i].is_in() { (trial[i] + 0.25).min(0.0) as f32 } else { 0.0 })
                 .collect();
             let dropped = (0..n).filter(|i| load[*i] < 0.0);
-            assert!(dropped.clone().all(|i| mask[i] != ON) && dropped.count() == count);
+            assert!(dropped.clone().all(|i| !nodes[i].is_in()) && dropped.count() == count);
             let sum: f64 = load.iter().map(|x| f64::from(*x)).sum();
             assert!((tension + sum).abs() < 1e-5 * tension, "{shape:?}: {tension} and {sum}");
             let mut row = vec![0.0; t.coarse[1]];

@@ -6,6 +6,11 @@
 
 use contact_types::Grid;
 
+/// Pixels longer than this many times their width are refused: beside them the preconditioner, in single
+/// precision, tells the softest wave across the lines from nothing no more. At 1e5 it needs the pairs it
+/// needs at 10, at 1e6 hundreds, or more than the iteration limit allows (64 x 64 pixels, both axes, loads from 0.001 to 1).
+pub(crate) const LARGEST_RATIO: f64 = 1e5;
+
 /// Longer over shorter pixel side; 1 for a single line of pixels.
 pub(crate) fn ratio(grid: Grid) -> f64 {
     let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());

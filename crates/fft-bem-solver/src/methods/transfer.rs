@@ -10,18 +10,9 @@ use super::cut_cells::Cut;
 /// Columns of the coarse grid handled at a time, so that lines fit the stack.
 const TILE: usize = 256;
 
-/// A weight from 0 (gap) to 1 (contact): a byte on the finest grid, a number above.
+/// A weight from 0 (gap) to 1 (contact): a [`Node`](super::node::Node) on the finest grid, a number above.
 pub(crate) trait Weight: Copy + Send + Sync {
     fn value(self) -> f32;
-}
-
-/// A node of the finest grid that is in the contact set; any other byte is outside.
-pub(crate) const ON: u8 = 1;
-
-impl Weight for u8 {
-    fn value(self) -> f32 {
-        if self == ON { 1.0 } else { 0.0 }
-    }
 }
 
 impl Weight for f32 {

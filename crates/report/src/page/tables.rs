@@ -44,11 +44,10 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             }
             .into(),
         ));
-        rows.push((
-            "Highest local pressure".into(),
-            quantity(a.max_pressure, PASCALS, 2),
-            "one point of the map; grows with a finer grid".into(),
-        ));
+        let load = a.budget.mean_pressure.value;
+        let (highest, why) =
+            words::highest_pressure(a.max_pressure, load, a.area_fraction_corrected);
+        rows.push(("Highest local pressure".into(), highest, why.into()));
         if let Some(gap) = a.mean_gap {
             let sq = surface.statistics.rms_height;
             let relative = if sq > 0.0 {

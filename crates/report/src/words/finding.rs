@@ -1,7 +1,7 @@
 //! Findings in words: plain text, the same on the page, on the terminal and in files.
 
 use crate::numbers::{METRES, PASCALS, SPACE, fixed, percent, quantity, significant};
-use crate::words::edges::seam_words;
+use crate::words::edges::seam_effect;
 use crate::words::plan;
 use compare::{Bare, EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
 use contact_accuracy::NoAreaInterval;
@@ -166,7 +166,7 @@ fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Worded {
     };
     worded(
         format!("Edges do not match: they jump {} times the inner step.", significant(ratio, 2)),
-        seam.map_or_else(|| done.to_owned(), |s| format!("{done} {}", seam_words(s))),
+        seam.map_or_else(|| done.to_owned(), |s| format!("{done} {}", seam_effect(s))),
     )
 }
 
@@ -309,12 +309,21 @@ fn warning(warning: &Warning) -> Worded {
              that.",
         ),
         Warning::NotSelfAffine { hurst } => worded(
-            format!("The spectrum fits H = {}.", significant(hurst, 2)),
-            "That is not between 0 and 1: not a self-affine surface over this range, and fractal \
-             parameters have no meaning.",
+            format!("The spectrum fits H = {}.", outside_unit(hurst)),
+            "A self-affine surface has more than 0 and less than 1: over this range this is none, \
+             and fractal parameters have no meaning.",
         ),
         ref other => worded("", other.to_string()),
     }
+}
+
+/// A number that is not between 0 and 1, with as many digits as it takes to see that.
+fn outside_unit(value: f64) -> String {
+    let digits = (2..12).find(|&d: &i32| {
+        let shown: f64 = format!("{value:.*e}", (d - 1) as usize).parse().unwrap_or(value);
+        shown > 1.0 || shown < 0.0
+    });
+    significant(value, digits.unwrap_or(2))
 }
 
 /// What was tested and is fine, in one entry.
@@ -348,6 +357,13 @@ fn tested(passed: &Passed) -> Worded {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_beyond_one_is_not_shown_as_one() {
+        assert_eq!(outside_unit(1.003), "1.003");
+        assert_eq!(outside_unit(1.27), "1.3");
+        assert_eq!(outside_unit(-0.2), "\u{2212}0.20");
+    }
 
     #[test]
     fn symbols_keep_their_case() {

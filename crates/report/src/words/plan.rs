@@ -1,7 +1,6 @@
 //! A plan for an accuracy in words: what was chosen, what it reached, why it does not suffice.
 
 use crate::numbers::{METRES, PASCALS, chosen};
-use compare::PrecisionName;
 use contact_accuracy::Load;
 use contact_accuracy::plan::{Finest, Miss, NoBar, Outcome, Unmet};
 
@@ -17,7 +16,7 @@ pub fn explanation(outcome: &Outcome) -> String {
     let reached = outcome.half_width.map_or_else(|| "no error bar".to_owned(), plus_minus);
     let line = format!(
         "{grid}, {}, tolerance {}: {reached}, {}",
-        PrecisionName::from(outcome.precision),
+        outcome.precision,
         tolerance(outcome.tolerance),
         time(outcome.seconds)
     );

@@ -72,6 +72,9 @@ fn refusal(error: &ModelError) -> String {
             } else {
                 format!("≥ {}", plain(*domain.end()))
             };
+            // A study gives a model the map and nothing else: what else it could be given is no
+            // way out here.
+            let reason = reason.split("; give ").next().unwrap_or_default();
             format!("{quantity} = {} {bound}: {reason}", plain(*value))
         }
         other => other.to_string(),
@@ -80,4 +83,21 @@ fn refusal(error: &ModelError) -> String {
 
 fn plain(value: f64) -> String {
     format!("{value:.2}").trim_end_matches('0').trim_end_matches('.').replace('-', "\u{2212}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_study_advises_nothing_it_cannot_be_given() {
+        let error = ModelError::OutsideDomain {
+            model: "Majumdar-Bhushan".into(),
+            quantity: "D".into(),
+            value: 1.623_456_789_012_345,
+            domain: 1.0..=1.5,
+            reason: "the load diverges; give a critical area, below which spots are plastic".into(),
+        };
+        assert_eq!(refusal(&error), "D = 1.62 ≥ 1.5: the load diverges");
+    }
 }

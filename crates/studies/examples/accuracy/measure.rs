@@ -6,7 +6,7 @@ use compare::plan::{Miss, NoBar, Request, Sink, Task, Unmet, run};
 use contact_accuracy::NoAreaInterval;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{
-    BOUNDARY_CORRECTION, Boundary, Iteration, Load, Maps, Method, Solution, Solver, SolverError,
+    BOUNDARY_CORRECTION, Boundary, Load, Maps, Method, Solution, Solver, SolverError,
 };
 use std::error::Error;
 use std::fmt::Write as _;
@@ -97,11 +97,7 @@ fn truths(map: &HeightMap, known: &Map, mode: Mode) -> Result<Vec<Solution>, Box
         .threads(1)
         .build(fine.grid(), modulus)?;
     tight.take_surface(fine)?;
-    let mut solve = |load: f64| {
-        tight.solve_again(Load::MeanPressure(load * gradient), &mut |_: &Iteration<'_>| {
-            ControlFlow::Continue(())
-        })
-    };
+    let mut solve = |load: f64| tight.solve_again(Load::MeanPressure(load * gradient));
     Ok(LOADS.into_iter().map(&mut solve).collect::<Result<_, SolverError>>()?)
 }
 

@@ -12,9 +12,11 @@
 //! writes `edges.md` and `edges.csv` into the folder; seconds go to the standard error stream.
 #![allow(clippy::print_stderr, reason = "a study tells how far it is")]
 
+mod case;
 mod page;
 mod treatment;
 
+use case::{Case, Contact, LOADS, WAVES};
 use clap::Parser;
 use compare::EdgeShare;
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -33,41 +35,10 @@ const CROP: usize = 256;
 const PIXEL: f64 = 1e-6;
 const CUTOFF: f64 = 8e-6;
 const GRADIENT: f64 = 0.1;
-/// Mean pressure over E* h'rms.
-const LOADS: [f64; 5] = [0.003, 0.01, 0.03, 0.1, 0.3];
 const HURST: [f64; 2] = [0.3, 0.8];
-/// Side of the crop over the roll-off wavelength.
-const WAVES: [f64; 3] = [8.0, 2.0, 0.5];
 
 /// Large maps of each kind.
 const MAPS: usize = 2;
-
-/// One crop at one load.
-struct Case {
-    /// Number of the large map, from 1: its seed.
-    surface: usize,
-    hurst: f64,
-    waves: f64,
-    /// Of [`LOADS`], the nearest to what the crop carried.
-    load: usize,
-    /// What the crop carried, over E* h'rms.
-    carried: f64,
-    truth: Contact,
-    /// One per [`Treatment`].
-    alone: Vec<Contact>,
-    /// Periodic at the load of the whole map, over the area of the whole map.
-    as_sample: f64,
-}
-
-/// The contact of a crop.
-struct Contact {
-    /// Corrected area fraction.
-    area: f64,
-    edge: EdgeShare,
-    /// FFT pairs of the size of the crop.
-    transforms: f64,
-    seconds: f64,
-}
 
 /// What the treatment of the edges does to the area of maps that do not repeat
 #[derive(Parser)]

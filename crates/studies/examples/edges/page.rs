@@ -1,7 +1,7 @@
 //! Tables of the study.
 
+use crate::case::{Case, Contact, LOADS, WAVES};
 use crate::treatment::Treatment;
-use crate::{Case, Contact, LOADS, WAVES};
 use contact_accuracy::edge_study::{EdgeExperience, EdgeStudy};
 use contact_accuracy::quantile;
 use std::fmt::Write as _;

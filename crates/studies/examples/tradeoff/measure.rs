@@ -343,9 +343,11 @@ impl Job<'_> {
         let seconds = clock.elapsed().as_secs_f64();
         match result {
             Ok(solution) => Ok(Answer { solution, seconds, is_capped: false }),
-            Err(SolverError::Stopped(best) | SolverError::NotConverged(best)) => {
-                Ok(Answer { solution: *best, seconds, is_capped: true })
-            }
+            Err(
+                SolverError::Stopped(best)
+                | SolverError::NotConverged(best)
+                | SolverError::Rounding(best),
+            ) => Ok(Answer { solution: *best, seconds, is_capped: true }),
             Err(error) => Err(error.into()),
         }
     }

@@ -115,6 +115,18 @@ pub fn apply(
     Ok(records)
 }
 
+/// A radius with four digits, in the unit that suits it.
+fn shown(radius: f64) -> String {
+    let units = [(1e3, "km"), (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm")];
+    let fits = |(scale, _): &(f64, &str)| radius >= 0.99995 * scale;
+    let Some((scale, unit)) = units.into_iter().find(fits).filter(|_| radius < 1e7) else {
+        return format!("{radius:.3e} m");
+    };
+    let value = radius / scale;
+    let digits = (3 - value.log10().floor() as i32).max(0) as usize;
+    format!("{value:.digits$} {unit}")
+}
+
 impl fmt::Display for Record {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -150,17 +162,12 @@ impl fmt::Display for Record {
                         write!(f, "polynomial of degree {degree}")?;
                     }
                     FormParameters::Sphere { radius, .. } => {
-                        write!(
-                            f,
-                            "sphere of radius {:.6} mm ({})",
-                            1e3 * radius.abs(),
-                            way(radius)
-                        )?;
+                        write!(f, "sphere of radius {} ({})", shown(radius.abs()), way(radius))?;
                     }
                     FormParameters::Cylinder { radius, direction, .. } => write!(
                         f,
-                        "cylinder of radius {:.6} mm ({}), axis {:.2}° from x",
-                        1e3 * radius.abs(),
+                        "cylinder of radius {} ({}), axis {:.2}° from x",
+                        shown(radius.abs()),
                         way(radius),
                         direction.to_degrees()
                     )?,
@@ -189,6 +196,13 @@ fn way(radius: f64) -> &'static str {
 mod tests {
     use super::*;
     use crate::synthesis::{Scale, SelfAffine};
+
+    #[test]
+    fn a_radius_has_four_digits() {
+        assert_eq!(shown(0.322_694_106), "322.7 mm");
+        assert_eq!(shown(2e-3), "2.000 mm");
+        assert_eq!(shown(2.3e3), "2.300 km");
+    }
 
     /// A rough ball with a spike and a hole: after spike, form and S-filter the relief is that of
     /// the rough flat, filtered alike.

@@ -1,35 +1,26 @@
 //! Steps before the first pair, with a cheap stand-in for `K`: a tenth of a pair each.
 
-use super::{Chord, room};
+use super::run::Run;
 use crate::Real;
-use crate::methods::State;
 use crate::methods::cheap_compliance::CheapCompliance;
-use crate::methods::passes;
+use crate::methods::passes::ContactSet;
 
-impl<T: Real> Chord<T> {
-    /// Makes the trial the lead: its displacement is that of the state, or of the lead before, which is
-    /// known, and what [`CheapCompliance`] makes of the difference. Call it after
-    /// [`make_trial`](Self::make_trial). Returns what it cost in pairs; `None`, and nothing done, on a
-    /// grid that is too small for it.
-    pub(super) fn guess(
-        &mut self,
-        load: f64,
-        found: &passes::Residual,
-        is_lead: bool,
-        state: &State<T>,
-    ) -> Option<f64> {
-        let new = || CheapCompliance::new(&self.stiffness, self.grid.pixel());
-        let cheap = self.cheap.take().or_else(new)?;
-        self.sweep_trial(found, load, 1.0, is_lead);
-        let factor = self.end_trial(load).unwrap_or(1.0);
-        let p = if is_lead { &self.before } else { &state.pressure };
-        passes::difference(factor, p, &mut self.trial, &mut self.residual);
-        if !is_lead {
-            passes::copy(&state.displacement, &mut self.response);
-        }
-        let room = room(&mut [], &mut self.before_response, true);
-        cheap.add(&self.residual, &mut self.stiffness, room, &mut self.response);
-        self.cheap = Some(cheap);
-        Some(self.stiffness.cost) // a transform on the same coarse grid
+impl<T: Real> Run<'_, T> {
+    /// Makes the trial the lead: its displacement is that of the base, which is known, and what
+    /// [`CheapCompliance`] makes of the difference. Call it after [`make_trial`](Self::make_trial). False,
+    /// and nothing done, on a grid that is too small for it.
+    pub(super) fn guess(&mut self, set: ContactSet) -> bool {
+        let (stiffness, grid) = (&self.work.stiffness, self.work.grid);
+        let new = || CheapCompliance::new(stiffness, grid.pixel());
+        let Some(cheap) = self.work.cheap.take().or_else(new) else { return false };
+        self.sweep_trial(set, 1.0);
+        let factor = self.end_trial().unwrap_or(1.0);
+        let work = &mut *self.work;
+        work.pairs.change(factor, self.iterate, &mut work.residual);
+        let (displacement, spare) = work.pairs.lead(self.iterate);
+        cheap.add(&work.residual, &mut work.stiffness, spare, displacement);
+        work.cheap = Some(cheap);
+        self.transforms += work.stiffness.cost; // a transform on the same coarse grid
+        true
     }
 }

@@ -6,18 +6,23 @@ const STALL: usize = 8;
 /// How the trial of a step is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
+    /// Along the preconditioned residual, swept.
     Chord,
+    /// Along the residual gap, projected on the pressures that are positive and carry the load.
     Gradient,
+    /// Conjugate gradients on the nodes in contact.
     FaceCg,
 }
 
 /// What is known of an iterate before it is looked at.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Known {
-    /// Mean of `u - h` in contact.
-    pub(crate) level: Option<f64>,
-    /// The level from which the gap is counted, if the residual field holds it.
-    pub(crate) gap_from: Option<f64>,
+pub(crate) enum Known {
+    #[default]
+    Nothing,
+    /// The mean of `u - h` in contact.
+    Level(f64),
+    /// That mean; and the residual field holds the gap, but counted from another level.
+    Gap { level: f64, counted_from: f64 },
 }
 
 /// What a step needs to know of the ones before.
@@ -26,40 +31,55 @@ pub(super) struct Memory {
     pub(super) tau: f64,
     pub(super) alpha: f64,
     /// Chord length of the last step.
-    pub(super) a: f64,
-    /// Whether `before` holds the iterate before this one, and `<d, K d>` of the step from it.
+    pub(super) length: f64,
+    /// Whether there is an iterate before this one, and `<d, K d>` of the step from it.
     pub(super) has_before: bool,
     pub(super) dkd: f64,
     /// What the step to the iterate found out about it.
     pub(super) known: Known,
+    /// Estimate of the relative pressure error.
+    pub(super) residual: f64,
     /// Smallest estimate that was a halving, and the iterations since.
-    pub(super) best: f64,
-    pub(super) since: usize,
-    pub(super) kind: Kind,
+    best: f64,
+    since: usize,
+    kind: Kind,
+    is_forced: bool,
 }
 
 impl Memory {
+    /// Before the first step, which begins with a chord of full length, or from the contact of another
+    /// load, whose nodes may have to be released. Tests force a kind.
+    pub(super) fn new(is_cold: bool, forced: Option<Kind>) -> Self {
+        Self {
+            tau: 1.0,
+            alpha: 1.5,
+            length: if is_cold { 1.0 } else { 0.0 },
+            has_before: false,
+            dkd: 0.0,
+            known: Known::Nothing,
+            residual: f64::INFINITY,
+            best: f64::INFINITY,
+            since: 0,
+            kind: forced.unwrap_or(Kind::Chord),
+            is_forced: forced.is_some(),
+        }
+    }
+
     /// The ladder of fallbacks: chords, then gradients, then conjugate gradients on the face; back
     /// to chords when the estimate has been halved.
-    pub(super) fn watch_progress(
-        &mut self,
-        residual: f64,
-        iteration: usize,
-        is_forced: bool,
-        events: &mut Vec<(usize, Kind)>,
-    ) {
-        if residual <= 0.5 * self.best {
-            self.best = residual;
+    pub(super) fn next_kind(&mut self) -> Kind {
+        if self.residual <= 0.5 * self.best {
+            self.best = self.residual;
             self.since = 0;
         } else {
             self.since += 1;
         }
-        if is_forced {
-            return;
+        if self.is_forced {
+            return self.kind;
         }
         let kind = match self.since {
             0 => Kind::Chord,
-            n if n < STALL => return,
+            n if n < STALL => return self.kind,
             _ => {
                 self.since = 0;
                 self.has_before &= self.kind == Kind::Chord; // conjugate directions start anew
@@ -69,13 +89,11 @@ impl Memory {
         if kind != self.kind {
             // Conjugate gradients keep their direction in the place of the step before.
             self.has_before = self.has_before && kind == Kind::Gradient;
-            if kind != Kind::Chord {
-                events.push((iteration, kind));
-            }
         }
         self.kind = kind;
         if kind == Kind::FaceCg {
-            self.a = 1.0; // a node that is let go would keep its pressure: this step only moves F
+            self.length = 1.0; // a node that is let go would keep its pressure: this step only moves F
         }
+        kind
     }
 }

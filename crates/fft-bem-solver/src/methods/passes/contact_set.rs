@@ -2,15 +2,14 @@
 
 use super::step::contact_sums;
 use super::sums::{Largest, Sum, TILE};
-use super::{Partial, TASK, total};
 use crate::Real;
 use crate::methods::extension::{Pyramid, pull_rows};
-use crate::methods::sweep::RELEASED;
-use crate::methods::transfer::ON;
+use crate::methods::node::Node;
+use crate::row_work::{Partial, TASK, total};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
-/// The level of the flat under a pressure: the mean of `u - h` over its contact, `p > 0`.
+/// The level of the flat under a pressure: the plain mean of `u - h` over its contact, `p > 0`.
 pub(crate) fn level<T: Real>(p: &[T], u: &[T], h: &[T], partial: &mut [Partial]) -> f64 {
     let used = p.len().div_ceil(TASK);
     partial[..used]
@@ -32,10 +31,11 @@ pub(crate) enum Gap<'a, T> {
     Known { excess: f64 },
 }
 
-/// What the residual pass found.
-pub(crate) struct Residual {
-    /// Nodes of the set F.
-    pub(crate) active: usize,
+/// The set F.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ContactSet {
+    /// Its nodes.
+    pub(crate) size: usize,
     /// Whether nodes outside F carry load.
     pub(crate) has_released: bool,
 }
@@ -50,18 +50,18 @@ pub(crate) fn residual<T: Real>(
     release: f64,
     closing: Option<&[f32]>,
     [rows, nx]: [usize; 2],
-    mask: &mut [u8],
+    nodes: &mut [Node],
     residual: &mut [f32],
     pyramid: &mut Pyramid,
     partial: &mut [Partial],
-) -> Residual {
+) -> ContactSet {
     let chunk = rows * nx;
     let used = p.len().div_ceil(chunk);
     let classify = Classify { gap, release: T::of(release), closing, nx };
     let fields = partial[..used]
         .par_iter_mut()
         .zip(p.par_chunks(chunk))
-        .zip(mask.par_chunks_mut(chunk))
+        .zip(nodes.par_chunks_mut(chunk))
         .zip(residual.par_chunks_mut(chunk));
     match pyramid.levels.first_mut() {
         None => fields.enumerate().for_each(|(task, (((partial, p), m), r))| {
@@ -83,7 +83,7 @@ pub(crate) fn residual<T: Real>(
         }
     }
     let [active, released] = total(&partial[..used]);
-    Residual { active: active as usize, has_released: released > 0.0 }
+    ContactSet { size: active as usize, has_released: released > 0.0 }
 }
 
 /// What decides whether a node belongs to F.
@@ -99,11 +99,12 @@ impl<T: Real> Classify<'_, T> {
     /// Marks the nodes of some rows from pixel `first` on and leaves the gap on those of F. Returns
     /// how many these are, and how many carry load but do not belong.
     #[inline(always)]
-    fn rows(&self, first: usize, p: &[T], mask: &mut [u8], gap: &mut [f32]) -> Partial {
+    fn rows(&self, first: usize, p: &[T], nodes: &mut [Node], gap: &mut [f32]) -> Partial {
         let nx = self.nx;
-        let lines = p.chunks_exact(nx).zip(mask.chunks_exact_mut(nx)).zip(gap.chunks_exact_mut(nx));
+        let lines =
+            p.chunks_exact(nx).zip(nodes.chunks_exact_mut(nx)).zip(gap.chunks_exact_mut(nx));
         let (mut active, mut released) = (0, 0);
-        for (i, ((p, mask), g)) in lines.enumerate() {
+        for (i, ((p, nodes), g)) in lines.enumerate() {
             let first = first + i * nx;
             match self.gap {
                 Gap::Of { u, h, level } => {
@@ -111,24 +112,24 @@ impl<T: Real> Classify<'_, T> {
                 }
                 Gap::Known { excess } => g.iter_mut().for_each(|g| *g -= excess as f32),
             }
-            for ((m, p), g) in mask.iter_mut().zip(p).zip(&*g) {
+            for ((m, p), g) in nodes.iter_mut().zip(p).zip(&*g) {
                 let carries = *p > self.release * T::of(f64::from(g.max(0.0)));
-                *m = u8::from(carries | (*g < 0.0));
+                *m = Node::of(carries | (*g < 0.0));
             }
             if let Some(closing) = self.closing {
-                for ((m, e), g) in mask.iter_mut().zip(&closing[first..]).zip(&*g) {
-                    *m |= u8::from(g <= e);
+                for ((m, e), g) in nodes.iter_mut().zip(&closing[first..]).zip(&*g) {
+                    *m = m.or(Node::Contact, g <= e);
                 }
             }
-            for (g, m) in g.iter_mut().zip(&*mask) {
-                *g = if *m == ON { *g } else { 0.0 };
+            for (g, m) in g.iter_mut().zip(&*nodes) {
+                *g = if m.is_in() { *g } else { 0.0 };
             }
-            active += mask.iter().map(|m| u32::from(*m)).sum::<u32>();
-            for (m, p) in mask.iter_mut().zip(p) {
-                let off = (*p > T::zero()) & (*m != ON);
-                *m |= RELEASED * u8::from(off);
+            active += nodes.iter().map(|m| u32::from(m.is_in())).sum::<u32>();
+            for (m, p) in nodes.iter_mut().zip(p) {
+                let off = (*p > T::zero()) & !m.is_in();
+                *m = m.or(Node::Released, off);
             }
-            released += mask.iter().map(|m| u32::from(*m == RELEASED)).sum::<u32>();
+            released += nodes.iter().map(|m| u32::from(*m == Node::Released)).sum::<u32>();
         }
         [f64::from(active), f64::from(released), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     }
@@ -146,31 +147,31 @@ fn gap_row<T: Real>(u: &[T], h: &[T], level: T, gap: &mut [f32]) {
 pub(crate) fn residual_norm2<T: Real>(
     [u, h]: [&[T]; 2],
     level: f64,
-    mask: &[u8],
+    nodes: &[Node],
     partial: &mut [Partial],
 ) -> f64 {
     let level = T::of(level);
     let square = |from: usize, u: &[T]| -> Partial {
         let (mut sum, mut gap) = (Sum::default(), [0.0; TILE]);
         vectorised!({
-            let tiles = u.chunks(TILE).zip(h[from..].chunks(TILE)).zip(mask[from..].chunks(TILE));
+            let tiles = u.chunks(TILE).zip(h[from..].chunks(TILE)).zip(nodes[from..].chunks(TILE));
             for ((u, h), m) in tiles {
                 for (((g, u), h), m) in gap.iter_mut().zip(u).zip(h).zip(m) {
-                    *g = f64::from(u8::from(*m == ON)) * (*u - *h - level).wide();
+                    *g = f64::from(u8::from(m.is_in())) * (*u - *h - level).wide();
                 }
                 sum.add_product(&gap[..u.len()], &gap[..u.len()]);
             }
         });
         [sum.total(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     };
-    super::sums(u, &square, partial)[0]
+    super::pieces::sums(u, &square, partial)[0]
 }
 
 /// Whether the residual on F is no more than the rounding of the fields it is a difference of.
 pub(crate) fn is_rounding<T: Real>(
     [u, h]: [&[T]; 2],
     level: f64,
-    mask: &[u8],
+    nodes: &[Node],
     partial: &mut [Partial],
 ) -> bool {
     let level = T::of(level);
@@ -179,7 +180,7 @@ pub(crate) fn is_rounding<T: Real>(
         .par_iter_mut()
         .zip(u.par_chunks(TASK))
         .zip(h.par_chunks(TASK))
-        .zip(mask.par_chunks(TASK))
+        .zip(nodes.par_chunks(TASK))
         .for_each(|(((partial, u), h), m)| {
             let (mut largest, mut room) = ([Largest::default(); 3], [[0.0; TILE]; 3]);
             vectorised!({
@@ -188,7 +189,7 @@ pub(crate) fn is_rounding<T: Real>(
                     let n = u.len().min(TILE);
                     let [gap, rise, height] = room.each_mut().map(|x| &mut x[..n]);
                     for i in 0..n {
-                        let on = f64::from(u8::from(m[i] == ON));
+                        let on = f64::from(u8::from(m[i].is_in()));
                         gap[i] = on * (u[i] - h[i] - level).wide().abs();
                         rise[i] = u[i].wide().abs();
                         height[i] = on * h[i].wide().abs();

@@ -1,11 +1,17 @@
 //! What the search along the chord, and over the plane of the chord and the step before, needs.
 
 use super::sums::{Largest, TILE};
-use super::{Partial, TASK};
 use crate::Real;
+use crate::row_work::{Partial, TASK};
 use crate::simd::{LANES, four, rest, vectorised};
 use fearless_simd::{Fallback, Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;
+
+/// The search over the plane of the chord and the step before is left out where these two are nearly
+/// parallel (determinant of their products over that of their squares), or where it would go less far
+/// along the chord.
+const LEAST_DETERMINANT: f64 = 1e-6;
+const LEAST_CHORD: f64 = 0.3;
 
 /// Inner products of the chord `s = trial - p` and the step before, `d = p - before`.
 #[derive(Debug, Clone, Copy, Default)]
@@ -41,7 +47,8 @@ impl Products {
         let determinant = self.sks * self.dkd - self.skd * self.skd;
         let b1 = (self.gd * self.skd - self.gs * self.dkd) / determinant;
         let b2 = (self.gs * self.skd - self.gd * self.sks) / determinant;
-        (determinant > 1e-6 * self.sks * self.dkd && b1 > 0.3).then_some([b1, b2])
+        let is_plane = determinant > LEAST_DETERMINANT * self.sks * self.dkd;
+        (is_plane && b1 > LEAST_CHORD).then_some([b1, b2])
     }
 
     /// `<x, K x>` of the step `x = b1 s + b2 d`.

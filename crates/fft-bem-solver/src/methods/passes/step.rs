@@ -1,7 +1,7 @@
 //! The step to the next iterate, with the sums that its level needs.
 
-use super::{Partial, TASK, total};
 use crate::Real;
+use crate::row_work::{Partial, TASK, total};
 use crate::simd::{LANES, four, rest, vectorised};
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;

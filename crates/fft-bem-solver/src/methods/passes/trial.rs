@@ -1,11 +1,12 @@
 //! The trial pressure: the step with the size of it, and its end after the sweep.
 
 use super::sums::TILE;
-use super::{Partial, total};
 use crate::Real;
 use crate::methods::extension::{Level, Pyramid};
+use crate::methods::node::Node;
 use crate::methods::sweep::{Added, Sweep};
-use crate::methods::transfer::{ON, Transfer};
+use crate::methods::transfer::Transfer;
+use crate::row_work::{Partial, total};
 use crate::simd::{LANES, Lane, four, rest, vectorised};
 use fearless_simd::{Simd, SimdBase, f64x4};
 use grid_fft::parallel::prelude::*;
@@ -28,7 +29,7 @@ pub(crate) fn trial<T: Real>(
     p: &[T],
     y: &[f32],
     tau: f64,
-    mask: &[u8],
+    nodes: &[Node],
     active: usize,
     [rows, nx]: [usize; 2],
     pyramid: &Pyramid,
@@ -43,32 +44,32 @@ pub(crate) fn trial<T: Real>(
     let fields = partial[..used]
         .par_iter_mut()
         .zip(y.par_chunks(chunk))
-        .zip(mask.par_chunks(chunk))
+        .zip(nodes.par_chunks(chunk))
         .zip(trial.par_chunks_mut(chunk));
     let length = T::of(tau);
     if let Some(first) = first {
         let t = &first.transfer;
         let (height, mx) = (t.rows_per_coarse_row(), t.coarse[1]);
         fields.zip(smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
-            |(task, ((((partial, y), mask), trial), smallest))| {
+            |(task, ((((partial, y), nodes), trial), smallest))| {
                 *partial = vectorised!(x => {
                     let mut sums = [f64x4::splat(x, 0.0); 4];
-                    let below = y.chunks(height * nx).zip(mask.chunks(height * nx));
+                    let below = y.chunks(height * nx).zip(nodes.chunks(height * nx));
                     let cells = below.zip(trial.chunks_mut(height * nx)).zip(smallest.chunks_mut(mx));
-                    for (j, (((y, mask), trial), smallest)) in cells.enumerate() {
+                    for (j, (((y, nodes), trial), smallest)) in cells.enumerate() {
                         let row = task * rows + j * height;
-                        step_rows(x, p, y, length, mask, Some(first), [row, nx], trial, &mut sums);
-                        smallest_below(t, mask, trial, smallest);
+                        step_rows(x, p, y, length, nodes, Some(first), [row, nx], trial, &mut sums);
+                        smallest_below(t, nodes, trial, smallest);
                     }
                     totals(sums)
                 });
             },
         );
     } else {
-        fields.enumerate().for_each(|(task, (((partial, y), mask), trial))| {
+        fields.enumerate().for_each(|(task, (((partial, y), nodes), trial))| {
             *partial = vectorised!(x => {
                 let (mut sums, row) = ([f64x4::splat(x, 0.0); 4], task * rows);
-                step_rows(x, p, y, length, mask, None, [row, nx], trial, &mut sums);
+                step_rows(x, p, y, length, nodes, None, [row, nx], trial, &mut sums);
                 totals(sums)
             });
         });
@@ -94,15 +95,15 @@ fn step_rows<S: Simd, T: Real>(
     p: &[T],
     y: &[f32],
     tau: T,
-    mask: &[u8],
+    nodes: &[Node],
     level: Option<&Level>,
     [first_row, nx]: [usize; 2],
     trial: &mut [T],
     sums: &mut [f64x4<S>; 4],
 ) {
     let mut z = [0.0; TILE];
-    let lines = y.chunks_exact(nx).zip(mask.chunks_exact(nx)).zip(trial.chunks_exact_mut(nx));
-    for (i, ((y, mask), trial)) in lines.enumerate() {
+    let lines = y.chunks_exact(nx).zip(nodes.chunks_exact(nx)).zip(trial.chunks_exact_mut(nx));
+    for (i, ((y, nodes), trial)) in lines.enumerate() {
         let row = first_row + i;
         for (k, t) in trial.chunks_mut(TILE).enumerate() {
             let (ix, n) = (k * TILE, t.len());
@@ -112,7 +113,7 @@ fn step_rows<S: Simd, T: Real>(
                 level.transfer.add_down_transposed(row, ix, &level.value, z);
             }
             t.copy_from_slice(&p[row * nx + ix..][..n]);
-            step_tile(vectors, z, tau, &mask[ix..][..n], t, sums);
+            step_tile(vectors, z, tau, &nodes[ix..][..n], t, sums);
         }
     }
 }
@@ -123,15 +124,15 @@ fn step_tile<S: Simd, T: Real>(
     vectors: S,
     z: &mut [f32],
     tau: T,
-    mask: &[u8],
+    nodes: &[Node],
     trial: &mut [T],
     sums: &mut [f64x4<S>; 4],
 ) {
     let mut off = [0.0; TILE];
-    let off = &mut off[..mask.len()];
-    for ((z, off), m) in z.iter_mut().zip(&mut *off).zip(mask) {
-        *z = if *m == ON { *z } else { 0.0 };
-        *off = if *m == ON { 0.0 } else { 1.0 };
+    let off = &mut off[..nodes.len()];
+    for ((z, off), m) in z.iter_mut().zip(&mut *off).zip(nodes) {
+        *z = if m.is_in() { *z } else { 0.0 };
+        *off = if m.is_in() { 0.0 } else { 1.0 };
     }
     add_sums(vectors, z, off, trial, sums);
     if !trial.len().is_multiple_of(LANES) {
@@ -165,7 +166,7 @@ fn add_sums<S: Simd, T: Real>(
 
 /// The smallest trial pressure on F below each cell of a row of the first level.
 #[inline(always)]
-fn smallest_below<T: Real>(t: &Transfer, mask: &[u8], trial: &[T], smallest: &mut [f32]) {
+fn smallest_below<T: Real>(t: &Transfer, nodes: &[Node], trial: &[T], smallest: &mut [f32]) {
     let nx = t.fine[1];
     let least = |x: f32, y: f32| if x < y { x } else { y };
     let mut line = [0.0; TILE];
@@ -174,8 +175,8 @@ fn smallest_below<T: Real>(t: &Transfer, mask: &[u8], trial: &[T], smallest: &mu
         let line = &mut line[..TILE.min(nx - ix)];
         line.fill(f32::INFINITY);
         for from in [ix, last + ix] {
-            for ((x, p), m) in line.iter_mut().zip(&trial[from..]).zip(&mask[from..]) {
-                let here = if *m == ON { p.narrow() } else { f32::INFINITY };
+            for ((x, p), m) in line.iter_mut().zip(&trial[from..]).zip(&nodes[from..]) {
+                let here = if m.is_in() { p.narrow() } else { f32::INFINITY };
                 *x = least(*x, here);
             }
         }
@@ -197,7 +198,7 @@ fn smallest_below<T: Real>(t: &Transfer, mask: &[u8], trial: &[T], smallest: &mu
 /// to zero outside the contact. Returns the sum.
 pub(crate) fn end_trial<T: Real>(
     first_row: usize,
-    mask: &[u8],
+    nodes: &[Node],
     sweep: &Sweep,
     pyramid: &Pyramid,
     nx: usize,
@@ -207,9 +208,9 @@ pub(crate) fn end_trial<T: Real>(
     let mut more = [sweep.shift; TILE];
     let sum = vectorised!(x => {
         let mut sum = f64x4::splat(x, 0.0);
-        for (i, (t, mask)) in trial.chunks_exact_mut(nx).zip(mask.chunks_exact(nx)).enumerate() {
+        for (i, (t, nodes)) in trial.chunks_exact_mut(nx).zip(nodes.chunks_exact(nx)).enumerate() {
             let added = sweep.added_below(first_row + i, pyramid);
-            for ((k, t), mask) in t.chunks_mut(TILE).enumerate().zip(mask.chunks(TILE)) {
+            for ((k, t), nodes) in t.chunks_mut(TILE).enumerate().zip(nodes.chunks(TILE)) {
                 match added {
                     Added::Same(_) => (),
                     Added::Cells(added) if is_halved => {
@@ -222,9 +223,9 @@ pub(crate) fn end_trial<T: Real>(
                         more[..t.len()].copy_from_slice(&added[k * TILE..][..t.len()]);
                     }
                 }
-                for ((t, m), a) in t.iter_mut().zip(mask).zip(&more) {
+                for ((t, m), a) in t.iter_mut().zip(nodes).zip(&more) {
                     let kept = (*t + T::of(f64::from(*a))).larger(T::zero());
-                    *t = if *m == ON { kept } else { T::zero() };
+                    *t = if m.is_in() { kept } else { T::zero() };
                 }
                 for i in (0..t.len() - t.len() % LANES).step_by(LANES) {
                     sum += T::widened(four(x, t, i));

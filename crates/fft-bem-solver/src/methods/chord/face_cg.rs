@@ -1,45 +1,39 @@
 //! Conjugate gradients on the face of the nodes in contact, preconditioned by the cheap `S`: the
 //! last resort of the chord iteration.
 
-use super::chord::{Chord, room};
-use super::transfer::ON;
-use super::{Compliance, State};
+use super::run::Run;
+use crate::methods::node::Node;
 use crate::{Real, fields, projection};
 
-/// One step from `state`; returns the pairs spent. The direction and its displacement are kept in
-/// the place of the iterate before; `is_first` if there is none yet.
-pub(crate) fn step<T: Real>(
-    work: &mut Chord<T>,
-    operator: &mut dyn Compliance<T>,
-    h: &[T],
-    level: f64,
-    load: f64,
-    is_first: bool,
-    state: &mut State<T>,
-) -> f64 {
+/// One step from the iterate; returns the pairs spent. The direction and its displacement are kept in
+/// the place of the iterate before, once there is one.
+pub(super) fn step<T: Real>(run: &mut Run<'_, T>, level: f64) -> f64 {
+    let (h, load, is_first) = (run.heights, run.load, !run.memory.has_before);
+    let (work, operator) = (&mut *run.work, &mut *run.operator);
     let n = h.len();
-    let (p, u) = (&mut state.pressure, &mut state.displacement);
+    let (p, u) = (&mut run.iterate.pressure, &mut run.iterate.displacement);
     let gap = |i: usize| (u[i] - h[i]).wide() - level;
-    let mask = &mut work.mask;
-    let residual = room(&mut work.response, &mut work.before_response, false);
+    let nodes = &mut work.nodes;
+    let residual = work.pairs.spare();
     for i in 0..n {
-        residual[i] = if mask[i] == ON { gap(i) as f32 } else { 0.0 };
+        residual[i] = if nodes[i].is_in() { gap(i) as f32 } else { 0.0 };
     }
     work.stiffness.apply(residual, &mut work.residual);
     let z = &mut work.residual;
-    centre(mask, z);
+    centre(nodes, z);
     // A node without load that the step would pull on does not take part.
     for i in 0..n {
-        if mask[i] == ON && p[i] <= T::zero() && z[i] > 0.0 {
-            mask[i] = 0;
+        if nodes[i].is_in() && p[i] <= T::zero() && z[i] > 0.0 {
+            nodes[i] = Node::Gap;
         }
     }
-    centre(mask, z);
+    centre(nodes, z);
 
     // Conjugate to the last direction, if that descends; else z; else the plain gradient.
-    let (t, kt) = (&mut work.before, &mut work.before_response);
-    let on = |i: usize| mask[i] == ON;
-    let mut direction = &mut work.trial;
+    let pairs = &mut work.pairs;
+    let (t, kt) = (&mut pairs.before.pressure, &mut pairs.before.displacement);
+    let on = |i: usize| nodes[i].is_in();
+    let mut direction = &mut pairs.trial.pressure;
     let mut is_descent = false;
     if !is_first {
         let beta = fields::sum_of(n, |i| f64::from(z[i]) * kt[i].wide()) / fields::dot(t, kt);
@@ -73,7 +67,7 @@ pub(crate) fn step<T: Real>(
         }
     }
     std::mem::swap(direction, t);
-    direction = &mut work.trial;
+    direction = &mut pairs.trial.pressure;
     operator.apply(t, kt);
     let length = T::of(fields::sum_of(n, |i| t[i].wide() * gap(i)) / fields::dot(t, kt));
     for i in 0..n {
@@ -93,8 +87,8 @@ pub(crate) fn step<T: Real>(
 }
 
 /// Sets z to zero outside the contact and subtracts its mean inside.
-fn centre(mask: &[u8], z: &mut [f32]) {
-    let on = |i: usize| mask[i] == ON;
+fn centre(nodes: &[Node], z: &mut [f32]) {
+    let on = |i: usize| nodes[i].is_in();
     let count = fields::sum_of(z.len(), |i| if on(i) { 1.0 } else { 0.0 });
     let mean = fields::sum_of(z.len(), |i| if on(i) { f64::from(z[i]) } else { 0.0 }) / count;
     for (i, z) in z.iter_mut().enumerate() {

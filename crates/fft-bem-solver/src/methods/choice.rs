@@ -1,0 +1,39 @@
+//! Which method is run.
+
+use super::chord::Chord;
+use super::contract::ContactMethod;
+use super::free_chord::FreeChord;
+use super::polonsky_keer::PolonskyKeer;
+use super::stanley_kato::StanleyKato;
+use super::thin_pixels;
+use crate::{Boundary, Method, Real, SolverError};
+use contact_types::Grid;
+
+/// The method asked for, with its memory; and which one `Auto` became.
+pub(crate) fn build<T: Real>(
+    method: Method,
+    scaled: Grid,
+    boundary: Boundary,
+) -> Result<(Method, Box<dyn ContactMethod<T>>), SolverError> {
+    let ratio = thin_pixels::ratio(scaled);
+    if matches!(method, Method::Auto | Method::Chord) && ratio > thin_pixels::LARGEST_RATIO {
+        return Err(SolverError::Range {
+            quantity: "ratio of the pixel sides",
+            value: ratio,
+            way_out: "up to 1e5 it can: average the map along the shorter sides, or choose the \
+                      method polonsky-keer",
+        });
+    }
+    Ok(match (method, boundary) {
+        (Method::Auto | Method::Chord, Boundary::Periodic) => {
+            (Method::Chord, Box::new(Chord::new(scaled)))
+        }
+        (Method::Auto | Method::Chord, Boundary::Free) => {
+            (Method::Chord, Box::new(FreeChord::new(scaled)?))
+        }
+        (Method::PolonskyKeer, _) => {
+            (Method::PolonskyKeer, Box::new(PolonskyKeer::new(scaled.len())))
+        }
+        (Method::StanleyKato, _) => (Method::StanleyKato, Box::new(StanleyKato::new(scaled.len()))),
+    })
+}

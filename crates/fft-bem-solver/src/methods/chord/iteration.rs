@@ -1,0 +1,267 @@
+//! Extension-preconditioned chord iteration: about one FFT pair per step and one digit per step.
+//!
+//! Each step asks for the pressure that would close the residual gap `g` on the contact set F,
+//! `z = E^T S E g`; subtracts it; sweeps the tension that results onto the nodes that stay
+//! ([`Sweep`](crate::methods::sweep::Sweep)); computes the displacement of that trial with one FFT pair; and goes along the
+//! chord from the present pressure to the trial as far as the energy falls. A chord of a convex
+//! set stays in the set: pressures stay positive and carry the load without projection. The size
+//! of z estimates the error of the pressure.
+//!
+//! ```text
+//! begin with a pressure p of known displacement u = K p: constant, or that of another load
+//! 1  g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}             look.rs
+//! 2  z = E^T S E g on F, less its mean;  trial = p - tau z on F                       trial.rs
+//!    |z on F, p off F| <= tolerance |p|: stop
+//!    before the first pair, while |z| > 0.05 |p|:                                     guess.rs
+//!        u = u + K~ (trial - p),  p = trial swept,  and again from 1       (no pair: a guess)
+//! 3  trial = trial swept, clipped, scaled to the load                                 trial.rs
+//! 4  K trial                                                               (the one pair)  line.rs
+//!    theta = -<g,s>/<s,Ks> along the chord s = trial - p
+//! 5  p += theta s, or all of s near theta = 1; better, the minimum over s and the step before
+//!    and again from 1
+//! ```
+//!
+//! Polonsky and Keer's method has the same five steps with other means: their 2 is the gap itself made
+//! conjugate, their 3 clips and scales. Which field holds what at each step is a table in
+//! `docs/src/solver/buffers.md`.
+//!
+//! Two fallbacks guarantee convergence: projected gradients where a chord does not descend or the
+//! estimate stalls, and conjugate gradients on the face where that does not help.
+
+use super::face_cg;
+use super::line::{FULL, Trial};
+use super::look::RELEASE;
+use super::memory::{Kind, Known};
+use super::pairs::Base;
+use super::run::Run;
+use super::work::Work;
+use crate::methods::compliance::Compliance;
+use crate::methods::contract::{ContactMethod, Outcome, Start, State, Step, Task, Watch};
+use crate::methods::extrapolation::Earlier;
+use crate::methods::passes::{self, ContactSet};
+use crate::methods::stiffness::Stiffness;
+use crate::problem::Problem;
+use crate::{End, Real, certificate, fields};
+use contact_types::Grid;
+
+/// Most steps with the cheap compliance before the first trial, and the estimate that ends them.
+const GUESSES: u8 = 6;
+const GUESSED: f64 = 0.05;
+
+/// The method: its memory, and how it begins.
+pub(crate) struct Chord<T: Real> {
+    pub(crate) work: Work<T>,
+    /// On a load curve.
+    earlier: Option<Box<Earlier<T>>>,
+    /// Most guesses before the first pair.
+    guesses: u8,
+    /// Tests: make every step of this kind.
+    pub(crate) force: Option<Kind>,
+}
+
+impl<T: Real> Chord<T> {
+    /// For a periodic grid whose finer pixel side is 1.
+    pub(crate) fn new(scaled: Grid) -> Self {
+        Self::with(scaled, Stiffness::new(scaled.shape(), scaled.pixel()), GUESSES)
+    }
+
+    /// For the grid of an isolated map whose copies would matter: nothing knows of them. Without guesses,
+    /// since the cheap compliance is periodic.
+    pub(crate) fn isolated(scaled: Grid) -> Self {
+        Self::with(scaled, Stiffness::isolated(scaled.shape(), scaled.pixel()), 0)
+    }
+
+    fn with(scaled: Grid, stiffness: Stiffness, guesses: u8) -> Self {
+        Self { work: Work::new(scaled, stiffness), earlier: None, guesses, force: None }
+    }
+}
+
+impl<T: Real> ContactMethod<T> for Chord<T> {
+    fn solve(
+        &mut self,
+        task: &Task<'_, T>,
+        operator: &mut dyn Compliance<T>,
+        start: Start,
+        state: &mut State<T>,
+        watch: &mut Watch<'_, T>,
+    ) -> Outcome {
+        let guesses = if self.force.is_none() { self.guesses } else { 0 };
+        let Self { work, earlier, force, .. } = self;
+        let mut run = Run::new(work, task, operator, start, *force, state);
+        run.begin(start, earlier.as_deref_mut());
+        let mut proposal = run.first_proposal(start, guesses, task.tolerance);
+        let mut iteration = 0;
+        let end = loop {
+            let error = run.level_error();
+            let shown = Step {
+                iteration,
+                transforms: run.transforms,
+                residual: run.memory.residual.max(error),
+                state: run.iterate,
+            };
+            if watch(&shown).is_break() {
+                break End::Stopped;
+            }
+            if run.work.pairs.base == Base::Iterate {
+                // A single pixel leaves no residual at any level: the level must be right as well.
+                if error <= task.tolerance {
+                    if run.memory.residual <= task.tolerance {
+                        break End::Converged;
+                    }
+                    if run.is_rounding(proposal.level) {
+                        break End::Rounding;
+                    }
+                }
+                if iteration >= task.max_iterations {
+                    break End::Exhausted;
+                }
+            }
+            run.step(&proposal);
+            iteration += 1;
+            proposal = run.propose(false, task.tolerance);
+        };
+        if run.control.is_none() {
+            run.end_drift();
+        }
+        let residual = run.memory.residual.max(run.level_error());
+        let Run { transforms, fallbacks, .. } = run;
+        state.level = certificate::level(state, &task.problem.heights);
+        Outcome { end, iterations: iteration, transforms, residual, fallbacks }
+    }
+
+    fn extrapolate(&mut self, is_on: bool) {
+        let n = self.work.nodes.len();
+        self.earlier = is_on.then(|| Box::new(Earlier::new(n)));
+    }
+
+    fn controls_level(&self) -> bool {
+        true
+    }
+
+    /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive, above `-0.1 P`.
+    fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
+        let work = &mut self.work;
+        work.pairs.base = Base::Iterate;
+        let heights = work.pairs.spare();
+        passes::narrow(&problem.heights, problem.mean_height, heights);
+        work.stiffness.apply(heights, &mut work.residual);
+        let least = fields::min(&work.residual);
+        (-least / 1.1, work.stiffness.cost)
+    }
+}
+
+/// Steps 1 and 2: a trial that is still to be swept.
+struct Proposal {
+    /// Of the base.
+    level: f64,
+    set: ContactSet,
+}
+
+impl<T: Real> Run<'_, T> {
+    /// The pressure to start from, whose displacement is known or, on a load curve, guessed.
+    fn begin(&mut self, start: Start, earlier: Option<&mut Earlier<T>>) {
+        match (start, earlier) {
+            (Start::Cold, earlier) => {
+                if let Some(earlier) = earlier {
+                    earlier.forget();
+                }
+                self.begin_constant();
+            }
+            (Start::Warm, earlier) => {
+                if let Some(earlier) = earlier.filter(|_| self.control.is_none()) {
+                    let pairs = &mut self.work.pairs;
+                    let lead = [&mut pairs.trial.pressure[..], &mut pairs.trial.displacement];
+                    if earlier.guess(self.load, self.iterate, lead) {
+                        pairs.base = Base::Lead;
+                    }
+                }
+                self.begin_scaled();
+            }
+        }
+    }
+
+    /// The first proposal. Before its trial costs a pair: the same without one, while there is much to
+    /// gain.
+    fn first_proposal(&mut self, start: Start, guesses: u8, tolerance: f64) -> Proposal {
+        // The contact of another load: the step will close much that it leaves open.
+        let mut proposal = self.propose(start == Start::Warm, tolerance);
+        for guess in 0..guesses {
+            let residual = self.memory.residual;
+            let is_lead = self.work.pairs.base == Base::Lead;
+            let is_first = guess == 0 && (is_lead || residual > tolerance);
+            if !(residual > GUESSED || is_first) || !self.guess(proposal.set) {
+                break;
+            }
+            self.memory.length = 0.0;
+            proposal = self.propose(false, tolerance);
+        }
+        proposal
+    }
+
+    /// Residual gap and contact set, with the level prescribed once more at a better load, or once more a
+    /// step ahead; the preconditioned residual, and the trial it leads to.
+    fn propose(&mut self, looks_ahead: bool, tolerance: f64) -> Proposal {
+        let most = RELEASE / self.work.elongation;
+        let release = if self.memory.length < FULL { most } else { 0.0 };
+        let known = std::mem::take(&mut self.memory.known);
+        let (mut level, mut set) = self.look(known, release);
+        if self.control.is_some() {
+            self.towards_level(level);
+            (level, set) = self.look(Known::Nothing, most);
+        } else if looks_ahead {
+            set = self.look_ahead(level, release);
+        }
+        self.precondition();
+        let estimate = self.make_trial(self.memory.tau, set);
+        self.memory.residual = estimate.residual;
+        if self.work.pairs.base == Base::Iterate && estimate.residual <= tolerance {
+            self.memory.residual = self.credible(&estimate, level);
+        }
+        Proposal { level, set }
+    }
+
+    /// Steps 3 to 5, or a step of another kind if the estimate has not been halved for long.
+    fn step(&mut self, proposal: &Proposal) {
+        let (mut kind, base) = (self.memory.next_kind(), self.work.pairs.base);
+        if kind == Kind::FaceCg && base == Base::Iterate {
+            self.transforms += face_cg::step(self, proposal.level);
+            self.memory.has_before = true;
+            self.fallbacks.face_cg_steps += 1;
+            return;
+        }
+        // The chord is drawn from the iterate, whose displacement is known, also where a lead proposed.
+        let level = match base {
+            Base::Iterate => proposal.level,
+            Base::Lead => {
+                let State { pressure, displacement, .. } = &*self.iterate;
+                passes::level(pressure, displacement, self.heights, &mut self.work.partial)
+            }
+        };
+        let products = loop {
+            let trial = match kind {
+                Kind::Chord => {
+                    self.sweep_trial(proposal.set, self.memory.residual);
+                    // The first trial is likely to need more than a factor.
+                    let is_first = !self.memory.has_before;
+                    if is_first { self.end_trial().map(Trial::Ended) } else { Some(Trial::Swept) }
+                }
+                Kind::Gradient | Kind::FaceCg => {
+                    self.gradient_trial(level);
+                    Some(Trial::Ended(1.0))
+                }
+            };
+            let products = trial.and_then(|trial| self.respond(trial, [level, proposal.level]));
+            if let Some(products) = products
+                && (products.theta() > 0.0 || kind != Kind::Chord)
+            {
+                break products;
+            }
+            kind = Kind::Gradient; // the chord does not descend: projected gradients always do
+        };
+        if kind != Kind::Chord {
+            self.fallbacks.gradient_steps += 1;
+        }
+        self.work.pairs.base = Base::Iterate;
+        self.advance(kind, &products, proposal.level);
+    }
+}

@@ -1,0 +1,130 @@
+//! Steps 4 and 5: the one pair, and how far to go along the chord.
+
+use super::memory::{Kind, Known};
+use super::run::Run;
+use super::trial::is_rough;
+use crate::methods::passes::{self, Products};
+use crate::row_work::{Partial, RowWork, total};
+use crate::{HalfSpace, Real};
+
+/// Below this chord length the step was a poor guess: take it as it is, and release nodes.
+pub(super) const FULL: f64 = 0.7;
+/// Range of the length of the preconditioned step.
+const TAU: [f64; 2] = [0.3, 1.0];
+/// By how much that length may change from one step to the next.
+const CHANGE: [f64; 2] = [0.7, 1.4];
+
+/// How far a trial is made.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Trial {
+    /// Swept, and what was swept is still to be added.
+    Swept,
+    /// Nowhere negative; this many times it carries the load.
+    Ended(f64),
+}
+
+impl<T: Real> Run<'_, T> {
+    /// Gives the trial the load and computes `K trial`, the one pair. Returns the inner products
+    /// along the chord to it; `None` if nothing is left of the trial. `levels` are that of the iterate
+    /// and the one from which the gap of the trial is to be counted.
+    pub(super) fn respond(&mut self, trial: Trial, levels: [f64; 2]) -> Option<Products> {
+        let wanted = self.total();
+        let work = &mut *self.work;
+        let nx = work.columns;
+        let (nodes, sweep, pyramid) = (&work.nodes, &work.sweep, &work.pyramid);
+        let prepare = |first: usize, q: &mut [T]| match trial {
+            Trial::Ended(_) => Partial::default(),
+            Trial::Swept => {
+                let nodes = &nodes[first..][..q.len()];
+                passes::end_trial(first / nx, nodes, sweep, pyramid, nx, q)
+            }
+        };
+        let mut sum = 0.0;
+        let mut factor = |sums: &[Partial]| {
+            [sum] = total(sums);
+            match trial {
+                Trial::Ended(scale) => Some(scale),
+                Trial::Swept => Some(wanted / sum).filter(|_| sum > 0.0 && !is_rough(sum, wanted)),
+            }
+        };
+        let (p, u) = (&self.iterate.pressure[..], &self.iterate.displacement[..]);
+        let (h, has_before) = (self.heights, self.memory.has_before);
+        let before = if has_before { &work.pairs.before.pressure[..] } else { p }; // without one, d = 0
+        let finish = |first: usize, scale: T, qv: [&mut [T]; 2], gap: &mut [f32]| {
+            let [p, u, h, b] = [p, u, h, before].map(|x| &x[first..][..gap.len()]);
+            passes::inner_products([p, u, h], levels, qv, scale, b, gap)
+        };
+        let around = RowWork {
+            prepare: &prepare,
+            factor: &mut factor,
+            finish: &finish,
+            pixels: HalfSpace::<T>::BLOCK_ROWS * nx,
+        };
+        let (trial, gap) = (&mut work.pairs.trial, &mut work.residual);
+        let (q, v) = (&mut trial.pressure, &mut trial.displacement);
+        if let Some(sums) = self.operator.apply_around(q, v, gap, around, &mut work.partial) {
+            self.transforms += 1.0;
+            let dkd = if has_before { self.memory.dkd } else { 0.0 };
+            return Some(Products::new(sums, dkd));
+        }
+        let scale = self.give_load(sum)?;
+        self.respond(Trial::Ended(scale), levels)
+    }
+
+    /// Goes along the chord, or to the minimum over the chord and the step before. The gap of the trial
+    /// is counted from a level.
+    pub(super) fn advance(&mut self, kind: Kind, k: &Products, counted_from: f64) {
+        let theta = k.theta();
+        let now = &mut self.memory;
+        if kind == Kind::Chord {
+            now.length = if theta < FULL { theta } else { 1.0 };
+            if theta > 1.0 && !k.has_dropped {
+                let (p, trial) = (&self.iterate.pressure, &self.work.pairs.trial.pressure);
+                let reach = passes::reach(p, trial, &mut self.work.partial);
+                now.length = theta.min(reach.max(1.0));
+            }
+            now.tau = (now.tau * theta.clamp(CHANGE[0], CHANGE[1])).clamp(TAU[0], TAU[1]);
+        } else {
+            now.length = theta.clamp(0.0, 1.0);
+            if k.sks > 0.0 {
+                now.alpha = k.ss / k.sks; // Barzilai & Borwein (1988), doi:10.1093/imanum/8.1.141
+            }
+        }
+        // A node that the trial drops would keep a part of its load: then only the chord will do.
+        let is_searchable = now.has_before && kind == Kind::Chord && !k.has_dropped;
+        let length = now.length;
+        let plane = k.plane_minimum().filter(|_| is_searchable);
+        let step = plane.and_then(|b| Some((b, self.combine(b, true)?)));
+        let b = if let Some((b, level)) = step {
+            self.memory.length = 1.0;
+            self.memory.known = Known::Level(level);
+            b
+        } else if (length - 1.0).abs() < f64::EPSILON {
+            self.work.pairs.take_trial();
+            self.memory.known = Known::Gap { level: k.level, counted_from };
+            [1.0, 0.0]
+        } else {
+            let b = [length, 0.0];
+            self.memory.known = self.combine(b, false).map_or(Known::Nothing, Known::Level);
+            b
+        };
+        self.work.pairs.advance(self.iterate);
+        self.memory.has_before = true;
+        self.memory.dkd = k.curvature(b);
+    }
+
+    /// `before = p + b1 s + b2 d`, see [`passes::combine`].
+    fn combine(&mut self, b: [f64; 2], is_plane: bool) -> Option<f64> {
+        let work = &mut *self.work;
+        let pairs = &mut work.pairs;
+        passes::combine(
+            [&self.iterate.pressure, &self.iterate.displacement],
+            [&pairs.trial.pressure, &pairs.trial.displacement],
+            b,
+            is_plane,
+            self.heights,
+            [&mut pairs.before.pressure, &mut pairs.before.displacement],
+            &mut work.partial,
+        )
+    }
+}

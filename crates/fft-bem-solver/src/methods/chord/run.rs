@@ -1,0 +1,109 @@
+//! One run of the iteration: the problem, the iterate, and what the steps to it have shown.
+
+use super::memory::{Kind, Memory};
+use super::pairs::Base;
+use super::work::Work;
+use crate::methods::compliance::Compliance;
+use crate::methods::contract::{Start, State, Target, Task};
+use crate::methods::level_control::LevelControl;
+use crate::methods::passes;
+use crate::{Boundary, Fallbacks, Real, fields};
+
+/// A run in progress. Its steps are in files of their own, in the order in which the
+/// [loop](super::iteration) takes them.
+pub(crate) struct Run<'a, T: Real> {
+    pub(crate) work: &'a mut Work<T>,
+    pub(crate) operator: &'a mut dyn Compliance<T>,
+    pub(crate) heights: &'a [T],
+    pub(crate) iterate: &'a mut State<T>,
+    /// Mean pressure.
+    pub(crate) load: f64,
+    /// If the level is prescribed and not the load.
+    pub(super) control: Option<LevelControl>,
+    pub(super) memory: Memory,
+    /// Pairs spent.
+    pub(super) transforms: f64,
+    pub(super) fallbacks: Fallbacks,
+}
+
+impl<'a, T: Real> Run<'a, T> {
+    /// A run that has not begun. Tests force a kind of step.
+    pub(crate) fn new(
+        work: &'a mut Work<T>,
+        task: &Task<'a, T>,
+        operator: &'a mut dyn Compliance<T>,
+        start: Start,
+        forced: Option<Kind>,
+        iterate: &'a mut State<T>,
+    ) -> Self {
+        let (load, control) = match task.target {
+            Target::Pressure(load) => (load, None),
+            Target::Level(level, guess) => {
+                let mean_height = task.problem.mean_height;
+                (guess, Some(LevelControl::new(level, mean_height, operator.boundary())))
+            }
+        };
+        work.pairs.base = Base::Iterate;
+        Self {
+            work,
+            operator,
+            heights: &task.problem.heights,
+            iterate,
+            load,
+            control,
+            memory: Memory::new(start == Start::Cold, forced),
+            transforms: 0.0,
+            fallbacks: Fallbacks::default(),
+        }
+    }
+
+    /// The load of the whole map, in pixels.
+    pub(super) fn total(&self) -> f64 {
+        self.load * self.heights.len() as f64
+    }
+
+    /// Begins with the constant pressure; its displacement is zero on a periodic half space.
+    pub(super) fn begin_constant(&mut self) {
+        let state = &mut *self.iterate;
+        passes::fill(self.load, &mut state.pressure);
+        if self.operator.boundary() == Boundary::Periodic {
+            passes::fill(0.0, &mut state.displacement);
+        } else {
+            self.operator.apply(&state.pressure, &mut state.displacement);
+            self.transforms += 1.0;
+        }
+    }
+
+    /// Begins with the iterate there is, scaled to the load: K is linear. Where the level is prescribed, the
+    /// load is that of the iterate.
+    pub(super) fn begin_scaled(&mut self) {
+        let present = mean(&self.iterate.pressure);
+        if self.control.is_none() {
+            self.scale_iterate(self.load / present);
+        } else {
+            self.load = present;
+        }
+    }
+
+    /// Steps longer than the chord multiply the rounding of the load: takes back what came of it.
+    pub(super) fn end_drift(&mut self) {
+        let present = mean(&self.iterate.pressure);
+        if (present / self.load - 1.0).abs() > 32.0 * T::EPSILON {
+            self.scale_iterate(self.load / present);
+        }
+    }
+
+    fn scale_iterate(&mut self, factor: f64) {
+        passes::scale(factor, &mut self.iterate.pressure);
+        passes::scale(factor, &mut self.iterate.displacement);
+    }
+
+    /// How far a prescribed level is from being met, in the logarithm of the load.
+    pub(super) fn level_error(&self) -> f64 {
+        self.control.as_ref().map_or(0.0, |control| control.error.abs())
+    }
+}
+
+fn mean<T: Real>(field: &[T]) -> f64 {
+    fields::sum(field) / field.len() as f64
+}

@@ -1,0 +1,65 @@
+//! What a chord iteration works with, allocated once: fields, pyramid, coarse grids.
+
+use super::pairs::Pairs;
+use crate::methods::cheap_compliance::CheapCompliance;
+use crate::methods::extension::Pyramid;
+use crate::methods::node::Node;
+use crate::methods::passes;
+use crate::methods::stiffness::Stiffness;
+use crate::methods::sweep::Sweep;
+use crate::methods::thin_pixels;
+use crate::row_work::Partial;
+use crate::{HalfSpace, Real};
+use contact_types::Grid;
+
+/// The trial and the iterate before, one field in single precision, the contact set, the pyramid
+/// and the coarse grids.
+pub(crate) struct Work<T: Real> {
+    pub(super) grid: Grid,
+    /// Rows that one task of a pass handles, and columns.
+    pub(super) rows: usize,
+    pub(super) columns: usize,
+    /// Longer over shorter side of a pixel, and of the map.
+    pub(super) elongation: f64,
+    pub(super) slenderness: f64,
+    /// Longer side of the map.
+    pub(super) longest: f64,
+    /// The contact set F.
+    pub(crate) nodes: Vec<Node>,
+    /// The residual gap on F; `S E g` once it was preconditioned; the gap of the trial, once that has its
+    /// displacement.
+    pub(crate) residual: Vec<f32>,
+    pub(crate) pyramid: Pyramid,
+    pub(crate) stiffness: Stiffness,
+    pub(crate) sweep: Sweep,
+    pub(crate) pairs: Pairs<T>,
+    pub(super) partial: Vec<Partial>,
+    /// Once a first trial has been looked for.
+    pub(super) cheap: Option<CheapCompliance>,
+}
+
+impl<T: Real> Work<T> {
+    /// For a grid whose finer pixel side is 1.
+    pub(super) fn new(scaled: Grid, stiffness: Stiffness) -> Self {
+        let (shape, n) = (scaled.shape(), scaled.len());
+        let pyramid = Pyramid::new(shape, scaled.pixel());
+        let rows = passes::rows_per_task(&pyramid, shape);
+        let pieces = passes::tasks(n, rows, shape[1]).max(HalfSpace::<T>::pieces(shape));
+        Self {
+            grid: scaled,
+            rows,
+            columns: shape[1],
+            elongation: thin_pixels::ratio(scaled),
+            slenderness: thin_pixels::ratio_of_sides(scaled),
+            longest: scaled.size().into_iter().fold(1.0, f64::max),
+            nodes: vec![Node::Gap; n],
+            residual: vec![0.0; n],
+            stiffness,
+            sweep: Sweep::new(pyramid.levels.first()),
+            pyramid,
+            pairs: Pairs::new(n),
+            partial: vec![Partial::default(); pieces],
+            cheap: None,
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The operator `K` as a method sees it.
+
+use crate::row_work::{Partial, RowWork, total};
+use crate::{Boundary, FreeHalfSpace, HalfSpace, Real};
+use grid_fft::parallel::prelude::*;
+
+/// `u = K p` and, where it is diagonal, its inverse.
+pub(crate) trait Compliance<T: Real>: Send + Sync {
+    /// `displacement = K pressure`.
+    fn apply(&mut self, pressure: &[T], displacement: &mut [T]);
+    /// As [`apply`](Self::apply), with `work` on the fields on the way, and a third field `gap` for it
+    /// to write to. Returns the sums of `work.finish`, `None` where `work.factor` stopped; `partial`
+    /// then holds what `work.prepare` found.
+    fn apply_around(
+        &mut self,
+        pressure: &mut [T],
+        displacement: &mut [T],
+        gap: &mut [f32],
+        work: RowWork<'_, T>,
+        partial: &mut [Partial],
+    ) -> Option<Partial> {
+        let size = work.pixels;
+        let blocks = pressure.par_chunks_mut(size).zip(partial.par_iter_mut()).enumerate();
+        blocks.for_each(|(k, (p, partial))| *partial = (work.prepare)(k * size, p));
+        let partial = &mut partial[..pressure.len().div_ceil(size)];
+        let factor = T::of((work.factor)(partial)?);
+        self.apply(pressure, displacement);
+        pressure
+            .par_chunks_mut(size)
+            .zip(displacement.par_chunks_mut(size))
+            .zip(gap.par_chunks_mut(size))
+            .zip(partial.par_iter_mut())
+            .enumerate()
+            .for_each(|(k, (((p, u), gap), partial))| {
+                for u in u.iter_mut() {
+                    *u *= factor;
+                }
+                *partial = (work.finish)(k * size, factor, [p, u], gap);
+            });
+        Some(total(partial))
+    }
+    /// Replaces `w` by `B w`, where `<w, B w> >= <w, K^-1 w>`; periodic: `B = K^-1` on fields of mean
+    /// zero. False, and nothing done, if there is no such `B` that costs one pair.
+    fn invert(&mut self, field: &mut [T]) -> bool;
+    /// Which kind of half space this is.
+    fn boundary(&self) -> Boundary;
+}
+
+impl<T: Real> Compliance<T> for HalfSpace<T> {
+    fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
+        self.displacement(pressure, displacement);
+    }
+    fn apply_around(
+        &mut self,
+        pressure: &mut [T],
+        displacement: &mut [T],
+        gap: &mut [f32],
+        work: RowWork<'_, T>,
+        partial: &mut [Partial],
+    ) -> Option<Partial> {
+        let partial = &mut partial[..Self::pieces(self.grid().shape())];
+        self.displacement_around(pressure, displacement, gap, work, partial)?;
+        Some(total(partial))
+    }
+    fn invert(&mut self, field: &mut [T]) -> bool {
+        self.press(field).is_ok()
+    }
+    fn boundary(&self) -> Boundary {
+        Boundary::Periodic
+    }
+}
+
+/// A free half space and the memory its inverse needs.
+pub(crate) struct Free<T: Real> {
+    half_space: FreeHalfSpace<T>,
+    scratch: Vec<T>,
+}
+
+impl<T: Real> Free<T> {
+    pub(crate) fn new(half_space: FreeHalfSpace<T>, pixels: usize) -> Self {
+        Self { half_space, scratch: Vec::with_capacity(pixels) }
+    }
+}
+
+impl<T: Real> Compliance<T> for Free<T> {
+    fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
+        self.half_space.displacement(pressure, displacement);
+    }
+    fn invert(&mut self, field: &mut [T]) -> bool {
+        self.half_space.dominating_inverse(field, &mut self.scratch)
+    }
+    fn boundary(&self) -> Boundary {
+        Boundary::Free
+    }
+}

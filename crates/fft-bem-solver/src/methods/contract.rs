@@ -1,0 +1,126 @@
+//! The contract between the solver and a method.
+//!
+//! A method receives a [`Task`]: the scaled [`Problem`] (heights from -1 to 0, finer pixel side 1,
+//! `K` with symbol `2/|q|`), what is prescribed, when to stop. It changes a [`State`], the pair
+//! `pressure`, `displacement = K pressure` and the `level` of the rigid flat, and returns an
+//! [`Outcome`]. The gap is `displacement - heights - level` and is never stored by the solver.
+//!
+//! - With [`Start::Cold`] the contents of the state mean nothing. With [`Start::Warm`] they are
+//!   the solution for another load on the same surface, `displacement = K pressure` included:
+//!   both may be scaled to the new load without a transform.
+//! - On return, whatever the [`End`], `pressure >= 0`, its mean is the prescribed one (for
+//!   [`Target::Pressure`]), `displacement` belongs to it, and `level` is the pressure-weighted mean
+//!   of `displacement - heights`.
+//! - Memory is allocated by the method's constructor; iterations allocate nothing.
+//! - `watch` is called once per iteration and may end the run.
+//! - `transforms` counts applications of `K` (or `K^-1`) at full size as 1; work on coarser grids
+//!   in proportion `m log m / (n log n)`.
+//! - A method that does not control the level itself (`controls_level`) is driven by
+//!   [`control`](crate::control): a secant in the logarithm of the load.
+
+use super::compliance::Compliance;
+use crate::problem::Problem;
+use crate::{End, Fallbacks, Real};
+use std::ops::ControlFlow;
+
+/// What is prescribed, in scaled units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Target {
+    /// Mean pressure.
+    Pressure(f64),
+    /// `displacement - heights` in contact. The number beside it is a first guess of the mean
+    /// pressure.
+    Level(f64, f64),
+}
+
+/// One problem to solve.
+#[derive(Clone, Copy)]
+pub(crate) struct Task<'a, T> {
+    pub(crate) problem: &'a Problem<T>,
+    pub(crate) target: Target,
+    /// Relative rms pressure error to reach.
+    pub(crate) tolerance: f64,
+    pub(crate) max_iterations: usize,
+}
+
+/// Where the iteration begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Start {
+    Cold,
+    Warm,
+}
+
+/// The iterate.
+pub(crate) struct State<T> {
+    pub(crate) pressure: Vec<T>,
+    pub(crate) displacement: Vec<T>,
+    pub(crate) level: f64,
+}
+
+impl<T: Real> State<T> {
+    pub(crate) fn new(n: usize) -> Self {
+        Self { pressure: vec![T::zero(); n], displacement: vec![T::zero(); n], level: 0.0 }
+    }
+}
+
+/// What `watch` is shown.
+pub(crate) struct Step<'a, T> {
+    pub(crate) iteration: usize,
+    pub(crate) transforms: f64,
+    /// Estimated relative rms pressure error; infinite while there is none.
+    pub(crate) residual: f64,
+    pub(crate) state: &'a State<T>,
+}
+
+/// Called once per iteration; `Break` ends the run.
+pub(crate) type Watch<'a, T> = dyn FnMut(&Step<'_, T>) -> ControlFlow<()> + Send + 'a;
+
+/// What a method reports.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Outcome {
+    pub(crate) end: End,
+    pub(crate) iterations: usize,
+    pub(crate) transforms: f64,
+    /// Estimated relative rms pressure error of the state returned.
+    pub(crate) residual: f64,
+    pub(crate) fallbacks: Fallbacks,
+}
+
+impl Outcome {
+    /// Of an exact answer.
+    pub(crate) fn without_iterating(transforms: f64) -> Self {
+        let fallbacks = Fallbacks::default();
+        Self { end: End::Converged, iterations: 0, transforms, residual: 0.0, fallbacks }
+    }
+}
+
+/// One way of solving the contact problem.
+pub(crate) trait ContactMethod<T: Real>: Send + Sync {
+    /// Solves the task, see the module documentation.
+    fn solve(
+        &mut self,
+        task: &Task<'_, T>,
+        operator: &mut dyn Compliance<T>,
+        start: Start,
+        state: &mut State<T>,
+        watch: &mut Watch<'_, T>,
+    ) -> Outcome;
+
+    /// Whether [`Target::Level`] is understood.
+    fn controls_level(&self) -> bool {
+        false
+    }
+
+    /// From now on (or no longer), each warm start extrapolates from the last two solutions. Costs
+    /// memory for one more of them. A method without extrapolation ignores it.
+    fn extrapolate(&mut self, is_on: bool) {
+        let _ = is_on;
+    }
+
+    /// The mean pressure from which it is worth one pair to see if every gap closes, and what finding
+    /// that out cost in pairs. A method that spends many pairs anyway says: from any.
+    fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
+        let _ = problem;
+        (0.0, 0.0)
+    }
+}

@@ -1,0 +1,44 @@
+//! On which side a node of the finest grid is.
+
+use super::transfer::Weight;
+
+/// State of a node during one step. A byte, so that passes over a field of them keep their speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+pub(crate) enum Node {
+    /// Outside the contact set F, without load.
+    Gap,
+    /// In F.
+    Contact,
+    /// Outside F, though it carries load: its gap is open too wide for that.
+    Released,
+    /// It was in F, but the trial pulls on it.
+    Dropped,
+}
+
+impl Node {
+    /// In F or outside, whatever it carries.
+    #[inline(always)]
+    pub(crate) fn of(is_in_contact: bool) -> Self {
+        if is_in_contact { Self::Contact } else { Self::Gap }
+    }
+
+    /// Whether it belongs to F.
+    #[inline(always)]
+    pub(crate) fn is_in(self) -> bool {
+        self == Self::Contact
+    }
+
+    /// The same, or `other`.
+    #[inline(always)]
+    pub(crate) fn or(self, other: Self, is_other: bool) -> Self {
+        if is_other { other } else { self }
+    }
+}
+
+impl Weight for Node {
+    #[inline(always)]
+    fn value(self) -> f32 {
+        if self.is_in() { 1.0 } else { 0.0 }
+    }
+}
