@@ -46,7 +46,7 @@ fn surface(folder: &Path, cutoff: f64, more: &str) -> &'static str {
         ),
     );
     assert_eq!(made.status, 0, "{}", made.err);
-    "solve map.npy --pixel 1um --height-unit m --modulus 1GPa --quiet --json --threads 1"
+    "solve map.npy --level none --pixel 1um --height-unit m --modulus 1GPa --quiet --json --threads 1"
 }
 
 fn areas(answer: &Value) -> Vec<f64> {

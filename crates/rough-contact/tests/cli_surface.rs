@@ -62,7 +62,7 @@ fn areal_parameters_of_a_ramp_are_those_of_the_formula() {
     let dir = folder();
     let at = dir.path();
     matrix(at, "ramp.txt", 40, 41, |_, ix| 0.1 * ix as f64);
-    let line = "stats ramp.txt --pixel 1um --height-unit um --json";
+    let line = "stats ramp.txt --pixel 1um --height-unit um --level mean --json";
     assert!(rough_contact(at, line).answered().get("iso25178").is_none());
     let iso = rough_contact(at, &format!("{line} --iso")).answered()["iso25178"].clone();
     let near = |key: &str, expected: f64, tolerance: f64| {
@@ -93,7 +93,8 @@ fn stats_of_a_wave_are_those_of_the_formula() {
     let at = dir.path();
     let q = std::f64::consts::TAU * 3.0 / 60.0; // per column
     matrix(at, "wave.txt", 8, 60, |_, ix| (q * ix as f64).cos());
-    let line = "stats wave.txt --pixel 1um --height-unit um --boundary periodic --json";
+    let line =
+        "stats wave.txt --level mean --pixel 1um --height-unit um --boundary periodic --json";
     let stats = rough_contact(at, line).answered();
     has_keys(
         &stats,

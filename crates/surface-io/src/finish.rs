@@ -62,10 +62,10 @@ pub(crate) fn finish(
     if let Some(given) = options.height_unit {
         positive(Need::HeightUnit, given.metres())?;
         match (&channel.unit, channel.scale, given) {
-            (Some(unit), Some(own), HeightUnit::IfSilent(other)) => {
-                if (own / other - 1.0).abs() > 1e-9 {
-                    metadata.insert(KEPT_UNIT.into(), unit.clone());
-                }
+            (Some(_), Some(own), HeightUnit::IfSilent(other))
+                if (own / other - 1.0).abs() <= 1e-9 => {}
+            (Some(unit), Some(_), HeightUnit::IfSilent(_)) => {
+                metadata.insert(KEPT_UNIT.into(), unit.clone());
             }
             (Some(unit), _, _) => {
                 metadata.insert("overridden height unit".into(), unit.clone());

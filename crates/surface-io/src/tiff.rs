@@ -300,7 +300,7 @@ impl Image<'_> {
 
     /// Undoes predictor 2: every number is the difference to the one before, modulo its type.
     fn add_up(&self, block: &mut [f64], columns: usize) {
-        let modulus = 256f64.powi(self.sample.size() as i32);
+        let modulus = (1u64 << (8 * self.sample.size().min(4))) as f64;
         let is_signed = matches!(self.sample, Sample::I8 | Sample::I16 | Sample::I32);
         for row in block.chunks_exact_mut(columns) {
             let mut sum = 0.0;

@@ -92,7 +92,9 @@ fn channel<'a>(
     let unit = page.text(0x80A2 + first).unwrap_or_else(|| "counts".into());
     let channel = Channel::new(name, Some(&unit), image.shape, pixel, move || {
         let mut values = image.decode()?;
-        values.iter_mut().for_each(|value| *value = *value * factor + offset);
+        for value in &mut values {
+            *value = *value * factor + offset;
+        }
         Ok(values)
     });
     Ok(channel.flipped())

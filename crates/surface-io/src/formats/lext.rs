@@ -66,7 +66,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             let factor = if is_height { step } else { 1.0 };
             Channel::new(name.clone(), Some(unit), image.shape, pixel, move || {
                 let mut values = image.decode()?;
-                values.iter_mut().for_each(|value| *value *= factor);
+                for value in &mut values {
+                    *value *= factor;
+                }
                 Ok(values)
             })
         });

@@ -49,9 +49,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         if size < 22 {
             return Err(b.fault(at, format!("a frame of {size} bytes; its header has 22")));
         }
-        let frame = Frame { b, at, frame: Bytes::little(b.slice(at, size)?, FORMAT), number };
+        let frame = Frame { b, at, own: Bytes::little(b.slice(at, size)?, FORMAT), number };
         let name = format!("Frame {number}");
-        let channel = match frame.frame.u16(4)? {
+        let channel = match frame.own.u16(4)? {
             0 => frame.scan(limits),
             106 => frame.map(limits),
             _ => {
@@ -69,13 +69,13 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 struct Frame<'a> {
     b: Bytes<'a>,
     at: usize,
-    frame: Bytes<'a>,
+    own: Bytes<'a>,
     number: u64,
 }
 
 impl<'a> Frame<'a> {
     fn scan(&self, limits: &Limits) -> Result<Channel<'a>, ReadError> {
-        let f = self.frame;
+        let f = self.own;
         let axis = |at: usize| Ok::<_, ReadError>((f.f32(at)?, f.f32(at + 4)?, f.i16(at + 8)?));
         let (x, y, z) = (axis(22)?, axis(32)?, axis(42)?);
         let mode = 22 + usize::from(f.u16(20)?);
@@ -106,7 +106,7 @@ impl<'a> Frame<'a> {
     }
 
     fn map(&self, limits: &Limits) -> Result<Channel<'a>, ReadError> {
-        let f = self.frame;
+        let f = self.own;
         let mut texts = 0usize;
         for i in 0..5 {
             texts = texts.saturating_add(f.u32(66 + 4 * i)? as usize);

@@ -64,7 +64,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         return Err(b.field("DATA", what));
     }
     let mut digits = Digits::NONE;
-    x.values().for_each(|x| digits.add(&x.to_string()));
+    for x in x.values() {
+        digits.add(&x.to_string());
+    }
     let x: Vec<f64> = x.into_values().collect();
     let z: Vec<f64> = z.into_values().collect();
     let line = Line::new(&x, digits).map_err(|what| b.field("DATA, column E", what))?;

@@ -66,7 +66,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             let length = b.map_length(at, stored.shape, stored.sample)?;
             limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
             // Spectra and curves stand beside the images; they must not cost them.
-            let channel = read_channel(stored, b, at, section).unwrap_or_else(|fault| {
+            let channel = read_channel(&stored, b, at, section).unwrap_or_else(|fault| {
                 let name = section.get("Dim2Name").or_else(|| section.get("Dim1Name"));
                 Channel::unreadable(name.map_or("", String::as_str), fault)
             });
@@ -121,7 +121,7 @@ fn get<'s>(b: Bytes<'_>, section: &'s Section, key: &'static str) -> Result<&'s 
 }
 
 fn read_channel<'a>(
-    stored: Stored,
+    stored: &Stored,
     b: Bytes<'a>,
     at: usize,
     section: &Section,
@@ -131,7 +131,7 @@ fn read_channel<'a>(
         let text = get(key)?;
         text.parse::<f64>().map_err(|_| b.field(key, format!("{text:?} is no number")))
     };
-    let Stored { shape, sample, order, is_signed, levels } = stored;
+    let &Stored { shape, sample, order, is_signed, levels } = stored;
     let step_x = number("Dim0Range")? / shape[1] as f64;
     let step_y = number("Dim1Range")? / shape[0] as f64;
     let pixel = match (metres_per(get("Dim1Unit")?), metres_per(get("Dim0Unit")?)) {

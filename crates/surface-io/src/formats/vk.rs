@@ -114,7 +114,9 @@ fn packed<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadErro
         Channel::new(name, Some("m"), shape, pixel, move || {
             let b = Bytes::little(&inner, FORMAT);
             let mut values = b.samples(at, shape[0] * shape[1], sample)?;
-            values.iter_mut().for_each(|value| *value *= step);
+            for value in &mut values {
+                *value *= step;
+            }
             Ok(values)
         })
     });

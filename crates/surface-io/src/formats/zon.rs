@@ -60,7 +60,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     };
     let channel = Channel::new("Height", Some("m"), heights.shape, pixel, move || {
         let mut values = heights.values(Sample::I32)?;
-        values.iter_mut().for_each(|value| *value *= step);
+        for value in &mut values {
+            *value *= step;
+        }
         if let Some(mask) = mask {
             for (value, mark) in values.iter_mut().zip(mask.values(Sample::U8)?) {
                 if mark > 0.0 {

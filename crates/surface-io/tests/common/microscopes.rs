@@ -89,7 +89,7 @@ fn sxm() -> Vec<u8> {
 
 /// A TIFF file of directories of entries (tag, type, count, value); values longer than 4 bytes
 /// stand behind all directories.
-fn tiff(pages: &[Vec<(u16, u16, u32, Vec<u8>)>]) -> Vec<u8> {
+fn tiff(pages: &[Vec<Entry>]) -> Vec<u8> {
     let directories: usize = pages.iter().map(|page| 6 + 12 * page.len()).sum();
     let (mut head, mut tail) = (Writer::default(), Vec::new());
     head.put(b"II*\0").put(8u32.to_le_bytes());
