@@ -82,7 +82,9 @@ impl RowOffsets {
         let nx = heights.len() / self.offsets.len();
         assert_eq!(nx * self.offsets.len(), heights.len(), "whole rows");
         for (row, offset) in heights.chunks_exact_mut(nx).zip(&self.offsets) {
-            row.iter_mut().for_each(|h| *h -= offset);
+            for h in row {
+                *h -= offset;
+            }
         }
     }
 }
