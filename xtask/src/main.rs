@@ -14,6 +14,7 @@ mod edges;
 mod extremes;
 mod features;
 mod figures;
+mod flat_tops;
 mod generated;
 mod kappa;
 mod shell;
@@ -49,6 +50,8 @@ Usage: cargo xtask <task> [options]
                             slopes; table, figures, page (half an hour, resumable)
   budget [--check]          how often the stated error bars held; tables, figure, page
                             (half an hour, resumable)
+  flat-tops [--check]       the same on worn, clipped, creased, spiky maps; table, page
+                            (half an hour, resumable)
   tradeoff [--quick | --figures-only | --check | --repeat | --methods]
                             time against true error, models and solver; table, figures, page
                             (under 10 minutes; wants a quiet machine); --repeat measures again
@@ -81,6 +84,7 @@ fn main() -> ExitCode {
         "accuracy" => accuracy::run(rest),
         "bench" => bench::run(rest),
         "budget" => budget::run(rest),
+        "flat-tops" => flat_tops::run(rest),
         "surfaces" => surfaces::run(rest),
         "survey" => survey::run(rest),
         "kappa" => kappa::run(rest),

@@ -7,12 +7,16 @@ use std::str::FromStr;
 use surface_stats::clean::{Form, OutlierRule, Step};
 use surface_stats::polynomial::MAX_DEGREE;
 
-/// Cleaning asked for. The order is fixed and is that of the fields: spikes first, because they
+/// Cleaning asked for. The order is fixed and is that of the fields: rows first, whose
+/// jumps hide spikes and form, then spikes, because they
 /// pull every fit and every mean; form before the filters, whose end effects grow with the slope
 /// at the edges.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Cleaning {
+    /// Rows that stand at heights of their own put in line.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub align_rows: bool,
     /// Robust standard deviations beyond which a point is a spike and becomes a missing point.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub outliers: Option<f64>,
@@ -65,6 +69,7 @@ impl Cleaning {
     pub fn steps(&self) -> Vec<Step> {
         let rule = |threshold| OutlierRule::beyond(threshold);
         [
+            self.align_rows.then_some(Step::Rows),
             self.outliers.map(|threshold| Step::Outliers(rule(threshold))),
             self.form.map(|FormName(form)| Step::Form(form)),
             self.s_filter.map(Step::SFilter),

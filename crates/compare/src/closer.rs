@@ -5,10 +5,11 @@
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
 use crate::{EdgesName, Origin, Settings, Surrounded};
+use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Map, Stiffness};
-use contact_accuracy::regrid;
+use contact_accuracy::{TwiceFiner, regrid};
 use contact_types::{ContactModulus, HeightMap, SurfaceError};
-use fft_bem_solver::{BOUNDARY_CORRECTION, Load};
+use fft_bem_solver::{Boundary, Load};
 use std::borrow::Cow;
 use std::time::Instant;
 use surface_stats::clean::mirrored;
@@ -61,8 +62,17 @@ fn certify(surface: &mut SurfaceComparison, settings: &Settings, modulus: Contac
     if let Ok(Some(found)) = near
         && answer.area_fraction_corrected > 0.0
     {
-        let line = BOUNDARY_CORRECTION * answer.contact_perimeter / answer.area_fraction_corrected;
+        let line = Line { area: answer.area_fraction_corrected, edges: answer.contact_perimeter };
         answer.budget = answer.budget.with_stiffness(&found, &map, line);
+    }
+    // Where the area has its bar from a finer grid, the stiffness has it from there too.
+    if answer.finer.is_some()
+        && let Ok(mut finer) =
+            TwiceFiner::of(whole.map(), &map, Boundary::Periodic, builder(settings), modulus)
+        && let Ok(found) = finer.solve(Load::MeanPressure(pressure), &answer.budget)
+    {
+        answer.budget = answer.budget.refined(&found);
+        answer.finer = Some(found);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
-use contact_accuracy::budget::{Budget, Map};
+use contact_accuracy::budget::{Between, Budget, Map};
 use contact_accuracy::plan::Sink;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Iteration, Solution, SolverError};
@@ -32,7 +32,13 @@ impl Curve {
         Self { map, wanted, points, headline: 0, score, pressure, solved: None }
     }
 
-    pub(crate) fn take(&mut self, mean_pressure: f64, result: Result<Solution, SolverError>) {
+    /// A load; `between` is what is known of the map between its points at this contact.
+    pub(crate) fn take(
+        &mut self,
+        mean_pressure: f64,
+        result: Result<Solution, SolverError>,
+        between: Option<&Between>,
+    ) {
         let (solution, trouble) = match result {
             Ok(solution) => (Some(solution), None),
             Err(SolverError::NotConverged(best)) => {
@@ -49,8 +55,11 @@ impl Curve {
             }
             Err(error) => (None, Some(error.to_string())),
         };
-        let answer =
+        let mut answer =
             solution.as_ref().map(|s| DeterministicAnswer::of(s, trouble.is_none(), &self.map));
+        if let (Some(answer), Some(between)) = (&mut answer, between) {
+            answer.budget = answer.budget.between(between);
+        }
         let score = self.distance(mean_pressure, answer.as_ref());
         let index = self.points.len();
         self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
@@ -108,7 +117,7 @@ impl Sink for ToCurve<'_> {
         result: Result<Solution, SolverError>,
         budget: Option<Budget>,
     ) -> ControlFlow<()> {
-        self.curve.take(self.pressures[index], result);
+        self.curve.take(self.pressures[index], result, None);
         if let (Some(answer), Some(budget)) = (&mut self.curve.points[index].answer, budget) {
             answer.budget = budget;
         }

@@ -1,6 +1,7 @@
 //! What may change a conclusion, or was tested and is fine: as numbers. `report` has the words.
 
 use crate::EdgesName;
+use crate::scene::Pressed;
 use contact_accuracy::edge_study::EdgeExperience;
 use contact_accuracy::plan::Outcome;
 use contact_accuracy::{EdgeShare, NoAreaInterval};
@@ -32,6 +33,8 @@ impl Weight {
 /// What a finding is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Subject {
+    /// What the solids bear.
+    Material,
     /// The heights.
     Surface,
     /// The point spacing, against what it has to resolve.
@@ -48,6 +51,7 @@ impl Subject {
     /// Its name in files.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Material => "material",
             Self::Surface => "surface",
             Self::Grid => "grid",
             Self::Solution => "solution",
@@ -70,13 +74,17 @@ impl Finding {
     /// What it is about.
     pub fn subject(&self) -> Subject {
         match &self.fact {
+            Fact::Yield(_) => Subject::Material,
             Fact::NotConverged { .. } => Subject::Solution,
             Fact::PlanUnmet(_) => Subject::Plan,
             Fact::FinerGrid { .. } | Fact::NoBar { .. } => Subject::Grid,
             Fact::EdgeJump { .. } => Subject::Edges,
-            Fact::Warned(_) | Fact::Filled { .. } | Fact::Cleaned(_) | Fact::Passed(_) => {
-                Subject::Surface
-            }
+            Fact::Unit { .. }
+            | Fact::Steep(_)
+            | Fact::Warned(_)
+            | Fact::Filled { .. }
+            | Fact::Cleaned(_)
+            | Fact::Passed(_) => Subject::Surface,
         }
     }
 }
@@ -84,6 +92,19 @@ impl Finding {
 /// What was found, with its numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Fact {
+    /// Sizes that no rough surface has; each `None` where it is usual.
+    Unit {
+        /// Rms gradient \[-\].
+        gradient: Option<f64>,
+        /// Rms height (m).
+        rms_height: Option<f64>,
+        /// Radius of asperities (m).
+        radius: Option<f64>,
+    },
+    /// The elastic answer presses harder than solids of this modulus usually bear.
+    Yield(Yield),
+    /// Slopes that small-slope elasticity does not cover.
+    Steep(Steep),
     /// Loads without a converged solution.
     NotConverged {
         /// How many.
@@ -133,6 +154,28 @@ pub enum Fact {
     Cleaned(Vec<Record>),
     /// What was tested and is fine.
     Passed(Passed),
+}
+
+/// Pressure beside the hardness that the modulus suggests.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Yield {
+    /// The lightest load at which it is too high.
+    pub at: Pressed,
+    /// Contact modulus (Pa).
+    pub modulus: f64,
+    /// Hardness of solids that have it, `[low, high]` (Pa).
+    pub hardness: [f64; 2],
+    /// E* times the rms gradient (Pa): the elastic area holds for a hardness of at least this.
+    pub full: Option<f64>,
+}
+
+/// Steep slopes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Steep {
+    /// Rms gradient \[-\].
+    pub gradient: f64,
+    /// True if small-slope elasticity has ended, false if it strains.
+    pub is_over: bool,
 }
 
 /// Which areas have no bar.

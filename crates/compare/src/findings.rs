@@ -2,12 +2,13 @@
 
 use crate::finding::{Bare, Fact, Finding, Passed, Seam, Weight};
 use crate::result::SurfaceComparison;
+use crate::scene::{Pressed, Scene, is_steep};
 use crate::{EdgesName, Origin};
 use contact_accuracy::edge_study::EdgeStudy;
 use contact_accuracy::plan::Outcome;
 use contact_accuracy::{EdgeShare, NoAreaInterval};
-use surface_stats::Warning;
 use surface_stats::clean::Record;
+use surface_stats::{SurfaceStatistics, Warning};
 
 /// Error of the area from which the edges may change a conclusion.
 const EDGES_MATTER: f64 = 0.05;
@@ -22,7 +23,7 @@ fn check(fact: Fact) -> Finding {
 pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let points = &surface.deterministic;
     let unsolved = points.iter().filter(|p| p.answer.as_ref().is_none_or(|a| !a.converged)).count();
-    let mut found: Vec<Finding> = Vec::new();
+    let mut found = scene(surface).findings();
     found.extend(not_converged(unsolved, points.len()));
     found.extend(surface.plan.as_ref().and_then(unmet));
     found.extend(bar(surface, unsolved));
@@ -43,9 +44,32 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     found
 }
 
+/// What a study asks of elasticity, with the answers that converged.
+fn scene(surface: &SurfaceComparison) -> Scene {
+    let answers = surface.deterministic.iter().filter_map(|p| {
+        let answer = p.answer.as_ref().filter(|a| a.converged)?;
+        Some(Pressed {
+            nominal: p.mean_pressure,
+            mean: answer.budget.real_pressure()?.value(),
+            highest: Some(answer.max_pressure),
+        })
+    });
+    let s = &surface.statistics;
+    Scene {
+        modulus: surface.inputs.modulus.pascals(),
+        gradient: Some(s.rms_gradient),
+        rms_height: Some(s.rms_height),
+        radius: s.asperities.map(|a| a.radius),
+        rows: None, // the statistics say it
+        pressed: answers.collect(),
+    }
+}
+
 /// What is known of loads that were solved on one map, without a study.
 #[derive(Debug, Clone, Default)]
 pub struct Solved<'a> {
+    /// What is asked of elasticity, with its answers.
+    pub scene: Scene,
     /// Of each load: whether it converged, and why its area has no bar, if it has none.
     pub loads: Vec<(bool, Option<NoAreaInterval>)>,
     /// What was chosen for an accuracy, if one was asked for.
@@ -64,7 +88,7 @@ impl Solved<'_> {
     /// The findings, worst first.
     pub fn findings(&self) -> Vec<Finding> {
         let of = self.loads.len();
-        let mut found: Vec<Finding> = Vec::new();
+        let mut found = self.scene.findings();
         found.extend(not_converged(self.loads.iter().filter(|l| !l.0).count(), of));
         found.extend(self.plan.and_then(unmet));
         let bare: Vec<NoAreaInterval> =
@@ -114,6 +138,7 @@ fn warned(warning: &Warning) -> Finding {
         Warning::Rounding { .. }
         | Warning::Flat
         | Warning::Tilted { .. }
+        | Warning::RowsJump { .. }
         | Warning::Anisotropic { .. }
         | Warning::NotGaussian { .. }
         | Warning::NarrowBand { .. }
@@ -162,21 +187,39 @@ fn cleaned(records: &[Record]) -> Option<Finding> {
     (!records.is_empty()).then(|| Finding { weight: Weight::Note, fact: fact() })
 }
 
+/// Whether the rows stand at heights of their own.
+pub(crate) fn rows_jump(s: &SurfaceStatistics) -> bool {
+    s.warnings.iter().any(|w| matches!(w, Warning::RowsJump { .. }))
+}
+
 /// What was tested and is fine.
 fn passed(surface: &SurfaceComparison) -> Option<Finding> {
     let s = &surface.statistics;
-    if s.rms_height <= 0.0 {
+    // Nothing is fine on a surface whose slopes the theory does not cover.
+    if s.rms_height <= 0.0 || is_steep(s.rms_gradient) {
         return None;
     }
     let is_normal = !s.warnings.iter().any(|w| matches!(w, Warning::NotGaussian { .. }));
     let passed = Passed {
         bandwidth: s.bandwidth.filter(|b| *b >= 1.5),
         heights: s.skewness.zip(s.kurtosis).filter(|_| is_normal).map(|(a, b)| [a, b]),
-        anisotropy: s.anisotropy.filter(|a| *a <= 2.0),
-        resolved: surface.map.accuracy.gate().is_ok().then_some(surface.spectral.resolved),
+        anisotropy: s.anisotropy.filter(|a| *a <= 2.0 && !rows_jump(s)),
+        resolved: resolves(surface).then_some(surface.spectral.resolved),
     };
     let any = passed != Passed::default();
     any.then_some(Finding { weight: Weight::Passed, fact: Fact::Passed(passed) })
+}
+
+/// Whether the grid resolves the slopes and, at the headline, the contacts.
+fn resolves(surface: &SurfaceComparison) -> bool {
+    let interval = surface.headline_answer().and_then(|a| a.interval());
+    surface.map.accuracy.gate().is_ok() && nothing_against(&surface.statistics.warnings, interval)
+}
+
+/// No warning of the slopes, and a bar of the area that has a lower end.
+fn nothing_against(warnings: &[Warning], interval: Option<[f64; 2]>) -> bool {
+    !warnings.iter().any(|w| matches!(w, Warning::Unresolved { .. }))
+        && interval.is_some_and(|[low, _]| low > 0.0)
 }
 
 #[cfg(test)]
@@ -185,6 +228,16 @@ mod tests {
 
     fn facts(solved: &Solved<'_>) -> Vec<(Weight, Fact)> {
         solved.findings().into_iter().map(|f| (f.weight, f.fact)).collect()
+    }
+
+    #[test]
+    fn a_grid_that_is_warned_of_has_not_passed() {
+        let warned = [Warning::Unresolved { ratio: 0.93 }];
+        assert!(nothing_against(&[], Some([0.01, 0.02])));
+        assert!(!nothing_against(&warned, Some([0.01, 0.02])));
+        // "This map does not resolve its contacts."
+        assert!(!nothing_against(&[], Some([0.0, 0.02])));
+        assert!(!nothing_against(&[], None));
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! Nothing here opens a file, prints, draws or words anything: the crate `contact-report` makes
 //! documents out of these results.
 
+mod ask;
 mod cleaning;
 mod closer;
 mod coarser;
@@ -18,6 +19,7 @@ mod refine;
 mod registry;
 mod result;
 mod run_file;
+mod scene;
 mod settings;
 mod solver_of;
 mod spots;
@@ -30,6 +32,7 @@ mod theories;
 mod theory;
 mod verdict;
 
+pub use ask::{at_pressure, at_separation};
 pub use cleaning::{Cleaning, CleaningError, FormName};
 pub use coarser::COARSER;
 pub use contact_accuracy::{
@@ -42,7 +45,7 @@ pub use contact_types::{
 pub use fft_bem_solver::{
     Answer, Iteration, Load, Method, Precision, Solution, Solver, SolverError,
 };
-pub use finding::{Bare, Fact, Finding, Passed, Seam, Subject, Weight};
+pub use finding::{Bare, Fact, Finding, Passed, Seam, Steep, Subject, Weight, Yield};
 pub use findings::{Solved, findings, seam};
 pub use inputs::{Inputs, MomentSource};
 pub use progress::{Listener, Progress, StudyError};
@@ -53,7 +56,8 @@ pub use result::{
     DeterministicPoint, ModelComparison, ModelCurve, Reason, Spectral, SurfaceComparison, Verdict,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
-pub use settings::{EdgesName, STEEL_ON_STEEL, Settings, default_pressures};
+pub use scene::{Pressed, Scene, is_steep};
+pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures};
 pub use spots::{Spots, contact_spots};
 pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surface_stats::Level;

@@ -35,8 +35,9 @@ pub(crate) fn refine(
     let Ok(mut finer) = finer else { return 0.0 };
     for i in wanted {
         let point = &mut points[i];
-        let found = finer.solve(Load::MeanPressure(point.mean_pressure));
-        if let (Ok(found), Some(answer)) = (found, &mut point.answer) {
+        let Some(answer) = &mut point.answer else { continue };
+        let found = finer.solve(Load::MeanPressure(point.mean_pressure), &answer.budget);
+        if let Ok(found) = found {
             answer.budget = answer.budget.refined(&found);
             answer.finer = Some(found);
         }

@@ -283,6 +283,11 @@ pub struct Verdict {
 /// Why a theory covers a surface only with caution, or not at all.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Reason {
+    /// Slopes beyond those of small-slope elasticity.
+    Steep {
+        /// Rms gradient \[-\].
+        gradient: f64,
+    },
     /// The theory has no meaning for this surface.
     Refused(ModelError),
     /// Something it is made of is absent.
@@ -292,6 +297,8 @@ pub enum Reason {
         /// What a fractal fit gave, if that is what is missing \[-\].
         dimension: Option<f64>,
     },
+    /// Rows of the map stand at heights of their own.
+    RowsJump,
     /// The surface has a lay.
     Lay {
         /// Larger over smaller mean square slope \[-\].
@@ -358,7 +365,9 @@ impl Reason {
             | Self::Beyond { .. }
             | Self::Full { .. }
             | Self::NoAnswer { .. } => true,
-            Self::Refused(_)
+            Self::Steep { .. }
+            | Self::RowsJump
+            | Self::Refused(_)
             | Self::Missing { .. }
             | Self::Lay { .. }
             | Self::NotGaussian { .. }

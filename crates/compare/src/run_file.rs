@@ -98,6 +98,7 @@ mod tests {
             path: "a \"b\".x3p".into(),
             fill: "refuse".into(),
             cleaning: Cleaning {
+                align_rows: true,
                 outliers: Some(8.0),
                 form: "polynomial:3".parse().ok(),
                 s_filter: Some(0.1e-4 / 3.0),

@@ -11,6 +11,9 @@ use surface_stats::Level;
 pub struct Settings {
     /// Contact modulus E* (Pa).
     pub modulus: f64,
+    /// The elastic bodies it is made of, if they are known: one against a rigid flat, or two.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bodies: Vec<Body>,
     /// Nominal pressures (Pa); absent: chosen per surface, see [`default_pressures`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures: Option<Vec<f64>>,
@@ -52,6 +55,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             modulus: STEEL_ON_STEEL,
+            bodies: Vec::new(),
             pressures: None,
             headline: None,
             level: Level::Plane,
@@ -78,6 +82,19 @@ impl Settings {
         registry.of_maps().filter(move |theory| asked(&theory.card().name))
     }
 }
+
+/// An elastic body.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Body {
+    /// Young's modulus (Pa).
+    pub young: f64,
+    /// Poisson's ratio (-).
+    pub poisson: f64,
+}
+
+/// Steel.
+pub const STEEL: Body = Body { young: 210e9, poisson: 0.3 };
 
 /// E* of two steel bodies, `E / (2 (1 - nu^2))` with E = 210 GPa and nu = 0.3 (Pa).
 pub const STEEL_ON_STEEL: f64 = 210e9 / (2.0 * (1.0 - 0.3 * 0.3));

@@ -1,5 +1,6 @@
 //! The study itself: statistics, the deterministic curve, every model over the loads.
 
+use crate::ask::at_pressure;
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
 use crate::inputs::Inputs;
@@ -14,7 +15,9 @@ use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::verdict;
 use crate::{EdgesName, Registry, Settings, Surface, Surrounded, default_pressures};
+use contact_accuracy::budget::Between;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
+use contact_accuracy::round_to_digits;
 use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverError};
 use std::borrow::Cow;
@@ -121,10 +124,13 @@ fn compare(
                     Err(_) => ControlFlow::Break(()),
                 };
                 let load = Load::MeanPressure(p);
-                match whole.solve_observed(&mut solver, load, &mut watch) {
-                    Err(SolverError::Stopped(_)) => return Err(StudyError::Stopped),
-                    result => curve.take(p, result),
+                let result = whole.solve_observed(&mut solver, load, &mut watch);
+                if matches!(result, Err(SolverError::Stopped(_))) {
+                    return Err(StudyError::Stopped);
                 }
+                let pressure = result.as_ref().map_or(&[][..], |s| &s.pressure);
+                let between = Between::of(&map, known.repeats, pressure, modulus);
+                curve.take(p, result, between.as_ref());
                 tell(curve.news(i))?;
             }
             None
@@ -161,7 +167,7 @@ fn compare(
         Some(_) => 0.0,
     };
     if let Some(value) = settings.headline
-        && !same(deterministic[headline].mean_pressure, value)
+        && !named(deterministic[headline].mean_pressure, value)
     {
         return Err(StudyError::HeadlineNotComputed { value });
     }
@@ -223,6 +229,13 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
 }
 
+/// True if `value` names this load: equal, or what it is to three digits, as it is printed.
+fn named(load: f64, value: f64) -> bool {
+    same(load, value)
+        || same(round_to_digits(load, 3), value)
+        || same(round_to_digits(load, 4), value)
+}
+
 /// Asks a model at every load, with its time.
 fn ask(
     theory: &dyn Theory,
@@ -233,7 +246,7 @@ fn ask(
 ) -> ModelComparison {
     let card = theory.card().clone();
     let outcome = theory.build(inputs).and_then(|model| {
-        let (points, seconds) = timed(model.as_ref(), deterministic);
+        let (points, seconds) = timed(&card.title, model.as_ref(), deterministic);
         // A theory that refuses every load does not apply: its reason is the outcome.
         if let Some(Err(first)) = points.first()
             && points.iter().all(Result::is_err)
@@ -280,11 +293,12 @@ fn error(model: &Result<ContactState, ModelError>, reference: &DeterministicPoin
 /// A model's answers and its seconds per load: the median of passes over all loads, as many as
 /// fit in 20 ms, at least three.
 fn timed(
+    name: &str,
     model: &dyn ContactModel,
     loads: &[DeterministicPoint],
 ) -> (Vec<Result<ContactState, ModelError>>, f64) {
     let pass = || -> Vec<_> {
-        loads.iter().map(|p| model.at_pressure(black_box(p.mean_pressure))).collect()
+        loads.iter().map(|p| at_pressure(name, model, black_box(p.mean_pressure))).collect()
     };
     let begin = Instant::now();
     let mut passes: Vec<Duration> = Vec::new();
@@ -296,4 +310,19 @@ fn timed(
     }
     passes.sort();
     (answers, passes[passes.len() / 2].as_secs_f64() / loads.len().max(1) as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_load_answers_to_what_is_printed_of_it() {
+        let load = 10f64.powf(7.5);
+        for printed in [31.6e6, 31.62e6, load] {
+            assert!(named(load, printed), "{printed}");
+        }
+        assert!(!named(load, 31.7e6));
+        assert!(!named(10e6, 10.04e6));
+    }
 }

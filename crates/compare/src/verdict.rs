@@ -1,7 +1,9 @@
 //! Does a theory cover this surface? Yes, with caution, or no, each with the measured reason.
 
+use crate::findings::rows_jump;
 use crate::inputs::Inputs;
 use crate::result::{Applies, DeterministicPoint, ModelCurve, Reason, Verdict};
+use crate::scene::is_steep;
 use crate::theory::{Assumes, BuildError, Card};
 use contact_types::Caveat;
 use surface_stats::SurfaceStatistics;
@@ -46,8 +48,14 @@ fn strains(
     statistics: &SurfaceStatistics,
 ) -> Vec<Reason> {
     let mut reasons = Vec::new();
+    let gradient = statistics.rms_gradient;
+    if is_steep(gradient) {
+        reasons.push(Reason::Steep { gradient });
+    }
     if matches!(card.assumes, Assumes::Summits | Assumes::Gaussian) {
-        if let Some(ratio) = statistics.anisotropy.filter(|r| *r > 2.0) {
+        if rows_jump(statistics) {
+            reasons.push(Reason::RowsJump);
+        } else if let Some(ratio) = statistics.anisotropy.filter(|r| *r > 2.0) {
             reasons.push(Reason::Lay { ratio });
         }
         if let (Some(skewness), Some(kurtosis)) = (statistics.skewness, statistics.kurtosis)

@@ -13,6 +13,7 @@ pub mod budget;
 mod continuation;
 mod edge_share;
 pub mod edge_study;
+mod monotone;
 pub mod plan;
 mod refinement;
 mod table;

@@ -1,7 +1,9 @@
 //! Bars outside the gate, from solutions on a twice finer grid.
 
-use crate::budget::{Budget, Map, NoAreaInterval, grid::Finer};
+use crate::budget::grid::{Finer, Line, stiffness_half_width};
+use crate::budget::{Budget, Map, NoAreaInterval, Stiffness};
 use crate::continuation::regrid;
+use crate::monotone::twice_as_fine;
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Load, Solver, SolverBuilder, SolverError};
 use surface_stats::StatsError;
@@ -15,6 +17,12 @@ pub struct TwiceFiner {
     known: Map,
     grid: Grid,
     solver: Solver,
+    /// The given map, and how to solve it, for a second surface through its points.
+    map: HeightMap,
+    continued: bool,
+    builder: SolverBuilder,
+    modulus: ContactModulus,
+    monotone: Option<Solver>,
 }
 
 /// Why a map is not solved on a twice finer grid.
@@ -47,7 +55,8 @@ impl TwiceFiner {
             budget.area.grid,
             Err(NoAreaInterval::Unresolved { .. }
                 | NoAreaInterval::Stepped { .. }
-                | NoAreaInterval::SpotsTooSmall { .. })
+                | NoAreaInterval::SpotsTooSmall { .. }
+                | NoAreaInterval::BetweenPoints { .. })
         )
     }
 
@@ -78,9 +87,11 @@ impl TwiceFiner {
         let continued = known.repeats && boundary == Boundary::Periodic;
         let finer = regrid(map, shape.map(|n| 2 * n), continued)?;
         let grid = finer.grid();
-        let mut solver = solver.boundary(boundary).build(grid, modulus)?;
+        let builder = solver.boundary(boundary);
+        let mut solver = builder.clone().build(grid, modulus)?;
         solver.take_surface(finer)?;
-        Ok(Self { known: *known, grid, solver })
+        let (known, map, monotone) = (*known, map.clone(), None);
+        Ok(Self { known, grid, solver, map, continued, builder, modulus, monotone })
     }
 
     /// The grid.
@@ -88,13 +99,41 @@ impl TwiceFiner {
         self.grid
     }
 
-    /// Solves for a load, the next one from where this one ended.
+    /// Solves for a load, the next one from where this one ended: for all that `budget`, of the given
+    /// grid, has without a bar of its own. With its stiffness two more loads are solved beside it;
+    /// where what lies between the points decides, the monotone surface through them as well.
     ///
     /// # Errors
-    /// [`SolverError`].
-    pub fn solve(&mut self, load: Load) -> Result<Finer, SolverError> {
-        let solution = self.solver.solve_again(load)?;
-        Ok(Finer::of(&solution, &self.known, self.grid))
+    /// [`NotRefined`].
+    pub fn solve(&mut self, load: Load, budget: &Budget) -> Result<Finer, NotRefined> {
+        let Self { known, grid, solver, .. } = self;
+        let solution = solver.solve_again(load)?;
+        let mut finer = Finer::of(&solution, known, *grid);
+        if budget.stiffness.is_some() {
+            let mut solve = |load| solver.solve_again(load);
+            if let Some(near) = Stiffness::around(&mut solve, known, finer.pressure)? {
+                let left = stiffness_half_width(&known.on(*grid), Line::of(&solution));
+                finer.stiffness = Some([near.value, near.value * left]);
+            }
+        }
+        if matches!(budget.own, Err(NoAreaInterval::BetweenPoints { .. })) {
+            let other = self.monotone()?.solve_again(load)?;
+            let area = other.diagnostics.area_fraction_corrected;
+            finer.monotone = Some((area, other.state.mean_gap, other.state.mean_pressure));
+        }
+        Ok(finer)
+    }
+
+    /// The solver of the monotone surface, made for the first load that needs it.
+    fn monotone(&mut self) -> Result<&mut Solver, NotRefined> {
+        let Self { map, continued, builder, modulus, grid, monotone, .. } = self;
+        if let Some(solver) = monotone {
+            return Ok(solver);
+        }
+        let finer = twice_as_fine(map, *continued).map_err(StatsError::from)?;
+        let mut solver = builder.clone().build(*grid, *modulus)?;
+        solver.take_surface(finer)?;
+        Ok(monotone.insert(solver))
     }
 }
 

@@ -32,7 +32,7 @@ fn answer(map: &HeightMap, load: f64, tolerance: f64) -> Budget {
     let pressure = load * 1e8;
     let solution = solver.solve(map, Load::MeanPressure(pressure)).unwrap();
     let near = Stiffness::near(&mut solver, map, &known, pressure).unwrap().unwrap();
-    Budget::of(&solution, &known).with_stiffness(&near, &known, grid::line_share(&solution))
+    Budget::of(&solution, &known).with_stiffness(&near, &known, grid::Line::of(&solution))
 }
 
 /// Comparison intervals against the same surfaces on four times as many points a side.

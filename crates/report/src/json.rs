@@ -262,6 +262,9 @@ fn cleaning_step(record: &Record) -> Value {
             "limit": limit,
             "largest": largest,
         }),
+        Record::Rows { jump, largest } => {
+            json!({ "step": "rows", "jump": jump, "largest": largest })
+        }
         Record::Form { parameters, points } => {
             let mut form = form(parameters);
             form["step"] = json!("form");

@@ -32,4 +32,5 @@ pub use json::{
 pub use page::html::write as write_html;
 pub use provenance::Provenance;
 pub use words::finding::{Worded, finding};
+pub use words::headline_line;
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};

@@ -100,7 +100,41 @@ pub fn plus_minus(value: f64, uncertainty: f64) -> String {
     format!("{} ± {}", round(value), round(uncertainty))
 }
 
-/// "+399 %", "−4.3 %": a signed relative error, whole per cent from 10, one decimal below.
+/// "at most 0.8", where an interval has no lower end but zero: two digits, rounded up.
+pub fn at_most(high: f64) -> String {
+    format!("at most {}", significant(rounded_up(high), 2))
+}
+
+/// The next number up with two significant digits.
+fn rounded_up(value: f64) -> f64 {
+    if !(value > 0.0 && value.is_finite()) {
+        return value;
+    }
+    let place = 10f64.powf(value.log10().floor() - 1.0);
+    // A number that has two digits already stays what it is.
+    (value / place - 1e-9).ceil() * place
+}
+
+/// The next number down with two significant digits.
+pub(crate) fn rounded_down(value: f64) -> f64 {
+    if !(value > 0.0 && value.is_finite()) {
+        return value;
+    }
+    let place = 10f64.powf(value.log10().floor() - 1.0);
+    (value / place + 1e-9).floor() * place
+}
+
+/// "1.96 ± 0.12", or "at most 2.8" where the interval around a number that cannot be negative
+/// reaches zero.
+pub fn with_bar(value: f64, uncertainty: f64) -> String {
+    if uncertainty >= value && uncertainty.is_finite() && uncertainty > 0.0 {
+        return at_most(value + uncertainty);
+    }
+    plus_minus(value, uncertainty)
+}
+
+/// "+399 %", "−4.3 %": a signed relative error, whole per cent from 10, one decimal below, three
+/// digits from 1000.
 pub fn signed_percent(error: f64) -> String {
     format!("{}{SPACE}%", signed(100.0 * error))
 }
@@ -113,7 +147,10 @@ pub fn signed_range(low: f64, high: f64) -> String {
 
 /// The number of [`signed_percent`] without its unit.
 pub fn signed(percent: f64) -> String {
-    let text = fixed(percent, usize::from(percent.abs() < 9.95));
+    let text = match percent.abs() {
+        size if size >= 999.5 => fixed_significant(percent, 3),
+        size => fixed(percent, usize::from(size < 9.95)),
+    };
     if percent > 0.0 && text.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
         format!("+{text}")
     } else {
@@ -127,8 +164,7 @@ pub fn percent(fraction: f64) -> String {
     if p > 0.0 && p < 0.01 {
         return format!("<{SPACE}0.01{SPACE}%");
     }
-    let digits =
-        if p >= 10.0 { significant(p, if p >= 100.0 { 3 } else { 2 }) } else { significant(p, 2) };
+    let digits = fixed_significant(p, if p >= 100.0 { 3 } else { 2 });
     format!("{digits}{SPACE}%")
 }
 
@@ -150,6 +186,9 @@ pub fn times(ratio: f64) -> String {
 
 /// `value` to `digits` significant digits, always written out.
 fn fixed_significant(value: f64, digits: i32) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
     let e = exponent(value, digits);
     let place = 10f64.powi(e + 1 - digits);
     if place >= 1.0 {
@@ -230,17 +269,11 @@ pub fn chosen(value: f64, units: &[Unit]) -> String {
     format!("{}{SPACE}{}", fixed_significant(number, digits), unit.name)
 }
 
-/// "0.51 ± 0.03 GPa": the multiple is the one in which the uncertainty needs no trailing zeros
-/// that would pass for digits.
+/// "510 ± 30 MPa", "at most 42 MPa": the multiple follows the value alone, so that the same number
+/// with another uncertainty has the same unit.
 pub fn quantity_plus_minus(value: f64, uncertainty: f64, units: &[Unit]) -> String {
-    let mut unit = unit_for(value, units);
-    if uncertainty > 0.0
-        && decimals_of(uncertainty / unit.scale) < 0
-        && let Some(larger) = units.iter().find(|u| u.scale > unit.scale)
-    {
-        unit = *larger;
-    }
-    format!("{}{SPACE}{}", plus_minus(value / unit.scale, uncertainty / unit.scale), unit.name)
+    let unit = unit_for(value, units);
+    format!("{}{SPACE}{}", with_bar(value / unit.scale, uncertainty / unit.scale), unit.name)
 }
 
 /// A pressure as the report writes it, "10 MPa".
@@ -276,7 +309,7 @@ mod tests {
         assert_eq!(plus_minus(5.0, 0.0961), "5.00 ± 0.10");
         assert_eq!(plus_minus(5.0, 0.099_9), "5.00 ± 0.10");
         assert_eq!(plus_minus(5.0, f64::NAN), "5.00");
-        assert_eq!(quantity_plus_minus(510.2e6, 31e6, PASCALS), "0.51 ± 0.03\u{202F}GPa");
+        assert_eq!(quantity_plus_minus(510.2e6, 31e6, PASCALS), "510 ± 30\u{202F}MPa");
         assert_eq!(quantity_plus_minus(510.2e6, 12e6, PASCALS), "510 ± 12\u{202F}MPa");
     }
 
@@ -291,6 +324,31 @@ mod tests {
         assert_eq!(significant(10_712.0, 3), "10\u{202F}700");
         assert_eq!(significant(1.6e-5, 2), "1.6\u{202F}×\u{202F}10⁻⁵");
         assert_eq!(significant(9999.7, 3), "10\u{202F}000");
+    }
+
+    #[test]
+    fn one_number_has_one_unit_whatever_its_bar() {
+        assert_eq!(quantity_plus_minus(33e6, 9e6, PASCALS), "33 ± 9\u{202F}MPa");
+        assert_eq!(quantity_plus_minus(33e6, 21e6, PASCALS), "30 ± 20\u{202F}MPa");
+    }
+
+    #[test]
+    fn a_bar_that_reaches_zero_is_one_sided() {
+        assert_eq!(with_bar(1.2, 1.6), "at most 2.8");
+        assert_eq!(with_bar(1.2, 1.1), "1.2 ± 1.1");
+        assert_eq!(with_bar(0.5, 0.281), "0.5 ± 0.3");
+        // Never rounded below what is known.
+        assert_eq!(at_most(0.8012), "at most 0.81");
+        assert_eq!(at_most(0.8), "at most 0.80");
+    }
+
+    #[test]
+    fn large_errors_have_three_digits() {
+        assert_eq!(signed_percent(2302.33), "+230\u{202F}000\u{202F}%");
+        assert_eq!(signed_range(4.568, 4.572), "+457\u{202F}%");
+        assert_eq!(percent(22_100.0), "2\u{202F}210\u{202F}000\u{202F}%");
+        assert_eq!(percent(0.0196), "2.0\u{202F}%");
+        assert_eq!(percent(0.0), "0\u{202F}%");
     }
 
     #[test]

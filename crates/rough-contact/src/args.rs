@@ -1,12 +1,13 @@
 //! Options that several commands share.
 
 use crate::outcome::Failure;
-use crate::quantity::{self, Dimension, QuantityError};
+use crate::quantity::{self, QuantityError};
+use crate::units::Dimension;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use compare::built_in;
-use compare::{EdgesName, Level, Method, Precision};
-use contact_types::{ContactModulus, Elastic};
+use compare::{Body, EdgesName, Level, Method, Precision};
+use contact_types::{ContactModulus, Elastic, SurfaceError};
 use surface_io::Layout;
 
 /// Options of every command.
@@ -75,7 +76,21 @@ impl Bodies {
                 return Err(Failure::refused("usage", message));
             }
         };
-        modulus.map(Some).map_err(|e| Failure::from_error(&e))
+        modulus.map(Some).map_err(|e| match e {
+            SurfaceError::Material { quantity, value, unit: "", domain } => {
+                let (low, high) = (domain.start(), domain.end());
+                let message =
+                    format!("{quantity} = {value} is outside its domain, {low} to {high}");
+                Failure::refused("material", message)
+            }
+            other => Failure::from_error(&other),
+        })
+    }
+
+    /// The elastic bodies as they were given; none with --modulus.
+    pub(crate) fn listed(&self) -> Vec<Body> {
+        let pairs = self.young.iter().zip(&self.poisson);
+        pairs.map(|(&young, &poisson)| Body { young, poisson }).collect()
     }
 
     /// E*; an error if it was not given.
@@ -169,6 +184,9 @@ fn one_of<T: Copy + Send + Sync + 'static>(
         found.expect("clap accepts only these names")
     })
 }
+
+/// The form taken off where nothing is said, by every command: the tilt of a mounting.
+pub(crate) const LEVEL: &str = "plane";
 
 pub(crate) fn level() -> impl TypedValueParser<Value = Level> {
     one_of(Level::ALL, Level::name)

@@ -13,6 +13,9 @@ use surface_stats::clean::{self, Record};
 #[derive(Args, Clone, Copy, Debug, Default)]
 #[command(next_help_heading = "Cleaning, in this order, before the fill")]
 pub(crate) struct CleaningOptions {
+    /// Put rows in line that stand at heights of their own, by the median of their differences
+    #[arg(long)]
+    align_rows: bool,
     /// Make spikes missing points: those more than so many robust standard deviations from their
     /// neighbours; 8 is usual
     #[arg(long, value_name = "THRESHOLD", value_parser = threshold, allow_hyphen_values = true)]
@@ -38,8 +41,8 @@ fn threshold(text: &str) -> Result<f64, String> {
 
 impl CleaningOptions {
     pub(crate) fn asked(self) -> Cleaning {
-        let Self { outliers, form, s_filter, l_filter } = self;
-        Cleaning { outliers, form, s_filter, l_filter }
+        let Self { align_rows, outliers, form, s_filter, l_filter } = self;
+        Cleaning { align_rows, outliers, form, s_filter, l_filter }
     }
 
     /// Refuses cleaning where there is no file to be cleaned.
@@ -47,7 +50,7 @@ impl CleaningOptions {
         if self.asked().is_empty() {
             return Ok(());
         }
-        let message = "--outliers, --form, --s-filter and --l-filter clean a surface FILE, and \
+        let message = "--align-rows, --outliers, --form, --s-filter and --l-filter clean a surface FILE, and \
                        none is given; name a FILE or leave them out";
         Err(Failure::refused("usage", message))
     }

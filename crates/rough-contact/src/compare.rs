@@ -12,7 +12,7 @@ use clap::Args;
 use compare::plan::Request;
 use compare::{
     Cleaning, Comparison, EdgesName, FileOrigin, Level, Method, Origin, Precision, Registry,
-    RunFile, RunSurface, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
+    RunFile, RunSurface, STEEL, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
 };
 use report::Provenance;
 use std::fmt::Write as _;
@@ -42,7 +42,7 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "LIST", value_parser = args::study_models(), value_delimiter = ',')]
     models: Option<Vec<String>>,
     /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "plane")]
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
     level: Level,
     /// Shortest and longest wavelength of the fractal fit [default: cut-off to roll-off as found]
     #[arg(long, value_name = "L,L", value_parser = args::range, allow_hyphen_values = true)]
@@ -69,7 +69,7 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "pressure", "headline", "models", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
-        "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "outliers", "form", "s_filter", "l_filter",
+        "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
@@ -99,7 +99,7 @@ impl Compare {
                 .collect(),
         };
         let comparison = study(surfaces, settings, common)?;
-        let repeat = format!("rough-contact compare --from run.toml --out {}", self.out.display());
+        let repeat = repeat_command(folder.path());
         let provenance = Provenance::here(repeat);
         let mut reply = Reply::new(
             describe(&comparison, folder.path()),
@@ -115,13 +115,14 @@ impl Compare {
 
     fn settings(&self) -> Result<Settings, Failure> {
         args::refuse_mirrored(self.edges, self.accuracy.is_some(), false)?;
-        let modulus = match self.bodies.given()? {
-            Some(modulus) => modulus.pascals(),
-            None if self.files.is_empty() => STEEL_ON_STEEL,
-            None => self.bodies.required()?.pascals(),
+        let (modulus, bodies) = match self.bodies.given()? {
+            Some(modulus) => (modulus.pascals(), self.bodies.listed()),
+            None if self.files.is_empty() => (STEEL_ON_STEEL, vec![STEEL; 2]),
+            None => (self.bodies.required()?.pascals(), Vec::new()),
         };
         Ok(Settings {
             modulus,
+            bodies,
             pressures: self.pressure.as_ref().map(|List(pressures)| pressures.clone()),
             headline: self.headline,
             models: self.models.clone(),
@@ -139,11 +140,10 @@ impl Compare {
     fn surfaces(&self) -> Result<Vec<Surface>, Failure> {
         if !self.files.is_empty() {
             let cleaning = self.cleaning.asked();
-            return self
-                .files
-                .iter()
-                .map(|path| from_file(path, &self.reading, cleaning))
-                .collect();
+            let read = |path: &PathBuf| from_file(path, &self.reading, cleaning);
+            let mut surfaces = self.files.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+            distinct(&mut surfaces);
+            return Ok(surfaces);
         }
         self.cleaning.refuse_without_file()?;
         let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
@@ -247,6 +247,43 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<Surface, Failure> {
     }
 }
 
+/// The command that repeats the run, from the folder it was made in: with the run file where it
+/// is, into a folder that is not there yet.
+fn repeat_command(out: &Path) -> String {
+    let again = format!("{}-again", out.display().to_string().trim_end_matches(['/', '\\']));
+    let run_file = out.join("run.toml").display().to_string();
+    format!("rough-contact compare --from {} --out {}", quoted(&run_file), quoted(&again))
+}
+
+/// A word for a shell.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+:\\~".contains(c);
+    if word.chars().all(is_plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', "'\\''"))
+}
+
+/// Names that tell the surfaces apart: of files with the same name, the whole path; the same file
+/// twice is numbered.
+fn distinct(surfaces: &mut [Surface]) {
+    let names: Vec<String> = surfaces.iter().map(|s| s.name.clone()).collect();
+    for (surface, name) in surfaces.iter_mut().zip(&names) {
+        if let Origin::File(file) = &surface.origin
+            && names.iter().filter(|n| *n == name).count() > 1
+        {
+            surface.name.clone_from(&file.path);
+        }
+    }
+    let names: Vec<String> = surfaces.iter().map(|s| s.name.clone()).collect();
+    for (i, surface) in surfaces.iter_mut().enumerate() {
+        let before = names[..i].iter().filter(|n| **n == names[i]).count();
+        if before > 0 {
+            surface.name = format!("{} ({})", names[i], before + 1);
+        }
+    }
+}
+
 fn study(
     surfaces: Vec<Surface>,
     settings: Settings,
@@ -323,7 +360,8 @@ fn not_met(comparison: &Comparison) -> Option<Failure> {
 
 /// A short table per surface, and where the report is.
 fn describe(comparison: &Comparison, folder: &Path) -> String {
-    let mut out = String::new();
+    let mut out = text::level(comparison.settings.level);
+    out.push_str(text::MOMENTS);
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
         out.push_str(&text::cleaning(surface.origin.cleaned()));
@@ -346,13 +384,12 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
                 columns.row([label, "–".into(), "–".into(), "–".into(), applies]);
                 continue;
             };
-            let mean = curve.worst_and_mean().map_or_else(
-                || "–".to_owned(),
-                |(_, mean)| format!("{} %", text::digits(100.0 * mean)),
-            );
+            let mean = curve
+                .worst_and_mean()
+                .map_or_else(|| "–".to_owned(), |(_, mean)| plain(&report::numbers::percent(mean)));
             let range = curve.range().map_or_else(
                 || "–".to_owned(),
-                |(low, high)| format!("{} to {} %", signed(low), signed(high)),
+                |(low, high)| plain(&report::numbers::signed_range(low, high)),
             );
             columns.row([label, mean, range, text::seconds(curve.seconds), applies]);
         }
@@ -372,21 +409,45 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
 fn headline(surface: &SurfaceComparison) -> String {
     let [ny, nx] = surface.surface.grid().shape();
     let first = format!("{}, {ny} × {nx} points", surface.name);
-    let Some(answer) = surface.headline_answer() else { return first };
-    let area = answer.area_fraction_corrected;
-    let area = answer
-        .uncertainty()
-        .map_or_else(|| text::percent(area), |u| text::plus_minus(100.0 * area, 100.0 * u, "%"));
-    format!(
-        "{first}: at {} {area} of the area touches",
-        text::pressure(surface.headline_pressure())
-    )
+    report::headline_line(surface).map_or_else(|| first.clone(), |line| format!("{first}: {line}"))
 }
 
-/// A signed relative error in percent: whole from 10, one decimal below.
-fn signed(error: f64) -> String {
-    let percent = 100.0 * error;
-    let text =
-        if percent.abs() < 9.95 { format!("{percent:+.1}") } else { format!("{percent:+.0}") };
-    text.replace('-', "−")
+/// With the spaces of a terminal.
+fn plain(text: &str) -> String {
+    text.replace(report::numbers::SPACE, " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_to_repeat_names_the_run_file_and_a_new_folder() {
+        assert_eq!(
+            repeat_command(Path::new("out/a")),
+            "rough-contact compare --from out/a/run.toml --out out/a-again"
+        );
+        assert_eq!(
+            repeat_command(Path::new("my out")),
+            "rough-contact compare --from 'my out/run.toml' --out 'my out-again'"
+        );
+        assert_eq!(quoted("it's"), "'it'\\''s'");
+    }
+
+    #[test]
+    fn files_of_the_same_name_are_told_apart() {
+        let grid = contact_types::Grid::new([2, 2], [1e-6; 2]).expect("a grid");
+        let heights = contact_types::HeightMap::new(grid, vec![0.0; 4]).expect("a map");
+        let surface = |path: &str, name: &str| Surface {
+            name: name.to_owned(),
+            origin: Origin::File(FileOrigin { path: path.to_owned(), ..FileOrigin::default() }),
+            heights: heights.clone(),
+        };
+        let mut list =
+            [("a/s.stp", "s.stp"), ("b/s.stp", "s.stp"), ("t.stp", "t.stp"), ("a/s.stp", "s.stp")]
+                .map(|(path, name)| surface(path, name));
+        distinct(&mut list);
+        let names = list.map(|s| s.name);
+        assert_eq!(names, ["a/s.stp", "b/s.stp", "t.stp", "a/s.stp (2)"]);
+    }
 }

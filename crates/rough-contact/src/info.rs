@@ -8,7 +8,7 @@ use crate::text::{self, Table};
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use surface_io::{FORMATS, Measurement};
+use surface_io::{FORMATS, Measurement, Need};
 
 #[derive(Args)]
 pub(crate) struct Info {
@@ -25,8 +25,19 @@ pub(crate) struct Info {
 impl Info {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
         let Some(file) = &self.file else { return Ok(formats()) };
-        let measurement = self.reading.measurement(file)?;
-        Ok(Reply::new(describe(&measurement), object(&measurement)))
+        match self.reading.measurement(file) {
+            Ok(measurement) => Ok(Reply::new(describe(&measurement), object(&measurement))),
+            Err(failure) => match self.reading.raw(file) {
+                // The refusal says what to give; the numbers help to find it.
+                Some((measurement, missing)) => {
+                    let mut reply =
+                        Reply::new(raw_text(&measurement, &missing), raw(&measurement, &missing));
+                    reply.trouble = Some(failure);
+                    Ok(reply)
+                }
+                None => Err(failure),
+            },
+        }
     }
 }
 
@@ -59,6 +70,40 @@ fn object(m: &Measurement) -> Value {
     })
 }
 
+/// A file without units: points, and its numbers as they stand there.
+fn raw(m: &Measurement, missing: &[Need]) -> Value {
+    let heights = m.height_summary().filter(|_| missing.contains(&Need::HeightUnit));
+    json!({
+        "format": m.format().name(),
+        "shape": m.grid().shape(),
+        "missing": m.missing(),
+        "raw_height_min": heights.map(|s| s.0),
+        "raw_height_max": heights.map(|s| s.1),
+        "raw_height_mean": heights.map(|s| s.2),
+    })
+}
+
+fn raw_text(m: &Measurement, missing: &[Need]) -> String {
+    let [ny, nx] = m.grid().shape();
+    let mut table = Table::default();
+    table.row("format", m.format().name());
+    table.row("points", format!("{ny} rows × {nx} columns"));
+    if m.missing() > 0 {
+        table.row("missing points", m.missing().to_string());
+    }
+    if let Some((low, high, mean)) = m.height_summary() {
+        if missing.contains(&Need::HeightUnit) {
+            let range = format!("{} to {}", text::digits(low), text::digits(high));
+            table.row("heights", format!("{range}, unit unknown"));
+            table.row("mean height", format!("{}, unit unknown", text::digits(mean)));
+        } else {
+            table.row("heights", text::length_range(low, high));
+            table.row("mean height", text::length(mean));
+        }
+    }
+    table.to_string()
+}
+
 fn describe(m: &Measurement) -> String {
     let [ny, nx] = m.grid().shape();
     let [dy, dx] = m.grid().pixel();
@@ -78,7 +123,7 @@ fn describe(m: &Measurement) -> String {
         },
     );
     if let Some((low, high, mean)) = m.height_summary() {
-        table.row("heights", format!("{} to {}", text::length(low), text::length(high)));
+        table.row("heights", text::length_range(low, high));
         table.row("mean height", text::length(mean));
     }
     if m.is_profile() {

@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use compare::Cleaning;
 use contact_types::HeightMap;
 use std::path::{Path, PathBuf};
-use surface_io::{HeightUnit, Layout, Measurement, ReadOptions};
+use surface_io::{HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions};
 use surface_stats::clean::Record;
 use surface_stats::height_step;
 
@@ -79,8 +79,8 @@ pub(crate) struct Reading {
 }
 
 impl Reading {
-    /// Reads and crops; missing points stay missing.
-    pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Failure> {
+    /// What the options say of the file.
+    fn options(&self) -> ReadOptions {
         let mut options = ReadOptions::default();
         options.channel.clone_from(&self.channel);
         options.pixel = self.pixel;
@@ -90,13 +90,57 @@ impl Reading {
             None => self.height_unit.map(HeightUnit::IfSilent),
         };
         options.layout = self.layout;
+        options
+    }
+
+    /// Numbers as they stand in a file that does not say their units, and what it does not say:
+    /// what is missing is taken for 1. `None` if something else is wrong with the file.
+    pub(crate) fn raw(&self, path: &Path) -> Option<(Measurement, Vec<Need>)> {
+        let mut options = self.options();
+        let mut missing = Vec::new();
+        loop {
+            let needs = match surface_io::read(path, &options) {
+                // A file that says all has another fault.
+                Ok(measurement) => return (!missing.is_empty()).then_some((measurement, missing)),
+                Err(ReadError::MissingScale { needs, .. }) => needs,
+                Err(_) => return None,
+            };
+            // What was said already and is asked for again would be asked for ever.
+            if needs.iter().any(|need| missing.contains(need)) {
+                return None;
+            }
+            for need in &needs {
+                match need {
+                    Need::PixelSize => options.pixel = Some([1.0, 1.0]),
+                    Need::LateralUnit => options.lateral_unit = Some(1.0),
+                    Need::HeightUnit => options.height_unit = Some(HeightUnit::IfSilent(1.0)),
+                    _ => return None,
+                }
+            }
+            missing.extend(needs);
+        }
+    }
+
+    /// Reads and crops; missing points stay missing.
+    pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Failure> {
+        let options = self.options();
         let measurement = surface_io::read(path, &options).map_err(|e| needs::unread(path, &e))?;
         if let Some(unit) = measurement.kept_unit() {
-            eprintln!(
+            outcome::tell(&format!(
                 "rough-contact: {}: the file gives its heights in {unit}, which is kept; \
                  --override-height-unit U would overrule it",
                 path.display()
-            );
+            ));
+        }
+        let heights = measurement.channels().iter().filter(|c| c.is_height && c.fault.is_none());
+        let heights = heights.count();
+        if self.channel.is_none() && heights > 1 {
+            outcome::tell(&format!(
+                "rough-contact: {}: {:?} is read, one of {heights} channels in units of length; \
+                 `info` lists them, --channel NAME reads another",
+                path.display(),
+                measurement.channel()
+            ));
         }
         match self.crop {
             None => Ok(measurement),
@@ -117,11 +161,8 @@ impl Reading {
         cleaning: Cleaning,
     ) -> Result<Complete, Failure> {
         if let Some(reading) = measurement.ambiguity() {
-            outcome::tell(&format!(
-                "rough-contact: {}: {}",
-                path.display(),
-                needs::reading(reading)
-            ));
+            let reading = needs::reading(reading);
+            outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
         }
         refuse_profile(path, &measurement)?;
         // Neither a removed form nor filled points take the steps away; only smoothing does.

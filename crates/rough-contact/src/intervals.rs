@@ -14,8 +14,10 @@ use std::time::Instant;
 /// What the errors of all loads are found from.
 pub(crate) struct Errors {
     pub(crate) known: Map,
-    /// The map, if it is needed after the solver has it.
-    pub(crate) kept: Option<HeightMap>,
+    /// The map that is solved: the given one, or with its mirror images.
+    pub(crate) whole: HeightMap,
+    /// The given map, if it is not the whole.
+    pub(crate) part: Option<HeightMap>,
     pub(crate) finer: Finest,
 }
 
@@ -34,6 +36,7 @@ impl Finest {
         load: Load,
         map: &HeightMap,
         known: &Map,
+        budget: &Budget,
     ) -> Result<Refined, NotRefined> {
         let start = Instant::now();
         let finer = match &mut self.made {
@@ -43,7 +46,7 @@ impl Finest {
                 none.insert(TwiceFiner::of(map, known, self.boundary, builder, self.modulus)?)
             }
         };
-        let found = finer.solve(load)?;
+        let found = finer.solve(load, budget)?;
         Ok(Refined { found, grid: finer.grid(), seconds: start.elapsed().as_secs_f64() })
     }
 }
@@ -64,6 +67,7 @@ impl Refined {
             "area_fraction_corrected": self.found.area,
             "mean_pressure": self.found.pressure,
             "mean_gap": self.found.gap,
+            "monotone_area_fraction_corrected": self.found.monotone.map(|(area, ..)| area),
             "seconds": self.seconds,
         })
     }
@@ -98,8 +102,12 @@ impl Intervals {
     ) {
         if let Some(Refined { found, grid, seconds }) = refined {
             let [ny, nx] = grid.shape();
+            let other = found.monotone.map_or(String::new(), |(area, ..)| {
+                let area = text::percent(area);
+                format!(", and one of a surface through the same points that does not ring, {area}")
+            });
             self.lines.push(format!(
-                "{shown}: ± from one more solution on {ny} × {nx} points, which reads {} ({})",
+                "{shown}: ± from one more solution on {ny} × {nx} points, which reads {}{other} ({})",
                 text::percent(found.area),
                 text::seconds(seconds)
             ));

@@ -22,6 +22,7 @@ mod solve;
 mod stats;
 mod synth;
 mod text;
+mod units;
 mod validate;
 mod work;
 

@@ -7,11 +7,12 @@ use crate::outcome::{Failure, Reply, variant};
 use crate::roughness::Source;
 use crate::text::{self, Columns};
 use clap::Args;
-use compare::{BuildError, Card, Inputs, Theory, built_in};
+use compare::{BuildError, Card, Inputs, Pressed, Scene, Theory, built_in};
 use contact_types::{Caveat, Citation, ContactState, ModelError};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use surface_stats::clean::{RowOffsets, row_offsets};
 
 #[derive(Args)]
 pub(crate) struct Model {
@@ -54,7 +55,7 @@ enum Question {
 }
 
 type Answer = Result<ContactState, ModelError>;
-type Ask = Box<dyn Fn(&Question) -> Answer>;
+type Ask<'a> = Box<dyn Fn(&Question) -> Answer + 'a>;
 
 impl Model {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
@@ -63,11 +64,12 @@ impl Model {
         let card = theory.card();
         let modulus = self.bodies.required()?;
         let questions = self.questions()?;
-        let mut cleaned = Vec::new();
+        let (mut cleaned, mut rows) = (Vec::new(), None);
         self.source.refuse_unused(&card.name, self.file.as_deref())?;
         let inputs = if let Some(path) = &self.file {
             let surface = self.reading.surface(path, self.cleaning.asked())?;
             cleaned.clone_from(&surface.cleaned);
+            rows = row_offsets(surface.map.grid(), surface.map.heights()).ok();
             self.source.measured(&card.name, modulus, path, surface)?
         } else {
             self.cleaning.refuse_without_file()?;
@@ -75,7 +77,16 @@ impl Model {
         };
         let answers = answer(theory, &inputs, &questions)?;
         let mut reply = reply(card, &inputs, &questions, &answers);
-        reply.text.insert_str(0, &text::cleaning(&cleaned));
+        let findings = scene(&inputs, &answers, rows).findings();
+        let first = text::cleaning(&cleaned) + &text::findings(&findings);
+        reply.text.insert_str(0, &first);
+        reply.json["findings"] = report::findings_json(&findings);
+        let level = self.file.as_ref().map(|_| self.source.level());
+        reply.json["level"] = json!(level.map(compare::Level::name));
+        if let (Some(level), Some(_)) = (level, inputs.moments) {
+            reply.text += &text::level(level);
+            reply.text += text::MOMENTS;
+        }
         reply.json["cleaning"] = report::cleaning_json(&cleaned);
         Ok(reply)
     }
@@ -93,13 +104,33 @@ impl Model {
     }
 }
 
+/// What is asked of elasticity, with the answers by rising load.
+fn scene(inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> Scene {
+    let pressed = |state: &ContactState| {
+        let mean = state.real_pressure()?;
+        Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
+    };
+    let mut pressed: Vec<Pressed> = answers.iter().flatten().filter_map(pressed).collect();
+    pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
+    let moments = inputs.moments;
+    Scene {
+        rows,
+        modulus: inputs.modulus.pascals(),
+        gradient: moments.map(|m| m.rms_gradient()),
+        rms_height: moments.map(|m| m.m0.sqrt()),
+        radius: inputs.asperities().map(|a| a.radius),
+        pressed,
+    }
+}
+
 /// One answer per question. A model that cannot be made refuses every question.
 fn answer(
     theory: &dyn Theory,
     inputs: &Inputs,
     questions: &[Question],
 ) -> Result<Vec<Answer>, Failure> {
-    let ask: Ask = match questions.first() {
+    let title = theory.card().title.as_ref();
+    let ask: Ask<'_> = match questions.first() {
         Some(Question::Separation(_)) => {
             let Some(model) = theory.build_separation(inputs) else {
                 let able: Vec<&str> = built_in()
@@ -116,19 +147,21 @@ fn answer(
                 return Err(Failure::refused("usage", message));
             };
             match model {
-                Ok(model) => Box::new(move |q| model.at_separation(q.value())),
+                Ok(model) => {
+                    Box::new(move |q| compare::at_separation(title, model.as_ref(), q.value()))
+                }
                 Err(error) => refuse_all(theory.card(), error)?,
             }
         }
         _ => match theory.build(inputs) {
-            Ok(model) => Box::new(move |q| model.at_pressure(q.value())),
+            Ok(model) => Box::new(move |q| compare::at_pressure(title, model.as_ref(), q.value())),
             Err(error) => refuse_all(theory.card(), error)?,
         },
     };
     Ok(questions.iter().map(ask).collect())
 }
 
-fn refuse_all(card: &Card, error: BuildError) -> Result<Ask, Failure> {
+fn refuse_all(card: &Card, error: BuildError) -> Result<Ask<'static>, Failure> {
     match error {
         BuildError::Model(error) => Ok(Box::new(move |_| Err(error.clone()))),
         BuildError::Missing { .. } => {
@@ -151,10 +184,13 @@ fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer
     let mut columns =
         Columns::new(&["mean pressure", "area", "real pressure", "separation", "mean gap"]);
     let mut notes: Vec<String> = Vec::new();
+    // The first refusal is said on standard error.
+    let told = answers.iter().find_map(|answer| answer.as_ref().err());
     for (question, answer) in questions.iter().zip(answers) {
         columns.row(cells(*question, answer));
         let note = match answer {
             Ok(state) => state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
+            Err(error) if Some(error) == told => None,
             Err(error) => Some(format!("refused: {error}")),
         };
         notes.extend(note.filter(|note| !notes.contains(note)));
@@ -171,7 +207,7 @@ fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer
         "inputs": crate::roughness::object(inputs),
         "points": points,
     });
-    let trouble = answers.iter().find_map(|answer| answer.as_ref().err()).map(failure);
+    let trouble = told.map(failure);
     Reply { text, json, trouble }
 }
 

@@ -4,22 +4,8 @@
 //! A bare number where a unit is needed is refused: 50 could be pascals or megapascals, and the
 //! answer would look equally reasonable.
 
+use crate::units::{Dimension, plain};
 use contact_accuracy::round_to_digits;
-
-/// What kind of quantity an option takes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Dimension {
-    /// A pure number, written without a unit; a percentage is one too.
-    Number,
-    /// Metres.
-    Length,
-    /// Square metres.
-    Area,
-    /// Per square metre.
-    PerArea,
-    /// Pascals.
-    Pressure,
-}
 
 /// Why a text is not the quantity asked for. The message says how to write it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -65,6 +51,24 @@ pub(crate) enum QuantityError {
         /// Units that work.
         units: &'static str,
     },
+    /// A unit whose letters are right and whose case is not.
+    #[error("'{unit}' is not a unit of {kind}; did you mean {meant}?")]
+    Misspelt {
+        /// What was typed after the number.
+        unit: String,
+        /// The kind of quantity.
+        kind: &'static str,
+        /// The unit of these letters.
+        meant: &'static str,
+    },
+    /// A decimal comma: the decimal mark is the point, the comma separates the items of a list.
+    #[error("'{text}' has a decimal comma; write {meant}")]
+    DecimalComma {
+        /// What was typed.
+        text: String,
+        /// The same with a decimal point.
+        meant: String,
+    },
     /// A unit on a pure number.
     #[error("'{text}' has a unit, but this is a pure number; write {number}")]
     UnexpectedUnit {
@@ -88,96 +92,6 @@ pub(crate) enum QuantityError {
 /// Most points a range may ask for.
 const MAX_POINTS: usize = 100_000;
 
-/// Length units and their powers of ten.
-const LENGTHS: &[(&str, i32)] = &[
-    ("m", 0),
-    ("cm", -2),
-    ("mm", -3),
-    ("um", -6),
-    ("micron", -6),
-    ("nm", -9),
-    ("A", -10),
-    ("pm", -12),
-    ("fm", -15),
-    ("km", 3),
-];
-
-/// Pressure units and their powers of ten.
-const PRESSURES: &[(&str, i32)] = &[
-    ("Pa", 0),
-    ("hPa", 2),
-    ("kPa", 3),
-    ("MPa", 6),
-    ("GPa", 9),
-    ("TPa", 12),
-    ("mPa", -3),
-    ("uPa", -6),
-    ("N/m^2", 0),
-    ("N/mm^2", 6),
-    ("mbar", 2),
-    ("bar", 5),
-    ("kbar", 8),
-];
-
-impl Dimension {
-    /// What people call it.
-    fn kind(self) -> &'static str {
-        match self {
-            Self::Number => "a pure number",
-            Self::Length => "length",
-            Self::Area => "area",
-            Self::PerArea => "number per area",
-            Self::Pressure => "pressure",
-        }
-    }
-
-    /// Units to offer.
-    fn units(self) -> &'static str {
-        match self {
-            Self::Number => "no unit, or %",
-            Self::Length => "m, mm, um, nm or A",
-            Self::Area => "m^2, mm^2, um^2 or nm^2",
-            Self::PerArea => "m^-2, mm^-2, um^-2 or nm^-2",
-            Self::Pressure => "Pa, kPa, MPa, GPa, bar or N/mm^2",
-        }
-    }
-
-    /// One spelling that works.
-    fn example(self) -> &'static str {
-        match self {
-            Self::Number => "for example 0.8",
-            Self::Length => "for example 1.5um",
-            Self::Area => "for example 0.2nm^2",
-            Self::PerArea => "for example 3e12m^-2",
-            Self::Pressure => "for example 50MPa",
-        }
-    }
-
-    /// The power of ten of a unit; `None` if it is not a unit of this dimension.
-    fn exponent(self, unit: &str) -> Option<i32> {
-        let find = |table: &[(&str, i32)], unit: &str| {
-            table.iter().find(|(name, _)| *name == unit).map(|&(_, exponent)| exponent)
-        };
-        match self {
-            Self::Number => match unit {
-                "" => Some(0),
-                "%" => Some(-2),
-                _ => None,
-            },
-            Self::Length => find(LENGTHS, unit),
-            Self::Area => find(LENGTHS, unit.strip_suffix("^2")?).map(|e| 2 * e),
-            Self::PerArea => {
-                let length = unit.strip_suffix("^-2").or_else(|| {
-                    let squared = unit.strip_prefix("1/").or_else(|| unit.strip_prefix('/'))?;
-                    squared.strip_suffix("^2")
-                })?;
-                find(LENGTHS, length).map(|e| -2 * e)
-            }
-            Self::Pressure => find(PRESSURES, unit),
-        }
-    }
-}
-
 /// Reads one quantity, in SI units. The decimal number is scaled by its power of ten before it
 /// is rounded to a double, so `0.2nm^2` is the double nearest to 2e-19.
 ///
@@ -196,20 +110,19 @@ pub(crate) fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityErr
         });
     }
     let unit = plain(unit);
-    let exponent = dimension.exponent(&unit).ok_or_else(|| {
-        if unit.is_empty() {
+    let (factor, exponent) = dimension.scale(&unit).ok_or_else(|| {
+        if unit.strip_prefix(',').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+        {
+            decimal_comma(text)
+        } else if unit.is_empty() {
             missing_unit(number, dimension)
         } else if dimension == Dimension::Number {
             QuantityError::UnexpectedUnit { text: text.to_owned(), number: number.to_owned() }
         } else {
-            QuantityError::UnknownUnit {
-                unit: unit.clone(),
-                kind: dimension.kind(),
-                units: dimension.units(),
-            }
+            unknown(unit.clone(), dimension)
         }
     })?;
-    let value = scaled(number, exponent);
+    let value = in_si(number, factor, exponent);
     if !value.is_finite() {
         return Err(QuantityError::NotFinite {
             text: text.to_owned(),
@@ -232,7 +145,11 @@ pub(crate) fn parse_list(text: &str, dimension: Dimension) -> Result<Vec<f64>, Q
     let mut values = Vec::new();
     for item in text.split(',') {
         match item.split_once("..") {
-            None => values.push(parse(item, dimension)?),
+            // "1,5um": the comma was meant to be the decimal mark.
+            None => values.push(parse(item, dimension).map_err(|error| match error {
+                QuantityError::MissingUnit { .. } if is_decimal_comma(text) => decimal_comma(text),
+                other => other,
+            })?),
             Some((first, tail)) => values.extend(range(item, first, tail, dimension)?),
         }
     }
@@ -246,13 +163,9 @@ pub(crate) fn parse_list(text: &str, dimension: Dimension) -> Result<Vec<f64>, Q
 pub(crate) fn parse_length_unit(text: &str) -> Result<f64, QuantityError> {
     let unit = plain(text);
     let dimension = Dimension::Length;
-    match dimension.exponent(&unit) {
-        Some(exponent) => Ok(scaled("1", exponent)),
-        None => Err(QuantityError::UnknownUnit {
-            unit,
-            kind: dimension.kind(),
-            units: dimension.units(),
-        }),
+    match dimension.scale(&unit) {
+        Some((factor, exponent)) => Ok(in_si("1", factor, exponent)),
+        None => Err(unknown(unit, dimension)),
     }
 }
 
@@ -318,20 +231,41 @@ fn number_length(text: &str) -> usize {
     at
 }
 
-/// A unit in one spelling: `µm²` is `um^2`.
-fn plain(unit: &str) -> String {
-    let mut out = String::new();
-    for c in unit.chars().filter(|c| !c.is_whitespace()) {
-        match c {
-            'µ' | 'μ' => out.push('u'),
-            'Å' | '\u{212b}' => out.push('A'),
-            '²' => out.push_str("^2"),
-            '⁻' => out.push_str("^-"),
-            other => out.push(other),
-        }
+/// True for two items of which the first has no unit and the second starts with a digit.
+fn is_decimal_comma(text: &str) -> bool {
+    let Some((whole, rest)) = text.split_once(',') else { return false };
+    let whole = whole.trim().trim_start_matches(['+', '-']);
+    !rest.contains(',')
+        && !whole.is_empty()
+        && whole.bytes().all(|b| b.is_ascii_digit())
+        && rest.starts_with(|c: char| c.is_ascii_digit())
+        && rest.contains(|c: char| c.is_alphabetic())
+}
+
+/// Why `unit` is none of this dimension.
+fn unknown(unit: String, dimension: Dimension) -> QuantityError {
+    let kind = dimension.kind();
+    match dimension.near(&unit) {
+        Some(meant) => QuantityError::Misspelt { unit, kind, meant },
+        None => QuantityError::UnknownUnit { unit, kind, units: dimension.units() },
     }
-    // From a superscript minus followed by a superscript two.
-    out.replace("^-^2", "^-2")
+}
+
+fn decimal_comma(text: &str) -> QuantityError {
+    QuantityError::DecimalComma { text: text.to_owned(), meant: text.replacen(',', ".", 1) }
+}
+
+/// `number` in a unit of `factor` times ten to the `exponent`: rounded once if the factor is 1, and
+/// as rarely as can be otherwise.
+fn in_si(number: &str, factor: f64, exponent: i32) -> f64 {
+    if factor.to_bits() == 1.0f64.to_bits() {
+        scaled(number, exponent)
+    } else if exponent < 0 {
+        // A whole factor and a power of ten are exact: 1 inch is the double nearest to 0.0254.
+        scaled(number, 0) * factor / 10f64.powi(-exponent)
+    } else {
+        scaled(number, exponent) * factor
+    }
 }
 
 /// `number` times ten to the `exponent`, rounded once.
@@ -387,9 +321,45 @@ mod tests {
             ("0e-999Pa", Pressure, 0.0),
             ("1e-3m", Length, 1e-3),
             ("5A", Length, 5e-10),
+            ("5 \u{c5}", Length, 5e-10),
+            ("3microns", Length, 3e-6),
+            ("1inch", Length, 0.0254),
+            ("2mil", Length, 50.8e-6),
+            ("7um2", Area, 7e-12),
+            ("3e12m-2", PerArea, 3e12),
+            ("210N/mm2", Pressure, 2.1e8),
+            ("1kgf/mm2", Pressure, 9_806_650.0),
         ] {
             assert_eq!(parse(text, dimension).unwrap(), expected, "{text}");
         }
+    }
+
+    /// NIST SP 811 (2008), appendix B.8: 1 psi = 6.894 757 kPa, 1 ksi = 6.894 757 MPa.
+    #[test]
+    fn pounds_on_square_inches() {
+        assert!((parse("1psi", Pressure).unwrap() / 6894.757 - 1.0).abs() < 1e-7);
+        assert!((parse("30ksi", Pressure).unwrap() / 30.0 / 6_894_757.0 - 1.0).abs() < 1e-7);
+        assert!((parse("1in^2", Area).unwrap() / 6.4516e-4 - 1.0).abs() < 1e-15);
+        assert!((parse("1in^-2", PerArea).unwrap() * 6.4516e-4 - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn slips_of_the_finger_are_named() {
+        for (text, dimension, part) in [
+            ("110Gpa", Pressure, "did you mean GPa?"),
+            ("5Mpa", Pressure, "did you mean MPa?"),
+            ("5mpa", Pressure, "did you mean mPa?"),
+            ("5KSI", Pressure, "did you mean ksi?"),
+            ("3MM", Length, "did you mean mm?"),
+            ("1,5um", Length, "write 1.5um"),
+            ("0,5GPa", Pressure, "decimal comma"),
+        ] {
+            let message = parse(text, dimension).unwrap_err().to_string();
+            assert!(message.contains(part), "{text}: {message}");
+        }
+        let message = parse_list("1,5MPa", Pressure).unwrap_err().to_string();
+        assert!(message.contains("decimal comma") && message.contains("1.5MPa"), "{message}");
+        assert!(parse_list("1,5MPa,6MPa", Pressure).unwrap_err().to_string().contains("no unit"));
     }
 
     #[test]

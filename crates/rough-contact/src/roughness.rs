@@ -84,7 +84,7 @@ pub(crate) struct Source {
     /// Spheres per area of each level, coarse to fine, such as 1mm^-2,1e4mm^-2
     #[arg(long, value_name = "LIST", value_parser = args::per_areas, allow_hyphen_values = true)]
     sphere_density: Option<List>,
-    /// Form to remove from a FILE by least squares first
+    /// Form to remove from a FILE by least squares first [default: plane]
     #[arg(long, value_name = "FORM", value_parser = args::level())]
     level: Option<Level>,
     /// What lies beyond the edges of a FILE [default: open]
@@ -250,6 +250,11 @@ impl Source {
         Ok(radii.into_iter().zip(densities).map(level).collect())
     }
 
+    /// The form taken off a FILE.
+    pub(crate) fn level(&self) -> Level {
+        self.level.unwrap_or(Level::Plane)
+    }
+
     /// What the model needs of a measured surface, and nothing else.
     pub(crate) fn measured(
         &self,
@@ -259,13 +264,19 @@ impl Source {
         surface: Complete,
     ) -> Result<Inputs, Failure> {
         let refused = |e: StatsError| Failure::in_file(path, &e);
-        let form = self.level.unwrap_or(Level::Mean);
+        let form = self.level();
         let edges = self.boundary.unwrap_or(Edges::Open).rule();
         let Complete { map: heights, missing, .. } = surface;
         let mut inputs = Inputs::new(modulus);
         inputs.gamma = self.gamma;
         inputs.critical_area = self.critical_area;
         inputs.nominal_area = Some(heights.grid().area());
+        let map = level(&heights, form).map_err(refused)?;
+        // Every model has the moments that a study gives it; only Persson's mean gap needs more.
+        let rms = HeightStatistics::of(&map).rms_height;
+        let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
+        inputs.source = MomentSource::FiniteDifferences;
+        inputs.moments = Some(differences.isotropic(rms * rms));
         if model == "majumdar-bhushan" {
             let options =
                 StatsOptions::default().with_level(form).with_edges(edges).with_missing(missing);
@@ -275,19 +286,13 @@ impl Source {
             inputs.fractal = fractal.and_then(|(_, parameters)| parameters);
             return Ok(inputs);
         }
-        let map = level(&heights, form).map_err(refused)?;
         drop(heights);
         match model {
             "persson" => inputs.spectrum = Some(radial(&map).map_err(refused)?),
             "stacked" | "multiscale" => {
                 inputs.amplitudes = Some(amplitudes(&map, Axis::X).map_err(refused)?);
             }
-            _ => {
-                let rms = HeightStatistics::of(&map).rms_height;
-                let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
-                inputs.source = MomentSource::FiniteDifferences;
-                inputs.moments = Some(differences.isotropic(rms * rms));
-            }
+            _ => {}
         }
         Ok(inputs)
     }
@@ -374,6 +379,7 @@ pub(crate) fn object(inputs: &Inputs) -> Value {
     let amplitudes = inputs.amplitudes.as_ref();
     json!({
         "moments": moments,
+        "source": inputs.moments.map(|_| inputs.source.name()),
         "asperities": asperities,
         "max_amplitude_ratio":
             inputs.max_amplitude_ratio.or(amplitudes.map(AmplitudeSpectrum::max_amplitude_ratio)),

@@ -11,15 +11,19 @@ use crate::progress::Progress;
 use crate::text::{self, Columns};
 use crate::work::{Work, map_names};
 use clap::Args;
-use compare::budget::{Budget, Map, NoAreaInterval, Stiffness, grid};
+use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, Level, Method, NotRefined, Precision, Solved, Surrounded, TwiceFiner, on_given,
+    EdgesName, Level, Method, NotRefined, Precision, Scene, Solved, Surrounded, TwiceFiner,
+    on_given,
 };
+use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};
 use serde_json::json;
 use std::borrow::Cow;
 use std::path::PathBuf;
+use surface_stats::clean::row_offsets;
+use surface_stats::{DirectionalMoments, HeightStatistics};
 
 #[derive(Args)]
 pub(crate) struct Solve {
@@ -33,7 +37,7 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
     gap: Option<List>,
     /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "none")]
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
     level: Level,
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
@@ -73,6 +77,9 @@ pub(crate) struct Solve {
     input: Input,
 }
 
+/// Most points of a map that is solved on a twice finer grid without being asked: 1024 x 1024.
+const MOST_UNASKED: usize = 1 << 20;
+
 /// Why an isolated contact is not solved for its gap.
 const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mean gap of an isolated \
                         contact depends on where one stops looking; give --pressure, or solve with \
@@ -105,10 +112,12 @@ impl Solve {
             form => surface_stats::level(&surface, form)
                 .map_err(|e| Failure::in_file(&self.input.file, &e))?,
         };
+        solved.scene = self.scene(&surface, modulus)?;
         let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
         let known = Map::with_step(&surface, height_step)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
         let given = surface.grid();
+        let part = (self.edges == EdgesName::Mirrored).then(|| surface.clone());
         let surface = Surrounded::new(Cow::Owned(surface), self.edges)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?
             .into_map();
@@ -130,6 +139,7 @@ impl Solve {
             drop(progress);
             let refinable = work.intervals.refinable.is_some() && can_be_refined;
             solved.loads = work.found();
+            solved.scene.pressed = work.pressed();
             solved.plan = Some(&outcome);
             let mut reply = self.reply(work, modulus.pascals(), "", &solved);
             planned::state(&outcome, refinable, &mut reply);
@@ -149,24 +159,13 @@ impl Solve {
             .build(surface.grid(), modulus)
             .map_err(|e| Failure::from_error(&e))?;
         let finer = Finest { builder: builder.maps(Maps::None), boundary, modulus, made: None };
-        let mut errors = Errors { known, kept: None, finer };
-        // Only the stiffness and a finer grid need the map again.
-        let taken = if self.stiffness || self.refine {
-            errors.kept = Some(surface);
-            Ok(())
-        } else {
-            solver.take_surface(surface)
-        };
+        // What lies between the points is looked at where each load touches.
+        let mut errors = Errors { known, whole: surface, part, finer };
         // Rising load, each solution the start of the next.
         for index in rising(&loads) {
             let load = loads[index];
             progress.working_on(&shown(load));
-            let result = match (&errors.kept, &taken) {
-                (Some(surface), _) => solver.solve(surface, load),
-                (None, Ok(())) => solver.solve_again(load),
-                (None, Err(error)) => Err(error.clone()),
-            };
-            let result = on_given(result, given);
+            let result = on_given(solver.solve(&errors.whole, load), given);
             let (budget, refined) = self.budget(load, &result, &mut solver, &mut errors);
             work.take(index, load, &result, budget.as_ref(), refined);
             progress.step(&shown(load));
@@ -174,7 +173,25 @@ impl Solve {
         drop(progress);
         let notes = work.intervals.notes(!self.refine && can_be_refined);
         solved.loads = work.found();
+        solved.scene.pressed = work.pressed();
         Ok(self.reply(work, modulus.pascals(), &notes, &solved))
+    }
+
+    /// What is asked of elasticity.
+    fn scene(&self, map: &HeightMap, modulus: ContactModulus) -> Result<Scene, Failure> {
+        let edges = surface_stats::Edges::Open;
+        let slopes = DirectionalMoments::of(map, edges)
+            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
+        let rms_height = HeightStatistics::of(map).rms_height;
+        let moments = slopes.isotropic(rms_height * rms_height);
+        Ok(Scene {
+            modulus: modulus.pascals(),
+            gradient: Some(moments.rms_gradient()),
+            rms_height: Some(rms_height),
+            radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
+            rows: row_offsets(map.grid(), map.heights()).ok(),
+            pressed: Vec::new(),
+        })
     }
 
     /// The errors of a solution: with its stiffness, and with what a twice finer grid says of it, if
@@ -196,23 +213,31 @@ impl Solve {
             }
         };
         let mut budget = Budget::of(solution, &errors.known);
-        let Some(surface) = &errors.kept else {
-            return (Some(under(load, &budget, solution)), None);
-        };
+        let given = errors.part.as_ref().unwrap_or(&errors.whole);
+        let repeats = errors.known.repeats && self.boundary != "free";
+        let modulus = solver.modulus();
+        if let Some(found) = Between::of(given, repeats, &solution.pressure, modulus) {
+            budget = budget.between(&found);
+        }
+        let surface = &errors.whole;
         if self.stiffness {
             // Loads beside one that was solved are no reason to fail: without them there is no
             // number.
             let pressure = solution.state.mean_pressure;
             if let Ok(Some(near)) = Stiffness::near(solver, surface, &errors.known, pressure) {
-                let line = grid::line_share(solution);
+                let line = grid::Line::of(solution);
                 budget = budget.with_stiffness(&near, &errors.known, line);
             }
         }
         let budget = under(load, &budget, solution);
-        if !(self.refine && TwiceFiner::helps(&budget)) {
+        // Where the points do not fix what touches, the answer itself may be wrong by factors: a
+        // finer grid is solved unasked if it is no more than a few million points.
+        let unasked = matches!(budget.area.grid, Err(NoAreaInterval::BetweenPoints { .. }))
+            && surface.grid().len() <= MOST_UNASKED;
+        if !((self.refine || unasked) && TwiceFiner::helps(&budget)) {
             return (Some(budget), None);
         }
-        let refined = errors.finer.solve(load, surface, &errors.known);
+        let refined = errors.finer.solve(load, surface, &errors.known, &budget);
         let budget = refined.as_ref().map_or(budget, |r| budget.refined(&r.found));
         (Some(budget), Some(refined))
     }
@@ -275,6 +300,7 @@ impl Solve {
         });
         let text =
             text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
+        let text = text + &text::level(self.level);
         Reply { text: text + notes, json, trouble: work.trouble }
     }
 }

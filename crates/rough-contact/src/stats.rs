@@ -14,7 +14,7 @@ use surface_stats::{StatsOptions, SurfaceStatistics, level};
 #[derive(Args)]
 pub(crate) struct Stats {
     /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "mean")]
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
     level: Level,
     /// What lies beyond the edges: nothing, or the same map again
     #[arg(long, value_enum, default_value_t = Edges::Open)]

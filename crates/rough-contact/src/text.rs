@@ -1,6 +1,6 @@
 //! Numbers and tables as people read them on a terminal.
 
-use compare::{Finding, Weight};
+use compare::{Finding, Level, Weight};
 use std::fmt;
 use surface_stats::clean::Record;
 
@@ -29,6 +29,17 @@ impl fmt::Display for Table {
 /// One line for each step of cleaning; nothing if there was none.
 pub(crate) fn cleaning(records: &[Record]) -> String {
     records.iter().map(|record| format!("cleaned: {record}\n")).collect::<Vec<_>>().concat()
+}
+
+/// Which moments every model is given.
+pub(crate) const MOMENTS: &str = "moments of the models: finite differences\n";
+
+/// What was taken off every map first.
+pub(crate) fn level(form: Level) -> String {
+    match form {
+        Level::None => "level: none, the heights as they are\n".to_owned(),
+        form => format!("level: {} taken off (--level)\n", form.name()),
+    }
 }
 
 /// Most findings that are shown.
@@ -108,6 +119,15 @@ pub(crate) fn length(metres: f64) -> String {
     with_prefix(metres, "m", 1e3)
 }
 
+/// "−1.20 µm to 2.30 µm"; where three digits cannot tell the ends apart, what lies between them too.
+pub(crate) fn length_range(low: f64, high: f64) -> String {
+    let (from, to) = (length(low), length(high));
+    if from == to && high > low {
+        return format!("about {from}, {} from lowest to highest", length(high - low));
+    }
+    format!("{from} to {to}")
+}
+
 /// A pressure in pascals, such as `50.0 MPa`.
 pub(crate) fn pressure(pascals: f64) -> String {
     with_prefix(pascals, "Pa", 1e13)
@@ -128,24 +148,27 @@ pub(crate) fn stiffness(pascals_per_metre: f64) -> String {
     format!("{pascals_per_metre:.2e} Pa/m")
 }
 
-/// A half width as a share of its value, such as `±2.1 %`; a dash where there is none.
-pub(crate) fn relative(half_width: Option<f64>, value: f64) -> String {
+/// A half width as a share of its value, such as `±2.1 %`; a dash where there is none. Of a number
+/// that may be zero only the upper end is known, as it is `shown`.
+pub(crate) fn relative(
+    half_width: Option<f64>,
+    value: f64,
+    shown: impl Fn(f64) -> String,
+) -> String {
     match half_width {
+        Some(half) if half >= value && half > 0.0 => format!("at most {}", shown(value + half)),
         Some(half) if value > 0.0 => format!("±{} %", significant(100.0 * half / value, 2)),
         _ => "–".to_owned(),
     }
 }
 
-/// A value with its uncertainty to one digit (two if it starts with 1), such as `1.96 ± 0.12 %`.
-pub(crate) fn plus_minus(value: f64, uncertainty: f64, unit: &str) -> String {
-    if !(uncertainty.is_normal() && uncertainty > 0.0) {
-        return format!("{} {unit}", digits(value));
+/// The highest pressure of a point. The mean over the contact cannot exceed it: where it seems to,
+/// the contacts are smaller than the points.
+pub(crate) fn highest(highest: f64, mean: Option<f64>) -> String {
+    match mean {
+        Some(mean) if mean > highest => format!("above {}", pressure(mean)),
+        _ => pressure(highest),
     }
-    let exponent = uncertainty.log10().floor();
-    let leading = (uncertainty / 10f64.powf(exponent)).round();
-    let extra = if leading < 2.0 { 1.0 } else { 0.0 };
-    let places = (extra - exponent).max(0.0) as usize;
-    minus(format!("{value:.places$} ± {uncertainty:.places$} {unit}"))
 }
 
 /// A pure number with four significant digits.
@@ -207,8 +230,26 @@ mod tests {
         assert_eq!(pressure(1.1e11), "110 GPa");
         assert_eq!(percent(0.0196), "1.96 %");
         assert_eq!(number(2.50663), "2.507");
-        assert_eq!(plus_minus(1.5012, 0.0551, "%"), "1.50 ± 0.06 %");
-        assert_eq!(plus_minus(1.9632, 0.1234, "%"), "1.96 ± 0.12 %");
-        assert_eq!(plus_minus(53.4, 3.2, "%"), "53 ± 3 %");
+        assert_eq!(length_range(-1.2e-6, 2.3e-6), "−1.20 µm to 2.30 µm");
+    }
+
+    #[test]
+    fn heights_about_a_large_offset_show_their_range() {
+        let shown = length_range(0.107, 0.107_003_2);
+        assert_eq!(shown, "about 107 mm, 3.20 µm from lowest to highest");
+    }
+
+    #[test]
+    fn a_bar_that_reaches_zero_is_one_sided() {
+        assert_eq!(relative(Some(0.016), 0.012, percent), "at most 2.80 %");
+        assert_eq!(relative(Some(0.001), 0.01, percent), "±10 %");
+        assert_eq!(relative(None, 0.01, percent), "–");
+    }
+
+    #[test]
+    fn the_highest_pressure_is_never_below_the_mean() {
+        assert_eq!(highest(100e6, Some(190e6)), "above 190 MPa");
+        assert_eq!(highest(300e6, Some(190e6)), "300 MPa");
+        assert_eq!(highest(300e6, None), "300 MPa");
     }
 }

@@ -5,8 +5,8 @@ use crate::loads::shown;
 use crate::outcome::{Failure, variant};
 use crate::output::Folder;
 use crate::text;
-use compare::NotRefined;
 use compare::budget::{Budget, Given, NoAreaInterval};
+use compare::{NotRefined, Pressed};
 use contact_types::Grid;
 use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};
@@ -25,6 +25,8 @@ pub(crate) struct Work {
     pub(crate) points: Vec<Option<Point>>,
     pub(crate) intervals: Intervals,
     pub(crate) grid: Grid,
+    /// What presses at each load that converged.
+    pressed: Vec<Option<Pressed>>,
     /// Whether each load converged, and why its area has no bar.
     found: Vec<Option<(bool, Option<NoAreaInterval>)>>,
 }
@@ -39,6 +41,7 @@ impl Work {
             points: (0..loads).map(|_| None).collect(),
             intervals: Intervals::default(),
             grid,
+            pressed: vec![None; loads],
             found: vec![None; loads],
         }
     }
@@ -46,6 +49,13 @@ impl Work {
     /// Of each load taken: whether it converged, and why its area has no bar, if it has none.
     pub(crate) fn found(&self) -> Vec<(bool, Option<NoAreaInterval>)> {
         self.found.iter().copied().flatten().collect()
+    }
+
+    /// What presses at each load that converged, by rising load.
+    pub(crate) fn pressed(&self) -> Vec<Pressed> {
+        let mut all: Vec<Pressed> = self.pressed.iter().copied().flatten().collect();
+        all.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
+        all
     }
 
     /// True if the pressure and the gap of each load are written.
@@ -57,6 +67,7 @@ impl Work {
     pub(crate) fn begin(&mut self, grid: Grid) {
         self.points.iter_mut().for_each(|point| *point = None);
         self.found.iter_mut().for_each(|found| *found = None);
+        self.pressed.iter_mut().for_each(|pressed| *pressed = None);
         self.trouble = None;
         self.intervals = Intervals::default();
         self.grid = grid;
@@ -90,6 +101,7 @@ impl Work {
         let bare = budget.and_then(|b| b.area.comparison_half_width().err());
         self.found[index] = Some((error.is_none(), bare));
         if let (Ok(solution), Some(budget)) = (result, budget) {
+            self.pressed[index] = pressed(solution, budget);
             self.intervals.take(&shown(load), solution, budget, refined);
         }
         if let Some(error) = error {
@@ -122,6 +134,15 @@ impl Work {
         }
         Ok(())
     }
+}
+
+/// What presses at a load.
+fn pressed(solution: &Solution, budget: &Budget) -> Option<Pressed> {
+    Some(Pressed {
+        nominal: solution.state.mean_pressure,
+        mean: budget.real_pressure()?.value(),
+        highest: Some(solution.diagnostics.max_pressure),
+    })
 }
 
 fn map_name(field: &str, index: usize) -> String {
@@ -176,20 +197,26 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
         "error": error_json,
     });
     with_keys(&mut json, Some(budget));
-    let real = budget.real_pressure();
+    let mean = budget.real_pressure().map(|r| r.value());
+    let area = &budget.area;
     let mut cells = vec![text::pressure(state.mean_pressure)];
     if budget.given == Given::Gap {
         let load = budget.mean_pressure;
-        cells.push(text::relative(load.comparison_half_width().ok(), load.value));
+        let half = load.comparison_half_width().ok();
+        cells.push(text::relative(half, load.value, text::pressure));
     }
     cells.extend([
         text::percent(state.area_fraction),
         text::percent(d.area_fraction_corrected),
-        text::relative(budget.area.comparison_half_width().ok(), budget.area.value),
-        text::relative(budget.area.prediction_half_width(), budget.area.value),
+        text::relative(area.comparison_half_width().ok(), area.value, |most| {
+            text::percent(most.min(1.0))
+        }),
+        text::relative(area.prediction_half_width(), area.value, |most| {
+            text::percent(most.min(1.0))
+        }),
         state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
-        real.map_or_else(|| "–".to_owned(), |r| text::pressure(r.value())),
-        text::pressure(d.max_pressure),
+        mean.map_or_else(|| "–".to_owned(), text::pressure),
+        text::highest(d.max_pressure, mean),
         text::number(d.transforms),
         format!("{:.1e}", d.residuals.preconditioned),
         text::seconds(d.seconds),

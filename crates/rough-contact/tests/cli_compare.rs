@@ -189,3 +189,37 @@ fn what_a_study_refuses() {
     let unwritable = format!("compare a.npy {read} --modulus 1GPa --pressure 1MPa --out plain/r");
     refused(at, &unwritable, 1, &["cannot be written"]);
 }
+
+/// Two files of one name, two elastic bodies, a load named as it is printed; and the command on the
+/// page repeats the run.
+#[test]
+fn a_study_can_be_told_apart_and_repeated_as_its_page_says() {
+    let dir = folder();
+    let at = dir.path();
+    for (place, seed) in [("one", 1), ("two", 2)] {
+        std::fs::create_dir(at.join(place)).unwrap();
+        let synth = format!(
+            "synth --shape 32,32 --pixel 1um --hurst 0.8 --rolloff 32um --cutoff 8um \
+             --rms-height 0.2um --seed {seed} --out {place}/s.x3p"
+        );
+        assert_eq!(rough_contact(at, &synth).status, 0);
+    }
+    let line = "compare one/s.x3p two/s.x3p --young 210GPa --poisson 0.3 --young 70GPa \
+                --poisson 0.35 --pressure 10MPa..100MPa:3 --headline 31.6MPa --out out";
+    let said = rough_contact(at, line);
+    assert_eq!(said.status, 0, "{}", said.err);
+    for text in ["one/s.x3p, ", "two/s.x3p, ", "± of grid"] {
+        assert!(said.out.contains(text), "{text}: {}", said.out);
+    }
+    let read = |name: &str| std::fs::read_to_string(at.join("out").join(name)).unwrap();
+    let csv = read("curves.csv");
+    assert_eq!(csv.lines().filter(|l| l.starts_with("two/s.x3p,")).count(), 3, "{csv}");
+    let settings = serde_json::from_str::<Value>(&read("results.json")).unwrap();
+    assert_eq!(settings["settings"]["bodies"][1], json!({ "young": 70e9, "poisson": 0.35 }));
+    let page = read("report.html");
+    assert!(page.contains("two elastic half spaces") && !page.contains("rigid flat"));
+    let command = page.split("<pre>").nth(1).unwrap().split("</pre>").next().unwrap();
+    let again = rough_contact(at, command.strip_prefix("rough-contact ").unwrap());
+    assert_eq!(again.status, 0, "{command}: {}", again.err);
+    assert!(at.join("out-again/report.html").exists());
+}

@@ -23,7 +23,7 @@ fn open(findings: &Value) -> Vec<(String, String)> {
     for f in list {
         assert!(["check", "note", "passed"].contains(&f["weight"].as_str().unwrap()));
         assert!(
-            ["surface", "grid", "solution", "edges", "plan"]
+            ["material", "surface", "grid", "solution", "edges", "plan"]
                 .contains(&f["subject"].as_str().unwrap())
         );
         for key in ["claim", "text"] {
@@ -57,7 +57,7 @@ fn a_surface_that_is_resolved_has_nothing_to_check_in_a_solve() {
         let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 32.0).cos();
         wave(iy) * wave(ix)
     });
-    let line = "solve waves.txt --pixel 1um --height-unit um --modulus 1GPa --pressure 9MPa --json";
+    let line = "solve waves.txt --pixel 1um --height-unit nm --modulus 1GPa --pressure 9kPa --json";
     assert_eq!(rough_contact(folder.path(), line).answered()["findings"], Value::Array(vec![]));
 }
 

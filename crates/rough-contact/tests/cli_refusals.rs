@@ -38,9 +38,23 @@ fn what_the_file_does_not_say_is_asked_for() {
     let dir = folder();
     let at = dir.path();
     matrix(at, "bare.txt", 4, 5, wavy);
-    refused(at, "info bare.txt", 2, &["--pixel", "--height-unit"]);
-    refused(at, "info bare.txt --pixel 1um", 2, &["--height-unit"]);
-    refused(at, "info bare.txt --height-unit um", 2, &["--pixel"]);
+    for (line, needs) in [
+        ("info bare.txt", &["--pixel", "--height-unit"][..]),
+        ("info bare.txt --pixel 1um", &["--height-unit"]),
+        ("info bare.txt --height-unit um", &["--pixel"]),
+    ] {
+        // What can be said without units is said.
+        let said = rough_contact(at, line);
+        assert_eq!(said.status, 2, "{line}: {}", said.err);
+        assert!(said.out.contains("4 rows × 5 columns"), "{line}: {}", said.out);
+        assert_eq!(said.out.contains("unit unknown"), needs.contains(&"--height-unit"));
+        assert!(needs.iter().all(|need| said.err.contains(need)), "{line}: {}", said.err);
+    }
+    let raw = rough_contact(at, "info bare.txt --json").json();
+    assert_eq!(raw["shape"], serde_json::json!([4, 5]));
+    assert!(raw["raw_height_min"].is_f64() && raw["error"]["message"].is_string(), "{raw}");
+    refused(at, "info bare.txt --height-unit MM --pixel 1um", 2, &["did you mean mm?"]);
+    refused(at, "info bare.txt --height-unit um --pixel 0,5um", 2, &["decimal comma", "0.5um"]);
     refused(at, "info bare.txt --height-unit furlong --pixel 1um", 2, &["furlong", "um"]);
     refused(at, "info bare.txt --height-unit um --pixel 1", 2, &["1um"]);
     refused(at, "info bare.txt --height-unit um --pixel -1um", 2, &["greater than 0"]);
@@ -59,6 +73,22 @@ fn what_three_columns_are() {
     let dir = folder();
     let at = dir.path();
     matrix(at, "heights.txt", 20, 3, wavy);
+    // A list is asked for the unit of its coordinates, not for a pixel; both can be given.
+    file(at, "coordinates.txt", "x y z\n0 0 1\n1 0 2\n0 2 3\n1 2 4\n");
+    refused(at, "info coordinates.txt --height-unit mm", 2, &["--lateral-unit"]);
+    let read = "info coordinates.txt --height-unit mm --lateral-unit um --json";
+    let pixel = rough_contact(at, read).answered()["pixel"].clone();
+    assert!((pixel[0].as_f64().unwrap() / 2e-6 - 1.0).abs() < 1e-12, "{pixel}");
+    // A unit in the file is kept unless it is overruled.
+    file(at, "nm.txt", "# Width: 2 um\n# Height: 2 um\n# Value units: nm\n1 2\n3 4\n");
+    let highest = |options: &str| {
+        let said = rough_contact(at, &format!("info nm.txt {options} --json"));
+        (said.answered()["height_max"].as_f64().unwrap(), said.err)
+    };
+    let (kept, said) = highest("--height-unit um");
+    assert!((kept / 4e-9 - 1.0).abs() < 1e-12 && said.contains("--override-height-unit"), "{said}");
+    let (overruled, said) = highest("--override-height-unit um");
+    assert!((overruled / 4e-6 - 1.0).abs() < 1e-12 && said.is_empty(), "{said}");
     refused(at, &format!("stats heights.txt {SCALES}"), 2, &["list x y z", "--layout matrix"]);
     refused(at, &format!("stats heights.txt {SCALES} --layout rows"), 2, &["matrix", "list"]);
     let said = rough_contact(at, &format!("stats heights.txt {SCALES} --layout matrix --json"));

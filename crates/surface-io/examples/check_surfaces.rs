@@ -87,7 +87,7 @@ fn check(dir: &Path, name: &str, entry: &Value) -> Result<String, String> {
         }
         expected => expected,
     };
-    if let Err(ReadError::Unsupported { format: Format::Hdf5 | Format::Mnt, .. }) = &first {
+    if let Err(ReadError::Unsupported { format: Format::Mnt, .. }) = &first {
         return Ok(format!("{NOT_READ}: {}", first.err().map_or(String::new(), |e| e.to_string())));
     }
     let number = |key: &str| expected.get(key).and_then(Value::as_f64);

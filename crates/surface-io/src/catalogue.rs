@@ -48,8 +48,27 @@ rows! {
     Nid, nid, ["nid", "ezd"], "all channels of images; spectra are left out";
     Wsxm, wsxm, ["stp", "top"], "images";
     Plu, plu, ["plu"], "topographies, all layers";
-    Hdf5, hdf5, ["h5", "datx"],
-        "recognised and refused with the way out; also NetCDF-4 and DATX";
+    Vk, vk, ["vk4", "vk6", "vk7"], "height images of laser microscopes; VK3, VK4, VK6, VK7";
+    #[cfg(feature = "zip")]
+    Zon, zon, ["zon"], "height with missing points";
+    #[cfg(feature = "zip")]
+    Plux, plux, ["plux"], "all layers; not checked against a real file";
+    #[cfg(feature = "zip")]
+    Lext, lext, ["lext"], "height image, others are listed; not checked against a real file";
+    Park, park, ["tiff"], "maps and profiles of XEI and SmartScan";
+    Jpk, jpk, ["jpk", "jpk-qi-image"], "all channels";
+    Tiff, tiff_plain, ["tif", "tiff"],
+        "plain pictures of one number a point; pixel size and unit are to be given";
+    Mdt, mdt, ["mdt"], "general maps; scans, not checked against a real file";
+    Sxm, sxm, ["sxm"], "all channels, both ways";
+    Zmg, zmg, ["zmg"], "height; not checked against a real file";
+    Os3d, os3d, ["os3d"], "height with missing points; not checked against a real file";
+    #[cfg(feature = "zip")]
+    Mitutoyo, mitutoyo, ["xlsx"],
+        "the profile of a SurfTest tester; checked against made workbooks only";
+    Datx, datx, ["datx"], "all maps; not checked against a real file";
+    Hdf5, hdf5, ["h5", "hdf5"],
+        "every data set of two axes, also of NetCDF-4 and MATLAB 7.3; unit from its attribute";
     Mnt, mnt, ["mnt"], "recognised and refused with the way out";
     Text, table, ["csv", "asc", "tsv", "txt", "xyz"],
         "matrices, lists of x y z, profiles; any separator, decimal comma, missing cells";

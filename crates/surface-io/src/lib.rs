@@ -23,6 +23,7 @@ mod finish;
 mod format;
 mod formats;
 mod harmonic;
+mod hdf5;
 mod layout;
 mod limits;
 mod meaning;
@@ -31,7 +32,9 @@ mod need;
 mod options;
 mod read;
 mod text;
+mod tiff;
 mod units;
+mod unpack;
 pub mod write;
 #[cfg(feature = "zip")]
 mod xml;

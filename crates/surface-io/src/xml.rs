@@ -83,7 +83,6 @@ pub(crate) fn walk(
     }
 }
 
-#[allow(dead_code, reason = "for the readers of PLUX and ZON")]
 /// The text of every element that has some, by its path below the root; of equal paths the first.
 pub(crate) fn fields(
     xml: &[u8],

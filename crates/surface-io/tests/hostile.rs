@@ -4,6 +4,8 @@ mod common;
 
 use common::binary::{gzip, npy, x3p_main, zip};
 use common::{assert_sample, samples};
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
 use std::fmt::Write as _;
 use surface_io::{
     FORMATS, Layout, Limits, ReadError, ReadOptions, read_bytes, read_channels_bytes,
@@ -17,12 +19,18 @@ fn tight() -> Limits {
     limits
 }
 
+/// In the midst of zeros that fill a file up: one such byte is as good as the next.
+fn is_padding(bytes: &[u8], at: usize) -> bool {
+    let around = bytes.get(at.saturating_sub(8)..(at + 8).min(bytes.len()));
+    at >= 8 && around.is_some_and(|around| around.iter().all(|&byte| byte == 0))
+}
+
 #[test]
 fn every_prefix_is_refused_or_right() {
     for sample in samples() {
         let mut options = sample.options.clone();
         options.limits = tight();
-        for length in 0..sample.bytes.len() {
+        for length in (0..sample.bytes.len()).filter(|&at| !is_padding(&sample.bytes, at)) {
             let found = read_bytes(&sample.bytes[..length], &options);
             let _ = read_channels_bytes(&sample.bytes[..length], &options.limits);
             // The end of a text file and of some trailers cannot be missed by anyone.
@@ -41,7 +49,7 @@ fn every_single_byte_corruption_is_survived() {
         let mut options = sample.options.clone();
         options.limits = tight();
         let mut bytes = sample.bytes.clone();
-        for at in 0..bytes.len() {
+        for at in (0..bytes.len()).filter(|&at| !is_padding(&sample.bytes, at)) {
             let original = bytes[at];
             for value in [0, 0xff, 0x7f, original ^ 0x80, original ^ 1, b'9', b'-'] {
                 bytes[at] = value;
@@ -167,4 +175,61 @@ fn long_text_is_read_in_linear_time() {
     let header = "# nothing\n".repeat(1_000_000);
     let error = read_bytes(header.as_bytes(), &ReadOptions::default()).unwrap_err();
     assert!(matches!(error, ReadError::Limit { .. } | ReadError::UnknownFormat { .. }), "{error}");
+}
+
+/// Random edits of every sample, read by its own format: the poor man's fuzzing, for machines without
+/// a nightly compiler. `SURFACE_IO_MUTANTS` sets how many files per sample.
+#[test]
+#[ignore = "slow: a thousand damaged files of every sample"]
+fn random_damage_is_survived() {
+    let count = std::env::var("SURFACE_IO_MUTANTS").ok().and_then(|n| n.parse().ok());
+    let count: u64 = count.unwrap_or(1000);
+    for sample in samples() {
+        let found = read_bytes(&sample.bytes, &sample.options).unwrap();
+        let spec = FORMATS.iter().find(|spec| spec.format == found.format()).unwrap();
+        let options = sample.options.clone().with_limits(tight());
+        for seed in 0..count {
+            let mut random = Pcg64Mcg::seed_from_u64(seed);
+            let mut bytes = sample.bytes.clone();
+            for _ in 0..=random.next_u32() % 6 {
+                damage(&mut bytes, &mut random);
+            }
+            for result in [spec.read(&bytes, &options), read_bytes(&bytes, &options)] {
+                if let Ok(found) = result {
+                    let [ny, nx] = found.grid().shape();
+                    assert_eq!(found.heights().len(), ny * nx, "{}, seed {seed}", sample.name);
+                    assert!(found.heights().iter().all(|h| !h.is_infinite()));
+                    assert!((ny * nx) as u64 <= tight().points);
+                }
+            }
+            let _ = read_channels_bytes(&bytes, &options.limits);
+        }
+    }
+}
+
+fn damage(bytes: &mut Vec<u8>, random: &mut Pcg64Mcg) {
+    const NUMBERS: [u32; 9] =
+        [0, 1, 2, 0xff, 0xffff, 0x7fff_ffff, 0x8000_0000, 0xffff_fffe, 0xffff_ffff];
+    if bytes.is_empty() {
+        return;
+    }
+    // Headers are where it hurts.
+    let end = if random.next_u32().is_multiple_of(2) { bytes.len().min(600) } else { bytes.len() };
+    let at = random.next_u32() as usize % end;
+    match random.next_u32() % 5 {
+        0 => bytes[at] = random.next_u32() as u8,
+        1 => bytes[at] ^= 1 << (random.next_u32() % 8),
+        2 => {
+            let number = NUMBERS[random.next_u32() as usize % NUMBERS.len()].to_le_bytes();
+            let width = [1, 2, 4][random.next_u32() as usize % 3].min(bytes.len() - at);
+            bytes[at..at + width].copy_from_slice(&number[..width]);
+        }
+        3 => bytes.truncate(at),
+        _ => {
+            let length = (random.next_u32() as usize % 40).min(bytes.len() - at);
+            let piece = bytes[at..at + length].to_vec();
+            let to = random.next_u32() as usize % bytes.len();
+            bytes.splice(to..to, piece);
+        }
+    }
 }

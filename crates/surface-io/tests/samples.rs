@@ -41,6 +41,48 @@ fn what_the_file_does_not_say_is_needed() {
     assert_eq!(found.kept_unit(), None);
 }
 
+/// A tester's workbook is a profile; another workbook is refused with its sheets.
+#[test]
+fn a_workbook_of_a_roughness_tester() {
+    let file = common::microscopes::mitutoyo();
+    let found = read_bytes(&file, &ReadOptions::default()).unwrap();
+    assert!(found.is_profile() && found.uneven().is_none());
+    assert_eq!(found.grid().shape(), [1, 5]);
+    assert!((found.grid().pixel()[1] / 1.5e-6 - 1.0).abs() < 1e-12);
+    assert!((found.heights()[4] - 2e-6).abs() < 1e-18);
+    for length in 0..file.len() {
+        let _ = read_bytes(&file[..length], &ReadOptions::default());
+    }
+    let other = common::binary::zip(&[
+        ("xl/workbook.xml", b"<workbook/>"),
+        ("xl/_rels/workbook.xml.rels", b"<Relationships/>"),
+    ]);
+    let error = read_bytes(&other, &ReadOptions::default()).unwrap_err().to_string();
+    assert!(error.contains("DATA") && error.contains("CSV"), "{error}");
+}
+
+/// Channels are chosen by what they are, and one that cannot be read does not cost the others.
+#[test]
+fn the_topography_is_read_and_a_bad_channel_costs_nothing() {
+    let find = |name: &str| samples().into_iter().find(|s| s.name == name).unwrap();
+    let jpk = find("jpk");
+    let found = read_bytes(&jpk.bytes, &jpk.options).unwrap();
+    assert_eq!((found.channel(), found.channels().len()), ("Height (retrace)", 2));
+    let other = jpk.options.clone().with_channel("error");
+    assert_eq!(read_bytes(&jpk.bytes, &other).unwrap().channel(), "Error (retrace)");
+    let lext = find("lext");
+    let found = read_bytes(&lext.bytes, &lext.options).unwrap();
+    assert_eq!(found.channel(), "HEIGHT");
+    // Two bytes a point become three: the channel of the thumbnail is at fault, no other.
+    let mut broken = lext.bytes.clone();
+    let bits = broken.windows(4).position(|w| w == [2, 1, 3, 0]).unwrap() + 8;
+    broken[bits] = 24;
+    let found = read_bytes(&broken, &lext.options).unwrap();
+    assert!(found.channels()[0].fault.as_ref().is_some_and(|fault| fault.contains("24 bits")));
+    let asked = lext.options.clone().with_channel("#1");
+    assert!(read_bytes(&broken, &asked).unwrap_err().to_string().contains("24 bits"));
+}
+
 /// SPIP writes the scale of its numbers into the header.
 #[test]
 fn a_conversion_factor_is_a_unit() {
@@ -160,7 +202,9 @@ fn files_that_are_none() {
     assert!(matches!(read_bytes(b"no numbers", &options), Err(ReadError::UnknownFormat { .. })));
     assert!(matches!(read_bytes(b"1\n2\n3\n", &options), Err(ReadError::Ambiguous { .. })));
     let error = read_bytes(b"\x89HDF\r\n\x1a\n\0\0\0\0", &options).unwrap_err();
-    assert!(error.to_string().contains("export to X3P"), "{error}");
+    assert!(matches!(error, ReadError::Malformed { .. }), "{error}");
+    let error = read_bytes(b"OLYMPUSRAWFORMAT\x0c\0\0\0", &options).unwrap_err().to_string();
+    assert!(error.contains("OIR") && error.contains("LEXT"), "{error}");
     let error = read_bytes(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0\0", &options).unwrap_err();
     assert!(error.to_string().contains("SUR"), "{error}");
     let several =

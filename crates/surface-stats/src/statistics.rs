@@ -1,5 +1,6 @@
 //! The one call most users need.
 
+use crate::clean::{RowOffsets, row_offsets};
 use crate::fractal::PowerLaw;
 use crate::noise::white_noise_moments;
 use crate::options::{StatsOptions, check_range};
@@ -170,6 +171,7 @@ impl SurfaceStatistics {
         let summits = Summits::of(&surface, options.edges)?;
         let amplitudes = amplitudes_of_levelled(&surface, Axis::X)?;
         let edge_jump = seam_jump(&surface);
+        let rows = row_offsets(grid, surface.heights())?;
 
         let power = PowerSpectrum::of_field(grid, surface.heights());
         let (spectral, _) = power.moments();
@@ -234,7 +236,7 @@ impl SurfaceStatistics {
         let spacing = f64::EPSILON * low.abs().max(high.abs());
         let directional = differences.anisotropy();
         statistics.warnings =
-            statistics.judge(tilt, spacing, edge_jump, directional, resolved.unwrap_or(1.0));
+            statistics.judge(tilt, spacing, edge_jump, directional, resolved.unwrap_or(1.0), &rows);
         Ok((statistics, Spectra { power, amplitudes }))
     }
 
@@ -287,6 +289,7 @@ impl SurfaceStatistics {
         edge_jump: f64,
         anisotropy: Option<f64>,
         resolved: f64,
+        rows: &RowOffsets,
     ) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if self.rms_height <= 0.0 {
@@ -306,7 +309,10 @@ impl SurfaceStatistics {
         if resolved < 0.94 {
             warnings.push(Warning::Unresolved { ratio: resolved });
         }
-        if let Some(ratio) = anisotropy.filter(|&r| r > 2.0) {
+        if rows.rows_jump() {
+            // Slopes across the rows are those of the jumps: no lay is known.
+            warnings.push(Warning::RowsJump { jump: rows.jump, share: rows.share });
+        } else if let Some(ratio) = anisotropy.filter(|&r| r > 2.0) {
             warnings.push(Warning::Anisotropic { ratio });
         }
         if let (Some(skewness), Some(kurtosis)) = (self.skewness, self.kurtosis)

@@ -2,12 +2,15 @@
 
 /// Heights looked at; enough to see a step, few enough to sort at no cost.
 const SAMPLE: usize = 100_000;
+/// Spacing of the numbers themselves over the range of the heights from which it counts as a step.
+const COARSE: f64 = 1e-3;
 
 /// The step that all heights are multiples of (from the lowest), or `None` if there is none.
 ///
 /// Sorted distinct heights must lie whole multiples of their smallest distance apart, each to
 /// 5 % of it; with four heights or more, some of them repeated, or sixteen or more, this does not
-/// happen by chance. NaN is skipped.
+/// happen by chance. NaN is skipped. Heights so far from zero that double precision rounds them by
+/// more than a thousandth of their range have its spacing for a step.
 pub fn height_step(heights: &[f64]) -> Option<f64> {
     let stride = heights.len().div_ceil(SAMPLE).max(1);
     let mut sample = Vec::with_capacity(heights.len().div_ceil(stride));
@@ -17,6 +20,11 @@ pub fn height_step(heights: &[f64]) -> Option<f64> {
     // Two computations of one integer may differ in the last bits.
     let magnitude = sample.first()?.abs().max(sample.last()?.abs());
     let rounding = 2.0 * f64::EPSILON * magnitude;
+    // Far from zero, the numbers themselves come in steps.
+    let spacing = f64::EPSILON * magnitude;
+    if spacing > COARSE * (sample.last()? - sample.first()?) && sample.last()? > sample.first()? {
+        return Some(spacing);
+    }
     sample.dedup_by(|b, a| *b - *a <= rounding);
     let distinct = sample.len();
     if distinct < 4 || (distinct < 16 && 2 * distinct > points) {
@@ -57,6 +65,15 @@ mod tests {
     fn finds_the_spacing_of_single_precision() {
         let stored: Vec<f64> = wavy(20_000).map(|h| f64::from((76e-3 + h) as f32)).collect();
         assert_relative_eq!(height_step(&stored).unwrap(), 0.0625 / 8388608.0, max_relative = 1e-9);
+    }
+
+    /// Numbers near 1e9 are 2^-23 apart.
+    #[test]
+    fn an_offset_that_rounds_the_heights_makes_steps() {
+        let far: Vec<f64> = wavy(20_000).map(|h| 1e9 + h).collect();
+        let step = height_step(&far).unwrap();
+        assert!((0.5f64.powi(23)..=0.5f64.powi(22)).contains(&step), "{step:e}");
+        assert_eq!(height_step(&wavy(20_000).map(|h| 1e3 + h).collect::<Vec<_>>()), None);
     }
 
     #[test]

@@ -20,6 +20,13 @@ pub enum Warning {
         /// Its share (-).
         explained: f64,
     },
+    /// Rows stand at heights of their own, as a scanning probe leaves them.
+    RowsJump {
+        /// Rms jump from row to row (m).
+        jump: f64,
+        /// Part of the mean square difference of neighbouring rows that it makes (-).
+        share: f64,
+    },
     /// Mean square slopes differ between directions; isotropic models do not hold.
     Anisotropic {
         /// Largest over smallest mean square slope (-); infinite for parallel ridges.
@@ -96,6 +103,7 @@ impl Warning {
             Self::Flat => "flat",
             Self::Rounding { .. } => "rounding",
             Self::Tilted { .. } => "tilted",
+            Self::RowsJump { .. } => "rows-jump",
             Self::Anisotropic { .. } => "anisotropic",
             Self::NotGaussian { .. } => "not-gaussian",
             Self::NarrowBand { .. } => "narrow-band",
@@ -125,6 +133,12 @@ impl fmt::Display for Warning {
                 "a plane explains {:.0} % of the height variance: level the map (plane) unless the \
                  tilt belongs to the contact",
                 100.0 * explained
+            ),
+            Self::RowsJump { jump, share } => write!(
+                f,
+                "rows jump by {jump:.1e} m rms, {:.0} % of the mean square difference between rows: \
+                 put them in line before anything is made of slopes across them",
+                100.0 * share
             ),
             Self::Anisotropic { ratio } if ratio > 1e6 => write!(
                 f,

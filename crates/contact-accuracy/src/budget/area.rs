@@ -18,8 +18,9 @@ const LEFT_OF_CORRECTION_FREE: f64 = 0.4;
 /// 8 edges per radius.
 const POINTS_INSIDE: f64 = 0.676 / 8.0;
 
-/// Waves, by their part in the mean square gradient, below which a surface is a regular pattern.
-const FEW_WAVES: f64 = 2.5;
+/// Waves, by their part in the mean square gradient, below which a surface is a regular pattern. Above,
+/// the less of the points along its contact lines come in together: as its square.
+const FEW_WAVES: f64 = 3.2;
 
 /// Points by which an area may be wrong per edge of the contact line of a regular pattern: half a
 /// point to either side of the count, from which the correction has moved away.
@@ -206,13 +207,23 @@ impl AreaAccuracy {
     /// area: a part of the correction ([`left_of_correction`]), and chance. A line through a grid of
     /// points takes in a few more or less of them; twice the standard deviation. On a regular
     /// pattern, which one or two waves make, the points along a line come in all at once: half a
-    /// point per edge.
+    /// point per edge. Of more waves less, as the square of their number.
     pub fn line_left_over(&self, contact_perimeter: f64) -> f64 {
         let left_over = self.left_of_correction() * BOUNDARY_CORRECTION * contact_perimeter;
         let chance = 2.0 * (POINTS_INSIDE * contact_perimeter / self.grid.len() as f64).sqrt();
-        let is_regular = self.boundary == Boundary::Periodic && self.waves < FEW_WAVES;
-        let together = if is_regular { TOGETHER * contact_perimeter } else { 0.0 };
-        left_over.hypot(chance).max(together)
+        let regular = match self.boundary {
+            Boundary::Periodic => (FEW_WAVES / self.waves).min(1.0).powi(2),
+            Boundary::Free => 0.0,
+        };
+        left_over.hypot(chance).max(regular * TOGETHER * contact_perimeter)
+    }
+
+    /// By how much a lay or a regular pattern widens the bar of the area, at least 1: where the edges
+    /// of a contact line run alike, all that depends on them is wrong in one direction.
+    pub fn widened(&self, contact_perimeter: f64) -> f64 {
+        let any = Self { directions: 1.0, waves: f64::INFINITY, ..*self };
+        let ratio = self.line_left_over(contact_perimeter) / any.line_left_over(contact_perimeter);
+        if ratio > 1.0 { ratio } else { 1.0 } // no line, no ratio
     }
 
     /// Part of the correction that is left as uncertainty on this map: [`left_of_correction`], with

@@ -1,6 +1,7 @@
 //! The numbers of one solution, each with its errors by source.
 
 use super::area::iteration_half_width;
+use super::between::Between;
 use super::map::Map;
 use super::no_interval::NoAreaInterval;
 use super::{grid, iteration, sample};
@@ -65,7 +66,9 @@ impl Estimate {
     }
 
     fn around(&self, half: f64) -> [f64; 2] {
-        [(self.value - half).max(0.0), (self.value + half).min(self.most)]
+        // Rounding may leave a number just below 0, where no end may follow.
+        let low = (self.value - half).max(0.0).min(self.most);
+        [low, (self.value + half).min(self.most).max(low)]
     }
 }
 
@@ -84,6 +87,9 @@ pub struct Budget {
     pub stiffness: Option<Estimate>,
     /// Relative standard error of the area by blocks, where they can tell.
     pub area_scatter: Option<f64>,
+    /// Why the grid of this solution has no bar of its own, if it has none; one from a finer grid
+    /// may stand with the numbers all the same.
+    pub own: Result<(), NoAreaInterval>,
 }
 
 impl Budget {
@@ -98,22 +104,22 @@ impl Budget {
         } else {
             map.accuracy.grid_half_width(solution)
         };
-        let line = grid::line_share(solution);
+        let line = grid::Line::of(solution);
         // An isolated contact is no sample of a surface that goes on.
         let goes_on = found.boundary == Boundary::Periodic;
         let scatter = goes_on
             .then(|| sample::area_scatter(&solution.pressure, map.accuracy.grid(), sample::PARTS))
             .flatten();
-        let relative = scatter.map(|s| sample::area_half_width(s, map.height_scatter));
+        let relative = scatter.map(|s| map.scatter.area_half_width(s));
         let gap = |gap: f64| Estimate {
-            value: gap,
+            value: gap.max(0.0), // rounding may leave it just below at full contact
             grid: if goes_on {
                 gate.map(|_| grid::gap_half_width(map, line))
             } else {
                 Err(NoAreaInterval::NotStudied("the gap of an isolated contact"))
             },
             iteration: iteration.map(|_| iteration::gap_half_width(map, found)),
-            sample: goes_on.then(|| gap * sample::gap_half_width(map.height_scatter)),
+            sample: goes_on.then(|| gap.max(0.0) * map.scatter.gap_half_width()),
             most: f64::INFINITY,
         };
         Self {
@@ -129,7 +135,27 @@ impl Budget {
             mean_gap: solution.state.mean_gap.map(gap),
             stiffness: None,
             area_scatter: scatter,
+            own: gate.map(|_| ()),
         }
+    }
+
+    /// The same where it is known how much the interpolants of the map differ at the contact: no bar
+    /// of the grid where that is too much.
+    #[must_use]
+    pub fn between(mut self, found: &Between) -> Self {
+        if found.is_small() {
+            if let Some(gap) = &mut self.mean_gap {
+                gap.grid = gap.grid.map(|half| half.max(grid::gap_between(found)));
+            }
+            return self;
+        }
+        let none = NoAreaInterval::BetweenPoints { doubt: found.doubt() };
+        self.own = self.own.and(Err(none));
+        let of = |estimate: &mut Estimate| estimate.grid = estimate.grid.and(Err(none));
+        of(&mut self.area);
+        self.mean_gap.iter_mut().for_each(of);
+        self.stiffness.iter_mut().for_each(of);
+        self
     }
 
     /// The same with another half width of the area from the grid, or the reason why there is
@@ -138,6 +164,7 @@ impl Budget {
     #[must_use]
     pub fn with_grid(mut self, area: Result<f64, NoAreaInterval>, more: f64) -> Self {
         self.area.grid = area;
+        self.own = area.map(|_| ());
         if let Some(gap) = &mut self.mean_gap {
             gap.grid = area.and(gap.grid.map(|half| half + more));
         }
@@ -152,6 +179,9 @@ impl Budget {
     #[must_use]
     pub fn refined(mut self, finer: &grid::Finer) -> Self {
         self.area.grid = Ok(finer.area_half_width(self.area.value));
+        if let Some(stiffness) = &mut self.stiffness {
+            stiffness.grid = finer.stiffness_half_width(stiffness.value).map_or(stiffness.grid, Ok);
+        }
         match self.given {
             Given::Load => {
                 if let Some(gap) = &mut self.mean_gap {

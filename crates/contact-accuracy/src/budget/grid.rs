@@ -4,36 +4,68 @@
 //! their bars are parts of the same measure of resolution, the share of the contact line,
 //! `0.118 S_d / A`.
 
+use super::between::Between;
 use super::map::Map;
 use contact_types::Grid;
 use fft_bem_solver::{BOUNDARY_CORRECTION, Solution};
 
 /// Gap error over (rms height times share of the contact line), on a map that repeats.
-const GAP: f64 = 0.012;
+const GAP: f64 = 0.016;
 /// The same on a map whose edges do not match.
 const GAP_AT_SEAM: f64 = 0.08;
 /// Relative error of the stiffness over the share of the contact line.
-const STIFFNESS: f64 = 0.15;
+const STIFFNESS: f64 = 0.2;
 /// The same on a map whose edges do not match.
-const STIFFNESS_AT_SEAM: f64 = 0.25;
+const STIFFNESS_AT_SEAM: f64 = 0.33;
 
-/// Share of the contact line: correction over corrected area, 0 without a line (-).
-pub fn line_share(solution: &Solution) -> f64 {
-    let found = &solution.diagnostics;
-    let correction = BOUNDARY_CORRECTION * found.contact_perimeter;
-    if correction > 0.0 { correction / found.area_fraction_corrected } else { 0.0 }
+/// Share of a pixel's worth of deformation from which the gap errs by all of the difference of the
+/// interpolants.
+const EVENED_OUT: f64 = 0.125;
+/// Open share of the surface below which the error of the stiffness is counted against it.
+const OPEN: f64 = 0.6;
+
+/// The contact line of a solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Line {
+    /// Corrected area fraction (-).
+    pub area: f64,
+    /// Edges per point, S_d (-).
+    pub edges: f64,
 }
 
-/// Half width of the mean gap (m) at this share of the contact line.
-pub fn gap_half_width(map: &Map, line_share: f64) -> f64 {
+impl Line {
+    /// Of a solution.
+    pub fn of(solution: &Solution) -> Self {
+        let found = &solution.diagnostics;
+        Self { area: found.area_fraction_corrected, edges: found.contact_perimeter }
+    }
+
+    /// Correction over corrected area, 0 without a line (-).
+    pub fn share(self) -> f64 {
+        let correction = BOUNDARY_CORRECTION * self.edges;
+        if correction > 0.0 { correction / self.area } else { 0.0 }
+    }
+}
+
+/// Half width of the mean gap (m) at this contact line. Where its edges run alike, on a lay or a
+/// regular pattern, it widens as that of the area does.
+pub fn gap_half_width(map: &Map, line: Line) -> f64 {
     let part = if map.repeats { GAP } else { GAP_AT_SEAM };
-    part * map.rms_height * line_share
+    part * map.rms_height * line.share() * map.accuracy.widened(line.edges)
 }
 
-/// Relative half width of the stiffness at this share of the contact line.
-pub fn stiffness_half_width(map: &Map, line_share: f64) -> f64 {
+/// Half width of the mean gap (m) that ways to interpolate leave at the contact: a part of their
+/// difference, the smaller the more the load evens them out.
+pub fn gap_between(found: &Between) -> f64 {
+    found.height * (found.height / found.deformed) / EVENED_OUT
+}
+
+/// Relative half width of the stiffness at this contact line. Near full contact the gap is that of
+/// the few places left open, whose line is of their area and not of the contact.
+pub fn stiffness_half_width(map: &Map, line: Line) -> f64 {
     let part = if map.repeats { STIFFNESS } else { STIFFNESS_AT_SEAM };
-    part * line_share
+    let open = (OPEN / (1.0 - line.area).max(OPEN * 1e-9)).max(1.0);
+    part * line.share() * open * map.accuracy.widened(line.edges)
 }
 
 /// What a solution on twice as many points along each side says of the one on the given grid.
@@ -47,8 +79,15 @@ pub struct Finer {
     pub gap: Option<f64>,
     /// Its mean pressure (Pa).
     pub pressure: f64,
-    /// Half width that its own contact line leaves, as on a map inside the gate.
+    /// Half width of the area that its own contact line leaves, as on a map inside the gate.
     pub bar: f64,
+    /// The same of the mean gap (m).
+    pub gap_bar: f64,
+    /// Its stiffness (Pa/m) with the half width that its own contact line leaves, if it was asked for.
+    pub stiffness: Option<[f64; 2]>,
+    /// Area fraction, mean gap (m) and mean pressure (Pa) of a surface through the same points that
+    /// does not overshoot them, where what lies between them decides.
+    pub monotone: Option<(f64, Option<f64>, f64)>,
 }
 
 impl Finer {
@@ -63,25 +102,44 @@ impl Finer {
             gap: solution.state.mean_gap,
             pressure: solution.state.mean_pressure,
             bar: own.line_left_over(found.contact_perimeter),
+            gap_bar: gap_half_width(&map.on(grid), Line::of(solution)),
+            stiffness: None,
+            monotone: None,
         }
     }
 
     /// Half width around the area on the given grid: what refining moved, and what is left on the
-    /// finer grid, as much again or the bar of the finer grid, whichever is larger.
+    /// finer grid, as much again or the bar of the finer grid, whichever is larger; and not less than
+    /// holds the answer of the monotone surface.
     pub fn area_half_width(&self, given: f64) -> f64 {
+        let other = self.monotone.map_or(0.0, |(area, ..)| (area - given).abs() + self.bar);
         let moved = (self.area - given).abs();
-        moved + moved.max(self.bar)
+        (moved + moved.max(self.bar)).max(other)
     }
 
-    /// Half width around the mean gap on the given grid (m): twice what refining moved.
+    /// Half width around the mean gap on the given grid (m), in the same way.
     pub fn gap_half_width(&self, given: f64) -> Option<f64> {
-        self.gap.map(|gap| 2.0 * (gap - given).abs())
+        self.gap.map(|gap| {
+            let other = self.monotone.and_then(|(_, gap, _)| gap);
+            let other = other.map_or(0.0, |gap| (gap - given).abs() + self.gap_bar);
+            let moved = (gap - given).abs();
+            (moved + moved.max(self.gap_bar)).max(other)
+        })
+    }
+
+    /// Half width around the stiffness on the given grid (Pa/m), in the same way.
+    pub fn stiffness_half_width(&self, given: f64) -> Option<f64> {
+        self.stiffness.map(|[stiffness, bar]| {
+            let moved = (stiffness - given).abs();
+            moved + moved.max(bar)
+        })
     }
 
     /// Half width around the mean pressure that belongs to a given gap (Pa): twice what refining
     /// moved.
     pub fn pressure_half_width(&self, given: f64) -> f64 {
-        2.0 * (self.pressure - given).abs()
+        let other = self.monotone.map_or(0.0, |(_, _, pressure)| (pressure - given).abs());
+        (2.0 * (self.pressure - given).abs()).max(other)
     }
 }
 
@@ -91,11 +149,25 @@ mod tests {
 
     #[test]
     fn a_refined_bar_covers_both_areas_and_what_is_left() {
-        let finer =
-            Finer { area: 0.023, correction: 0.01, gap: Some(2.5e-7), pressure: 3e6, bar: 0.003 };
+        let finer = Finer {
+            area: 0.023,
+            correction: 0.01,
+            gap: Some(2.5e-7),
+            pressure: 3e6,
+            bar: 0.003,
+            gap_bar: 1e-9,
+            stiffness: Some([1e13, 1e11]),
+            monotone: None,
+        };
         assert!((finer.area_half_width(0.020) - (0.003 + 0.003)).abs() < 1e-15);
         assert!((finer.area_half_width(0.0225) - (0.0005 + 0.003)).abs() < 1e-15);
         assert!((finer.gap_half_width(2e-7).unwrap() - 1e-7).abs() < 1e-18);
+        assert!((finer.gap_half_width(2.5e-7).unwrap() - 1e-9).abs() < 1e-18);
+        assert!((finer.stiffness_half_width(1.2e13).unwrap() - 4e12).abs() < 1.0);
         assert!((finer.pressure_half_width(2.9e6) - 2e5).abs() < 1e-6);
+        let flat = Finer { monotone: Some((0.04, Some(1e-7), 4e6)), ..finer };
+        assert!((flat.area_half_width(0.020) - 0.023).abs() < 1e-15);
+        assert!((flat.gap_half_width(2.5e-7).unwrap() - 1.51e-7).abs() < 1e-18);
+        assert!((flat.pressure_half_width(2.9e6) - 1.1e6).abs() < 1e-6);
     }
 }

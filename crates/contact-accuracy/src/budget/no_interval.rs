@@ -1,5 +1,6 @@
 //! Where no interval for an area is known, and why.
 
+use super::between::MOST_DOUBT;
 use contact_types::Grid;
 
 /// Coarsest height step over (rms gradient times pixel side).
@@ -14,7 +15,7 @@ pub enum NoAreaInterval {
     /// The shortest waves of the map are too short for its pixels.
     #[error(
         "finite differences see {:.0}\u{202F}% of the rms gradient ({:.0}\u{202F}% needed): the \
-         shortest waves are not resolved; solve on a map refined 2 times",
+         shortest waves are not resolved",
         100.0 * resolution, 100.0 * needed
     )]
     Unresolved {
@@ -41,6 +42,16 @@ pub enum NoAreaInterval {
     SpotsTooSmall {
         /// Correction over raw area.
         ratio: f64,
+    },
+    /// What lies between the points decides what touches, and the points do not fix it.
+    #[error(
+        "between the points, what touches is not fixed by the map: ways to interpolate differ by \
+         {doubt:.2} of what the load deforms over a pixel ({MOST_DOUBT} at most); measure on finer \
+         points"
+    )]
+    BetweenPoints {
+        /// [`Between::doubt`](super::Between::doubt).
+        doubt: f64,
     },
     /// The iteration stopped too early.
     #[error(

@@ -6,7 +6,7 @@ use super::map::Map;
 use super::no_interval::NoAreaInterval;
 use super::{grid, iteration};
 use contact_types::HeightMap;
-use fft_bem_solver::{Load, Solver, SolverError};
+use fft_bem_solver::{Load, Solution, Solver, SolverError};
 
 /// Factor between the load and the two loads beside it.
 const STEP: f64 = 1.01;
@@ -31,7 +31,8 @@ pub struct Stiffness {
 impl Stiffness {
     /// Solves at 1/1.01 and at 1.01 of `mean_pressure` (Pa), starting from the solution that
     /// `solver` holds. Over so short a way ln p is a straight line of the gap:
-    /// `k = p ln(p2/p1) / (gap1 - gap2)`. `None` if the gap has no mean or does not close.
+    /// `k = p ln(p2/p1) / (gap1 - gap2)`. `None` if the gap has no mean, does not close by more than
+    /// the iteration leaves of it, or is closed: in full contact the stiffness is infinite.
     ///
     /// # Errors
     /// [`SolverError`].
@@ -41,20 +42,32 @@ impl Stiffness {
         map: &Map,
         mean_pressure: f64,
     ) -> Result<Option<Self>, SolverError> {
-        let less = solver.solve(surface, Load::MeanPressure(mean_pressure / STEP))?;
-        let more = solver.solve(surface, Load::MeanPressure(mean_pressure * STEP))?;
+        Self::around(&mut |load| solver.solve(surface, load), map, mean_pressure)
+    }
+
+    /// The same of a surface that `solve` knows.
+    ///
+    /// # Errors
+    /// [`SolverError`].
+    pub fn around(
+        solve: &mut dyn FnMut(Load) -> Result<Solution, SolverError>,
+        map: &Map,
+        mean_pressure: f64,
+    ) -> Result<Option<Self>, SolverError> {
+        let less = solve(Load::MeanPressure(mean_pressure / STEP))?;
+        let more = solve(Load::MeanPressure(mean_pressure * STEP))?;
         let (Some(wide), Some(narrow)) = (less.state.mean_gap, more.state.mean_gap) else {
             return Ok(None);
         };
         let closed = wide - narrow;
-        if closed <= 0.0 {
+        let (a, b) = (&less.diagnostics, &more.diagnostics);
+        let [left_a, left_b] = [a, b].map(|d| iteration::gap_half_width(map, d));
+        let is_closed = b.contact_pixels > 0 && b.contact_perimeter <= 0.0;
+        if is_closed || closed <= left_a + left_b {
             return Ok(None);
         }
-        let (a, b) = (&less.diagnostics, &more.diagnostics);
-        let iteration = iteration_half_width(a).and(iteration_half_width(b)).map(|_| {
-            let [a, b] = [a, b].map(|d| iteration::gap_half_width(map, d));
-            (a + b) / closed
-        });
+        let iteration = iteration_half_width(a).and(iteration_half_width(b));
+        let iteration = iteration.map(|_| (left_a + left_b) / closed);
         Ok(Some(Self {
             value: 2.0 * STEP.ln() * mean_pressure / closed,
             iteration,
@@ -65,20 +78,17 @@ impl Stiffness {
 }
 
 impl Budget {
-    /// The same with a stiffness found at its load. `line_share` is [`grid::line_share`] of the
-    /// solution.
+    /// The same with a stiffness found at its load, whose contact has this `line`.
     #[must_use]
-    pub fn with_stiffness(mut self, found: &Stiffness, map: &Map, line_share: f64) -> Self {
+    pub fn with_stiffness(mut self, found: &Stiffness, map: &Map, line: grid::Line) -> Self {
         let k = found.value;
-        let relative = grid::stiffness_half_width(map, line_share) + DIFFERENCE;
+        let relative = grid::stiffness_half_width(map, line) + DIFFERENCE;
         let area_scatter = self.area_scatter.unwrap_or(0.0);
         self.stiffness = Some(Estimate {
             value: k,
-            grid: self.area.grid.map(|_| k * relative),
+            grid: self.own.map(|()| k * relative),
             iteration: found.iteration.map(|r| k * r),
-            sample: self
-                .area_scatter
-                .map(|_| k * super::sample::stiffness_half_width(area_scatter, map.height_scatter)),
+            sample: self.area_scatter.map(|_| k * map.scatter.stiffness_half_width(area_scatter)),
             most: f64::INFINITY,
         });
         self

@@ -8,7 +8,7 @@
 //! [`AreaAccuracy`]: crate::budget::AreaAccuracy
 
 use super::Candidate;
-use crate::budget::{Budget, Map, NoAreaInterval, area_per_load, grid, least_fall};
+use crate::budget::{Between, Budget, Map, NoAreaInterval, area_per_load, grid, least_fall};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solution};
 
 /// Relative area error per relative loss of gradient.
@@ -68,8 +68,8 @@ impl Line {
 
     /// Half width of the mean gap at a given load (m).
     fn gap_half_width(self, on: &Candidate, map: &Map) -> f64 {
-        let share = BOUNDARY_CORRECTION * self.edges / self.area;
-        grid::gap_half_width(map, share) + more_of_gap(on, map)
+        let line = grid::Line { area: self.area, edges: self.edges };
+        grid::gap_half_width(&map.on(on.grid), line) + more_of_gap(on, map)
     }
 }
 
@@ -78,14 +78,22 @@ fn more_of_gap(on: &Candidate, map: &Map) -> f64 {
     GAP_LOST * map.rms_height * on.lost
 }
 
-/// The budget of a solution under `load` on this grid.
-pub fn budget(solution: &Solution, load: Load, on: &Candidate, map: &Map) -> Budget {
+/// The budget of a solution under `load` on this grid; `between` is what is known of the given
+/// points at its contact.
+pub fn budget(
+    solution: &Solution,
+    load: Load,
+    on: &Candidate,
+    map: &Map,
+    between: Option<&Between>,
+) -> Budget {
     let line = Line::of(solution, load);
     let d = &solution.diagnostics;
     let touches_everywhere = d.contact_pixels > 0 && d.contact_perimeter <= 0.0;
     let gate = if touches_everywhere { Ok(()) } else { on.accuracy.gate() };
     let grid = gate.and_then(|()| line.at_given_load(on));
     let found = Budget::of(solution, &map.on(on.grid)).with_grid(grid, more_of_gap(on, map));
+    let found = between.map_or(found, |between| found.between(between));
     if line.fall.is_some() { found.at_given_gap(solution) } else { found }
 }
 

@@ -3,7 +3,7 @@
 use super::outcome::{Finest, Miss, Next, NoBar, Outcome, Unmet};
 use super::{Candidate, Candidates, Line, Request, budget};
 use crate::budget::iteration::area_error;
-use crate::budget::{Budget, Map};
+use crate::budget::{Between, Budget, Map, NoAreaInterval};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{
     Boundary, Iteration, Load, Maps, Method, Precision, Solution, Solver, SolverError,
@@ -166,11 +166,20 @@ fn attempt(
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(PlanError::Stopped);
         }
-        let budget = result.as_ref().ok().map(|s| budget(s, load, candidate, task.known));
+        let budget = result.as_ref().ok().map(|s| {
+            let found =
+                Between::on_points_of(task.map, task.known.repeats, s, map.grid(), task.modulus);
+            budget(s, load, candidate, task.known, found.as_ref())
+        });
         let reached = Reached::of(load, &result, budget.as_ref());
         attempt.transforms += result.as_ref().map_or(0.0, |s| s.diagnostics.transforms);
         if !reached.meets(task.request) {
-            attempt.leave_for = better(task, candidates, current, &reached);
+            attempt.leave_for = if reached.is_between_points() {
+                // No finer grid says what the given points do not; a coarser one is no place to end.
+                (current < candidates.given).then_some(candidates.given)
+            } else {
+                better(task, candidates, current, &reached)
+            };
         }
         attempt.loads.push(reached);
         if attempt.leave_for.is_some() {
@@ -193,6 +202,11 @@ impl Reached {
         let share = |half: f64| if half > 0.0 { half / area.value } else { 0.0 };
         let width = area.comparison_half_width().map(share).map_err(NoBar::Area);
         Self { load, width, iteration: area.iteration.map_or(0.0, share), line }
+    }
+
+    /// Whether what lies between the given points decides.
+    fn is_between_points(&self) -> bool {
+        matches!(self.width, Err(NoBar::Area(NoAreaInterval::BetweenPoints { .. })))
     }
 
     fn meets(&self, request: Request) -> bool {
@@ -245,8 +259,9 @@ fn conclude(
     let all: Option<Vec<f64>> = loads.iter().map(|l| l.width.clone().ok()).collect();
     let half_width = all.map(|widths| widths.iter().copied().fold(0.0, f64::max));
     let unmet: Vec<&Reached> = loads.iter().filter(|l| !l.meets(task.request)).collect();
-    let next =
-        candidates.list.get(current + 1).filter(|_| candidates.as_given().accuracy.gate().is_ok());
+    let is_open = candidates.as_given().accuracy.gate().is_ok()
+        && !loads.iter().any(Reached::is_between_points);
+    let next = candidates.list.get(current + 1).filter(|_| is_open);
     let next = next.map(|finer| {
         let width = |l: &Reached| expected(task, candidates, [current, current + 1], l);
         let widths: Option<Vec<f64>> = loads.iter().map(width).collect();
@@ -293,7 +308,7 @@ fn reason(
         Miss::NoContact { first_contact: task.map.range().1 - task.map.mean() }
     } else {
         let last = candidates.list.len() - 1;
-        let finest = if last == current {
+        let finest = if last == current || reached.is_between_points() {
             Finest::Used
         } else {
             Finest::Other {

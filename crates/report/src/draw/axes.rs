@@ -1,7 +1,7 @@
 //! Axes: from data to figure units, ticks where a reader expects them, a frame on two sides.
 
 use crate::draw::palette::{GRID, INK, INK2, LINE};
-use crate::draw::svg::{Anchor, Canvas, Stroke, Text};
+use crate::draw::svg::{Anchor, Canvas, Stroke, Text, text_width};
 use crate::numbers::{fixed, power_of_ten};
 
 /// Spacing of an axis.
@@ -135,6 +135,15 @@ impl Axis {
     }
 }
 
+/// Room between a vertical axis and its title (units).
+const TICK_ROOM: f64 = 26.0;
+
+/// Type size at which the numbers of a vertical axis stay clear of its title.
+fn tick_size<'a>(texts: impl Iterator<Item = &'a str>) -> f64 {
+    let widest = texts.map(|text| text_width(text, 10.0, false)).fold(0.0, f64::max);
+    if widest > TICK_ROOM { 10.0 * TICK_ROOM / widest } else { 10.0 }
+}
+
 /// 1, 2 or 5 times a power of ten, at least `about`.
 pub fn round_step(about: f64) -> f64 {
     let decade = 10f64.powf(about.log10().floor());
@@ -218,10 +227,12 @@ impl Frame {
                 ..Text::new([x, bottom + 13.0], text)
             });
         }
+        let size = tick_size(y_ticks.iter().map(|(_, text)| text.as_str()));
         for (&y, (_, text)) in ys.iter().zip(y_ticks) {
             canvas.text(&Text {
                 colour: INK2,
                 anchor: Anchor::End,
+                size,
                 ..Text::new([left - 5.0, y + 3.4], text)
             });
         }
@@ -251,6 +262,17 @@ mod tests {
         assert_eq!(last, Some(1.5));
         assert_eq!(wide.tick_text(1e-6), "10⁻⁶");
         assert!((wide.at(25.0_f64.sqrt() * 0.5) - 100.0 / 3.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn numbers_of_a_vertical_axis_stay_clear_of_its_title() {
+        for (texts, fits) in [(&["0.1", "100"][..], true), (&["0.000 02", "500 000"], false)] {
+            let size = tick_size(texts.iter().copied());
+            assert_eq!(size >= 10.0, fits, "{texts:?}");
+            for text in texts {
+                assert!(text_width(text, size, false) <= TICK_ROOM + 1e-9, "{text} at {size}");
+            }
+        }
     }
 
     #[test]

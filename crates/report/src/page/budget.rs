@@ -77,9 +77,15 @@ pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, a
 fn grid_words(answer: &DeterministicAnswer, surface: &SurfaceComparison) -> String {
     if let Some(finer) = answer.finer {
         let loads = surface.deterministic.iter().filter_map(|p| p.answer.as_ref()?.finer).count();
+        let other = finer.monotone.map_or(String::new(), |(area, ..)| {
+            let area = significant(100.0 * area, 3);
+            format!(
+                ", and the {area}{SPACE}% of a surface through the same points that does not ring"
+            )
+        });
         return format!(
             "one more solution on the twice finer interpolation of the map reads {}{SPACE}%; the \
-             bar covers the difference twice ({loads} loads in {})",
+             bar covers the difference twice{other} ({loads} loads in {})",
             significant(100.0 * finer.area, 3),
             duration(surface.refined_seconds)
         );

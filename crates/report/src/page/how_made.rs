@@ -4,10 +4,10 @@ use crate::draw::svg::escape;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, duration, significant};
 use crate::page::context::Page;
 use crate::page::phrases::{levelled, tolerance_words};
-use crate::words::edges::edge_words;
+use crate::words::edges::treatment;
 use crate::words::plan as plan_words;
+use compare::{Body, FileOrigin, Origin, Recipe};
 use compare::{DeterministicAnswer, SurfaceComparison};
-use compare::{FileOrigin, Origin, Recipe};
 use contact_accuracy::BOUNDARY_CORRECTION;
 use contact_accuracy::plan::Outcome;
 
@@ -48,13 +48,14 @@ pub(crate) fn section(page: &Page<'_>) -> String {
         } else {
             "Edges".into()
         };
-        rows.push((term, edge_words(surface)));
+        rows.push((term, treatment(surface).into()));
     }
     rows.push((
         "Material".into(),
         format!(
-            "<i>E</i>* = {}, elastic half space against a rigid flat",
-            chosen(settings.modulus, PASCALS)
+            "<i>E</i>* = {}, {}",
+            chosen(settings.modulus, PASCALS),
+            bodies_words(&settings.bodies)
         ),
     ));
     for surface in &page.comparison.surfaces {
@@ -70,11 +71,27 @@ pub(crate) fn section(page: &Page<'_>) -> String {
     let list: String =
         rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();
     format!(
-        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<p>Repeat with</p><pre>{}</pre>\n\
+        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<p>Repeat, from the folder it was made in, with</p><pre>{}</pre>\n\
          <p class=\"why\">The numbers behind the figures are in <code>curves.csv</code>, all \
          results in <code>results.json</code>, every setting in <code>run.toml</code>.</p>\n",
         escape(&made.repeat)
     )
+}
+
+/// What E* is made of. Contact is solved as that of one rough elastic half space and a rigid flat.
+fn bodies_words(bodies: &[Body]) -> String {
+    let one = |b: &Body| {
+        let poisson = format!("{}", b.poisson).replace('-', "\u{2212}");
+        format!("<i>E</i> = {}, ν = {poisson}", chosen(b.young, PASCALS))
+    };
+    match bodies {
+        [] => "as given: an elastic half space against a rigid flat, or two elastic ones".into(),
+        [body] => format!("elastic half space ({}) against a rigid flat", one(body)),
+        many => {
+            let list: Vec<String> = many.iter().map(one).collect();
+            format!("two elastic half spaces ({})", list.join("; "))
+        }
+    }
 }
 
 fn origin_words(origin: &Origin) -> String {
@@ -172,4 +189,20 @@ fn solver_words(page: &Page<'_>) -> String {
         duration(seconds),
         significant(BOUNDARY_CORRECTION, 4)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_elastic_bodies_are_not_called_rigid() {
+        let steel = Body { young: 210e9, poisson: 0.3 };
+        let rubber = Body { young: 5e6, poisson: 0.5 };
+        assert_eq!(
+            bodies_words(&[steel, rubber]).replace(SPACE, " "),
+            "two elastic half spaces (<i>E</i> = 210 GPa, ν = 0.3; <i>E</i> = 5 MPa, ν = 0.5)"
+        );
+        assert!(bodies_words(&[steel]).ends_with("against a rigid flat"));
+    }
 }

@@ -97,9 +97,34 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
     }
 }
 
-/// Whether the order of the models is the same on every surface, among those that answer on all.
+/// Whether the order of the models is the same on every surface, among those that answer on all,
+/// and which do not.
 fn ranking(surfaces: &[SurfaceComparison]) -> String {
     let all: Vec<Vec<Option<f64>>> = surfaces.iter().map(mean_errors).collect();
+    let labels: Vec<String> = surfaces
+        .first()
+        .map_or(&[][..], |s| &s.models)
+        .iter()
+        .map(|m| escape(&m.card.label))
+        .collect();
+    format!("{}{}", order(surfaces, &all), left_out(&labels, &all))
+}
+
+/// " Not ranked: MB (answers on 1 of 3)."; empty if every model answers on every surface.
+fn left_out(labels: &[String], all: &[Vec<Option<f64>>]) -> String {
+    let missing: Vec<String> = labels
+        .iter()
+        .enumerate()
+        .filter_map(|(k, label)| {
+            let answers = all.iter().filter(|e| e.get(k).is_some_and(Option::is_some)).count();
+            (answers < all.len())
+                .then(|| format!("{label} (answers on {answers} of {})", all.len()))
+        })
+        .collect();
+    if missing.is_empty() { String::new() } else { format!(" Not ranked: {}.", missing.join(", ")) }
+}
+
+fn order(surfaces: &[SurfaceComparison], all: &[Vec<Option<f64>>]) -> String {
     let order = |errors: &[Option<f64>], s: &SurfaceComparison| -> Vec<String> {
         let mut list: Vec<(f64, String)> = errors
             .iter()
@@ -162,4 +187,17 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
          scope=\"col\">Nearest closed form</th><th scope=\"col\" class=\"n\">Solver, per \
          load</th></tr></thead><tbody>\n{rows}</tbody></table>\n"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_model_without_an_answer_everywhere_is_named() {
+        let labels = ["GW".to_owned(), "MB".to_owned()];
+        let all = [vec![Some(0.1), None], vec![Some(0.2), Some(0.8)]];
+        assert_eq!(left_out(&labels, &all), " Not ranked: MB (answers on 1 of 2).");
+        assert_eq!(left_out(&labels[..1], &all), "");
+    }
 }

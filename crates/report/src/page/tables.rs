@@ -12,7 +12,7 @@ use crate::page::phrases::{load_words, spread_words};
 use crate::sources::DETERMINISTIC;
 use crate::words;
 use compare::survey::Experience;
-use compare::{Applies, ModelComparison, SurfaceComparison};
+use compare::{Applies, ModelComparison, SurfaceComparison, is_steep};
 use contact_types::{ContactState, ModelError};
 
 /// Value, and what its ± covers, of the numbers people came for.
@@ -44,11 +44,10 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             }
             .into(),
         ));
-        rows.push((
-            "Highest local pressure".into(),
-            quantity(a.max_pressure, PASCALS, 2),
-            "one point of the map; grows with a finer grid".into(),
-        ));
+        let load = a.budget.mean_pressure.value;
+        let (highest, why) =
+            words::highest_pressure(a.max_pressure, load, a.area_fraction_corrected);
+        rows.push(("Highest local pressure".into(), highest, why.into()));
         if let Some(gap) = a.mean_gap {
             let sq = surface.statistics.rms_height;
             let relative = if sq > 0.0 {
@@ -192,6 +191,9 @@ fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
             (None, _) => applies(Applies::No, "no solution at this load"),
             (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),
             (_, Err(reason)) => applies(Applies::Caution, &reason.to_string()),
+            _ if is_steep(surface.statistics.rms_gradient) => {
+                applies(Applies::Caution, words::SMALL_SLOPES)
+            }
             _ => applies(Applies::Yes, "full map, elastic, periodic cell"),
         }
     )

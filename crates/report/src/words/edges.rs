@@ -3,23 +3,48 @@
 use crate::numbers::{METRES, percent, quantity, signed_percent, signed_range};
 use compare::{EdgesName, Origin, Seam, SurfaceComparison, seam};
 
-/// For "How this was made": the treatment of the edges, and for a measured map its effect.
-pub(crate) fn edge_words(surface: &SurfaceComparison) -> String {
-    let done = match (surface.edges, &surface.origin) {
+/// For "How this was made": the treatment of the edges.
+pub(crate) fn treatment(surface: &SurfaceComparison) -> &'static str {
+    match (surface.edges, &surface.origin) {
         (EdgesName::Mirrored, _) => "Continued by its mirror images.",
-        (EdgesName::Periodic, Origin::Recipe(_)) => return "Periodic, as made.".to_owned(),
+        (EdgesName::Periodic, Origin::Recipe(_)) => "Periodic, as made.",
         (EdgesName::Periodic, Origin::Given(given)) if given.repeats == Some(true) => {
-            return "Periodic, as given.".to_owned();
+            "Periodic, as given."
         }
         (EdgesName::Periodic, Origin::File(_) | Origin::Given(_)) => {
             "Repeated periodically as it is."
         }
-    };
+    }
+}
+
+/// For the error budget, the one place with all of it: the treatment, and for a map whose edges
+/// were made up its effect.
+pub(crate) fn edge_words(surface: &SurfaceComparison) -> String {
+    let done = treatment(surface);
+    if done.starts_with("Periodic") {
+        return done.to_owned();
+    }
     seam(surface).map_or(done.to_owned(), |s| format!("{done} {}", seam_words(&s)))
 }
 
+/// What the strip along the edges does to the area, in one sentence.
+pub(crate) fn seam_effect(seam: &Seam) -> String {
+    match seam.experience {
+        Some(e) => format!(
+            "On {} crops of larger surfaces with a like strip, the area differed by {} from that \
+             in natural surroundings (nine of ten).",
+            e.crops,
+            signed_range(e.low, e.high)
+        ),
+        None => format!(
+            "The strip along the edges moves the area by {}.",
+            signed_percent(seam.share.direct_effect())
+        ),
+    }
+}
+
 /// What the strip along the edges holds and does.
-pub(crate) fn seam_words(seam: &Seam) -> String {
+fn seam_words(seam: &Seam) -> String {
     let share = &seam.share;
     let [high, wide] = seam.strip.map(|d| quantity(d, METRES, 2));
     let strip = if high == wide { wide } else { format!("{wide} × {high}") };

@@ -1,9 +1,9 @@
 //! Findings in words: plain text, the same on the page, on the terminal and in files.
 
-use crate::numbers::{METRES, SPACE, fixed, percent, quantity, significant};
-use crate::words::edges::seam_words;
+use crate::numbers::{METRES, PASCALS, SPACE, fixed, percent, quantity, significant};
+use crate::words::edges::seam_effect;
 use crate::words::plan;
-use compare::{Bare, EdgesName, Fact, Finding, Passed, Seam};
+use compare::{Bare, EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
 use contact_accuracy::NoAreaInterval;
 use contact_accuracy::plan::Outcome;
 use surface_stats::Warning;
@@ -25,6 +25,9 @@ fn worded(claim: impl Into<String>, text: impl Into<String>) -> Worded {
 /// The words of a finding.
 pub fn finding(finding: &Finding) -> Worded {
     match &finding.fact {
+        Fact::Unit { gradient, rms_height, radius } => unit([*gradient, *rms_height, *radius]),
+        Fact::Yield(found) => beyond_yield(found),
+        Fact::Steep(found) => steep(found),
         Fact::NotConverged { loads, of } => worded(
             format!("{loads} of {of} loads did not converge."),
             "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
@@ -76,6 +79,74 @@ pub fn finding(finding: &Finding) -> Worded {
     }
 }
 
+fn unit([gradient, rms_height, radius]: [Option<f64>; 3]) -> Worded {
+    let found = [
+        gradient.map(|g| format!("an rms gradient of {}", significant(g, 3))),
+        rms_height.map(|h| format!("an rms height of {}", quantity(h, METRES, 3))),
+        radius.map(|r| format!("asperities of radius {}", quantity(r, METRES, 3))),
+    ];
+    let found: Vec<String> = found.into_iter().flatten().collect();
+    worded(
+        "Is the unit right?",
+        format!(
+            "No rough surface has {}. Look at the unit of the heights and at the point spacing; \
+             until they are right, no number here means anything.",
+            found.join(" and ")
+        ),
+    )
+}
+
+fn steep(found: &Steep) -> Worded {
+    let gradient = significant(found.gradient, 2);
+    if found.is_over {
+        worded(
+            format!("Slopes are too steep: the rms gradient is {gradient}."),
+            "Small-slope elasticity ends near 0.5. Solver and models still answer, but for a flat \
+             half-space, which this surface is not.",
+        )
+    } else {
+        worded(
+            format!("Slopes are steep: the rms gradient is {gradient}."),
+            "Small-slope elasticity strains from 0.3 and ends near 0.5.",
+        )
+    }
+}
+
+fn beyond_yield(found: &Yield) -> Worded {
+    let show = |p: f64| quantity(p, PASCALS, 2);
+    let [low, high] = found.hardness;
+    let highest = found
+        .at
+        .highest
+        .map_or_else(String::new, |p| format!(", {} at the highest point", show(p)));
+    let claim = if found.at.mean > high {
+        "No usual solid bears these pressures."
+    } else {
+        "These pressures make many solids yield."
+    };
+    let ends = found.full.map_or_else(String::new, |full| {
+        format!(
+            " The elastic area holds while E* g / H is below about 1, so for a hardness H of at \
+             least {}; here E* g / H is {} to {}.",
+            show(full),
+            significant(full / high, 2),
+            significant(full / low, 2)
+        )
+    });
+    worded(
+        claim,
+        format!(
+            "At {} the mean real pressure is {}{highest}; solids with a contact modulus of {} have a \
+             hardness of about {} to {}.{ends} Where the contact yields, the area is larger.",
+            show(found.at.nominal),
+            show(found.at.mean),
+            show(found.modulus),
+            show(low),
+            show(high)
+        ),
+    )
+}
+
 fn unmet(outcome: &Outcome) -> Worded {
     let asked = percent(outcome.request.relative());
     worded(
@@ -95,13 +166,16 @@ fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Worded {
     };
     worded(
         format!("Edges do not match: they jump {} times the inner step.", significant(ratio, 2)),
-        seam.map_or_else(|| done.to_owned(), |s| format!("{done} {}", seam_words(s))),
+        seam.map_or_else(|| done.to_owned(), |s| format!("{done} {}", seam_effect(s))),
     )
 }
 
 /// The steps of cleaning in a few words.
 fn steps(cleaned: &[Record]) -> String {
     let step = |record: &Record| match *record {
+        Record::Rows { jump, .. } => {
+            format!("rows put in line (they jumped {} rms)", quantity(jump, METRES, 2))
+        }
         Record::Outliers { count: 0, .. } => "no spikes found".to_owned(),
         Record::Outliers { count: 1, .. } => "1 spike".to_owned(),
         Record::Outliers { count, .. } => format!("{count} spikes"),
@@ -162,6 +236,14 @@ fn warning(warning: &Warning) -> Worded {
             format!("A plane explains {} of the height variance.", percent(explained)),
             "A tilt left in moves the gap by 3 to 14\u{202F}% and the summit models by −7 to \
              −11\u{202F}%. Level the map, unless the tilt belongs to the contact.",
+        ),
+        Warning::RowsJump { jump, share } => worded(
+            format!("Rows of the map jump: by {} rms.", quantity(jump, METRES, 2)),
+            format!(
+                "That makes {} of the mean square difference between rows: slopes across them are \
+                 those of the scan, not of the surface. Put the rows in line: --align-rows.",
+                percent(share)
+            ),
         ),
         Warning::Anisotropic { ratio: r } => worded(
             format!("The surface has a lay: mean square slopes differ {} times.", ratio(r)),
@@ -227,12 +309,21 @@ fn warning(warning: &Warning) -> Worded {
              that.",
         ),
         Warning::NotSelfAffine { hurst } => worded(
-            format!("The spectrum fits H = {}.", significant(hurst, 2)),
-            "That is not between 0 and 1: not a self-affine surface over this range, and fractal \
-             parameters have no meaning.",
+            format!("The spectrum fits H = {}.", outside_unit(hurst)),
+            "A self-affine surface has more than 0 and less than 1: over this range this is none, \
+             and fractal parameters have no meaning.",
         ),
         ref other => worded("", other.to_string()),
     }
+}
+
+/// A number that is not between 0 and 1, with as many digits as it takes to see that.
+fn outside_unit(value: f64) -> String {
+    let digits = (2..12).find(|&d: &i32| {
+        let shown: f64 = format!("{value:.*e}", (d - 1) as usize).parse().unwrap_or(value);
+        shown > 1.0 || shown < 0.0
+    });
+    significant(value, digits.unwrap_or(2))
 }
 
 /// What was tested and is fine, in one entry.
@@ -266,6 +357,13 @@ fn tested(passed: &Passed) -> Worded {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_beyond_one_is_not_shown_as_one() {
+        assert_eq!(outside_unit(1.003), "1.003");
+        assert_eq!(outside_unit(1.27), "1.3");
+        assert_eq!(outside_unit(-0.2), "\u{2212}0.20");
+    }
 
     #[test]
     fn symbols_keep_their_case() {

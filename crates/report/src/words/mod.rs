@@ -9,7 +9,10 @@ pub(crate) mod plan;
 mod ranking;
 mod verdict;
 
-pub(crate) use answer::{area, area_prediction, headline, real_pressure, real_pressure_prediction};
+pub use answer::headline_line;
+pub(crate) use answer::{
+    area, area_prediction, headline, highest_pressure, real_pressure, real_pressure_prediction,
+};
 pub(crate) use date::date;
 pub(crate) use ranking::{curves_lead, ranked, recommendation, survey, within_ten};
-pub(crate) use verdict::reason;
+pub(crate) use verdict::{SMALL_SLOPES, reason};

@@ -94,7 +94,8 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
     let best = cheapest.unwrap_or(nearest);
     if best.model.verdict.answer == Applies::Caution && best.model.verdict.at_every_load {
         text.push_str(&format!(
-            " Its domain is strained here: {}.",
+            " The domain of {} is strained here: {}.",
+            escape(&best.model.card.title),
             reason(best.model).trim_end_matches('.')
         ));
     }
@@ -112,18 +113,42 @@ fn list(names: &[impl AsRef<str>]) -> String {
     }
 }
 
+/// Where a curve lies against the deterministic one.
+#[derive(Debug, PartialEq, Eq)]
+enum Side {
+    Low,
+    High,
+    Crosses,
+    Agrees,
+}
+
+impl Side {
+    /// From the smallest and the largest signed error. What prints as 0.0 % is no difference.
+    fn of(lo: f64, hi: f64) -> Self {
+        const NONE: f64 = 5e-4;
+        match (lo < -NONE, hi > NONE) {
+            (true, false) => Self::Low,
+            (false, true) => Self::High,
+            (true, true) => Self::Crosses,
+            (false, false) => Self::Agrees,
+        }
+    }
+}
+
 /// Which models read low, high, or cross, over the loads.
 pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
     let (mut low, mut high, mut cross) = (Vec::new(), Vec::new(), Vec::new());
+    let mut agree = Vec::new();
     for model in &surface.models {
         let Some((lo, hi)) = model.outcome.as_ref().ok().and_then(ModelCurve::range) else {
             continue;
         };
         let label = escape(&model.card.label);
-        match (lo < 0.0, hi > 0.0) {
-            (true, false) => low.push(label),
-            (false, true) => high.push(label),
-            _ => cross.push(label),
+        match Side::of(lo, hi) {
+            Side::Low => low.push(label),
+            Side::High => high.push(label),
+            Side::Crosses => cross.push(label),
+            Side::Agrees => agree.push(label),
         }
     }
     let always = if surface.deterministic.len() > 1 { "at every load" } else { "at this load" };
@@ -150,6 +175,13 @@ pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
             "{} {} the deterministic curve.",
             list(&cross),
             verb(&cross, "crosses", "cross")
+        ));
+    }
+    if !agree.is_empty() {
+        parts.push(format!(
+            "{} {} with the deterministic area {always}.",
+            list(&agree),
+            verb(&agree, "agrees", "agree")
         ));
     }
     parts.join(" ")
@@ -221,5 +253,14 @@ mod tests {
     fn lists_read_as_sentences() {
         assert_eq!(list(&["GW"]), "GW");
         assert_eq!(list(&["GW", "BGT", "Persson"]), "GW, BGT and Persson");
+    }
+
+    #[test]
+    fn a_curve_that_is_nowhere_off_does_not_cross() {
+        assert_eq!(Side::of(-1e-5, 2e-5), Side::Agrees);
+        assert_eq!(Side::of(0.0, 0.0), Side::Agrees);
+        assert_eq!(Side::of(-0.2, 1e-5), Side::Low);
+        assert_eq!(Side::of(-1e-5, 0.2), Side::High);
+        assert_eq!(Side::of(-0.1, 0.2), Side::Crosses);
     }
 }

@@ -1,9 +1,12 @@
 //! Whether a theory covers a surface, in words.
 
-use crate::numbers::{SPACE, length, pressure};
+use crate::numbers::{SPACE, length, pressure, significant};
 use compare::Assumes;
 use compare::{ModelComparison, Reason};
 use contact_types::ModelError;
+
+/// What steep slopes strain.
+pub(crate) const SMALL_SLOPES: &str = "small-slope elasticity ends near 0.5";
 
 /// Why a model applies to a surface, or only with caution, or not.
 pub(crate) fn reason(model: &ModelComparison) -> String {
@@ -25,11 +28,15 @@ fn within(assumes: Assumes) -> &'static str {
 
 fn words(reason: &Reason) -> String {
     match reason {
+        Reason::Steep { gradient } => {
+            format!("rms gradient {}: {SMALL_SLOPES}", significant(*gradient, 2))
+        }
         Reason::Refused(error) => refusal(error),
         Reason::Missing { dimension: Some(d), .. } => {
             format!("fitted D = {}: no profile dimension between 1 and 2", plain(*d))
         }
         Reason::Missing { needs, dimension: None } => format!("needs {needs}"),
+        Reason::RowsJump => "rows of the map jump".to_owned(),
         Reason::Lay { ratio } => format!("the surface has a lay (slopes {ratio:.1} : 1)"),
         Reason::NotGaussian { skewness, kurtosis } => {
             format!("skewness {}, kurtosis {}", plain(*skewness), plain(*kurtosis))
@@ -65,6 +72,9 @@ fn refusal(error: &ModelError) -> String {
             } else {
                 format!("≥ {}", plain(*domain.end()))
             };
+            // A study gives a model the map and nothing else: what else it could be given is no
+            // way out here.
+            let reason = reason.split("; give ").next().unwrap_or_default();
             format!("{quantity} = {} {bound}: {reason}", plain(*value))
         }
         other => other.to_string(),
@@ -73,4 +83,21 @@ fn refusal(error: &ModelError) -> String {
 
 fn plain(value: f64) -> String {
     format!("{value:.2}").trim_end_matches('0').trim_end_matches('.').replace('-', "\u{2212}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_study_advises_nothing_it_cannot_be_given() {
+        let error = ModelError::OutsideDomain {
+            model: "Majumdar-Bhushan".into(),
+            quantity: "D".into(),
+            value: 1.623_456_789_012_345,
+            domain: 1.0..=1.5,
+            reason: "the load diverges; give a critical area, below which spots are plastic".into(),
+        };
+        assert_eq!(refusal(&error), "D = 1.62 ≥ 1.5: the load diverges");
+    }
 }

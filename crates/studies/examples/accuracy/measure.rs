@@ -6,7 +6,7 @@ use compare::plan::{Miss, NoBar, Request, Sink, Task, Unmet, run};
 use contact_accuracy::NoAreaInterval;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{
-    BOUNDARY_CORRECTION, Boundary, Iteration, Load, Maps, Method, Solution, Solver, SolverError,
+    BOUNDARY_CORRECTION, Boundary, Load, Maps, Method, Solution, Solver, SolverError,
 };
 use std::error::Error;
 use std::fmt::Write as _;

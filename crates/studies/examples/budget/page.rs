@@ -108,8 +108,11 @@ fn case(table: &Table, row: usize, class: &'static str, map: &Map) -> Case {
         gap: None,
         pressure: f64::NAN,
         bar: map.accuracy.on(refined).line_left_over(get("edges2")),
+        gap_bar: 0.0,
+        stiffness: None,
+        monotone: None,
     };
-    let share = line / given;
+    let share = grid::Line { area: given, edges: get("edges1") };
     let (rms, answer) = (map.rms_height, get("area_e4"));
     let gap_half = grid::gap_half_width(map, share) / rms + iteration::GAP * residual;
     Case {

@@ -1,4 +1,4 @@
-//! ZIP containers: X3P and NPZ are archives, and users zip (and gzip) single files.
+//! ZIP containers: X3P, NPZ, PLUX and workbooks are archives, and users zip (and gzip) single files.
 //!
 //! Nothing is unpacked beyond [`Limits::unpacked_bytes`], whatever the archive claims.
 
@@ -58,7 +58,7 @@ fn fault(bytes: &[u8], format: Format, e: &zip::result::ZipError) -> ReadError {
     Bytes::little(bytes, format).field("archive", e.to_string())
 }
 
-/// The single file in a ZIP archive that is neither X3P nor NPZ, or in a gzip file; any other
+/// The single file in a ZIP archive that is no format of its own, or in a gzip file; any other
 /// bytes as they are.
 pub(crate) fn unwrap_single<'a>(
     bytes: &'a [u8],
@@ -73,7 +73,10 @@ pub(crate) fn unwrap_single<'a>(
     let Ok(mut archive) = Archive::open(bytes, Format::Zip, limits) else {
         return Ok(Cow::Borrowed(bytes)); // the reader of the inner format names the fault
     };
-    if archive.names.iter().any(|name| is_npy(name) || is_main_xml(name)) {
+    let is_ours = |name: &String| {
+        is_npy(name) || is_main_xml(name) || name == "xl/workbook.xml" || name == "index.xml"
+    };
+    if archive.names.iter().any(is_ours) {
         return Ok(Cow::Borrowed(bytes));
     }
     match &archive.names[..] {

@@ -5,6 +5,9 @@
 //! |---|---|
 //! | `%PDF`, PNG, JPEG, BMP, GIF | documents and pictures |
 //! | `Rar!`, `7z` | archives |
+//! | `OLYMPUSRAWFORMAT` | OIR of Olympus, whose data are cut into pieces with a list of their own |
+//! | `SIMPLE  =`, `MATLAB 5.0`, `solid `, `ply` | FITS, MATLAB before 7.3, STL, PLY |
+//! | `ARDF`, `WIT_PR` | force maps of Asylum, projects of WITec |
 //!
 //! Formats that are read are in the catalogue, not here.
 
@@ -27,6 +30,32 @@ const FOREIGN: &[Foreign] = &[
         magic: b"%PDF",
         name: "a PDF document",
         way_out: "export the data from the program that made it, for example as X3P or text",
+    },
+    Foreign {
+        magic: b"OLYMPUSRAWFORMAT",
+        name: "an Olympus OIR file",
+        way_out: "save the height image as LEXT or CSV in the microscope's program",
+    },
+    Foreign { magic: b"SIMPLE  =", name: "a FITS file", way_out: "save its array as NPY" },
+    Foreign {
+        magic: b"MATLAB 5.0 MAT-file",
+        name: "a MATLAB file of a version before 7.3",
+        way_out: "save it in MATLAB with `-v7.3`, which is HDF5, or as text",
+    },
+    Foreign {
+        magic: b"ply\n",
+        name: "a PLY mesh",
+        way_out: "put its points on a grid and save them as x y z text",
+    },
+    Foreign {
+        magic: b"ARDF",
+        name: "an Asylum ARDF file of force maps",
+        way_out: "export the height channel as IBW",
+    },
+    Foreign {
+        magic: b"WIT_PR",
+        name: "a WITec project",
+        way_out: "export the height image as text",
     },
     Foreign { magic: b"Rar!", name: "a RAR archive", way_out: "unpack it and name a file in it" },
     Foreign {

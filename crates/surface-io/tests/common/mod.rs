@@ -11,6 +11,7 @@
 
 pub mod binary;
 pub mod instruments;
+pub mod microscopes;
 
 use surface_io::{Measurement, ReadOptions};
 
@@ -159,5 +160,6 @@ pub fn samples() -> Vec<Sample> {
     ];
     samples.extend(binary::samples());
     samples.extend(instruments::samples());
+    samples.extend(microscopes::samples());
     samples
 }

@@ -2,6 +2,7 @@
 
 use super::{
     FittedForm, Form, FormParameters, OutlierRule, find_outliers, fit_form, gaussian_filter,
+    row_offsets,
 };
 use crate::{Edges, StatsError};
 use contact_types::Grid;
@@ -15,6 +16,8 @@ use std::fmt;
     serde(rename_all = "kebab-case")
 )]
 pub enum Step {
+    /// Rows that stand at heights of their own are put in line.
+    Rows,
     /// Spikes become missing points.
     Outliers(OutlierRule),
     /// The fitted form is taken off.
@@ -28,6 +31,13 @@ pub enum Step {
 /// One step, as done. [`fmt::Display`] writes one line for a report.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Record {
+    /// Rows put in line.
+    Rows {
+        /// Rms jump from row to row before (m).
+        jump: f64,
+        /// Largest offset taken off a row (m).
+        largest: f64,
+    },
     /// Spikes found and made missing.
     Outliers {
         /// The rule.
@@ -72,6 +82,12 @@ pub fn apply(
     let mut records = Vec::with_capacity(steps.len());
     for &step in steps {
         records.push(match step {
+            Step::Rows => {
+                let found = row_offsets(grid, heights)?;
+                found.remove_from(heights);
+                let largest = found.offsets.iter().fold(0.0f64, |m, o| m.max(o.abs()));
+                Record::Rows { jump: found.jump, largest }
+            }
             Step::Outliers(rule) => {
                 let found = find_outliers(grid, heights, rule)?;
                 found.remove_from(heights);
@@ -99,9 +115,28 @@ pub fn apply(
     Ok(records)
 }
 
+/// A radius with four digits, in the unit that suits it.
+fn shown(radius: f64) -> String {
+    let units = [(1e3, "km"), (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm")];
+    let fits = |(scale, _): &(f64, &str)| radius >= 0.99995 * scale;
+    let Some((scale, unit)) = units.into_iter().find(fits).filter(|_| radius < 1e7) else {
+        return format!("{radius:.3e} m");
+    };
+    let value = radius / scale;
+    let digits = (3 - value.log10().floor() as i32).max(0) as usize;
+    format!("{value:.digits$} {unit}")
+}
+
 impl fmt::Display for Record {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
+            Self::Rows { jump, largest } => write!(
+                f,
+                "rows put in line by the median of their differences: they jumped by {:.4} µm rms, \
+                 the largest offset was {:.4} µm",
+                1e6 * jump,
+                1e6 * largest
+            ),
             Self::Outliers { rule, count: 0, limit, .. } => write!(
                 f,
                 "no spikes: no point is more than {:.4} µm off its neighbours ({} robust standard \
@@ -127,17 +162,12 @@ impl fmt::Display for Record {
                         write!(f, "polynomial of degree {degree}")?;
                     }
                     FormParameters::Sphere { radius, .. } => {
-                        write!(
-                            f,
-                            "sphere of radius {:.6} mm ({})",
-                            1e3 * radius.abs(),
-                            way(radius)
-                        )?;
+                        write!(f, "sphere of radius {} ({})", shown(radius.abs()), way(radius))?;
                     }
                     FormParameters::Cylinder { radius, direction, .. } => write!(
                         f,
-                        "cylinder of radius {:.6} mm ({}), axis {:.2}° from x",
-                        1e3 * radius.abs(),
+                        "cylinder of radius {} ({}), axis {:.2}° from x",
+                        shown(radius.abs()),
                         way(radius),
                         direction.to_degrees()
                     )?,
@@ -166,6 +196,13 @@ fn way(radius: f64) -> &'static str {
 mod tests {
     use super::*;
     use crate::synthesis::{Scale, SelfAffine};
+
+    #[test]
+    fn a_radius_has_four_digits() {
+        assert_eq!(shown(0.322_694_106), "322.7 mm");
+        assert_eq!(shown(2e-3), "2.000 mm");
+        assert_eq!(shown(2.3e3), "2.300 km");
+    }
 
     /// A rough ball with a spike and a hole: after spike, form and S-filter the relief is that of
     /// the rough flat, filtered alike.
@@ -208,6 +245,24 @@ mod tests {
         let text: Vec<String> = records.iter().map(ToString::to_string).collect();
         assert!(text[0].starts_with("1 spike removed: more than "), "{text:?}");
         assert!(text[1].contains("(convex) fitted to 11979 points"), "{text:?}");
+    }
+
+    /// Rows of a smooth map, each at a height of its own, stand in line afterwards.
+    #[test]
+    fn rows_come_into_line() {
+        let grid = Grid::new([40, 50], [1e-6, 1e-6]).unwrap();
+        let wave = |i: usize| 1e-8 * (0.5 * (i % 50) as f64).sin();
+        let offset = |iy: usize| if iy.is_multiple_of(3) { 4e-8 } else { -2e-8 };
+        let mut heights: Vec<f64> = (0..2000).map(|i| wave(i) + offset(i / 50)).collect();
+        let records = apply(grid, &mut heights, &[Step::Rows], Edges::Open).unwrap();
+        let Record::Rows { jump, largest } = records[0] else { panic!("{records:?}") };
+        assert!(jump > 4e-8 && largest > 3.9e-8, "{jump:e} {largest:e}");
+        assert!(!row_offsets(grid, &heights).unwrap().rows_jump());
+        for row in heights.chunks(50).skip(1) {
+            for (h, first) in row.iter().zip(&heights[..50]) {
+                assert!((h - first).abs() < 1e-8, "{h:e} {first:e}"); // a tilt stays
+            }
+        }
     }
 
     #[test]

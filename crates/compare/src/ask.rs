@@ -1,0 +1,84 @@
+//! One answer of a model, whichever model it is: the only place where a model is asked.
+
+use contact_types::{ContactModel, ContactState, ModelError, SeparationModel};
+
+/// What `model`, called `name` in errors, answers at a nominal pressure (Pa).
+///
+/// # Errors
+/// Those of the model; [`ModelError::OutsideDomain`] where more than the whole surface would touch.
+pub fn at_pressure(
+    name: &str,
+    model: &dyn ContactModel,
+    mean_pressure: f64,
+) -> Result<ContactState, ModelError> {
+    possible(name, model.at_pressure(mean_pressure)?)
+}
+
+/// What `model` answers at a separation of the undeformed planes (m).
+///
+/// # Errors
+/// As for [`at_pressure`].
+pub fn at_separation(
+    name: &str,
+    model: &dyn SeparationModel,
+    separation: f64,
+) -> Result<ContactState, ModelError> {
+    possible(name, model.at_separation(separation)?)
+}
+
+/// Theories that add up contacts know no upper end; a surface does.
+fn possible(model: &str, state: ContactState) -> Result<ContactState, ModelError> {
+    // Rounding may lift full contact by some last digits.
+    if state.area_fraction > 1.0 + 1e-12 {
+        return Err(ModelError::OutsideDomain {
+            model: model.to_owned().into(),
+            quantity: "area fraction".into(),
+            value: state.area_fraction,
+            domain: 0.0..=1.0,
+            reason:
+                "more than the whole surface would touch; at this load the theory has no answer"
+                    .into(),
+        });
+    }
+    Ok(state)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Inputs, built_in, find};
+
+    /// Every built-in theory at a load that closes any contact: full contact at most, or no answer.
+    #[test]
+    fn no_model_answers_more_than_everything() {
+        let inputs = Inputs::example();
+        let mut refused = Vec::new();
+        for theory in built_in().iter() {
+            let model = theory.build(&inputs).unwrap();
+            for exponent in 6..=13 {
+                match at_pressure("it", model.as_ref(), 10f64.powi(exponent)) {
+                    Ok(state) => assert!(state.area_fraction <= 1.0 + 1e-12, "{state:?}"),
+                    Err(ModelError::OutsideDomain { quantity, value, domain, .. })
+                        if quantity == "area fraction" =>
+                    {
+                        assert!(value > *domain.end());
+                        refused.push(theory.card().name.clone());
+                    }
+                    Err(_) => {}
+                }
+            }
+        }
+        for name in ["gw", "bgt", "majumdar-bhushan", "archard"] {
+            assert!(refused.iter().any(|r| r == name), "{name} has an answer at every load");
+        }
+    }
+
+    #[test]
+    fn a_separation_inside_the_surface_has_no_answer() {
+        let theory = find("gw").unwrap();
+        let model = theory.build_separation(&Inputs::example()).unwrap().unwrap();
+        assert!(at_separation("it", model.as_ref(), 2e-7).is_ok());
+        let refused = at_separation("it", model.as_ref(), -1e-5);
+        assert!(matches!(refused, Err(ModelError::OutsideDomain { .. })), "{refused:?}");
+    }
+}

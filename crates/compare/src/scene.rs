@@ -1,0 +1,186 @@
+//! Is the question one that an elastic half-space can answer? Slopes, units and pressures.
+
+use crate::finding::{Fact, Finding, Steep, Weight, Yield};
+use surface_stats::Warning;
+use surface_stats::clean::RowOffsets;
+
+/// Rms gradient from which small-slope elasticity strains: errors of the slopes squared.
+const STEEP: f64 = 0.3;
+/// Rms gradient at which it ends.
+const TOO_STEEP: f64 = 0.5;
+/// Rms gradient that no surface has that a map can show: its sides stand at more than 84°.
+const NO_SURFACE: f64 = 10.0;
+/// Rms height (m) and radius of asperities (m) that no rough surface has.
+const NO_HEIGHT: f64 = 1.0;
+const NO_RADIUS: f64 = 1e3;
+
+/// Contact modulus (Pa) below which solids are rubbers and gels, which do not yield in a contact.
+const RUBBER: f64 = 1e8;
+/// Contact modulus (Pa) below which they are polymers.
+const POLYMER: f64 = 2e10;
+/// Contact modulus (Pa) above which they are hard metals and ceramics.
+const CERAMIC: f64 = 2.5e11;
+
+/// Whether an rms gradient strains small-slope elasticity.
+pub fn is_steep(gradient: f64) -> bool {
+    gradient > STEEP || gradient.is_nan()
+}
+
+/// What is asked of the theory of elasticity, and what it answers.
+#[derive(Debug, Clone, Default)]
+pub struct Scene {
+    /// Contact modulus (Pa).
+    pub modulus: f64,
+    /// Rms gradient \[-\], if it is known.
+    pub gradient: Option<f64>,
+    /// Rms height (m), if it is known.
+    pub rms_height: Option<f64>,
+    /// Radius of asperities (m), if they have one.
+    pub radius: Option<f64>,
+    /// How its rows stand against each other, where no statistics say it.
+    pub rows: Option<RowOffsets>,
+    /// Answers by rising load.
+    pub pressed: Vec<Pressed>,
+}
+
+/// What presses at one load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pressed {
+    /// Nominal pressure (Pa).
+    pub nominal: f64,
+    /// Mean pressure where the bodies touch (Pa).
+    pub mean: f64,
+    /// Highest pressure (Pa), if it is known.
+    pub highest: Option<f64>,
+}
+
+impl Scene {
+    /// What is said before any number: units, yield, slopes.
+    pub fn findings(&self) -> Vec<Finding> {
+        let found = [self.unit(), self.beyond_yield(), self.steep(), self.rows_jump()];
+        found.into_iter().flatten().collect()
+    }
+
+    /// A size that looks like a mistyped unit.
+    fn unit(&self) -> Option<Finding> {
+        let beyond = |value: Option<f64>, limit: f64| value.filter(|v| *v > limit || v.is_nan());
+        let gradient = beyond(self.gradient, NO_SURFACE);
+        let rms_height = beyond(self.rms_height, NO_HEIGHT);
+        let radius = beyond(self.radius, NO_RADIUS);
+        let fact = Fact::Unit { gradient, rms_height, radius };
+        let is_odd = [gradient, rms_height, radius].iter().any(Option::is_some);
+        is_odd.then_some(Finding { weight: Weight::Check, fact })
+    }
+
+    fn rows_jump(&self) -> Option<Finding> {
+        let rows = self.rows.as_ref().filter(|rows| rows.rows_jump())?;
+        let fact = Fact::Warned(Warning::RowsJump { jump: rows.jump, share: rows.share });
+        Some(Finding { weight: Weight::Check, fact })
+    }
+
+    fn steep(&self) -> Option<Finding> {
+        let gradient = self.gradient.filter(|g| *g > STEEP && *g <= NO_SURFACE)?;
+        let is_over = gradient > TOO_STEEP;
+        let weight = if is_over { Weight::Check } else { Weight::Note };
+        Some(Finding { weight, fact: Fact::Steep(Steep { gradient, is_over }) })
+    }
+
+    /// Whether the elastic answer presses harder than solids of this modulus bear.
+    fn beyond_yield(&self) -> Option<Finding> {
+        let hardness = typical_hardness(self.modulus)?;
+        let [soft, hard] = hardness;
+        let first =
+            |least: f64, of: fn(&Pressed) -> f64| self.pressed.iter().find(|p| of(p) > least);
+        let mean = |p: &Pressed| p.mean;
+        let (weight, at) = match (first(hard, mean), first(soft, mean)) {
+            (Some(at), _) => (Weight::Check, at),
+            (None, Some(at)) => (Weight::Note, at),
+            (None, None) => (Weight::Note, first(hard, |p| p.highest.unwrap_or(0.0))?),
+        };
+        let full = self.gradient.map(|g| self.modulus * g);
+        let fact = Yield { at: *at, modulus: self.modulus, hardness, full };
+        Some(Finding { weight, fact: Fact::Yield(fact) })
+    }
+}
+
+/// Hardness `[low, high]` (Pa) of solids that have this contact modulus; `None` for rubbers.
+///
+/// Hardness over E/(1 − ν²) of 26 solids, load over projected area of the indent, from public data
+/// sheets (makeitfrom.com, matweb.com, webelements.com): annealed copper and gold 0.002 to 0.003,
+/// steels 1020, 304 and 316 0.006 to 0.009, 6061-T6 0.013, hardened 100Cr6 0.038; alumina 0.04, glass
+/// 0.06 to 0.075, silicon carbide 0.063, hard carbon 0.10; PTFE 0.04, PMMA 0.053. The upper ends allow
+/// for two like bodies, whose contact modulus is half; the lower end of metals is that of structural
+/// alloys.
+fn typical_hardness(modulus: f64) -> Option<[f64; 2]> {
+    let [low, high] = match modulus {
+        e if e < RUBBER => return None,
+        e if e < POLYMER => [0.04, 0.11],
+        e if e <= CERAMIC => [0.006, 0.08],
+        _ => [0.006, 0.12],
+    };
+    Some([low * modulus, high * modulus])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(scene: &Scene) -> Vec<(Weight, &'static str)> {
+        let name = |f: &Finding| match f.fact {
+            Fact::Unit { .. } => "unit",
+            Fact::Yield(_) => "yield",
+            Fact::Steep(_) => "steep",
+            _ => "other",
+        };
+        scene.findings().iter().map(|f| (f.weight, name(f))).collect()
+    }
+
+    fn steel(mean: f64, highest: f64) -> Scene {
+        let pressed = vec![Pressed { nominal: 1e7, mean, highest: Some(highest) }];
+        Scene { modulus: 115e9, gradient: Some(0.05), pressed, ..Scene::default() }
+    }
+
+    /// 17 GPa mean and 110 GPa highest on steel; hardened bearing steel has 8 GPa.
+    #[test]
+    fn steel_that_bears_17_gigapascals_is_said_to_be_fiction() {
+        assert_eq!(said(&steel(17e9, 110e9)), [(Weight::Check, "yield")]);
+        assert_eq!(said(&steel(5e9, 30e9)), [(Weight::Note, "yield")]);
+        assert_eq!(said(&steel(0.3e9, 30e9)), [(Weight::Note, "yield")]);
+        assert_eq!(said(&steel(0.3e9, 2e9)), []);
+        let rubber = Scene { modulus: 2e6, ..steel(17e9, 110e9) };
+        assert_eq!(said(&rubber), []);
+    }
+
+    /// The lightest load that presses too hard is named, in the graver of the two classes.
+    #[test]
+    fn the_lightest_load_is_named() {
+        let at = |nominal, mean| Pressed { nominal, mean, highest: None };
+        let pressed = vec![at(1e6, 1e8), at(2e6, 5e9), at(3e6, 10e9), at(4e6, 12e9)];
+        let scene = Scene { pressed, ..steel(0.0, 0.0) };
+        let found = scene.findings();
+        let Fact::Yield(Yield { at, hardness: [low, high], full, .. }) = found[0].fact else {
+            panic!("{found:?}")
+        };
+        assert_eq!(at.nominal.to_bits(), 3e6f64.to_bits());
+        assert!(low < 1.3e9 && high > 8e9 && high < 10e9, "{low:e} {high:e}");
+        assert!(full.is_some_and(|f| (f - 5.75e9).abs() < 1.0), "{full:?}");
+    }
+
+    /// Gradient 287 is a file in mm read as m: the unit is asked for, first of all.
+    #[test]
+    fn slopes_and_units() {
+        let of = |gradient: f64| {
+            said(&Scene { modulus: 1e9, gradient: Some(gradient), ..Scene::default() })
+        };
+        assert_eq!(of(0.2), []);
+        assert_eq!(of(0.4), [(Weight::Note, "steep")]);
+        assert_eq!(of(3.0), [(Weight::Check, "steep")]);
+        assert_eq!(of(287.0), [(Weight::Check, "unit")]);
+        assert_eq!(of(f64::INFINITY), [(Weight::Check, "unit")]);
+        assert_eq!(of(f64::NAN), [(Weight::Check, "unit")]);
+        let radius = Scene { radius: Some(2.3e3), gradient: Some(0.1), ..Scene::default() };
+        assert_eq!(said(&radius), [(Weight::Check, "unit")]);
+        let height = Scene { rms_height: Some(1e299), ..Scene::default() };
+        assert_eq!(said(&height), [(Weight::Check, "unit")]);
+    }
+}

@@ -1,0 +1,205 @@
+//! What lies between the points: how far ways to interpolate differ where the surface touches.
+//!
+//! A map fixes a surface at its points. Where it is smooth from point to point, every sensible way to
+//! go from one to the next leads over the same heights. On the rim of a worn or clipped top, at a
+//! crease or a spike, it does not: a trigonometric interpolant rings, a cubic one rounds, and the
+//! light load is carried by what they differ in. Halfway between two neighbours the polynomial
+//! through eight points in line and that through four tell the two apart (no transform, and only
+//! where something touches). Their difference is a length; against it stands how far a pixel's worth
+//! of load deforms the surface, `(mean real pressure / E*) x pixel`. The ratio is the *doubt*.
+//!
+//! A share of the whole map, such as the gradient that differences see, does not find flat tops: they
+//! are a few per cent of it.
+
+use crate::monotone::inside;
+use contact_types::{ContactModulus, Grid, HeightMap};
+use fft_bem_solver::Solution;
+use std::f64::consts::PI;
+
+/// Doubt above which the bar of the grid is not known to hold.
+pub const MOST_DOUBT: f64 = 0.07;
+
+/// How much the interpolants differ at the contact of one solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Between {
+    /// Rms difference halfway between neighbours, of which at least one touches (m).
+    pub height: f64,
+    /// The same where only one of the two touches, along the contact line (m).
+    pub at_line: f64,
+    /// What a pixel's worth of load deforms, (mean real pressure / E*) x pixel (m).
+    pub deformed: f64,
+    /// In full contact, the largest share of the pressure that the difference may take off: as a wave
+    /// of two points it carries E* (pi/2) / pixel times its height (Johnson 1985, section 13.2). 0
+    /// where something is open.
+    pub lifted: f64,
+}
+
+/// Difference of the polynomials through eight and through four points, halfway: weights of the
+/// pairs of points from the inner to the outer one.
+const WEIGHTS: [f64; 4] =
+    [1225.0 / 2048.0 - 9.0 / 16.0, 1.0 / 16.0 - 245.0 / 2048.0, 49.0 / 2048.0, -5.0 / 2048.0];
+
+impl Between {
+    /// Of a `surface` under `pressure` (Pa, of its grid). Beyond its edges stands itself if it
+    /// `repeats`, its mirror image otherwise. `None` if nothing touches, the pressure is not of this
+    /// grid, or a side has fewer than eight points.
+    pub fn of(
+        surface: &HeightMap,
+        repeats: bool,
+        pressure: &[f64],
+        modulus: ContactModulus,
+    ) -> Option<Self> {
+        let [ny, nx] = surface.grid().shape();
+        if pressure.len() != surface.grid().len() || ny.min(nx) < 8 {
+            return None;
+        }
+        let [dy, dx] = surface.grid().pixel();
+        let (mut touching, mut load) = (0.0, 0.0);
+        // Squares and their number, at the contact and at its line.
+        let (mut all, mut line) = ([0.0; 2], [0.0; 2]);
+        // The largest share of the pressure that a difference may take off where both touch.
+        let mut lifted = 0.0f64;
+        let lift = 0.5 * PI * modulus.pascals() / dy.min(dx);
+        let mut add = |difference: f64, pressures: [f64; 2]| {
+            let square = difference * difference;
+            all = [all[0] + square, all[1] + 1.0];
+            let least = pressures[0].min(pressures[1]);
+            if least > 0.0 {
+                lifted = lifted.max(lift * difference.abs() / least);
+            } else {
+                line = [line[0] + square, line[1] + 1.0];
+            }
+        };
+        for (i, &p) in pressure.iter().enumerate() {
+            let touches = p > 0.0;
+            if touches {
+                touching += 1.0;
+                load += p;
+            }
+            let (iy, ix) = (i / nx, i % nx);
+            // Halfway to the next point along x, then along y.
+            let (right, below) = (inside(ix, 1, nx, repeats), inside(iy, 1, ny, repeats));
+            let next = pressure[iy * nx + right];
+            if touches || next > 0.0 {
+                let along = |k: isize| surface.at(iy, inside(ix, k, nx, repeats));
+                add(difference(along), [p, next]);
+            }
+            let next = pressure[below * nx + ix];
+            if touches || next > 0.0 {
+                let along = |k: isize| surface.at(inside(iy, k, ny, repeats), ix);
+                add(difference(along), [p, next]);
+            }
+        }
+        if load <= 0.0 {
+            return None;
+        }
+        let [height, at_line] = [all, line].map(|[sum, count]| (sum / f64::max(count, 1.0)).sqrt());
+        let deformed = load / touching / modulus.pascals() * dy.min(dx);
+        let lifted = if line[1] > 0.0 { 0.0 } else { lifted };
+        Some(Self { height, at_line, deformed, lifted })
+    }
+
+    /// The same of a `solution` on another `grid` of the same area: what the given points say at its
+    /// contact.
+    pub fn on_points_of(
+        surface: &HeightMap,
+        repeats: bool,
+        solution: &Solution,
+        grid: Grid,
+        modulus: ContactModulus,
+    ) -> Option<Self> {
+        if grid == surface.grid() {
+            return Self::of(surface, repeats, &solution.pressure, modulus);
+        }
+        if solution.pressure.len() != grid.len() {
+            return None;
+        }
+        let ([ny, nx], [my, mx]) = (surface.grid().shape(), grid.shape());
+        let there = |i: usize| solution.pressure[i / nx * my / ny * mx + i % nx * mx / nx];
+        let pressure: Vec<f64> = (0..ny * nx).map(there).collect();
+        Self::of(surface, repeats, &pressure, modulus)
+    }
+
+    /// Whether the bar of the grid is known to hold.
+    pub fn is_small(&self) -> bool {
+        self.doubt() <= MOST_DOUBT
+    }
+
+    /// The difference over what a pixel's worth of load deforms: at the contact or along its line,
+    /// whichever is larger (-). In a large contact the line alone is open, and its part of all is
+    /// small. Full contact is in doubt where the difference may lift it off.
+    pub fn doubt(&self) -> f64 {
+        (self.height.max(self.at_line) / self.deformed).max(MOST_DOUBT * self.lifted)
+    }
+}
+
+/// Difference of the interpolants between the points 0 and 1 of a line.
+fn difference(at: impl Fn(isize) -> f64) -> f64 {
+    let pairs = WEIGHTS.iter().enumerate();
+    pairs.map(|(k, weight)| weight * (at(-k.cast_signed()) + at(k.cast_signed() + 1))).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use contact_types::Grid;
+    use std::f64::consts::TAU;
+
+    fn modulus() -> ContactModulus {
+        ContactModulus::from_pascals(1.0).unwrap()
+    }
+
+    /// Both interpolants are exact for cubics; of a wave they differ by what their symbols say.
+    #[test]
+    fn difference_of_the_interpolants_of_a_cubic_and_of_a_wave() {
+        assert!(
+            difference(|k| {
+                let x = k as f64;
+                3.0 - x + 2.0 * x * x - x * x * x
+            })
+            .abs()
+                < 1e-12
+        );
+        for pixels in [3.0, 5.0, 12.0] {
+            let q = TAU / pixels;
+            let halfway = |k: f64| (q * (k - 0.5)).cos();
+            let four = (9.0 * 2.0 * (0.5 * q).cos() - 2.0 * (1.5 * q).cos()) / 16.0;
+            let eight = (1225.0 * (0.5 * q).cos() - 245.0 * (1.5 * q).cos()
+                + 49.0 * (2.5 * q).cos()
+                - 5.0 * (3.5 * q).cos())
+                / 1024.0;
+            let found = difference(|k| halfway(k as f64));
+            assert!((found - (eight - four)).abs() < 1e-12, "{pixels}: {found}");
+        }
+    }
+
+    /// One point of pressure p touches, on a wave along x: four midpoints, two of them along x.
+    #[test]
+    fn doubt_is_the_difference_over_a_pixel_of_deformation() {
+        let grid = Grid::new([16, 16], [2e-6, 2e-6]).unwrap();
+        let q = TAU / (4.0 * 2e-6);
+        let map = HeightMap::from_fn(grid, |_, x| 1e-7 * (q * x).cos()).unwrap();
+        let mut pressure = vec![0.0; 256];
+        pressure[8 * 16 + 4] = 0.05;
+        let found = Between::of(&map, true, &pressure, modulus()).unwrap();
+        assert!((found.height - found.at_line).abs() < 1e-20);
+        // To both sides of a crest 1, 0, -1, 0, 1 the difference is that of the sums of pairs.
+        let [a, b, c, d] = WEIGHTS;
+        let one = 1e-7 * (a - b - c + d);
+        assert!((found.height / (one.abs() / 2f64.sqrt()) - 1.0).abs() < 1e-9, "{found:?}");
+        assert!((found.doubt() / (found.height / (0.05 * 2e-6)) - 1.0).abs() < 1e-12);
+        assert_eq!(Between::of(&map, true, &vec![0.0; 256], modulus()), None);
+        assert_eq!(Between::of(&map, true, &[], modulus()), None);
+    }
+
+    /// A map that does not repeat is continued by its mirror image: its seam is no crease.
+    #[test]
+    fn the_seam_of_a_tilted_map_is_no_doubt_unless_it_repeats() {
+        let grid = Grid::new([16, 16], [1.0, 1.0]).unwrap();
+        let map = HeightMap::from_fn(grid, |_, x| 0.01 * x).unwrap();
+        let all = vec![0.1; 256];
+        let repeated = Between::of(&map, true, &all, modulus()).unwrap();
+        let mirrored = Between::of(&map, false, &all, modulus()).unwrap();
+        assert!(mirrored.height < 0.1 * repeated.height, "{mirrored:?} {repeated:?}");
+    }
+}

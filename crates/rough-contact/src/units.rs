@@ -1,0 +1,157 @@
+//! Units that people type, by kind of quantity.
+
+/// What kind of quantity an option takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Dimension {
+    /// A pure number, written without a unit; a percentage is one too.
+    Number,
+    /// Metres.
+    Length,
+    /// Square metres.
+    Area,
+    /// Per square metre.
+    PerArea,
+    /// Pascals.
+    Pressure,
+}
+
+/// A unit: its name, and a factor and a power of ten that make it one of SI.
+type Unit = (&'static str, f64, i32);
+
+/// Length units.
+const LENGTHS: &[Unit] = &[
+    ("m", 1.0, 0),
+    ("cm", 1.0, -2),
+    ("mm", 1.0, -3),
+    ("um", 1.0, -6),
+    ("micron", 1.0, -6),
+    ("microns", 1.0, -6),
+    ("nm", 1.0, -9),
+    ("A", 1.0, -10),
+    ("pm", 1.0, -12),
+    ("fm", 1.0, -15),
+    ("km", 1.0, 3),
+    ("in", 254.0, -4), // 25.4 mm exactly, since 1959
+    ("inch", 254.0, -4),
+    ("mil", 254.0, -7),
+];
+
+/// Pressure units.
+const PRESSURES: &[Unit] = &[
+    ("Pa", 1.0, 0),
+    ("hPa", 1.0, 2),
+    ("kPa", 1.0, 3),
+    ("MPa", 1.0, 6),
+    ("GPa", 1.0, 9),
+    ("TPa", 1.0, 12),
+    ("mPa", 1.0, -3),
+    ("uPa", 1.0, -6),
+    ("N/m^2", 1.0, 0),
+    ("N/mm^2", 1.0, 6),
+    ("kN/mm^2", 1.0, 9),
+    ("mbar", 1.0, 2),
+    ("bar", 1.0, 5),
+    ("kbar", 1.0, 8),
+    ("kgf/mm^2", 980_665.0, 1), // standard gravity, 9.80665 m/s^2
+    ("kgf/cm^2", 980_665.0, -1),
+    // 0.45359237 kg of standard gravity on (25.4 mm)^2.
+    ("psi", 0.453_592_37 * 9.806_65 / (0.0254 * 0.0254), 0),
+    ("ksi", 0.453_592_37 * 9.806_65 / (0.0254 * 0.0254), 3),
+];
+
+impl Dimension {
+    /// What people call it.
+    pub(crate) fn kind(self) -> &'static str {
+        match self {
+            Self::Number => "a pure number",
+            Self::Length => "length",
+            Self::Area => "area",
+            Self::PerArea => "number per area",
+            Self::Pressure => "pressure",
+        }
+    }
+
+    /// Units to offer.
+    pub(crate) fn units(self) -> &'static str {
+        match self {
+            Self::Number => "no unit, or %",
+            Self::Length => "m, mm, um, nm, A, inch or mil",
+            Self::Area => "m^2, mm^2, um^2 or nm^2",
+            Self::PerArea => "m^-2, mm^-2, um^-2 or nm^-2",
+            Self::Pressure => "Pa, kPa, MPa, GPa, bar, psi, kgf/mm^2 or N/mm^2",
+        }
+    }
+
+    /// One spelling that works.
+    pub(crate) fn example(self) -> &'static str {
+        match self {
+            Self::Number => "for example 0.8",
+            Self::Length => "for example 1.5um",
+            Self::Area => "for example 0.2nm^2",
+            Self::PerArea => "for example 3e12m^-2",
+            Self::Pressure => "for example 50MPa",
+        }
+    }
+
+    /// Factor and power of ten of a unit; `None` if it is not a unit of this dimension.
+    pub(crate) fn scale(self, unit: &str) -> Option<(f64, i32)> {
+        let find = |table: &[Unit], unit: &str| {
+            table.iter().find(|(name, _, _)| *name == unit).map(|&(_, f, e)| (f, e))
+        };
+        match self {
+            Self::Number => match unit {
+                "" => Some((1.0, 0)),
+                "%" => Some((1.0, -2)),
+                _ => None,
+            },
+            Self::Length => find(LENGTHS, unit),
+            Self::Area => find(LENGTHS, unit.strip_suffix("^2")?).map(|(f, e)| (f * f, 2 * e)),
+            Self::PerArea => {
+                let length = unit.strip_suffix("^-2").or_else(|| {
+                    let squared = unit.strip_prefix("1/").or_else(|| unit.strip_prefix('/'))?;
+                    squared.strip_suffix("^2")
+                })?;
+                find(LENGTHS, length).map(|(f, e)| (1.0 / (f * f), -2 * e))
+            }
+            Self::Pressure => find(PRESSURES, unit),
+        }
+    }
+
+    /// The unit with these letters in other cases, if there is one: of `MPa` and `mPa` the one
+    /// whose first letter is as it was typed.
+    pub(crate) fn near(self, unit: &str) -> Option<&'static str> {
+        let table = match self {
+            Self::Length => LENGTHS,
+            Self::Pressure => PRESSURES,
+            _ => return None,
+        };
+        let mut near = table.iter().filter(|(name, _, _)| name.eq_ignore_ascii_case(unit));
+        let first = near.clone().find(|(name, _, _)| name.chars().next() == unit.chars().next());
+        first.or_else(|| near.next()).map(|(name, _, _)| *name)
+    }
+}
+
+/// A unit in one spelling: `µm²` is `um^2`.
+pub(crate) fn plain(unit: &str) -> String {
+    let mut out = String::new();
+    for c in unit.chars().filter(|c| !c.is_whitespace()) {
+        match c {
+            'µ' | 'μ' => out.push('u'),
+            'Å' | '\u{212b}' => out.push('A'),
+            '²' => out.push_str("^2"),
+            '⁻' => out.push_str("^-"),
+            other => out.push(other),
+        }
+    }
+    // From a superscript minus followed by a superscript two.
+    let out = out.replace("^-^2", "^-2");
+    // "um2", "N/mm2" and "m-2": the caret is often left out.
+    for (short, long) in [("-2", "^-2"), ("2", "^2")] {
+        if let Some(base) = out.strip_suffix(short)
+            && base.ends_with(|c: char| c.is_ascii_alphabetic())
+        {
+            return format!("{base}{long}");
+        }
+    }
+    out
+}

@@ -1,0 +1,151 @@
+//! What is said before harm: yield, slopes, units, loads beyond a theory.
+#![allow(clippy::unwrap_used, reason = "a helper that fails is a failed test")]
+
+mod cli;
+
+use cli::{folder, matrix, rough_contact};
+use serde_json::Value;
+use std::path::Path;
+
+/// Crossed waves of 32 points, 1 by height unit.
+fn waves(folder: &Path) {
+    matrix(folder, "waves.txt", 64, 64, |iy, ix| {
+        let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 32.0).cos();
+        wave(iy) * wave(ix)
+    });
+}
+
+fn claim(findings: &Value, index: usize) -> &str {
+    findings[index]["claim"].as_str().unwrap()
+}
+
+#[test]
+fn yield_is_said_before_the_numbers_of_a_solve() {
+    let folder = folder();
+    waves(folder.path());
+    let line = "solve waves.txt --pixel 1um --height-unit um --modulus 110GPa --pressure 1GPa";
+    let json = rough_contact(folder.path(), &format!("{line} --json")).answered();
+    let first = &json["findings"][0];
+    assert_eq!(first["subject"], "material");
+    let text = first["text"].as_str().unwrap();
+    assert!(text.contains("for a hardness H of at least 15\u{202F}GPa"), "{text}");
+    let said = rough_contact(folder.path(), line).out;
+    let numbers = said.find("FFT pairs").unwrap();
+    assert!(said.find("hardness H").is_some_and(|at| at < numbers), "{said}");
+}
+
+/// A file in mm read as m: the unit is asked for first, and nothing passes beside it.
+#[test]
+fn a_mistyped_unit_is_asked_for_first_by_every_command() {
+    let folder = folder();
+    waves(folder.path());
+    let file = "waves.txt --pixel 1um --height-unit mm --modulus 110GPa --pressure 1GPa";
+    for line in [format!("solve {file}"), format!("model gw {file}")] {
+        let json = rough_contact(folder.path(), &format!("{line} --json")).answered();
+        assert_eq!(claim(&json["findings"], 0), "Is the unit right?", "{line}");
+        let said = rough_contact(folder.path(), &line).out;
+        assert!(said.starts_with("check: Is the unit right?"), "{said}");
+    }
+    let said = rough_contact(folder.path(), &format!("compare {file} --out out --json"));
+    let surface = &said.answered()["surfaces"][0];
+    assert_eq!(claim(&surface["findings"], 0), "Is the unit right?");
+    let all = surface["findings"].as_array().unwrap();
+    assert!(all.iter().all(|f| f["weight"] != "passed"), "{all:?}");
+    for model in surface["models"].as_array().unwrap() {
+        assert_ne!(model["verdict"], "yes", "{model}");
+    }
+    let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    assert!(!page.contains(">Passed<"));
+}
+
+#[test]
+fn more_than_the_whole_surface_is_no_answer() {
+    let folder = folder();
+    let moments = "--m0 0.01um^2 --m2 0.01 --m4 1e11m^-2 --modulus 110GPa";
+    for model in ["gw", "bgt", "greenwood-elliptical"] {
+        let line = format!("model {model} {moments} --pressure 1MPa,100GPa --json");
+        let said = rough_contact(folder.path(), &line);
+        assert_eq!(said.status, 2, "{model}: {}", said.err);
+        let points = said.json()["points"].clone();
+        assert!(points[0]["error"].is_null(), "{points}");
+        assert!(points[1]["area_fraction"].is_null(), "{points}");
+        assert_eq!(points[1]["error"]["quantity"], "area fraction", "{points}");
+        assert!(points[1]["error"]["value"].as_f64().unwrap() > 1.0);
+    }
+}
+
+/// A tilted map: no command leaves the tilt in unless it is told to, and each says so.
+#[test]
+fn every_command_takes_the_same_form_off_and_says_so() {
+    let folder = folder();
+    matrix(folder.path(), "tilted.txt", 64, 64, |iy, ix| {
+        let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 16.0).cos();
+        0.02 * wave(iy) * wave(ix) + 0.004 * ix as f64
+    });
+    let file = "tilted.txt --pixel 1um --height-unit um";
+    let load = "--modulus 110GPa --pressure 10MPa";
+    let asked = |line: &str| rough_contact(folder.path(), &format!("{line} --json")).answered();
+    let solved = asked(&format!("solve {file} {load}"));
+    let model = asked(&format!("model persson {file} {load}"));
+    let study = asked(&format!("compare {file} {load} --models persson --out out"));
+    let stats = asked(&format!("stats {file}"));
+    for answer in [&solved, &model, &stats, &study["settings"]] {
+        assert_eq!(answer["level"], "plane", "{answer}");
+    }
+    let surface = &study["surfaces"][0];
+    let near = |a: &Value, b: &Value| {
+        let (a, b) = (a.as_f64().unwrap(), b.as_f64().unwrap());
+        assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+    };
+    // One set of moments, named in both, and so one answer.
+    assert_eq!(model["inputs"]["source"], "finite-differences");
+    assert_eq!(surface["inputs"]["source"], "finite-differences");
+    for key in ["m0", "m2", "m4"] {
+        near(&model["inputs"]["moments"][key], &surface["inputs"]["moments"][key]);
+    }
+    let of_study = &surface["models"][0]["points"][0]["area_fraction"];
+    near(&model["points"][0]["area_fraction"], of_study);
+    assert!(model["points"][0]["mean_gap"].is_number(), "{model}");
+    for line in [
+        format!("solve {file} {load}"),
+        format!("model persson {file} {load}"),
+        format!("stats {file}"),
+    ] {
+        let said = rough_contact(folder.path(), &line).out;
+        assert!(said.contains("level") && said.contains("plane"), "{said}");
+    }
+}
+
+/// Rows that jump are no lay: every command says so, and names a step that takes it away.
+#[test]
+fn rows_that_jump_are_said_to_jump_and_put_in_line() {
+    let folder = folder();
+    matrix(folder.path(), "rows.txt", 64, 64, |iy, ix| {
+        let wave = |i: usize, n: f64| (i as f64 * std::f64::consts::TAU / n).cos();
+        let mixed = (iy as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40;
+        0.01 * wave(iy, 16.0) * wave(ix, 16.0) + 0.02 * (mixed as f64 / 16_777_216.0)
+    });
+    let file = "rows.txt --pixel 1um --height-unit um --modulus 110GPa --pressure 1MPa --json";
+    let claims = |line: &str, of: &dyn Fn(&Value) -> Value| -> String {
+        let json = rough_contact(folder.path(), line).answered();
+        let found = of(&json);
+        let list = found.as_array().unwrap().iter();
+        list.map(|f| f["claim"].as_str().unwrap().to_owned()).collect::<Vec<_>>().join(" ")
+    };
+    let own = |json: &Value| json["findings"].clone();
+    let first = |json: &Value| json["surfaces"][0]["findings"].clone();
+    for align in ["", " --align-rows"] {
+        let of = |command: &str| format!("{command} {file}{align}");
+        for said in [
+            claims(&of("solve"), &own),
+            claims(&of("model gw"), &own),
+            claims(&format!("{} --out out --force", of("compare")), &first),
+        ] {
+            assert_eq!(said.contains("Rows of the map jump"), align.is_empty(), "{said}");
+            assert!(!said.contains("a lay"), "{said}");
+        }
+    }
+    let again = rough_contact(folder.path(), "compare --from out/run.toml --out again --json");
+    let step = again.answered()["surfaces"][0]["cleaning"][0]["step"].clone();
+    assert_eq!(step, "rows");
+}

@@ -1,0 +1,99 @@
+//! JPK images (`.jpk`, `.jpk-qi-image`; JPK Instruments, now Bruker): TIFF with tags of its own.
+//!
+//! | tag | content |
+//! |---|---|
+//! | 0x8003, 0x8001 | date, version of the program |
+//! | 0x8042, 0x8043 | size of the grid along x, along y in metres: N pixels |
+//! | 0x8050, 0x8052 | channel, and its name for people |
+//! | 0x8051 | 1 if it is the way back |
+//! | 0x8080, 0x8081 | number of slots, name of the default one |
+//! | 0x8090 + 0x30 n | name of slot n |
+//! | 0x80A2, 0x80A3 + 0x30 n | its unit, its kind: `LinearScaling`, `NullScaling` |
+//! | 0x80A4, 0x80A5 + 0x30 n | factor and offset |
+//!
+//! Every directory but the first, a thumbnail, is a channel. Value = stored number × factor +
+//! offset of the default slot, which goes back to the stored number in one step. The first row is
+//! the bottom one.
+//!
+//! Sources: JPK, *Image file format*, as read by SurfaceTopography and AFMReader (both open); a
+//! `.jpk` of version 6 and a `.jpk-qi-image` of version 8.
+
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::tiff::{self, Page};
+use crate::{Format, Limits, Place, ReadError};
+
+const FORMAT: Format = Format::Jpk;
+const GRID_WIDTH: u16 = 0x8042;
+const GRID_HEIGHT: u16 = 0x8043;
+const CHANNEL: u16 = 0x8050;
+const RETRACE: u16 = 0x8051;
+const TITLE: u16 = 0x8052;
+const SLOTS: u16 = 0x8080;
+const DEFAULT_SLOT: u16 = 0x8081;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    tiff::first_page_has(bytes, GRID_WIDTH)
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let pages = tiff::pages(bytes, FORMAT, limits, usize::MAX)?;
+    let Some((global, pages)) = pages.split_first() else {
+        return Ok(Contents::default());
+    };
+    let size = [global.number(GRID_HEIGHT)?, global.number(GRID_WIDTH)?];
+    let mut contents = Contents::default();
+    for (number, page) in pages.iter().enumerate() {
+        let title = page.text(TITLE).or_else(|| page.text(CHANNEL));
+        let title = title.unwrap_or_else(|| format!("Image {}", number + 1));
+        let is_retrace = page.number(RETRACE).is_ok_and(|flag| flag > 0.0);
+        let name = format!("{title} ({})", if is_retrace { "retrace" } else { "trace" });
+        let channel = channel(&name, page, size, limits);
+        contents.channels.push(channel.unwrap_or_else(|e| Channel::unreadable(name, e)));
+    }
+    for (key, tag) in [("date", 0x8003), ("name", 0x8004), ("comment", 0x8005)] {
+        if let Some(text) = global.text(tag).filter(|text| !text.is_empty() && text != "<empty>") {
+            contents.metadata.insert(key.into(), text);
+        }
+    }
+    Ok(contents)
+}
+
+fn channel<'a>(
+    name: &str,
+    page: &Page<'a>,
+    size: [f64; 2],
+    limits: &Limits,
+) -> Result<Channel<'a>, ReadError> {
+    let image = page.image(limits)?;
+    let [ny, nx] = image.shape;
+    let pixel = Pixel::Metres([size[0] / ny as f64, size[1] / nx as f64]);
+    let fault = |what: String| ReadError::Malformed {
+        format: FORMAT,
+        place: Place::Field("slots".into()),
+        what: what.into(),
+    };
+    let wanted = page.text(DEFAULT_SLOT).ok_or_else(|| fault("none is the default".into()))?;
+    let count = page.number(SLOTS)?;
+    let first = (0..64u16)
+        .take_while(|slot| f64::from(*slot) < count)
+        .map(|slot| 0x30 * slot)
+        .find(|shift| page.text(0x8090 + shift).is_some_and(|slot| slot == wanted))
+        .ok_or_else(|| fault(format!("none is called {wanted:?}, the default")))?;
+    let kind = page.text(0x80A3 + first).unwrap_or_default();
+    let [factor, offset] = match kind.as_str() {
+        "LinearScaling" => [page.number(0x80A4 + first)?, page.number(0x80A5 + first)?],
+        "NullScaling" => [1.0, 0.0],
+        _ => {
+            let feature = format!("scaling of kind {kind:?}");
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        }
+    };
+    // Numbers without a unit are those of the converter, no heights.
+    let unit = page.text(0x80A2 + first).unwrap_or_else(|| "counts".into());
+    let channel = Channel::new(name, Some(&unit), image.shape, pixel, move || {
+        let mut values = image.decode()?;
+        values.iter_mut().for_each(|value| *value = *value * factor + offset);
+        Ok(values)
+    });
+    Ok(channel.flipped())
+}

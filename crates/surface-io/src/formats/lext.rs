@@ -1,0 +1,92 @@
+//! LEXT of Olympus laser microscopes (OLS4000 and later): TIFF with XML in two tags.
+//!
+//! | what | content |
+//! |---|---|
+//! | first directory, tag 270 | XML `TiffTagDescData` |
+//! | `HeightInfo/HeightDataPerPixelX`, `Y`, `Z` | pm per point along x, along y; pm per stored height |
+//! | first directory, Exif directory (34665), tag 41995 | XML `ExifTagDescData` |
+//! | `ImageCommonSettingsInfo/MakerCalibrationValueX`, `Y`, `Z` | factors on these three; 1 if missing |
+//! | another directory, tag 270 `HEIGHT` | the heights: u16 |
+//!
+//! The spacing is stored, so the question of N or N − 1 intervals does not arise. Pictures of
+//! other names are listed. A mask of missing points (`INVALID`, one bit a point) is not read.
+//!
+//! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
+
+use crate::binary::Bytes;
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::tiff::{self, IMAGE_DESCRIPTION, Page};
+use crate::{Format, Limits, ReadError, xml};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Lext;
+const EXIF: u16 = 34665;
+const DEVICE: u16 = 41995;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    let few = Limits { items: 1 << 12, ..Limits::default() };
+    tiff::is_tiff(bytes)
+        && tiff::pages(bytes, FORMAT, &few, 1).is_ok_and(|pages| {
+            let text = pages.first().and_then(|page| page.text(IMAGE_DESCRIPTION));
+            text.is_some_and(|text| text.contains("<TiffTagDescData"))
+        })
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let pages = tiff::pages(bytes, FORMAT, limits, usize::MAX)?;
+    let first = pages.first().ok_or_else(|| b.fault(4, "there is no directory"))?;
+    let fields = document(first, IMAGE_DESCRIPTION, limits)?;
+    // Calibration that is there and cannot be read is no reason to go without it.
+    let exif = if first.has(EXIF) { Some(first.sub_page(EXIF)?) } else { None };
+    let device = match exif {
+        Some(exif) if exif.has(DEVICE) => document(&exif, DEVICE, limits)?,
+        _ => BTreeMap::new(),
+    };
+    let number = |fields: &BTreeMap<String, String>, key: String| {
+        let Some(text) = fields.get(&key) else { return Ok(None) };
+        let value = text.parse::<f64>();
+        value.map(Some).map_err(|_| b.field(key, format!("{text:?} is no number")))
+    };
+    let scale = |axis: &str| {
+        let key = format!("HeightInfo/HeightDataPerPixel{axis}");
+        let picometres = number(&fields, key.clone())?.ok_or_else(|| b.field(key, "is missing"))?;
+        let key = format!("ImageCommonSettingsInfo/MakerCalibrationValue{axis}");
+        Ok::<_, ReadError>(1e-12 * picometres * number(&device, key)?.unwrap_or(1.0))
+    };
+    let pixel = Pixel::Metres([scale("Y")?, scale("X")?]);
+    let step = scale("Z")?;
+    let mut contents = Contents::default();
+    for (i, page) in pages.iter().enumerate() {
+        let title = page.text(IMAGE_DESCRIPTION).filter(|text| !text.contains('<'));
+        let name = title.unwrap_or_else(|| format!("Picture {}", i + 1));
+        let is_height = name.eq_ignore_ascii_case("height");
+        let channel = page.image(limits).map(|image| {
+            let unit = if is_height { "m" } else { "counts" };
+            let factor = if is_height { step } else { 1.0 };
+            Channel::new(name.clone(), Some(unit), image.shape, pixel, move || {
+                let mut values = image.decode()?;
+                values.iter_mut().for_each(|value| *value *= factor);
+                Ok(values)
+            })
+        });
+        contents.channels.push(channel.unwrap_or_else(|e| Channel::unreadable(name, e)));
+    }
+    for (key, tag) in [("software", 305), ("date", 306)] {
+        if let Some(text) = first.text(tag).filter(|text| !text.is_empty()) {
+            contents.metadata.insert(key.into(), text);
+        }
+    }
+    Ok(contents)
+}
+
+/// The fields of the XML in an entry.
+fn document(
+    page: &Page<'_>,
+    tag: u16,
+    limits: &Limits,
+) -> Result<BTreeMap<String, String>, ReadError> {
+    let (_, raw) = page.raw(tag)?;
+    let end = raw.iter().position(|&byte| byte == 0).unwrap_or(raw.len());
+    xml::fields(&raw[..end], FORMAT, "XML", limits)
+}

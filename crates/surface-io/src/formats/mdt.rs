@@ -1,0 +1,196 @@
+//! MDT of NT-MDT (Nova, Solver, NTEGRA): frames one after the other. All numbers little endian.
+//!
+//! | byte | type | content |
+//! |---|---|---|
+//! | 0 | 4 | 01 B0 93 FF |
+//! | 12 | u16 | number of frames − 1 |
+//! | 33 | | the frames |
+//! | frame + 0, 4 | u32, u16 | its size; its kind: 0 scan, 106 general map, others are left out |
+//! | frame + 8 … 18 | 6 × u16 | year, month, day, hour, minute, second |
+//! | frame + 20 | u16 | length V of the variables |
+//!
+//! A scan: the variables from byte 22 are, for x, y, z, f32 offset, f32 step, i16 unit; u8 channel at
+//! byte 52. Behind them, at 22 + V: u16 mode, points along x, along y, number of single points
+//! (their data are refused); the heights as i16; u32 length and text of the title.
+//! Unit: −5 m, −4 cm, −3 mm, −2 µm, −1 nm, 0 Å; others are no lengths.
+//!
+//! A general map, from byte 22: u32 length of its header; 44 bytes; u32 lengths of name, XML, view,
+//! special and source data; u32; u32 offset of the data in the file; u32 their size. The texts
+//! follow, 4 bytes, u32 length of a structure whose bytes 12 and 16 are the u32 numbers of
+//! dimensions and of quantities, then one calibration for each of them: u32 length, u32 length L of
+//! the numbers; these (u32 lengths of name, comment, unit; u64; f64; u64; f64 bias, f64 scale, u64
+//! first and last index, i32 type); the texts.
+//! Type: −1, −2, −4, −8 signed, 1, 2, 4, 8 unsigned integers of that many bytes, −5892 f32, −13320 f64.
+//!
+//! Height = stored number × step (scale) + offset (bias). Steps are stored, so the question of N or
+//! N − 1 intervals does not arise. The first row is the bottom one.
+//!
+//! Sources: NT-MDT's description as read by several open readers; a file of general maps of a current
+//! (no height among them). Scans were not checked against a real file.
+
+use crate::binary::{Bytes, Sample};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::{Format, Limits, ReadError, metres_per};
+
+const FORMAT: Format = Format::Mdt;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\x01\xb0\x93\xff")
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let frames = u64::from(b.u16(12)?) + 1;
+    limits.check_items(FORMAT, frames)?;
+    let mut contents = Contents::default();
+    let mut at = 33;
+    for number in 1..=frames {
+        let size = b.u32(at)? as usize;
+        if size < 22 {
+            return Err(b.fault(at, format!("a frame of {size} bytes; its header has 22")));
+        }
+        let frame = Frame { b, at, frame: Bytes::little(b.slice(at, size)?, FORMAT), number };
+        let name = format!("Frame {number}");
+        let channel = match frame.frame.u16(4)? {
+            0 => frame.scan(limits),
+            106 => frame.map(limits),
+            _ => {
+                at += size;
+                continue;
+            }
+        };
+        contents.channels.push(channel.unwrap_or_else(|e| Channel::unreadable(name, e)));
+        at += size;
+    }
+    Ok(contents)
+}
+
+/// One frame: the whole file for its data, and its own bytes for the rest.
+struct Frame<'a> {
+    b: Bytes<'a>,
+    at: usize,
+    frame: Bytes<'a>,
+    number: u64,
+}
+
+impl<'a> Frame<'a> {
+    fn scan(&self, limits: &Limits) -> Result<Channel<'a>, ReadError> {
+        let f = self.frame;
+        let axis = |at: usize| Ok::<_, ReadError>((f.f32(at)?, f.f32(at + 4)?, f.i16(at + 8)?));
+        let (x, y, z) = (axis(22)?, axis(32)?, axis(42)?);
+        let mode = 22 + usize::from(f.u16(20)?);
+        let shape = [f.u16(mode + 4)?.into(), f.u16(mode + 2)?.into()];
+        limits.check_points(FORMAT, shape)?;
+        if f.u16(mode + 6)? > 0 {
+            let feature = "a scan with spectra at single points".into();
+            return Err(ReadError::Unsupported { format: FORMAT, feature });
+        }
+        let pixel = match (unit(y.2), unit(x.2)) {
+            (Some(uy), Some(ux)) => Pixel::Metres([
+                f64::from(y.1.abs()) * metres_per(uy).unwrap_or(1.0),
+                f64::from(x.1.abs()) * metres_per(ux).unwrap_or(1.0),
+            ]),
+            _ => Pixel::Unknown,
+        };
+        let (offset, step) = (f64::from(z.0), f64::from(z.1));
+        let data = mode + 8;
+        let length = f.map_length(data, shape, Sample::I16)?;
+        let title = f.u32(data + length).and_then(|n| f.text(data + length + 4, n as usize));
+        let title = title.ok().filter(|title| !title.is_empty());
+        let kind = if f.u8(52)? == 0 { "Height" } else { "Scan" };
+        let name = format!("{} (frame {})", title.as_deref().unwrap_or(kind), self.number);
+        let raster = Raster { bytes: self.b, at: self.at + data, shape, sample: Sample::I16 };
+        let unit = unit(z.2).unwrap_or("no length");
+        let convert = move |raw: f64| offset + raw * step;
+        Ok(Channel::raster(name, Some(unit), pixel, raster, convert)?.flipped())
+    }
+
+    fn map(&self, limits: &Limits) -> Result<Channel<'a>, ReadError> {
+        let f = self.frame;
+        let mut texts = 0usize;
+        for i in 0..5 {
+            texts = texts.saturating_add(f.u32(66 + 4 * i)? as usize);
+        }
+        let name = f.text(98, f.u32(66)? as usize)?;
+        let data = f.u32(90)? as usize;
+        let head = 98usize.saturating_add(texts).saturating_add(4);
+        let structure = f.u32(head)? as usize;
+        let counts = [f.u32(head + 4 + 12)?, f.u32(head + 4 + 16)?];
+        let [2, 1] = counts else {
+            let [dimensions, quantities] = counts;
+            let feature =
+                format!("{quantities} quantities over {dimensions} dimensions (one over two is)");
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        };
+        let mut at = (head + 4).saturating_add(structure);
+        let x = Calibration::at(f, &mut at)?;
+        let y = Calibration::at(f, &mut at)?;
+        let z = Calibration::at(f, &mut at)?;
+        let shape = [y.count, x.count];
+        limits.check_points(FORMAT, shape)?;
+        let sample = match z.kind {
+            -1 => Sample::I8,
+            1 => Sample::U8,
+            -2 => Sample::I16,
+            2 => Sample::U16,
+            -4 => Sample::I32,
+            4 => Sample::U32,
+            -8 => Sample::I64,
+            8 => Sample::U64,
+            -5892 => Sample::F32,
+            -13320 => Sample::F64,
+            kind => return Err(f.fault(at, format!("numbers of type {kind}"))),
+        };
+        let pixel = match (metres_per(&y.unit), metres_per(&x.unit)) {
+            (Some(uy), Some(ux)) => Pixel::Metres([y.scale.abs() * uy, x.scale.abs() * ux]),
+            _ => Pixel::Unknown,
+        };
+        let name = format!("{name} (frame {})", self.number);
+        let raster = Raster { bytes: self.b, at: data, shape, sample };
+        let convert = move |raw: f64| z.bias + raw * z.scale;
+        Ok(Channel::raster(name, Some(&z.unit), pixel, raster, convert)?.flipped())
+    }
+}
+
+/// Unit of a scan's axis, if it is a length.
+fn unit(code: i16) -> Option<&'static str> {
+    Some(match code {
+        -5 => "m",
+        -4 => "cm",
+        -3 => "mm",
+        -2 => "\u{b5}m",
+        -1 => "nm",
+        0 => "\u{c5}",
+        _ => return None,
+    })
+}
+
+/// What an axis or a quantity of a general map means.
+struct Calibration {
+    unit: String,
+    bias: f64,
+    scale: f64,
+    count: usize,
+    kind: i32,
+}
+
+impl Calibration {
+    /// The one at byte `at`, which then is the byte behind it.
+    fn at(f: Bytes<'_>, at: &mut usize) -> Result<Self, ReadError> {
+        let start = *at;
+        let c = f.from(start)?;
+        let lengths = [c.u32(8)?, c.u32(12)?, c.u32(16)?].map(|n| n as usize);
+        let texts = 8usize.saturating_add(c.u32(4)? as usize);
+        let unit = texts.saturating_add(lengths[0]).saturating_add(lengths[1]);
+        let (first, last) = (c.u64(60)?, c.u64(68)?);
+        let count = last.wrapping_sub(first).wrapping_add(1);
+        *at = start.saturating_add(c.u32(0)? as usize);
+        Ok(Self {
+            unit: c.text(unit, lengths[2])?,
+            bias: c.f64(44)?,
+            scale: c.f64(52)?,
+            count: usize::try_from(count).unwrap_or(usize::MAX),
+            kind: c.i32(76)?,
+        })
+    }
+}

@@ -1,0 +1,185 @@
+//! Workbooks (`.xlsx`) of Mitutoyo SurfTest roughness testers: a ZIP archive of XML.
+//!
+//! | what | content |
+//! |---|---|
+//! | `xl/workbook.xml`, `xl/_rels/workbook.xml.rels` | names of the sheets, and their members |
+//! | `xl/sharedStrings.xml` | texts by number |
+//! | sheet `DATA`, columns E and F | positions and heights of one profile |
+//! | sheet `DATA`, column A | parameters: `Ra     3.308  µm`; the unit of the first one is that of the heights |
+//! | sheet `Certificate`, E48 | cut-off: `2.5mm`; its unit is that of the positions |
+//! | sheet `Certificate`, E2 | date |
+//!
+//! Positions fix the spacing: (last − first) / (N − 1).
+//!
+//! Sources: SurfaceTopography (open); ISO/IEC 29500 for the container; three made workbooks of that
+//! project, none from an instrument.
+
+use super::archive::{Archive, MAGIC};
+use super::scattered::Line;
+use crate::binary::{Bytes, find};
+use crate::cells::Digits;
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::units::quantity;
+use crate::{Format, Limits, ReadError, metres_per, xml};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Mitutoyo;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC) && find(bytes, b"xl/workbook.xml").is_some()
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let mut book = Book::open(bytes, limits)?;
+    let mut contents = Contents::default();
+    let (mut x, mut z) = (BTreeMap::new(), BTreeMap::new());
+    let mut height_unit = None;
+    book.sheet("DATA", limits, |row, column, value| {
+        match (column, value.parse::<f64>()) {
+            ("E", Ok(number)) => drop(x.insert(row, number)),
+            ("F", Ok(number)) => drop(z.insert(row, number)),
+            ("A", Err(_)) => {
+                let words: Vec<&str> = value.split_whitespace().collect();
+                if let [name, _, unit, ..] = words[..] {
+                    height_unit = height_unit.take().or_else(|| length_unit(unit));
+                    contents.metadata.insert(name.to_owned(), words[1..].join(" "));
+                }
+            }
+            _ => {}
+        }
+        limits.check_points(FORMAT, [x.len().max(z.len()), 1])
+    })?;
+    let mut x_unit = None;
+    book.sheet("Certificate", limits, |row, column, value| {
+        match (column, row) {
+            ("E", 48) => x_unit = quantity(value).and_then(|(_, unit)| length_unit(unit)),
+            ("E", 2) => drop(contents.metadata.insert("date".into(), value.to_owned())),
+            _ => {}
+        }
+        Ok(())
+    })?;
+    if x.len() != z.len() || x.is_empty() {
+        let what = format!("{} positions in column E, {} heights in F", x.len(), z.len());
+        return Err(b.field("DATA", what));
+    }
+    let mut digits = Digits::NONE;
+    x.values().for_each(|x| digits.add(&x.to_string()));
+    let x: Vec<f64> = x.into_values().collect();
+    let z: Vec<f64> = z.into_values().collect();
+    let line = Line::new(&x, digits).map_err(|what| b.field("DATA, column E", what))?;
+    let pixel = match x_unit.as_deref().and_then(metres_per) {
+        Some(scale) => Pixel::Metres([line.step * scale; 2]),
+        None => Pixel::Steps([line.step; 2]),
+    };
+    let is_falling = line.is_falling;
+    let shape = [1, z.len()];
+    let mut channel = Channel::new("Profile", height_unit.as_deref(), shape, pixel, move || {
+        let mut z = z;
+        if is_falling {
+            z.reverse();
+        }
+        Ok(z)
+    });
+    channel.uneven = line.uneven;
+    contents.channels.push(channel);
+    Ok(contents)
+}
+
+/// The text if it is a unit of length.
+fn length_unit(text: &str) -> Option<String> {
+    metres_per(text).map(|_| text.trim().to_owned())
+}
+
+/// A workbook: its texts, and the members of its sheets.
+struct Book<'a> {
+    archive: Archive<'a>,
+    texts: Vec<String>,
+    sheets: BTreeMap<String, String>,
+}
+
+impl<'a> Book<'a> {
+    fn open(bytes: &'a [u8], limits: &Limits) -> Result<Self, ReadError> {
+        let mut archive = Archive::open(bytes, FORMAT, limits)?;
+        let mut texts = vec![String::new()];
+        if archive.names.iter().any(|name| name == "xl/sharedStrings.xml") {
+            let strings = archive.unpack("xl/sharedStrings.xml", limits)?;
+            // A text can be in pieces of different looks: <si><r><t>..</t></r>..</si>.
+            xml::walk(&strings, FORMAT, "sharedStrings.xml", |element| {
+                match element.path.last().map(String::as_str) {
+                    Some("t") => texts.last_mut().expect("there is one").push_str(element.text),
+                    Some("si") => {
+                        limits.check_points(FORMAT, [texts.len(), 1])?;
+                        texts.push(String::new());
+                    }
+                    _ => {}
+                }
+                Ok(())
+            })?;
+        }
+        let mut targets = BTreeMap::new();
+        let relations = archive.unpack("xl/_rels/workbook.xml.rels", limits)?;
+        xml::walk(&relations, FORMAT, "workbook.xml.rels", |element| {
+            if let (Some(id), Some(target)) = (element.attribute("Id"), element.attribute("Target"))
+            {
+                limits.check_items(FORMAT, targets.len() as u64 + 1)?;
+                let target = target.trim_start_matches("/xl/");
+                targets.insert(id.to_owned(), format!("xl/{target}"));
+            }
+            Ok(())
+        })?;
+        let mut sheets = BTreeMap::new();
+        let workbook = archive.unpack("xl/workbook.xml", limits)?;
+        xml::walk(&workbook, FORMAT, "workbook.xml", |element| {
+            if element.path.last().is_some_and(|name| name == "sheet")
+                && let (Some(name), Some(id)) = (element.attribute("name"), element.attribute("id"))
+                && let Some(member) = targets.get(id)
+            {
+                sheets.insert(name.to_owned(), member.clone());
+            }
+            Ok(())
+        })?;
+        Ok(Self { archive, texts, sheets })
+    }
+
+    /// Calls `visit` with row, column and text of every cell of a sheet that is not empty.
+    fn sheet(
+        &mut self,
+        name: &str,
+        limits: &Limits,
+        mut visit: impl FnMut(u32, &str, &str) -> Result<(), ReadError>,
+    ) -> Result<(), ReadError> {
+        let Some(member) = self.sheets.get(name) else {
+            let names: Vec<&str> = self.sheets.keys().map(String::as_str).collect();
+            let feature = format!(
+                "a workbook without a sheet {name:?} (a Mitutoyo SurfTest file has one; this has \
+                 {}; save a sheet of numbers as CSV)",
+                names.join(", ")
+            );
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        };
+        let sheet = self.archive.unpack(member, limits)?;
+        let mut value = String::new();
+        let texts = &self.texts;
+        xml::walk(&sheet, FORMAT, name, |element| {
+            match element.path.last().map(String::as_str) {
+                Some("v" | "t") => element.text.clone_into(&mut value),
+                Some("c") => {
+                    let text = std::mem::take(&mut value);
+                    let Some(place) = element.attribute("r") else { return Ok(()) };
+                    let digit = place.find(|c: char| c.is_ascii_digit()).unwrap_or(place.len());
+                    let (column, row) = place.split_at(digit);
+                    let is_shared = element.attribute("t") == Some("s");
+                    let shared =
+                        is_shared.then(|| texts.get(text.parse::<usize>().ok()?)).flatten();
+                    let text = shared.map_or(text.as_str(), String::as_str).trim();
+                    if let (Ok(row), false) = (row.parse(), text.is_empty()) {
+                        visit(row, column, text)?;
+                    }
+                }
+                _ => {}
+            }
+            Ok(())
+        })
+    }
+}

@@ -1,0 +1,46 @@
+//! OS3D of OmniSurf3D (Digital Metrology Solutions). All numbers little endian.
+//!
+//! | what | type | content |
+//! |---|---|---|
+//! | magic | 10 | `OmniSurf3D` |
+//! | version | i32 i32 | major, minor |
+//! | identification, date | i32 length and text, each | |
+//! | size | i32 i32 | points along x, along y |
+//! | spacing | f64 f64 | µm per point along x, along y |
+//! | origin | f64 f64 | µm |
+//! | heights | f32 | µm, in rows; below −3·10³⁸ is a missing point |
+//!
+//! The spacing is stored, so the question of N or N − 1 intervals does not arise.
+//!
+//! Sources: Digital Metrology Solutions, *OmniSurf3D file format*, as read by SurfaceTopography
+//! and surfalize (both open readers). Not checked against a real file.
+
+use crate::binary::{Bytes, Sample};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::{Format, Limits, ReadError};
+
+const FORMAT: Format = Format::Os3d;
+const MAGIC: &[u8] = b"OmniSurf3D";
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC)
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let b = Bytes::little(bytes, FORMAT);
+    let mut at = MAGIC.len() + 8;
+    let mut text = || {
+        let length = b.u32(at)? as usize;
+        let text = b.text(at + 4, length)?;
+        at += 4 + length;
+        Ok::<_, ReadError>(text)
+    };
+    let metadata = [("identification".to_owned(), text()?), ("date".to_owned(), text()?)];
+    let shape = [b.u32(at + 4)? as usize, b.u32(at)? as usize];
+    limits.check_points(FORMAT, shape)?;
+    let pixel = Pixel::Metres([b.f64(at + 16)?, b.f64(at + 8)?].map(|um| um * 1e-6));
+    let raster = Raster { bytes: b, at: at + 40, shape, sample: Sample::F32 };
+    let convert = |um: f64| if um < -3e38 { f64::NAN } else { um };
+    let channel = Channel::raster("Height", Some("\u{b5}m"), pixel, raster, convert)?;
+    Ok(Contents { channels: vec![channel], metadata: metadata.into() })
+}

@@ -1,0 +1,114 @@
+//! SXM of Nanonis (SPECS): a text header, then data.
+//!
+//! | what | content |
+//! |---|---|
+//! | header | lines `:KEY:` with the values in the lines below, Latin-1; starts with `:NANONIS_VERSION:`, ends at the bytes 0x1A 0x04 |
+//! | `SCANIT_TYPE` | `FLOAT MSBFIRST` (other types are refused), or `LSBFIRST` |
+//! | `SCAN_PIXELS` | points along x, along y |
+//! | `SCAN_RANGE` | total size along x, along y in metres: N pixels |
+//! | `SCAN_DIR` | `up`: the first row is the bottom one; `down` |
+//! | `DATA_INFO` | a line of titles, then a line a channel: number, name, unit, direction (`both`, `forward`, `backward`), calibration, offset |
+//!
+//! Channels follow in that order, forward before backward, rows of f32; the backward rows run
+//! from right to left. NaN is a point that was not scanned. Values are in the unit already.
+//!
+//! Sources: SPECS Zurich, *Nanonis file formats*, as read by several open readers; a file of a
+//! version 2 and one of a version 3.
+
+use crate::binary::{Bytes, Order, Sample, find};
+use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::{Format, Limits, ReadError, text};
+use std::collections::BTreeMap;
+
+const FORMAT: Format = Format::Sxm;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(b":NANONIS_VERSION:")
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let mut b = Bytes::big(bytes, FORMAT);
+    let end = find(bytes, b"\x1a\x04").ok_or_else(|| b.fault(bytes.len(), "there are no data"))?;
+    let fields = header(&bytes[..end], limits)?;
+    let get = |key: &'static str| {
+        fields.get(key).map(String::as_str).ok_or_else(|| b.field(key, "is missing"))
+    };
+    let pair = |key: &'static str| {
+        let numbers: Vec<f64> =
+            get(key)?.split_whitespace().filter_map(|w| w.parse().ok()).collect();
+        match numbers[..] {
+            [x, y] if x > 0.0 && y > 0.0 => Ok([x, y]),
+            _ => Err(b.field(key, format!("{:?} is not two lengths", get(key)?))),
+        }
+    };
+    let [nx, ny] = pair("SCAN_PIXELS")?;
+    if nx > 1e9 || ny > 1e9 {
+        return Err(b.field("SCAN_PIXELS", format!("{nx} x {ny}")));
+    }
+    let shape = [ny as usize, nx as usize];
+    limits.check_points(FORMAT, shape)?;
+    let [width, height] = pair("SCAN_RANGE")?;
+    let pixel = Pixel::Metres([height / ny, width / nx]);
+    let kind: Vec<&str> = get("SCANIT_TYPE")?.split_whitespace().collect();
+    let order = match kind[..] {
+        ["FLOAT", "MSBFIRST"] => Order::Big,
+        ["FLOAT", "LSBFIRST"] => Order::Little,
+        _ => {
+            let feature = format!("data of type {:?}", get("SCANIT_TYPE")?);
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        }
+    };
+    let is_up = get("SCAN_DIR")? != "down";
+    let info = get("DATA_INFO")?.to_owned();
+    b.order = order;
+    let mut contents = Contents::default();
+    let mut at = end + 2;
+    for line in info.lines().skip(1) {
+        let columns: Vec<&str> = line.split_whitespace().collect();
+        let [_, name, unit, direction, ..] = columns[..] else { continue };
+        let directions = match direction {
+            "both" => &["forward", "backward"][..],
+            "backward" => &["backward"],
+            _ => &["forward"],
+        };
+        for direction in directions {
+            limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
+            let raster = Raster { bytes: b, at, shape, sample: Sample::F32 };
+            at += b.map_length(at, shape, Sample::F32)?;
+            let name = format!("{name} ({direction})");
+            let channel = Channel::raster(name, Some(unit), pixel, raster, |value| value)?;
+            let channel = if *direction == "backward" { channel.mirrored() } else { channel };
+            contents.channels.push(if is_up { channel.flipped() } else { channel });
+        }
+    }
+    for key in ["REC_DATE", "REC_TIME", "BIAS", "COMMENT", "SCAN_ANGLE"] {
+        if let Some(value) = fields.get(key).filter(|value| !value.is_empty()) {
+            contents.metadata.insert(key.into(), value.clone());
+        }
+    }
+    Ok(contents)
+}
+
+/// The values by key; several lines stay several lines.
+fn header(bytes: &[u8], limits: &Limits) -> Result<BTreeMap<String, String>, ReadError> {
+    let header: String = bytes.iter().map(|&byte| char::from(byte)).collect();
+    let mut fields = BTreeMap::<String, String>::new();
+    let mut key = String::new();
+    for (_, line) in text::lines(&header) {
+        if let Some(name) =
+            line.strip_prefix(':').and_then(|line| line.trim_end().strip_suffix(':'))
+        {
+            limits.check_items(FORMAT, fields.len() as u64 + 1)?;
+            name.clone_into(&mut key);
+            fields.entry(key.clone()).or_default();
+        } else if let Some(value) = fields.get_mut(&key)
+            && !line.trim().is_empty()
+        {
+            if !value.is_empty() {
+                value.push('\n');
+            }
+            value.push_str(line.trim());
+        }
+    }
+    Ok(fields)
+}

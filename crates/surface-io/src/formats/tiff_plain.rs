@@ -1,0 +1,31 @@
+//! Plain TIFF: every picture of one number a point is a channel, without unit and pixel size. The
+//! resolution in a TIFF file is that of print, so it is not taken for a pixel size.
+//!
+//! Source: see the reader of the container.
+
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::tiff;
+use crate::{Format, Limits, ReadError};
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    tiff::is_tiff(bytes)
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let mut contents = Contents::default();
+    for (number, page) in tiff::pages(bytes, Format::Tiff, limits, usize::MAX)?.iter().enumerate() {
+        let name = format!("Picture {}", number + 1);
+        let channel = match page.image(limits) {
+            Ok(image) => {
+                Channel::new(name, None, image.shape, Pixel::Unknown, move || image.decode())
+            }
+            Err(fault) => Channel::unreadable(name, fault),
+        };
+        contents.channels.push(channel);
+        let about = page.text(tiff::IMAGE_DESCRIPTION).filter(|text| !text.is_empty());
+        if let Some(text) = about.filter(|text| text.len() < 4096) {
+            contents.metadata.insert(format!("description {}", number + 1), text);
+        }
+    }
+    Ok(contents)
+}

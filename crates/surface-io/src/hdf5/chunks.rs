@@ -1,0 +1,232 @@
+//! Chunks: pieces of a data set, each packed by a chain of filters.
+
+use super::file::File;
+use crate::binary::{Order, Sample};
+use crate::error::ReadError;
+use std::borrow::Cow;
+
+/// One filter of the chain.
+#[derive(Debug, Clone)]
+pub(crate) struct Filter {
+    id: u16,
+    /// First number of its settings: of shuffle, the bytes of an element.
+    setting: usize,
+}
+
+/// Where the only chunk of a data set is; with filters, its packed size and the filters left out.
+type Only = (usize, Option<(u64, u32)>);
+
+/// A data set in chunks.
+#[derive(Debug)]
+pub(crate) struct Chunked {
+    /// Points of a chunk along every axis.
+    sides: Vec<u64>,
+    filters: Vec<Filter>,
+    /// Address of the B-tree of chunks.
+    tree: Option<usize>,
+    only: Option<Only>,
+}
+
+/// The chain of filters in a message.
+pub(crate) fn filters(file: &File<'_>, at: usize) -> Result<Vec<Filter>, ReadError> {
+    let b = file.b;
+    let (version, count) = (b.u8(at)?, b.u8(at + 1)?);
+    let mut place = at + if version == 1 { 8 } else { 2 };
+    let mut filters = Vec::new();
+    for _ in 0..count {
+        let id = b.u16(place)?;
+        let has_name = version == 1 || id >= 256;
+        let name = if has_name { usize::from(b.u16(place + 2)?) } else { 0 };
+        let numbers = place + if has_name { 6 } else { 4 };
+        let settings = usize::from(b.u16(numbers)?);
+        let name = if version == 1 { name.div_ceil(8) * 8 } else { name };
+        let first = numbers + 2 + name;
+        let setting = if settings > 0 { b.u32(first)? as usize } else { 0 };
+        place = first + 4 * settings + if version == 1 { settings % 2 * 4 } else { 0 };
+        if !matches!(id, 1..=3) {
+            let feature = format!("filter {id} (deflate, shuffle and Fletcher-32 are)");
+            return Err(ReadError::Unsupported { format: b.format, feature: feature.into() });
+        }
+        filters.push(Filter { id, setting });
+    }
+    Ok(filters)
+}
+
+impl Chunked {
+    pub(crate) fn new(
+        file: &File<'_>,
+        sides: Vec<u64>,
+        filters: Vec<Filter>,
+        tree: Option<usize>,
+        only: Option<Only>,
+    ) -> Result<Self, ReadError> {
+        let points =
+            sides.iter().try_fold(1u64, |n, &side| n.checked_mul(side)).unwrap_or(u64::MAX);
+        if points == 0 {
+            return Err(file.b.field("chunks", "of no points"));
+        }
+        let points = usize::try_from(points).unwrap_or(usize::MAX);
+        file.limits.check_points(file.b.format, [points, 1])?;
+        Ok(Self { sides, filters, tree, only })
+    }
+
+    pub(crate) fn values(
+        &self,
+        file: &File<'_>,
+        shape: &[u64],
+        sample: Sample,
+        order: Order,
+    ) -> Result<Vec<f64>, ReadError> {
+        let points = shape.iter().product::<u64>() as usize; // checked by the caller
+        // Each place once: a tree that names a chunk again and again is refused, not unpacked.
+        let chunk: u64 = self.sides.iter().product();
+        let needed = shape
+            .iter()
+            .zip(&self.sides)
+            .try_fold(1u64, |n, (&axis, &side)| n.checked_mul(axis.div_ceil(side)));
+        let needed = needed.unwrap_or(u64::MAX);
+        let work = needed.saturating_mul(chunk) / 4; // chunks stick out beyond the edges
+        file.limits
+            .check_points(file.b.format, [usize::try_from(work).unwrap_or(usize::MAX), 1])?;
+        let mut chunks = 0;
+        let mut values = vec![f64::NAN; points];
+        if let Some((at, packed)) = self.only {
+            let bytes = self.sides.iter().product::<u64>() * sample.size() as u64;
+            let (size, skip) = packed.unwrap_or((bytes, 0));
+            let origin = vec![0; shape.len()];
+            self.place(file, (at, size, skip), &origin, shape, sample, order, &mut values)?;
+        }
+        let mut nodes: Vec<usize> = self.tree.into_iter().collect();
+        let mut read = 0;
+        while let Some(node) = nodes.pop() {
+            read += 1;
+            file.limits.check_items(file.b.format, read)?;
+            if file.b.slice(node, 4)? != b"TREE" || file.b.u8(node + 4)? != 1 {
+                return Err(file.b.fault(node, "a B-tree of chunks is expected here"));
+            }
+            let level = file.b.u8(node + 5)?;
+            let key = 8 + 8 * (shape.len() + 1);
+            let mut at = node + 8 + 2 * file.address_size;
+            for _ in 0..file.b.u16(node + 6)? {
+                let Some(child) = file.address(at + key)? else {
+                    return Err(file.b.fault(at + key, "a chunk without address"));
+                };
+                if level > 0 {
+                    nodes.push(child);
+                    file.limits.check_items(file.b.format, nodes.len() as u64)?;
+                } else {
+                    chunks += 1;
+                    if chunks > needed {
+                        return Err(file.b.fault(at, format!("more than the {needed} chunks")));
+                    }
+                    let (size, skip) = (u64::from(file.b.u32(at)?), file.b.u32(at + 4)?);
+                    let origin: Result<Vec<u64>, ReadError> =
+                        (0..shape.len()).map(|i| file.b.u64(at + 8 + 8 * i)).collect();
+                    let origin = origin?;
+                    self.place(
+                        file,
+                        (child, size, skip),
+                        &origin,
+                        shape,
+                        sample,
+                        order,
+                        &mut values,
+                    )?;
+                }
+                at += key + file.address_size;
+            }
+        }
+        Ok(values)
+    }
+
+    /// Unpacks the chunk at an address and writes what lies inside the data set.
+    #[allow(clippy::too_many_arguments, reason = "one place for all of a chunk")]
+    fn place(
+        &self,
+        file: &File<'_>,
+        (at, size, skip): (usize, u64, u32),
+        origin: &[u64],
+        shape: &[u64],
+        sample: Sample,
+        order: Order,
+        values: &mut [f64],
+    ) -> Result<(), ReadError> {
+        let points = self.sides.iter().product::<u64>() as usize;
+        let size = usize::try_from(size).unwrap_or(usize::MAX);
+        let mut data = Cow::Borrowed(file.b.slice(at, size)?);
+        let bytes = points * sample.size();
+        for (i, filter) in self.filters.iter().enumerate().rev() {
+            if skip >> i & 1 == 0 {
+                data = Cow::Owned(unpack(file, at, filter, &data, bytes)?);
+            }
+        }
+        let numbers = sample.decode(&data, order);
+        if numbers.len() < points {
+            let what = format!("a chunk of {} numbers, {points} are needed", numbers.len());
+            return Err(file.b.fault(at, what));
+        }
+        let Some((&last, outer)) = self.sides.split_last() else { return Ok(()) };
+        let (last, rows) = (last as usize, outer.iter().product::<u64>());
+        for row in 0..rows {
+            // Place of the row in the data set, from the slowest axis on.
+            let (mut rest, mut target, mut scale, mut is_inside) = (row, 0u64, 1u64, true);
+            let mut places = vec![0; outer.len()];
+            for axis in (0..outer.len()).rev() {
+                places[axis] = origin[axis].saturating_add(rest % outer[axis]);
+                rest /= outer[axis];
+            }
+            let width = shape[outer.len()];
+            let start = origin[outer.len()];
+            scale *= width;
+            for axis in (0..outer.len()).rev() {
+                is_inside &= places[axis] < shape[axis];
+                target = target.saturating_add(places[axis].saturating_mul(scale));
+                scale = scale.saturating_mul(shape[axis]);
+            }
+            if !is_inside || start >= width {
+                continue;
+            }
+            let count = last.min((width - start) as usize);
+            let target = (target + start) as usize;
+            let row = row as usize * last;
+            values[target..target + count].copy_from_slice(&numbers[row..row + count]);
+        }
+        Ok(())
+    }
+}
+
+fn unpack(
+    file: &File<'_>,
+    at: usize,
+    filter: &Filter,
+    data: &[u8],
+    bytes: usize,
+) -> Result<Vec<u8>, ReadError> {
+    match filter.id {
+        // A checksum may stand behind the data.
+        1 => inflate(data, bytes + 4).map_err(|what| file.b.fault(at, what)),
+        2 => {
+            // The first bytes of all elements, then the second ones, and so on.
+            let size = filter.setting.max(1);
+            let count = data.len() / size;
+            let mut mixed = data.to_vec();
+            for element in 0..count {
+                for byte in 0..size {
+                    mixed[element * size + byte] = data[byte * count + element];
+                }
+            }
+            Ok(mixed)
+        }
+        _ => Ok(data[..data.len().saturating_sub(4)].to_vec()),
+    }
+}
+
+#[cfg(feature = "zip")]
+fn inflate(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {
+    crate::unpack::zlib(packed, most)
+}
+
+#[cfg(not(feature = "zip"))]
+fn inflate(_: &[u8], _: usize) -> Result<Vec<u8>, String> {
+    Err("deflate needs the feature `zip`".into())
+}

@@ -1,0 +1,155 @@
+//! Superblock, addresses, and the messages of an object's header.
+
+use crate::binary::Bytes;
+use crate::error::ReadError;
+use crate::format::Format;
+use crate::limits::Limits;
+
+/// The first bytes of the superblock.
+pub(crate) const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
+
+/// An HDF5 file in memory.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct File<'a> {
+    /// From the superblock on, which addresses count from.
+    pub(crate) b: Bytes<'a>,
+    /// Bytes of an address and of a length.
+    pub(crate) address_size: usize,
+    pub(crate) length_size: usize,
+    /// Address of the header of the root group.
+    pub(crate) root: usize,
+    pub(crate) limits: Limits,
+}
+
+/// One message of a header.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Message {
+    pub(crate) kind: u16,
+    pub(crate) at: usize,
+    pub(crate) size: usize,
+}
+
+impl<'a> File<'a> {
+    pub(crate) fn open(data: &'a [u8], format: Format, limits: &Limits) -> Result<Self, ReadError> {
+        let start = [0, 512, 1024, 2048]
+            .into_iter()
+            .find(|&at| data.get(at..at + MAGIC.len()).is_some_and(|start| start == MAGIC));
+        let whole = Bytes::little(data, format);
+        let b = whole.from(start.ok_or_else(|| whole.fault(0, "there is no superblock"))?)?;
+        let version = b.u8(8)?;
+        let (sizes, root_at): (usize, fn(usize, usize) -> usize) = match version {
+            0 => (13, |address, _| 24 + 5 * address),
+            1 => (13, |address, _| 28 + 5 * address),
+            2 | 3 => (9, |address, _| 12 + 3 * address),
+            _ => return Err(b.fault(8, format!("superblock version {version}"))),
+        };
+        let (address_size, length_size) = (b.u8(sizes)?.into(), b.u8(sizes + 1)?.into());
+        if !matches!((address_size, length_size), (2 | 4 | 8, 2 | 4 | 8)) {
+            return Err(b.fault(sizes, format!("sizes {address_size} and {length_size}")));
+        }
+        let mut file = Self { b, address_size, length_size, root: 0, limits: *limits };
+        file.root = file.address(root_at(address_size, length_size))?.unwrap_or(usize::MAX);
+        Ok(file)
+    }
+
+    /// A number of `size` bytes.
+    pub(crate) fn unsigned(&self, at: usize, size: usize) -> Result<u64, ReadError> {
+        let raw = self.b.slice(at, size)?;
+        Ok(raw.iter().rev().fold(0, |value, &byte| value << 8 | u64::from(byte)))
+    }
+
+    /// An address; `None` if it is the mark for none.
+    pub(crate) fn address(&self, at: usize) -> Result<Option<usize>, ReadError> {
+        let raw = self.b.slice(at, self.address_size)?;
+        if raw.iter().all(|&byte| byte == 0xff) {
+            return Ok(None);
+        }
+        let value = self.unsigned(at, self.address_size)?;
+        Ok(Some(usize::try_from(value).unwrap_or(usize::MAX)))
+    }
+
+    pub(crate) fn length(&self, at: usize) -> Result<u64, ReadError> {
+        self.unsigned(at, self.length_size)
+    }
+
+    /// All messages of the object whose header is at `at`.
+    pub(crate) fn messages(&self, at: usize) -> Result<Vec<Message>, ReadError> {
+        let is_new = self.b.slice(at, 4)? == b"OHDR";
+        let (mut blocks, flags) = if is_new {
+            let flags = self.b.u8(at + 5)?;
+            let times = if flags & 0x20 != 0 { 16 } else { 0 };
+            let phase = if flags & 0x10 != 0 { 4 } else { 0 };
+            let size_at = at + 6 + times + phase;
+            let width = 1 << (flags & 3);
+            let size = self.unsigned(size_at, width)?;
+            (vec![(size_at + width, size)], flags)
+        } else {
+            if self.b.u8(at)? != 1 {
+                return Err(self.b.fault(at, "an object header is expected here"));
+            }
+            (vec![(at + 16, u64::from(self.b.u32(at + 8)?))], 0)
+        };
+        let mut messages = Vec::new();
+        let mut read = 0;
+        while let Some((mut at, size)) = blocks.pop() {
+            let end = usize::try_from(size).ok().and_then(|size| at.checked_add(size));
+            let end = end.ok_or_else(|| self.b.fault(at, "a header without end"))?;
+            let head = match (is_new, flags & 4 != 0) {
+                (false, _) => 8,
+                (true, false) => 4,
+                (true, true) => 6,
+            };
+            while at.saturating_add(head) <= end {
+                read += 1;
+                self.limits.check_items(self.b.format, read)?;
+                let (kind, size, shared) = if is_new {
+                    (u16::from(self.b.u8(at)?), self.b.u16(at + 1)?, self.b.u8(at + 3)?)
+                } else {
+                    (self.b.u16(at)?, self.b.u16(at + 2)?, self.b.u8(at + 4)?)
+                };
+                let message = Message { kind, at: at + head, size: size.into() };
+                self.b.slice(message.at, message.size)?;
+                at = message.at + message.size;
+                match kind {
+                    0 => {}
+                    // The header goes on elsewhere; new blocks have a name and a checksum.
+                    0x10 => {
+                        let Some(next) = self.address(message.at)? else { continue };
+                        let length = self.length(message.at + self.address_size)?;
+                        let (skip, end) = if is_new { (4, 8) } else { (0, 0) };
+                        blocks.push((next.saturating_add(skip), length.saturating_sub(end)));
+                    }
+                    _ if shared & 2 != 0 => messages.extend(self.shared(message)?),
+                    _ => messages.push(message),
+                }
+            }
+        }
+        Ok(messages)
+    }
+
+    /// A message that stands in the header of another object: a committed data type.
+    fn shared(&self, message: Message) -> Result<Option<Message>, ReadError> {
+        let place = match self.b.u8(message.at)? {
+            1 => 8,
+            _ => 2,
+        };
+        let Some(at) = self.address(message.at + place)? else { return Ok(None) };
+        // Only the first level: shared messages do not point at shared messages.
+        let header = self.b.slice(at, 4)? == b"OHDR";
+        let first = if header { None } else { Some(at + 16) };
+        let Some(first) = first else {
+            let feature = "a shared message in a header of version 2".into();
+            return Err(ReadError::Unsupported { format: self.b.format, feature });
+        };
+        let mut at = first;
+        for _ in 0..16 {
+            let (kind, size) = (self.b.u16(at)?, usize::from(self.b.u16(at + 2)?));
+            if kind == message.kind {
+                self.b.slice(at + 8, size)?;
+                return Ok(Some(Message { kind, at: at + 8, size }));
+            }
+            at += 8 + size;
+        }
+        Ok(None)
+    }
+}

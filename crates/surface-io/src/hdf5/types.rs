@@ -1,0 +1,213 @@
+//! Data types, and values of attributes.
+
+use super::file::File;
+use crate::binary::{Order, Sample};
+use crate::error::ReadError;
+
+/// A data type, as far as it is read.
+#[derive(Debug, Clone)]
+pub(crate) enum Type {
+    Number(Sample, Order),
+    /// Text of a fixed length.
+    Text,
+    /// Text, or numbers, of any length in the global heap.
+    Long(Option<(Sample, Order)>),
+    /// Names, offsets and types of the members.
+    Compound(Vec<(String, usize, Sized)>),
+    Other,
+}
+
+/// A type with its size in bytes.
+#[derive(Debug, Clone)]
+pub(crate) struct Sized {
+    pub(crate) kind: Type,
+    pub(crate) size: usize,
+}
+
+/// The value of an attribute.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Value {
+    Numbers(Vec<f64>),
+    Text(String),
+    /// Of a compound, by name.
+    Members(Vec<(String, Value)>),
+}
+
+/// Compounds within compounds beyond this are refused.
+const DEEPEST: usize = 8;
+
+/// The type at `at`, and the byte behind it.
+pub(crate) fn read_type(
+    file: &File<'_>,
+    at: usize,
+    depth: usize,
+) -> Result<(Sized, usize), ReadError> {
+    let b = file.b;
+    let head = b.u8(at)?;
+    let (version, class) = (head >> 4, head & 15);
+    let bits = [b.u8(at + 1)?, b.u8(at + 2)?];
+    let size = b.u32(at + 4)? as usize;
+    let order = if bits[0] & 1 == 0 { Order::Little } else { Order::Big };
+    if depth > DEEPEST {
+        return Err(b.fault(at, "a data type nested too deep"));
+    }
+    let number = |sample| Type::Number(sample, order);
+    let (kind, end) = match class {
+        0 => {
+            let is_whole = b.u16(at + 8)? == 0 && usize::from(b.u16(at + 10)?) == 8 * size;
+            let kind = match (size, bits[0] & 8 != 0) {
+                (1, true) => number(Sample::I8),
+                (1, false) => number(Sample::U8),
+                (2, true) => number(Sample::I16),
+                (2, false) => number(Sample::U16),
+                (4, true) => number(Sample::I32),
+                (4, false) => number(Sample::U32),
+                (8, true) => number(Sample::I64),
+                (8, false) => number(Sample::U64),
+                _ => Type::Other,
+            };
+            (if is_whole { kind } else { Type::Other }, at + 12)
+        }
+        1 => {
+            // Exponent and mantissa where IEEE 754 has them.
+            let fields = [b.u8(at + 12)?, b.u8(at + 13)?, b.u8(at + 15)?];
+            let kind = match (size, fields) {
+                (4, [23, 8, 23]) => number(Sample::F32),
+                (8, [52, 11, 52]) => number(Sample::F64),
+                _ => Type::Other,
+            };
+            (kind, at + 20)
+        }
+        3 => (Type::Text, at + 8),
+        6 => {
+            let count = usize::from(u16::from_le_bytes(bits));
+            let (mut members, mut next) = (Vec::new(), at + 8);
+            for _ in 0..count {
+                let rest = b.from(next)?.data;
+                let length = rest.iter().take(1024).position(|&byte| byte == 0);
+                let length = length.ok_or_else(|| b.fault(next, "a name without end"))?;
+                let name = crate::binary::text(&rest[..length]);
+                next += if version < 3 { (length + 8) / 8 * 8 } else { length + 1 };
+                let width = match (version, size) {
+                    (0..3, _) => 4,
+                    (_, 0..=0xff) => 1,
+                    (_, 0x100..=0xffff) => 2,
+                    (_, 0x1_0000..=0xff_ffff) => 3,
+                    _ => 4,
+                };
+                let offset = file.unsigned(next, width)? as usize;
+                next += width + if version == 1 { 28 } else { 0 };
+                let (member, end) = read_type(file, next, depth + 1)?;
+                next = end;
+                members.push((name, offset, member));
+            }
+            (Type::Compound(members), next)
+        }
+        9 => {
+            let (base, end) = read_type(file, at + 8, depth + 1)?;
+            let kind = match (bits[0] & 15, base.kind) {
+                (1, _) => Type::Long(None),
+                (_, Type::Number(sample, order)) => Type::Long(Some((sample, order))),
+                _ => Type::Other,
+            };
+            (kind, end)
+        }
+        2 => (Type::Other, at + 10),
+        4 => (Type::Other, at + 12),
+        _ => (Type::Other, at + 8),
+    };
+    Ok((Sized { kind, size }, end))
+}
+
+/// Sizes of the axes in a dataspace message.
+pub(crate) fn read_shape(file: &File<'_>, at: usize) -> Result<Vec<u64>, ReadError> {
+    let first = if file.b.u8(at)? == 1 { at + 8 } else { at + 4 };
+    (0..usize::from(file.b.u8(at + 1)?))
+        .map(|i| file.length(first + i * file.length_size))
+        .collect()
+}
+
+/// The value in an attribute message, with its name; `None` if its type is not read.
+pub(crate) fn read_attribute(
+    file: &File<'_>,
+    at: usize,
+) -> Result<Option<(String, Value)>, ReadError> {
+    let b = file.b;
+    let version = b.u8(at)?;
+    let sizes = [b.u16(at + 2)?, b.u16(at + 4)?, b.u16(at + 6)?].map(usize::from);
+    let padded = |size: usize| if version == 1 { size.div_ceil(8) * 8 } else { size };
+    let name_at = at + if version < 3 { 8 } else { 9 };
+    let type_at = name_at + padded(sizes[0]);
+    let space_at = type_at + padded(sizes[1]);
+    let data_at = space_at + padded(sizes[2]);
+    let name = b.text(name_at, sizes[0])?;
+    let (kind, _) = read_type(file, type_at, 0)?;
+    let sides = read_shape(file, space_at)?;
+    let count = sides.iter().fold(1u64, |count, &side| count.saturating_mul(side));
+    Ok(value(file, &kind, data_at, count)?.map(|value| (name, value)))
+}
+
+/// `count` values from `at`; of texts and compounds the first.
+fn value(file: &File<'_>, kind: &Sized, at: usize, count: u64) -> Result<Option<Value>, ReadError> {
+    let b = file.b;
+    if count == 0 {
+        return Ok(None);
+    }
+    Ok(match &kind.kind {
+        Type::Number(sample, order) => {
+            let count = usize::try_from(count).unwrap_or(usize::MAX).min(1024);
+            let b = crate::binary::Bytes { order: *order, ..b };
+            Some(Value::Numbers(b.samples(at, count, *sample)?))
+        }
+        Type::Text => Some(Value::Text(b.text(at, kind.size)?)),
+        Type::Long(base) => {
+            let length = b.u32(at)? as usize;
+            let Some(heap) = file.address(at + 4)? else { return Ok(None) };
+            let raw = global(file, heap, b.u32(at + 4 + file.address_size)?)?;
+            Some(match base {
+                None => Value::Text(crate::binary::text(&raw[..length.min(raw.len())])),
+                Some((sample, order)) => {
+                    let mut numbers = sample.decode(raw, *order);
+                    numbers.truncate(length);
+                    Value::Numbers(numbers)
+                }
+            })
+        }
+        Type::Compound(members) => {
+            let mut values = Vec::new();
+            for (name, offset, member) in members {
+                if let Some(value) = value(file, member, at.saturating_add(*offset), 1)? {
+                    values.push((name.clone(), value));
+                }
+            }
+            Some(Value::Members(values))
+        }
+        Type::Other => None,
+    })
+}
+
+/// An object of the global heap.
+fn global<'a>(file: &File<'a>, heap: usize, wanted: u32) -> Result<&'a [u8], ReadError> {
+    let b = file.b;
+    if b.slice(heap, 4)? != b"GCOL" {
+        return Err(b.fault(heap, "a global heap is expected here"));
+    }
+    let end = heap.saturating_add(usize::try_from(file.length(heap + 8)?).unwrap_or(usize::MAX));
+    let mut at = heap + 8 + file.length_size;
+    let mut read = 0;
+    while at < end {
+        read += 1;
+        file.limits.check_items(b.format, read)?;
+        let (index, size) = (b.u16(at)?, file.length(at + 8)?);
+        let size = usize::try_from(size).unwrap_or(usize::MAX);
+        let data = at + 8 + file.length_size;
+        if u32::from(index) == wanted {
+            return b.slice(data, size);
+        }
+        if index == 0 {
+            break;
+        }
+        at = data.saturating_add(size.div_ceil(8).saturating_mul(8));
+    }
+    Err(b.fault(heap, format!("the global heap has no object {wanted}")))
+}

@@ -1,0 +1,336 @@
+//! TIFF 6.0: the directories and images that Park, JPK, Olympus and plain TIFF files are made of.
+//!
+//! | byte | content |
+//! |---|---|
+//! | 0 | `II` little endian or `MM` big endian, then 42 as u16 (43, BigTIFF, is refused) |
+//! | 4 | u32 offset of the first directory |
+//! | directory | u16 number of entries; entries of 12 bytes: u16 tag, u16 type, u32 count, u32 value or its offset; u32 offset of the next directory, 0 at the end |
+//! | 256, 257 | width, length |
+//! | 258, 339 | bits per sample; 1 unsigned, 2 signed, 3 floating |
+//! | 259 | compression: 1 none, 5 LZW, 8 and 32946 deflate, 32773 PackBits |
+//! | 277 | samples per pixel: 1 is read |
+//! | 273, 278, 279 | strips: offsets, rows per strip, bytes |
+//! | 322, 323, 324, 325 | tiles: width, length, offsets, bytes |
+//! | 317 | predictor: 1 none, 2 differences along a row |
+//!
+//! Source: Adobe, *TIFF Revision 6.0* (1992), with its technical notes.
+
+use crate::binary::{Bytes, Order, Sample};
+use crate::error::ReadError;
+use crate::format::Format;
+use crate::limits::Limits;
+use crate::unpack::{lzw, packbits};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+pub(crate) const IMAGE_DESCRIPTION: u16 = 270;
+
+/// True if `bytes` start like a TIFF file.
+pub(crate) fn is_tiff(bytes: &[u8]) -> bool {
+    matches!(bytes, [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..])
+}
+
+/// True if the first directory has this entry.
+pub(crate) fn first_page_has(bytes: &[u8], tag: u16) -> bool {
+    let only_first = Limits { items: 1 << 12, ..Limits::default() };
+    is_tiff(bytes)
+        && pages(bytes, Format::Tiff, &only_first, 1)
+            .is_ok_and(|pages| pages.first().is_some_and(|page| page.entries.contains_key(&tag)))
+}
+
+/// One directory.
+#[derive(Debug, Clone)]
+pub(crate) struct Page<'a> {
+    bytes: Bytes<'a>,
+    entries: BTreeMap<u16, Entry>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    kind: u16,
+    count: usize,
+    at: usize,
+}
+
+/// The directories of a file, at most `most` of them.
+pub(crate) fn pages<'a>(
+    data: &'a [u8],
+    format: Format,
+    limits: &Limits,
+    most: usize,
+) -> Result<Vec<Page<'a>>, ReadError> {
+    let mut b = Bytes::little(data, format);
+    if data.starts_with(b"MM") {
+        b.order = Order::Big;
+    }
+    if b.u16(2)? != 42 {
+        let feature = "BigTIFF (save it as TIFF)".into();
+        return Err(ReadError::Unsupported { format, feature });
+    }
+    let (mut pages, mut at) = (Vec::new(), b.u32(4)? as usize);
+    let mut entries_read = 0;
+    while at != 0 && pages.len() < most {
+        let count = b.u16(at)?;
+        // Directories that point at each other end at this limit.
+        entries_read += u64::from(count) + 1;
+        limits.check_items(format, entries_read)?;
+        let mut entries = BTreeMap::new();
+        for i in 0..usize::from(count) {
+            let place = at + 2 + 12 * i;
+            let (kind, count) = (b.u16(place + 2)?, b.u32(place + 4)? as usize);
+            let fits = size(kind).saturating_mul(count) <= 4;
+            let value = if fits { place + 8 } else { b.u32(place + 8)? as usize };
+            entries.insert(b.u16(place)?, Entry { kind, count, at: value });
+        }
+        at = b.u32(at + 2 + 12 * usize::from(count))? as usize;
+        pages.push(Page { bytes: b, entries });
+    }
+    Ok(pages)
+}
+
+/// Bytes of one value of a type.
+fn size(kind: u16) -> usize {
+    match kind {
+        3 | 8 => 2,
+        4 | 9 | 11 | 13 => 4,
+        5 | 10 | 12 => 8,
+        _ => 1,
+    }
+}
+
+impl<'a> Page<'a> {
+    pub(crate) fn has(&self, tag: u16) -> bool {
+        self.entries.contains_key(&tag)
+    }
+
+    /// The bytes of an entry and where they are.
+    pub(crate) fn raw(&self, tag: u16) -> Result<(usize, &'a [u8]), ReadError> {
+        let entry = self.entry(tag)?;
+        let length = size(entry.kind).saturating_mul(entry.count);
+        Ok((entry.at, self.bytes.slice(entry.at, length)?))
+    }
+
+    fn entry(&self, tag: u16) -> Result<Entry, ReadError> {
+        let entry = self.entries.get(&tag).copied();
+        entry.ok_or_else(|| self.bytes.field(format!("tag {tag}"), "is missing"))
+    }
+
+    /// All numbers of an entry.
+    pub(crate) fn numbers(&self, tag: u16) -> Result<Vec<f64>, ReadError> {
+        let entry = self.entry(tag)?;
+        let sample = match entry.kind {
+            1 | 7 => Sample::U8,
+            3 => Sample::U16,
+            4 | 13 => Sample::U32,
+            6 => Sample::I8,
+            8 => Sample::I16,
+            9 => Sample::I32,
+            11 => Sample::F32,
+            12 => Sample::F64,
+            kind => {
+                let what = format!("is of type {kind}, no plain number");
+                return Err(self.bytes.field(format!("tag {tag}"), what));
+            }
+        };
+        self.bytes.samples(entry.at, entry.count, sample)
+    }
+
+    /// The first number of an entry.
+    pub(crate) fn number(&self, tag: u16) -> Result<f64, ReadError> {
+        let first = self.numbers(tag)?.first().copied();
+        first.ok_or_else(|| self.bytes.field(format!("tag {tag}"), "is empty"))
+    }
+
+    fn number_or(&self, tag: u16, default: f64) -> Result<f64, ReadError> {
+        if self.has(tag) { self.number(tag) } else { Ok(default) }
+    }
+
+    /// The text of an entry; none if it is not there.
+    pub(crate) fn text(&self, tag: u16) -> Option<String> {
+        self.raw(tag).ok().map(|(_, raw)| crate::binary::text(raw))
+    }
+
+    /// The directory that an entry points at.
+    pub(crate) fn sub_page(&self, tag: u16) -> Result<Self, ReadError> {
+        let at = self.number(tag)? as usize;
+        let b = self.bytes;
+        let count = b.u16(at)?;
+        let mut entries = BTreeMap::new();
+        for i in 0..usize::from(count) {
+            let place = at + 2 + 12 * i;
+            let (kind, count) = (b.u16(place + 2)?, b.u32(place + 4)? as usize);
+            let fits = size(kind).saturating_mul(count) <= 4;
+            let value = if fits { place + 8 } else { b.u32(place + 8)? as usize };
+            entries.insert(b.u16(place)?, Entry { kind, count, at: value });
+        }
+        Ok(Self { bytes: b, entries })
+    }
+
+    /// The picture of this directory.
+    pub(crate) fn image(&self, limits: &Limits) -> Result<Image<'a>, ReadError> {
+        let b = self.bytes;
+        let unsupported = |feature: String| {
+            Err(ReadError::Unsupported { format: b.format, feature: feature.into() })
+        };
+        let shape = [self.number(257)? as usize, self.number(256)? as usize];
+        limits.check_points(b.format, shape)?;
+        let [ny, nx] = shape;
+        if ny == 0 || nx == 0 {
+            return Err(b.field("tags 256, 257", format!("{ny} x {nx} points")));
+        }
+        let per_pixel = self.number_or(277, 1.0)?;
+        if per_pixel > 1.0 {
+            return unsupported(format!(
+                "a picture of {per_pixel} colours (heights are one number a point)"
+            ));
+        }
+        let (bits, kind) = (self.number_or(258, 1.0)?, self.number_or(339, 1.0)?);
+        let sample = match (bits as u32, kind as u32) {
+            (8, 1 | 4) => Sample::U8,
+            (16, 1 | 4) => Sample::U16,
+            (32, 1 | 4) => Sample::U32,
+            (8, 2) => Sample::I8,
+            (16, 2) => Sample::I16,
+            (32, 2) => Sample::I32,
+            (32, 3) => Sample::F32,
+            (64, 3) => Sample::F64,
+            _ => return unsupported(format!("{bits} bits a point in sample format {kind}")),
+        };
+        let compression = self.number_or(259, 1.0)? as u32;
+        if !matches!(compression, 1 | 5 | 8 | 32946 | 32773) {
+            return unsupported(format!("compression {compression}"));
+        }
+        let predictor = self.number_or(317, 1.0)? as u32;
+        let is_float = matches!(sample, Sample::F32 | Sample::F64);
+        if !(predictor == 1 || predictor == 2 && !is_float) {
+            return unsupported(format!("predictor {predictor}"));
+        }
+        let is_tiled = self.has(322);
+        let block = if is_tiled {
+            [self.number(323)? as usize, self.number(322)? as usize]
+        } else {
+            [(self.number_or(278, ny as f64)? as usize).min(ny), nx]
+        };
+        if block[0] == 0
+            || block[1] == 0
+            || block[0] > 2 * ny.max(4096)
+            || block[1] > 2 * nx.max(4096)
+        {
+            return Err(
+                b.field("strips or tiles", format!("of {} x {} points", block[0], block[1]))
+            );
+        }
+        let [offsets, lengths] = if is_tiled { [324, 325] } else { [273, 279] };
+        let offsets = self.numbers(offsets)?;
+        let block_bytes = block[0] * block[1] * sample.size();
+        let lengths = if self.has(lengths) || compression != 1 {
+            self.numbers(lengths)?
+        } else {
+            // Only a single strip may leave its length out.
+            vec![block_bytes as f64; offsets.len()]
+        };
+        let blocks: Vec<(usize, usize)> =
+            offsets.iter().zip(&lengths).map(|(&at, &n)| (at as usize, n as usize)).collect();
+        let needed = ny.div_ceil(block[0]) * nx.div_ceil(block[1]);
+        if blocks.len() < needed {
+            let what = format!("{} for a picture that needs {needed}", blocks.len());
+            return Err(b.field("strips or tiles", what));
+        }
+        for &(at, length) in &blocks[..needed] {
+            b.slice(at, length)?;
+        }
+        // No method packs tighter than 1 : 4096; a picture that claims more is none.
+        if needed.saturating_mul(block_bytes) / 4096 > b.data.len() {
+            return Err(b.field("picture", format!("{ny} x {nx} points are not in the file")));
+        }
+        Ok(Image {
+            bytes: b,
+            shape,
+            sample,
+            compression,
+            is_differences: predictor == 2,
+            block,
+            blocks,
+        })
+    }
+}
+
+/// A picture of one number a point.
+#[derive(Debug, Clone)]
+pub(crate) struct Image<'a> {
+    bytes: Bytes<'a>,
+    /// `[ny, nx]`
+    pub(crate) shape: [usize; 2],
+    sample: Sample,
+    compression: u32,
+    is_differences: bool,
+    /// Rows and columns of a strip or tile.
+    block: [usize; 2],
+    /// Offset and length.
+    blocks: Vec<(usize, usize)>,
+}
+
+impl Image<'_> {
+    /// All points, row by row.
+    pub(crate) fn decode(&self) -> Result<Vec<f64>, ReadError> {
+        let [ny, nx] = self.shape;
+        let [rows, columns] = self.block;
+        let mut values = vec![f64::NAN; ny * nx];
+        let across = nx.div_ceil(columns);
+        for (i, &(at, length)) in self.blocks.iter().enumerate().take(across * ny.div_ceil(rows)) {
+            let (y0, x0) = (i / across * rows, i % across * columns);
+            // The last strip is cut at the edge of the picture, a tile is not.
+            let height = if columns == nx { rows.min(ny - y0) } else { rows };
+            let unpacked = self.unpack(at, length, height * columns * self.sample.size())?;
+            let mut block = self.sample.decode(&unpacked, self.bytes.order);
+            if block.len() < (ny - y0).min(height) * columns {
+                return Err(self.bytes.fault(at, format!("{} points in strip {i}", block.len())));
+            }
+            if self.is_differences {
+                self.add_up(&mut block, columns);
+            }
+            for (iy, row) in block.chunks_exact(columns).enumerate().take(ny - y0) {
+                let width = columns.min(nx - x0);
+                let start = (y0 + iy) * nx + x0;
+                values[start..start + width].copy_from_slice(&row[..width]);
+            }
+        }
+        Ok(values)
+    }
+
+    /// Undoes predictor 2: every number is the difference to the one before, modulo its type.
+    fn add_up(&self, block: &mut [f64], columns: usize) {
+        let modulus = 256f64.powi(self.sample.size() as i32);
+        let is_signed = matches!(self.sample, Sample::I8 | Sample::I16 | Sample::I32);
+        for row in block.chunks_exact_mut(columns) {
+            let mut sum = 0.0;
+            for value in row {
+                sum = (sum + *value).rem_euclid(modulus);
+                *value = if is_signed && sum >= modulus / 2.0 { sum - modulus } else { sum };
+            }
+        }
+    }
+
+    fn unpack(&self, at: usize, length: usize, most: usize) -> Result<Cow<'_, [u8]>, ReadError> {
+        let packed = self.bytes.slice(at, length)?;
+        let broken = |what: &str| self.bytes.fault(at, what.to_owned());
+        match self.compression {
+            5 => lzw(packed, most).map(Cow::Owned).ok_or_else(|| broken("bad LZW data")),
+            32773 => packbits(packed, most).map(Cow::Owned).ok_or_else(|| broken("bad PackBits")),
+            8 | 32946 => {
+                inflate(packed, most).map(Cow::Owned).map_err(|what| self.bytes.fault(at, what))
+            }
+            _ => Ok(Cow::Borrowed(&packed[..packed.len().min(most)])),
+        }
+    }
+}
+
+#[cfg(feature = "zip")]
+fn inflate(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {
+    crate::unpack::zlib(packed, most)
+}
+
+#[cfg(not(feature = "zip"))]
+fn inflate(_: &[u8], _: usize) -> Result<Vec<u8>, String> {
+    Err("deflate needs the feature `zip`".into())
+}

@@ -1,0 +1,186 @@
+//! Ways in which numbers are packed. None returns more than it is asked for.
+
+/// PackBits (TIFF 6.0, section 9): a count, then that many bytes, or one to be repeated.
+pub(crate) fn packbits(packed: &[u8], most: usize) -> Option<Vec<u8>> {
+    let (mut unpacked, mut at) = (Vec::new(), 0);
+    while unpacked.len() < most && at < packed.len() {
+        let count = packed[at].cast_signed();
+        at += 1;
+        if count >= 0 {
+            let length = usize::from(count.cast_unsigned()) + 1;
+            unpacked.extend_from_slice(packed.get(at..at + length)?);
+            at += length;
+        } else if count != i8::MIN {
+            let length = usize::from(count.unsigned_abs()) + 1;
+            unpacked.resize(unpacked.len() + length, *packed.get(at)?);
+            at += 1;
+        }
+    }
+    unpacked.truncate(most);
+    Some(unpacked)
+}
+
+/// LZW as TIFF has it (TIFF 6.0, section 13): codes of 9 to 12 bits, highest bit first, 256 clears
+/// the table, 257 ends; the width grows one code early.
+pub(crate) fn lzw(packed: &[u8], most: usize) -> Option<Vec<u8>> {
+    const CLEAR: usize = 256;
+    const END: usize = 257;
+    let mut unpacked = Vec::new();
+    // A string of the table is a piece of what was unpacked: start and length.
+    let mut table: Vec<(usize, usize)> = Vec::new();
+    let (mut width, mut previous) = (9, None::<(usize, usize)>);
+    let (mut bits, mut held, mut next) = (0u32, 0u32, packed.iter());
+    while unpacked.len() < most {
+        while held < width {
+            let Some(&byte) = next.next() else { return Some(unpacked) };
+            bits = bits << 8 | u32::from(byte);
+            held += 8;
+        }
+        held -= width;
+        let code = (bits >> held & ((1 << width) - 1)) as usize;
+        let start = unpacked.len();
+        match (code, previous) {
+            (END, _) => break,
+            (CLEAR, _) => {
+                table.clear();
+                (width, previous) = (9, None);
+                continue;
+            }
+            (0..256, _) => unpacked.push(code as u8),
+            (_, Some(before)) => {
+                // The code after the last one is the string before with its own first byte.
+                let (from, length) = table
+                    .get(code - 258)
+                    .copied()
+                    .or((code - 258 == table.len()).then_some((before.0, before.1 + 1)))?;
+                for i in 0..length {
+                    let byte = *unpacked.get(from + i)?;
+                    unpacked.push(byte);
+                }
+            }
+            (_, None) => return None,
+        }
+        if let Some((from, length)) = previous {
+            // The string before and the first byte of this one stand side by side already.
+            table.push((from, length + 1));
+            width = match table.len() + 258 {
+                0..511 => 9,
+                511..1023 => 10,
+                1023..2047 => 11,
+                _ => 12,
+            };
+            if table.len() > 4096 - 258 {
+                return None;
+            }
+        }
+        previous = Some((start, unpacked.len() - start));
+    }
+    unpacked.truncate(most);
+    Some(unpacked)
+}
+
+/// A zlib stream, at most `most` bytes of it.
+#[cfg(feature = "zip")]
+pub(crate) fn zlib(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {
+    use std::io::Read;
+    let mut unpacked = Vec::new();
+    flate2::read::ZlibDecoder::new(packed)
+        .take(most as u64)
+        .read_to_end(&mut unpacked)
+        .map_err(|e| format!("deflate: {e}"))?;
+    Ok(unpacked)
+}
+
+/// Zstandard frames, at most `most` bytes of what they hold.
+#[cfg(feature = "zip")]
+pub(crate) fn zstd(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {
+    use std::io::Read;
+    let mut unpacked = Vec::new();
+    ruzstd::decoding::StreamingDecoder::new(packed)
+        .map_err(|e| format!("zstd: {e}"))?
+        .take(most as u64)
+        .read_to_end(&mut unpacked)
+        .map_err(|e| format!("zstd: {e}"))?;
+    Ok(unpacked)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The example of TIFF 6.0, section 9.
+    #[test]
+    fn packbits_of_the_specification() {
+        let packed = [
+            0xfe, 0xaa, 0x02, 0x80, 0x00, 0x2a, 0xfd, 0xaa, 0x03, 0x80, 0x00, 0x2a, 0x22, 0xf7,
+            0xaa,
+        ];
+        let mut expected = vec![
+            0xaa, 0xaa, 0xaa, 0x80, 0x00, 0x2a, 0xaa, 0xaa, 0xaa, 0xaa, 0x80, 0x00, 0x2a, 0x22,
+        ];
+        expected.extend([0xaa; 10]);
+        assert_eq!(packbits(&packed, 100).unwrap(), expected);
+        assert_eq!(packbits(&packed, 5).unwrap().len(), 5);
+        assert_eq!(packbits(&packed[..4], 100), None);
+    }
+
+    /// The example of TIFF 6.0, section 13: 7 7 7 8 8 7 7 6 6.
+    #[test]
+    fn lzw_of_the_specification() {
+        let codes: [u32; 9] = [256, 7, 258, 8, 8, 258, 6, 6, 257];
+        let mut bits = Vec::new();
+        for code in codes {
+            bits.extend((0..9).rev().map(|i| code >> i & 1));
+        }
+        let packed: Vec<u8> = bits
+            .chunks(8)
+            .map(|c| c.iter().enumerate().fold(0, |b, (i, &v)| b | (v as u8) << (7 - i)))
+            .collect();
+        assert_eq!(lzw(&packed, 100).unwrap(), [7, 7, 7, 8, 8, 7, 7, 6, 6]);
+        assert_eq!(lzw(&packed, 4).unwrap(), [7, 7, 7, 8]);
+    }
+
+    /// Long data, through all widths and a full table: what a plain encoder writes comes back.
+    #[test]
+    fn lzw_through_all_widths() {
+        let data: Vec<u8> = (0..60_000u32).map(|i| (i * i / 7 % 251) as u8).collect();
+        let (mut bits, mut width) = (Vec::<bool>::new(), 9);
+        let mut put =
+            |code: usize, width: usize| bits.extend((0..width).rev().map(|i| code >> i & 1 == 1));
+        let mut table = std::collections::HashMap::new();
+        put(256, 9);
+        let mut held: Vec<u8> = Vec::new();
+        let code_of = |s: &[u8], t: &std::collections::HashMap<Vec<u8>, usize>| {
+            if s.len() == 1 { usize::from(s[0]) } else { t[s] }
+        };
+        for &byte in &data {
+            let mut longer = held.clone();
+            longer.push(byte);
+            if longer.len() == 1 || table.contains_key(&longer) {
+                held = longer;
+                continue;
+            }
+            put(code_of(&held, &table), width);
+            table.insert(longer, 258 + table.len());
+            width = match table.len() + 258 {
+                0..512 => 9,
+                512..1024 => 10,
+                1024..2048 => 11,
+                _ => 12,
+            };
+            if table.len() + 258 == 4095 {
+                put(256, 12);
+                table.clear();
+                width = 9;
+            }
+            held = vec![byte];
+        }
+        put(code_of(&held, &table), width);
+        put(257, width);
+        let packed: Vec<u8> = bits
+            .chunks(8)
+            .map(|c| c.iter().enumerate().fold(0, |b, (i, &v)| b | u8::from(v) << (7 - i)))
+            .collect();
+        assert_eq!(lzw(&packed, data.len()).unwrap(), data);
+    }
+}

@@ -1,0 +1,429 @@
+//! Samples of the formats of microscopes and profilers that came later than the others.
+
+use super::binary::{Writer, doubles, zip};
+use super::{DX, DY, NX, NY, Sample, points};
+use std::io::Read as _;
+
+fn words(values: &[f64]) -> Vec<u8> {
+    values.iter().flat_map(|v| (*v as i32).to_le_bytes()).collect()
+}
+
+fn shorts(values: &[f64]) -> Vec<u8> {
+    values.iter().flat_map(|v| (*v as i16).to_le_bytes()).collect()
+}
+
+fn floats(values: &[f64]) -> Vec<u8> {
+    values.iter().flat_map(|v| (*v as f32).to_le_bytes()).collect()
+}
+
+/// Rows from the bottom upwards.
+fn upside_down(values: &[f64]) -> Vec<f64> {
+    values.chunks(NX).rev().flatten().copied().collect()
+}
+
+/// Header, conditions at 84, a height image at 500; 1 pm is a tenth of the step.
+fn vk4() -> Vec<u8> {
+    let mut w = Writer::default();
+    w.put("VK4_").to(12).put(84u32.to_le_bytes()).to(36).put(500u32.to_le_bytes());
+    w.to(84)
+        .put(664u32.to_le_bytes())
+        .put([2026u32, 11, 22, 1, 2, 3].map(u32::to_le_bytes).concat());
+    w.to(84 + 168).put(2_000_000u32.to_le_bytes()).put(3_000_000u32.to_le_bytes());
+    w.put(100u32.to_le_bytes());
+    w.to(500)
+        .put([NX as u32, NY as u32, 32, 0, 4 * (NX * NY) as u32].map(u32::to_le_bytes).concat());
+    let stored: Vec<f64> = points(102.0).iter().map(|h| 10.0 * h).collect();
+    w.to(500 + 796).put(words(&stored));
+    w.0
+}
+
+fn vk6() -> Vec<u8> {
+    let mut w = Writer::default();
+    w.put("VK6").put(8u32.to_le_bytes()).put("BMBMBMBM").put(zip(&[("Vk4File", &vk4())]));
+    w.0
+}
+
+fn plux() -> Vec<u8> {
+    let index = "<?xml version=\"1.0\"?><xml><GENERAL><DATE>2026</DATE><IMAGE_SIZE_X>7</IMAGE_SIZE_X>\
+                 <IMAGE_SIZE_Y>5</IMAGE_SIZE_Y><FOV_X>2</FOV_X><FOV_Y>3</FOV_Y></GENERAL>\
+                 <LAYER_0><FILENAME_Z>LAYER_0.raw</FILENAME_Z></LAYER_0></xml>";
+    let data: Vec<f64> = points(f64::NAN).iter().map(|h| h * 1e-3).collect();
+    zip(&[
+        ("index.xml", index.as_bytes()),
+        ("recipe.txt", b"<xml/>"),
+        ("LAYER_0.raw", &floats(&data)),
+    ])
+}
+
+fn zmg() -> Vec<u8> {
+    let mut w = Writer::default();
+    w.put("Zeta-Instruments").to(85).put((NX as u32).to_le_bytes()).put((NY as u32).to_le_bytes());
+    w.to(97).put(floats(&[2.0, 3.0, 1e-3])).to(117).put(4u32.to_le_bytes()).to(205).put("note");
+    w.put(shorts(&points(102.0)));
+    w.0
+}
+
+fn os3d() -> Vec<u8> {
+    let mut w = Writer::default();
+    w.put("OmniSurf3D").put([1i32, 0, 2].map(i32::to_le_bytes).concat()).put("id");
+    w.put(4i32.to_le_bytes()).put("2026");
+    w.put([NX as i32, NY as i32].map(i32::to_le_bytes).concat());
+    w.put(doubles(&[2.0, 3.0, 0.0, 0.0]));
+    let data: Vec<f64> = points(-3.4e41).iter().map(|h| h * 1e-3).collect();
+    w.put(floats(&data)).put([0]);
+    w.0
+}
+
+/// The backward pass of the current first, then z, both ways.
+fn sxm() -> Vec<u8> {
+    let header = ":NANONIS_VERSION:\n2\n:SCANIT_TYPE:\n    FLOAT    MSBFIRST\n:SCAN_PIXELS:\n   7   5\n\
+                  :SCAN_RANGE:\n  1.4E-5   1.5E-5\n:SCAN_DIR:\nup\n:DATA_INFO:\n\
+                  \tChannel\tName\tUnit\tDirection\tCalibration\tOffset\n\
+                  \t0\tCurrent\tA\tbackward\t1\t0\n\t14\tZ\tm\tboth\t-3E-9\t0\n\n:SCANIT_END:\n\n\n";
+    let rows = upside_down(&points(f64::NAN));
+    let data: Vec<u8> = rows.iter().flat_map(|h| ((h * 1e-9) as f32).to_be_bytes()).collect();
+    let mut w = Writer::default();
+    w.put(header).put([0x1a, 4]).put(&data).put(&data).put(&data);
+    w.0
+}
+
+/// A TIFF file of directories of entries (tag, type, count, value); values longer than 4 bytes
+/// stand behind all directories.
+fn tiff(pages: &[Vec<(u16, u16, u32, Vec<u8>)>]) -> Vec<u8> {
+    let directories: usize = pages.iter().map(|page| 6 + 12 * page.len()).sum();
+    let (mut head, mut tail) = (Writer::default(), Vec::new());
+    head.put(b"II*\0").put(8u32.to_le_bytes());
+    for (i, page) in pages.iter().enumerate() {
+        head.put((page.len() as u16).to_le_bytes());
+        for (tag, kind, count, value) in page {
+            head.put(tag.to_le_bytes()).put(kind.to_le_bytes()).put(count.to_le_bytes());
+            let mut inline = value.clone();
+            if value.len() > 4 {
+                inline = ((8 + directories + tail.len()) as u32).to_le_bytes().to_vec();
+                tail.extend_from_slice(value);
+            }
+            inline.resize(4, 0);
+            head.put(inline);
+        }
+        let next = if i + 1 < pages.len() { head.0.len() + 4 } else { 0 };
+        head.put((next as u32).to_le_bytes());
+    }
+    head.put(tail);
+    head.0
+}
+
+type Entry = (u16, u16, u32, Vec<u8>);
+
+fn short(tag: u16, value: u16) -> Entry {
+    (tag, 3, 1, value.to_le_bytes().to_vec())
+}
+
+fn long(tag: u16, value: u32) -> Entry {
+    (tag, 4, 1, value.to_le_bytes().to_vec())
+}
+
+fn text(tag: u16, value: &str) -> Entry {
+    (tag, 2, value.len() as u32 + 1, [value.as_bytes(), b"\0"].concat())
+}
+
+fn double(tag: u16, value: f64) -> Entry {
+    (tag, 12, 1, value.to_le_bytes().to_vec())
+}
+
+/// Entries of a picture in one strip, whose offset is put in once it is known: the strip is the
+/// value of a private tag, behind all directories.
+fn picture(bits: u16, kind: u16, compression: u16, predictor: u16) -> Vec<Entry> {
+    vec![
+        long(256, NX as u32),
+        long(257, NY as u32),
+        short(258, bits),
+        short(259, compression),
+        short(277, 1),
+        long(278, NY as u32),
+        short(317, predictor),
+        short(339, kind),
+    ]
+}
+
+/// Pages of which each has its strip in the private tag 65000.
+fn with_strips(mut pages: Vec<Vec<Entry>>, strips: &[Option<Vec<u8>>]) -> Vec<u8> {
+    for (page, strip) in pages.iter_mut().zip(strips) {
+        if let Some(strip) = strip {
+            page.push(long(273, 0));
+            page.push(long(279, strip.len() as u32));
+            page.push((65000, 1, strip.len() as u32, strip.clone()));
+        }
+        page.sort_by_key(|entry| entry.0);
+    }
+    let directories: usize = pages.iter().map(|page| 6 + 12 * page.len()).sum();
+    let mut place = 8 + directories;
+    for page in &mut pages {
+        let mut at = 0;
+        for (tag, _, _, value) in page.iter() {
+            if value.len() > 4 {
+                if *tag == 65000 {
+                    at = place;
+                }
+                place += value.len();
+            }
+        }
+        if let Some(entry) = page.iter_mut().find(|entry| entry.0 == 273) {
+            entry.3 = (at as u32).to_le_bytes().to_vec();
+        }
+    }
+    tiff(&pages)
+}
+
+fn tiff_floats() -> Vec<u8> {
+    with_strips(vec![picture(32, 3, 1, 1)], &[Some(floats(&points(f64::NAN)))])
+}
+
+/// Differences along the rows, packed by deflate.
+fn tiff_differences() -> Vec<u8> {
+    let mut data = Vec::new();
+    for row in points(102.0).chunks(NX) {
+        let mut before = 0i16;
+        for value in row {
+            data.extend((*value as i16).wrapping_sub(before).to_le_bytes());
+            before = *value as i16;
+        }
+    }
+    let mut pack = flate2::read::ZlibEncoder::new(&data[..], flate2::Compression::default());
+    let mut packed = Vec::new();
+    pack.read_to_end(&mut packed).unwrap();
+    with_strips(vec![picture(16, 2, 8, 2)], &[Some(packed)])
+}
+
+fn jpk() -> Vec<u8> {
+    let grid =
+        vec![double(0x8042, NX as f64 * DX), double(0x8043, NY as f64 * DY), text(0x8003, "2026")];
+    let channel = |name: &str, unit: &str| {
+        let mut page = picture(32, 2, 1, 1);
+        page.extend([
+            text(0x8050, name),
+            long(0x8051, 1),
+            text(0x8052, name),
+            long(0x8080, 2),
+            text(0x8081, "calibrated"),
+            text(0x8090, "raw"),
+            text(0x80A3, "NullScaling"),
+            text(0x80C0, "calibrated"),
+            text(0x80D2, unit),
+            text(0x80D3, "LinearScaling"),
+            double(0x80D4, -0.5e-9),
+            double(0x80D5, 1e-6),
+        ]);
+        page
+    };
+    // h = 1 um - 0.5 nm * stored
+    let stored: Vec<f64> = upside_down(&points(102.0)).iter().map(|h| (1000.0 - h) * 2.0).collect();
+    let data = words(&stored);
+    let pages = vec![grid, channel("Error", "m"), channel("Height", "m")];
+    with_strips(pages, &[None, Some(data.clone()), Some(data)])
+}
+
+fn park() -> Vec<u8> {
+    let wide = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    let mut h = Writer::default();
+    h.to(4)
+        .put(wide("Z Height"))
+        .to(100)
+        .put([NX as u32, NY as u32].map(u32::to_le_bytes).concat());
+    h.to(140).put(doubles(&[14.0, 15.0])).to(220).put(doubles(&[0.5, 2e-3, 7.0])).put(wide("um"));
+    h.to(348).put(2u32.to_le_bytes()).to(580);
+    let data = floats(&upside_down(&points(f64::NAN)));
+    tiff(&[vec![
+        (50432, 4, 1, 0x0E03_1301u32.to_le_bytes().to_vec()),
+        (50433, 4, 1, 0x0100_0002u32.to_le_bytes().to_vec()),
+        (50434, 1, data.len() as u32, data),
+        (50435, 7, 580, h.0),
+    ]])
+}
+
+fn lext() -> Vec<u8> {
+    let xml = "<TiffTagDescData><HeightInfo><HeightDataPerPixelX>1000000</HeightDataPerPixelX>\
+               <HeightDataPerPixelY>3000000</HeightDataPerPixelY><HeightDataPerPixelZ>500\
+               </HeightDataPerPixelZ></HeightInfo></TiffTagDescData>";
+    // The Exif directory is the last one in the file; it is no page of its own.
+    let exif = "<ExifTagDescData><ImageCommonSettingsInfo><MakerCalibrationValueX>2\
+                </MakerCalibrationValueX><MakerCalibrationValueZ>2</MakerCalibrationValueZ>\
+                </ImageCommonSettingsInfo></ExifTagDescData>";
+    let mut height = picture(16, 1, 1, 1);
+    height.push(text(270, "HEIGHT"));
+    let mut first = picture(8, 1, 1, 1);
+    first.extend([text(270, xml), long(34665, 0)]);
+    let strips = [Some(vec![0; NX * NY]), Some(shorts(&points(102.0)))];
+    let mut file = with_strips(vec![first, height], &strips);
+    let at = file.len() as u32;
+    let place = file.windows(4).position(|w| w == [0x69, 0x87, 4, 0]).unwrap() + 8;
+    file[place..place + 4].copy_from_slice(&at.to_le_bytes());
+    let mut w = Writer(file);
+    w.put(1u16.to_le_bytes()).put(41995u16.to_le_bytes()).put(7u16.to_le_bytes());
+    w.put((exif.len() as u32).to_le_bytes()).put((at + 18).to_le_bytes()).put(0u32.to_le_bytes());
+    w.put(exif);
+    w.0
+}
+
+fn mdt_file(frames: &[Vec<u8>]) -> Vec<u8> {
+    let mut w = Writer::default();
+    w.put([1, 0xb0, 0x93, 0xff]).to(12).put((frames.len() as u16 - 1).to_le_bytes()).to(33);
+    for frame in frames {
+        w.put(frame);
+    }
+    w.0
+}
+
+/// A frame of an unknown kind, then a scan.
+fn mdt_scan() -> Vec<u8> {
+    let frame = |kind: u16, variables: u16, content: &[u8]| {
+        let mut w = Writer::default();
+        w.put((22 + content.len() as u32).to_le_bytes()).put(kind.to_le_bytes()).to(20);
+        w.put(variables.to_le_bytes()).put(content);
+        w.0
+    };
+    let axis = |offset: f32, step: f32, unit: i16| {
+        [&offset.to_le_bytes()[..], &step.to_le_bytes(), &unit.to_le_bytes()].concat()
+    };
+    let mut w = Writer::default();
+    w.put(axis(0.0, 2.0, -2)).put(axis(0.0, -3.0, -2)).put(axis(100.0, 0.5, -1)).put([0]).to(77);
+    w.put([0, 0]).put([NX as u16, NY as u16, 0].map(u16::to_le_bytes).concat());
+    let stored: Vec<f64> = upside_down(&points(102.0)).iter().map(|h| (h - 100.0) * 2.0).collect();
+    w.put(shorts(&stored)).put(5u32.to_le_bytes()).put("title");
+    mdt_file(&[frame(3, 0, b"text"), frame(0, 77, &w.0)])
+}
+
+fn mdt_map() -> Vec<u8> {
+    let calibration = |unit: &str, bias: f64, scale: f64, last: u64, kind: i32| {
+        let mut w = Writer::default();
+        w.put((88 + unit.len() as u32).to_le_bytes()).put(80u32.to_le_bytes());
+        w.to(16).put((unit.len() as u32).to_le_bytes()).to(44).put(doubles(&[bias, scale]));
+        w.to(68).put(last.to_le_bytes()).put(kind.to_le_bytes()).to(88).put(unit);
+        w.0
+    };
+    let mut w = Writer::default();
+    w.to(4).put(106u16.to_le_bytes()).to(66).put(4u32.to_le_bytes()).to(98).put("Topo").to(106);
+    w.put(20u32.to_le_bytes()).to(122).put([2u32, 1].map(u32::to_le_bytes).concat());
+    w.put(calibration("um", 0.0, 2.0, NX as u64 - 1, -8));
+    w.put(calibration("um", 0.0, 3.0, NY as u64 - 1, -8));
+    w.put(calibration("nm", 100.0, 0.5, 0, -5892));
+    let data_at = 33 + w.0.len() as u32;
+    w.put(floats(
+        &upside_down(&points(f64::NAN)).iter().map(|h| (h - 100.0) * 2.0).collect::<Vec<_>>(),
+    ));
+    let mut frame = w.0;
+    let size = frame.len() as u32;
+    frame[..4].copy_from_slice(&size.to_le_bytes());
+    frame[90..94].copy_from_slice(&data_at.to_le_bytes());
+    mdt_file(&[frame])
+}
+
+/// With members as they are, or each packed with zstd.
+fn zon(is_packed: bool) -> Vec<u8> {
+    let matrix = |size: u32, data: Vec<u8>| {
+        let head = [NX as u32, NY as u32, size, size * NX as u32].map(u32::to_le_bytes).concat();
+        [head, data].concat()
+    };
+    let heights = matrix(4, words(&points(-7.0)));
+    let mask = points(f64::NAN).iter().map(|h| if h.is_nan() { 2 } else { 0 }).collect();
+    let mask = matrix(1, mask);
+    let xml = "\u{feff}<?xml version=\"1.0\"?><Calibration><XYCalibration><MeterPerPixel>3E-06\
+               </MeterPerPixel></XYCalibration><ZCalibration><MeterPerUnit>1E-09</MeterPerUnit>\
+               </ZCalibration></Calibration>";
+    let pack = |data: &[u8]| {
+        if is_packed {
+            use ruzstd::encoding::{CompressionLevel, compress_to_vec};
+            compress_to_vec(data, CompressionLevel::Fastest)
+        } else {
+            data.to_vec()
+        }
+    };
+    let archive = zip(&[
+        ("4cdb0c75-5706-48cc-a9a1-adf395d609ae", &pack(&heights)),
+        ("9e7ca6dd-0e6a-4d7b-8986-f0a7b773c916", &pack(&mask)),
+        ("686613b8-27b5-4a29-8ffc-438c2780873e", &pack(xml.as_bytes())),
+    ]);
+    let mut w = Writer::default();
+    w.put(if is_packed { "KPK1" } else { "KPK0" })
+        .put(6u32.to_le_bytes())
+        .put("BMBMBM")
+        .put(archive);
+    w.0
+}
+
+/// Made by h5py 3 from the sample surface, packed to keep them small.
+fn hdf5(packed: &[u8]) -> Vec<u8> {
+    let mut file = Vec::new();
+    flate2::read::GzDecoder::new(packed).read_to_end(&mut file).unwrap();
+    file
+}
+
+/// A workbook as Mitutoyo's testers write it: a profile of five points.
+pub fn mitutoyo() -> Vec<u8> {
+    let cell = |place: &str, value: &str| format!("<c r=\"{place}\"><v>{value}</v></c>");
+    let mut rows = String::from("<row r=\"1\"><c r=\"A1\" t=\"s\"><v>0</v></c>");
+    for i in 0..5 {
+        if i > 0 {
+            rows += &format!("<row r=\"{}\">", i + 1);
+        }
+        rows += &cell(&format!("E{}", i + 1), &format!("{}", 0.0015 * f64::from(i + 1)));
+        rows += &cell(&format!("F{}", i + 1), &format!("{}", 0.5 * f64::from(i)));
+        rows += "</row>";
+    }
+    let data = format!("<worksheet><sheetData>{rows}</sheetData></worksheet>");
+    let certificate = "<worksheet><sheetData><row r=\"48\"><c r=\"E48\" t=\"s\"><v>1</v></c></row>\
+                       </sheetData></worksheet>";
+    zip(&[
+        ("[Content_Types].xml", b"<Types/>"),
+        (
+            "xl/workbook.xml",
+            b"<workbook xmlns:r=\"r\"><sheets><sheet name=\"Certificate\" r:id=\"rId1\"/>\
+              <sheet name=\"DATA\" r:id=\"rId2\"/></sheets></workbook>",
+        ),
+        (
+            "xl/_rels/workbook.xml.rels",
+            b"<Relationships><Relationship Id=\"rId1\" Target=\"worksheets/sheet1.xml\"/>\
+              <Relationship Id=\"rId2\" Target=\"worksheets/sheet2.xml\"/></Relationships>",
+        ),
+        (
+            "xl/sharedStrings.xml",
+            "<sst><si><t>Ra     3.308  \u{b5}m</t></si><si><r><t>2.5</t></r><r><t>mm</t></r></si></sst>"
+                .as_bytes(),
+        ),
+        ("xl/worksheets/sheet1.xml", certificate.as_bytes()),
+        ("xl/worksheets/sheet2.xml", data.as_bytes()),
+    ])
+}
+
+pub fn samples() -> Vec<Sample> {
+    let square = |mut sample: Sample| {
+        // The format has square pixels; the sample has not.
+        sample.options.pixel = Some([DY, DX]);
+        sample
+    };
+    vec![
+        Sample::new("vk4", vk4()).complete(),
+        Sample::new("vk6", vk6()).complete(),
+        Sample::new("plux", plux()),
+        Sample::new("zmg", zmg()).complete(),
+        Sample::new("os3d", os3d()),
+        Sample::new("sxm", sxm()),
+        Sample::new("tiff, f32", tiff_floats()).with_pixel().with_unit(1e-9),
+        Sample::new("tiff, i16 differences", tiff_differences())
+            .with_pixel()
+            .with_unit(1e-9)
+            .complete(),
+        Sample::new("jpk", jpk()).complete(),
+        Sample::new("park", park()),
+        Sample::new("lext", lext()).complete(),
+        Sample::new("mdt, scan", mdt_scan()).complete(),
+        Sample::new("mdt, general map", mdt_map()),
+        square(Sample::new("zon", zon(false))),
+        square(Sample::new("zon, zstd", zon(true))),
+        Sample::new("hdf5", hdf5(include_bytes!("../data/contiguous.h5.gz"))).with_pixel(),
+        Sample::new("hdf5, chunks", hdf5(include_bytes!("../data/chunked.h5.gz"))).with_pixel(),
+        Sample::new("hdf5, newest", hdf5(include_bytes!("../data/latest.h5.gz"))).with_pixel(),
+        Sample::new("hdf5, one chunk", hdf5(include_bytes!("../data/single_chunk.h5.gz")))
+            .with_pixel(),
+        Sample::new("datx", hdf5(include_bytes!("../data/made.datx.gz"))),
+    ]
+}
