@@ -162,7 +162,8 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
                 "mean_pressure": asked, "area_fraction": null, "area_fraction_corrected": null,
                 "mean_gap": if let Load::MeanGap(g) = load { Some(g) } else { None },
                 "approach": null, "max_pressure": null, "real_pressure": null,
-                "converged": false, "iterations": null, "transforms": null, "seconds": null,
+                "converged": false, "stopped_at_rounding": false, "iterations": null,
+                "transforms": null, "seconds": null,
                 "residuals": null, "duality_gap": null, "error": error_json,
         });
         with_keys(&mut json, None);
