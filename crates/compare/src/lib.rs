@@ -22,6 +22,7 @@ mod run_file;
 mod scene;
 mod settings;
 mod solver_of;
+mod spikes;
 mod spots;
 mod study;
 mod surface;
@@ -43,7 +44,7 @@ pub use contact_types::{
     SeparationModel, SpectralMoments, SurfaceError,
 };
 pub use finding::{Bare, Fact, Finding, Passed, Seam, Steep, Subject, Weight, Yield};
-pub use findings::{Solved, findings, seam};
+pub use findings::{Solved, findings, seam, spiky};
 pub use inputs::{Inputs, MomentSource};
 pub use progress::{Listener, Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
@@ -57,6 +58,7 @@ pub use scene::{Pressed, Scene, is_steep};
 pub use settings::{
     EdgesName, MethodName, PrecisionName, STEEL_ON_STEEL, Settings, default_pressures,
 };
+pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spots, contact_spots};
 pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surface_stats::Level;

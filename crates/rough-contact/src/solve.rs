@@ -14,8 +14,8 @@ use clap::Args;
 use compare::budget::{Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, Level, MethodName, NotRefined, PrecisionName, Scene, Solved, Surrounded, TwiceFiner,
-    on_given,
+    EdgesName, Level, MethodName, NotRefined, PrecisionName, Scene, Solved, Spikes, Surrounded,
+    TwiceFiner, on_given,
 };
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solution, Solver, SolverError};
@@ -112,6 +112,8 @@ impl Solve {
         };
         solved.scene = self.scene(&surface, modulus)?;
         let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
+        work.spikes = Spikes::of(&surface);
+        solved.spikes = work.spikes.clone();
         let known = Map::with_step(&surface, height_step)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
         let given = surface.grid();
@@ -137,6 +139,7 @@ impl Solve {
             let refinable = work.intervals.refinable.is_some() && can_be_refined;
             solved.loads = work.found();
             solved.scene.pressed = work.pressed();
+            solved.spike_share = work.spike_share;
             solved.plan = Some(&outcome);
             let mut reply = self.reply(work, modulus.pascals(), "", &solved);
             planned::state(&outcome, refinable, &mut reply);
@@ -183,6 +186,7 @@ impl Solve {
         let notes = work.intervals.notes(!self.refine && can_be_refined);
         solved.loads = work.found();
         solved.scene.pressed = work.pressed();
+        solved.spike_share = work.spike_share;
         Ok(self.reply(work, modulus.pascals(), &notes, &solved))
     }
 
