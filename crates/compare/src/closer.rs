@@ -104,6 +104,15 @@ fn choices(
     let Some(used) = used else { return Vec::new() };
     let Some(reference) = area(&used) else { return Vec::new() };
     let mut list = Vec::new();
+    // Spikes of the map as given: a coarser grid smears them.
+    if !surface.spikes.indices.is_empty() {
+        let clean = surface.spikes.without(&surface.surface);
+        let clean =
+            clean.and_then(|m| if factor > 1 { on(&m, used.grid().shape()) } else { Some(m) });
+        let effect = clean.and_then(|m| area(&m)).map(|a| a / reference - 1.0);
+        let kind = ChoiceKind::WithoutSpikes(surface.spikes.indices.len());
+        list.extend(effect.map(|effect| Choice { kind, effect }));
+    }
     let mut tried = |kind, with: Option<f64>, without: f64| {
         list.extend(with.map(|a| Choice { kind, effect: a / without - 1.0 }));
     };

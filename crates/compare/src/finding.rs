@@ -80,6 +80,7 @@ impl Finding {
             Fact::FinerGrid { .. } | Fact::NoBar { .. } => Subject::Grid,
             Fact::EdgeJump { .. } => Subject::Edges,
             Fact::Unit { .. }
+            | Fact::Spikes { .. }
             | Fact::Steep(_)
             | Fact::Warned(_)
             | Fact::Filled { .. }
@@ -140,6 +141,15 @@ pub enum Fact {
         edges: EdgesName,
         /// What they do to the area, if there is a solution.
         seam: Option<Seam>,
+    },
+    /// Single points far from their neighbours.
+    Spikes {
+        /// How many.
+        count: usize,
+        /// Largest distance of one (m).
+        largest: f64,
+        /// Share of the load that they carry \[-\], if it is known.
+        share: Option<f64>,
     },
     /// Points that were filled.
     Filled {

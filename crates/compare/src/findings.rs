@@ -3,7 +3,7 @@
 use crate::finding::{Bare, Fact, Finding, Passed, Seam, Weight};
 use crate::result::SurfaceComparison;
 use crate::scene::{Pressed, Scene, is_steep};
-use crate::{EdgesName, Origin};
+use crate::{EdgesName, Origin, Spikes};
 use contact_accuracy::edge_study::EdgeStudy;
 use contact_accuracy::plan::Outcome;
 use contact_accuracy::{EdgeShare, NoAreaInterval};
@@ -24,6 +24,8 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let points = &surface.deterministic;
     let unsolved = points.iter().filter(|p| p.answer.as_ref().is_none_or(|a| !a.converged)).count();
     let mut found = scene(surface).findings();
+    let share = surface.spikes.share(surface.surface.grid().len(), &surface.pressure);
+    found.extend(spiky(&surface.spikes, share));
     found.extend(not_converged(unsolved, points.len()));
     found.extend(surface.plan.as_ref().and_then(unmet));
     found.extend(bar(surface, unsolved));
@@ -48,11 +50,8 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
 fn scene(surface: &SurfaceComparison) -> Scene {
     let answers = surface.deterministic.iter().filter_map(|p| {
         let answer = p.answer.as_ref().filter(|a| a.converged)?;
-        Some(Pressed {
-            nominal: p.mean_pressure,
-            mean: answer.budget.real_pressure()?.value(),
-            highest: Some(answer.max_pressure),
-        })
+        let mean = answer.budget.real_pressure()?.value();
+        Some(Pressed::of(p.mean_pressure, mean, answer.max_pressure))
     });
     let s = &surface.statistics;
     Scene {
@@ -70,6 +69,10 @@ fn scene(surface: &SurfaceComparison) -> Scene {
 pub struct Solved<'a> {
     /// What is asked of elasticity, with its answers.
     pub scene: Scene,
+    /// Single points far from their neighbours.
+    pub spikes: Spikes,
+    /// Largest share of the load that they carry \[-\], if it is known.
+    pub spike_share: Option<f64>,
     /// Of each load: whether it converged, and why its area has no bar, if it has none.
     pub loads: Vec<(bool, Option<NoAreaInterval>)>,
     /// What was chosen for an accuracy, if one was asked for.
@@ -89,6 +92,7 @@ impl Solved<'_> {
     pub fn findings(&self) -> Vec<Finding> {
         let of = self.loads.len();
         let mut found = self.scene.findings();
+        found.extend(spiky(&self.spikes, self.spike_share));
         found.extend(not_converged(self.loads.iter().filter(|l| !l.0).count(), of));
         found.extend(self.plan.and_then(unmet));
         let bare: Vec<NoAreaInterval> =
@@ -103,6 +107,14 @@ impl Solved<'_> {
         found.sort_by_key(|f| f.weight);
         found
     }
+}
+
+/// Spikes; they may change a conclusion where they carry a twentieth of the load.
+pub fn spiky(spikes: &Spikes, share: Option<f64>) -> Option<Finding> {
+    let count = spikes.indices.len();
+    let weight = if share.is_some_and(|s| s > 0.05) { Weight::Check } else { Weight::Note };
+    let fact = Fact::Spikes { count, largest: spikes.largest, share };
+    (count > 0).then_some(Finding { weight, fact })
 }
 
 fn not_converged(loads: usize, of: usize) -> Option<Finding> {

@@ -22,6 +22,7 @@ mod run_file;
 mod scene;
 mod settings;
 mod solver_of;
+mod spikes;
 mod spots;
 mod study;
 mod surface;
@@ -46,7 +47,7 @@ pub use fft_bem_solver::{
     Answer, Iteration, Load, Method, Precision, Solution, Solver, SolverError,
 };
 pub use finding::{Bare, Fact, Finding, Passed, Seam, Steep, Subject, Weight, Yield};
-pub use findings::{Solved, findings, seam};
+pub use findings::{Solved, findings, seam, spiky};
 pub use inputs::{Inputs, MomentSource};
 pub use progress::{Listener, Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
@@ -58,6 +59,7 @@ pub use result::{
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Pressed, Scene, is_steep};
 pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures};
+pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spots, contact_spots};
 pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surface_stats::Level;

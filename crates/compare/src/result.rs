@@ -3,7 +3,7 @@
 use crate::inputs::Inputs;
 use crate::survey::Experience;
 use crate::theory::{BuildError, Card};
-use crate::{EdgesName, Origin, Settings, Spots};
+use crate::{EdgesName, Origin, Settings, Spikes, Spots};
 use contact_accuracy::NoAreaInterval;
 use contact_accuracy::budget::{Budget, Map, grid};
 use contact_accuracy::plan::Outcome;
@@ -44,6 +44,8 @@ pub struct SurfaceComparison {
     pub setup_seconds: f64,
     /// The deterministic solution at each load, by rising pressure.
     pub deterministic: Vec<DeterministicPoint>,
+    /// Single points far from their neighbours.
+    pub spikes: Spikes,
     /// What the map says about the accuracy of answers on it.
     pub map: Map,
     /// Seconds spent on solutions on a twice finer grid, for loads that have no bar of their own.
@@ -198,6 +200,8 @@ pub enum ChoiceKind {
     Paraboloid,
     /// Waves shorter than this (m), twice the shortest of the map, removed.
     Cutoff(f64),
+    /// So many spikes removed.
+    WithoutSpikes(usize),
     /// Mirror images at the edges instead of the same map again.
     Mirrored,
 }
@@ -208,6 +212,7 @@ impl ChoiceKind {
         match self {
             Self::Paraboloid => "paraboloid",
             Self::Cutoff(_) => "twice_the_shortest_wavelength",
+            Self::WithoutSpikes(_) => "without_spikes",
             Self::Mirrored => "mirrored",
         }
     }

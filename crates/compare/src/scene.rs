@@ -54,6 +54,14 @@ pub struct Pressed {
     pub highest: Option<f64>,
 }
 
+impl Pressed {
+    /// A mean above the highest pressure is the line correction of an area of a few points: what
+    /// the points themselves bear is below.
+    pub fn of(nominal: f64, mean: f64, highest: f64) -> Self {
+        Self { nominal, mean: mean.min(highest), highest: Some(highest) }
+    }
+}
+
 impl Scene {
     /// What is said before any number: units, yield, slopes.
     pub fn findings(&self) -> Vec<Finding> {

@@ -14,7 +14,7 @@ use crate::spots::spots_beyond;
 use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::verdict;
-use crate::{EdgesName, Registry, Settings, Surface, Surrounded, default_pressures};
+use crate::{EdgesName, Registry, Settings, Spikes, Surface, Surrounded, default_pressures};
 use contact_accuracy::budget::Between;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_accuracy::round_to_digits;
@@ -181,7 +181,9 @@ fn compare(
         .asked_models(registry)
         .map(|theory| ask(theory, &inputs, &deterministic, &statistics, alike.as_ref()))
         .collect();
+    let spikes = Spikes::of(&map);
     Ok(SurfaceComparison {
+        spikes,
         name,
         origin,
         surface: map,

@@ -7,7 +7,7 @@ use crate::outcome::{Failure, Reply, variant};
 use crate::roughness::Source;
 use crate::text::{self, Columns};
 use clap::Args;
-use compare::{BuildError, Card, Inputs, Pressed, Scene, Theory, built_in};
+use compare::{BuildError, Card, Inputs, Pressed, Scene, Spikes, Theory, built_in};
 use contact_accuracy::round_to_digits;
 use contact_types::{Caveat, Citation, ContactState, ModelError};
 use serde_json::{Value, json};
@@ -65,11 +65,12 @@ impl Model {
         let card = theory.card();
         let modulus = self.bodies.required()?;
         let questions = self.questions()?;
-        let (mut cleaned, mut rows) = (Vec::new(), None);
+        let (mut cleaned, mut rows, mut spikes) = (Vec::new(), None, Spikes::default());
         self.source.refuse_unused(&card.name, self.file.as_deref())?;
         let inputs = if let Some(path) = &self.file {
             let surface = self.reading.surface(path, self.cleaning.asked())?;
             cleaned.clone_from(&surface.cleaned);
+            spikes = Spikes::of(&surface.map);
             rows = row_offsets(surface.map.grid(), surface.map.heights()).ok();
             self.source.measured(&card.name, modulus, path, surface)?
         } else {
@@ -78,7 +79,9 @@ impl Model {
         };
         let answers = answer(theory, &inputs, &questions)?;
         let mut reply = reply(card, &inputs, &questions, &answers);
-        let findings = scene(&inputs, &answers, rows).findings();
+        let mut findings = scene(&inputs, &answers, rows).findings();
+        findings.extend(compare::spiky(&spikes, None));
+        findings.sort_by_key(|f| f.weight);
         let first = text::cleaning(&cleaned) + &text::findings(&findings);
         reply.text.insert_str(0, &first);
         reply.json["findings"] = report::findings_json(&findings);

@@ -14,7 +14,7 @@ use clap::Args;
 use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, Level, Method, NotRefined, Precision, Scene, Solved, Surrounded, TwiceFiner,
+    EdgesName, Level, Method, NotRefined, Precision, Scene, Solved, Spikes, Surrounded, TwiceFiner,
     on_given,
 };
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
@@ -114,6 +114,8 @@ impl Solve {
         };
         solved.scene = self.scene(&surface, modulus)?;
         let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
+        work.spikes = Spikes::of(&surface);
+        solved.spikes = work.spikes.clone();
         let known = Map::with_step(&surface, height_step)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
         let given = surface.grid();
@@ -140,6 +142,7 @@ impl Solve {
             let refinable = work.intervals.refinable.is_some() && can_be_refined;
             solved.loads = work.found();
             solved.scene.pressed = work.pressed();
+            solved.spike_share = work.spike_share;
             solved.plan = Some(&outcome);
             let mut reply = self.reply(work, modulus.pascals(), "", &solved);
             planned::state(&outcome, refinable, &mut reply);
@@ -174,6 +177,7 @@ impl Solve {
         let notes = work.intervals.notes(!self.refine && can_be_refined);
         solved.loads = work.found();
         solved.scene.pressed = work.pressed();
+        solved.spike_share = work.spike_share;
         Ok(self.reply(work, modulus.pascals(), &notes, &solved))
     }
 

@@ -6,7 +6,7 @@ use crate::outcome::{Failure, variant};
 use crate::output::Folder;
 use crate::text;
 use compare::budget::{Budget, Given, NoAreaInterval};
-use compare::{NotRefined, Pressed};
+use compare::{NotRefined, Pressed, Spikes};
 use contact_types::Grid;
 use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};
@@ -27,6 +27,11 @@ pub(crate) struct Work {
     pub(crate) grid: Grid,
     /// What presses at each load that converged.
     pressed: Vec<Option<Pressed>>,
+    /// The grid of the map as given.
+    given: Grid,
+    /// Spikes of the map as given, and the largest share of the load they carry on it.
+    pub(crate) spikes: Spikes,
+    pub(crate) spike_share: Option<f64>,
     /// Whether each load converged, and why its area has no bar.
     found: Vec<Option<(bool, Option<NoAreaInterval>)>>,
 }
@@ -41,6 +46,9 @@ impl Work {
             points: (0..loads).map(|_| None).collect(),
             intervals: Intervals::default(),
             grid,
+            given: grid,
+            spikes: Spikes::default(),
+            spike_share: None,
             pressed: vec![None; loads],
             found: vec![None; loads],
         }
@@ -102,6 +110,8 @@ impl Work {
         self.found[index] = Some((error.is_none(), bare));
         if let (Ok(solution), Some(budget)) = (result, budget) {
             self.pressed[index] = pressed(solution, budget);
+            let share = self.spikes.share(self.given.len(), &solution.pressure);
+            self.spike_share = share.into_iter().chain(self.spike_share).reduce(f64::max);
             self.intervals.take(&shown(load), solution, budget, refined);
         }
         if let Some(error) = error {
@@ -138,11 +148,8 @@ impl Work {
 
 /// What presses at a load.
 fn pressed(solution: &Solution, budget: &Budget) -> Option<Pressed> {
-    Some(Pressed {
-        nominal: solution.state.mean_pressure,
-        mean: budget.real_pressure()?.value(),
-        highest: Some(solution.diagnostics.max_pressure),
-    })
+    let mean = budget.real_pressure()?.value();
+    Some(Pressed::of(solution.state.mean_pressure, mean, solution.diagnostics.max_pressure))
 }
 
 fn map_name(field: &str, index: usize) -> String {

@@ -149,3 +149,36 @@ fn rows_that_jump_are_said_to_jump_and_put_in_line() {
     let step = again.answered()["surfaces"][0]["cleaning"][0]["step"].clone();
     assert_eq!(step, "rows");
 }
+
+/// One point far above a smooth map carries the load: named with its share and its remedy.
+#[test]
+fn a_spike_that_carries_the_load_is_named() {
+    let folder = folder();
+    matrix(folder.path(), "spike.txt", 64, 64, |iy, ix| {
+        let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 16.0).cos();
+        let spike = if [iy, ix] == [20, 41] { 0.5 } else { 0.0 };
+        0.02 * wave(iy) * wave(ix) + spike
+    });
+    let file = "spike.txt --pixel 1um --height-unit um --modulus 110GPa --pressure 100kPa";
+    let spikes = |found: &Value| {
+        let list = found.as_array().unwrap();
+        let is = |f: &&Value| f["claim"].as_str().unwrap().starts_with("1 point is a spike");
+        list.iter().find(is).cloned()
+    };
+    let json = rough_contact(folder.path(), &format!("solve {file} --json")).answered();
+    let found = spikes(&json["findings"]).unwrap();
+    assert_eq!(found["weight"], "check");
+    let text = found["text"].as_str().unwrap();
+    assert!(text.contains("100\u{202F}% of the load"), "{text}");
+    assert!(text.contains("--outliers 8 --fill harmonic"), "{text}");
+    let model = rough_contact(folder.path(), &format!("model gw {file} --json")).answered();
+    assert!(spikes(&model["findings"]).is_some(), "{model}");
+    let line = format!("compare {file} --out out --json");
+    let surface = rough_contact(folder.path(), &line).answered()["surfaces"][0].clone();
+    assert_eq!(spikes(&surface["findings"]).unwrap()["weight"], "check");
+    let choices = surface["choices"].as_array().unwrap();
+    let without = choices.iter().find(|c| c["choice"] == "without_spikes").unwrap();
+    assert!(without["area_effect"].as_f64().unwrap() > 0.5, "{without}");
+    let clean = format!("solve {file} --outliers 8 --fill harmonic --json");
+    assert!(spikes(&rough_contact(folder.path(), &clean).answered()["findings"]).is_none());
+}

@@ -221,6 +221,9 @@ pub(crate) fn log_limits(
     [lo / room, (hi * room).min(ceiling).max(1.01 * lo)]
 }
 
+/// Error (%) that the axis of errors never exceeds: what lies beyond is named above the frame.
+const MOST_ERROR: f64 = 150.0;
+
 /// Fig. 3: signed error of the area of each closed form against the deterministic solution.
 pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
     let unit = lines.pressure_unit();
@@ -247,7 +250,7 @@ pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
             .iter()
             .filter(held)
             .flat_map(|e| e.iter().flatten())
-            .fold(12.0_f64, |w, e| w.max(sign * e))
+            .fold(12.0_f64, |w, e| w.max((sign * e).min(MOST_ERROR)))
     };
     let (lo, hi) = (-1.06 * extent(-1.0), 1.06 * extent(1.0));
     let outside: Vec<&ModelLine> = lines

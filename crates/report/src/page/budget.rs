@@ -145,6 +145,8 @@ fn words(kind: ChoiceKind) -> String {
         ChoiceKind::Cutoff(shortest) => {
             format!("waves shorter than {} removed", quantity(shortest, METRES, 2))
         }
+        ChoiceKind::WithoutSpikes(1) => "1 spike removed".into(),
+        ChoiceKind::WithoutSpikes(count) => format!("{count} spikes removed"),
         ChoiceKind::Mirrored => "mirror images at the edges".into(),
     }
 }

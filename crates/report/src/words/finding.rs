@@ -3,7 +3,7 @@
 use crate::numbers::{METRES, PASCALS, SPACE, fixed, percent, quantity, significant};
 use crate::words::edges::seam_effect;
 use crate::words::plan;
-use compare::{Bare, EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
+use compare::{Bare, EdgesName, Fact, Finding, Passed, SPIKE_THRESHOLD, Seam, Steep, Yield};
 use contact_accuracy::NoAreaInterval;
 use contact_accuracy::plan::Outcome;
 use surface_stats::Warning;
@@ -28,6 +28,7 @@ pub fn finding(finding: &Finding) -> Worded {
         Fact::Unit { gradient, rms_height, radius } => unit([*gradient, *rms_height, *radius]),
         Fact::Yield(found) => beyond_yield(found),
         Fact::Steep(found) => steep(found),
+        Fact::Spikes { count, largest, share } => spikes(*count, *largest, *share),
         Fact::NotConverged { loads, of } => worded(
             format!("{loads} of {of} loads did not converge."),
             "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
@@ -125,6 +126,12 @@ fn beyond_yield(found: &Yield) -> Worded {
         "These pressures make many solids yield."
     };
     let ends = found.full.map_or_else(String::new, |full| {
+        if found.at.mean > full {
+            return format!(
+                " That is more than E* g = {}: a few points far steeper than the rest carry the load.",
+                show(full)
+            );
+        }
         format!(
             " The elastic area holds while E* g / H is below about 1, so for a hardness H of at \
              least {}; here E* g / H is {} to {}.",
@@ -143,6 +150,20 @@ fn beyond_yield(found: &Yield) -> Worded {
             show(found.modulus),
             show(low),
             show(high)
+        ),
+    )
+}
+
+fn spikes(count: usize, largest: f64, share: Option<f64>) -> Worded {
+    let points =
+        if count == 1 { "1 point is a spike".into() } else { format!("{count} points are spikes") };
+    let carried =
+        share.map_or_else(String::new, |s| format!("They carry {} of the load. ", percent(s)));
+    worded(
+        format!("{points}, up to {} from the neighbours.", quantity(largest, METRES, 2)),
+        format!(
+            "{carried}If they are errors of the instrument, take them out: --outliers {SPIKE_THRESHOLD} \
+             --fill harmonic."
         ),
     )
 }

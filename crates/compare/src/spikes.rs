@@ -1,0 +1,90 @@
+//! Spikes: single points far from their neighbours, and how much of the load they carry.
+
+use contact_types::HeightMap;
+use surface_stats::clean::{OutlierRule, find_outliers};
+
+/// Robust standard deviations beyond which a point is a spike; the advice names the same number.
+pub const SPIKE_THRESHOLD: f64 = 8.0;
+
+/// Sweeps over the points that replace spikes; these are few and stand alone or in small groups.
+const SWEEPS: usize = 200;
+
+/// Spikes of a map.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Spikes {
+    /// Their indices in the map, rising.
+    pub indices: Vec<usize>,
+    /// Largest distance of one from its neighbours (m).
+    pub largest: f64,
+}
+
+impl Spikes {
+    /// Those of `map`; none in a map whose heights cannot be compared.
+    pub fn of(map: &HeightMap) -> Self {
+        let rule = OutlierRule::beyond(SPIKE_THRESHOLD);
+        find_outliers(map.grid(), map.heights(), rule).map_or_else(
+            |_| Self::default(),
+            |found| Self { indices: found.indices, largest: found.largest },
+        )
+    }
+
+    /// Share of the load that they carry; `None` for a pressure that is not on the `points` of the map, or without load.
+    pub fn share(&self, points: usize, pressure: &[f64]) -> Option<f64> {
+        if pressure.len() != points {
+            return None;
+        }
+        let all: f64 = pressure.iter().sum();
+        let theirs: f64 = self.indices.iter().map(|&i| pressure[i]).sum();
+        (all > 0.0).then(|| theirs / all)
+    }
+
+    /// The map with a smooth surface through the neighbours in their place.
+    pub(crate) fn without(&self, map: &HeightMap) -> Option<HeightMap> {
+        let [ny, nx] = map.grid().shape();
+        let mut heights = map.heights().to_vec();
+        let around = |i: usize| {
+            let (y, x) = (i / nx, i % nx);
+            [
+                (y > 0).then(|| i - nx),
+                (y + 1 < ny).then(|| i + nx),
+                (x > 0).then(|| i - 1),
+                (x + 1 < nx).then(|| i + 1),
+            ]
+        };
+        for _ in 0..SWEEPS {
+            for &i in &self.indices {
+                let near: Vec<f64> = around(i).into_iter().flatten().map(|k| heights[k]).collect();
+                heights[i] = near.iter().sum::<f64>() / near.len().max(1) as f64;
+            }
+        }
+        HeightMap::new(map.grid(), heights).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use contact_types::Grid;
+
+    /// Two spikes beside each other on a tilted wavy map.
+    #[test]
+    fn spikes_are_found_weighed_and_replaced() {
+        let grid = Grid::new([40, 40], [1e-6, 1e-6]).unwrap();
+        let wave = |i: usize| 1e-8 * ((i / 40) as f64 * 0.7).sin() * ((i % 40) as f64 * 0.9).cos();
+        let smooth: Vec<f64> = (0..1600).map(|i| wave(i) + 1e-9 * (i % 40) as f64).collect();
+        let mut heights = smooth.clone();
+        heights[810] += 5e-6;
+        heights[811] += 4e-6;
+        let map = HeightMap::new(grid, heights).unwrap();
+        let spikes = Spikes::of(&map);
+        assert_eq!(spikes.indices, [810, 811]);
+        let mut pressure = vec![0.0; 1600];
+        (pressure[810], pressure[3]) = (3.0, 1.0);
+        assert_eq!(spikes.share(1600, &pressure), Some(0.75));
+        assert_eq!(spikes.share(1600, &[1.0]), None);
+        let flat = spikes.without(&map).unwrap();
+        for (a, b) in flat.heights().iter().zip(&smooth) {
+            assert!((a - b).abs() < 6e-9, "{a:e} {b:e}");
+        }
+    }
+}
