@@ -1,7 +1,6 @@
 //! What may change a conclusion, or was tested and is fine: as numbers. `report` has the words.
 
 use crate::EdgesName;
-use crate::scene::Pressed;
 use contact_accuracy::edge_study::EdgeExperience;
 use contact_accuracy::plan::Outcome;
 use contact_accuracy::{EdgeShare, NoAreaInterval};
@@ -164,6 +163,25 @@ pub enum Fact {
     Cleaned(Vec<Record>),
     /// What was tested and is fine.
     Passed(Passed),
+}
+
+/// What presses at one load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pressed {
+    /// Nominal pressure (Pa).
+    pub nominal: f64,
+    /// Mean pressure where the bodies touch (Pa).
+    pub mean: f64,
+    /// Highest pressure (Pa), if it is known.
+    pub highest: Option<f64>,
+}
+
+impl Pressed {
+    /// A mean above the highest pressure is the line correction of an area of a few points: what
+    /// the points themselves bear is below.
+    pub fn of(nominal: f64, mean: f64, highest: f64) -> Self {
+        Self { nominal, mean: mean.min(highest), highest: Some(highest) }
+    }
 }
 
 /// Pressure beside the hardness that the modulus suggests.

@@ -46,7 +46,7 @@ pub use contact_types::{
 pub use fft_bem_solver::{
     Answer, Iteration, Load, Method, Precision, Solution, Solver, SolverError,
 };
-pub use finding::{Bare, Fact, Finding, Passed, Seam, Steep, Subject, Weight, Yield};
+pub use finding::{Bare, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield};
 pub use findings::{Solved, findings, seam, spiky};
 pub use inputs::{Inputs, MomentSource};
 pub use progress::{Listener, Progress, StudyError};
@@ -57,7 +57,7 @@ pub use result::{
     DeterministicPoint, ModelComparison, ModelCurve, Reason, Spectral, SurfaceComparison, Verdict,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
-pub use scene::{Pressed, Scene, is_steep};
+pub use scene::{Scene, is_steep};
 pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spots, contact_spots};

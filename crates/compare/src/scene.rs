@@ -1,6 +1,6 @@
 //! Is the question one that an elastic half-space can answer? Slopes, units and pressures.
 
-use crate::finding::{Fact, Finding, Steep, Weight, Yield};
+use crate::finding::{Fact, Finding, Pressed, Steep, Weight, Yield};
 use surface_stats::Warning;
 use surface_stats::clean::RowOffsets;
 
@@ -41,25 +41,6 @@ pub struct Scene {
     pub rows: Option<RowOffsets>,
     /// Answers by rising load.
     pub pressed: Vec<Pressed>,
-}
-
-/// What presses at one load.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pressed {
-    /// Nominal pressure (Pa).
-    pub nominal: f64,
-    /// Mean pressure where the bodies touch (Pa).
-    pub mean: f64,
-    /// Highest pressure (Pa), if it is known.
-    pub highest: Option<f64>,
-}
-
-impl Pressed {
-    /// A mean above the highest pressure is the line correction of an area of a few points: what
-    /// the points themselves bear is below.
-    pub fn of(nominal: f64, mean: f64, highest: f64) -> Self {
-        Self { nominal, mean: mean.min(highest), highest: Some(highest) }
-    }
 }
 
 impl Scene {
