@@ -143,7 +143,7 @@ fn crate_roots() -> Vec<PathBuf> {
         let shown = relative(path);
         let place: Vec<&str> = shown.split('/').rev().take(3).collect();
         match place[..] {
-            ["lib.rs", "src", ..] | ["main.rs", "src", ..] => true,
+            ["lib.rs" | "main.rs", "src", ..] => true,
             ["main.rs", _, kind] => matches!(kind, "bin" | "examples" | "tests"),
             _ => false,
         }

@@ -1,8 +1,8 @@
 //! What may change a conclusion: decided here once, for page, terminal and files alike.
 
-use crate::finding::{Bare, Fact, Finding, Passed, Seam, Weight};
+use crate::finding::{Bare, Fact, Finding, Passed, Pressed, Seam, Weight};
 use crate::result::SurfaceComparison;
-use crate::scene::{Pressed, Scene, is_steep};
+use crate::scene::{Scene, is_steep};
 use crate::{EdgesName, Origin, Spikes};
 use contact_accuracy::edge_study::EdgeStudy;
 use contact_accuracy::plan::Outcome;

@@ -9,8 +9,9 @@ use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
 
 fn returns<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &T) {
-    let text = serde_json::to_string(value).unwrap();
-    assert_eq!(&serde_json::from_str::<T>(&text).unwrap(), value, "{text}");
+    let text = serde_json::to_string(value).expect("a value of ours can be written");
+    let back = serde_json::from_str::<T>(&text).expect("what was written can be read");
+    assert_eq!(&back, value, "{text}");
 }
 
 #[test]

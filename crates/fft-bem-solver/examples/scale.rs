@@ -68,7 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         );
         ControlFlow::Continue(())
     };
-    let solution = solver.solve_again_observed(Load::MeanPressure(LOAD), &mut watch)?;
+    let solution = solver.solve_again_observed(Load::MeanPressure(LOAD), watch)?;
     let d = &solution.diagnostics;
     println!(
         "{} iterations, {:.2} pairs, estimate {:.1e}, area {:.6}, {:.1} s, peak memory {:.2} GiB, \

@@ -22,11 +22,11 @@ fn cold_solve(builder: SolverBuilder, tolerance: f64, load: Load, spoil: bool) -
         solver.forget();
         let mut iterations = 0;
         let counted = allocation_counter::measure(|| {
-            let mut watch = |it: &Iteration<'_>| {
+            let watch = |it: &Iteration<'_>| {
                 let name = if spoil { it.number.to_string() } else { String::new() };
                 if name == "stop" { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             };
-            let found = solver.solve_observed(&surface, load, &mut watch).unwrap();
+            let found = solver.solve_observed(&surface, load, watch).unwrap();
             iterations = found.diagnostics.iterations;
         });
         (counted.count_total, iterations)

@@ -18,7 +18,7 @@ fn main() {
 fn line(case: &Case) -> String {
     let (answer, remark) = match &case.answer {
         Ok((value, caveat)) => {
-            (format!("{value:.15e}"), caveat.as_ref().map(|c| c.to_string()).unwrap_or_default())
+            (format!("{value:.15e}"), caveat.as_ref().map(ToString::to_string).unwrap_or_default())
         }
         Err(error) => ("refused".to_owned(), error.to_string()),
     };

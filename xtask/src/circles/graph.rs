@@ -2,6 +2,7 @@
 
 use super::uses::{Parts, Source};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Where a file stands in its crate: the root is empty.
@@ -23,7 +24,7 @@ pub(crate) fn circles(main: &Path) -> Vec<String> {
             for (to, names) in arrows[from].iter().filter(|(to, _)| circle.contains(*to)) {
                 let names: Vec<&str> = names.iter().map(String::as_str).collect();
                 let (from, to) = (shown(from), shown(to));
-                text.push_str(&format!("\n    {from} takes {} from {to}", names.join(", ")));
+                let _ = write!(text, "\n    {from} takes {} from {to}", names.join(", "));
             }
         }
         format!("a circle of {} files{text}", circle.len())
@@ -50,21 +51,20 @@ impl Crate {
     fn read(main: &Path) -> Self {
         let mut krate = Self { files: BTreeMap::new() };
         let folder = main.parent().unwrap_or(Path::new("."));
-        krate.walk(main, Vec::new(), folder);
+        krate.walk(main, &[], folder);
         krate
     }
 
-    fn walk(&mut self, file: &Path, place: Place, folder: &Path) {
+    fn walk(&mut self, file: &Path, place: &[String], folder: &Path) {
         let source = Source::of(&std::fs::read_to_string(file).unwrap_or_default());
         let children = source.children.clone();
-        self.files.insert(place.clone(), (file.to_path_buf(), source));
+        self.files.insert(place.to_vec(), (file.to_path_buf(), source));
         for child in children {
             let below = folder.join(&child);
             let candidates = [below.with_extension("rs"), below.join("mod.rs")];
             if let Some(path) = candidates.iter().find(|path| path.is_file()) {
-                let mut place = place.clone();
-                place.push(child);
-                self.walk(path, place, &below);
+                let inside = self::below(place, &child);
+                self.walk(path, &inside, &below);
             }
         }
     }
