@@ -1,7 +1,7 @@
 //! What may change a conclusion: decided here once, for page, terminal and files alike.
 
 use crate::finding::{Bare, Fact, Finding, Passed, Pressed, Seam, Weight};
-use crate::result::SurfaceComparison;
+use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
 use crate::{EdgesName, Origin, Spikes};
 use contact_accuracy::edge_study::EdgeStudy;
@@ -224,7 +224,7 @@ fn passed(surface: &SurfaceComparison) -> Option<Finding> {
 
 /// Whether the grid resolves the slopes and, at the headline, the contacts.
 fn resolves(surface: &SurfaceComparison) -> bool {
-    let interval = surface.headline_answer().and_then(|a| a.interval());
+    let interval = surface.headline_answer().and_then(DeterministicAnswer::interval);
     surface.map.accuracy.gate().is_ok() && nothing_against(&surface.statistics.warnings, interval)
 }
 

@@ -32,6 +32,7 @@ impl Recipe {
 /// Where a surface came from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[allow(clippy::large_enum_variant, reason = "one for each surface, beside its whole map")]
 pub enum Origin {
     /// A file that was read.
     File(FileOrigin),

@@ -60,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     solver.take_surface(surface)?;
     forget_peak();
     let clock = Instant::now();
-    let mut watch = |it: &Iteration<'_>| {
+    let watch = |it: &Iteration<'_>| {
         let seconds = clock.elapsed().as_secs_f64();
         println!(
             "{:3} iterations {:6.2} pairs {:.1e} {seconds:.1} s",
