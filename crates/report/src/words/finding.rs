@@ -342,7 +342,7 @@ fn warning(warning: &Warning) -> Worded {
 fn outside_unit(value: f64) -> String {
     let digits = (2..12).find(|&d: &i32| {
         let shown: f64 = format!("{value:.*e}", (d - 1) as usize).parse().unwrap_or(value);
-        shown > 1.0 || shown < 0.0
+        !(0.0..=1.0).contains(&shown)
     });
     significant(value, digits.unwrap_or(2))
 }
