@@ -5,7 +5,7 @@ use crate::loads::shown;
 use crate::outcome::{Failure, variant};
 use crate::output::Folder;
 use crate::text;
-use compare::budget::{Budget, Given, NoAreaInterval};
+use compare::budget::{Budget, Given, NoAreaInterval, RealPressure};
 use compare::{NotRefined, Pressed, Spikes};
 use contact_types::Grid;
 use fft_bem_solver::{End, Load, Solution, SolverError};
@@ -204,7 +204,7 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
         "error": error_json,
     });
     with_keys(&mut json, Some(budget));
-    let mean = budget.real_pressure().map(|r| r.value());
+    let mean = budget.real_pressure().map(RealPressure::value);
     let area = &budget.area;
     let mut cells = vec![text::pressure(state.mean_pressure)];
     if budget.given == Given::Gap {

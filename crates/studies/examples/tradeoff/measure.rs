@@ -339,7 +339,7 @@ impl Job<'_> {
         };
         let builder = Solver::builder().method(method).precision(precision).tolerance(tolerance);
         let mut solver = builder.build(map.grid(), self.modulus)?;
-        let result = solver.solve_observed(map, Load::MeanPressure(self.pressure), &mut watch);
+        let result = solver.solve_observed(map, Load::MeanPressure(self.pressure), watch);
         let seconds = clock.elapsed().as_secs_f64();
         match result {
             Ok(solution) => Ok(Answer { solution, seconds, is_capped: false }),
