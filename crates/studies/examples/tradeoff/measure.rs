@@ -326,7 +326,7 @@ impl Job<'_> {
 
     fn answer(&self, method: Method, precision: Precision, tolerance: f64) -> Outcome<Answer> {
         let most = self.plan.most_pairs;
-        let mut watch = |it: &Iteration<'_>| {
+        let watch = |it: &Iteration<'_>| {
             if it.transforms < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         };
         let clock = Instant::now();
