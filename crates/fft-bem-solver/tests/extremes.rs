@@ -352,7 +352,7 @@ fn tolerances_below_rounding_end() {
                     .method(method)
                     .boundary(boundary)
                     .precision(precision)
-                    .tolerance(1e-15)
+                    .tolerance(1e-18)
                     .build(map.grid(), unit_modulus())
                     .unwrap();
                 let error = solver.solve(&map, Load::MeanPressure(0.3)).unwrap_err();

@@ -110,7 +110,7 @@ impl Budget {
         let scatter = goes_on
             .then(|| sample::area_scatter(&solution.pressure, map.accuracy.grid(), sample::PARTS))
             .flatten();
-        let relative = scatter.map(|s| map.scatter.area_half_width(s));
+        let relative = scatter.map(|s| sample::area_half_width(s, map.height_scatter));
         let gap = |gap: f64| Estimate {
             value: gap.max(0.0), // rounding may leave it just below at full contact
             grid: if goes_on {
@@ -119,7 +119,7 @@ impl Budget {
                 Err(NoAreaInterval::NotStudied("the gap of an isolated contact"))
             },
             iteration: iteration.map(|_| iteration::gap_half_width(map, found)),
-            sample: goes_on.then(|| gap.max(0.0) * map.scatter.gap_half_width()),
+            sample: goes_on.then(|| gap.max(0.0) * sample::gap_half_width(map.height_scatter)),
             most: f64::INFINITY,
         };
         Self {

@@ -1,7 +1,7 @@
 //! What a map says about the accuracy of answers on it, before anything is solved.
 
 use super::area::AreaAccuracy;
-use super::sample::Scatter;
+use super::sample;
 use crate::continuation::window_for;
 use contact_types::{Grid, HeightMap};
 use surface_stats::spectrum::PowerSpectrum;
@@ -16,8 +16,8 @@ pub struct Map {
     pub repeats: bool,
     /// Rms height (m).
     pub rms_height: f64,
-    /// How far other maps of the same surface may be from this one.
-    pub scatter: Scatter,
+    /// Relative standard error of the rms height over maps of the same surface.
+    pub height_scatter: f64,
 }
 
 impl Map {
@@ -59,7 +59,7 @@ impl Map {
             accuracy: AreaAccuracy::of_waves(surface.grid(), power, step),
             repeats,
             rms_height: power.moments().0.rms_height(),
-            scatter: Scatter::of(surface, power, repeats),
+            height_scatter: sample::height_scatter(surface, power),
         }
     }
 }

@@ -88,7 +88,9 @@ impl Budget {
             value: k,
             grid: self.own.map(|()| k * relative),
             iteration: found.iteration.map(|r| k * r),
-            sample: self.area_scatter.map(|_| k * map.scatter.stiffness_half_width(area_scatter)),
+            sample: self
+                .area_scatter
+                .map(|_| k * super::sample::stiffness_half_width(area_scatter, map.height_scatter)),
             most: f64::INFINITY,
         });
         self

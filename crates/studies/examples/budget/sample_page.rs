@@ -99,13 +99,11 @@ fn coverage(table: &Table, place: usize) -> [Coverage; 3] {
 
 /// Relative half width that one map states of the others.
 fn half_width(table: &Table, row: usize, name: &str) -> f64 {
-    let blocks = table.get(row, "blocks");
-    let (height, gradient) = (table.get(row, "height"), table.get(row, "gradient"));
-    let scatter = sample::Scatter { height, gradient, repeats: true };
+    let (blocks, height) = (table.get(row, "blocks"), table.get(row, "height"));
     match name {
-        "area" => scatter.area_half_width(blocks),
-        "gap" => scatter.gap_half_width(),
-        _ => scatter.stiffness_half_width(blocks),
+        "area" => sample::area_half_width(blocks, height),
+        "gap" => sample::gap_half_width(height),
+        _ => sample::stiffness_half_width(blocks, height),
     }
 }
 
