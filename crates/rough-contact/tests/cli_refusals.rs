@@ -87,7 +87,9 @@ fn what_three_columns_are() {
     matrix(at, "heights.txt", 20, 3, wavy);
     // A list is asked for the unit of its coordinates, not for a pixel; both can be given.
     file(at, "coordinates.txt", "x y z\n0 0 1\n1 0 2\n0 2 3\n1 2 4\n");
-    refused(at, "info coordinates.txt --height-unit mm", 2, &["--lateral-unit"]);
+    let said = rough_contact(at, "info coordinates.txt --height-unit mm");
+    assert_eq!(said.status, 2, "{}", said.err);
+    assert!(said.err.contains("--lateral-unit") && said.out.contains("2 rows × 2 columns"));
     let read = "info coordinates.txt --height-unit mm --lateral-unit um --json";
     let pixel = rough_contact(at, read).answered()["pixel"].clone();
     assert!((pixel[0].as_f64().unwrap() / 2e-6 - 1.0).abs() < 1e-12, "{pixel}");

@@ -171,7 +171,8 @@ impl SurfaceStatistics {
         let summits = Summits::of(&surface, options.edges)?;
         let amplitudes = amplitudes_of_levelled(&surface, Axis::X)?;
         let edge_jump = seam_jump(&surface);
-        let rows = row_offsets(grid, surface.heights())?;
+        // Levelling may take heights at the end of the range beyond it: then rows are not compared.
+        let rows = row_offsets(grid, surface.heights()).ok();
 
         let power = PowerSpectrum::of_field(grid, surface.heights());
         let (spectral, _) = power.moments();
@@ -235,8 +236,14 @@ impl SurfaceStatistics {
         let (low, high) = map.range();
         let spacing = f64::EPSILON * low.abs().max(high.abs());
         let directional = differences.anisotropy();
-        statistics.warnings =
-            statistics.judge(tilt, spacing, edge_jump, directional, resolved.unwrap_or(1.0), &rows);
+        statistics.warnings = statistics.judge(
+            tilt,
+            spacing,
+            edge_jump,
+            directional,
+            resolved.unwrap_or(1.0),
+            rows.as_ref(),
+        );
         Ok((statistics, Spectra { power, amplitudes }))
     }
 
@@ -289,7 +296,7 @@ impl SurfaceStatistics {
         edge_jump: f64,
         anisotropy: Option<f64>,
         resolved: f64,
-        rows: &RowOffsets,
+        rows: Option<&RowOffsets>,
     ) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if self.rms_height <= 0.0 {
@@ -309,7 +316,7 @@ impl SurfaceStatistics {
         if resolved < 0.94 {
             warnings.push(Warning::Unresolved { ratio: resolved });
         }
-        if rows.rows_jump() {
+        if let Some(rows) = rows.filter(|rows| rows.rows_jump()) {
             // Slopes across the rows are those of the jumps: no lay is known.
             warnings.push(Warning::RowsJump { jump: rows.jump, share: rows.share });
         } else if let Some(ratio) = anisotropy.filter(|&r| r > 2.0) {
