@@ -26,7 +26,7 @@ struct Options {
     /// Folder of the rows, one file per map; with --page, of the tables
     folder: PathBuf,
     /// Maps of each family
-    #[arg(default_value = "4", conflicts_with = "page")]
+    #[arg(default_value = "2", conflicts_with = "page")]
     maps: usize,
     /// The families that the constants were fixed on
     #[arg(long, conflicts_with = "page")]
