@@ -72,6 +72,9 @@ impl Needs {
     /// [`SolverError::Memory`] if not.
     pub(crate) fn check(self, grid: Grid) -> Result<(), SolverError> {
         let bytes = self.bytes(grid);
+        if bytes < SMALL {
+            return Ok(());
+        }
         let refused = Err(SolverError::Memory { shape: grid.shape(), bytes });
         if installed().is_some_and(|installed| bytes > installed) {
             return refused;
@@ -83,6 +86,9 @@ impl Needs {
         }
     }
 }
+
+/// Memory that any machine has which can run this (bytes): less is not asked for beforehand.
+const SMALL: u128 = 1 << 28;
 
 /// Memory and swap of the machine (bytes), where the system says so.
 fn installed() -> Option<u128> {
