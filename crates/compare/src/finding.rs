@@ -1,6 +1,7 @@
 //! What may change a conclusion, or was tested and is fine: as numbers. `report` has the words.
 
 use crate::EdgesName;
+use crate::profile::fact::ProfileFact;
 use contact_accuracy::edge_study::EdgeExperience;
 use contact_accuracy::plan::Outcome;
 use contact_accuracy::{EdgeShare, NoAreaInterval};
@@ -81,6 +82,7 @@ impl Finding {
             Fact::Unit { .. }
             | Fact::Spikes { .. }
             | Fact::Steep(_)
+            | Fact::Profile(_)
             | Fact::Warned(_)
             | Fact::Filled { .. }
             | Fact::Cleaned(_)
@@ -130,6 +132,8 @@ pub enum Fact {
         /// Which areas.
         at: Bare,
     },
+    /// Of profiles: what one direction and a finite length leave open.
+    Profile(ProfileFact),
     /// A warning of the statistics.
     Warned(Warning),
     /// Edges that do not match.

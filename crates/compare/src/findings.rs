@@ -145,7 +145,7 @@ fn bar(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> {
     }))
 }
 
-fn warned(warning: &Warning) -> Finding {
+pub(crate) fn warned(warning: &Warning) -> Finding {
     let weight = match warning {
         Warning::Rounding { .. }
         | Warning::Flat
@@ -183,7 +183,7 @@ pub fn seam(surface: &SurfaceComparison) -> Option<Seam> {
     Some(Seam { share, strip, is_repeated, experience })
 }
 
-fn filled(missing: usize, all: usize, how: &str, cleaned: &[Record]) -> Option<Finding> {
+pub(crate) fn filled(missing: usize, all: usize, how: &str, cleaned: &[Record]) -> Option<Finding> {
     if missing == 0 {
         return None;
     }
@@ -194,7 +194,7 @@ fn filled(missing: usize, all: usize, how: &str, cleaned: &[Record]) -> Option<F
     Some(Finding { weight, fact: Fact::Filled { share, spikes, how: how.to_owned() } })
 }
 
-fn cleaned(records: &[Record]) -> Option<Finding> {
+pub(crate) fn cleaned(records: &[Record]) -> Option<Finding> {
     let fact = || Fact::Cleaned(records.to_vec());
     (!records.is_empty()).then(|| Finding { weight: Weight::Note, fact: fact() })
 }

@@ -13,6 +13,7 @@ mod describe;
 mod finding;
 mod findings;
 mod inputs;
+mod profile;
 mod progress;
 mod recipe;
 mod refine;
@@ -49,6 +50,10 @@ pub use fft_bem_solver::{
 pub use finding::{Bare, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield};
 pub use findings::{Solved, findings, seam, spiky};
 pub use inputs::{Inputs, MomentSource};
+pub use profile::{
+    ProfileComparison, ProfileFact, ProfileModel, ProfileSurface, Unevenness, area_interval,
+    profile_findings, profile_inputs,
+};
 pub use progress::{Listener, Progress, StudyError};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use registry::{NotRegistered, Registry, built_in, find};

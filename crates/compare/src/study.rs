@@ -13,7 +13,7 @@ use crate::solver_of::builder;
 use crate::spots::spots_beyond;
 use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
-use crate::verdict::verdict;
+use crate::verdict::{Judged, verdict};
 use crate::{EdgesName, Registry, Settings, Spikes, Surface, Surrounded, default_pressures};
 use contact_accuracy::budget::Between;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
@@ -59,7 +59,7 @@ impl Comparison {
     }
 }
 
-fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
+pub(crate) fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
     let given = settings.pressures.iter().flatten().chain(&settings.headline);
     match given.copied().find(|p| !(p.is_finite() && *p > 0.0)) {
         Some(value) => Err(StudyError::BadPressure { value }),
@@ -70,7 +70,7 @@ fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
     }
 }
 
-fn check_models(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
+pub(crate) fn check_models(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
     let Some(names) = &settings.models else { return Ok(()) };
     let known = || {
         let names: Vec<&str> = registry.of_maps().map(|t| t.card().name.as_ref()).collect();
@@ -216,7 +216,7 @@ fn refused_plan(error: PlanError, name: &str) -> StudyError {
 }
 
 /// The pressures of a study on one surface, rising and distinct.
-fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) -> Vec<f64> {
+pub(crate) fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) -> Vec<f64> {
     let mut loads = settings
         .pressures
         .clone()
@@ -232,7 +232,7 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 /// True if `value` names this load: equal, or what it is to three digits, as it is printed.
-fn named(load: f64, value: f64) -> bool {
+pub(crate) fn named(load: f64, value: f64) -> bool {
     same(load, value)
         || same(round_to_digits(load, 3), value)
         || same(round_to_digits(load, 4), value)
@@ -258,7 +258,7 @@ fn ask(
         let errors = points.iter().zip(deterministic).map(|(m, d)| error(m, d)).collect();
         Ok(ModelCurve { points, seconds, errors })
     });
-    let verdict = verdict(&card, inputs, &outcome, deterministic, statistics);
+    let verdict = verdict(&card, inputs, &outcome, deterministic, &Judged::of(statistics));
     let experience = alike.and_then(|query| Survey::built_in().ask(&card.name, query));
     ModelComparison { card, outcome, verdict, experience }
 }

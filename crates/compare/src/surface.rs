@@ -112,7 +112,8 @@ pub struct FileOrigin {
     /// Metres per height unit, if given by the user whatever the file says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub override_height_unit: Option<f64>,
-    /// What the columns of a text file are, if given by the user: `matrix` or `list`.
+    /// What the columns of a text file are, if given by the user: `matrix`, `list` or
+    /// `traces`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layout: Option<String>,
     /// Crop `[y0, x0, ny, nx]` in pixels, if asked for.

@@ -8,13 +8,43 @@ use crate::theory::{Assumes, BuildError, Card};
 use contact_types::Caveat;
 use surface_stats::SurfaceStatistics;
 
+/// What a verdict looks at of a surface.
+pub(crate) struct Judged {
+    /// Rms gradient \[-\].
+    pub(crate) gradient: f64,
+    /// Rows stand at heights of their own.
+    pub(crate) rows_jump: bool,
+    /// Largest over smallest mean square slope \[-\], if it is known.
+    pub(crate) anisotropy: Option<f64>,
+    /// Skewness \[-\].
+    pub(crate) skewness: Option<f64>,
+    /// Kurtosis \[-\].
+    pub(crate) kurtosis: Option<f64>,
+    /// Wavelengths of the fractal fit (m).
+    pub(crate) fractal_range: Option<[f64; 2]>,
+}
+
+impl Judged {
+    /// Of a map.
+    pub(crate) fn of(statistics: &SurfaceStatistics) -> Self {
+        Self {
+            gradient: statistics.rms_gradient,
+            rows_jump: rows_jump(statistics),
+            anisotropy: statistics.anisotropy,
+            skewness: statistics.skewness,
+            kurtosis: statistics.kurtosis,
+            fractal_range: statistics.fractal_range,
+        }
+    }
+}
+
 /// Judges the domain, not the error.
 pub(crate) fn verdict(
     card: &Card,
     inputs: &Inputs,
     outcome: &Result<ModelCurve, BuildError>,
     loads: &[DeterministicPoint],
-    statistics: &SurfaceStatistics,
+    statistics: &Judged,
 ) -> Verdict {
     let curve = match outcome {
         Ok(curve) => curve,
@@ -45,15 +75,15 @@ fn strains(
     inputs: &Inputs,
     curve: &ModelCurve,
     loads: &[DeterministicPoint],
-    statistics: &SurfaceStatistics,
+    statistics: &Judged,
 ) -> Vec<Reason> {
     let mut reasons = Vec::new();
-    let gradient = statistics.rms_gradient;
+    let gradient = statistics.gradient;
     if is_steep(gradient) {
         reasons.push(Reason::Steep { gradient });
     }
     if matches!(card.assumes, Assumes::Summits | Assumes::Gaussian) {
-        if rows_jump(statistics) {
+        if statistics.rows_jump {
             reasons.push(Reason::RowsJump);
         } else if let Some(ratio) = statistics.anisotropy.filter(|r| *r > 2.0) {
             reasons.push(Reason::Lay { ratio });

@@ -82,7 +82,7 @@ fn cell(value: Option<f64>) -> String {
 }
 
 /// A text cell, quoted where RFC 4180 asks for it, harmless to spreadsheets.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     // A leading =, +, - or @ would be taken for a formula.
     let text =
         if text.starts_with(['=', '+', '-', '@']) { format!("'{text}") } else { text.into() };

@@ -15,6 +15,8 @@ mod lines;
 pub mod looks;
 pub mod numbers;
 mod page;
+mod profile_csv;
+mod profile_json;
 mod provenance;
 mod sources;
 mod words;
@@ -25,12 +27,23 @@ pub use budget_json::keys as budget_keys;
 pub use csv::write as write_csv;
 pub use error::ReportError;
 pub use figures::panels::{write_area_svg, write_pressure_svg};
+pub use figures::profiles::{
+    write_area_svg as write_profile_area_svg, write_trace_svg as write_profile_trace_svg,
+};
 pub use json::{
     accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,
     findings as findings_json, statistics as statistics_json, write as write_json,
 };
 pub use page::html::write as write_html;
+pub use page::profile::write as write_profile_html;
+pub use page::profile_tables::setting_words;
+pub use profile_csv::write as write_profile_csv;
+pub use profile_json::{
+    profile_comparison as profile_comparison_json, profile_statistics as profile_statistics_json,
+    unevenness as unevenness_json,
+};
 pub use provenance::Provenance;
 pub use words::finding::{Worded, finding};
 pub use words::headline_line;
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};
+pub use words::profile::profile_headline;

@@ -2,7 +2,9 @@
 
 use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
-use crate::input::{Complete, Fill, Reading};
+use crate::compare_profiles;
+use crate::given::{Given, from_file, from_recipe, repeat};
+use crate::input::Reading;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::planned;
@@ -11,15 +13,14 @@ use crate::text::{self, Columns};
 use clap::Args;
 use compare::plan::Request;
 use compare::{
-    Cleaning, Comparison, EdgesName, FileOrigin, Level, Method, Origin, Precision, Registry,
-    RunFile, RunSurface, STEEL, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, sha256_hex,
+    Comparison, EdgesName, Level, Method, Origin, Precision, Registry, RunFile, RunSurface, STEEL,
+    STEEL_ON_STEEL, Settings, Surface, SurfaceComparison,
 };
 use report::Provenance;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use surface_io::Layout;
 
 /// What the folder receives.
 const OUTPUTS: [&str; 6] =
@@ -88,16 +89,26 @@ impl Compare {
             None => (self.settings()?, self.surfaces()?),
         };
         settings.threads = common.threads();
+        let surfaces = match surfaces {
+            Given::Maps(surfaces) => surfaces,
+            Given::Profiles(profiles) => {
+                let listed = profiles.iter().map(|p| (p.name.clone(), p.origin.clone()));
+                let run_file = run_file(&settings, listed);
+                let out = &self.out;
+                return compare_profiles::run(
+                    profiles,
+                    &settings,
+                    &run_file,
+                    out,
+                    repeat_command,
+                    common,
+                );
+            }
+        };
         let names = OUTPUTS.map(str::to_owned);
         let folder = Folder::prepare(&self.out, &names, common.force)?;
-        let run_file = RunFile {
-            program: env!("CARGO_PKG_VERSION").to_owned(),
-            settings: settings.clone(),
-            surfaces: surfaces
-                .iter()
-                .map(|s| RunSurface { name: s.name.clone(), origin: s.origin.clone() })
-                .collect(),
-        };
+        let listed = surfaces.iter().map(|s| (s.name.clone(), s.origin.clone()));
+        let run_file = run_file(&settings, listed);
         let comparison = study(surfaces, settings, common)?;
         let repeat = repeat_command(folder.path());
         let provenance = Provenance::here(repeat);
@@ -137,113 +148,25 @@ impl Compare {
         })
     }
 
-    fn surfaces(&self) -> Result<Vec<Surface>, Failure> {
+    fn surfaces(&self) -> Result<Given, Failure> {
         if !self.files.is_empty() {
             let cleaning = self.cleaning.asked();
             let read = |path: &PathBuf| from_file(path, &self.reading, cleaning);
-            let mut surfaces = self.files.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-            distinct(&mut surfaces);
-            return Ok(surfaces);
+            let mut given = Given::of(self.files.iter().map(read).collect::<Result<Vec<_>, _>>()?)?;
+            given.distinct();
+            return Ok(given);
         }
         self.cleaning.refuse_without_file()?;
         let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
-        recipes.iter().map(from_recipe).collect()
+        recipes.iter().map(from_recipe).collect::<Result<_, _>>().map(Given::Maps)
     }
 }
 
-fn from_file(path: &Path, reading: &Reading, cleaning: Cleaning) -> Result<Surface, Failure> {
-    let measurement = reading.measurement(path)?;
-    let format = measurement.format().name().to_owned();
-    let Complete { map, missing, cleaned, height_step } =
-        reading.surface_of(path, measurement, cleaning)?;
-    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
-    let origin = FileOrigin {
-        path: path.display().to_string(),
-        sha256: sha256_hex(&bytes),
-        format,
-        channel: reading.channel.clone(),
-        pixel: reading.pixel,
-        lateral_unit: reading.lateral_unit,
-        height_unit: reading.height_unit,
-        override_height_unit: reading.override_height_unit,
-        layout: reading.layout.map(|layout| layout.name().to_owned()),
-        crop: reading.crop,
-        fill: reading.fill.name().to_owned(),
-        missing,
-        cleaning,
-        cleaned,
-        height_step,
-    };
-    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-    Ok(Surface { name, origin: Origin::File(origin), heights: map })
-}
-
-fn from_recipe(recipe: &compare::Recipe) -> Result<Surface, Failure> {
-    recipe.make().map_err(|e| Failure::from_error(&e))
-}
-
-/// Settings and surfaces of a run file. A file whose content has changed is refused.
-fn repeat(path: &Path) -> Result<(Settings, Vec<Surface>), Failure> {
-    let text = std::fs::read_to_string(path)
-        .map_err(|e| Failure::refused("io", format!("{}: {e}", path.display())))?;
-    let run = RunFile::parse(&text).map_err(|e| Failure::in_file(path, &e))?;
-    let mut surfaces = Vec::new();
-    for RunSurface { name, origin } in run.surfaces {
-        let surface = match origin {
-            Origin::Recipe(recipe) => from_recipe(&recipe)?,
-            Origin::Given(_) => {
-                let error = compare::RunFileError::Given { name };
-                return Err(Failure::from_error(&error));
-            }
-            Origin::File(file) => again(path, &file)?,
-        };
-        surfaces.push(Surface { name, ..surface });
-    }
-    Ok((run.settings, surfaces))
-}
-
-fn again(run_file: &Path, file: &FileOrigin) -> Result<Surface, Failure> {
-    let fill = Fill::of_name(&file.fill).ok_or_else(|| {
-        let message = format!(
-            "{}: fill = \"{}\" is none of refuse, harmonic, nearest",
-            run_file.display(),
-            file.fill
-        );
-        Failure::refused("syntax", message)
-    })?;
-    let layout = match &file.layout {
-        None => None,
-        Some(name) => Some(Layout::of_name(name).ok_or_else(|| {
-            let message =
-                format!("{}: layout = \"{name}\" is none of matrix, list", run_file.display());
-            Failure::refused("syntax", message)
-        })?),
-    };
-    let reading = Reading {
-        channel: file.channel.clone(),
-        pixel: file.pixel,
-        lateral_unit: file.lateral_unit,
-        height_unit: file.height_unit,
-        override_height_unit: file.override_height_unit,
-        layout,
-        fill,
-        crop: file.crop,
-    };
-    let path = Path::new(&file.path);
-    let surface = from_file(path, &reading, file.cleaning)?;
-    match &surface.origin {
-        Origin::File(now) if now.sha256 != file.sha256 => {
-            let message = format!(
-                "{} has changed since {} was written (SHA-256 {} instead of {}); compare it anew \
-                 without --from",
-                path.display(),
-                run_file.display(),
-                now.sha256,
-                file.sha256
-            );
-            Err(Failure::refused("changed_file", message))
-        }
-        _ => Ok(surface),
+fn run_file(settings: &Settings, surfaces: impl Iterator<Item = (String, Origin)>) -> RunFile {
+    RunFile {
+        program: env!("CARGO_PKG_VERSION").to_owned(),
+        settings: settings.clone(),
+        surfaces: surfaces.map(|(name, origin)| RunSurface { name, origin }).collect(),
     }
 }
 
@@ -262,26 +185,6 @@ fn quoted(word: &str) -> String {
         return word.to_owned();
     }
     format!("'{}'", word.replace('\'', "'\\''"))
-}
-
-/// Names that tell the surfaces apart: of files with the same name, the whole path; the same file
-/// twice is numbered.
-fn distinct(surfaces: &mut [Surface]) {
-    let names: Vec<String> = surfaces.iter().map(|s| s.name.clone()).collect();
-    for (surface, name) in surfaces.iter_mut().zip(&names) {
-        if let Origin::File(file) = &surface.origin
-            && names.iter().filter(|n| *n == name).count() > 1
-        {
-            surface.name.clone_from(&file.path);
-        }
-    }
-    let names: Vec<String> = surfaces.iter().map(|s| s.name.clone()).collect();
-    for (i, surface) in surfaces.iter_mut().enumerate() {
-        let before = names[..i].iter().filter(|n| **n == names[i]).count();
-        if before > 0 {
-            surface.name = format!("{} ({})", names[i], before + 1);
-        }
-    }
 }
 
 fn study(
@@ -432,22 +335,5 @@ mod tests {
             "rough-contact compare --from 'my out/run.toml' --out 'my out-again'"
         );
         assert_eq!(quoted("it's"), "'it'\\''s'");
-    }
-
-    #[test]
-    fn files_of_the_same_name_are_told_apart() {
-        let grid = contact_types::Grid::new([2, 2], [1e-6; 2]).expect("a grid");
-        let heights = contact_types::HeightMap::new(grid, vec![0.0; 4]).expect("a map");
-        let surface = |path: &str, name: &str| Surface {
-            name: name.to_owned(),
-            origin: Origin::File(FileOrigin { path: path.to_owned(), ..FileOrigin::default() }),
-            heights: heights.clone(),
-        };
-        let mut list =
-            [("a/s.stp", "s.stp"), ("b/s.stp", "s.stp"), ("t.stp", "t.stp"), ("a/s.stp", "s.stp")]
-                .map(|(path, name)| surface(path, name));
-        distinct(&mut list);
-        let names = list.map(|s| s.name);
-        assert_eq!(names, ["a/s.stp", "b/s.stp", "t.stp", "a/s.stp (2)"]);
     }
 }

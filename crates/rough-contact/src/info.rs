@@ -49,7 +49,7 @@ fn object(m: &Measurement) -> Value {
         .map(|c| {
             json!({
                 "name": c.name, "unit": c.unit, "is_height": c.is_height, "shape": c.shape,
-                "pixel": c.pixel, "fault": c.fault,
+                "pixel": c.pixel, "is_trace": c.is_trace, "fault": c.fault,
             })
         })
         .collect();
@@ -128,6 +128,10 @@ fn describe(m: &Measurement) -> String {
     }
     if m.is_profile() {
         table.row("note", "a single line of points: a profile, not a surface");
+        let traces = m.channels().iter().filter(|c| c.is_trace).count();
+        if traces > 1 {
+            table.row("note", format!("{traces} traces of one surface, which are taken together"));
+        }
     }
     if let Some(uneven) = m.uneven() {
         table.row("note", format!("points not evenly spaced: up to {uneven:.2} steps off"));

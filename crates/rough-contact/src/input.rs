@@ -4,9 +4,10 @@ use crate::args;
 use crate::cleaning::{self, CleaningOptions};
 use crate::needs;
 use crate::outcome::{self, Failure};
+use crate::profiles::Traces;
 use crate::quantity;
 use clap::{Args, ValueEnum};
-use compare::Cleaning;
+use compare::{Cleaning, FileOrigin, Origin};
 use contact_types::HeightMap;
 use std::path::{Path, PathBuf};
 use surface_io::{HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions};
@@ -38,7 +39,7 @@ impl Fill {
         Self::value_variants().iter().copied().find(|fill| fill.name() == name)
     }
 
-    fn rule(self) -> surface_io::Fill {
+    pub(crate) fn rule(self) -> surface_io::Fill {
         match self {
             Self::Refuse => surface_io::Fill::Refuse,
             Self::Harmonic => surface_io::Fill::Harmonic,
@@ -121,10 +122,18 @@ impl Reading {
         }
     }
 
-    /// Reads and crops; missing points stay missing.
+    /// Reads and crops; missing points stay missing. Of several traces the first.
     pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Failure> {
+        self.measurements(path).map(|mut all| all.swap_remove(0))
+    }
+
+    /// The same of every trace of a file of several; one measurement of any other file.
+    pub(crate) fn measurements(&self, path: &Path) -> Result<Vec<Measurement>, Failure> {
         let options = self.options();
-        let measurement = surface_io::read(path, &options).map_err(|e| needs::unread(path, &e))?;
+        let all = surface_io::read_traces(path, &options).map_err(|e| needs::unread(path, &e))?;
+        let Some(measurement) = all.first() else {
+            return Err(Failure::refused("empty", format!("{}: nothing is there", path.display())));
+        };
         if let Some(unit) = measurement.kept_unit() {
             outcome::tell(&format!(
                 "rough-contact: {}: the file gives its heights in {unit}, which is kept; \
@@ -132,8 +141,9 @@ impl Reading {
                 path.display()
             ));
         }
-        let heights = measurement.channels().iter().filter(|c| c.is_height && c.fault.is_none());
-        let heights = heights.count();
+        let readable =
+            |c: &&surface_io::ChannelInfo| c.is_height && c.fault.is_none() && !c.is_trace;
+        let heights = measurement.channels().iter().filter(readable).count();
         if self.channel.is_none() && heights > 1 {
             outcome::tell(&format!(
                 "rough-contact: {}: {:?} is read, one of {heights} channels in units of length; \
@@ -143,18 +153,50 @@ impl Reading {
             ));
         }
         match self.crop {
-            None => Ok(measurement),
-            Some(crop) => measurement.crop(crop).map_err(|e| needs::unread(path, &e)),
+            None => Ok(all),
+            Some(crop) => {
+                let cut = |m: Measurement| m.crop(crop).map_err(|e| needs::unread(path, &e));
+                all.into_iter().map(cut).collect()
+            }
         }
     }
 
-    /// A complete surface: read, cropped, cleaned, filled.
-    pub(crate) fn surface(&self, path: &Path, cleaning: Cleaning) -> Result<Complete, Failure> {
-        self.surface_of(path, self.measurement(path)?, cleaning)
+    /// Where traces come from, for findings and for a run that is to be repeated.
+    pub(crate) fn origin(&self, path: &Path, traces: &Traces, sha256: String) -> Origin {
+        Origin::File(FileOrigin {
+            path: path.display().to_string(),
+            sha256,
+            format: traces.format.clone(),
+            channel: self.channel.clone(),
+            pixel: self.pixel,
+            lateral_unit: self.lateral_unit,
+            height_unit: self.height_unit,
+            override_height_unit: self.override_height_unit,
+            layout: self.layout.map(|layout| layout.name().to_owned()),
+            crop: self.crop,
+            fill: self.fill.name().to_owned(),
+            missing: traces.missing,
+            cleaning: traces.cleaning,
+            cleaned: traces.cleaned.clone(),
+            height_step: traces.height_step,
+        })
+    }
+
+    /// A complete surface, or the traces of one: read, cropped, cleaned, filled.
+    pub(crate) fn measured(&self, path: &Path, cleaning: Cleaning) -> Result<Measured, Failure> {
+        let mut all = self.measurements(path)?;
+        if !all[0].is_profile() {
+            return self.surface_of(path, all.swap_remove(0), cleaning).map(Measured::Surface);
+        }
+        if let Some(reading) = all[0].ambiguity() {
+            let reading = needs::reading(reading);
+            outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
+        }
+        Traces::of(path, all, cleaning, self.fill.rule()).map(Measured::Profile)
     }
 
     /// The same from what was read.
-    pub(crate) fn surface_of(
+    fn surface_of(
         &self,
         path: &Path,
         measurement: Measurement,
@@ -164,7 +206,8 @@ impl Reading {
             let reading = needs::reading(reading);
             outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
         }
-        refuse_profile(path, &measurement)?;
+        refuse_line(path, &measurement)?;
+        let format = measurement.format().name().to_owned();
         // Neither a removed form nor filled points take the steps away; only smoothing does.
         let kept = cleaning.s_filter.is_none();
         let height_step = kept.then(|| height_step(measurement.heights())).flatten();
@@ -181,7 +224,7 @@ impl Reading {
             return Err(Failure::refused("missing", message));
         }
         let map = measurement.fill(self.fill.rule()).map_err(|e| needs::unfilled(path, &e))?;
-        Ok(Complete { map, missing, cleaned, height_step })
+        Ok(Complete { map, missing, cleaned, height_step, format })
     }
 }
 
@@ -194,17 +237,27 @@ pub(crate) struct Complete {
     pub(crate) cleaned: Vec<Record>,
     /// Height step of the data as measured, if they have one and it is still in the heights (m).
     pub(crate) height_step: Option<f64>,
+    /// Name of the format it was read from.
+    pub(crate) format: String,
 }
 
-/// A single line of points is a profile; contact of surfaces needs both directions.
-fn refuse_profile(path: &Path, measurement: &Measurement) -> Result<(), Failure> {
+/// What a file gave.
+pub(crate) enum Measured {
+    /// A map.
+    Surface(Complete),
+    /// One trace or several of one surface.
+    Profile(Traces),
+}
+
+/// A single column of points, or a single point, is neither a map nor a trace along x.
+fn refuse_line(path: &Path, measurement: &Measurement) -> Result<(), Failure> {
     let [ny, nx] = measurement.grid().shape();
     if ny > 1 && nx > 1 {
         return Ok(());
     }
     let message = format!(
-        "{}: {ny} x {nx} points are a profile, not a surface; a surface needs at least 2 x 2 \
-         points (`rough-contact info` still reads it)",
+        "{}: {ny} x {nx} points are no surface, which needs at least 2 x 2 points, and no profile, \
+         which is one row (`rough-contact info` still reads it)",
         path.display()
     );
     Err(Failure::refused("profile", message))
@@ -223,8 +276,8 @@ pub(crate) struct Input {
 }
 
 impl Input {
-    /// The surface, complete.
-    pub(crate) fn surface(&self) -> Result<Complete, Failure> {
-        self.reading.surface(&self.file, self.cleaning.asked())
+    /// The surface, complete, or the traces of one.
+    pub(crate) fn measured(&self) -> Result<Measured, Failure> {
+        self.reading.measured(&self.file, self.cleaning.asked())
     }
 }

@@ -5,6 +5,8 @@
 mod args;
 mod cleaning;
 mod compare;
+mod compare_profiles;
+mod given;
 mod info;
 mod input;
 mod intervals;
@@ -15,6 +17,8 @@ mod needs;
 mod outcome;
 mod output;
 mod planned;
+mod profile_stats;
+mod profiles;
 mod progress;
 mod quantity;
 mod roughness;

@@ -2,18 +2,21 @@
 
 use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
-use crate::input::Reading;
+use crate::input::{Measured, Reading};
 use crate::outcome::{Failure, Reply, variant};
+use crate::profile_stats;
+use crate::profiles::{self, Traces};
 use crate::roughness::Source;
 use crate::text::{self, Columns};
 use clap::Args;
 use compare::{BuildError, Card, Inputs, Pressed, Scene, Spikes, Theory, built_in};
 use contact_accuracy::round_to_digits;
-use contact_types::{Caveat, Citation, ContactState, ModelError};
+use contact_types::{Caveat, Citation, ContactModulus, ContactState, ModelError};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use surface_stats::clean::{RowOffsets, row_offsets};
+use surface_stats::profile::ProfileStatistics;
 
 #[derive(Args)]
 pub(crate) struct Model {
@@ -68,7 +71,12 @@ impl Model {
         let (mut cleaned, mut rows, mut spikes) = (Vec::new(), None, Spikes::default());
         self.source.refuse_unused(&card.name, self.file.as_deref())?;
         let inputs = if let Some(path) = &self.file {
-            let surface = self.reading.surface(path, self.cleaning.asked())?;
+            let surface = match self.reading.measured(path, self.cleaning.asked())? {
+                Measured::Surface(surface) => surface,
+                Measured::Profile(traces) => {
+                    return self.of_profile(theory, &questions, modulus, path, &traces);
+                }
+            };
             cleaned.clone_from(&surface.cleaned);
             spikes = Spikes::of(&surface.map);
             rows = row_offsets(surface.map.grid(), surface.map.heights()).ok();
@@ -92,6 +100,59 @@ impl Model {
             reply.text += text::MOMENTS;
         }
         reply.json["cleaning"] = report::cleaning_json(&cleaned);
+        Ok(reply)
+    }
+
+    /// The model of the isotropic surface with the moments of the traces, with what their length leaves
+    /// open.
+    fn of_profile(
+        &self,
+        theory: &dyn Theory,
+        questions: &[Question],
+        modulus: ContactModulus,
+        path: &Path,
+        traces: &Traces,
+    ) -> Result<Reply, Failure> {
+        let refused = |e: surface_stats::StatsError| Failure::in_file(path, &e);
+        let level = self.source.level();
+        let options = profile_stats::options(traces, level.degree().unwrap_or(0));
+        let (statistics, _, spectrum) =
+            ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
+        let inputs = compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
+        let inputs = self.source.for_profile(inputs);
+        let answers = answer(theory, &inputs, questions)?;
+        let mut reply = reply(theory.card(), &inputs, questions, &answers);
+        let origin = self.reading.origin(path, traces, String::new());
+        let scene = scene(&inputs, &answers, None);
+        let found = compare::profile_findings(&statistics, traces.uneven, &origin, &scene);
+        let first = text::cleaning(&traces.cleaned)
+            + &profiles::uneven_line(traces.uneven)
+            + &text::findings(&found);
+        reply.text.insert_str(0, &first);
+        for (i, question) in questions.iter().enumerate() {
+            let Question::Pressure(p) = *question else { continue };
+            let interval = answers[i]
+                .is_ok()
+                .then(|| compare::area_interval(theory, &inputs, &statistics, p))
+                .flatten();
+            if let Some([low, high]) = interval {
+                let [low, high] = [low, high].map(text::percent);
+                // A String takes everything.
+                let _ = writeln!(
+                    reply.text,
+                    "{}: 95 % interval of the area {low} to {high}, by the length of the {}",
+                    text::pressure(p),
+                    if statistics.traces == 1 { "trace" } else { "traces" }
+                );
+            }
+            reply.json["points"][i]["area_interval"] = json!(interval);
+        }
+        reply.text += &text::level(level);
+        reply.text += text::MOMENTS;
+        reply.json["findings"] = report::findings_json(&found);
+        reply.json["level"] = json!(level.name());
+        reply.json["cleaning"] = report::cleaning_json(&traces.cleaned);
+        reply.json["profile"] = report::profile_statistics_json(&statistics);
         Ok(reply)
     }
 

@@ -55,6 +55,7 @@ fn option(need: Need) -> &'static str {
         Need::Channel => "choose one with --channel NAME",
         Need::Layout(Layout::Matrix) => "if they are heights, give --layout matrix",
         Need::Layout(Layout::List) => "if they are coordinates, give --layout list",
+        Need::Layout(Layout::Traces) => "if they are traces of a stylus, give --layout traces",
         Need::Fill => {
             "fill them with --fill harmonic or --fill nearest, or cut out a complete part with \
              --crop"

@@ -255,6 +255,11 @@ impl Source {
         self.level.unwrap_or(Level::Plane)
     }
 
+    /// Inputs from profiles, with what no file says.
+    pub(crate) fn for_profile(&self, inputs: Inputs) -> Inputs {
+        Inputs { gamma: self.gamma, critical_area: self.critical_area, ..inputs }
+    }
+
     /// What the model needs of a measured surface, and nothing else.
     pub(crate) fn measured(
         &self,

@@ -1,12 +1,13 @@
 //! `rough-contact solve`: the deterministic solution.
 
 use crate::args::{self, Bodies, Common, List};
-use crate::input::{Complete, Input};
+use crate::input::{Complete, Input, Measured};
 use crate::intervals::{Errors, Finest, Refined, under};
 use crate::loads::{positive, rising, shown};
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::planned;
+use crate::profiles::Traces;
 use crate::progress::Progress;
 use crate::text::{self, Columns};
 use crate::work::{Work, map_names};
@@ -23,9 +24,11 @@ use serde_json::json;
 use std::borrow::Cow;
 use std::path::PathBuf;
 use surface_stats::clean::row_offsets;
+use surface_stats::profile::{Trace, moments};
 use surface_stats::{DirectionalMoments, HeightStatistics};
 
 #[derive(Args)]
+#[expect(clippy::struct_excessive_bools, reason = "one for each flag of the command")]
 pub(crate) struct Solve {
     #[command(flatten)]
     bodies: Bodies,
@@ -70,6 +73,9 @@ pub(crate) struct Solve {
     /// Contact stiffness too, -dp/d(mean gap), from two more solutions beside each load
     #[arg(long, conflicts_with = "accuracy")]
     stiffness: bool,
+    /// Take a profile for the cross-section of ridges that are infinitely long: plane strain
+    #[arg(long)]
+    plane_strain: bool,
     /// Folder for pressure-000.npy and gap-000.npy of each load
     #[arg(long, value_name = "DIR")]
     maps: Option<PathBuf>,
@@ -79,6 +85,12 @@ pub(crate) struct Solve {
 
 /// Most points of a map that is solved on a twice finer grid without being asked: 1024 x 1024.
 const MOST_UNASKED: usize = 1 << 20;
+
+/// What a profile is taken for.
+const PLANE_STRAIN: &str = "plane strain: the trace is the cross-section of parallel ridges that are \
+infinitely long and repeat with its length; a surface that is rough in both directions touches \
+differently. Mean pressure is load per length of ridge over the length of the trace. If the two ends \
+of the trace differ in height, --edges mirrored takes the jump between them out.\n";
 
 /// Why an isolated contact is not solved for its gap.
 const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mean gap of an isolated \
@@ -99,7 +111,7 @@ impl Solve {
             None => None,
             Some(path) => Some(Folder::prepare(path, &map_names(loads.len()), common.force)?),
         };
-        let Complete { map: surface, cleaned, height_step, missing } = self.input.surface()?;
+        let Complete { map: surface, cleaned, height_step, missing, .. } = self.section()?;
         let mut solved = Solved {
             missing,
             points: surface.grid().len(),
@@ -181,12 +193,60 @@ impl Solve {
         Ok(self.reply(work, modulus.pascals(), &notes, &solved))
     }
 
+    /// The map, or the one trace that is to be solved in plane strain.
+    fn section(&self) -> Result<Complete, Failure> {
+        let path = &self.input.file;
+        let refused = |message: &str| {
+            Err(Failure::refused("profile", format!("{}: {message}", path.display())))
+        };
+        match (self.input.measured()?, self.plane_strain) {
+            (Measured::Surface(complete), false) => Ok(complete),
+            (Measured::Surface(_), true) => refused(
+                "this is a map, and --plane-strain is for a profile; leave it out, or cut out a row with \
+                 --crop Y0,0,1,NX",
+            ),
+            (Measured::Profile(_), false) => refused(
+                "this is a profile, and a surface has no deterministic answer from one line of it; give \
+                 --plane-strain if it is the cross-section of long parallel ridges, or see `model` and \
+                 `compare`, which take it for a line of an isotropic surface",
+            ),
+            (Measured::Profile(_), true) if self.boundary == "free" => refused(
+                "--boundary free is for a contact that ends in all directions; ridges in plane strain do \
+                 not: leave it out",
+            ),
+            (Measured::Profile(_), true)
+                if self.accuracy.is_some() || self.refine || self.stiffness =>
+            {
+                refused(
+                    "--accuracy, --refine and --stiffness rest on studies of maps; give --tolerance with \
+                     --plane-strain",
+                )
+            }
+            (Measured::Profile(traces), true) => {
+                let (map, traces) = traces.only(path)?;
+                let Traces { missing, cleaned, height_step, format, .. } = traces;
+                Ok(Complete { map, missing, cleaned, height_step, format })
+            }
+        }
+    }
+
     /// What is asked of elasticity.
     fn scene(&self, map: &HeightMap, modulus: ContactModulus) -> Result<Scene, Failure> {
+        let rms_height = HeightStatistics::of(map).rms_height;
+        if self.plane_strain {
+            // Of ridges the slope of the section is the gradient.
+            let trace = Trace::new(map.grid().pixel()[1], map.heights().to_vec())
+                .map_err(|e| Failure::in_file(&self.input.file, &e))?;
+            return Ok(Scene {
+                modulus: modulus.pascals(),
+                gradient: Some(moments(&trace).m2.sqrt()),
+                rms_height: Some(rms_height),
+                ..Scene::default()
+            });
+        }
         let edges = surface_stats::Edges::Open;
         let slopes = DirectionalMoments::of(map, edges)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-        let rms_height = HeightStatistics::of(map).rms_height;
         let moments = slopes.isotropic(rms_height * rms_height);
         Ok(Scene {
             modulus: modulus.pascals(),
@@ -294,6 +354,7 @@ impl Solve {
             "level": self.level.name(),
             "boundary": self.boundary,
             "edges": self.edges.name(),
+            "plane_strain": self.plane_strain,
             "method": work.method,
             "precision": self.precision.name(),
             "modulus": modulus,
@@ -305,6 +366,7 @@ impl Solve {
         let text =
             text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
         let text = text + &text::level(self.level);
+        let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
         Reply { text: text + notes, json, trouble: work.trouble }
     }
 }

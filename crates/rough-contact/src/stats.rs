@@ -1,9 +1,10 @@
 //! `rough-contact stats`: roughness statistics, each with its unit.
 
 use crate::args::{self, Common};
-use crate::input::{Complete, Input};
+use crate::input::{Complete, Input, Measured};
 use crate::iso::Iso;
 use crate::outcome::{Failure, Reply};
+use crate::profile_stats;
 use crate::roughness::Edges;
 use crate::text::{self, Table};
 use clap::Args;
@@ -28,7 +29,13 @@ pub(crate) struct Stats {
 
 impl Stats {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
-        let Complete { map, missing, cleaned, height_step } = self.input.surface()?;
+        let Complete { map, missing, cleaned, height_step, .. } = match self.input.measured()? {
+            Measured::Surface(complete) => complete,
+            Measured::Profile(traces) => {
+                let degree = self.level.degree().unwrap_or(0);
+                return profile_stats::run(&self.input.file, &traces, degree);
+            }
+        };
         let options = StatsOptions::default()
             .with_level(self.level)
             .with_edges(self.boundary.rule())

@@ -1,7 +1,7 @@
 //! The one table of formats: how each is recognised and which reader takes it.
 
 use crate::error::ReadError;
-use crate::finish::finish;
+use crate::finish::{finish, finish_traces};
 use crate::format::Format;
 use crate::formats;
 use crate::limits::Limits;
@@ -71,7 +71,7 @@ rows! {
         "every data set of two axes, also of NetCDF-4 and MATLAB 7.3; unit from its attribute";
     Mnt, mnt, ["mnt"], "recognised and refused with the way out";
     Text, table, ["csv", "asc", "tsv", "txt", "xyz"],
-        "matrices, lists of x y z, profiles; any separator, decimal comma, missing cells";
+        "matrices, lists of x y z, profiles, several traces beside each other; any separator, decimal comma, missing cells";
 }
 
 type Parse = for<'a> fn(&'a [u8], &Limits) -> Result<Contents<'a>, ReadError>;
@@ -96,21 +96,36 @@ impl FormatSpec {
     /// # Errors
     /// As [`read_bytes`](crate::read_bytes).
     pub fn read(&self, bytes: &[u8], options: &ReadOptions) -> Result<Measurement, ReadError> {
+        finish(self.format, self.laid_out(bytes, options)?, options)
+    }
+
+    /// Every trace in `bytes`, see [`read_traces`](crate::read_traces).
+    pub(crate) fn read_traces(
+        &self,
+        bytes: &[u8],
+        options: &ReadOptions,
+    ) -> Result<Vec<Measurement>, ReadError> {
+        finish_traces(self.format, self.laid_out(bytes, options)?, options)
+    }
+
+    /// What is in `bytes` in the layout asked for.
+    fn laid_out<'a>(
+        &self,
+        bytes: &'a [u8],
+        options: &ReadOptions,
+    ) -> Result<Contents<'a>, ReadError> {
         let limits = &options.limits;
-        let contents = match options.layout {
-            None => self.contents(bytes, limits)?,
+        match options.layout {
+            None => self.contents(bytes, limits),
             Some(layout) if self.format == Format::Text => {
-                formats::table::parse_as(bytes, limits, Some(layout))?
+                formats::table::parse_as(bytes, limits, Some(layout))
             }
-            Some(layout) => {
-                return Err(ReadError::BadLayout {
-                    format: self.format,
-                    layout,
-                    reason: Cow::Borrowed("only the columns of a text can be more than one thing"),
-                });
-            }
-        };
-        finish(self.format, contents, options)
+            Some(layout) => Err(ReadError::BadLayout {
+                format: self.format,
+                layout,
+                reason: Cow::Borrowed("only the columns of a text can be more than one thing"),
+            }),
+        }
     }
 
     /// What is in `bytes`, with nothing decoded yet.

@@ -260,11 +260,25 @@ pub enum FillError {
     /// The points of a profile are not evenly spaced.
     #[error(
         "the points are not evenly spaced: they deviate from even spacing by up to {deviation:.3} \
-         steps; interpolate them to even spacing first"
+         steps; interpolate them to even spacing first (Measurement::evenly_spaced)"
     )]
     Uneven {
         /// Largest deviation in steps.
         deviation: f64,
+    },
+    /// Two points of a profile stand so far apart that nothing is known between them.
+    #[error(
+        "two points are {:.3} mm apart, {:.0} times the mean distance; at most {limit} times is \
+         bridged by a straight line: cut the gap out (--crop), or measure again",
+        1e3 * gap, gap / spacing
+    )]
+    Gap {
+        /// Largest distance of neighbouring points (m).
+        gap: f64,
+        /// Mean distance (m).
+        spacing: f64,
+        /// Largest quotient of the two.
+        limit: f64,
     },
     /// The filled heights are no height map.
     #[error(transparent)]

@@ -121,8 +121,32 @@ pub(crate) fn finish(
         metadata,
         is_profile: channel.is_profile,
         uneven: channel.uneven,
+        positions: channel.places.map(|x| x.into_iter().map(|x| x * pixel[1]).collect()),
         ambiguity: channel.ambiguity,
     })
+}
+
+/// Every trace of a file of several; of any other file the one channel that [`finish`] gives.
+pub(crate) fn finish_traces(
+    format: Format,
+    contents: Contents<'_>,
+    options: &ReadOptions,
+) -> Result<Vec<Measurement>, ReadError> {
+    let is_asked = options.channel.is_some();
+    if is_asked || !contents.channels.iter().any(|channel| channel.is_trace) {
+        return finish(format, contents, options).map(|one| vec![one]);
+    }
+    let all: Vec<ChannelInfo> = contents.channels.iter().map(Channel::info).collect();
+    let Contents { channels, metadata } = contents;
+    let traces = channels.into_iter().filter(|channel| channel.is_trace);
+    traces
+        .map(|trace| {
+            let one = Contents { channels: vec![trace], metadata: metadata.clone() };
+            let mut found = finish(format, one, options)?;
+            found.channels.clone_from(&all);
+            Ok(found)
+        })
+        .collect()
 }
 
 fn positive(given: Need, value: f64) -> Result<(), ReadError> {

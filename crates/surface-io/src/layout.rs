@@ -7,17 +7,20 @@ pub enum Layout {
     Matrix,
     /// Coordinates and a height: x y z, or x z of a profile.
     List,
+    /// Positions, then the heights of one or more traces at them: x z z z.
+    Traces,
 }
 
 impl Layout {
     /// Every layout.
-    pub const ALL: &'static [Self] = &[Self::Matrix, Self::List];
+    pub const ALL: &'static [Self] = &[Self::Matrix, Self::List, Self::Traces];
 
     /// Its name in one word.
     pub fn name(self) -> &'static str {
         match self {
             Self::Matrix => "matrix",
             Self::List => "list",
+            Self::Traces => "traces",
         }
     }
 

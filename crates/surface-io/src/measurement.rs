@@ -23,6 +23,8 @@ pub struct ChannelInfo {
     pub shape: [usize; 2],
     /// `[dy, dx]` in metres; `None` if the file does not give it.
     pub pixel: Option<[f64; 2]>,
+    /// One of several traces of the same surface, whose points stand at the same places.
+    pub is_trace: bool,
     /// Why this channel cannot be read, if it cannot; the others can.
     pub fault: Option<String>,
 }
@@ -58,6 +60,10 @@ pub(crate) struct Channel<'a> {
     pub(crate) is_profile: bool,
     /// Largest deviation from even spacing in steps, where it cannot be neglected.
     pub(crate) uneven: Option<f64>,
+    /// Distances of the points of such a profile from the first one, in steps.
+    pub(crate) places: Option<Vec<f64>>,
+    /// One of several traces of the same surface.
+    pub(crate) is_trace: bool,
     /// How it was read, where the file could mean something else.
     pub(crate) ambiguity: Option<Ambiguity>,
     /// Why it cannot be read.
@@ -85,6 +91,8 @@ impl<'a> Channel<'a> {
             pixel,
             is_profile: shape[0] == 1 && shape[1] > 1,
             uneven: None,
+            places: None,
+            is_trace: false,
             ambiguity: None,
             fault: None,
             decode: Box::new(decode),
@@ -149,6 +157,7 @@ impl<'a> Channel<'a> {
             is_height: self.is_height,
             shape: self.shape,
             pixel,
+            is_trace: self.is_trace,
             fault: self.fault.as_ref().map(ReadError::to_string),
         }
     }
@@ -192,6 +201,7 @@ pub struct Measurement {
     pub(crate) metadata: BTreeMap<String, String>,
     pub(crate) is_profile: bool,
     pub(crate) uneven: Option<f64>,
+    pub(crate) positions: Option<Vec<f64>>,
     pub(crate) ambiguity: Option<Ambiguity>,
 }
 
@@ -247,6 +257,11 @@ impl Measurement {
     /// evenly spaced as far as the digits of the file can tell.
     pub fn uneven(&self) -> Option<f64> {
         self.uneven
+    }
+
+    /// Distances from the first point (m), rising, of a profile whose points are not evenly spaced.
+    pub fn positions(&self) -> Option<&[f64]> {
+        self.positions.as_deref()
     }
 
     /// How the file was read, where its numbers could as well mean something else.
@@ -316,6 +331,10 @@ impl Measurement {
             metadata,
             is_profile: ny == 1 && nx > 1,
             uneven: self.uneven,
+            positions: self.positions.as_ref().map(|x| {
+                let part = &x[x0..x0 + nx];
+                part.iter().map(|position| position - part[0]).collect()
+            }),
             ambiguity: self.ambiguity,
         })
     }

@@ -34,6 +34,7 @@ impl fmt::Display for Need {
             Self::Channel => "channel",
             Self::Layout(Layout::Matrix) => "layout (a matrix of heights)",
             Self::Layout(Layout::List) => "layout (coordinates and a height)",
+            Self::Layout(Layout::Traces) => "layout (positions and the heights of traces)",
             Self::Fill => "rule for missing points",
             Self::Limits => "larger limit",
         })

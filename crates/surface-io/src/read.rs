@@ -28,6 +28,31 @@ pub fn read_bytes(bytes: &[u8], options: &ReadOptions) -> Result<Measurement, Re
     recognise(&bytes)?.read(&bytes, options)
 }
 
+/// Reads all traces of a file that holds several of one surface: columns of heights beside one
+/// column of positions. Any other file, and any file of which a channel is asked for, gives the one
+/// measurement that [`read`] gives.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_traces(
+    path: impl AsRef<Path>,
+    options: &ReadOptions,
+) -> Result<Vec<Measurement>, ReadError> {
+    read_traces_bytes(&load(path.as_ref(), &options.limits)?, options)
+}
+
+/// The same from the bytes of a file.
+///
+/// # Errors
+/// As [`read_traces`].
+pub fn read_traces_bytes(
+    bytes: &[u8],
+    options: &ReadOptions,
+) -> Result<Vec<Measurement>, ReadError> {
+    let bytes = unwrap_container(bytes, &options.limits)?;
+    recognise(&bytes)?.read_traces(&bytes, options)
+}
+
 /// Lists the channels of a file without decoding them.
 ///
 /// # Errors

@@ -76,7 +76,8 @@ fn every_reader_survives_every_file() {
         for sample in samples() {
             for length in [0, 1, 3, 4, 5, 8, 17, 33, 100, 400, sample.bytes.len()] {
                 let bytes = &sample.bytes[..length.min(sample.bytes.len())];
-                for layout in [None, Some(Layout::Matrix), Some(Layout::List)] {
+                for layout in [None, Some(Layout::Matrix), Some(Layout::List), Some(Layout::Traces)]
+                {
                     let mut options = sample.options.clone().with_limits(tight());
                     options.layout = layout;
                     if let Ok(found) = spec.read(bytes, &options) {

@@ -41,6 +41,33 @@ fn what_the_file_does_not_say_is_needed() {
     assert_eq!(found.kept_unit(), None);
 }
 
+/// Columns called so are traces of one surface, others if asked for; all are read, or the one asked
+/// for. A single column of heights is one trace.
+#[test]
+fn several_traces_stand_beside_their_positions() {
+    use surface_io::read_traces_bytes;
+    let text = b"X [mm];Z1 [um];Z2 [um];Z3 [um]\n0.000;1;4;7\n0.001;2;5;8\n0.002;3;6;9\n";
+    let traces = read_traces_bytes(text, &ReadOptions::default()).unwrap();
+    let names: Vec<&str> = traces.iter().map(|t| t.channel()).collect();
+    assert_eq!(names, ["Z1", "Z2", "Z3"]);
+    for (k, trace) in traces.iter().enumerate() {
+        assert!(trace.is_profile() && trace.channels().len() == 3);
+        assert!((trace.grid().pixel()[1] - 1e-6).abs() < 1e-15);
+        let first = 1e-6 * (3 * k + 1) as f64;
+        assert!((trace.heights()[0] - first).abs() < 1e-15, "{trace:?}");
+    }
+    let one = read_traces_bytes(text, &ReadOptions::default().with_channel("Z2")).unwrap();
+    assert_eq!((one.len(), one[0].channel()), (1, "Z2"));
+    let plain = b"0 1 4\n1 2 5\n2 3 6\n";
+    let given = ReadOptions::default().with_lateral_unit(1e-6).with_height_unit(1e-9);
+    let traces = read_traces_bytes(plain, &given.clone().with_layout(Layout::Traces)).unwrap();
+    assert_eq!(traces.len(), 2);
+    assert_eq!(traces[1].channel(), "trace 2");
+    let pair = read_traces_bytes(b"0 1\n1 2\n2 3\n", &given.clone().with_layout(Layout::Traces));
+    assert_eq!(pair.unwrap().len(), 1);
+    assert!(read_traces_bytes(b"1\n2\n3\n", &given.with_layout(Layout::Traces)).is_err());
+}
+
 /// A tester's workbook is a profile; another workbook is refused with its sheets.
 #[test]
 fn a_workbook_of_a_roughness_tester() {

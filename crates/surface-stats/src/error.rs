@@ -83,6 +83,20 @@ pub enum StatsError {
         /// Points found.
         found: usize,
     },
+    /// A trace is too short for a section length of roughness.
+    #[error(
+        "the trace is {} mm long; a section length of {} mm, with half of it at each end for the \
+         filter, needs {} mm: take a shorter cut-off, or measure a longer trace",
+        millimetres(*length), millimetres(*cutoff), millimetres(*needed)
+    )]
+    ShortTrace {
+        /// Its length (m).
+        length: f64,
+        /// The cut-off λc (m), which is the section length.
+        cutoff: f64,
+        /// The shortest trace for it (m).
+        needed: f64,
+    },
     /// A fit did not settle.
     #[error(
         "the fit of a {form} did not settle in {iterations} iterations: the points do not lie near \
@@ -110,4 +124,9 @@ pub enum StatsError {
     /// The surface itself cannot be built.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
+}
+
+/// Four digits at most, as people write millimetres.
+fn millimetres(metres: f64) -> f64 {
+    format!("{:.3e}", 1e3 * metres).parse().unwrap_or(f64::NAN)
 }

@@ -15,6 +15,7 @@ mod linear;
 pub mod noise;
 mod options;
 pub mod polynomial;
+pub mod profile;
 pub mod sampling;
 mod scale;
 mod seam;

@@ -54,7 +54,12 @@ pub fn moments_by_interval(map: &HeightMap, edges: Edges) -> Result<Vec<AtInterv
 }
 
 /// Mean squares of first and second differences over `every` pixels along `[y, x]`.
-fn differences(map: &HeightMap, edges: Edges, every: usize, [y, x]: [usize; 2]) -> [f64; 2] {
+pub(crate) fn differences(
+    map: &HeightMap,
+    edges: Edges,
+    every: usize,
+    [y, x]: [usize; 2],
+) -> [f64; 2] {
     let [ny, nx] = map.grid().shape();
     let (step_y, step_x) = (every * y, every * x);
     let (mut sums, mut counts) = ([0.0; 2], [0usize; 2]);

@@ -6,4 +6,6 @@ pub mod front;
 pub(crate) mod maps;
 pub(crate) mod multiples;
 pub(crate) mod panels;
+pub(crate) mod profiles;
 pub(crate) mod surface;
+pub(crate) mod trace;

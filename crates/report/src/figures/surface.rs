@@ -129,16 +129,19 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
     }
 }
 
-/// A radial power spectrum, as drawn and as listed.
+/// A power spectrum, as drawn and as listed.
 #[derive(Debug, Clone)]
 pub(crate) struct Spectrum {
-    /// `[wavelength (m), C (m⁴)]`, long to short.
+    /// `[wavelength (m), PSD]`, long to short.
     pub points: Vec<[f64; 2]>,
     /// Hurst exponent and the wavelengths between which it was fitted (m).
     pub fit: Option<(f64, [f64; 2])>,
+    /// True for the one-sided PSD of a profile (m³), which falls as f^-(1 + 2H); false for the radial
+    /// one (m⁴), as q^-(2 + 2H).
+    pub is_profile: bool,
 }
 
-/// Radial power spectral density over wavelength, long to short.
+/// Power spectral density over wavelength, long to short.
 pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
     let points: Vec<[f64; 2]> =
         spectrum.points.iter().copied().filter(|[l, c]| *l > 0.0 && *c > 0.0).collect();
@@ -147,12 +150,20 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
     // Twelve decades hold any rough surface; below that there is rounding.
     let lowest = points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min).max(1e-12 * highest);
     let unit = unit_for((first[0] * last[0]).sqrt(), METRES);
-    let fourth = unit.scale.powi(4);
+    let (power, name, symbol) = if spectrum.is_profile {
+        (3, "Profile PSD", format!("Profile PSD S ({}³)", unit.name))
+    } else {
+        (4, "Radial power spectral density", format!("Radial PSD C ({}⁴)", unit.name))
+    };
+    let unit_of_psd = unit.scale.powi(power);
     let frame = Frame {
         x: Axis::log([first[0] / unit.scale, last[0] / unit.scale], [FRAME[0], FRAME[2]]),
-        y: Axis::log([lowest / fourth / 2.0, highest / fourth * 4.0], [FRAME[3], FRAME[1]]),
+        y: Axis::log(
+            [lowest / unit_of_psd / 2.0, highest / unit_of_psd * 4.0],
+            [FRAME[3], FRAME[1]],
+        ),
         x_title: format!("Wavelength ({})", unit.name),
-        y_title: format!("Radial PSD C ({}⁴)", unit.name),
+        y_title: symbol,
     };
     let mut canvas = Canvas::default();
     if let Some((_, [short, long])) = spectrum.fit {
@@ -163,23 +174,24 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
     let line: Vec<[f64; 2]> = points
         .iter()
         .filter(|p| p[1] >= lowest)
-        .map(|[l, c]| frame.at([l / unit.scale, c / fourth]))
+        .map(|[l, c]| frame.at([l / unit.scale, c / unit_of_psd]))
         .collect();
     canvas.polyline(&line, Stroke::solid(DETERMINISTIC, 1.4));
     let mut description = format!(
-        "Log-log radial power spectral density over wavelengths from {} to {}.",
+        "Log-log {} over wavelengths from {} to {}.",
+        name.to_lowercase().replace("psd", "PSD"),
         chosen(first[0], METRES),
         chosen(last[0], METRES)
     );
     if let Some((hurst, [short, long])) = spectrum.fit {
-        let slope = -2.0 - 2.0 * hurst;
+        let slope = f64::from(2 - power) - 2.0 * hurst;
         let inside: Vec<&[f64; 2]> =
             points.iter().filter(|[l, _]| (short..=long).contains(l)).collect();
         if !inside.is_empty() {
             // The line passes above the points by a factor of 2.2, to stay visible.
             let level: f64 = inside.iter().map(|[l, c]| c.ln() + slope * l.ln()).sum::<f64>()
                 / inside.len() as f64;
-            let fit = |l: f64| 2.2 * (level - slope * l.ln()).exp() / fourth;
+            let fit = |l: f64| 2.2 * (level - slope * l.ln()).exp() / unit_of_psd;
             let ends = [long, short].map(|l| frame.at([l / unit.scale, fit(l)]));
             canvas.polyline(&ends, Stroke { colour: GW, width: 1.4, dash: "5 3" });
             let middle = (short * long).sqrt();
@@ -211,7 +223,7 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
     });
     Some(Figure {
         key: key.into(),
-        title: "Radial power spectral density".into(),
+        title: name.into(),
         description,
         size: [COLUMN, HEIGHT],
         canvas,

@@ -79,7 +79,7 @@ pub(crate) fn section(page: &Page<'_>) -> String {
 }
 
 /// What E* is made of. Contact is solved as that of one rough elastic half space and a rigid flat.
-fn bodies_words(bodies: &[Body]) -> String {
+pub(crate) fn bodies_words(bodies: &[Body]) -> String {
     let one = |b: &Body| {
         let poisson = format!("{}", b.poisson).replace('-', "\u{2212}");
         format!("<i>E</i> = {}, ν = {poisson}", chosen(b.young, PASCALS))
@@ -94,7 +94,7 @@ fn bodies_words(bodies: &[Body]) -> String {
     }
 }
 
-fn origin_words(origin: &Origin) -> String {
+pub(crate) fn origin_words(origin: &Origin) -> String {
     match origin {
         Origin::File(FileOrigin { path, sha256, format, fill, missing, crop, channel, .. }) => {
             let mut text = format!("{} ({})", escape(path), escape(format));

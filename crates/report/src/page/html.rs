@@ -52,14 +52,25 @@ pub fn write(
     body.push_str(&references(&page.sources));
 
     let title = title(comparison);
+    document(&title, several, &body, &format!("<script>{SCRIPT}</script>"), out)
+}
+
+/// The frame of a page: style, policy, body and, behind it, a script.
+pub(crate) fn document(
+    title: &str,
+    several: bool,
+    body: &str,
+    script: &str,
+    out: &mut impl Write,
+) -> Result<(), ReportError> {
     write!(
         out,
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
          <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\
          <meta name=\"color-scheme\" content=\"light dark\"><title>{}</title>\n<style>\n{}{STYLE}</style>\
-         </head>\n<body><main{}>\n{body}</main>\n<script>{SCRIPT}</script></body></html>\n",
-        escape(&title),
+         </head>\n<body><main{}>\n{body}</main>\n{script}</body></html>\n",
+        escape(title),
         palette_css(),
         if several { " class=\"several\"" } else { "" }
     )?;
@@ -139,7 +150,7 @@ fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
 }
 
 /// The list of sources, numbered as cited.
-fn references(sources: &[Citation]) -> String {
+pub(crate) fn references(sources: &[Citation]) -> String {
     let items: String = sources
         .iter()
         .enumerate()

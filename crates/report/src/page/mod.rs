@@ -6,6 +6,8 @@ pub(crate) mod how_made;
 pub(crate) mod html;
 pub(crate) mod overview;
 pub(crate) mod phrases;
+pub(crate) mod profile;
+pub(crate) mod profile_tables;
 pub(crate) mod sections;
 pub(crate) mod slider;
 pub(crate) mod statistics;

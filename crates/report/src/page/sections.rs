@@ -37,7 +37,13 @@ fn shown(mut findings: Vec<Finding>) -> Vec<Finding> {
 
 /// Key numbers beside "Read before use".
 pub(crate) fn key_and_notes(surface: &SurfaceComparison, id: &str) -> String {
-    let items: String = shown(findings(surface))
+    let (key, notes) = (tables::key_numbers(surface), notes(&findings(surface), id));
+    format!("<div class=\"two\">\n{key}{notes}</div>\n")
+}
+
+/// "Read before use".
+pub(crate) fn notes(found: &[Finding], id: &str) -> String {
+    let items: String = shown(found.to_vec())
         .iter()
         .map(|found| {
             let (class, word) = match found.weight {
@@ -54,9 +60,8 @@ pub(crate) fn key_and_notes(surface: &SurfaceComparison, id: &str) -> String {
         })
         .collect();
     format!(
-        "<div class=\"two\">\n{}<section aria-labelledby=\"{id}-w\"><p class=\"cap\" id=\"{id}-w\">\
-         Read before use</p><ul class=\"warns\">\n{items}</ul></section>\n</div>\n",
-        tables::key_numbers(surface)
+        "<section aria-labelledby=\"{id}-w\"><p class=\"cap\" id=\"{id}-w\">Read before use</p>\
+         <ul class=\"warns\">\n{items}</ul></section>\n"
     )
 }
 
@@ -311,7 +316,8 @@ pub(crate) fn the_surface(
         ));
     }
     let fit = surface.statistics.hurst.zip(surface.statistics.fractal_range);
-    let spectrum = surface_figures::Spectrum { points: surface.spectral.psd.clone(), fit };
+    let spectrum =
+        surface_figures::Spectrum { points: surface.spectral.psd.clone(), fit, is_profile: false };
     let n = page.next_figure();
     if let Some(svg) = surface_figures::spectrum(&spectrum, &format!("{id}-f{n}")) {
         let fitted = if fit.is_some() {

@@ -134,7 +134,7 @@ pub(crate) fn swatch(look: Look) -> String {
     )
 }
 
-fn applies(answer: Applies, reason: &str) -> String {
+pub(crate) fn applies(answer: Applies, reason: &str) -> String {
     format!("<b class=\"{0}\">{0}</b> {1}", answer.word(), escape(reason))
 }
 

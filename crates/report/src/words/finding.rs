@@ -3,6 +3,7 @@
 use crate::numbers::{METRES, PASCALS, SPACE, fixed, percent, quantity, significant};
 use crate::words::edges::seam_effect;
 use crate::words::plan;
+use crate::words::profile;
 use compare::{Bare, EdgesName, Fact, Finding, Passed, SPIKE_THRESHOLD, Seam, Steep, Yield};
 use contact_accuracy::NoAreaInterval;
 use contact_accuracy::plan::Outcome;
@@ -58,6 +59,10 @@ pub fn finding(finding: &Finding) -> Worded {
                 }
             };
             worded(claim, no_bar(*why))
+        }
+        Fact::Profile(found) => {
+            let (claim, text) = profile::fact(found);
+            worded(claim, text)
         }
         Fact::Warned(found) => warning(found),
         Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),

@@ -6,6 +6,7 @@ mod date;
 pub(crate) mod edges;
 pub(crate) mod finding;
 pub(crate) mod plan;
+pub(crate) mod profile;
 mod ranking;
 mod verdict;
 
@@ -15,4 +16,4 @@ pub(crate) use answer::{
 };
 pub(crate) use date::date;
 pub(crate) use ranking::{curves_lead, ranked, recommendation, survey, within_ten};
-pub(crate) use verdict::{SMALL_SLOPES, reason};
+pub(crate) use verdict::{SMALL_SLOPES, reason, reason_of};

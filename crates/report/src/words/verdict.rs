@@ -1,8 +1,7 @@
 //! Whether a theory covers a surface, in words.
 
 use crate::numbers::{SPACE, length, pressure, significant};
-use compare::Assumes;
-use compare::{ModelComparison, Reason};
+use compare::{Assumes, Card, ModelComparison, Reason, Verdict};
 use contact_types::ModelError;
 
 /// What steep slopes strain.
@@ -10,9 +9,13 @@ pub(crate) const SMALL_SLOPES: &str = "small-slope elasticity ends near 0.5";
 
 /// Why a model applies to a surface, or only with caution, or not.
 pub(crate) fn reason(model: &ModelComparison) -> String {
-    let verdict = &model.verdict;
+    reason_of(&model.card, &model.verdict)
+}
+
+/// The same of a card and a verdict.
+pub(crate) fn reason_of(card: &Card, verdict: &Verdict) -> String {
     if verdict.reasons.is_empty() {
-        return within(model.card.assumes).into();
+        return within(card.assumes).into();
     }
     verdict.reasons.iter().map(words).collect::<Vec<_>>().join("; ")
 }

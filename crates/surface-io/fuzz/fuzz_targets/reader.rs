@@ -25,8 +25,9 @@ fuzz_target!(|bytes: &[u8]| {
     (limits.points, limits.items) = (1 << 16, 1 << 10);
     let options = ReadOptions::default().with_limits(limits);
     let given = options.clone().with_pixel([3e-6, 2e-6]).with_height_unit(1e-9);
-    let [matrix, list] = [Layout::Matrix, Layout::List].map(|l| given.clone().with_layout(l));
-    for options in [options, given, matrix, list] {
+    let [matrix, list, traces] =
+        [Layout::Matrix, Layout::List, Layout::Traces].map(|l| given.clone().with_layout(l));
+    for options in [options, given, matrix, list, traces] {
         let result = match format() {
             Some(spec) => spec.read(bytes, &options),
             None => read_bytes(bytes, &options),

@@ -84,6 +84,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         Ok(z)
     });
     channel.uneven = line.uneven;
+    channel.places = line.places;
     contents.channels.push(channel);
     Ok(contents)
 }

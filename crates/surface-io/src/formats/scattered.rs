@@ -6,13 +6,15 @@ use crate::{Format, Limits, Place, ReadError};
 use std::collections::HashSet;
 
 /// Evenly spaced positions found in a column of coordinates.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Line {
     /// (last - first) / (N - 1).
     pub(crate) step: f64,
     pub(crate) is_falling: bool,
     /// Largest deviation in steps, if more than the printed digits explain.
     pub(crate) uneven: Option<f64>,
+    /// Distances of the points from the lowest one in steps, rising, if they are uneven.
+    pub(crate) places: Option<Vec<f64>>,
 }
 
 impl Line {
@@ -45,7 +47,14 @@ impl Line {
             .fold(0.0, f64::max);
         let step = step.abs();
         let uneven = deviation > tolerance(step, digits, last.abs().max(first.abs()));
-        Ok(Self { step, is_falling, uneven: uneven.then_some(deviation / step) })
+        let places = uneven.then(|| {
+            let mut places: Vec<f64> = x.iter().map(|x| (x - first.min(last)) / step).collect();
+            if is_falling {
+                places.reverse();
+            }
+            places
+        });
+        Ok(Self { step, is_falling, uneven: uneven.then_some(deviation / step), places })
     }
 }
 

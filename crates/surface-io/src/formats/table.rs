@@ -14,6 +14,7 @@
 //! | three columns | x y z on a grid in any order (row 0 = smallest y); `X;Y;valid` is a profile; unless the layout is given |
 //! | a first row and a first column that count 0, 1, 2, … around an empty corner | no heights: left out |
 //! | two columns | a profile, if x only rises or only falls |
+//! | three columns or more called x, z1, z2, … (or height, trace, profile) | traces of one surface at the same positions |
 //!
 //! Coordinates fix the pixel size: (last − first) / (N − 1). Coordinates that are evenly spaced
 //! as far as their printed digits can tell count as evenly spaced.
@@ -79,6 +80,10 @@ pub(crate) fn parse_as<'a>(
         titles.get(column).is_some_and(|c| names.iter().any(|n| c.name.eq_ignore_ascii_case(n)))
     };
 
+    if layout == Some(Layout::Traces) || (layout.is_none() && are_traces(&titles, kept)) {
+        let channels = traces(&values, kept, digits[0], &titles, &header)?;
+        return Ok(Contents { channels, metadata: header.metadata });
+    }
     let says_map = kept > 3 || header.size.is_some() || header.pixel.is_some();
     let is_map = layout.map_or(says_map, |layout| layout == Layout::Matrix);
     if layout == Some(Layout::List) && kept > 3 {
@@ -168,6 +173,45 @@ fn drop_running_numbers(values: &mut Vec<f64>, columns: usize) -> bool {
     is_framed
 }
 
+/// True if the titles say that traces stand beside one column of positions.
+fn are_traces(titles: &[Title], columns: usize) -> bool {
+    const POSITIONS: [&str; 7] = ["x", "position", "pos", "pos.", "distance", "length", "weg"];
+    const HEIGHTS: [&str; 5] = ["z", "height", "trace", "profile", "höhe"];
+    let name = |i: usize| titles.get(i).map(|t| t.name.to_lowercase()).unwrap_or_default();
+    columns > 2
+        && POSITIONS.contains(&name(0).as_str())
+        && (1..columns).all(|i| HEIGHTS.iter().any(|height| name(i).starts_with(height)))
+}
+
+/// One channel for every column behind the first, which has the positions.
+fn traces(
+    values: &[f64],
+    columns: usize,
+    digits: Digits,
+    titles: &[Title],
+    header: &Header,
+) -> Result<Vec<Channel<'static>>, ReadError> {
+    if columns < 2 {
+        return Err(ReadError::BadLayout {
+            format: FORMAT,
+            layout: Layout::Traces,
+            reason: "it has one column (traces need positions before the heights)".into(),
+        });
+    }
+    let unit = |i: usize| titles.get(i).and_then(|t| t.unit.clone());
+    let name = |i: usize| titles.get(i).map_or("", |t| t.name.as_str());
+    let are_named = (1..columns).all(|i| !name(i).is_empty() && (1..i).all(|j| name(i) != name(j)));
+    let x = column(values, 0, columns);
+    let trace = |i: usize| -> Result<Channel<'static>, ReadError> {
+        let z = column(values, i, columns);
+        let mut channel = profile(&x, z, digits, [unit(0), unit(i).or(unit(1))], header)?;
+        channel.name = if are_named { name(i).to_owned() } else { format!("trace {i}") };
+        channel.is_trace = columns > 2;
+        Ok(channel)
+    };
+    (1..columns).map(trace).collect()
+}
+
 fn is_index(name: &str) -> bool {
     ["index", "no", "no.", "nr", "n", "i", "point"].iter().any(|n| name.eq_ignore_ascii_case(n))
 }
@@ -232,6 +276,7 @@ fn profile(
             Ok(z)
         });
     channel.uneven = line.uneven;
+    channel.places = line.places;
     Ok(channel)
 }
 

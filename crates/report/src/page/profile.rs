@@ -1,0 +1,292 @@
+//! The report on profiles: trace, roughness, spectrum, models with what the length leaves open.
+
+use crate::draw::svg::escape;
+use crate::error::ReportError;
+use crate::figures::profiles;
+use crate::figures::surface::{Spectrum, spectrum};
+use crate::looks::{inputs_html, look};
+use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
+use crate::page::how_made::{bodies_words, origin_words};
+use crate::page::html::{document, references};
+use crate::page::profile_tables::{key_numbers, roughness, sampling};
+use crate::page::sections::{figure, notes};
+use crate::page::tables::{applies, swatch};
+use crate::provenance::Provenance;
+use crate::words;
+use crate::words::profile::{area_range, profile_headline};
+use compare::ProfileComparison;
+use contact_types::{Citation, ContactState};
+use std::io::Write;
+
+/// What the sections share: figures and sources so far.
+#[derive(Default)]
+struct Numbers {
+    figures: usize,
+    sources: Vec<Citation>,
+}
+
+impl Numbers {
+    fn figure(&mut self) -> usize {
+        self.figures += 1;
+        self.figures
+    }
+
+    fn source(&mut self, citation: &Citation) -> usize {
+        let known = self.sources.iter().position(|c| c == citation);
+        known.unwrap_or_else(|| {
+            self.sources.push(citation.clone());
+            self.sources.len() - 1
+        }) + 1
+    }
+}
+
+/// Writes the report on studies of profiles.
+///
+/// # Errors
+/// [`ReportError`] if the writer fails.
+pub fn write(
+    studies: &[ProfileComparison],
+    provenance: &Provenance,
+    out: &mut impl Write,
+) -> Result<(), ReportError> {
+    let several = studies.len() > 1;
+    let mut numbers = Numbers::default();
+    let mut body = String::new();
+    if several {
+        body.push_str(&format!("<h1>{} profiles of surfaces</h1>\n", studies.len()));
+    }
+    for (index, study) in studies.iter().enumerate() {
+        body.push_str("<div class=\"surface\">\n");
+        if several {
+            body.push_str(&format!("<h2>{}</h2>\n", escape(&study.name)));
+        }
+        body.push_str(&surface(study, &mut numbers, index, several, provenance));
+        body.push_str("</div>\n");
+    }
+    body.push_str(&how_made(studies, provenance));
+    body.push_str(&references(&numbers.sources));
+    let title = match studies {
+        [one] => format!("{} (rough-contact, profile)", one.name),
+        many => format!("{} profiles (rough-contact)", many.len()),
+    };
+    document(&title, several, &body, "", out)
+}
+
+fn surface(
+    study: &ProfileComparison,
+    numbers: &mut Numbers,
+    index: usize,
+    several: bool,
+    provenance: &Provenance,
+) -> String {
+    let id = format!("s{index}");
+    let h = if several { "h3" } else { "h2" };
+    let mut out = opening(study, several, provenance);
+    out.push_str(&format!(
+        "<div class=\"two\">\n{}{}</div>\n",
+        key_numbers(study),
+        notes(&study.findings(), &id)
+    ));
+    out.push_str(&pictures(study, numbers, h, &id));
+    out.push_str(&models(study, numbers, h, &id));
+    out.push_str(&format!("<{h}>Roughness parameters</{h}>\n{}", roughness(study)));
+    out.push_str(&format!("<{h}>What the spacing of the points does</{h}>\n{}", sampling(study)));
+    out
+}
+
+fn opening(study: &ProfileComparison, several: bool, provenance: &Provenance) -> String {
+    let s = &study.statistics;
+    let traces = if s.traces == 1 { "one trace".into() } else { format!("{} traces", s.traces) };
+    let (before, after) = if several {
+        (String::new(), String::new())
+    } else {
+        (
+            format!("rough-contact report · <b>{}</b> · ", escape(&study.name)),
+            format!(" · {}", words::date(provenance.unix_time)),
+        )
+    };
+    let say = escape(&profile_headline(study));
+    let first =
+        if several { format!("<p class=\"say\">{say}</p>") } else { format!("<h1>{say}</h1>") };
+    format!(
+        "<header><p class=\"file\">{before}profile, {traces} of {}, {} points every {} · \
+         <i>E</i>* = {}{after}</p>\n{first}\n<p>A trace is one line of a surface: it has no \
+         deterministic answer but that of parallel ridges \
+         (<code>solve --plane-strain</code>). The models take the moments of the trace for those of \
+         an isotropic surface.</p></header>\n",
+        chosen(s.length, METRES),
+        s.points,
+        quantity(s.spacing, METRES, 3),
+        chosen(study.settings.modulus, PASCALS)
+    )
+}
+
+fn pictures(study: &ProfileComparison, numbers: &mut Numbers, h: &str, id: &str) -> String {
+    let s = &study.statistics;
+    let mut out = format!("<{h}>The trace</{h}>\n");
+    let n = numbers.figure();
+    if let Some(drawn) = profiles::first_trace(study, &format!("{id}-f{n}")) {
+        let first = if s.traces > 1 { " The first of them." } else { "" };
+        out.push_str(&format!(
+            "<div class=\"wide\">{}</div>\n",
+            figure(
+                &drawn.inline(),
+                &format!(
+                    "<b>Fig. {n}. The trace</b> without its form.{first} Shaded: every other section \
+                     length of the roughness parameters."
+                )
+            )
+        ));
+    }
+    let n = numbers.figure();
+    let points = study.spectrum.smoothed();
+    let points = thinned(&points.iter().map(|b| [1.0 / b.frequency, b.psd]).collect::<Vec<_>>());
+    let fit = s.hurst.zip(s.fractal_range);
+    let mut two = String::new();
+    let psd = Spectrum { points, fit, is_profile: true };
+    if let Some(drawn) = spectrum(&psd, &format!("{id}-f{n}")) {
+        two.push_str(&figure(
+            &drawn.inline(),
+            &format!(
+                "<b>Fig. {n}. Power spectral density</b> of the trace, one-sided, under a Hann window, \
+                 running mean over a third of an octave."
+            ),
+        ));
+    }
+    let n = numbers.figure();
+    let area = profiles::area(study, &format!("{id}-f{n}"));
+    two.push_str(&figure(
+        &area.inline(),
+        &format!(
+            "<b>Fig. {n}. Real contact area</b> by every model that answers, for an isotropic surface. \
+             Grey band: from the lowest to the highest of those made of moments, with the 95{SPACE}% \
+             intervals that the length of the {} leaves.",
+            if s.traces == 1 { "trace" } else { "traces" }
+        ),
+    ));
+    out + &format!("<div class=\"two\">\n{two}</div>\n")
+}
+
+/// About 24 points per octave: what a figure can show.
+fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut last = f64::INFINITY;
+    let mut kept = Vec::new();
+    for &[wavelength, psd] in points {
+        if wavelength <= last / 1.03 {
+            kept.push([wavelength, psd]);
+            last = wavelength;
+        }
+    }
+    kept
+}
+
+fn models(study: &ProfileComparison, numbers: &mut Numbers, h: &str, id: &str) -> String {
+    let p = chosen(study.headline_pressure(), PASCALS);
+    let rows: String = study
+        .models
+        .iter()
+        .enumerate()
+        .map(|(place, m)| {
+            let card = &m.card;
+            let source = numbers.source(&card.citation);
+            let point =
+                m.outcome.as_ref().ok().and_then(|c| c.points[study.headline].as_ref().ok());
+            let dash = || "–".to_owned();
+            let area = point.map_or_else(dash, |s| {
+                format!("{}{SPACE}%", significant(100.0 * s.area_fraction, 3))
+            });
+            let interval = m.intervals[study.headline].map_or_else(dash, area_range);
+            let real = point
+                .and_then(ContactState::real_pressure)
+                .map_or_else(dash, |p| quantity(p, PASCALS, 3));
+            let class = if m.outcome.is_ok() { "" } else { " class=\"na\"" };
+            format!(
+                "<tr{class}><th scope=\"row\"><div>{}<span>{}<small>{}</small></span></div></th>\
+                 <td data-l=\"Area\" class=\"n\">{area}</td><td data-l=\"95 % interval\" \
+                 class=\"n\">{interval}</td><td data-l=\"Real pressure\" class=\"n\">{real}</td>\
+                 <td data-l=\"Applies\" class=\"dom\">{}</td><td data-l=\"Ref.\" class=\"n src\">\
+                 <a href=\"#r{source}\">{source}</a></td></tr>\n",
+                swatch(look(&card.name, place)),
+                escape(&card.title),
+                inputs_html(card),
+                applies(m.verdict.answer, &words::reason_of(card, &m.verdict))
+            )
+        })
+        .collect();
+    format!(
+        "<{h} id=\"{id}-m\">What the models say</{h}>\n<table class=\"models\"><thead><tr>\
+         <th scope=\"col\">Model</th><th scope=\"col\" class=\"n\">Area at {p}</th>\
+         <th scope=\"col\" class=\"n\">95{SPACE}% interval</th><th scope=\"col\" class=\"n\">Real \
+         pressure</th><th scope=\"col\">Applies, if the surface is isotropic?</th>\
+         <th scope=\"col\" class=\"n\">Ref.</th></tr></thead><tbody>\n{rows}</tbody></table>\n\
+         <p class=\"why\">The interval is what other traces of the same surface would give, through \
+         <i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>; the error of the theory is \
+         not in it. Amplitudes are those of the smoothed PSD, the nominal area of Majumdar and Bhushan \
+         is the square of the length: these models carry no interval here.</p>\n"
+    )
+}
+
+fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
+    let mut rows = vec![(
+        "Program".to_owned(),
+        format!("rough-contact {}, {}", escape(&made.version), escape(&made.platform)),
+    )];
+    for study in studies {
+        let name = if studies.len() > 1 { escape(&study.name) } else { "Input".to_owned() };
+        let s = &study.statistics;
+        let form = match s.options.degree {
+            0 => "mean taken off".to_owned(),
+            1 => "line taken off by least squares".to_owned(),
+            n => format!("polynomial of degree {n} taken off by least squares"),
+        };
+        let filter = |name: &str, value: Option<f64>| {
+            value.map_or(String::new(), |v| format!("; {name} = {}", chosen(v, METRES)))
+        };
+        rows.push((
+            name,
+            format!(
+                "{}. {form}{}{}",
+                origin_words(&study.origin),
+                filter("λs", s.options.short),
+                filter("λc", s.options.cutoff)
+            ),
+        ));
+        for step in study.origin.cleaned() {
+            rows.push(("Cleaning".into(), escape(&step.to_string())));
+        }
+        if let Some(step) = s.height_step {
+            rows.push(("Height step".into(), quantity(step, METRES, 2)));
+        }
+        if let Some([m2, m4]) = s.seen {
+            rows.push((
+                "Moments".into(),
+                format!(
+                    "finite differences of neighbouring points; they see {} of m₂ and {} of m₄ of the \
+                     spectrum",
+                    percent(m2),
+                    percent(m4)
+                ),
+            ));
+        }
+    }
+    if let Some(first) = studies.first() {
+        let settings = &first.settings;
+        rows.push((
+            "Material".into(),
+            format!(
+                "<i>E</i>* = {}, {}",
+                chosen(settings.modulus, PASCALS),
+                bodies_words(&settings.bodies)
+            ),
+        ));
+    }
+    let list: String =
+        rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();
+    format!(
+        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<p>Repeat, from the folder it was made in, \
+         with</p><pre>{}</pre>\n<p class=\"why\">The numbers behind the figures are in \
+         <code>curves.csv</code>, all results in <code>results.json</code>, every setting in \
+         <code>run.toml</code>.</p>\n",
+        escape(&made.repeat)
+    )
+}

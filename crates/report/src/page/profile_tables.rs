@@ -1,0 +1,216 @@
+//! Tables of the report on profiles.
+
+use crate::numbers::{METRES, SPACE, chosen, percent, quantity, significant, unit_for};
+use crate::words::profile::spread;
+use compare::ProfileComparison;
+use surface_stats::profile::{ProfileStatistics, SettingSource};
+
+fn row(name: &str, value: &str, why: &str) -> String {
+    format!(
+        "<tr><th scope=\"row\">{name}</th><td class=\"n\">{value}</td><td class=\"why\">{why}</td></tr>\n"
+    )
+}
+
+/// Moments with what the length leaves open, and what is made of them.
+pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
+    let s = &study.statistics;
+    let m = s.moments;
+    let ends = |k: usize| {
+        let factor = s.interval(k).and_then(|[low, high]| (low > 0.0).then(|| (high / low).sqrt()));
+        spread(factor)
+    };
+    let height = unit_for(m.rms_height(), METRES);
+    let mut rows = vec![
+        row(
+            "<i>m</i><sub>0</sub>",
+            &format!("{}{SPACE}{}²", significant(m.m0 / height.scale.powi(2), 3), height.name),
+            &format!("{}; rms height {}", ends(0), quantity(m.rms_height(), METRES, 3)),
+        ),
+        row(
+            "<i>m</i><sub>2</sub>",
+            &significant(m.m2, 3),
+            &format!(
+                "{}; rms gradient of the surface {}",
+                ends(1),
+                significant(m.rms_gradient(), 3)
+            ),
+        ),
+        row(
+            "<i>m</i><sub>4</sub>",
+            &format!("{}{SPACE}µm⁻²", significant(m.m4 * 1e-12, 3)),
+            &ends(2),
+        ),
+    ];
+    if let Some(bandwidth) = s.bandwidth {
+        rows.push(row("Bandwidth <i>α</i>", &significant(bandwidth, 3), "m₀ m₄ / m₂²"));
+    }
+    if let Some(a) = s.asperities {
+        rows.push(row(
+            "Summits",
+            &format!("{}{SPACE}mm⁻²", significant(a.density * 1e-6, 3)),
+            &format!(
+                "radius {}, height deviation {}, of the isotropic Gaussian surface",
+                quantity(a.radius, METRES, 3),
+                quantity(a.height_std, METRES, 3)
+            ),
+        ));
+    }
+    if let (Some(hurst), Some([short, long])) = (s.hurst, s.fractal_range) {
+        rows.push(row(
+            "Hurst exponent",
+            &significant(hurst, 2),
+            &format!(
+                "PSD between {} and {}",
+                quantity(long, METRES, 2),
+                quantity(short, METRES, 2)
+            ),
+        ));
+    }
+    if let Some(rolloff) = s.rolloff {
+        rows.push(row("Roll-off", &quantity(rolloff, METRES, 2), "longer waves have a flat PSD"));
+    }
+    if let Some(rms) = s.noise_rms {
+        let why = s.reliable_wavelength.map_or("nothing stands out of it".into(), |l| {
+            format!("waves longer than {} stand out of it", quantity(l, METRES, 2))
+        });
+        rows.push(row("Noise", &quantity(rms, METRES, 2), &why));
+    }
+    format!(
+        "<table class=\"key\"><caption>Moments of the {}, finite differences</caption><tbody>\n{}\
+         </tbody></table>\n",
+        if s.traces == 1 { "trace" } else { "traces (mean)" },
+        rows.concat()
+    )
+}
+
+/// A parameter of ISO 21920-2 in its usual unit.
+fn shown(symbol: &str, value: Option<f64>) -> String {
+    let Some(value) = value else { return "–".into() };
+    match &symbol[1..] {
+        "sk" | "ku" | "dq" => significant(value, 3).replace('-', "\u{2212}"),
+        "mr1" | "mr2" => percent(value),
+        _ => quantity(value, METRES, 3),
+    }
+}
+
+/// What each symbol means.
+fn meaning(symbol: &str) -> &'static str {
+    match &symbol[1..] {
+        "a" => "mean absolute height",
+        "q" => "rms height",
+        "z" => "highest less lowest, mean of the sections",
+        "p" => "highest peak, mean of the sections",
+        "v" => "deepest pit, mean of the sections",
+        "t" => "highest less lowest of the whole evaluation length",
+        "sk" => "skewness",
+        "ku" => "kurtosis",
+        "dq" => "rms slope, seven-point differences",
+        "Sm" => "mean width of the profile elements",
+        "k" => "core height",
+        "pk" => "reduced peak height",
+        "vk" => "reduced valley depth",
+        "mr1" => "material ratio at the top of the core",
+        "mr2" => "material ratio at the bottom of the core",
+        _ => "",
+    }
+}
+
+/// Which waves are roughness and how long a part was evaluated: plain text.
+pub fn setting_words(s: &ProfileStatistics) -> String {
+    let all = match &s.roughness {
+        Ok(all) => all,
+        Err(error) => return format!("No roughness parameters: {error}."),
+    };
+    let (setting, sections) = (all[0].setting, all[0].sections);
+    let why = match setting.source {
+        SettingSource::Asked => "as asked for".to_owned(),
+        SettingSource::Class(n) => format!("setting class Sc{n} of ISO 21920-3, by Ra"),
+        SettingSource::Longest(n) => {
+            format!("setting class Sc{n} of ISO 21920-3, the coarsest that the length allows")
+        }
+    };
+    let short = setting
+        .short
+        .map_or_else(|| "no λs".to_owned(), |short| format!("λs = {}", chosen(short, METRES)));
+    let number = if sections == 1 { "section length" } else { "section lengths" };
+    let five = if sections < 5 { " (five are usual)" } else { "" };
+    format!(
+        "Gaussian filter (ISO 16610-21): λc = {}, {short}; {why}. {sections} {number}{five} evaluated; \
+         half a cut-off is left out at both ends, where the filter sees one side only.",
+        chosen(setting.cutoff, METRES)
+    )
+}
+
+/// R and P parameters beside each other.
+pub(crate) fn roughness(study: &ProfileComparison) -> String {
+    let s = &study.statistics;
+    let primary = s.primary_mean();
+    let rough = s.roughness_mean();
+    let several = s.traces > 1;
+    let deviation = |symbol: &str, value: Option<f64>| {
+        if several {
+            format!("<td class=\"n\">{}</td>", shown(symbol, value))
+        } else {
+            String::new()
+        }
+    };
+    let rows: String = primary
+        .iter()
+        .enumerate()
+        .map(|(k, whole)| {
+            let symbol = whole.symbol.as_str();
+            let rough = rough.as_ref().map(|all| &all[k]);
+            format!(
+                "<tr><th scope=\"row\">R{0}, P{0}</th><td class=\"n\">{1}</td>{2}\
+                 <td class=\"n\">{3}</td>{4}<td class=\"why\">{5}</td></tr>\n",
+                &symbol[1..],
+                shown(symbol, rough.and_then(|r| r.mean)),
+                deviation(symbol, rough.and_then(|r| r.deviation)),
+                shown(symbol, whole.mean),
+                deviation(symbol, whole.deviation),
+                meaning(symbol)
+            )
+        })
+        .collect();
+    let head = if several { "<th scope=\"col\" class=\"n\">s</th>" } else { "" };
+    format!(
+        "<p>{}</p>\n<table class=\"stat\"><thead><tr><th scope=\"col\">ISO 21920-2</th>\
+         <th scope=\"col\" class=\"n\">Roughness R</th>{head}<th scope=\"col\" class=\"n\">Whole trace \
+         P</th>{head}<th scope=\"col\"></th></tr></thead><tbody>\n{rows}</tbody></table>\n",
+        crate::draw::svg::escape(&setting_words(s))
+    )
+}
+
+/// m2 and m4 over longer distances.
+pub(crate) fn sampling(study: &ProfileComparison) -> String {
+    let s = &study.statistics;
+    let Some(first) = s.by_spacing.first() else { return String::new() };
+    let ratio = |value: f64, of: f64| if of > 0.0 { percent(value / of) } else { "–".into() };
+    let rows: String = s
+        .by_spacing
+        .iter()
+        .take(8)
+        .map(|p| {
+            format!(
+                "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+                quantity(p.spacing, METRES, 3),
+                ratio(p.moments.m2, first.moments.m2),
+                ratio(p.moments.m4, first.moments.m4)
+            )
+        })
+        .collect();
+    let seen = s.seen.map_or(String::new(), |[m2, m4]| {
+        format!(
+            "Differences of neighbouring points see {} of m₂ and {} of m₄ of the waves in the trace. ",
+            percent(m2),
+            percent(m4)
+        )
+    });
+    format!(
+        "<p>{seen}A stylus smooths what is narrower than its tip, which no number here can undo.</p>\n\
+         <table class=\"stat\"><caption>Differences over longer distances, against those of \
+         neighbours</caption><thead><tr><th scope=\"col\">Distance</th><th scope=\"col\" \
+         class=\"n\"><i>m</i><sub>2</sub></th><th scope=\"col\" class=\"n\"><i>m</i><sub>4</sub></th>\
+         </tr></thead><tbody>\n{rows}</tbody></table>\n"
+    )
+}

@@ -1,0 +1,158 @@
+//! Profiles as JSON: SI units, absent numbers `null`.
+
+use crate::json::{cleaning, findings};
+use crate::provenance::Provenance;
+use crate::words::reason_of;
+use compare::{ProfileComparison, ProfileModel, Unevenness};
+use contact_types::SpectralMoments;
+use serde_json::{Value, json};
+use surface_stats::profile::{ParameterMean, ProfileStatistics, Setting, SettingSource};
+
+fn moments(m: &SpectralMoments) -> Value {
+    json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })
+}
+
+/// Mean and standard deviation of every parameter by its symbol.
+fn parameters(all: &[ParameterMean]) -> Value {
+    let one = |p: &ParameterMean| {
+        (p.symbol.clone(), json!({ "mean": p.mean, "standard_deviation": p.deviation }))
+    };
+    Value::Object(all.iter().map(one).collect())
+}
+
+fn setting(s: &Setting) -> Value {
+    let source = match s.source {
+        SettingSource::Asked => "asked".to_owned(),
+        SettingSource::Class(number) => format!("Sc{number}"),
+        SettingSource::Longest(number) => format!("Sc{number}, the coarsest that fits"),
+    };
+    json!({
+        "cutoff": s.cutoff, "short": s.short, "short_unresolved": s.short_unresolved,
+        "source": source,
+    })
+}
+
+/// How uneven the points were.
+pub fn unevenness(uneven: Option<Unevenness>) -> Value {
+    uneven.map_or(Value::Null, |u| {
+        json!({ "shortest_step": u.steps[0], "longest_step": u.steps[1], "spacing": u.spacing })
+    })
+}
+
+/// Statistics of profiles, with the keys of `stats --json` for a profile.
+pub fn profile_statistics(s: &ProfileStatistics) -> Value {
+    let warnings: Vec<Value> =
+        s.warnings.iter().map(|w| json!({ "kind": w.kind(), "message": w.to_string() })).collect();
+    let roughness = match (&s.roughness, s.roughness_mean()) {
+        (Ok(all), Some(mean)) => json!({
+            "setting": setting(&all[0].setting),
+            "sections": all[0].sections,
+            "evaluated": all[0].evaluated,
+            "parameters": parameters(&mean),
+        }),
+        _ => Value::Null,
+    };
+    json!({
+        "profile": true,
+        "traces": s.traces,
+        "points": s.points,
+        "spacing": s.spacing,
+        "length": s.length,
+        "polynomial_degree": s.options.degree,
+        "s_filter": s.options.short,
+        "l_filter": s.options.cutoff,
+        "roughness": roughness,
+        "no_roughness_because": s.roughness.as_ref().err().map(ToString::to_string),
+        "primary": parameters(&s.primary_mean()),
+        "m0": s.moments.m0,
+        "m2": s.moments.m2,
+        "m4": s.moments.m4,
+        "m0_interval": s.interval(0),
+        "m2_interval": s.interval(1),
+        "m4_interval": s.interval(2),
+        "each": s.each.iter().map(moments).collect::<Vec<_>>(),
+        "between_traces": s.scatter.between,
+        "spectral": moments(&s.spectral),
+        "seen": s.seen,
+        "by_spacing": s.by_spacing.iter().map(|p| json!({
+            "spacing": p.spacing, "m2": p.moments.m2, "m4": p.moments.m4,
+        })).collect::<Vec<_>>(),
+        "skewness": s.skewness,
+        "kurtosis": s.kurtosis,
+        "rms_gradient": s.moments.rms_gradient(),
+        "bandwidth": s.bandwidth,
+        "asperities": s.asperities.map(|a| json!({
+            "density": a.density, "radius": a.radius,
+            "height_std": a.height_std, "mean_offset": a.mean_offset,
+        })),
+        "hurst": s.hurst,
+        "dimension": s.hurst.map(|h| 2.0 - h),
+        "fractal_roughness": s.fractal.map(|f| f.roughness),
+        "fractal_range": s.fractal_range,
+        "rolloff": s.rolloff,
+        "cutoff": s.cutoff,
+        "height_step": s.height_step,
+        "noise_rms": s.noise_rms,
+        "reliable_wavelength": s.reliable_wavelength,
+        "warnings": warnings,
+    })
+}
+
+fn model(m: &ProfileModel, pressures: &[f64]) -> Value {
+    let c = &m.card.citation;
+    let points: Vec<Value> = m.outcome.as_ref().map_or_else(
+        |_| Vec::new(),
+        |curve| {
+            let rows = pressures.iter().zip(&curve.points).zip(&m.intervals);
+            rows.map(|((p, point), interval)| match point {
+                Ok(s) => json!({
+                    "mean_pressure": p, "area_fraction": s.area_fraction,
+                    "area_interval": interval, "real_pressure": s.real_pressure(),
+                    "separation": s.separation, "mean_gap": s.mean_gap,
+                    "caveat": s.caveat.as_ref().map(ToString::to_string), "error": null,
+                }),
+                Err(e) => json!({
+                    "mean_pressure": p, "area_fraction": null,
+                    "error": { "message": e.to_string() },
+                }),
+            })
+            .collect()
+        },
+    );
+    json!({
+        "model": m.card.name,
+        "citation": {
+            "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal,
+            "doi": c.doi,
+        },
+        "applicable": m.outcome.is_ok(),
+        "verdict": m.verdict.answer.word(),
+        "reason": reason_of(&m.card, &m.verdict),
+        "points": points,
+    })
+}
+
+/// A study of profiles as one object.
+pub fn profile_comparison(studies: &[ProfileComparison], provenance: &Provenance) -> Value {
+    let one = |s: &ProfileComparison| {
+        json!({
+            "name": s.name,
+            "origin": s.origin,
+            "uneven": unevenness(s.uneven),
+            "cleaning": cleaning(s.origin.cleaned()),
+            "findings": findings(&s.findings()),
+            "statistics": profile_statistics(&s.statistics),
+            "headline_pressure": s.headline_pressure(),
+            "span": s.span(s.headline).map(|(span, models)| {
+                json!({ "area_fraction": span, "models": models })
+            }),
+            "models": s.models.iter().map(|m| model(m, &s.pressures)).collect::<Vec<_>>(),
+        })
+    };
+    json!({
+        "profiles": studies.iter().map(one).collect::<Vec<_>>(),
+        "settings": studies.first().map(|s| &s.settings),
+        "versions": { "rough-contact": provenance.version, "platform": provenance.platform },
+        "seconds": studies.iter().map(|s| s.seconds).sum::<f64>(),
+    })
+}

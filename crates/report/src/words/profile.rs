@@ -1,0 +1,152 @@
+//! What is said of profiles.
+
+use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
+use compare::{ProfileComparison, ProfileFact, Unevenness};
+
+/// Claim and text of a fact about profiles.
+pub(crate) fn fact(fact: &ProfileFact) -> (String, String) {
+    match fact {
+        ProfileFact::OneDirection => (
+            "The surface is taken to be isotropic.".into(),
+            "A trace has one direction: on a surface with a lay its moments are those along the \
+             trace, and every model here is wrong by as much as the other direction differs. Measure \
+             a second trace across the first, or a map."
+                .into(),
+        ),
+        ProfileFact::Sample { traces, length, factors, between } => {
+            sample(*traces, *length, *factors, *between)
+        }
+        ProfileFact::Uneven(uneven) => unevenly(*uneven),
+        ProfileFact::NoRoughness(error) => (
+            "There are no roughness parameters.".into(),
+            format!("{}. Moments and models are of all waves of the trace.", capital(&error.to_string())),
+        ),
+        ProfileFact::CoarserClass { cutoff, ra, length } => (
+            format!(
+                "Ra = {} asks for a longer cut-off than {}.",
+                quantity(*ra, METRES, 3),
+                chosen(*cutoff, METRES)
+            ),
+            format!(
+                "ISO 21920-3 measures such a surface over more than the {} that were traced: the \
+                 roughness parameters are those of a part of its waves.",
+                quantity(*length, METRES, 3)
+            ),
+        ),
+        ProfileFact::NoShort { short, spacing } => (
+            format!("λs = {} was not applied.", chosen(*short, METRES)),
+            format!(
+                "ISO 21920-3 asks for points five times closer than that; these are {} apart.",
+                quantity(*spacing, METRES, 3)
+            ),
+        ),
+        ProfileFact::NoRolloff { length } => (
+            "No roll-off within the trace.".into(),
+            format!(
+                "Waves longer than {} are not sampled: m₀ and everything made of it grow with the \
+                 length of the trace, beyond what the ± says. m₂ and m₄ hardly do.",
+                quantity(*length, METRES, 3)
+            ),
+        ),
+    }
+}
+
+fn sample(
+    traces: usize,
+    length: f64,
+    factors: [Option<f64>; 3],
+    between: Option<[f64; 3]>,
+) -> (String, String) {
+    let what = match traces {
+        1 => format!("One trace of {}", quantity(length, METRES, 3)),
+        n => format!("{n} traces of {}", quantity(length, METRES, 3)),
+    };
+    let names = ["m₀", "m₂", "m₄"];
+    let known: Vec<String> = names
+        .iter()
+        .zip(factors)
+        .map(|(name, factor)| format!("{name} {}", spread(factor)))
+        .collect();
+    let claim = format!("{what}: {}.", known.join(", "));
+    let mut text = String::from(
+        "So far would the moments of other traces of the same surface and length scatter (95 %). \
+         Waves longer than the trace are not in it.",
+    );
+    if let Some(between) = between {
+        let each: Vec<String> =
+            names.iter().zip(between).map(|(name, s)| format!("{name} {}", percent(s))).collect();
+        text = format!("{text} Standard deviation from trace to trace: {}.", each.join(", "));
+    }
+    (claim, text)
+}
+
+/// "±12 %", "within a factor of 1.8", "not known".
+pub(crate) fn spread(factor: Option<f64>) -> String {
+    match factor {
+        Some(factor) if factor < 1.3 => {
+            format!("±{}{SPACE}%", significant(100.0 * (factor - 1.0), 2))
+        }
+        Some(factor) if factor < 100.0 => format!("within a factor of {}", significant(factor, 2)),
+        _ => "not known".into(),
+    }
+}
+
+fn unevenly(uneven: Unevenness) -> (String, String) {
+    let [short, long] = uneven.steps;
+    (
+        format!(
+            "The points are not evenly spaced: {} to {} apart.",
+            quantity(short, METRES, 3),
+            quantity(long, METRES, 3)
+        ),
+        format!(
+            "They were put {} apart on the straight lines between neighbours, as many over the same \
+             length; slopes and curvatures of waves shorter than a few of the longest steps are lost.",
+            quantity(uneven.spacing, METRES, 3)
+        ),
+    )
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().collect::<String>() + letters.as_str()
+    })
+}
+
+/// "1.8", "0.62 to 0.91" as percentages.
+pub(crate) fn area_range([low, high]: [f64; 2]) -> String {
+    let [a, b] = [low, high].map(|x| significant(100.0 * x, 2));
+    if a == b { format!("{a}{SPACE}%") } else { format!("{a} to {b}{SPACE}%") }
+}
+
+/// What the models say together, in a sentence: plain text.
+pub fn profile_headline(study: &ProfileComparison) -> String {
+    let p = chosen(study.headline_pressure(), PASCALS);
+    match study.span(study.headline) {
+        Some((span, count)) => format!(
+            "At {p}, {} of the surface touches, if it is isotropic: the span of {count} models with \
+             what the length of the {} leaves open.",
+            area_range(span),
+            if study.statistics.traces == 1 { "trace" } else { "traces" }
+        ),
+        None => format!(
+            "At {p} no model that follows from the moments has an interval: these traces hold too few \
+             waves, or the theories refuse them."
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spreads_are_percentages_until_they_are_factors() {
+        let plain = |f| spread(f).replace(SPACE, " ");
+        assert_eq!(plain(Some(1.084)), "±8.4 %");
+        assert_eq!(plain(Some(1.8)), "within a factor of 1.8");
+        assert_eq!(plain(None), "not known");
+        assert_eq!(area_range([0.0123, 0.0171]).replace(SPACE, " "), "1.2 to 1.7 %");
+    }
+}

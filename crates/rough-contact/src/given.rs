@@ -1,0 +1,212 @@
+//! What a study is given: files, read and named, or the surfaces of a run file.
+
+use crate::compare_profiles;
+use crate::input::{Complete, Fill, Measured, Reading};
+use crate::outcome::Failure;
+use compare::{
+    Cleaning, FileOrigin, Origin, ProfileSurface, RunFile, RunSurface, Settings, Surface,
+    sha256_hex,
+};
+use std::path::Path;
+use surface_io::Layout;
+
+/// What the files hold.
+pub(crate) enum Given {
+    Maps(Vec<Surface>),
+    Profiles(Vec<ProfileSurface>),
+}
+
+/// What one file holds.
+pub(crate) enum One {
+    Map(Box<Surface>),
+    Profile(Box<ProfileSurface>),
+}
+
+impl Given {
+    /// Maps or profiles; the two make different reports.
+    pub(crate) fn of(all: Vec<One>) -> Result<Self, Failure> {
+        let (mut maps, mut profiles) = (Vec::new(), Vec::new());
+        for one in all {
+            match one {
+                One::Map(map) => maps.push(*map),
+                One::Profile(profile) => profiles.push(*profile),
+            }
+        }
+        match (maps.first(), profiles.first()) {
+            (Some(map), Some(profile)) => {
+                let message = format!(
+                    "{} is a map and {} a profile: a map is solved, a profile is not; compare them in \
+                     two runs",
+                    map.name, profile.name
+                );
+                Err(Failure::refused("profile", message))
+            }
+            (None, Some(_)) => Ok(Self::Profiles(profiles)),
+            _ => Ok(Self::Maps(maps)),
+        }
+    }
+
+    /// Gives the surfaces names that tell them apart.
+    pub(crate) fn distinct(&mut self) {
+        match self {
+            Self::Maps(all) => distinct(all.iter_mut().map(|s| (&mut s.name, &s.origin)).collect()),
+            Self::Profiles(all) => {
+                distinct(all.iter_mut().map(|s| (&mut s.name, &s.origin)).collect());
+            }
+        }
+    }
+}
+
+pub(crate) fn from_file(
+    path: &Path,
+    reading: &Reading,
+    cleaning: Cleaning,
+) -> Result<One, Failure> {
+    let Complete { map, missing, cleaned, height_step, format } =
+        match reading.measured(path, cleaning)? {
+            Measured::Surface(complete) => complete,
+            Measured::Profile(traces) => {
+                let profile = compare_profiles::from_traces(reading, path, traces)?;
+                return Ok(One::Profile(Box::new(profile)));
+            }
+        };
+    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
+    let origin = FileOrigin {
+        path: path.display().to_string(),
+        sha256: sha256_hex(&bytes),
+        format,
+        channel: reading.channel.clone(),
+        pixel: reading.pixel,
+        lateral_unit: reading.lateral_unit,
+        height_unit: reading.height_unit,
+        override_height_unit: reading.override_height_unit,
+        layout: reading.layout.map(|layout| layout.name().to_owned()),
+        crop: reading.crop,
+        fill: reading.fill.name().to_owned(),
+        missing,
+        cleaning,
+        cleaned,
+        height_step,
+    };
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    Ok(One::Map(Box::new(Surface { name, origin: Origin::File(origin), heights: map })))
+}
+
+pub(crate) fn from_recipe(recipe: &compare::Recipe) -> Result<Surface, Failure> {
+    recipe.make().map_err(|e| Failure::from_error(&e))
+}
+
+/// Settings and surfaces of a run file. A file whose content has changed is refused.
+pub(crate) fn repeat(path: &Path) -> Result<(Settings, Given), Failure> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|e| Failure::refused("io", format!("{}: {e}", path.display())))?;
+    let run = RunFile::parse(&text).map_err(|e| Failure::in_file(path, &e))?;
+    let mut surfaces = Vec::new();
+    for RunSurface { name, origin } in run.surfaces {
+        let surface = match origin {
+            Origin::Recipe(recipe) => One::Map(Box::new(from_recipe(&recipe)?)),
+            Origin::Given(_) => {
+                let error = compare::RunFileError::Given { name };
+                return Err(Failure::from_error(&error));
+            }
+            Origin::File(file) => again(path, &file)?,
+        };
+        surfaces.push(match surface {
+            One::Map(map) => One::Map(Box::new(Surface { name, ..*map })),
+            One::Profile(profile) => One::Profile(Box::new(ProfileSurface { name, ..*profile })),
+        });
+    }
+    Ok((run.settings, Given::of(surfaces)?))
+}
+
+fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
+    let fill = Fill::of_name(&file.fill).ok_or_else(|| {
+        let message = format!(
+            "{}: fill = \"{}\" is none of refuse, harmonic, nearest",
+            run_file.display(),
+            file.fill
+        );
+        Failure::refused("syntax", message)
+    })?;
+    let layout = match &file.layout {
+        None => None,
+        Some(name) => Some(Layout::of_name(name).ok_or_else(|| {
+            let message = format!(
+                "{}: layout = \"{name}\" is none of matrix, list, traces",
+                run_file.display()
+            );
+            Failure::refused("syntax", message)
+        })?),
+    };
+    let reading = Reading {
+        channel: file.channel.clone(),
+        pixel: file.pixel,
+        lateral_unit: file.lateral_unit,
+        height_unit: file.height_unit,
+        override_height_unit: file.override_height_unit,
+        layout,
+        fill,
+        crop: file.crop,
+    };
+    let path = Path::new(&file.path);
+    let surface = from_file(path, &reading, file.cleaning)?;
+    let origin = match &surface {
+        One::Map(map) => &map.origin,
+        One::Profile(profile) => &profile.origin,
+    };
+    match origin {
+        Origin::File(now) if now.sha256 != file.sha256 => {
+            let message = format!(
+                "{} has changed since {} was written (SHA-256 {} instead of {}); compare it anew \
+                 without --from",
+                path.display(),
+                run_file.display(),
+                now.sha256,
+                file.sha256
+            );
+            Err(Failure::refused("changed_file", message))
+        }
+        _ => Ok(surface),
+    }
+}
+
+/// Names that tell the surfaces apart: of files with the same name, the whole path; the same file
+/// twice is numbered.
+fn distinct(surfaces: Vec<(&mut String, &Origin)>) {
+    let names: Vec<String> = surfaces.iter().map(|(name, _)| (*name).clone()).collect();
+    let mut given: Vec<String> = Vec::with_capacity(names.len());
+    for (name, origin) in surfaces {
+        if let Origin::File(file) = origin
+            && names.iter().filter(|n| *n == name).count() > 1
+        {
+            name.clone_from(&file.path);
+        }
+        let before = given.iter().filter(|n| **n == *name).count();
+        given.push(name.clone());
+        if before > 0 {
+            *name = format!("{name} ({})", before + 1);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_of_the_same_name_are_told_apart() {
+        let grid = contact_types::Grid::new([2, 2], [1e-6; 2]).expect("a grid");
+        let heights = contact_types::HeightMap::new(grid, vec![0.0; 4]).expect("a map");
+        let surface = |path: &str, name: &str| Surface {
+            name: name.to_owned(),
+            origin: Origin::File(FileOrigin { path: path.to_owned(), ..FileOrigin::default() }),
+            heights: heights.clone(),
+        };
+        let mut list =
+            [("a/s.stp", "s.stp"), ("b/s.stp", "s.stp"), ("t.stp", "t.stp"), ("a/s.stp", "s.stp")]
+                .map(|(path, name)| surface(path, name));
+        distinct(list.iter_mut().map(|s| (&mut s.name, &s.origin)).collect());
+        let names = list.map(|s| s.name);
+        assert_eq!(names, ["a/s.stp", "b/s.stp", "t.stp", "a/s.stp (2)"]);
+    }
+}

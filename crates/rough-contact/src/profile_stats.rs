@@ -1,0 +1,152 @@
+//! `rough-contact stats` of a profile.
+
+use crate::outcome::{Failure, Reply};
+use crate::profiles::{Traces, uneven_line};
+use crate::text::{self, Columns, Table};
+use std::fmt::Write as _;
+use std::path::Path;
+use surface_stats::profile::{ProfileOptions, ProfileStatistics};
+
+/// Degree of the polynomial that levels a profile.
+pub(crate) fn options(traces: &Traces, degree: usize) -> ProfileOptions {
+    ProfileOptions::default()
+        .with_degree(degree)
+        .with_short(traces.cleaning.s_filter)
+        .with_cutoff(traces.cleaning.l_filter)
+        .with_height_step(traces.height_step)
+}
+
+pub(crate) fn run(path: &Path, traces: &Traces, degree: usize) -> Result<Reply, Failure> {
+    let s = ProfileStatistics::of(&traces.each, &options(traces, degree))
+        .map_err(|e| Failure::in_file(path, &e))?;
+    let mut json = report::profile_statistics_json(&s);
+    json["missing"] = serde_json::json!(traces.missing);
+    json["uneven"] = report::unevenness_json(traces.uneven);
+    json["cleaning"] = report::cleaning_json(&traces.cleaned);
+    let mut text = text::cleaning(&traces.cleaned);
+    text.push_str(&uneven_line(traces.uneven));
+    text.push_str(&describe(&s, traces.missing));
+    Ok(Reply::new(text, json))
+}
+
+fn describe(s: &ProfileStatistics, missing: usize) -> String {
+    let absent = || "–".to_owned();
+    let number = |x: Option<f64>| x.map_or_else(absent, text::number);
+    let length = |x: Option<f64>| x.map_or_else(absent, text::length);
+    let mut t = Table::default();
+    let traces = if s.traces == 1 { "one trace".into() } else { format!("{} traces", s.traces) };
+    t.row("profile", format!("{traces} of {} points, {missing} filled in", s.points));
+    t.row("spacing, length", format!("{}, {}", text::length(s.spacing), text::length(s.length)));
+    t.row(
+        "form taken off",
+        match s.options.degree {
+            0 => "mean".to_owned(),
+            1 => "line".to_owned(),
+            n => format!("polynomial of degree {n}"),
+        },
+    );
+    let mut out = t.to_string();
+    // A String takes everything.
+    let _ = writeln!(out, "\nISO 21920-2. {}", plain(&report::setting_words(s)));
+    out.push_str(&parameters(s));
+    let mut t = Table::default();
+    let between = |k: usize, value: String| match s.interval(k) {
+        Some([low, high]) => format!("{value}, 95 % {low:.2e} to {high:.2e}"),
+        None => format!("{value}, interval not known: too few waves"),
+    };
+    let m = s.moments;
+    t.row("m0", between(0, format!("{:.4e} m²", m.m0)));
+    t.row("m2", between(1, format!("{:.4e}", m.m2)));
+    t.row("m4", between(2, format!("{:.4e} m⁻²", m.m4)));
+    let spectral = s.spectral;
+    t.row(
+        "m0, m2, m4 spectral",
+        format!("{:.4e} m², {:.4e}, {:.4e} m⁻²", spectral.m0, spectral.m2, spectral.m4),
+    );
+    if let Some([m2, m4]) = s.seen {
+        let seen = format!("{} of m2, {} of m4", text::percent(m2), text::percent(m4));
+        t.row("seen by differences", seen);
+    }
+    t.row("if isotropic: rms gradient", text::number(m.rms_gradient()));
+    t.row("bandwidth m0 m4/m2²", number(s.bandwidth));
+    if let Some(a) = s.asperities {
+        t.row("asperity density", format!("{:.4e} m⁻²", a.density));
+        t.row("asperity radius", text::length(a.radius));
+        t.row("asperity height std", text::length(a.height_std));
+    }
+    t.row(
+        "Hurst exponent H",
+        match (s.hurst, s.fractal_range) {
+            (Some(h), Some([short, long])) => {
+                format!("{}, {} to {}", text::number(h), text::length(long), text::length(short))
+            }
+            _ => absent(),
+        },
+    );
+    t.row("roll-off, cut-off", format!("{}, {}", length(s.rolloff), length(s.cutoff)));
+    let _ = write!(out, "\nMoments of {}, finite differences\n{t}", filtered(s));
+    if s.by_spacing.len() > 1 {
+        let mut columns = Columns::new(&["differences over", "m2", "m4"]);
+        for p in s.by_spacing.iter().take(6) {
+            let cells = [
+                text::length(p.spacing),
+                format!("{:.3e}", p.moments.m2),
+                format!("{:.3e} m⁻²", p.moments.m4),
+            ];
+            columns.row(cells);
+        }
+        let _ = write!(out, "\n{columns}");
+    }
+    for warning in &s.warnings {
+        let _ = writeln!(out, "warning: {warning}");
+    }
+    out
+}
+
+/// Which waves the moments are of.
+fn filtered(s: &ProfileStatistics) -> String {
+    match (s.options.short, s.options.cutoff) {
+        (None, None) => "all waves".to_owned(),
+        (Some(short), None) => format!("the waves longer than {}", text::length(short)),
+        (None, Some(cutoff)) => format!("the waves shorter than {}", text::length(cutoff)),
+        (Some(short), Some(cutoff)) => {
+            format!("the waves between {} and {}", text::length(short), text::length(cutoff))
+        }
+    }
+}
+
+/// Roughness beside the whole trace.
+fn parameters(s: &ProfileStatistics) -> String {
+    let shown = |symbol: &str, value: Option<f64>| match (value, &symbol[1..]) {
+        (None, _) => "–".to_owned(),
+        (Some(value), "sk" | "ku" | "dq") => text::number(value),
+        (Some(value), "mr1" | "mr2") => text::percent(value),
+        (Some(value), _) => text::length(value),
+    };
+    let rough = s.roughness_mean();
+    let several = s.traces > 1;
+    let mut columns = if several {
+        Columns::new(&["", "roughness R", "s", "whole trace P", "s"])
+    } else {
+        Columns::new(&["", "roughness R", "whole trace P"])
+    };
+    for (k, whole) in s.primary_mean().into_iter().enumerate() {
+        let symbol = whole.symbol.as_str();
+        let rough = rough.as_ref().map(|all| &all[k]);
+        let mut cells = vec![symbol[1..].to_owned(), shown(symbol, rough.and_then(|r| r.mean))];
+        if several {
+            cells.push(shown(symbol, rough.and_then(|r| r.deviation)));
+        }
+        cells.push(shown(symbol, whole.mean));
+        if several {
+            cells.push(shown(symbol, whole.deviation));
+        }
+        columns.row(cells);
+    }
+    columns.to_string()
+}
+
+/// With the spaces of a terminal.
+pub(crate) fn plain(text: &str) -> String {
+    text.replace(report::numbers::SPACE, " ")
+}

@@ -1,0 +1,32 @@
+//! Profiles: what one trace of a stylus says of a surface.
+//!
+//! [`ProfileStatistics::of`] answers most questions in one call: moments with the interval that
+//! the length of the traces leaves, what the spacing of the points hides, PSD and scaling, and
+//! the parameters of ISO 21920-2 at a named setting. Definitions and choices are in the book,
+//! chapter "Profiles".
+//!
+//! A profile holds one direction. Its moments are those of the surface in the sense of
+//! [`SpectralMoments`](crate::SpectralMoments) (Nayak 1971) if the surface is isotropic, and only
+//! then: no trace can show whether it is.
+
+mod choose;
+mod elements;
+mod moments;
+mod parameters;
+mod roughness;
+mod scatter;
+mod setting;
+mod spectrum;
+mod statistics;
+mod trace;
+
+pub use choose::choose_setting;
+pub use elements::{Elements, elements};
+pub use moments::{AtSpacing, moments, moments_by_spacing};
+pub use parameters::ProfileParameters;
+pub use roughness::{Roughness, roughness, roughness_profile};
+pub use scatter::{MomentScatter, students_t};
+pub use setting::{SETTING_CLASSES, Setting, SettingClass, SettingSource};
+pub use spectrum::TraceSpectrum;
+pub use statistics::{ParameterMean, ProfileOptions, ProfileStatistics};
+pub use trace::{LEAST_POINTS, Trace};

@@ -1,0 +1,80 @@
+//! Moments of a trace by finite differences, and how they depend on the spacing.
+
+use super::Trace;
+use crate::sampling::differences;
+use crate::{Edges, HeightStatistics};
+use contact_types::SpectralMoments;
+
+/// m0, m2, m4 of a trace by finite differences of neighbouring points:
+///
+/// ```math
+/// m_0 = \langle z^2 \rangle, \qquad
+/// m_2 = \Big\langle \Big(\frac{z_{i+1}-z_i}{\Delta}\Big)^2 \Big\rangle, \qquad
+/// m_4 = \Big\langle \Big(\frac{z_{i+1}-2z_i+z_{i-1}}{\Delta^2}\Big)^2 \Big\rangle
+/// ```
+///
+/// the same stencils as those of a row of a map. They are the moments of the surface, in the
+/// sense of Nayak (1971), if it is isotropic: there `m2 = <|grad h|²>/2` and
+/// `m4 = 3 <(laplace h)²>/8` are the mean squares of slope and second derivative along any line.
+/// The trace must be levelled.
+pub fn moments(trace: &Trace) -> SpectralMoments {
+    at(trace, 1)
+}
+
+/// Moments of a trace as if its points stood further apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AtSpacing {
+    /// Every how many points the differences are taken.
+    pub every: usize,
+    /// Over this distance (m).
+    pub spacing: f64,
+    /// m0 of the trace; m2 and m4 by differences over this distance.
+    pub moments: SpectralMoments,
+}
+
+/// m2 and m4 by differences over 1, 2, 4, 8, ... points, as long as sixteen of them fit.
+pub fn moments_by_spacing(trace: &Trace) -> Vec<AtSpacing> {
+    let doubled = std::iter::successors(Some(1_usize), |every| every.checked_mul(2));
+    doubled
+        .take_while(|every| *every == 1 || 16 * every <= trace.len())
+        .map(|every| AtSpacing {
+            every,
+            spacing: every as f64 * trace.spacing(),
+            moments: at(trace, every),
+        })
+        .collect()
+}
+
+fn at(trace: &Trace, every: usize) -> SpectralMoments {
+    let distance = every as f64 * trace.spacing();
+    let [slope, curvature] = differences(trace.as_map(), Edges::Open, every, [0, 1]);
+    let square = distance * distance;
+    SpectralMoments {
+        m0: HeightStatistics::of(trace.as_map()).rms_height.powi(2),
+        m2: slope / square,
+        m4: curvature / square / square,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use std::f64::consts::TAU;
+
+    /// A wave over whole periods: A²/2 times the transfer functions [2 sin(q n Δ/2)/(n Δ)]² and
+    /// its square; the ends take a part of 1/n.
+    #[test]
+    fn a_wave_at_every_spacing() {
+        let (a, n, periods) = (2e-7, 20_000, 400.0);
+        let q = TAU * periods / (f64::from(n) * 1e-6);
+        let trace = Trace::new(1e-6, (0..n).map(|i| a * (q * f64::from(i) * 1e-6).cos()).collect())
+            .unwrap();
+        for p in moments_by_spacing(&trace).iter().take(6) {
+            let factor = (2.0 * (0.5 * q * p.spacing).sin() / p.spacing).powi(2);
+            assert_relative_eq!(p.moments.m0, 0.5 * a * a, max_relative = 1e-9);
+            assert_relative_eq!(p.moments.m2, 0.5 * a * a * factor, max_relative = 5e-3);
+            assert_relative_eq!(p.moments.m4, 0.5 * a * a * factor * factor, max_relative = 5e-3);
+        }
+    }
+}

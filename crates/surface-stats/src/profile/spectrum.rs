@@ -1,0 +1,252 @@
+//! Spectrum of traces: PSD, moments by waves, noise, scales, amplitudes.
+
+use super::Trace;
+use crate::StatsError;
+use crate::fractal::{self, PowerLaw};
+use crate::spectrum::{Axis, ProfileBin, Ring, Window, psd_1d};
+use contact_types::{AmplitudeSpectrum, SpectralMoments, Wave};
+use std::f64::consts::{PI, TAU};
+
+/// Half the width of the running mean over frequencies, as a factor: a third of an octave in all.
+const SMOOTHING: f64 = 1.122_462_048_309_373; // 2^(1/6)
+
+/// A one-sided PSD falls as f^-(1 + 2H); flatter than this in the last octave is noise.
+const FLAT_SLOPE: f64 = -0.5;
+
+/// Waves belong to the surface where the smoothed PSD is this many times the floor.
+const SIGNAL: f64 = 3.0;
+
+/// Fewest bins of the last octave of which a noise floor is read.
+const FLOOR_BINS: usize = 8;
+
+/// One-sided PSD of traces under a Hann window, averaged over the traces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TraceSpectrum {
+    /// Frequency (1/m) and PSD (m³), rising.
+    pub bins: Vec<ProfileBin>,
+    /// Spacing of the points (m).
+    pub spacing: f64,
+    /// Traces averaged.
+    pub traces: usize,
+}
+
+/// White noise at the level where a PSD stops falling.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TraceNoise {
+    /// PSD of the floor (m³).
+    pub psd: f64,
+    /// Rms height of white noise with this PSD (m).
+    pub rms: f64,
+    /// Shortest wavelength that stands out of it threefold (m), if one does.
+    pub reliable: Option<f64>,
+}
+
+/// What the spectrum says of the scales of a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TraceScales {
+    /// White noise, if the PSD ends flat.
+    pub noise: Option<TraceNoise>,
+    /// 99.9 % of the slope variance that stands out of the noise is at longer wavelengths (m).
+    pub cutoff: Option<f64>,
+    /// Longer waves have a flat spectrum (m); absent if the traces show none.
+    pub rolloff: Option<f64>,
+    /// Power law from cut-off to roll-off, or over the range asked for.
+    pub power_law: Option<PowerLaw>,
+}
+
+impl TraceSpectrum {
+    /// Of levelled traces of the same length and spacing.
+    ///
+    /// # Errors
+    /// [`StatsError::Shape`] if they differ in length, [`StatsError::OutOfRange`].
+    pub fn of(traces: &[Trace]) -> Result<Self, StatsError> {
+        let Some(first) = traces.first() else {
+            return Err(StatsError::TooFewPoints { what: "a spectrum", needed: 1, found: 0 });
+        };
+        let mut bins = psd_1d(first.as_map(), Axis::X, Window::Hann)?;
+        for trace in &traces[1..] {
+            if trace.len() != first.len() {
+                let (expected, found) = (first.len(), trace.len());
+                return Err(StatsError::Shape { what: "traces", expected, found });
+            }
+            for (sum, bin) in bins.iter_mut().zip(psd_1d(trace.as_map(), Axis::X, Window::Hann)?) {
+                sum.psd += bin.psd;
+            }
+        }
+        for bin in &mut bins {
+            bin.psd /= traces.len() as f64;
+        }
+        Ok(Self { bins, spacing: first.spacing(), traces: traces.len() })
+    }
+
+    /// Distance of neighbouring frequencies (1/m).
+    fn step(&self) -> f64 {
+        self.bins.first().map_or(0.0, |bin| bin.frequency)
+    }
+
+    /// `∫ S df`, `∫ S q² df`, `∫ S q⁴ df` with q = 2πf: the moments without the filter that finite
+    /// differences are.
+    pub fn moments(&self) -> SpectralMoments {
+        let sum = |weight: &dyn Fn(f64) -> f64| -> f64 {
+            self.bins.iter().map(|b| b.psd * weight(TAU * b.frequency)).sum::<f64>() * self.step()
+        };
+        SpectralMoments { m0: sum(&|_| 1.0), m2: sum(&|q| q * q), m4: sum(&|q| (q * q) * (q * q)) }
+    }
+
+    /// Shares of m2 and m4 of these waves that finite differences of neighbouring points see: they read
+    /// a wave as `[2 sin(qΔ/2)/Δ]²` instead of q², and as its square instead of q⁴. `None` for flat
+    /// traces.
+    pub fn seen(&self) -> Option<[f64; 2]> {
+        let all = self.moments();
+        let read = |q: f64| (2.0 * (0.5 * q * self.spacing).sin() / self.spacing).powi(2);
+        let sum = |power: i32| -> f64 {
+            let part = |b: &ProfileBin| b.psd * read(TAU * b.frequency).powi(power);
+            self.bins.iter().map(part).sum::<f64>() * self.step()
+        };
+        (all.m2 > 0.0 && all.m4 > 0.0).then(|| [sum(1) / all.m2, sum(2) / all.m4])
+    }
+
+    /// The PSD as a running mean over a third of an octave: one trace has one wave per frequency, and
+    /// each scatters by 100 %.
+    pub fn smoothed(&self) -> Vec<ProfileBin> {
+        let mut sums = Vec::with_capacity(self.bins.len() + 1);
+        sums.push(0.0);
+        for bin in &self.bins {
+            sums.push(sums[sums.len() - 1] + bin.psd);
+        }
+        let n = self.bins.len();
+        (1..=n)
+            .map(|k| {
+                let low = ((k as f64 / SMOOTHING).ceil() as usize).clamp(1, k);
+                let high = ((k as f64 * SMOOTHING).floor() as usize).clamp(k, n);
+                let psd = (sums[high] - sums[low - 1]) / (high + 1 - low) as f64;
+                ProfileBin { frequency: self.bins[k - 1].frequency, psd: psd.max(0.0) }
+            })
+            .collect()
+    }
+
+    /// Expected amplitudes of the waves of a trace of this length, for the stacked models: a Gaussian
+    /// profile's k-th wave has the mean square amplitude 2 S Δf and is Rayleigh distributed, so that
+    /// its mean is `√(π S Δf / 2)`, S the smoothed PSD.
+    ///
+    /// # Errors
+    /// [`StatsError::Surface`] if there are no waves.
+    pub fn amplitudes(&self) -> Result<AmplitudeSpectrum, StatsError> {
+        let step = self.step();
+        let amplitude = |psd: f64| (0.5 * PI * psd * step).sqrt();
+        let wave = |b: ProfileBin| Wave { frequency: b.frequency, amplitude: amplitude(b.psd) };
+        Ok(AmplitudeSpectrum::new(self.smoothed().into_iter().map(wave).collect(), 1.0 / step)?)
+    }
+
+    /// Noise, cut-off, roll-off and power law. `rms_height` (m) tells noise from rounding.
+    pub fn scales(&self, rms_height: f64, range: Option<[f64; 2]>) -> TraceScales {
+        let noise = self.noise().filter(|noise| noise.rms > 1e-9 * rms_height);
+        let shortest = noise.and_then(|noise| noise.reliable).unwrap_or(0.0);
+        let rings: Vec<Ring> = self
+            .bins
+            .iter()
+            .filter(|bin| 1.0 >= shortest * bin.frequency)
+            .map(|bin| Ring {
+                wavenumber: TAU * bin.frequency,
+                variance: bin.psd * self.step(),
+                psd: bin.psd,
+                waves: 2 * self.traces,
+                width: 0.0,
+            })
+            .collect();
+        let cutoff = fractal::cutoff(&rings, 2.0 * self.spacing);
+        let rolloff = cutoff.and_then(|cutoff| fractal::rolloff(&rings, cutoff));
+        let rolloff = rolloff.map(|found| found.wavelength);
+        let longest = rolloff.unwrap_or(0.5 / self.step());
+        let range = range.or(cutoff.map(|cutoff| [cutoff, longest]));
+        let power_law = range.and_then(|range| fractal::fit_profile(&[&self.bins], range));
+        TraceScales { noise, cutoff, rolloff, power_law }
+    }
+
+    /// The floor in the last octave; `None` if the PSD still falls there.
+    fn noise(&self) -> Option<TraceNoise> {
+        let nyquist = 0.5 / self.spacing;
+        let last: Vec<f64> =
+            self.bins.iter().filter(|b| b.frequency > 0.5 * nyquist).map(|b| b.psd).collect();
+        if last.len() < FLOOR_BINS {
+            return None;
+        }
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        // The halves of the octave are centred at 5/8 and 7/8 of its end.
+        let (low, high) = last.split_at(last.len() / 2);
+        let psd = mean(high);
+        let slope = (psd / mean(low)).ln() / (0.875f64 / 0.625).ln();
+        if psd <= 0.0 || slope.is_nan() || slope < FLAT_SLOPE {
+            return None;
+        }
+        let smoothed = self.smoothed();
+        let reliable = smoothed.iter().rfind(|b| b.psd >= SIGNAL * psd).map(|b| 1.0 / b.frequency);
+        Some(TraceNoise { psd, rms: (psd * nyquist).sqrt(), reliable })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use rand_pcg::Pcg64;
+    use rand_pcg::rand_core::Rng;
+
+    fn uniform(random: &mut Pcg64) -> f64 {
+        (f64::from(random.next_u32()) + 0.5) / 4_294_967_296.0 - 0.5
+    }
+
+    /// Of a wave all m2 and m4 sit at its frequency; differences of points an eighth of it apart see
+    /// (sin(π/8)/(π/8))² and the square of that.
+    #[test]
+    fn what_differences_see_of_a_wave() {
+        let z = |i: usize| 1e-7 * (TAU * i as f64 / 8.0 + 0.2).cos();
+        let trace = Trace::new(1e-6, (0..8000).map(z).collect()).unwrap();
+        let spectrum = TraceSpectrum::of(&[trace]).unwrap();
+        let [m2, m4] = spectrum.seen().unwrap();
+        let share = ((PI / 8.0).sin() / (PI / 8.0)).powi(2);
+        assert_relative_eq!(m2, share, max_relative = 1e-3);
+        assert_relative_eq!(m4, share * share, max_relative = 1e-3);
+        let q = TAU / 8e-6;
+        assert_relative_eq!(spectrum.moments().m0, 0.5e-14, max_relative = 1e-3);
+        assert_relative_eq!(spectrum.moments().m2, 0.5e-14 * q * q, max_relative = 1e-3);
+    }
+
+    /// White noise of rms 3 nm under a wave of 1 µm: a flat PSD, its rms, and the wave stands out.
+    #[test]
+    fn a_floor_of_white_noise_is_found() {
+        let mut random = Pcg64::new(4, 1);
+        let noise = 3e-9 * 12f64.sqrt();
+        let mut z = |i: usize| 1e-6 * (TAU * i as f64 / 500.0).sin() + noise * uniform(&mut random);
+        let trace = Trace::new(1e-6, (0..20_000).map(&mut z).collect()).unwrap();
+        let scales = TraceSpectrum::of(&[trace]).unwrap().scales(0.7e-6, None);
+        let found = scales.noise.unwrap();
+        assert_relative_eq!(found.rms, 3e-9, max_relative = 0.05);
+        let reliable = found.reliable.unwrap();
+        assert!((300e-6..700e-6).contains(&reliable), "{reliable:e}");
+    }
+
+    /// A random walk has S ~ f^-2, H = 1/2: the fit over its middle decades finds it, and the
+    /// amplitudes keep the variance: mean square 4/π of the mean squared.
+    #[test]
+    fn a_random_walk_has_a_hurst_exponent_of_one_half() {
+        let mut random = Pcg64::new(9, 1);
+        let traces: Vec<Trace> = (0..4)
+            .map(|_| {
+                let mut height = 0.0;
+                let mut step = || {
+                    height += 1e-9 * uniform(&mut random);
+                    height
+                };
+                Trace::new(1e-6, (0..16_384).map(|_| step()).collect()).unwrap()
+            })
+            .collect();
+        let spectrum = TraceSpectrum::of(&traces).unwrap();
+        let law = spectrum.scales(1e-8, Some([30e-6, 3e-3])).power_law.unwrap();
+        let (dimension, _) = law.fractal_of_profile();
+        assert_relative_eq!(2.0 - dimension, 0.5, epsilon = 0.05);
+        let amplitudes = spectrum.amplitudes().unwrap();
+        let variance: f64 = amplitudes.waves().iter().map(|w| w.amplitude.powi(2) * 2.0 / PI).sum();
+        assert_relative_eq!(variance, spectrum.moments().m0, max_relative = 0.2);
+    }
+}
