@@ -96,7 +96,7 @@ fn models_answer_for_an_isotropic_surface() {
     let dir = folder();
     let at = dir.path();
     traces(at, "trace.txt", 6001, 1e-6, &[&rough]);
-    for name in ["gw", "persson", "stacked", "majumdar-bhushan"] {
+    for name in ["gw", "persson", "stacked"] {
         let line = format!("model {name} trace.txt --modulus 110GPa --pressure 1MPa,10MPa --json");
         let said = rough_contact(at, &line);
         let json = said.json();
