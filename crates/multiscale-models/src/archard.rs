@@ -9,6 +9,7 @@ const MODEL: &str = "Archard";
 
 /// Spheres of one size.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SphereLevel {
     /// Radius of the spheres \[m\].
     pub radius: f64,

@@ -51,6 +51,7 @@ pub struct MoragEtsion {
 
 /// Elastic contact of one asperity.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct AsperityContact {
     /// Load \[N\].
     pub load: f64,

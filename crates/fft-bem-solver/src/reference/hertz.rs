@@ -36,6 +36,7 @@ pub struct Hertz {
 
 /// A Hertz contact at one load.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct HertzContact {
     /// Force (N).
     pub force: f64,

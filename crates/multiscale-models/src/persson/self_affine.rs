@@ -27,6 +27,7 @@ const MODEL: &str = "self-affine spectrum";
 /// # Ok::<(), contact_types::ModelError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SelfAffineSpectrum {
     hurst: f64,
     wavenumbers: [f64; 3],
