@@ -1,7 +1,7 @@
 //! Archard's spheres on spheres on spheres.
 
-use crate::require;
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError};
 use std::f64::consts::PI;
 

@@ -1,8 +1,8 @@
 //! Morag and Etsion's asperity of a fractal surface.
 
 use crate::majumdar_bhushan::check_dimension;
-use crate::require;
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{ContactModulus, FractalParameters, ModelError};
 use std::f64::consts::PI;
 

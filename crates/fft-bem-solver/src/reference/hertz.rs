@@ -1,6 +1,6 @@
 //! Hertz: two elastic bodies with curved surfaces.
 
-use super::inputs::{not_negative, positive};
+use contact_types::require::{not_negative, positive};
 use contact_types::{ContactModulus, ModelError};
 use std::f64::consts::{FRAC_PI_2, PI};
 
