@@ -72,7 +72,10 @@ fn package(published: &[Published]) -> TaskResult {
         if krate.library.is_some() {
             let own = read(&folder.join("katex-header.html"))?;
             if header.get_or_insert_with(|| own.clone()) != &own {
-                return Err(format!("{}/katex-header.html is not that of the others", krate.folder));
+                return Err(format!(
+                    "{}/katex-header.html is not that of the others",
+                    krate.folder
+                ));
             }
         }
         for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
