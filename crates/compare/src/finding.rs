@@ -5,11 +5,13 @@ use crate::profile::fact::ProfileFact;
 use contact_accuracy::edge_study::EdgeExperience;
 use contact_accuracy::plan::Outcome;
 use contact_accuracy::{EdgeShare, NoAreaInterval};
+use serde::Serialize;
 use surface_stats::Warning;
 use surface_stats::clean::Record;
 
 /// How much a finding matters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Weight {
     /// May change a conclusion.
     Check,
@@ -31,7 +33,8 @@ impl Weight {
 }
 
 /// What a finding is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Subject {
     /// What the solids bear.
     Material,
@@ -62,7 +65,8 @@ impl Subject {
 }
 
 /// One finding.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Finding {
     /// How much it matters.
     pub weight: Weight,
@@ -92,7 +96,8 @@ impl Finding {
 }
 
 /// What was found, with its numbers.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Fact {
     /// Sizes that no rough surface has; each `None` where it is usual.
     Unit {
@@ -170,7 +175,7 @@ pub enum Fact {
 }
 
 /// What presses at one load.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Pressed {
     /// Nominal pressure (Pa).
     pub nominal: f64,
@@ -189,7 +194,8 @@ impl Pressed {
 }
 
 /// Pressure beside the hardness that the modulus suggests.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Yield {
     /// The lightest load at which it is too high.
     pub at: Pressed,
@@ -202,7 +208,8 @@ pub struct Yield {
 }
 
 /// Steep slopes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Steep {
     /// Rms gradient \[-\].
     pub gradient: f64,
@@ -211,7 +218,8 @@ pub struct Steep {
 }
 
 /// Which areas have no bar.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Bare {
     /// That of every load.
     Every,
@@ -227,7 +235,8 @@ pub enum Bare {
 }
 
 /// What the strip along the edges does to the area at the headline.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Seam {
     /// What the strip holds.
     pub share: EdgeShare,
@@ -248,7 +257,7 @@ impl Seam {
 }
 
 /// What was tested and is fine; what was not, or is not, is absent.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Passed {
     /// Nayak's parameter, at least 1.5 \[-\].
     pub bandwidth: Option<f64>,

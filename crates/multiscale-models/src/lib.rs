@@ -20,7 +20,6 @@ mod jackson_streator;
 mod majumdar_bhushan;
 mod morag_etsion;
 mod persson;
-mod require;
 mod sinusoid;
 pub mod special;
 mod spots;
