@@ -29,7 +29,7 @@ fn files_that_are_no_surface() {
     for command in ["stats", "solve --modulus 1GPa --pressure 1MPa"] {
         refused(at, &format!("{command} nan.txt {SCALES}"), 2, &["missing"]);
         refused(at, &format!("{command} nan.txt {SCALES} --fill harmonic"), 2, &["missing"]);
-        refused(at, &format!("{command} row.txt {SCALES}"), 2, &["row.txt", "1 x 8"]);
+        refused(at, &format!("{command} row.txt {SCALES}"), 2, &["row.txt", "profile", "32", "8"]);
     }
 }
 

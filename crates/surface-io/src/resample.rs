@@ -63,6 +63,8 @@ impl Measurement {
 
 #[cfg(test)]
 mod tests {
+    use std::fmt::Write as _;
+
     use crate::{Fill, FillError, ReadOptions, read_bytes};
 
     fn read(text: &str) -> crate::Measurement {
@@ -103,7 +105,7 @@ mod tests {
         let mut text = String::from("x [um];z [nm]\n");
         for i in 0..30 {
             let x = if i < 15 { i } else { i + 100 };
-            text += &format!("{x};{}\n", i % 3);
+            writeln!(text, "{x};{}", i % 3).unwrap();
         }
         let refused = read(&text).evenly_spaced();
         assert!(matches!(refused, Err(FillError::Gap { .. })), "{refused:?}");

@@ -48,7 +48,7 @@ fn several_traces_stand_beside_their_positions() {
     use surface_io::read_traces_bytes;
     let text = b"X [mm];Z1 [um];Z2 [um];Z3 [um]\n0.000;1;4;7\n0.001;2;5;8\n0.002;3;6;9\n";
     let traces = read_traces_bytes(text, &ReadOptions::default()).unwrap();
-    let names: Vec<&str> = traces.iter().map(|t| t.channel()).collect();
+    let names: Vec<&str> = traces.iter().map(surface_io::Measurement::channel).collect();
     assert_eq!(names, ["Z1", "Z2", "Z3"]);
     for (k, trace) in traces.iter().enumerate() {
         assert!(trace.is_profile() && trace.channels().len() == 3);

@@ -1,9 +1,9 @@
 //! Facts about profiles, as numbers.
 
-use surface_stats::StatsError;
+use serde::Serialize;
 
 /// How uneven the points of a file were before they were put at equal distances.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Unevenness {
     /// Shortest and longest distance of neighbouring points (m).
     pub steps: [f64; 2],
@@ -12,7 +12,8 @@ pub struct Unevenness {
 }
 
 /// What was found of profiles, with its numbers.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum ProfileFact {
     /// One direction was measured; the models are of isotropic surfaces.
     OneDirection,
@@ -31,7 +32,10 @@ pub enum ProfileFact {
     /// The points were put at equal distances.
     Uneven(Unevenness),
     /// No parameters of roughness.
-    NoRoughness(StatsError),
+    NoRoughness {
+        /// Why not, as the statistics refuse it.
+        why: String,
+    },
     /// The cut-off that Ra asks for is longer than the traces allow.
     CoarserClass {
         /// λc that was used (m).

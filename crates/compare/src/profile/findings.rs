@@ -25,7 +25,9 @@ pub fn profile_findings(
     found.extend(statistics.warnings.iter().map(warned));
     found.extend(uneven.map(|uneven| of(Weight::Note, ProfileFact::Uneven(uneven))));
     match &statistics.roughness {
-        Err(error) => found.push(of(Weight::Note, ProfileFact::NoRoughness(error.clone()))),
+        Err(error) => {
+            found.push(of(Weight::Note, ProfileFact::NoRoughness { why: error.to_string() }));
+        }
         Ok(all) => {
             let setting = all[0].setting;
             if let SettingSource::Longest(_) = setting.source {

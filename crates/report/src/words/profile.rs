@@ -17,9 +17,9 @@ pub(crate) fn fact(fact: &ProfileFact) -> (String, String) {
             sample(*traces, *length, *factors, *between)
         }
         ProfileFact::Uneven(uneven) => unevenly(*uneven),
-        ProfileFact::NoRoughness(error) => (
+        ProfileFact::NoRoughness { why } => (
             "There are no roughness parameters.".into(),
-            format!("{}. Moments and models are of all waves of the trace.", capital(&error.to_string())),
+            format!("{}. Moments and models are of all waves of the trace.", capital(why)),
         ),
         ProfileFact::CoarserClass { cutoff, ra, length } => (
             format!(

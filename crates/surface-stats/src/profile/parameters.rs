@@ -166,7 +166,8 @@ mod tests {
         let z =
             |ratio: f64| 1.0 - ratio + 4.0 * (0.1 - ratio).max(0.0) - 3.0 * (ratio - 0.8).max(0.0);
         let n = 20_011; // prime: multiples of 7919 meet every point once
-        let heights = (0..n).map(|i| 1e-6 * z((i * 7919 % n) as f64 / (n - 1) as f64)).collect();
+        let heights =
+            (0..n).map(|i| 1e-6 * z(f64::from(i * 7919 % n) / f64::from(n - 1))).collect();
         let core = ProfileParameters::of(&Trace::new(1e-6, heights).unwrap(), 5).unwrap().core;
         assert_relative_eq!(core.core_height, 1e-6, max_relative = 1e-9);
         assert_relative_eq!(core.peak_ratio, 0.08, max_relative = 1e-3);
@@ -180,7 +181,7 @@ mod tests {
     #[test]
     fn sections_are_averaged_and_the_total_is_not() {
         let heights = (0..5000)
-            .map(|i| if i % 1000 == 500 { (i / 1000 + 1) as f64 * 1e-6 } else { -1e-6 })
+            .map(|i| if i % 1000 == 500 { f64::from(i / 1000 + 1) * 1e-6 } else { -1e-6 })
             .collect();
         let r = ProfileParameters::of(&Trace::new(1e-6, heights).unwrap(), 5).unwrap();
         assert_relative_eq!(r.max_height, 4e-6, max_relative = 1e-12);

@@ -242,8 +242,7 @@ mod tests {
                 all.push(Trace::new(1e-6, row).unwrap());
             }
         }
-        let each: Vec<[f64; 3]> =
-            all.iter().map(|t| moments(t)).map(|m| [m.m0, m.m2, m.m4]).collect();
+        let each: Vec<[f64; 3]> = all.iter().map(moments).map(|m| [m.m0, m.m2, m.m4]).collect();
         let count = each.len() as f64;
         for k in 0..3 {
             let truth = each.iter().map(|m| m[k]).sum::<f64>() / count;

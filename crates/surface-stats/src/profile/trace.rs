@@ -170,11 +170,12 @@ mod tests {
     fn lines_and_polynomials_are_taken_off() {
         let form = |x: f64| 5e-3 + 0.02 * x - 3.0 * x * x + 400.0 * x * x * x;
         let spacing = 1e-6;
-        let z = |i: usize| form(i as f64 * spacing) + if i % 2 == 0 { 1e-8 } else { -1e-8 };
+        let z =
+            |i: usize| form(i as f64 * spacing) + if i.is_multiple_of(2) { 1e-8 } else { -1e-8 };
         let trace = Trace::new(spacing, (0..2000).map(z).collect()).unwrap();
         let flat = trace.levelled(3).unwrap();
         for (i, z) in flat.heights().iter().enumerate() {
-            let expected = if i % 2 == 0 { 1e-8 } else { -1e-8 };
+            let expected = if i.is_multiple_of(2) { 1e-8 } else { -1e-8 };
             assert_abs_diff_eq!(*z, expected, epsilon = 1e-10);
         }
         let line = trace.levelled(1).unwrap();
