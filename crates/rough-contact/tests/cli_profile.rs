@@ -121,7 +121,7 @@ fn a_trace_to_a_report_and_again() {
     let said =
         rough_contact(at, "compare trace.txt --modulus 110GPa --out out --quiet --json").answered();
     let profile = &said["profiles"][0];
-    assert_eq!(profile["models"].as_array().unwrap().len(), 7);
+    assert!(profile["models"].as_array().unwrap().len() >= 7);
     let page = std::fs::read_to_string(at.join("out/report.html")).unwrap();
     for part in ["isotropic", "λc", "RSm", "Greenwood", "<svg", "run.toml"] {
         assert!(page.contains(part), "{part}");
