@@ -15,9 +15,8 @@
 //! them. For a current put `2/(ρ₁ + ρ₂)` in the place of k_s.
 //!
 //! # Source
-//! Cooper, Mikic & Yovanovich (1969), *Int. J. Heat Mass Transfer* 12, 279–300; Yovanovich's exponents 0.95;
-//! Mikic (1974), *Int. J. Heat Mass Transfer* 17, 205–214. Constants as in three public codes, and confirmed as
-//! fits of the expressions above.
+//! Cooper, Mikic & Yovanovich (1969) with Yovanovich's exponent 0.95; Mikic (1974). Their papers could not be read here:
+//! the constants are those of public codes, and confirmed as fits of the expressions above.
 
 use contact_types::{ModelError, require};
 use gw_closed_form::partial_moments::{self, Order};

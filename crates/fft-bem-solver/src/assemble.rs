@@ -1,10 +1,11 @@
 //! From a scaled state to the solution in SI units with its diagnostics.
 
 use crate::engine::{Engine, Run};
+use crate::methods::{Elastic, Hardness};
 use crate::problem::Problem;
 use crate::{
-    BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, certificate,
-    fields,
+    BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, Yielded,
+    certificate, fields,
 };
 use contact_types::{ContactState, Grid};
 use grid_fft::parallel::prelude::*;
@@ -12,6 +13,7 @@ use grid_fft::parallel::prelude::*;
 impl<T: Real> Engine<T> {
     pub(crate) fn solution(&mut self, problem: &Problem<T>, run: &Run, load: Load) -> Solution {
         let mut transforms = run.outcome.transforms;
+        let ceiling = self.settings.hardness / problem.units.pressure;
         let energy_bound = match run.exact {
             _ if !self.settings.certified => None,
             Some(_) => Some(0.0),
@@ -20,7 +22,12 @@ impl<T: Real> Engine<T> {
                 let mut scratch = vec![T::zero(); state.pressure.len()];
                 let (u, h, level) = (&state.displacement, &problem.heights, T::of(state.level));
                 let gap = |i: usize| u[i] - h[i] - level;
-                let error = certificate::energy_error(state, gap, &mut scratch, operator);
+                let error = if ceiling.is_finite() {
+                    let top = Hardness(T::of(ceiling));
+                    certificate::energy_error(top, state, gap, &mut scratch, operator)
+                } else {
+                    certificate::energy_error(Elastic, state, gap, &mut scratch, operator)
+                };
                 transforms += error.transforms;
                 error.relative.is_finite().then_some(error.relative)
             }
@@ -28,19 +35,36 @@ impl<T: Real> Engine<T> {
         let (units, settings, state) = (problem.units, self.settings, &self.state);
         let (p, u, h, level) =
             (&state.pressure, &state.displacement, &problem.heights, state.level);
-        let pressure = |i: usize| p[i].wide() * units.pressure;
+        let is_full = |i: usize| p[i] >= T::of(ceiling);
+        // To the last digit, whatever the units of the iteration are.
+        let pressure =
+            |i: usize| if is_full(i) { settings.hardness } else { p[i].wide() * units.pressure };
         let gap = |i: usize| (u[i].wide() - h[i].wide() - level) * units.height;
         // Under a free boundary nothing fixes the displacement but the load: in contact, what the iteration
         // leaves may be large beside the heights, and is no gap.
         let is_free = settings.boundary == Boundary::Free;
-        let counted = |i: usize| if is_free && p[i] > T::zero() { 0.0 } else { gap(i) };
+        // At the ceiling an overlap is what was flattened: no gap.
+        let closed = |i: usize| (is_free && p[i] > T::zero()) || is_full(i);
+        let counted = |i: usize| if closed(i) { 0.0 } else { gap(i) };
         let (pixels, n) = (p.len(), p.len() as f64);
         let load_sum = fields::sum_of(pixels, pressure);
-        let lowest = fields::least_of(pixels, gap);
+        let lowest = fields::least_of(pixels, |i| if is_full(i) { 0.0 } else { gap(i) });
         let contact_pixels = fields::contact_count(p);
-        let contact_perimeter = edges(problem.grid, p, settings.boundary) as f64 / n;
+        let [perimeter, sharp] = edges(problem.grid, p, T::of(ceiling), settings.boundary);
+        let (contact_perimeter, cut) = (perimeter as f64 / n, (perimeter - sharp) as f64 / n);
+        let yielded = ceiling.is_finite().then(|| {
+            let full = fields::sum_of(pixels, |i| if is_full(i) { 1.0 } else { 0.0 });
+            let depth = |i: usize| if is_full(i) { (-gap(i)).max(0.0) } else { 0.0 };
+            Yielded {
+                hardness: settings.hardness,
+                area_fraction: full / n,
+                load_share: if load_sum > 0.0 { full * settings.hardness / load_sum } else { 0.0 },
+                mean_flattening: fields::sum_of(pixels, depth) / n,
+            }
+        });
         let area_fraction = contact_pixels as f64 / n;
-        let complementarity = fields::sum_of(pixels, |i| pressure(i) * gap(i).abs());
+        let off = |i: usize| if is_full(i) { gap(i).max(0.0) } else { gap(i).abs() };
+        let complementarity = fields::sum_of(pixels, |i| pressure(i) * off(i));
         let work = fields::dot(p, u) / n;
         let highest = fields::largest_of(pixels, |i| u[i].wide().abs());
         let gap_rounding = problem.rounding + T::EPSILON * (highest + 1.0) * units.height;
@@ -53,7 +77,13 @@ impl<T: Real> Engine<T> {
             },
             penetration: (-lowest / units.height).max(0.0),
         };
-        let duality_gap = fields::sum_of(pixels, |i| pressure(i) * (gap(i) - lowest)) / n;
+        let duality_gap = if ceiling.is_finite() {
+            let room = |i: usize| settings.hardness - pressure(i);
+            let term = |i: usize| pressure(i) * gap(i).max(0.0) + room(i) * (-gap(i)).max(0.0);
+            fields::sum_of(pixels, term) / n
+        } else {
+            fields::sum_of(pixels, |i| pressure(i) * (gap(i) - lowest)) / n
+        };
         let diagnostics = Diagnostics {
             method: settings.method,
             boundary: settings.boundary,
@@ -71,9 +101,9 @@ impl<T: Real> Engine<T> {
             seconds: run.clock.elapsed().as_secs_f64(),
             contact_pixels,
             contact_perimeter,
-            area_fraction_corrected: (area_fraction - BOUNDARY_CORRECTION * contact_perimeter)
-                .max(0.0),
-            max_pressure: (fields::max(p) * units.pressure).max(0.0),
+            area_fraction_corrected: (area_fraction - BOUNDARY_CORRECTION * cut).max(0.0),
+            yielded,
+            max_pressure: (fields::max(p) * units.pressure).max(0.0).min(settings.hardness),
             elastic_energy: 0.5 * work * units.pressure * units.height,
         };
         let mean_pressure = match load {
@@ -101,26 +131,29 @@ impl<T: Real> Engine<T> {
 
 /// Edges between a pixel in contact and a neighbour (of four) that is not. Across the edge of the
 /// map the neighbour is the opposite pixel; with a free boundary there is none, and no edge: the
-/// body ends there, so that the contact line cuts no pixel.
-fn edges<T: Real>(grid: Grid, pressure: &[T], boundary: Boundary) -> usize {
+/// body ends there, so that the contact line cuts no pixel. And of these, the edges of pixels at the
+/// ceiling: the pressure drops from there at once, whatever the pixel.
+fn edges<T: Real>(grid: Grid, pressure: &[T], ceiling: T, boundary: Boundary) -> [usize; 2] {
     let [ny, nx] = grid.shape();
-    let on = |p: T| p > T::zero();
+    let edge = |a: T, b: T| {
+        let is_edge = (a > T::zero()) != (b > T::zero());
+        [usize::from(is_edge), usize::from(is_edge && (a >= ceiling || b >= ceiling))]
+    };
     let wraps = boundary == Boundary::Periodic;
     let row = |iy: usize| &pressure[iy * nx..(iy + 1) * nx];
-    let mut counts = vec![0_usize; ny];
+    let mut counts = vec![[0_usize; 2]; ny];
     counts.par_iter_mut().enumerate().for_each(|(iy, count)| {
         let here = row(iy);
-        let inner = here.windows(2).filter(|w| on(w[0]) != on(w[1])).count();
-        let across = usize::from(wraps && on(here[0]) != on(here[nx - 1]));
-        let below = if iy + 1 < ny || wraps {
-            let pairs = here.iter().zip(row((iy + 1) % ny));
-            pairs.filter(|(a, b)| on(**a) != on(**b)).count()
-        } else {
-            0
-        };
-        *count = inner + across + below;
+        let mut add = |[all, sharp]: [usize; 2]| *count = [count[0] + all, count[1] + sharp];
+        here.windows(2).for_each(|w| add(edge(w[0], w[1])));
+        if wraps {
+            add(edge(here[0], here[nx - 1]));
+        }
+        if iy + 1 < ny || wraps {
+            here.iter().zip(row((iy + 1) % ny)).for_each(|(a, b)| add(edge(*a, *b)));
+        }
     });
-    counts.iter().sum()
+    counts.iter().fold([0; 2], |[a, b], [x, y]| [a + x, b + y])
 }
 
 #[cfg(test)]
@@ -137,7 +170,9 @@ mod tests {
             0.0, 0.0, 0.0, 0.0, //
             1.0, 0.0, 0.0, 0.0,
         ];
-        assert_eq!(edges(grid, &pressure, Boundary::Periodic), 12 - 4);
-        assert_eq!(edges(grid, &pressure, Boundary::Free), 12 - 2 - 5);
+        let none = f64::INFINITY;
+        assert_eq!(edges(grid, &pressure, none, Boundary::Periodic), [12 - 4, 0]);
+        assert_eq!(edges(grid, &pressure, none, Boundary::Free), [12 - 2 - 5, 0]);
+        assert_eq!(edges(grid, &pressure, 1.0, Boundary::Periodic), [12 - 4; 2]);
     }
 }

@@ -14,15 +14,25 @@
 //! have left the contact. The factor 1.2 (pressure over gap, per finer pixel and E*) is free; it
 //! decides how tight the bound is, not whether it holds.
 //!
+//! Under a ceiling H, `p <= H`, the same holds with `g - mu + nu` in place of `g - mu` for every `nu >= 0`, and
+//! `<H - p, nu>` added: `<p - q, -nu> <= <H - p, nu>`. Then `g - mu + nu` is what of g lies between
+//! `-(H - p)/1.2` and `p/1.2`: what a node lacks to the ceiling counts where it overlaps.
+//!
 //! The bound says nothing about the contact area.
 
-use crate::methods::{Compliance, State};
+use crate::methods::{Ceiling, Compliance, Elastic, Hardness, State, passes};
+use crate::row_work::{Partial, TASK};
 use crate::{End, Real, fields};
 use std::f64::consts::FRAC_PI_2;
 
-/// `displacement - heights` in contact, averaged with the pressure as weight.
-pub(crate) fn level<T: Real>(state: &State<T>, heights: &[T]) -> f64 {
+/// `displacement - heights` in contact, averaged with the pressure as weight; under a ceiling, that of
+/// [`passes::level_under`].
+pub(crate) fn level<T: Real>(state: &State<T>, heights: &[T], ceiling: f64) -> f64 {
     let (p, u) = (&state.pressure, &state.displacement);
+    if ceiling.is_finite() {
+        let mut partial = vec![Partial::default(); p.len().div_ceil(TASK)];
+        return passes::level_under(Hardness(T::of(ceiling)), [p, u, heights], &mut partial);
+    }
     let weight = fields::sum(p);
     if weight <= 0.0 {
         return 0.0;
@@ -39,29 +49,36 @@ pub(crate) struct EnergyError {
     pub(crate) transforms: f64,
 }
 
-/// `g - mu = min(g, p / 1.2)`: the part of the gap that should not be there.
-fn violation<T: Real>(pressure: T, gap: T) -> T {
-    let ceiling = pressure / T::of(1.2);
-    if gap < ceiling { gap } else { ceiling }
+/// `g - mu = min(g, p / 1.2)`: the part of the gap that should not be there. Under a ceiling, no less than
+/// `-(H - p) / 1.2` either.
+fn violation<T: Real, C: Ceiling<T>>(ceiling: C, pressure: T, gap: T) -> T {
+    let most = pressure / T::of(1.2);
+    let violation = if gap < most { gap } else { most };
+    if C::IS_FINITE {
+        return violation.larger((pressure - ceiling.value()) / T::of(1.2));
+    }
+    violation
 }
 
 /// The bound of the module documentation; one pair. `gap` is `displacement - heights` less any
 /// constant; `scratch` is overwritten.
-pub(crate) fn energy_error<T: Real>(
+pub(crate) fn energy_error<T: Real, C: Ceiling<T>>(
+    ceiling: C,
     state: &State<T>,
     gap: impl Fn(usize) -> T + Sync,
     scratch: &mut [T],
     operator: &mut dyn Compliance<T>,
 ) -> EnergyError {
     let p = &state.pressure;
-    fields::write(scratch, |i, _| violation(p[i], gap(i)));
+    fields::write(scratch, |i, _| violation(ceiling, p[i], gap(i)));
     if !operator.invert(scratch) {
         return EnergyError { relative: f64::INFINITY, transforms: 0.0 };
     }
     let twice_bound = fields::sum_of(p.len(), |i| {
-        let r = violation(p[i], gap(i));
-        let mu = gap(i) - r;
-        r.wide() * scratch[i].wide() + 2.0 * p[i].wide() * mu.wide()
+        let r = violation(ceiling, p[i], gap(i));
+        let mu = gap(i) - r; // or -nu
+        let room = if C::IS_FINITE && mu < T::zero() { p[i] - ceiling.value() } else { p[i] };
+        r.wide() * scratch[i].wide() + 2.0 * room.wide() * mu.wide()
     });
     let energy = fields::dot(p, &state.displacement).abs();
     let relative = if twice_bound > 0.0 { (twice_bound / energy).sqrt() } else { 0.0 };
@@ -113,13 +130,13 @@ impl Patience {
         operator: &mut dyn Compliance<T>,
     ) -> Verdict {
         let p = &state.pressure;
-        let square = |i: usize| violation(p[i], gap[i]).wide().powi(2);
+        let square = |i: usize| violation(Elastic, p[i], gap[i]).wide().powi(2);
         let plain = FRAC_PI_2 * (fields::sum_of(p.len(), square) / fields::dot(p, p)).sqrt();
         let is_rounding = is_rounding(state, heights, gap);
         if plain > self.worthwhile.max(30.0 * T::ATTAINABLE) && !is_rounding {
             return Verdict { end: None, residual: None, transforms: 0.0 };
         }
-        let bound = energy_error(state, |i| gap[i], scratch, operator);
+        let bound = energy_error(Elastic, state, |i| gap[i], scratch, operator);
         let relative = if bound.relative.is_finite() { CAUTION * bound.relative } else { plain };
         self.since += 1;
         if relative <= 0.5 * self.best {
@@ -143,7 +160,7 @@ impl Patience {
 /// True if what is left of the gap in contact is rounding of the two fields it is made of.
 fn is_rounding<T: Real>(state: &State<T>, heights: &[T], gap: &[T]) -> bool {
     let (p, u) = (&state.pressure, &state.displacement);
-    let violation = |i: usize| violation(p[i], gap[i]).wide().abs();
+    let violation = |i: usize| violation(Elastic, p[i], gap[i]).wide().abs();
     let worst = fields::largest_of(p.len(), violation);
     let size = fields::largest_of(p.len(), |i| {
         let matters = violation(i) > 0.0 || p[i] > T::zero();

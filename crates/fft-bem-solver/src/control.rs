@@ -4,7 +4,7 @@
 use crate::methods::{
     Compliance, ContactMethod, Outcome, RISE, Start, State, Step, Target, Task, Watch,
 };
-use crate::{Boundary, End, Real, certificate, fields};
+use crate::{Boundary, End, Real, certificate, fields, yield_control};
 
 /// Iterations a method may try to control the level itself before the secant takes over.
 const NATIVE_ITERATIONS: usize = 60;
@@ -24,8 +24,12 @@ pub(crate) fn solve<T: Real>(
     state: &mut State<T>,
     watch: &mut Watch<'_, T>,
 ) -> Outcome {
-    let Target::Level(level, guess) = task.target else {
-        return method.solve(task, operator, start, state, watch);
+    let (level, guess) = match task.target {
+        Target::Pressure(_) => return method.solve(task, operator, start, state, watch),
+        Target::Level(_, guess) | Target::OpenGap(_, guess) if task.ceiling.is_finite() => {
+            return yield_control::solve(method, task, guess, operator, start, state, watch);
+        }
+        Target::Level(level, guess) | Target::OpenGap(level, guess) => (level, guess),
     };
     let nothing =
         Outcome { end: End::Exhausted, residual: f64::INFINITY, ..Outcome::without_iterating(0.0) };
@@ -72,16 +76,16 @@ fn by_loads<T: Real>(
     loop {
         loads += 1;
         let sub = Task {
-            problem: task.problem,
             target: Target::Pressure(load),
             tolerance: accuracy.max(finest),
             max_iterations: task.max_iterations - iterations,
+            ..*task
         };
         // An iterate that fits its load is no answer yet while its level is another.
         let known_slope = last_slope;
         let mut shifted = |step: &Step<'_, T>| {
             let missing = known_slope.map_or(f64::INFINITY, |slope| {
-                let reached = certificate::level(step.state, &task.problem.heights);
+                let reached = certificate::level(step.state, &task.problem.heights, task.ceiling);
                 ((level - reached) / slope).abs()
             });
             watch(&Step {

@@ -1,13 +1,11 @@
 //! From a surface and a load in SI units to a solution, through the scaled problem.
 
-use crate::methods::{
-    self, Compliance, ContactMethod, Free, Outcome, Start, State, Step, Target, Task,
-};
+use crate::methods::{self, Compliance, ContactMethod, Outcome, Start, State, Step, Target, Task};
 use crate::observer::Observe;
 use crate::problem::Problem;
 use crate::{
-    Boundary, End, FreeHalfSpace, HalfSpace, Iteration, Load, Maps, Method, Precision, Real,
-    Solution, SolverError, control, fields, special_cases,
+    Boundary, End, Iteration, Load, Maps, Method, Precision, Real, Solution, SolverError, control,
+    fields, special_cases,
 };
 use contact_types::{ContactModulus, Grid, HeightMap};
 use std::sync::Arc;
@@ -23,6 +21,8 @@ pub(crate) struct Settings {
     pub(crate) max_iterations: Option<usize>,
     pub(crate) certified: bool,
     pub(crate) maps: Maps,
+    /// Pa; infinite for elastic bodies.
+    pub(crate) hardness: f64,
     pub(crate) modulus: ContactModulus,
 }
 
@@ -51,11 +51,7 @@ pub(crate) struct Run {
 impl<T: Real> Engine<T> {
     pub(crate) fn new(settings: Settings, scaled: Grid) -> Result<Self, SolverError> {
         let (method, iteration) = methods::build(settings.method, scaled, settings.boundary)?;
-        let unit = ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus");
-        let operator: Box<dyn Compliance<T>> = match settings.boundary {
-            Boundary::Periodic => Box::new(HalfSpace::new(scaled, unit)),
-            Boundary::Free => Box::new(Free::new(FreeHalfSpace::new(scaled, unit), scaled.len())),
-        };
+        let operator = methods::operator(scaled, settings.boundary);
         Ok(Self {
             settings: Settings { method, ..settings },
             scaled,
@@ -108,13 +104,17 @@ impl<T: Real> Engine<T> {
         observer: &mut Observe<'_>,
         clock: Instant,
     ) -> Result<Solution, SolverError> {
-        let prescribed = self.prescribed(problem, load)?;
+        let ceiling = self.settings.hardness / problem.units.pressure;
+        let prescribed = self.prescribed(problem, load, ceiling)?;
         let start = if self.is_warm { Start::Warm } else { Start::Cold };
         self.is_warm = false; // until this solve has left a useful state behind
         let found = match prescribed {
             Prescribed::Apart(level) => self.apart(level, clock),
             Prescribed::Closed => self.closed(problem, clock),
-            Prescribed::Target(target) => self.target(problem, target, start, observer, clock),
+            Prescribed::Yielded => self.yielded(problem, ceiling, clock),
+            Prescribed::Target(target) => {
+                self.target(problem, ceiling, target, start, observer, clock)
+            }
         };
         let end = found.outcome.end;
         let solution = self.solution(problem, &found, load);
@@ -128,7 +128,12 @@ impl<T: Real> Engine<T> {
     }
 
     /// Checks the load and says what it means for this problem.
-    fn prescribed(&self, problem: &Problem<T>, load: Load) -> Result<Prescribed, SolverError> {
+    fn prescribed(
+        &self,
+        problem: &Problem<T>,
+        load: Load,
+        ceiling: f64,
+    ) -> Result<Prescribed, SolverError> {
         let (quantity, value, unit) = match load {
             Load::MeanPressure(p) => ("mean pressure", p, "Pa"),
             Load::MeanGap(g) => ("mean gap", g, "m"),
@@ -140,7 +145,14 @@ impl<T: Real> Engine<T> {
         }
         let is_periodic = self.settings.boundary == Boundary::Periodic;
         let most = -problem.mean_height; // the level at which every gap is closed
+        let (hardness, yields) = (self.settings.hardness, ceiling.is_finite());
         let level = match load {
+            Load::MeanPressure(pressure) if pressure > hardness => {
+                return Err(SolverError::AboveHardness { mean_pressure: pressure, hardness });
+            }
+            Load::MeanPressure(pressure) if pressure >= hardness => {
+                return Ok(Prescribed::Yielded);
+            }
             Load::MeanPressure(pressure) => {
                 let scaled = pressure / problem.units.pressure;
                 if pressure > 0.0 && !(1e-30..1e30).contains(&scaled) {
@@ -163,6 +175,20 @@ impl<T: Real> Engine<T> {
                     way_out: "prescribe the approach or the mean pressure",
                 });
             }
+            Load::MeanGap(gap) if yields => {
+                if gap <= 0.0 {
+                    return bad(
+                        "with a hardness no least load that closes every gap is looked for; \
+                                prescribe a wider gap or the mean pressure",
+                    );
+                }
+                let gap = gap / problem.units.height;
+                if gap < most {
+                    let guess = first_guess(problem, (most - gap).min(0.999 * most));
+                    return Ok(Prescribed::Target(Target::OpenGap(gap, guess)));
+                }
+                most - gap
+            }
             Load::MeanGap(gap) => {
                 if gap <= 0.0 {
                     return Ok(Prescribed::Closed);
@@ -174,7 +200,10 @@ impl<T: Real> Engine<T> {
         if level <= 0.0 {
             return Ok(Prescribed::Apart(level));
         }
-        if is_periodic && level >= most {
+        if is_periodic && yields && level >= 1.0 {
+            return Ok(Prescribed::Yielded); // deeper than the lowest point
+        }
+        if is_periodic && !yields && level >= most {
             return bad("it would take the flat deeper than where every gap is closed; \
                         prescribe the mean pressure instead");
         }
@@ -197,9 +226,26 @@ impl<T: Real> Engine<T> {
         exact("full contact", 1.0, clock)
     }
 
+    /// Everything at the ceiling. The flat is where the lowest point still touches it.
+    fn yielded(&mut self, problem: &Problem<T>, ceiling: f64, clock: Instant) -> Run {
+        let State { pressure, displacement, level } = &mut self.state;
+        pressure.fill(T::of(ceiling));
+        let mut spent = 0.0;
+        if self.settings.boundary == Boundary::Periodic {
+            displacement.fill(T::zero());
+        } else {
+            self.operator.apply(pressure, displacement);
+            spent += 1.0;
+        }
+        let rise = |i: usize| (displacement[i] - problem.heights[i]).wide();
+        *level = fields::largest_of(displacement.len(), rise);
+        exact("all of the surface yields", spent, clock)
+    }
+
     fn target(
         &mut self,
         problem: &Problem<T>,
+        ceiling: f64,
         target: Target,
         start: Start,
         observer: &mut Observe<'_>,
@@ -208,7 +254,7 @@ impl<T: Real> Engine<T> {
         let mut spent = 0.0;
         let mut start = start;
         if let Target::Pressure(load) = target {
-            match self.without_iterating(problem, load, &mut start) {
+            match self.without_iterating(problem, load, ceiling, &mut start) {
                 (Some(reason), pairs) => return exact(reason, pairs, clock),
                 (None, pairs) => spent += pairs,
             }
@@ -216,6 +262,7 @@ impl<T: Real> Engine<T> {
         let task = Task {
             problem,
             target,
+            ceiling,
             tolerance: self.settings.tolerance,
             max_iterations: self.settings.max_iterations.unwrap_or(match self.settings.method {
                 Method::Chord => 200,
@@ -235,7 +282,7 @@ impl<T: Real> Engine<T> {
                     fields::contact_count(&state.pressure) as f64 / state.pressure.len() as f64
                 },
                 fields: &|| {
-                    let level = crate::certificate::level(state, &problem.heights);
+                    let level = crate::certificate::level(state, &problem.heights, ceiling);
                     [pressure_si(state, units.pressure), gap_si(state, problem, level)]
                 },
             })
@@ -255,11 +302,14 @@ impl<T: Real> Engine<T> {
         &mut self,
         problem: &Problem<T>,
         load: f64,
+        ceiling: f64,
         start: &mut Start,
     ) -> (Option<&'static str>, f64) {
         let mut spent = 0.0;
         let (operator, state) = (self.operator.as_mut(), &mut self.state);
-        if let Some(summit) = special_cases::lonely_summit(problem, load) {
+        let may_be_single = load * problem.heights.len() as f64 <= ceiling;
+        let summit = special_cases::lonely_summit(problem, load).filter(|_| may_be_single);
+        if let Some(summit) = summit {
             spent += 1.0;
             if special_cases::single_pixel(problem, summit, load, operator, state) {
                 return (Some("single pixel in contact"), spent);
@@ -292,7 +342,10 @@ impl<T: Real> Engine<T> {
             };
             spent += 1.0;
             self.closing_load = special_cases::flattening_pressure(problem, operator, &mut field);
-            let closes = self.closing_load.is_some_and(|least| load >= least);
+            let mut closes = self.closing_load.is_some_and(|least| load >= least);
+            if ceiling.is_finite() {
+                closes &= fields::max(&field) + load <= ceiling;
+            }
             if closes || *start == Start::Cold {
                 state.pressure = field;
             }
@@ -302,6 +355,12 @@ impl<T: Real> Engine<T> {
             }
         }
         (None, spent)
+    }
+
+    /// Which pixels carry pressure, once there is a solution.
+    pub(crate) fn contact(&self) -> Option<Vec<bool>> {
+        let p = &self.state.pressure;
+        self.problem.as_ref().map(|_| p.iter().map(|p| *p > T::zero()).collect())
     }
 
     /// The operator and the state, for the certificate.
@@ -316,6 +375,8 @@ enum Prescribed {
     Apart(f64),
     /// Every gap just closed.
     Closed,
+    /// Everything at the ceiling.
+    Yielded,
     Target(Target),
 }
 

@@ -64,6 +64,17 @@ pub enum SolverError {
         /// What it must be.
         limit: &'static str,
     },
+    /// The mean pressure is above the hardness: no contact can carry it.
+    #[error(
+        "mean pressure {mean_pressure:e} Pa is above the hardness {hardness:e} Pa: even full contact carries \
+         no more than that; lower the load or raise the hardness"
+    )]
+    AboveHardness {
+        /// What was asked for (Pa).
+        mean_pressure: f64,
+        /// What the surface bears (Pa).
+        hardness: f64,
+    },
     /// [`Solver::solve_again`](crate::Solver::solve_again) before any surface was given.
     #[error("no surface is known: give one with take_surface or solve first")]
     NoSurface,

@@ -33,6 +33,7 @@ mod half_space;
 mod half_space_free;
 mod memory;
 mod methods;
+mod mixed_problem;
 mod observer;
 mod pool;
 mod problem;
@@ -47,6 +48,7 @@ mod solver;
 mod special_cases;
 mod unknown_name;
 pub mod validation;
+mod yield_control;
 
 pub use boundary_correction::BOUNDARY_CORRECTION;
 pub use contact_types::{
@@ -55,9 +57,10 @@ pub use contact_types::{
 pub use error::SolverError;
 pub use half_space::HalfSpace;
 pub use half_space_free::{FreeHalfSpace, love};
+pub use mixed_problem::{Conductors, SetStiffness};
 pub use observer::{Answer, Iteration};
 pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};
-pub use solution::{Diagnostics, End, Fallbacks, Residuals, Solution};
-pub use solver::{Solver, SolverBuilder};
+pub use solution::{Diagnostics, End, Fallbacks, Residuals, Solution, Yielded};
+pub use solver::{Solver, SolverBuilder, set_stiffness};
 pub use unknown_name::UnknownName;

@@ -28,6 +28,78 @@ pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
     fields::write(field, |_, p| T::of((p.wide() + shift).max(0.0) * scale));
 }
 
+/// Replaces `field` by `max(field + c, 0)`, no larger than `ceiling`, with the `c` that gives it the mean
+/// `load`, at most `ceiling`: its projection on the pressures between 0 and that.
+///
+/// The load carried rises with `c`, piecewise linearly: Newton's method, and bisection where it would leave
+/// the bracket.
+pub(crate) fn between<T: Real>(field: &mut [T], load: f64, ceiling: f64) {
+    let total = load * field.len() as f64;
+    let (mut low, mut high) = (-fields::max(field), ceiling - fields::min(field));
+    let mut shift = low.max(0.0).min(high);
+    for _ in 0..MOST_STEPS {
+        let [carried, free] = carried_between(field, shift, ceiling);
+        if carried > total {
+            high = shift;
+        } else {
+            low = shift;
+        }
+        let newton = shift - (carried - total) / free;
+        if (carried - total).abs() <= f64::EPSILON * total {
+            break;
+        }
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        // On one piece the step is exact; where nothing is free, a jump is all there is.
+        if (next - shift).abs() <= f64::EPSILON * (shift.abs() + f64::EPSILON * ceiling) {
+            break;
+        }
+        shift = next;
+    }
+    fields::write(field, |_, p| T::of((p.wide() + shift).clamp(0.0, ceiling)));
+    scale_below(field, total, ceiling, 1.0); // rounding
+}
+
+/// Most steps of a search for the shift or the factor that carries a load.
+const MOST_STEPS: usize = 200;
+
+/// What `field + shift`, cut to the bounds, carries, and on how many nodes between them.
+fn carried_between<T: Real>(field: &[T], shift: f64, ceiling: f64) -> [f64; 2] {
+    let carried = |i: usize| (field[i].wide() + shift).clamp(0.0, ceiling);
+    let is_free = |i: usize| {
+        let p = field[i].wide() + shift;
+        if p > 0.0 && p < ceiling { 1.0 } else { 0.0 }
+    };
+    [fields::sum_of(field.len(), carried), fields::sum_of(field.len(), is_free)]
+}
+
+/// Multiplies the nodes below `ceiling` by the factor that lets all carry `total`; those that would come above
+/// it stay there. False, and nothing done, if no factor within `most` of 1 does.
+pub(crate) fn scale_below<T: Real>(field: &mut [T], total: f64, ceiling: f64, most: f64) -> bool {
+    let n = field.len();
+    let mut factor = 1.0;
+    for _ in 0..MOST_STEPS {
+        let is_full = |p: f64| p >= ceiling || factor * p >= ceiling;
+        let full = fields::sum_of(n, |i| if is_full(field[i].wide()) { 1.0 } else { 0.0 });
+        let free =
+            fields::sum_of(n, |i| if is_full(field[i].wide()) { 0.0 } else { field[i].wide() });
+        let next = (total - full * ceiling) / free;
+        if !(next >= 1.0 - most && next <= 1.0 + most) {
+            // Nothing to scale, and nothing lacks.
+            return free <= 0.0 && (total - full * ceiling).abs() <= 1e-9 * ceiling;
+        }
+        let is_same = (next - factor).abs() <= f64::EPSILON;
+        factor = next;
+        if is_same {
+            break;
+        }
+    }
+    fields::write(field, |_, p| {
+        let scaled = p.wide() * factor;
+        if p.wide() >= ceiling || scaled >= ceiling { T::of(ceiling) } else { T::of(scaled) }
+    });
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -52,6 +124,34 @@ mod tests {
             for (p, x) in projected.iter().zip(&field) {
                 prop_assert!(*p > 0.0 || x + shift <= 1e-12 * size);
             }
+        }
+
+        /// The same between two bounds: what was added to the nodes between them is the same everywhere, no
+        /// more than those at 0 lacked and no less than those at the ceiling had too little.
+        #[test]
+        fn between_bounds_is_the_nearest_admissible_field(
+            field in prop::collection::vec(-1e3..1e3f64, 1..60),
+            ceiling in 1e-3..1e3f64,
+            part in 0.0..1.0f64,
+        ) {
+            let mut projected = field.clone();
+            let load = part * ceiling;
+            between(&mut projected, load, ceiling);
+            let n = field.len() as f64;
+            let mean = projected.iter().sum::<f64>() / n;
+            prop_assert!((mean - load).abs() <= 1e-12 * ceiling, "{mean} and {load}");
+            let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
+            for (p, x) in projected.iter().zip(&field) {
+                prop_assert!((0.0..=ceiling).contains(p));
+                if *p > 0.0 {
+                    least = least.max(p - x);
+                }
+                if *p < ceiling {
+                    most = most.min(p - x);
+                }
+            }
+            // One shift serves: at least what any loaded node was given, at most what any other was.
+            prop_assert!(least <= most + 1e-9, "{least} and {most}");
         }
     }
 }

@@ -10,7 +10,8 @@ pub struct Solution {
     /// The grid it was found on.
     pub grid: Grid,
     /// Mean pressure, raw area fraction (pixels that carry pressure), mean gap. With a free boundary
-    /// the gap of pixels in contact counts as the 0 it stands for, not as what the iteration left of it.
+    /// the gap of pixels in contact counts as the 0 it stands for, not as what the iteration left of it; so does
+    /// that of pixels at the hardness with any.
     pub state: ContactState,
     /// How far the flat has moved since first touch (m); see [`Load::Approach`](crate::Load).
     pub approach: f64,
@@ -18,7 +19,8 @@ pub struct Solution {
     /// says so.
     pub pressure: Vec<f64>,
     /// Gap (m), row-major, `ny * nx`, counted so that its pressure-weighted mean is 0. What is
-    /// left of it in contact, and negative values, are the residual of the iteration. Empty if
+    /// left of it in contact, and negative values, are the residual of the iteration; where the pressure is the
+    /// [hardness](crate::SolverBuilder::hardness), minus the depth by which the surface was flattened. Empty if
     /// [`Maps`](crate::Maps) says so.
     pub gap: Vec<f64>,
     /// How the answer was found and how accurate it is.
@@ -48,6 +50,22 @@ pub struct Residuals {
     pub complementarity: f64,
     /// Deepest overlap (most negative gap) over the range of the heights.
     pub penetration: f64,
+}
+
+/// What has yielded, where a [hardness](crate::SolverBuilder::hardness) was given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Yielded {
+    /// Highest pressure the surface bears (Pa).
+    pub hardness: f64,
+    /// Fraction of all pixels whose pressure is the hardness: not corrected for the contact line, for it
+    /// converges from below.
+    pub area_fraction: f64,
+    /// Part of the load that they carry.
+    pub load_share: f64,
+    /// By how much the surface is flattened there, averaged over the whole map (m): permanent.
+    pub mean_flattening: f64,
 }
 
 /// How an iteration ended.
@@ -98,8 +116,8 @@ pub struct Diagnostics {
     pub fallbacks: Fallbacks,
     /// What is left of the residuals.
     pub residuals: Residuals,
-    /// Upper bound of the energy error per nominal area, `mean p (g - min g)` (J/m²). Rigorous
-    /// but loose.
+    /// Upper bound of the energy error per nominal area, `mean p (g - min g)` (J/m²), and with a hardness H
+    /// `mean (p max(g, 0) + (H - p) max(-g, 0))`. Rigorous but loose.
     pub duality_gap: f64,
     /// Rigorous and tight upper bound of the relative error in the energy norm; computed if the
     /// solver was built with [`certified`](crate::SolverBuilder::certified).
@@ -120,8 +138,10 @@ pub struct Diagnostics {
     pub contact_perimeter: f64,
     /// Area fraction corrected for the pixels cut by the contact line,
     /// `A - (pi - 1 + ln 2)/24 S_d` (Yastrebov, Anciaux & Molinari 2017,
-    /// doi:10.1016/j.triboint.2017.04.023). Not below 0.
+    /// doi:10.1016/j.triboint.2017.04.023). Not below 0. Edges of pixels at the hardness do not count.
     pub area_fraction_corrected: f64,
+    /// What has yielded, if a hardness was given.
+    pub yielded: Option<Yielded>,
     /// Highest pressure of a pixel (Pa): a grid quantity.
     pub max_pressure: f64,
     /// Elastic energy per nominal area, `mean p u / 2` (J/m²); in a periodic problem without the

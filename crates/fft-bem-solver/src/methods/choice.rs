@@ -1,13 +1,23 @@
 //! Which method is run.
 
 use super::chord::Chord;
+use super::compliance::{Compliance, Free};
 use super::contract::ContactMethod;
 use super::free_chord::FreeChord;
 use super::polonsky_keer::PolonskyKeer;
 use super::stanley_kato::StanleyKato;
 use super::thin_pixels;
-use crate::{Boundary, Method, Real, SolverError};
-use contact_types::Grid;
+use crate::{Boundary, FreeHalfSpace, HalfSpace, Method, Real, SolverError};
+use contact_types::{ContactModulus, Grid};
+
+/// The half space on a grid whose finer pixel side is 1, with E* = 1.
+pub(crate) fn operator<T: Real>(scaled: Grid, boundary: Boundary) -> Box<dyn Compliance<T>> {
+    let unit = ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus");
+    match boundary {
+        Boundary::Periodic => Box::new(HalfSpace::new(scaled, unit)),
+        Boundary::Free => Box::new(Free::new(FreeHalfSpace::new(scaled, unit), scaled.len())),
+    }
+}
 
 /// The method asked for, with its memory; and which one `Auto` became.
 pub(crate) fn build<T: Real>(

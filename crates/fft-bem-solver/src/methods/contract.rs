@@ -12,6 +12,8 @@
 //!   [`Target::Pressure`]), `displacement` belongs to it, and `level` is the pressure-weighted mean
 //!   of `displacement - heights`.
 //! - Memory is allocated by the method's constructor; iterations allocate nothing.
+//! - Under a ceiling, which only the chord iteration knows, `pressure <= ceiling` as well, and `level` is that of
+//!   [`passes::level_under`](super::passes::level_under).
 //! - `watch` is called once per iteration and may end the run.
 //! - `transforms` counts applications of `K` (or `K^-1`) at full size as 1; work on coarser grids
 //!   in proportion `m log m / (n log n)`.
@@ -31,6 +33,9 @@ pub(crate) enum Target {
     /// `displacement - heights` in contact. The number beside it is a first guess of the mean
     /// pressure.
     Level(f64, f64),
+    /// Mean of the gap where it is open, under a ceiling. [`control`](crate::control) makes loads of it; no method
+    /// is asked for it. A first guess of the mean pressure beside it.
+    OpenGap(f64, f64),
 }
 
 /// One problem to solve.
@@ -38,6 +43,8 @@ pub(crate) enum Target {
 pub(crate) struct Task<'a, T> {
     pub(crate) problem: &'a Problem<T>,
     pub(crate) target: Target,
+    /// Highest pressure, in scaled units; infinite for elastic bodies.
+    pub(crate) ceiling: f64,
     /// Relative rms pressure error to reach.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,

@@ -6,6 +6,7 @@
 //! writes `docs/src/figures/chord-fields.png`; an ordinary test holds the committed file to what would
 //! be drawn now.
 
+use super::ceiling::Elastic;
 use super::chord::{Chord, Kind, Known, Run};
 use super::contract::{ContactMethod, Start, State, Target, Task};
 use crate::HalfSpace;
@@ -73,13 +74,20 @@ fn picture() -> Vec<u8> {
     chord.force = Some(Kind::Chord); // the step after the first: with guesses little is left to see
     let mut state = State::new(N * N);
     let target = Target::Pressure(load);
-    let task = Task { problem: &problem, target, tolerance: 1e-9, max_iterations: 1 };
+    let task = Task {
+        problem: &problem,
+        target,
+        ceiling: f64::INFINITY,
+        tolerance: 1e-9,
+        max_iterations: 1,
+    };
     let mut watch = |_: &super::contract::Step<'_, f64>| ControlFlow::Continue(());
     chord.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
 
     // The passes of the next iteration, one by one.
     let p = state.pressure.clone();
-    let mut run = Run::new(&mut chord.work, &task, &mut half_space, Start::Warm, None, &mut state);
+    let mut run =
+        Run::new(Elastic, &mut chord.work, &task, &mut half_space, Start::Warm, None, &mut state);
     let (_, found) = run.look(Known::Nothing, 0.0);
     let set = run.work.nodes.clone();
     let residual = run.work.residual.clone();
@@ -92,7 +100,7 @@ fn picture() -> Vec<u8> {
     let trial: Vec<f32> = shifted.map(|p| p as f32).collect();
     let step: Vec<f32> = p.iter().zip(&trial).map(|(p, t)| *p as f32 - t).collect();
     run.sweep_trial(found, 1.0);
-    assert!(run.end_trial().is_some());
+    assert!(run.end_trial(0.0).is_some());
     let swept: Vec<f32> = run.work.pairs.trial.pressure.iter().map(|p| *p as f32).collect();
 
     let heights: Vec<f32> = h.iter().map(|h| *h as f32).collect();

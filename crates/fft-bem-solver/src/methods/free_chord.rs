@@ -114,12 +114,17 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
         let depth = T::of(DEPTH);
         embed(map, &task.problem.heights, depth, stride, &mut self.problem.heights);
         let (target, load) = match task.target {
-            Target::Pressure(load) => (Target::Pressure(share * load), load),
+            Target::Pressure(load) | Target::OpenGap(_, load) => {
+                (Target::Pressure(share * load), load)
+            }
             Target::Level(level, guess) => (Target::Level(level, share * guess), guess),
         };
         // The pressure begins as constant on the map, and K is not known to make nothing of it.
         let mut transforms = 0.0;
-        if start == Start::Cold {
+        // Nor may what stood near the ceiling be scaled beyond it.
+        let factor = load * state.pressure.len() as f64 / fields::sum(&state.pressure);
+        let is_beyond = factor * fields::max(&state.pressure) > task.ceiling;
+        if start == Start::Cold || is_beyond {
             state.pressure.fill(T::of(load));
             operator.apply(&state.pressure, &mut state.displacement);
             transforms += 1.0;

@@ -12,6 +12,7 @@
 )]
 
 mod begin;
+mod ceiling;
 mod cheap_compliance;
 mod choice;
 mod chord;
@@ -27,10 +28,11 @@ mod fitted_stencil;
 mod free_chord;
 mod level_control;
 mod node;
-mod passes;
+pub(crate) mod passes;
 mod polonsky_keer;
 #[cfg(test)]
 mod safeguards;
+mod set_inverse;
 mod spline;
 mod stanley_kato;
 mod stiffness;
@@ -38,7 +40,10 @@ mod sweep;
 mod thin_pixels;
 mod transfer;
 
-pub(crate) use choice::build;
-pub(crate) use compliance::{Compliance, Free};
+pub(crate) use ceiling::{Ceiling, Elastic, Hardness};
+pub(crate) use choice::{build, operator};
+pub(crate) use compliance::Compliance;
 pub(crate) use contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
 pub(crate) use level_control::RISE;
+pub(crate) use node::Node;
+pub(crate) use set_inverse::SetInverse;

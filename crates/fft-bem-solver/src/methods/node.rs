@@ -14,6 +14,10 @@ pub(crate) enum Node {
     Released,
     /// It was in F, but the trial pulls on it.
     Dropped,
+    /// Outside F, at the ceiling.
+    Full,
+    /// Outside F, though it does not carry the ceiling: it overlaps too much for that.
+    Filled,
 }
 
 impl Node {
@@ -27,6 +31,12 @@ impl Node {
     #[inline(always)]
     pub(crate) fn is_in(self) -> bool {
         self == Self::Contact
+    }
+
+    /// Whether it is to carry the ceiling.
+    #[inline(always)]
+    pub(crate) fn is_full(self) -> bool {
+        matches!(self, Self::Full | Self::Filled)
     }
 
     /// The same, or `other`.

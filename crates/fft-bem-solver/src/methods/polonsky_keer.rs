@@ -4,6 +4,7 @@
 //! Polonsky & Keer (1999), *Wear* 231, 206–219, doi:10.1016/S0043-1648(99)00113-1, section 3.
 
 use super::begin::{begin, mean_gap_in_contact_to_zero};
+use super::ceiling::Elastic;
 use super::compliance::Compliance;
 use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
 use super::passes;
@@ -118,14 +119,14 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
             }
         };
         if end == End::Exhausted && residual.is_infinite() {
-            let check = certificate::energy_error(state, |i| gap[i], r, operator);
+            let check = certificate::energy_error(Elastic, state, |i| gap[i], r, operator);
             transforms += check.transforms;
             residual = certificate::CAUTION * check.relative;
         }
         if end == End::Exhausted && residual <= task.tolerance {
             end = End::Converged;
         }
-        state.level = certificate::level(state, heights);
+        state.level = certificate::level(state, heights, f64::INFINITY);
         Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
     }
 }

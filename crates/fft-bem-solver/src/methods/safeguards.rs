@@ -22,13 +22,15 @@ fn surface() -> (Problem<f64>, Grid) {
 fn run(
     method: &mut dyn ContactMethod<f64>,
     problem: &Problem<f64>,
+    ceiling: f64,
     tolerance: f64,
     load: f64,
 ) -> (Outcome, State<f64>) {
     let modulus = ContactModulus::from_pascals(1.0).unwrap();
     let mut half_space = HalfSpace::new(problem.grid, modulus);
     let mut state = State::new(problem.grid.len());
-    let task = Task { problem, target: Target::Pressure(load), tolerance, max_iterations: 20_000 };
+    let target = Target::Pressure(load);
+    let task = Task { problem, target, ceiling, tolerance, max_iterations: 20_000 };
     let mut watch = |_: &super::contract::Step<'_, f64>| ControlFlow::Continue(());
     let outcome = method.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
     (outcome, state)
@@ -44,11 +46,12 @@ fn difference(a: &State<f64>, b: &State<f64>) -> f64 {
 fn each_kind_of_step_alone_finds_the_solution() {
     let (problem, grid) = surface();
     for load in [0.003, 0.05, 0.2] {
-        let (_, exact) = run(&mut PolonskyKeer::new(grid.len()), &problem, 1e-11, load);
+        let (_, exact) =
+            run(&mut PolonskyKeer::new(grid.len()), &problem, f64::INFINITY, 1e-11, load);
         for kind in [Kind::Chord, Kind::Gradient, Kind::FaceCg] {
             let mut chord = Chord::new(grid);
             chord.force = Some(kind);
-            let (outcome, found) = run(&mut chord, &problem, 1e-8, load);
+            let (outcome, found) = run(&mut chord, &problem, f64::INFINITY, 1e-8, load);
             assert_eq!(outcome.end, End::Converged, "{kind:?} at {load}");
             let error = difference(&found, &exact);
             assert!(error < 1e-7, "{kind:?} at {load}: {error:e}");
@@ -61,12 +64,12 @@ fn each_kind_of_step_alone_finds_the_solution() {
 #[test]
 fn a_bad_preconditioner_costs_time_only() {
     let (problem, grid) = surface();
-    let (_, exact) = run(&mut PolonskyKeer::new(grid.len()), &problem, 1e-11, 0.05);
+    let (_, exact) = run(&mut PolonskyKeer::new(grid.len()), &problem, f64::INFINITY, 1e-11, 0.05);
     let mut fallbacks = 0;
     for (factor, ripple) in [(0.0, 0.0), (0.02, 0.0), (30.0, 0.0), (-1.0, 0.0), (1.0, 3.0)] {
         let mut chord = Chord::new(grid);
         chord.work.stiffness.spoil(factor, ripple);
-        let (outcome, found) = run(&mut chord, &problem, 1e-8, 0.05);
+        let (outcome, found) = run(&mut chord, &problem, f64::INFINITY, 1e-8, 0.05);
         assert_eq!(outcome.end, End::Converged, "{factor} {ripple}");
         let error = difference(&found, &exact);
         // The estimate is made with the same S: weak by the same factor.

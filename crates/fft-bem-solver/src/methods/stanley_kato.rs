@@ -13,6 +13,7 @@
 //! Stanley & Kato (1997), *J. Tribol.* 119, 481–485, doi:10.1115/1.2833523.
 
 use super::begin::{begin, mean_gap_in_contact_to_zero};
+use super::ceiling::Elastic;
 use super::compliance::Compliance;
 use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::certificate::{self, Patience};
@@ -104,11 +105,11 @@ impl<T: Real> ContactMethod<T> for StanleyKato<T> {
             fields::write_both([p, u], |_, [p, u]| [p * scale, u * scale]);
         };
         if end == End::Exhausted && residual.is_infinite() {
-            let check = certificate::energy_error(state, |i| gap[i], response, operator);
+            let check = certificate::energy_error(Elastic, state, |i| gap[i], response, operator);
             transforms += check.transforms;
             residual = certificate::CAUTION * check.relative;
         }
-        state.level = certificate::level(state, heights);
+        state.level = certificate::level(state, heights, f64::INFINITY);
         Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
     }
 }

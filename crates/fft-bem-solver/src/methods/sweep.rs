@@ -9,7 +9,11 @@
 //! on that level alone; the finest grid is visited only where a node changes sides. A round looks for
 //! tension, drops the nodes that bear it and hands their load up in one pass, before it is known how
 //! much it is: if it was not worth a round, the nodes would have been clipped, which is the same.
+//!
+//! Under a ceiling, what a node would carry beyond it is handed on likewise, and the node stays there. That
+//! waits until little tension is left: while much load is still moved, nobody knows how much it will carry.
 
+use super::ceiling::Ceiling;
 use super::extension::{Level, Pyramid};
 use super::node::Node;
 use super::transfer::Transfer;
@@ -21,6 +25,10 @@ use grid_fft::parallel::prelude::*;
 pub(crate) const ROUNDS: u8 = 12;
 /// Tension, as a part of the load and of the present relative error, that may be clipped.
 pub(crate) const NEGLIGIBLE: f64 = 1e-3;
+/// Tension, as a part of the load, above which nobody asks for the ceiling.
+pub(crate) const LITTLE: f64 = 0.1;
+/// Largest change of the load that nodes below the ceiling are given by a factor.
+pub(crate) const ROUGH: f64 = 0.1;
 /// Cells or nodes that are looked at in one go. Most blocks hold nothing to do.
 const BLOCK: usize = 32;
 /// Fewest rows of cells that one task handles: each has two more to hand load to.
@@ -60,13 +68,16 @@ impl Added<'_> {
 
     /// Of a block of cells, from `first` on, 1 for those below which a pressure is negative.
     #[inline(always)]
-    fn tension_flags(self, first: usize, smallest: &[f32]) -> [u8; BLOCK] {
+    fn tension_flags(self, first: usize, smallest: &[f32], has_ceiling: bool) -> [u8; BLOCK] {
+        // Towards the ceiling the same addition takes the other sign: one of the two bounds is passed.
+        let worst = |a: f32| if has_ceiling { -a.abs() } else { a };
         let mut flags = [0; BLOCK];
         let both = flags.iter_mut().zip(smallest);
         match self {
-            Self::Same(a) => both.for_each(|(flag, s)| *flag = u8::from(s + a < 0.0)),
+            Self::Same(a) => both.for_each(|(flag, s)| *flag = u8::from(s + worst(a) < 0.0)),
             Self::Cells(a) => {
-                both.zip(&a[first..]).for_each(|((flag, s), a)| *flag = u8::from(s + a < 0.0));
+                let all = both.zip(&a[first..]);
+                all.for_each(|((flag, s), a)| *flag = u8::from(s + worst(*a) < 0.0));
             }
         }
         flags
@@ -105,33 +116,44 @@ impl Sweep {
 
     /// Sweeps released nodes, then negative pressures, until no more than a `negligible` tension is
     /// left. `trial` and `nodes` are on the finest grid, `smallest` holds the smallest trial pressure below each
-    /// cell of the first level; `active` nodes are in contact.
+    /// cell of the first level; `active` nodes are in contact. With no more than a `little` tension left
+    /// the ceiling counts as well.
     /// On return a node carries the trial and what is added to it, clipped, if it is still in contact.
     #[allow(clippy::too_many_arguments, reason = "a pass over four fields")]
-    pub(crate) fn run<T: Real>(
+    pub(crate) fn run<T: Real, C: Ceiling<T>>(
         &mut self,
+        ceiling: C,
         pyramid: &mut Pyramid,
         trial: &[T],
         nodes: &mut [Node],
         smallest: &mut [f32],
         active: usize,
         has_released: bool,
-        negligible: f64,
+        [negligible, little]: [f64; 2],
     ) {
         if pyramid.levels.is_empty() {
             return; // up to 4 x 4 pixels: E^T is the restriction to the contact
         }
         if has_released {
-            Self::hand_up_released(pyramid, trial, nodes);
+            Self::hand_up_released(ceiling, pyramid, trial, nodes);
             pyramid.restrict_above();
         }
         let (mut left, mut has_more) = (active, has_released);
-        for _ in 0..=ROUNDS {
-            let (tension, count) = self.drop_negative(pyramid, trial, nodes, smallest, has_more);
-            if tension <= negligible || count >= left {
+        let mut fills = false;
+        for _ in 0..=(if C::IS_FINITE { 2 * ROUNDS } else { ROUNDS }) {
+            let bounds = Bounds { ceiling, fills };
+            let (excess, count) =
+                self.drop_beyond(bounds, pyramid, trial, nodes, smallest, has_more);
+            let is_all = !C::IS_FINITE || fills;
+            fills |= C::IS_FINITE && excess <= little;
+            if (excess <= negligible && is_all) || count >= left {
                 return;
             }
             left -= count;
+            has_more = false;
+            if count == 0 {
+                continue; // only the ceiling is still to be looked at
+            }
             self.collect(pyramid);
             pyramid.reweigh_above();
             pyramid.restrict_above();
@@ -140,7 +162,12 @@ impl Sweep {
     }
 
     /// Hands the load of released nodes up. They have no part in the shift.
-    fn hand_up_released<T: Real>(pyramid: &mut Pyramid, trial: &[T], nodes: &[Node]) {
+    fn hand_up_released<T: Real, C: Ceiling<T>>(
+        ceiling: C,
+        pyramid: &mut Pyramid,
+        trial: &[T],
+        nodes: &[Node],
+    ) {
         let level = &mut pyramid.levels[0];
         let (t, rows) = (level.transfer, level.rows_per_task());
         let (nx, mx) = (t.fine[1], t.coarse[1]);
@@ -154,11 +181,14 @@ impl Sweep {
                         |iy, factor, ix, line: &mut [f32]| {
                             let first = iy * nx + ix;
                             let nodes = &nodes[first..][..line.len()];
-                            if !nodes.iter().fold(false, |any, m| any | (*m == Node::Released)) {
+                            let fills = |m: Node| C::IS_FINITE && m == Node::Filled;
+                            let is_off = |m: Node| (m == Node::Released) | fills(m);
+                            if !nodes.iter().fold(false, |any, m| any | is_off(*m)) {
                                 return; // as most lines, but in a first step
                             }
                             for ((l, m), p) in line.iter_mut().zip(nodes).zip(&trial[first..]) {
-                                let load = if *m == Node::Released { p.narrow() } else { 0.0 };
+                                let top = if fills(*m) { ceiling.value() } else { T::zero() };
+                                let load = if is_off(*m) { (*p - top).narrow() } else { 0.0 };
                                 *l += factor * load;
                             }
                         },
@@ -168,11 +198,12 @@ impl Sweep {
         });
     }
 
-    /// Takes the negative nodes out of the contact, lowers the weights above and hands their load up.
-    /// Returns the tension they were under and their number. With `has_more`, what the first level
-    /// hands down is added before.
-    fn drop_negative<T: Real>(
+    /// Takes the nodes beyond a bound out of the contact, lowers the weights above and hands up what they
+    /// would carry beyond it. Returns that and their number. With `has_more`, what the first level hands
+    /// down is added before.
+    fn drop_beyond<T: Real, C: Ceiling<T>>(
         &mut self,
+        bounds: Bounds<C>,
         pyramid: &mut Pyramid,
         trial: &[T],
         nodes: &mut [Node],
@@ -211,11 +242,13 @@ impl Sweep {
                     for (r, (smallest, added)) in lines.enumerate() {
                         let added =
                             if has_added { Added::Cells(added) } else { Added::Same(shift) };
-                        for_each_in_tension(smallest, added, |c, a, smallest| {
-                            handed.begin_with(found.1);
-                            let cell = Cell::drop_negative(&t, [r, c], a, trial, nodes);
-                            handed.add(r, c, cell.loads);
-                            found.0 += cell.tension;
+                        for_each_in_tension(smallest, added, C::IS_FINITE, |c, a, smallest| {
+                            let cell = Cell::drop_beyond(bounds, &t, [r, c], a, trial, nodes);
+                            if cell.dropped > 0 {
+                                handed.begin_with(found.1);
+                                handed.add(r, c, cell.loads);
+                            }
+                            found.0 += cell.excess;
                             found.1 += cell.dropped;
                             *smallest = cell.smallest;
                             weight[r * mx + c] = capacity.of(cell.filled * t.node_share());
@@ -296,11 +329,18 @@ impl Handed<'_> {
     }
 }
 
+/// Which nodes are dropped: those in tension, and those above the ceiling if it counts by now.
+#[derive(Clone, Copy)]
+struct Bounds<C> {
+    ceiling: C,
+    fills: bool,
+}
+
 /// What becomes of the nodes below a cell.
 struct Cell {
-    /// Load of the dropped ones.
+    /// What the dropped ones would carry beyond their bound, signed and not.
     loads: [[f32; 2]; 2],
-    tension: f64,
+    excess: f64,
     dropped: usize,
     /// Smallest trial pressure of those that stay, and their number.
     smallest: f32,
@@ -308,9 +348,10 @@ struct Cell {
 }
 
 impl Cell {
-    /// Drops the nodes that are negative with `added`. The cell is one of those above these fields.
+    /// Drops the nodes that are beyond a bound with `added`. The cell is one of those above these fields.
     #[inline(always)]
-    fn drop_negative<T: Real>(
+    fn drop_beyond<T: Real, C: Ceiling<T>>(
+        bounds: Bounds<C>,
         t: &Transfer,
         [r, c]: [usize; 2],
         added: f32,
@@ -338,13 +379,24 @@ impl Cell {
         for (place, drops) in places.iter().zip(drops) {
             field[*place] = field[*place].or(Node::Dropped, drops);
         }
+        if C::IS_FINITE {
+            let top = bounds.ceiling.value();
+            for k in 0..4 {
+                let fills = on[k] & bounds.fills & (p[k] > top.wide());
+                field[places[k]] = field[places[k]].or(Node::Full, fills);
+                load[k] += if fills { p[k] - top.wide() } else { 0.0 };
+                drops[k] |= fills;
+                let nearer = q[k].narrow().min((top - q[k]).narrow());
+                rest[k] = if on[k] & !drops[k] { nearer } else { f32::INFINITY };
+            }
+        }
         let count = |flags: [bool; 4]| flags.iter().map(|f| usize::from(*f)).sum::<usize>();
         let least = |x: f32, y: f32| if x < y { x } else { y };
         let (all, dropped) = (count(on), count(drops));
         let [a, b, c, d] = load.map(|load| load as f32);
         Self {
             loads: [[a, b], [c, d]],
-            tension: -load.iter().sum::<f64>(),
+            excess: load.iter().map(|load| load.abs()).sum(),
             dropped,
             smallest: least(least(rest[0], rest[1]), least(rest[2], rest[3])),
             filled: (all - dropped) as f32,
@@ -352,17 +404,18 @@ impl Cell {
     }
 }
 
-/// Calls `found` with every cell of a row below which a pressure is negative, what is added there and
-/// the smallest pressure.
+/// Calls `found` with every cell of a row below which a pressure may be beyond a bound, what is added there
+/// and the smallest pressure.
 #[inline(always)]
 fn for_each_in_tension(
     smallest: &mut [f32],
     added: Added<'_>,
+    has_ceiling: bool,
     mut found: impl FnMut(usize, f32, &mut f32),
 ) {
     for (k, block) in smallest.chunks_mut(BLOCK).enumerate() {
         let first = k * BLOCK;
-        let flags = added.tension_flags(first, block);
+        let flags = added.tension_flags(first, block, has_ceiling);
         for_each_set(&flags, |c| found(first + c, added.at(first + c), &mut block[c]));
     }
 }
@@ -385,6 +438,7 @@ fn for_each_set(flags: &[u8; BLOCK], mut found: impl FnMut(usize)) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::methods::ceiling::Elastic;
 
     /// What dropped nodes hand up is the transpose of the interpolation, applied to their load, on
     /// shapes of one and several tasks, odd sides and cells that are halved along one axis alone.
@@ -416,8 +470,9 @@ mod tests {
                 *smallest = inside.map(|i| trial[i] as f32).fold(f32::INFINITY, f32::min);
             }
             let mut nodes = before.clone();
+            let bounds = Bounds { ceiling: Elastic, fills: false };
             let (tension, count) =
-                sweep.drop_negative(&mut pyramid, &trial, &mut nodes, &mut smallest, false);
+                sweep.drop_beyond(bounds, &mut pyramid, &trial, &mut nodes, &mut smallest, false);
             sweep.collect(&mut pyramid);
 
             let load: Vec<f32> = (0..n)

@@ -1,14 +1,16 @@
 //! Conjugate gradients on the face of the nodes in contact, preconditioned by the cheap `S`: the
 //! last resort of the chord iteration.
 
-use super::run::Run;
+use super::run::{Run, project};
+use crate::methods::ceiling::Ceiling;
 use crate::methods::node::Node;
-use crate::{Real, fields, projection};
+use crate::{Real, fields};
 
 /// One step from the iterate; returns the pairs spent. The direction and its displacement are kept in
 /// the place of the iterate before, once there is one.
-pub(super) fn step<T: Real>(run: &mut Run<'_, T>, level: f64) -> f64 {
+pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) -> f64 {
     let (h, load, is_first) = (run.heights, run.load, !run.memory.has_before);
+    let ceiling = run.ceiling;
     let (work, operator) = (&mut *run.work, &mut *run.operator);
     let n = h.len();
     let (p, u) = (&mut run.iterate.pressure, &mut run.iterate.displacement);
@@ -21,10 +23,14 @@ pub(super) fn step<T: Real>(run: &mut Run<'_, T>, level: f64) -> f64 {
     work.stiffness.apply(residual, &mut work.residual);
     let z = &mut work.residual;
     centre(nodes, z);
-    // A node without load that the step would pull on does not take part.
+    // A node without load that the step would pull on does not take part, nor one at the ceiling that it
+    // would press.
     for i in 0..n {
         if nodes[i].is_in() && p[i] <= T::zero() && z[i] > 0.0 {
             nodes[i] = Node::Gap;
+        }
+        if C::IS_FINITE && nodes[i].is_in() && ceiling.is_reached(p[i]) && z[i] < 0.0 {
+            nodes[i] = Node::Full;
         }
     }
     centre(nodes, z);
@@ -73,8 +79,9 @@ pub(super) fn step<T: Real>(run: &mut Run<'_, T>, level: f64) -> f64 {
     for i in 0..n {
         direction[i] = p[i] - length * t[i];
     }
-    if fields::min(direction) < 0.0 {
-        projection::onto_admissible(direction, load);
+    let is_above = || C::IS_FINITE && fields::max(direction) > ceiling.value().wide();
+    if fields::min(direction) < 0.0 || is_above() {
+        project(ceiling, direction, load);
         operator.apply(direction, u);
         std::mem::swap(p, direction);
         return 2.0;

@@ -2,19 +2,20 @@
 
 use super::run::Run;
 use crate::Real;
+use crate::methods::ceiling::Ceiling;
 use crate::methods::cheap_compliance::CheapCompliance;
 use crate::methods::passes::ContactSet;
 
-impl<T: Real> Run<'_, T> {
+impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// Makes the trial the lead: its displacement is that of the base, which is known, and what
     /// [`CheapCompliance`] makes of the difference. Call it after [`make_trial`](Self::make_trial). False,
     /// and nothing done, on a grid that is too small for it.
-    pub(super) fn guess(&mut self, set: ContactSet) -> bool {
+    pub(super) fn guess(&mut self, set: ContactSet, level: f64) -> bool {
         let (stiffness, grid) = (&self.work.stiffness, self.work.grid);
         let new = || CheapCompliance::new(stiffness, grid.pixel());
         let Some(cheap) = self.work.cheap.take().or_else(new) else { return false };
         self.sweep_trial(set, 1.0);
-        let factor = self.end_trial().unwrap_or(1.0);
+        let factor = self.end_trial(level).unwrap_or(1.0);
         let work = &mut *self.work;
         work.pairs.change(factor, self.iterate, &mut work.residual);
         let (displacement, spare) = work.pairs.lead(self.iterate);

@@ -35,6 +35,7 @@ use super::memory::{Kind, Known};
 use super::pairs::Base;
 use super::run::Run;
 use super::work::Work;
+use crate::methods::ceiling::{Ceiling, Elastic, Hardness};
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{ContactMethod, Outcome, Start, State, Step, Task, Watch};
 use crate::methods::extrapolation::Earlier;
@@ -85,9 +86,49 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
         state: &mut State<T>,
         watch: &mut Watch<'_, T>,
     ) -> Outcome {
+        if task.ceiling.is_finite() {
+            self.iterate(Hardness(T::of(task.ceiling)), task, operator, start, state, watch)
+        } else {
+            self.iterate(Elastic, task, operator, start, state, watch)
+        }
+    }
+
+    fn extrapolate(&mut self, is_on: bool) {
+        let n = self.work.nodes.len();
+        self.earlier = is_on.then(|| Box::new(Earlier::new(n)));
+    }
+
+    fn controls_level(&self) -> bool {
+        true
+    }
+
+    /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive, above `-0.1 P`.
+    fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
+        let work = &mut self.work;
+        work.pairs.base = Base::Iterate;
+        let heights = work.pairs.spare();
+        passes::narrow(&problem.heights, problem.mean_height, heights);
+        work.stiffness.apply(heights, &mut work.residual);
+        let least = fields::min(&work.residual);
+        (-least / 1.1, work.stiffness.cost)
+    }
+}
+
+impl<T: Real> Chord<T> {
+    /// The loop, with or without a ceiling.
+    fn iterate<C: Ceiling<T>>(
+        &mut self,
+        ceiling: C,
+        task: &Task<'_, T>,
+        operator: &mut dyn Compliance<T>,
+        start: Start,
+        state: &mut State<T>,
+        watch: &mut Watch<'_, T>,
+    ) -> Outcome {
         let guesses = if self.force.is_none() { self.guesses } else { 0 };
+        let guesses = if C::IS_FINITE { 2 * guesses } else { guesses };
         let Self { work, earlier, force, .. } = self;
-        let mut run = Run::new(work, task, operator, start, *force, state);
+        let mut run = Run::new(ceiling, work, task, operator, start, *force, state);
         run.begin(start, earlier.as_deref_mut());
         let mut proposal = run.first_proposal(start, guesses, task.tolerance);
         let mut iteration = 0;
@@ -124,29 +165,11 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
             run.end_drift();
         }
         let residual = run.memory.residual.max(run.level_error());
+        let yielding = C::IS_FINITE.then(|| run.level_of_iterate());
         let Run { transforms, fallbacks, .. } = run;
-        state.level = certificate::level(state, &task.problem.heights);
+        state.level = yielding
+            .unwrap_or_else(|| certificate::level(state, &task.problem.heights, f64::INFINITY));
         Outcome { end, iterations: iteration, transforms, residual, fallbacks }
-    }
-
-    fn extrapolate(&mut self, is_on: bool) {
-        let n = self.work.nodes.len();
-        self.earlier = is_on.then(|| Box::new(Earlier::new(n)));
-    }
-
-    fn controls_level(&self) -> bool {
-        true
-    }
-
-    /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive, above `-0.1 P`.
-    fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
-        let work = &mut self.work;
-        work.pairs.base = Base::Iterate;
-        let heights = work.pairs.spare();
-        passes::narrow(&problem.heights, problem.mean_height, heights);
-        work.stiffness.apply(heights, &mut work.residual);
-        let least = fields::min(&work.residual);
-        (-least / 1.1, work.stiffness.cost)
     }
 }
 
@@ -157,7 +180,7 @@ struct Proposal {
     set: ContactSet,
 }
 
-impl<T: Real> Run<'_, T> {
+impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// The pressure to start from, whose displacement is known or, on a load curve, guessed.
     fn begin(&mut self, start: Start, earlier: Option<&mut Earlier<T>>) {
         match (start, earlier) {
@@ -189,7 +212,7 @@ impl<T: Real> Run<'_, T> {
             let residual = self.memory.residual;
             let is_lead = self.work.pairs.base == Base::Lead;
             let is_first = guess == 0 && (is_lead || residual > tolerance);
-            if !(residual > GUESSED || is_first) || !self.guess(proposal.set) {
+            if !(residual > GUESSED || is_first) || !self.guess(proposal.set, proposal.level) {
                 break;
             }
             self.memory.length = 0.0;
@@ -232,10 +255,7 @@ impl<T: Real> Run<'_, T> {
         // The chord is drawn from the iterate, whose displacement is known, also where a lead proposed.
         let level = match base {
             Base::Iterate => proposal.level,
-            Base::Lead => {
-                let State { pressure, displacement, .. } = &*self.iterate;
-                passes::level(pressure, displacement, self.heights, &mut self.work.partial)
-            }
+            Base::Lead => self.level_of_iterate(),
         };
         let products = loop {
             let trial = match kind {
@@ -243,7 +263,11 @@ impl<T: Real> Run<'_, T> {
                     self.sweep_trial(proposal.set, self.memory.residual);
                     // The first trial is likely to need more than a factor.
                     let is_first = !self.memory.has_before;
-                    if is_first { self.end_trial().map(Trial::Ended) } else { Some(Trial::Swept) }
+                    if is_first || C::IS_FINITE {
+                        self.end_trial(proposal.level).map(Trial::Ended)
+                    } else {
+                        Some(Trial::Swept)
+                    }
                 }
                 Kind::Gradient | Kind::FaceCg => {
                     self.gradient_trial(level);

@@ -3,6 +3,7 @@
 use super::memory::{Kind, Known};
 use super::run::Run;
 use super::trial::is_rough;
+use crate::methods::ceiling::Ceiling;
 use crate::methods::passes::{self, Products};
 use crate::row_work::{Partial, RowWork, total};
 use crate::{HalfSpace, Real};
@@ -23,12 +24,12 @@ pub(super) enum Trial {
     Ended(f64),
 }
 
-impl<T: Real> Run<'_, T> {
+impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// Gives the trial the load and computes `K trial`, the one pair. Returns the inner products
     /// along the chord to it; `None` if nothing is left of the trial. `levels` are that of the iterate
     /// and the one from which the gap of the trial is to be counted.
     pub(super) fn respond(&mut self, trial: Trial, levels: [f64; 2]) -> Option<Products> {
-        let wanted = self.total();
+        let (ceiling, wanted) = (self.ceiling, self.total());
         let work = &mut *self.work;
         let nx = work.columns;
         let (nodes, sweep, pyramid) = (&work.nodes, &work.sweep, &work.pyramid);
@@ -36,7 +37,7 @@ impl<T: Real> Run<'_, T> {
             Trial::Ended(_) => Partial::default(),
             Trial::Swept => {
                 let nodes = &nodes[first..][..q.len()];
-                passes::end_trial(first / nx, nodes, sweep, pyramid, nx, q)
+                passes::end_trial(ceiling, first / nx, nodes, sweep, pyramid, nx, q)
             }
         };
         let mut sum = 0.0;
@@ -52,7 +53,7 @@ impl<T: Real> Run<'_, T> {
         let before = if has_before { &work.pairs.before.pressure[..] } else { p }; // without one, d = 0
         let finish = |first: usize, scale: T, qv: [&mut [T]; 2], gap: &mut [f32]| {
             let [p, u, h, b] = [p, u, h, before].map(|x| &x[first..][..gap.len()]);
-            passes::inner_products([p, u, h], levels, qv, scale, b, gap)
+            passes::inner_products(ceiling, [p, u, h], levels, qv, scale, b, gap)
         };
         let around = RowWork {
             prepare: &prepare,
@@ -80,7 +81,7 @@ impl<T: Real> Run<'_, T> {
             now.length = if theta < FULL { theta } else { 1.0 };
             if theta > 1.0 && !k.has_dropped {
                 let (p, trial) = (&self.iterate.pressure, &self.work.pairs.trial.pressure);
-                let reach = passes::reach(p, trial, &mut self.work.partial);
+                let reach = passes::reach(self.ceiling, p, trial, &mut self.work.partial);
                 now.length = theta.min(reach.max(1.0));
             }
             now.tau = (now.tau * theta.clamp(CHANGE[0], CHANGE[1])).clamp(TAU[0], TAU[1]);
@@ -118,6 +119,7 @@ impl<T: Real> Run<'_, T> {
         let work = &mut *self.work;
         let pairs = &mut work.pairs;
         passes::combine(
+            self.ceiling,
             [&self.iterate.pressure, &self.iterate.displacement],
             [&pairs.trial.pressure, &pairs.trial.displacement],
             b,

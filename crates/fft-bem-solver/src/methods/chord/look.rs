@@ -2,6 +2,8 @@
 
 use super::memory::Known;
 use super::run::Run;
+use crate::methods::ceiling::Ceiling;
+use crate::methods::contract::State;
 use crate::methods::passes::{self, ContactSet, Gap};
 use crate::{Real, fields};
 use std::f64::consts::FRAC_PI_2;
@@ -23,7 +25,7 @@ enum When {
     Ahead,
 }
 
-impl<T: Real> Run<'_, T> {
+impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// The level of the base, from which the residual gap g is counted; its contact set F; and `E g`.
     ///
     /// The level is the plain mean of `u - h` in contact, so that g has no mean there, which no
@@ -33,11 +35,29 @@ impl<T: Real> Run<'_, T> {
         let [p, u] = self.work.pairs.start(self.iterate);
         let measured = |partial| passes::level(p, u, self.heights, partial);
         let (level, excess) = match known {
+            _ if C::IS_FINITE => (self.level_of_base(), None),
             Known::Nothing => (measured(&mut self.work.partial), None),
             Known::Level(level) => (level, None),
             Known::Gap { level, counted_from } => (level, Some(level - counted_from)),
         };
         (level, self.contact_set(level, excess, release, When::Now))
+    }
+
+    /// The level of the base under a ceiling.
+    fn level_of_base(&mut self) -> f64 {
+        let work = &mut *self.work;
+        let [p, u] = work.pairs.start(self.iterate);
+        passes::level_under(self.ceiling, [p, u, self.heights], &mut work.partial)
+    }
+
+    /// The level of the iterate, whatever the base.
+    pub(super) fn level_of_iterate(&mut self) -> f64 {
+        let State { pressure: p, displacement: u, .. } = &*self.iterate;
+        if C::IS_FINITE {
+            let fields = [&p[..], &u[..], self.heights];
+            return passes::level_under(self.ceiling, fields, &mut self.work.partial);
+        }
+        passes::level(p, u, self.heights, &mut self.work.partial)
     }
 
     /// Looks again, a step ahead: `E g` is what the step will take from the gap, in contact and
@@ -63,6 +83,7 @@ impl<T: Real> Run<'_, T> {
             None => Gap::Of { u, h: self.heights, level },
         };
         let found = passes::residual(
+            self.ceiling,
             p,
             gap,
             release,

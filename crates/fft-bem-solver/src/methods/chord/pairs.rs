@@ -83,6 +83,30 @@ impl<T: Real> Pairs<T> {
         (&mut trial.pressure, narrowed(free))
     }
 
+    /// Makes a multiple of the iterate the lead, unless there is one.
+    pub(super) fn lead_from(&mut self, factor: f64, iterate: &State<T>) {
+        if self.base == Base::Lead {
+            return;
+        }
+        self.base = Base::Lead;
+        passes::copy(&iterate.pressure, &mut self.trial.pressure);
+        passes::copy(&iterate.displacement, &mut self.trial.displacement);
+        passes::scale(factor, &mut self.trial.pressure);
+        passes::scale(factor, &mut self.trial.displacement);
+    }
+
+    /// The pressure of the trial and, until it has its own, the displacement of the base.
+    pub(super) fn trial_and_displacement<'a>(
+        &'a mut self,
+        iterate: &'a State<T>,
+    ) -> (&'a mut [T], &'a [T]) {
+        let Self { trial, base, .. } = self;
+        match base {
+            Base::Iterate => (&mut trial.pressure, &iterate.displacement),
+            Base::Lead => (&mut trial.pressure, &trial.displacement),
+        }
+    }
+
     /// Makes room for a trial: the pressure of a lead steps aside. Returns the pressure of the base, that of
     /// the trial, which holds nothing yet, and the spare.
     pub(super) fn begin_trial<'a>(

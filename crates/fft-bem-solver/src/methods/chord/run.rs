@@ -3,15 +3,17 @@
 use super::memory::{Kind, Memory};
 use super::pairs::Base;
 use super::work::Work;
+use crate::methods::ceiling::Ceiling;
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{Start, State, Target, Task};
 use crate::methods::level_control::LevelControl;
 use crate::methods::passes;
-use crate::{Boundary, Fallbacks, Real, fields};
+use crate::{Boundary, Fallbacks, Real, fields, projection};
 
 /// A run in progress. Its steps are in files of their own, in the order in which the
 /// [loop](super::iteration) takes them.
-pub(crate) struct Run<'a, T: Real> {
+pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
+    pub(crate) ceiling: C,
     pub(crate) work: &'a mut Work<T>,
     pub(crate) operator: &'a mut dyn Compliance<T>,
     pub(crate) heights: &'a [T],
@@ -26,9 +28,10 @@ pub(crate) struct Run<'a, T: Real> {
     pub(super) fallbacks: Fallbacks,
 }
 
-impl<'a, T: Real> Run<'a, T> {
+impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
     /// A run that has not begun. Tests force a kind of step.
     pub(crate) fn new(
+        ceiling: C,
         work: &'a mut Work<T>,
         task: &Task<'a, T>,
         operator: &'a mut dyn Compliance<T>,
@@ -37,7 +40,7 @@ impl<'a, T: Real> Run<'a, T> {
         iterate: &'a mut State<T>,
     ) -> Self {
         let (load, control) = match task.target {
-            Target::Pressure(load) => (load, None),
+            Target::Pressure(load) | Target::OpenGap(_, load) => (load, None),
             Target::Level(level, guess) => {
                 let mean_height = task.problem.mean_height;
                 (guess, Some(LevelControl::new(level, mean_height, operator.boundary())))
@@ -45,6 +48,7 @@ impl<'a, T: Real> Run<'a, T> {
         };
         work.pairs.base = Base::Iterate;
         Self {
+            ceiling,
             work,
             operator,
             heights: &task.problem.heights,
@@ -76,8 +80,18 @@ impl<'a, T: Real> Run<'a, T> {
 
     /// Begins with the iterate there is, scaled to the load: K is linear. Where the level is prescribed, the
     /// load is that of the iterate.
+    ///
+    /// What was near the ceiling may so come to lie above it. It is then a lead, not feasible itself: the
+    /// chord is drawn from the constant pressure.
     pub(super) fn begin_scaled(&mut self) {
         let present = mean(&self.iterate.pressure);
+        if C::IS_FINITE {
+            let factor = self.load / present;
+            if factor * fields::max(&self.iterate.pressure) > self.ceiling.value().wide() {
+                self.work.pairs.lead_from(factor, self.iterate);
+                return self.begin_constant();
+            }
+        }
         if self.control.is_none() {
             self.scale_iterate(self.load / present);
         } else {
@@ -87,6 +101,9 @@ impl<'a, T: Real> Run<'a, T> {
 
     /// Steps longer than the chord multiply the rounding of the load: takes back what came of it.
     pub(super) fn end_drift(&mut self) {
+        if C::IS_FINITE {
+            return; // every trial is given the load to the last digit, and its nodes may not be scaled
+        }
         let present = mean(&self.iterate.pressure);
         if (present / self.load - 1.0).abs() > 32.0 * T::EPSILON {
             self.scale_iterate(self.load / present);
@@ -101,6 +118,15 @@ impl<'a, T: Real> Run<'a, T> {
     /// How far a prescribed level is from being met, in the logarithm of the load.
     pub(super) fn level_error(&self) -> f64 {
         self.control.as_ref().map_or(0.0, |control| control.error.abs())
+    }
+}
+
+/// The nearest pressure within the bounds that carries the load.
+pub(super) fn project<T: Real, C: Ceiling<T>>(ceiling: C, field: &mut [T], load: f64) {
+    if C::IS_FINITE {
+        projection::between(field, load, ceiling.value().wide());
+    } else {
+        projection::onto_admissible(field, load);
     }
 }
 

@@ -1,14 +1,19 @@
 //! Steps 2 and 3: the preconditioned residual, the trial it leads to, and the sweep that frees that of
 //! tension.
 
-use super::run::Run;
+use super::run::{Run, project};
+use crate::methods::ceiling::Ceiling;
 use crate::methods::passes::{self, ContactSet, Estimate};
 use crate::methods::sweep;
 use crate::row_work::total;
-use crate::{Real, projection};
+use crate::{Real, fields, projection};
 use grid_fft::parallel::prelude::*;
 
-impl<T: Real> Run<'_, T> {
+/// Pressure per gap of a node that joins the contact because the others cannot carry more, per finer
+/// pixel and `E*`: about that of a single node.
+const STIFFNESS: f64 = 1.0;
+
+impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// `y = S E g`, in place of the residual, and all of `z = E^T y` but the last step down to the
     /// finest grid, which [`make_trial`](Self::make_trial) does.
     pub(crate) fn precondition(&mut self) {
@@ -27,6 +32,7 @@ impl<T: Real> Run<'_, T> {
         let size = [work.rows, work.columns];
         let (start, trial, smallest) = work.pairs.begin_trial(self.iterate);
         passes::trial(
+            self.ceiling,
             start,
             &work.residual,
             tau,
@@ -49,20 +55,24 @@ impl<T: Real> Run<'_, T> {
     /// softest wave of a slender map is as much softer than that of a square.
     pub(crate) fn sweep_trial(&mut self, set: ContactSet, residual: f64) {
         let (total, work) = (self.total(), &mut *self.work);
+        let negligible = sweep::NEGLIGIBLE * total * residual.min(1.0) / work.slenderness;
         let (trial, smallest) = work.pairs.trial_and_spare();
         work.sweep.run(
+            self.ceiling,
             &mut work.pyramid,
             trial,
             &mut work.nodes,
             smallest,
             set.size,
             set.has_released,
-            sweep::NEGLIGIBLE * total * residual.min(1.0) / work.slenderness,
+            [negligible, sweep::LITTLE * total],
         );
     }
 
-    /// Clips the swept trial. Returns the factor that gives it the load; `None` if nothing is left.
-    pub(crate) fn end_trial(&mut self) -> Option<f64> {
+    /// Clips the swept trial, made from a base at this level. Returns the factor that gives it the load; `None` if
+    /// nothing is left.
+    pub(crate) fn end_trial(&mut self, level: f64) -> Option<f64> {
+        let ceiling = self.ceiling;
         let work = &mut *self.work;
         let (rows, nx) = (work.rows, work.columns);
         let (size, trial) = (rows * nx, &mut work.pairs.trial.pressure);
@@ -70,9 +80,13 @@ impl<T: Real> Run<'_, T> {
         let pieces = trial.par_chunks_mut(size).zip(work.nodes.par_chunks(size));
         pieces.zip(work.partial.par_iter_mut()).enumerate().for_each(
             |(k, ((q, nodes), partial))| {
-                *partial = passes::end_trial(k * rows, nodes, sweep, pyramid, nx, q);
+                *partial = passes::end_trial(ceiling, k * rows, nodes, sweep, pyramid, nx, q);
             },
         );
+        if C::IS_FINITE {
+            self.give_load_below_ceiling(level);
+            return Some(1.0);
+        }
         let [sum] = total(&work.partial[..trial.len().div_ceil(size)]);
         self.give_load(sum)
     }
@@ -90,6 +104,28 @@ impl<T: Real> Run<'_, T> {
         Some(total / sum)
     }
 
+    /// Gives the clipped trial the load where nodes at the ceiling cannot be scaled: by a factor on the
+    /// others, if that is a small matter. Else the contact set is too small or too large to carry it, and the
+    /// nodes that come next, those with the least gap in the base or the least overlap, join or leave it.
+    fn give_load_below_ceiling(&mut self, level: f64) {
+        let (load, total, ceiling) = (self.load, self.total(), self.ceiling.value());
+        let heights = self.heights;
+        let (trial, u) = self.work.pairs.trial_and_displacement(self.iterate);
+        if projection::scale_below(trial, total, ceiling.wide(), sweep::ROUGH) {
+            return;
+        }
+        let (stiffness, level) = (T::of(STIFFNESS), T::of(level));
+        fields::write(trial, |i, p| {
+            let step = stiffness * (u[i] - heights[i] - level);
+            match (p > T::zero(), p < ceiling) {
+                (true, true) => p,
+                (false, _) => T::zero() - step.larger(T::zero()),
+                (_, false) => p + (T::zero() - step).larger(T::zero()),
+            }
+        });
+        projection::between(trial, load, ceiling.wide());
+    }
+
     /// `trial = p - alpha g`, projected on the pressures that are positive and carry the load.
     pub(super) fn gradient_trial(&mut self, level: f64) {
         let (p, u, h) = (&self.iterate.pressure, &self.iterate.displacement, self.heights);
@@ -98,7 +134,7 @@ impl<T: Real> Run<'_, T> {
         for (i, t) in trial.iter_mut().enumerate() {
             *t = p[i] - alpha * (u[i] - h[i] - level);
         }
-        projection::onto_admissible(trial, self.load);
+        project(self.ceiling, trial, self.load);
     }
 }
 

@@ -3,6 +3,7 @@
 use super::step::contact_sums;
 use super::sums::{Largest, Sum, TILE};
 use crate::Real;
+use crate::methods::ceiling::Ceiling;
 use crate::methods::extension::{Pyramid, pull_rows};
 use crate::methods::node::Node;
 use crate::row_work::{Partial, TASK, total};
@@ -22,6 +23,66 @@ pub(crate) fn level<T: Real>(p: &[T], u: &[T], h: &[T], partial: &mut [Partial])
     sum / contact.max(1.0)
 }
 
+/// The level of the flat under a pressure with a ceiling: that at which the gap has no mean over the
+/// nodes that have still to give way, those between the bounds, those at the ceiling that stand off and
+/// those without load that overlap. Where there is none, any level is right that parts the loaded from
+/// the others, and this one does. The sums it searches by Newton's method fall as the level rises.
+pub(crate) fn level_under<T: Real, C: Ceiling<T>>(
+    ceiling: C,
+    [p, u, h]: [&[T]; 3],
+    partial: &mut [Partial],
+) -> f64 {
+    let sums = |level: Option<f64>, partial: &mut [Partial]| -> [f64; 4] {
+        let used = p.len().div_ceil(TASK);
+        partial[..used]
+            .par_iter_mut()
+            .zip(p.par_chunks(TASK))
+            .zip(u.par_chunks(TASK).zip(h.par_chunks(TASK)))
+            .for_each(|((partial, p), (u, h))| {
+                vectorised!(_vectors => {
+                    let (mut sum, mut count, mut full, mut its_sum) = (0.0, 0.0, 0.0, 0.0);
+                    for ((p, u), h) in p.iter().zip(u).zip(h) {
+                        let rise = (*u - *h).wide();
+                        let (is_loaded, is_full) = (*p > T::zero(), ceiling.is_reached(*p));
+                        let counts = match level {
+                            Some(level) if !is_loaded => rise < level,
+                            Some(level) if is_full => rise > level,
+                            _ => is_loaded & !is_full,
+                        };
+                        sum += if counts { rise } else { 0.0 };
+                        count += f64::from(u8::from(counts));
+                        its_sum += if is_full { rise } else { 0.0 };
+                        full += f64::from(u8::from(is_full));
+                    }
+                    *partial = [sum, count, its_sum, full, 0.0, 0.0, 0.0, 0.0];
+                });
+            });
+        total(&partial[..used])
+    };
+    let [sum, count, full_sum, full] = sums(None, partial);
+    let mut level = if count > 0.0 { sum / count } else { full_sum / full.max(1.0) };
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    for _ in 0..NEWTON_STEPS {
+        let [sum, count, ..] = sums(Some(level), partial);
+        if count <= 0.0 {
+            break;
+        }
+        let next = sum / count;
+        if next > level {
+            low = level;
+        } else if next < level {
+            high = level;
+        } else {
+            break;
+        }
+        level = if next > low && next < high { next } else { 0.5 * (low + high) };
+    }
+    level
+}
+
+/// Most steps of it; a few are enough.
+const NEWTON_STEPS: usize = 60;
+
 /// Where the gap comes from.
 #[derive(Clone, Copy)]
 pub(crate) enum Gap<'a, T> {
@@ -36,15 +97,19 @@ pub(crate) enum Gap<'a, T> {
 pub(crate) struct ContactSet {
     /// Its nodes.
     pub(crate) size: usize,
-    /// Whether nodes outside F carry load.
+    /// Whether nodes outside F carry load, or less than the ceiling that they are to carry.
     pub(crate) has_released: bool,
 }
 
 /// The set `F = {p > release max(g, 0)} or {g < 0}`, the residual g on it, and the first level of the
 /// pyramid over it. With `closing`, how much the next step will lower the gap where it is not in
 /// contact yet, nodes that it would make overlap, `g <= closing`, belong to F.
+///
+/// Under a ceiling H a node must also be pressed less than that, `H - p > release max(-g, 0)`, or stand
+/// off, `g > 0`.
 #[allow(clippy::too_many_arguments, reason = "a pass over nine fields")]
-pub(crate) fn residual<T: Real>(
+pub(crate) fn residual<T: Real, C: Ceiling<T>>(
+    ceiling: C,
     p: &[T],
     gap: Gap<'_, T>,
     release: f64,
@@ -57,7 +122,7 @@ pub(crate) fn residual<T: Real>(
 ) -> ContactSet {
     let chunk = rows * nx;
     let used = p.len().div_ceil(chunk);
-    let classify = Classify { gap, release: T::of(release), closing, nx };
+    let classify = Classify { ceiling, gap, release: T::of(release), closing, nx };
     let fields = partial[..used]
         .par_iter_mut()
         .zip(p.par_chunks(chunk))
@@ -88,14 +153,15 @@ pub(crate) fn residual<T: Real>(
 
 /// What decides whether a node belongs to F.
 #[derive(Clone, Copy)]
-struct Classify<'a, T> {
+struct Classify<'a, T, C> {
+    ceiling: C,
     gap: Gap<'a, T>,
     release: T,
     closing: Option<&'a [f32]>,
     nx: usize,
 }
 
-impl<T: Real> Classify<'_, T> {
+impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
     /// Marks the nodes of some rows from pixel `first` on and leaves the gap on those of F. Returns
     /// how many these are, and how many carry load but do not belong.
     #[inline(always)]
@@ -116,9 +182,16 @@ impl<T: Real> Classify<'_, T> {
                 let carries = *p > self.release * T::of(f64::from(g.max(0.0)));
                 *m = Node::of(carries | (*g < 0.0));
             }
+            if C::IS_FINITE {
+                for ((m, p), g) in nodes.iter_mut().zip(p).zip(&*g) {
+                    let room = self.ceiling.value() - *p;
+                    let yields = room <= self.release * T::of(f64::from((-g).max(0.0)));
+                    *m = m.or(Node::Full, yields & (*g <= 0.0));
+                }
+            }
             if let Some(closing) = self.closing {
                 for ((m, e), g) in nodes.iter_mut().zip(&closing[first..]).zip(&*g) {
-                    *m = m.or(Node::Contact, g <= e);
+                    *m = m.or(Node::Contact, (g <= e) & !(C::IS_FINITE && *m == Node::Full));
                 }
             }
             for (g, m) in g.iter_mut().zip(&*nodes) {
@@ -126,10 +199,17 @@ impl<T: Real> Classify<'_, T> {
             }
             active += nodes.iter().map(|m| u32::from(m.is_in())).sum::<u32>();
             for (m, p) in nodes.iter_mut().zip(p) {
-                let off = (*p > T::zero()) & !m.is_in();
+                let off = (*p > T::zero()) & !m.is_in() & !(C::IS_FINITE && m.is_full());
                 *m = m.or(Node::Released, off);
             }
             released += nodes.iter().map(|m| u32::from(*m == Node::Released)).sum::<u32>();
+            if C::IS_FINITE {
+                let top = self.ceiling.value();
+                for (m, p) in nodes.iter_mut().zip(p) {
+                    *m = m.or(Node::Filled, m.is_full() & ((*p < top) | (*p > top)));
+                }
+                released += nodes.iter().map(|m| u32::from(*m == Node::Filled)).sum::<u32>();
+            }
         }
         [f64::from(active), f64::from(released), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     }

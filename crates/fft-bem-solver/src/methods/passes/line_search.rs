@@ -2,6 +2,7 @@
 
 use super::sums::{Largest, TILE};
 use crate::Real;
+use crate::methods::ceiling::Ceiling;
 use crate::row_work::{Partial, TASK};
 use crate::simd::{LANES, four, rest, vectorised};
 use fearless_simd::{Fallback, Select, Simd, SimdBase, SimdFloat, f64x4};
@@ -24,7 +25,7 @@ pub(crate) struct Products {
     pub(crate) gd: f64,
     pub(crate) dkd: f64,
     pub(crate) skd: f64,
-    /// Whether a node in contact is not in the trial.
+    /// Whether a node in contact is not in the trial, or one below the ceiling reaches it there.
     pub(crate) has_dropped: bool,
     /// Level of the trial: the mean of `K trial - h` in its contact.
     pub(crate) level: f64,
@@ -61,7 +62,8 @@ impl Products {
 /// from the level `from`; and returns one piece of the sums of [`Products`]: `<g,s>, <s,Ks>, <s,s>, <g,d>,
 /// <d,Ks>`, the nodes dropped, the sum of `v - h` over the contact of the trial and its nodes. `b`
 /// is the pressure before the last step.
-pub(crate) fn inner_products<T: Real>(
+pub(crate) fn inner_products<T: Real, C: Ceiling<T>>(
+    ceiling: C,
     [p, u, h]: [&[T]; 3],
     levels: [f64; 2],
     [q, v]: [&mut [T]; 2],
@@ -71,14 +73,15 @@ pub(crate) fn inner_products<T: Real>(
 ) -> Partial {
     let levels = levels.map(T::of);
     let fields = [p, u, h, b, &*v];
-    let mut sums = vectorised!(x => products_by_fours(x, fields, levels, q, scale, gap));
+    let mut sums = vectorised!(x => products_by_fours(x, ceiling, fields, levels, q, scale, gap));
     let whole = gap.len() - gap.len() % LANES;
     if whole < gap.len() {
         let (mut last, mut its_gap) = (rest(q), [0.0; LANES]);
         let fields = fields.map(rest);
         let fields = fields.each_ref().map(|x| &x[..]);
+        let vectors = Fallback::new();
         let more =
-            products_by_fours(Fallback::new(), fields, levels, &mut last, scale, &mut its_gap);
+            products_by_fours(vectors, ceiling, fields, levels, &mut last, scale, &mut its_gap);
         sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
         q[whole..].iter_mut().zip(last).for_each(|(q, x)| *q = x);
         gap[whole..].iter_mut().zip(its_gap).for_each(|(gap, x)| *gap = x);
@@ -88,8 +91,10 @@ pub(crate) fn inner_products<T: Real>(
 
 /// The same on whole vectors of the fields `p`, `u`, `h`, `b`, `v` and of `q`.
 #[inline(always)]
-fn products_by_fours<S: Simd, T: Real>(
+#[allow(clippy::too_many_arguments, reason = "a pass over seven fields")]
+fn products_by_fours<S: Simd, T: Real, C: Ceiling<T>>(
     vectors: S,
+    ceiling: C,
     [p, u, h, b, v]: [&[T]; 5],
     [level, from]: [T; 2],
     q: &mut [T],
@@ -116,14 +121,24 @@ fn products_by_fours<S: Simd, T: Real>(
         dks += d * ks;
         let (was, is) = (T::widened(p).simd_gt(zero), T::widened(trial).simd_gt(zero));
         dropped += is.select(zero, was.select(one, zero));
+        if C::IS_FINITE {
+            let top = f64x4::splat(vectors, ceiling.value().wide());
+            let (was, is) = (T::widened(p).simd_ge(top), T::widened(trial).simd_ge(top));
+            dropped += was.select(zero, is.select(one, zero));
+        }
         rise += is.select(T::widened(height), zero);
         contact += is.select(one, zero);
     }
     [gs, sks, ss, gd, dks, dropped, rise, contact].map(|sum| sum.iter().sum())
 }
 
-/// How far along the chord from `p` to the trial the pressure stays positive.
-pub(crate) fn reach<T: Real>(p: &[T], trial: &[T], partial: &mut [Partial]) -> f64 {
+/// How far along the chord from `p` to the trial the pressure stays within its bounds.
+pub(crate) fn reach<T: Real, C: Ceiling<T>>(
+    ceiling: C,
+    p: &[T],
+    trial: &[T],
+    partial: &mut [Partial],
+) -> f64 {
     let used = p.len().div_ceil(TASK);
     let pieces = p.par_chunks(TASK).zip(trial.par_chunks(TASK));
     partial[..used].par_iter_mut().zip(pieces).for_each(|(partial, (p, q))| {
@@ -133,6 +148,9 @@ pub(crate) fn reach<T: Real>(p: &[T], trial: &[T], partial: &mut [Partial]) -> f
                 for ((loss, p), q) in loss.iter_mut().zip(p).zip(q) {
                     let (p, q) = (p.wide(), q.wide());
                     *loss = if q < p { (p - q) / p } else { 0.0 };
+                    if C::IS_FINITE && q > p {
+                        *loss = (q - p) / (ceiling.value().wide() - p);
+                    }
                 }
                 largest.take(&loss[..p.len()]);
             }

@@ -10,7 +10,9 @@ mod step;
 mod sums;
 mod trial;
 
-pub(crate) use contact_set::{ContactSet, Gap, is_rounding, level, residual, residual_norm2};
+pub(crate) use contact_set::{
+    ContactSet, Gap, is_rounding, level, level_under, residual, residual_norm2,
+};
 pub(crate) use line_search::{Products, inner_products, reach};
 pub(crate) use pieces::{fill, narrow, rows_per_task, scale, tasks};
 pub(crate) use preconditioner::{gather, push};

@@ -1,6 +1,7 @@
 //! The step to the next iterate, with the sums that its level needs.
 
 use crate::Real;
+use crate::methods::ceiling::Ceiling;
 use crate::row_work::{Partial, TASK, total};
 use crate::simd::{LANES, four, rest, vectorised};
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x4};
@@ -11,10 +12,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// the level of the new iterate.
 ///
 /// With `is_plane`, `None` if a pressure comes out negative, or positive where the trial is zero;
-/// `before` is then undefined. Without, b2 is 0, what `before` held does not matter, and negative
-/// pressures are clipped.
+/// `before` is then undefined; likewise at the ceiling. Without, b2 is 0, what `before` held does not
+/// matter, and pressures are clipped.
 #[allow(clippy::too_many_arguments, reason = "a pass over seven fields")]
-pub(crate) fn combine<T: Real>(
+pub(crate) fn combine<T: Real, C: Ceiling<T>>(
+    ceiling: C,
     [p, u]: [&[T]; 2],
     [trial, response]: [&[T]; 2],
     [b1, b2]: [f64; 2],
@@ -38,7 +40,7 @@ pub(crate) fn combine<T: Real>(
             let (from, n) = (task * TASK, b.len());
             let [p, u, h, q, v] = [p, u, h, trial, response].map(|x| &x[from..][..n]);
             let fits = vectorised!(vectors => {
-                let fits = step_pressure(p, q, [b1, b2], is_plane, b);
+                let fits = step_pressure(ceiling, p, q, [b1, b2], is_plane, b);
                 step_linearly(u, v, [b1, b2], is_plane, w);
                 *partial = contact_sums(vectors, b, w, h);
                 fits
@@ -61,9 +63,10 @@ fn step_linearly<T: Real>(old: &[T], to: &[T], [b1, b2]: [T; 2], is_plane: bool,
 }
 
 /// The same for the pressure, clipped. Returns whether nothing had to be, and no node carries load
-/// that does not in the trial.
+/// that does not in the trial, or less than the ceiling where the trial reaches it.
 #[inline(always)]
-fn step_pressure<T: Real>(
+fn step_pressure<T: Real, C: Ceiling<T>>(
+    ceiling: C,
     p: &[T],
     trial: &[T],
     b: [T; 2],
@@ -75,7 +78,11 @@ fn step_pressure<T: Real>(
     for (x, q) in before.iter_mut().zip(trial) {
         let misfit = (*x < T::zero()) | ((*q <= T::zero()) & (*x > T::zero()));
         misfits += u32::from(misfit);
-        *x = x.larger(T::zero());
+        if C::IS_FINITE {
+            let top = ceiling.value();
+            misfits += u32::from((*x > top) | ((*q >= top) & (*x < top)));
+        }
+        *x = ceiling.clip(*x);
     }
     misfits == 0
 }

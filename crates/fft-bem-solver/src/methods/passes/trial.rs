@@ -2,6 +2,7 @@
 
 use super::sums::TILE;
 use crate::Real;
+use crate::methods::ceiling::Ceiling;
 use crate::methods::extension::{Level, Pyramid};
 use crate::methods::node::Node;
 use crate::methods::sweep::{Added, Sweep};
@@ -23,9 +24,10 @@ pub(crate) struct Estimate {
 /// Ends `z = E^T y` and makes the step: the trial is `p - tau z` on F, `p` elsewhere. That the
 /// mean of z does not belong to the step is known only at the end: [`Sweep::shift`] adds it.
 /// `active` is the size of F. Writes the smallest trial pressure below each cell of the first level
-/// to `smallest`, if there are cells.
+/// to `smallest`, if there are cells; under a ceiling, the smallest distance from a bound.
 #[allow(clippy::too_many_arguments, reason = "a pass over six fields")]
-pub(crate) fn trial<T: Real>(
+pub(crate) fn trial<T: Real, C: Ceiling<T>>(
+    ceiling: C,
     p: &[T],
     y: &[f32],
     tau: f64,
@@ -58,8 +60,9 @@ pub(crate) fn trial<T: Real>(
                     let cells = below.zip(trial.chunks_mut(height * nx)).zip(smallest.chunks_mut(mx));
                     for (j, (((y, nodes), trial), smallest)) in cells.enumerate() {
                         let row = task * rows + j * height;
-                        step_rows(x, p, y, length, nodes, Some(first), [row, nx], trial, &mut sums);
-                        smallest_below(t, nodes, trial, smallest);
+                        let place = [row, nx];
+                        step_rows(x, ceiling, p, y, length, nodes, Some(first), place, trial, &mut sums);
+                        smallest_below(ceiling, t, nodes, trial, smallest);
                     }
                     totals(sums)
                 });
@@ -69,7 +72,7 @@ pub(crate) fn trial<T: Real>(
         fields.enumerate().for_each(|(task, (((partial, y), nodes), trial))| {
             *partial = vectorised!(x => {
                 let (mut sums, row) = ([f64x4::splat(x, 0.0); 4], task * rows);
-                step_rows(x, p, y, length, nodes, None, [row, nx], trial, &mut sums);
+                step_rows(x, ceiling, p, y, length, nodes, None, [row, nx], trial, &mut sums);
                 totals(sums)
             });
         });
@@ -87,11 +90,13 @@ fn totals<S: Simd>(sums: [f64x4<S>; 4]) -> Partial {
     [a, b, c, d, 0.0, 0.0, 0.0, 0.0]
 }
 
-/// The rows of [`trial`] from row `first_row` on; adds up `z`, `z^2` on F, `p^2` off F, `p^2`.
+/// The rows of [`trial`] from row `first_row` on; adds up `z`, `z^2` on F, `p^2` off F (of those that are to
+/// carry the ceiling, what they lack), `p^2`.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "a pass over five fields")]
-fn step_rows<S: Simd, T: Real>(
+fn step_rows<S: Simd, T: Real, C: Ceiling<T>>(
     vectors: S,
+    ceiling: C,
     p: &[T],
     y: &[f32],
     tau: T,
@@ -113,15 +118,16 @@ fn step_rows<S: Simd, T: Real>(
                 level.transfer.add_down_transposed(row, ix, &level.value, z);
             }
             t.copy_from_slice(&p[row * nx + ix..][..n]);
-            step_tile(vectors, z, tau, &nodes[ix..][..n], t, sums);
+            step_tile(vectors, ceiling, z, tau, &nodes[ix..][..n], t, sums);
         }
     }
 }
 
 /// One tile of it; the trial holds `p`.
 #[inline(always)]
-fn step_tile<S: Simd, T: Real>(
+fn step_tile<S: Simd, T: Real, C: Ceiling<T>>(
     vectors: S,
+    ceiling: C,
     z: &mut [f32],
     tau: T,
     nodes: &[Node],
@@ -133,6 +139,15 @@ fn step_tile<S: Simd, T: Real>(
     for ((z, off), m) in z.iter_mut().zip(&mut *off).zip(nodes) {
         *z = if m.is_in() { *z } else { 0.0 };
         *off = if m.is_in() { 0.0 } else { 1.0 };
+    }
+    if C::IS_FINITE {
+        let (top, mut lacking) = (ceiling.value(), 0.0);
+        for ((off, m), p) in off.iter_mut().zip(nodes).zip(&*trial) {
+            let lacks = if m.is_full() { (top - *p).wide() } else { 0.0 };
+            *off = if m.is_full() { 0.0 } else { *off };
+            lacking += lacks * lacks;
+        }
+        sums[2] += f64x4::from_slice(vectors, &[lacking, 0.0, 0.0, 0.0]);
     }
     add_sums(vectors, z, off, trial, sums);
     if !trial.len().is_multiple_of(LANES) {
@@ -164,9 +179,15 @@ fn add_sums<S: Simd, T: Real>(
     }
 }
 
-/// The smallest trial pressure on F below each cell of a row of the first level.
+/// The smallest trial pressure on F, or distance from a bound, below each cell of a row of the first level.
 #[inline(always)]
-fn smallest_below<T: Real>(t: &Transfer, nodes: &[Node], trial: &[T], smallest: &mut [f32]) {
+fn smallest_below<T: Real, C: Ceiling<T>>(
+    ceiling: C,
+    t: &Transfer,
+    nodes: &[Node],
+    trial: &[T],
+    smallest: &mut [f32],
+) {
     let nx = t.fine[1];
     let least = |x: f32, y: f32| if x < y { x } else { y };
     let mut line = [0.0; TILE];
@@ -176,8 +197,11 @@ fn smallest_below<T: Real>(t: &Transfer, nodes: &[Node], trial: &[T], smallest: 
         line.fill(f32::INFINITY);
         for from in [ix, last + ix] {
             for ((x, p), m) in line.iter_mut().zip(&trial[from..]).zip(&nodes[from..]) {
-                let here = if m.is_in() { p.narrow() } else { f32::INFINITY };
-                *x = least(*x, here);
+                let mut here = p.narrow();
+                if C::IS_FINITE {
+                    here = least(here, (ceiling.value() - *p).narrow());
+                }
+                *x = least(*x, if m.is_in() { here } else { f32::INFINITY });
             }
         }
         if t.halved[1] {
@@ -195,8 +219,9 @@ fn smallest_below<T: Real>(t: &Transfer, nodes: &[Node], trial: &[T], smallest: 
 }
 
 /// Ends a piece of whole rows of the trial, from `first_row` on: adds what was swept, clips, and sets
-/// to zero outside the contact. Returns the sum.
-pub(crate) fn end_trial<T: Real>(
+/// to zero outside the contact, or to the ceiling. Returns the sum.
+pub(crate) fn end_trial<T: Real, C: Ceiling<T>>(
+    ceiling: C,
     first_row: usize,
     nodes: &[Node],
     sweep: &Sweep,
@@ -224,8 +249,11 @@ pub(crate) fn end_trial<T: Real>(
                     }
                 }
                 for ((t, m), a) in t.iter_mut().zip(nodes).zip(&more) {
-                    let kept = (*t + T::of(f64::from(*a))).larger(T::zero());
+                    let kept = ceiling.clip(*t + T::of(f64::from(*a)));
                     *t = if m.is_in() { kept } else { T::zero() };
+                    if C::IS_FINITE && m.is_full() {
+                        *t = ceiling.value();
+                    }
                 }
                 for i in (0..t.len() - t.len() % LANES).step_by(LANES) {
                     sum += T::widened(four(x, t, i));
