@@ -34,7 +34,7 @@ fn run_external() -> TaskResult {
     for program in &programs {
         let mut run = cargo();
         run.current_dir(root().join("target"));
-        run.args(["run", "--quiet", "--locked", "--profile", "test", "--target-dir", "."]);
+        run.args(["run", "--quiet", "--locked", "--target-dir", "."]);
         run.arg("--manifest-path").arg(program.join("Cargo.toml"));
         run.args(["--", "external"]); // the folder that it writes to
         shell::run(&mut run)?;

@@ -2,9 +2,9 @@
 //! choices in preparing the map would have made of its area. Asked for when a report is written; a
 //! study alone does not need it.
 
+use crate::progress::Watch;
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use crate::progress::Watch;
 use crate::{EdgesName, Listener, Origin, Settings, StudyError, Surrounded};
 use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Map, Stiffness};
