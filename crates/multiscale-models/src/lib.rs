@@ -6,6 +6,7 @@
 //! | model | from | knows |
 //! |---|---|---|
 //! | [`Persson`] | moments, or a spectrum | area; with a spectrum also mean gap, stiffness, energy |
+//! | [`PerssonWithYield`] | rms gradient and hardness | elastic and plastic area |
 //! | [`Stacked`] | largest amplitude over wavelength | area |
 //! | [`JacksonStreator`] | amplitude by frequency | area |
 //! | [`Archard`] | spheres on spheres | area |
@@ -37,7 +38,9 @@ pub use archard::{Archard, SphereLevel};
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::{MajumdarBhushan, critical_area};
 pub use morag_etsion::{AsperityContact, MoragEtsion};
-pub use persson::{AreaLaw, Persson, PressureDistribution, SelfAffineSpectrum};
+pub use persson::{
+    AreaLaw, Persson, PerssonWithYield, PressureDistribution, SelfAffineSpectrum, YieldShares,
+};
 pub use sinusoid::SinusoidLaw;
 pub use stacked::Stacked;
 pub use yan_komvopoulos::YanKomvopoulos;
