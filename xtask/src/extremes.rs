@@ -3,14 +3,19 @@
 use crate::generated::{check_flag, keep_section};
 use crate::shell::{TaskResult, example, output};
 
-/// Crates with an example `extremes`, each with a section of its name in the page; what the summary
-/// calls it; and how many of the last columns are errors.
-const CRATES: [(&str, &str, usize); 5] = [
-    ("surface-stats", "[statistics](#statistics)", 1),
-    ("fft-bem-solver", "[solver](#solver)", 3),
-    ("gw-closed-form", "[Greenwood\u{2013}Williamson](#greenwoodwilliamson-closed-form)", 1),
-    ("asperity-models", "[summit models](#summit-models)", 1),
-    ("multiscale-models", "[multiscale models](#multiscale-models)", 1),
+/// Crates with an example of the ends of their inputs, each with a section of its name in the page;
+/// that example; what the summary calls it; and how many of the last columns are errors.
+const CRATES: [(&str, &str, &str, usize); 5] = [
+    ("surface-stats", "statistics_extremes", "[statistics](#statistics)", 1),
+    ("fft-bem-solver", "solver_extremes", "[solver](#solver)", 3),
+    (
+        "gw-closed-form",
+        "gw_extremes",
+        "[Greenwood\u{2013}Williamson](#greenwoodwilliamson-closed-form)",
+        1,
+    ),
+    ("asperity-models", "summit_extremes", "[summit models](#summit-models)", 1),
+    ("multiscale-models", "multiscale_extremes", "[multiscale models](#multiscale-models)", 1),
 ];
 
 /// The bounds of the error in the columns of the summary.
@@ -23,8 +28,8 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
         "| | lines | error up to 1e\u{2212}14 | 1e\u{2212}12 | 1e\u{2212}9 | larger | \
                        refused, or beyond the doubles |\n|---|---|---|---|---|---|---|\n"
             .to_owned();
-    for (package, part, errors) in CRATES {
-        let table = output(&mut example(package, "extremes"))?;
+    for (package, name, part, errors) in CRATES {
+        let table = output(&mut example(package, name))?;
         summary += &counts(part, &table, errors);
         let table: String = table.lines().map(|row| banded(row, errors)).collect();
         keep_section("docs/src/extremes.md", package, &table, check)?;

@@ -2,13 +2,14 @@
 //! choices in preparing the map would have made of its area. Asked for when a report is written; a
 //! study alone does not need it.
 
+use crate::progress::Watch;
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use crate::{EdgesName, Origin, Settings, Surrounded};
+use crate::{EdgesName, Listener, Origin, Settings, StudyError, Surrounded};
 use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Map, Stiffness};
 use contact_accuracy::{TwiceFiner, regrid};
-use contact_types::{ContactModulus, HeightMap, SurfaceError};
+use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load};
 use std::borrow::Cow;
 use std::time::Instant;
@@ -20,11 +21,14 @@ const MOST_POINTS: usize = 1024;
 
 impl Comparison {
     /// Looks closer at the headline of every surface that has a converged one on the grid as given.
-    /// Costs about five solutions like it, for a map whose edges do not match about ten.
+    /// Costs about five solutions like it, for a map whose edges do not match about ten. The listener
+    /// is told of their iterations, but for those of the stiffness.
     ///
     /// # Errors
-    /// [`SurfaceError`] if the modulus of the settings is none, which a finished study rules out.
-    pub fn look_closer(&mut self) -> Result<(), SurfaceError> {
+    /// [`StudyError::Stopped`] if the listener breaks: surfaces looked at until then keep what was
+    /// found; [`StudyError::Material`] if the modulus of the settings is none, which a finished study
+    /// rules out.
+    pub fn look_closer(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
         for surface in self.surfaces.iter_mut().filter(|s| s.plan.is_none()) {
             let start = Instant::now();
@@ -32,8 +36,11 @@ impl Comparison {
             if !is_solved || surface.map.rms_height <= 0.0 {
                 continue;
             }
-            certify(surface, &self.settings, modulus);
-            let choices = choices(surface, &self.settings, modulus);
+            let mut watch = Watch::new(progress, surface.headline);
+            certify(surface, &self.settings, modulus, &mut watch);
+            watch.go_on()?;
+            let choices = choices(surface, &self.settings, modulus, &mut watch);
+            watch.go_on()?;
             let seconds = start.elapsed().as_secs_f64();
             surface.closer = Some(Closer { choices, seconds });
         }
@@ -44,7 +51,12 @@ impl Comparison {
 /// Solves the headline once more with the rigorous bound, then from there the loads beside it, for
 /// the stiffness. They need a start near by, which the curve has not kept; so the bound costs one FFT
 /// pair here, where it would cost one at every load of the curve.
-fn certify(surface: &mut SurfaceComparison, settings: &Settings, modulus: ContactModulus) {
+fn certify(
+    surface: &mut SurfaceComparison,
+    settings: &Settings,
+    modulus: ContactModulus,
+    watch: &mut Watch<'_, '_>,
+) {
     let pressure = surface.headline_pressure();
     let map: Map = surface.map;
     let Ok(whole) = Surrounded::new(Cow::Borrowed(&surface.surface), settings.edges) else {
@@ -54,7 +66,9 @@ fn certify(surface: &mut SurfaceComparison, settings: &Settings, modulus: Contac
     else {
         return;
     };
-    let Ok(solution) = whole.solve(&mut solver, Load::MeanPressure(pressure)) else { return };
+    let load = Load::MeanPressure(pressure);
+    let found = whole.solve_observed(&mut solver, load, |now| watch.iteration(now));
+    let Ok(solution) = found else { return };
     let near = Stiffness::near(&mut solver, whole.map(), &map, pressure);
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
     let Some(answer) = answer else { return };
@@ -81,12 +95,14 @@ fn choices(
     surface: &SurfaceComparison,
     settings: &Settings,
     modulus: ContactModulus,
+    watch: &mut Watch<'_, '_>,
 ) -> Vec<Choice> {
-    let area = |map: &HeightMap| -> Option<f64> {
+    let mut area = |map: &HeightMap| -> Option<f64> {
         let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
         let mut solver = builder(settings).build(whole.map().grid(), modulus).ok()?;
         let load = Load::MeanPressure(surface.headline_pressure());
-        let solution = whole.solve(&mut solver, load).ok()?;
+        let found = whole.solve_observed(&mut solver, load, |now| watch.iteration(now));
+        let solution = found.ok()?;
         Some(solution.diagnostics.area_fraction_corrected).filter(|a| *a > 0.0)
     };
     let repeats = surface.map.repeats;

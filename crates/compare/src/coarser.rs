@@ -1,11 +1,12 @@
 //! The headline load once more on coarser grids: what a cheaper deterministic answer would have
 //! cost in accuracy. Asked for when a report is written; a study alone does not need it.
 
-use crate::Surrounded;
+use crate::progress::Watch;
 use crate::result::{Coarser, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
+use crate::{Listener, StudyError, Surrounded};
 use contact_accuracy::regrid;
-use contact_types::{ContactModulus, HeightMap, SurfaceError};
+use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::Load;
 use std::borrow::Cow;
 use surface_stats::repeats;
@@ -27,15 +28,22 @@ const SHORT: f64 = 0.05;
 impl Comparison {
     /// Solves the headline load of every surface on its coarser grids. A grid without a converged
     /// solution, or with fewer than 16 points a side, is left out; so is a surface whose grid was
-    /// chosen for an accuracy, which says itself what a coarser one would leave.
+    /// chosen for an accuracy, which says itself what a coarser one would leave. The listener is
+    /// told of every iteration.
     ///
     /// # Errors
-    /// [`SurfaceError`] if the modulus of the settings is none, which a finished study rules out.
-    pub fn solve_coarser(&mut self) -> Result<(), SurfaceError> {
+    /// [`StudyError::Stopped`] if the listener breaks: what was found until then is kept;
+    /// [`StudyError::Material`] if the modulus of the settings is none, which a finished study rules
+    /// out.
+    pub fn solve_coarser(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
         for surface in self.surfaces.iter_mut().filter(|s| s.plan.is_none()) {
-            let coarse = |factor| solve(surface, &self.settings, modulus, factor);
-            surface.coarser = COARSER.into_iter().filter_map(coarse).collect();
+            let mut watch = Watch::new(progress, surface.headline);
+            for factor in COARSER {
+                let found = solve(surface, &self.settings, modulus, factor, &mut watch);
+                watch.go_on()?;
+                surface.coarser.extend(found);
+            }
         }
         Ok(())
     }
@@ -46,13 +54,14 @@ fn solve(
     settings: &crate::Settings,
     modulus: ContactModulus,
     factor: usize,
+    watch: &mut Watch<'_, '_>,
 ) -> Option<Coarser> {
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction_corrected;
     let map: HeightMap = coarsened(&surface.surface, factor)?;
     let whole = Surrounded::new(Cow::Borrowed(&map), settings.edges).ok()?;
     let mut solver = builder(settings).build(whole.map().grid(), modulus).ok()?;
     let load = Load::MeanPressure(surface.headline_pressure());
-    let solution = whole.solve(&mut solver, load).ok()?;
+    let solution = whole.solve_observed(&mut solver, load, |now| watch.iteration(now)).ok()?;
     let found = &solution.diagnostics;
     let (mut seconds, mut spent) = (found.seconds, found.seconds);
     for _ in 1..REPEATS {
@@ -104,7 +113,11 @@ mod tests {
             Comparison::run(vec![recipe.make().unwrap()], settings, &Registry::built_in(), &mut go)
                 .unwrap();
         assert!(study.surfaces[0].coarser.is_empty(), "not asked for, not computed");
-        study.solve_coarser().unwrap();
+        let mut stop = |_: crate::Progress<'_>| ControlFlow::Break(());
+        assert!(matches!(study.solve_coarser(&mut stop), Err(StudyError::Stopped)));
+        assert!(matches!(study.look_closer(&mut stop), Err(StudyError::Stopped)));
+        assert!(study.surfaces[0].coarser.is_empty() && study.surfaces[0].closer.is_none());
+        study.solve_coarser(&mut go).unwrap();
         let surface = &study.surfaces[0];
         let shapes: Vec<[usize; 2]> = surface.coarser.iter().map(|c| c.shape).collect();
         assert_eq!(shapes, [[64, 64], [32, 32], [16, 16]]);

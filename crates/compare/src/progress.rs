@@ -63,6 +63,33 @@ impl Progress<'static> {
     }
 }
 
+/// A listener that is told of the iterations at one load, and whether it has asked to stop.
+pub(crate) struct Watch<'a, 'b> {
+    listener: &'a mut Listener<'b>,
+    index: usize,
+    is_stopped: bool,
+}
+
+impl<'a, 'b> Watch<'a, 'b> {
+    /// At the load of this index, by rising pressure.
+    pub(crate) fn new(listener: &'a mut Listener<'b>, index: usize) -> Self {
+        Self { listener, index, is_stopped: false }
+    }
+
+    /// Tells of an iteration; what was stopped stays stopped.
+    pub(crate) fn iteration(&mut self, now: &Iteration<'_>) -> ControlFlow<()> {
+        let wish = (self.listener)(Progress::of_iteration(self.index, now));
+        self.is_stopped |= wish.is_break();
+        if self.is_stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// # Errors
+    /// [`StudyError::Stopped`] if the listener has asked for it.
+    pub(crate) fn go_on(&self) -> Result<(), StudyError> {
+        if self.is_stopped { Err(StudyError::Stopped) } else { Ok(()) }
+    }
+}
+
 /// Why there is no study.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]

@@ -1,5 +1,5 @@
 //! Every model at the ends of its inputs, against 20-digit values.
-//! `cargo run --release -p multiscale-models --example extremes` prints the table.
+//! `cargo run --release -p multiscale-models --example multiscale_extremes` prints the table.
 
 mod common;
 

@@ -32,8 +32,14 @@ fn one() -> &'static Comparison {
     static ONE: OnceLock<Comparison> = OnceLock::new();
     ONE.get_or_init(|| {
         let mut study = run(small(&["ground"]), Settings::default());
-        study.solve_coarser().unwrap();
-        study.look_closer().unwrap();
+        let mut iterations = 0;
+        let mut go = |news: compare::Progress<'_>| {
+            iterations += usize::from(matches!(news, compare::Progress::Iterated { .. }));
+            ControlFlow::Continue(())
+        };
+        study.solve_coarser(&mut go).unwrap();
+        study.look_closer(&mut go).unwrap();
+        assert!(iterations > 0, "the listener hears of iterations");
         study
     })
 }

@@ -215,8 +215,15 @@ fn study(
     });
     let mut comparison = comparison.map_err(|e| Failure::from_error(&e))?;
     progress.working_on("coarser grids");
-    comparison.solve_coarser().map_err(|e| Failure::incomplete("coarser_grids", e.to_string()))?;
-    comparison.look_closer().map_err(|e| Failure::incomplete("closer_look", e.to_string()))?;
+    let mut watch = |news: compare::Progress<'_>| {
+        if let compare::Progress::Iterated { number, residual, .. } = news {
+            progress.iterating(|| text::iterating("a closer look", number, residual));
+        }
+        ControlFlow::Continue(())
+    };
+    let incomplete = |name, e: compare::StudyError| Failure::incomplete(name, e.to_string());
+    comparison.solve_coarser(&mut watch).map_err(|e| incomplete("coarser_grids", e))?;
+    comparison.look_closer(&mut watch).map_err(|e| incomplete("closer_look", e))?;
     drop(progress);
     Ok(comparison)
 }

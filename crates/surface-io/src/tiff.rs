@@ -151,6 +151,7 @@ impl<'a> Page<'a> {
     }
 
     /// The directory that an entry points at.
+    #[cfg(feature = "zip")] // of LEXT only
     pub(crate) fn sub_page(&self, tag: u16) -> Result<Self, ReadError> {
         let at = self.number(tag)? as usize;
         let b = self.bytes;

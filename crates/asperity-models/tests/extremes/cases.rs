@@ -1,5 +1,5 @@
 //! The cases of `fixtures/reference/extremes_summit_models.csv` with the answers of
-//! Bush-Gibson-Thomas; shared by the test and by `examples/extremes.rs`.
+//! Bush-Gibson-Thomas; shared by the test and by `examples/summit_extremes.rs`.
 
 use asperity_models::BushGibsonThomas;
 use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMoments};

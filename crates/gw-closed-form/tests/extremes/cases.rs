@@ -1,5 +1,5 @@
 //! The cases of `fixtures/reference/extremes_gw.csv` with our answers; shared by the test and by
-//! `examples/extremes.rs`.
+//! `examples/gw_extremes.rs`.
 
 use gw_closed_form::partial_moments::{Order, ln, scaled};
 use gw_closed_form::{integrals, inverse};

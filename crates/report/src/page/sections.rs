@@ -194,8 +194,10 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<cost::Route>> {
 pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
     let h = page.heading();
     let table = tables::models(page, surface);
+    let has_bar = surface.headline_answer().is_some_and(|a| a.interval().is_some());
+    let covers = if has_bar { format!("{} alone. ", words::COMPARISON) } else { String::new() };
     format!(
-        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{} {} {}</p>\n",
+        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{covers}{} {} {}</p>\n",
         source_sentence(surface.inputs.source),
         words::within_ten(surface),
         words::survey(surface)

@@ -16,11 +16,11 @@ fn read_out(surface: &SurfaceComparison) -> Vec<String> {
             point.answer.as_ref().map_or_else(
                 || format!("{p}: no answer"),
                 |a| {
-                    format!(
-                        "{p}: area {}, real pressure {}",
-                        words::area(a),
-                        words::real_pressure(point.mean_pressure, a)
-                    )
+                    let area = words::area(a);
+                    let pressure = words::real_pressure(point.mean_pressure, a);
+                    let covers = a.interval().map(|_| format!(" ({})", words::COMPARISON));
+                    let covers = covers.unwrap_or_default();
+                    format!("{p}: area {area}, real pressure {pressure}{covers}")
                 },
             )
         })

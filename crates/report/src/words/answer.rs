@@ -61,9 +61,12 @@ pub(crate) fn covers(answer: &DeterministicAnswer) -> &'static str {
     match (answer.uncertainty(), answer.budget.area.sample) {
         (None, _) => "",
         (Some(_), Some(_)) => "± of grid, iteration and finite sample",
-        (Some(_), None) => "± of grid and iteration",
+        (Some(_), None) => COMPARISON,
     }
 }
+
+/// What the ± of an area covers that is compared with models of the same map.
+pub(crate) const COMPARISON: &str = "± of grid and iteration";
 
 /// The highest pressure of a point, and what it means. A mean over the contact cannot exceed it:
 /// where it seems to, the contacts are smaller than the points.

@@ -12,7 +12,8 @@ mod verdict;
 
 pub use answer::headline_line;
 pub(crate) use answer::{
-    area, area_prediction, headline, highest_pressure, real_pressure, real_pressure_prediction,
+    COMPARISON, area, area_prediction, headline, highest_pressure, real_pressure,
+    real_pressure_prediction,
 };
 pub(crate) use date::date;
 pub(crate) use ranking::{curves_lead, ranked, recommendation, survey, within_ten};

@@ -2,7 +2,7 @@
 //! solution it is compared with, the FFT pairs of the longest solve, and the largest errors.
 //!
 //! ```console
-//! $ cargo run --release -p fft-bem-solver --example extremes
+//! $ cargo run --release -p fft-bem-solver --example solver_extremes
 //! ```
 #![allow(clippy::print_stdout, reason = "the table is the purpose")]
 

@@ -1,8 +1,8 @@
-//! Bush-Gibson-Thomas at the ends of its inputs, as a Markdown table: what comes back, the value to
-//! twenty digits, and the relative error. m0 = m2 = E* = 1.
+//! The closed form at the ends of its inputs, as a Markdown table: what comes back, the value to
+//! twenty digits, and the relative error.
 //!
 //! ```console
-//! $ cargo run --release -p asperity-models --example extremes
+//! $ cargo run --release -p gw-closed-form --example gw_extremes
 //! ```
 #![allow(clippy::print_stdout, reason = "the table is the purpose")]
 
@@ -10,13 +10,12 @@
 mod cases;
 
 fn main() {
-    println!("| quantity | bandwidth | argument | answer | reference | error |");
-    println!("|---|---|---|---|---|---|");
+    println!("| quantity | argument | answer | reference | error |");
+    println!("|---|---|---|---|---|");
     for case in cases::all() {
         println!(
-            "| {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} |",
             case.quantity,
-            case.bandwidth,
             minus(case.argument),
             minus(&format!("{:.16e}", case.answer)),
             minus(case.reference_text),

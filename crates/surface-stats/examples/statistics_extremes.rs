@@ -2,7 +2,7 @@
 //! what they are compared with, what the test allows, and the largest relative error.
 //!
 //! ```console
-//! $ cargo run --release -p surface-stats --example extremes
+//! $ cargo run --release -p surface-stats --example statistics_extremes
 //! ```
 #![allow(clippy::print_stdout, reason = "the table is the purpose")]
 

@@ -1,5 +1,5 @@
 //! Prints the table "each model at the ends of its inputs" as Markdown:
-//! `cargo run --release -p multiscale-models --example extremes`.
+//! `cargo run --release -p multiscale-models --example multiscale_extremes`.
 #![allow(clippy::print_stdout, reason = "an example that prints its table")]
 
 #[path = "../tests/common/mod.rs"]

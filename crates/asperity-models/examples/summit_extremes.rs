@@ -1,8 +1,8 @@
-//! The closed form at the ends of its inputs, as a Markdown table: what comes back, the value to
-//! twenty digits, and the relative error.
+//! Bush-Gibson-Thomas at the ends of its inputs, as a Markdown table: what comes back, the value to
+//! twenty digits, and the relative error. m0 = m2 = E* = 1.
 //!
 //! ```console
-//! $ cargo run --release -p gw-closed-form --example extremes
+//! $ cargo run --release -p asperity-models --example summit_extremes
 //! ```
 #![allow(clippy::print_stdout, reason = "the table is the purpose")]
 
@@ -10,12 +10,13 @@
 mod cases;
 
 fn main() {
-    println!("| quantity | argument | answer | reference | error |");
-    println!("|---|---|---|---|---|");
+    println!("| quantity | bandwidth | argument | answer | reference | error |");
+    println!("|---|---|---|---|---|---|");
     for case in cases::all() {
         println!(
-            "| {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} |",
             case.quantity,
+            case.bandwidth,
             minus(case.argument),
             minus(&format!("{:.16e}", case.answer)),
             minus(case.reference_text),
