@@ -357,6 +357,8 @@ fn an_unresolved_map_gets_its_bar_from_a_finer_grid() {
     assert!(
         page.contains("The grid does not resolve the contact.") && page.contains("twice finer")
     );
+    // What was done is not advised.
+    assert!(!page.contains("refined 2 times"));
 }
 
 /// The closer look of a report: a proven bound, a stiffness with both intervals, choices with what
@@ -428,4 +430,26 @@ fn a_flat_surface_is_answered() {
     assert!((answer.area_fraction - 1.0).abs() < 1e-12);
     let page = html(&comparison);
     assert!(page.contains("flat") && !page.contains("NaN"));
+}
+
+/// A strained domain is said of a model that is asked with caution, the strip along the edges is
+/// described once, and no page advises the finer solution that it already stands on.
+#[test]
+fn sentences_agree_with_the_page_around_them() {
+    let mut strained = 0;
+    for comparison in all() {
+        let page = html(comparison);
+        assert!(!page.contains("refined 2 times"));
+        for said in page.split("The domain of ").skip(1) {
+            let name = said.split(" is strained here").next().unwrap();
+            let models = comparison.surfaces.iter().flat_map(|s| &s.models);
+            let mut of = models.filter(|m| m.card.title == name);
+            assert!(of.any(|m| m.verdict.answer == compare::Applies::Caution), "{name}");
+            strained += 1;
+        }
+        let strips = page.matches("Its outer ").count();
+        assert!(strips <= comparison.surfaces.len(), "{strips}");
+    }
+    assert!(strained > 0, "no sentence was tried");
+    assert_eq!(html(hostile()).matches("Its outer ").count(), 1);
 }

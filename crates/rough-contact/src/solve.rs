@@ -210,9 +210,9 @@ impl Solve {
         let solution = match result {
             Ok(solution) => solution,
             Err(error) => {
-                let none = Err(NoAreaInterval::NotConverged);
+                let why = |s: &Solution| Err(NoAreaInterval::of_end(s.diagnostics.end));
                 let budget =
-                    error.solution().map(|s| Budget::of(s, &errors.known).with_grid(none, 0.0));
+                    error.solution().map(|s| Budget::of(s, &errors.known).with_grid(why(s), 0.0));
                 return (budget, None);
             }
         };
@@ -234,11 +234,12 @@ impl Solve {
             }
         }
         let budget = under(load, &budget, solution);
-        // Where the points do not fix what touches, the answer itself may be wrong by factors: a
-        // finer grid is solved unasked if it is no more than a few million points.
-        let unasked = matches!(budget.area.grid, Err(NoAreaInterval::BetweenPoints { .. }))
-            && surface.grid().len() <= MOST_UNASKED;
-        if !((self.refine || unasked) && TwiceFiner::helps(&budget)) {
+        // Where the points do not fix what touches, the answer itself may be wrong by factors, and on a
+        // pattern of like cells the points along the contact lines come in together: a finer grid is solved unasked if it is no more than a few million points.
+        let decides = matches!(budget.area.grid, Err(NoAreaInterval::BetweenPoints { .. }))
+            || errors.known.is_regular();
+        let unasked = decides && surface.grid().len() <= MOST_UNASKED;
+        if !((self.refine || unasked) && TwiceFiner::is_wanted(&budget, &errors.known)) {
             return (Some(budget), None);
         }
         let refined = errors.finer.solve(load, surface, &errors.known, &budget);

@@ -34,6 +34,12 @@ pub fn finding(finding: &Finding) -> Worded {
             "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
              the tolerance.",
         ),
+        Fact::AtRounding { loads, of } => worded(
+            format!("{loads} of {of} loads stopped at rounding."),
+            "Their numbers are as good as this floating-point type gives them, short of the \
+             tolerance; they are marked and carry no ±. Ask for a larger tolerance, or for double \
+             precision.",
+        ),
         Fact::PlanUnmet(outcome) => unmet(outcome),
         Fact::FinerGrid { why, area, loads } => worded(
             "The grid does not resolve the contact.",
@@ -265,6 +271,15 @@ fn warning(warning: &Warning) -> Worded {
                  those of the scan, not of the surface. Put the rows in line: --align-rows.",
                 percent(share)
             ),
+        ),
+        Warning::EdgeJump { ratio: r } => worded(
+            format!("Edges do not match: they jump {} times the inner step.", ratio(r)),
+            "Repeated as it is, the map has a step there: spectral moments contain it, and a solution \
+             presses on it.",
+        ),
+        Warning::Anisotropic { ratio: r } if r > 1e6 => worded(
+            "The surface has a lay: one direction has no slope.",
+            "The closed forms assume an isotropic surface; none of them is safe.",
         ),
         Warning::Anisotropic { ratio: r } => worded(
             format!("The surface has a lay: mean square slopes differ {} times.", ratio(r)),

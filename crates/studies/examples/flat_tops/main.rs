@@ -8,7 +8,6 @@
 //! `flat_tops --page TABLE FOLDER` makes the tables of the book from both kinds of rows.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
-mod draw;
 mod judged;
 mod measure;
 mod page;

@@ -1,7 +1,6 @@
 //! One map: its answers with their intervals as the command states them, beside the same surface on
 //! four times as many points along each side; and what `--accuracy` claims of it.
 
-use crate::draw::{Draw, GRADIENT, scaled};
 use crate::{judged, tuning};
 use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Between, Budget, Map, Stiffness};
@@ -13,6 +12,7 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use studies::drawing::{log_between, van_der_corput};
+use studies::maps::{Draw, GRADIENT, scaled};
 
 /// Points along each side.
 const POINTS: usize = 96;
@@ -104,7 +104,7 @@ fn stated(map: &HeightMap, known: &Map, loads: &[f64]) -> Result<Vec<Budget>, Bo
         if let Some(near) = Stiffness::near(&mut solver, map, known, pressure(*load))? {
             budget = budget.with_stiffness(&near, known, Line::of(&solution));
         }
-        if TwiceFiner::helps(&budget) {
+        if TwiceFiner::is_wanted(&budget, known) {
             budget = budget.refined(&finer.solve(at, &budget)?);
         }
         list.push(budget);
