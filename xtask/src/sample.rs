@@ -13,9 +13,12 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     if !check {
         let folder = |name: &str| root().join("target").join(name).display().to_string();
         let judged = output(example("studies", "sample").arg(folder("sample")))?;
+        let fresh = folder("sample-fresh");
+        let fresh = output(example("studies", "sample").args(["--fresh", &fresh]))?;
         let tuning = folder("sample-tuning");
         let tuning = output(example("studies", "sample").args(["--tuning", &tuning]))?;
-        let rows = tuning.lines().skip(1).fold(judged, |all, row| all + row + "\n");
+        let more = fresh.lines().skip(1).chain(tuning.lines().skip(1));
+        let rows = more.fold(judged, |all, row| all + row + "\n");
         let origin = "# Maps of families of unkind surfaces with their finite-sample half widths; made by \
                       'cargo xtask sample' from its own seeds, columns in \
                       crates/studies/examples/sample/measure.rs";

@@ -158,7 +158,13 @@ fn bar(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> {
     let headline = surface.headline_answer();
     let finer = headline.and_then(|a| a.finer);
     let bar = headline.map(|a| a.budget.area.comparison_half_width());
-    Some(check(match (surface.map.accuracy.gate(), finer, bar) {
+    let own = headline.and_then(|a| a.budget.own.err());
+    let gate = match (surface.map.accuracy.gate(), own, finer) {
+        // The map would do, this contact on it does not.
+        (Ok(()), Some(why), Some(_)) if unsolved == 0 => Err(why),
+        (gate, ..) => gate,
+    };
+    Some(check(match (gate, finer, bar) {
         (Err(why), Some(finer), _) => {
             let points = surface.deterministic.iter();
             let loads = points.filter_map(|p| p.answer.as_ref()?.finer).count();

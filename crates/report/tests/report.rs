@@ -299,8 +299,17 @@ fn the_headline_agrees_with_table_and_csv() {
     let area = 100.0 * surface.headline_answer().unwrap().area_fraction_corrected;
     let h1 = &page[page.find("<h1>").unwrap()..page.find("</h1>").unwrap()];
     let bold = &h1[h1.find("<b>").unwrap() + 3..h1.find("</b>").unwrap()];
-    let printed: f64 = bold.split(' ').next().unwrap().parse().unwrap();
-    assert!((printed / area - 1.0).abs() < 0.03, "{printed} {area}");
+    // A map of 96 points a side, whose load few blocks carry, may say the upper end alone.
+    let (number, stands_for) = match bold.strip_prefix("at most ") {
+        Some(most) => {
+            let half = surface.headline_answer().unwrap().budget.area.prediction_half_width();
+            (most, area + 100.0 * half.unwrap())
+        }
+        None => (bold, area),
+    };
+    let number = number.split([' ', '\u{202F}']).next().unwrap();
+    let printed: f64 = number.parse().unwrap();
+    assert!((printed / stands_for - 1.0).abs() < 0.03, "{printed} {stands_for}");
     assert!(page.matches(bold).count() >= 2, "headline and key number: prediction");
     // The model table and the read-out carry the narrower comparison.
     let budget = surface.headline_answer().unwrap().budget.area;

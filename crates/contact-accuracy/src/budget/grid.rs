@@ -60,11 +60,12 @@ pub fn gap_half_width(map: &Map, line: Line) -> f64 {
 }
 
 /// Half width of a mean gap (m) that lives in few open places: of it the share of their own line,
-/// `0.118 S_d / (1 - A)`, counts. Along a seam all of the gap is one point wide.
+/// `0.118 S_d / (1 - A)`, counts, the more the fewer they are, as `A²`. Along a seam all of the gap is
+/// one point wide.
 pub fn gap_of_open_places(map: &Map, line: Line, gap: f64) -> f64 {
     let part = if map.repeats { OPEN_GAP } else { OPEN_GAP_AT_SEAM };
     let share = BOUNDARY_CORRECTION * line.edges / (1.0 - line.area).max(f64::MIN_POSITIVE);
-    part * gap.max(0.0) * share.min(1.0)
+    part * gap.max(0.0) * share.min(1.0) * line.area * line.area
 }
 
 /// Half width of the mean gap (m) that ways to interpolate leave: at the contact a part of their

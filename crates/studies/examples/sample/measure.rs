@@ -1,6 +1,6 @@
 //! The maps of one family: what each answers, and what it says of the others.
 
-use crate::{judged, tuning};
+use crate::{fresh, judged, tuning};
 use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Budget, Map, Stiffness};
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -58,11 +58,14 @@ pub(crate) fn family(family: &str, maps: usize) -> Result<String, Box<dyn Error>
 
 /// One map of a family, levelled as the command does unless it is to keep its tilt.
 fn made(family: &str, seed: u64) -> Result<HeightMap, Box<dyn Error>> {
-    let is_judged = judged::JUDGED.contains(&family);
-    let first = if is_judged { 9_000_000 } else { 1_000_000 };
+    let (is_fresh, is_judged) = (fresh::FRESH.contains(&family), judged::JUDGED.contains(&family));
+    let first = if is_fresh || is_judged { 9_000_000 } else { 1_000_000 };
     let draw = Draw { n: POINTS, seed: first + seed, t: [0.0; 4] };
-    let heights =
-        if is_judged { judged::heights(family, &draw) } else { tuning::heights(family, &draw) }?;
+    let heights = match (is_fresh, is_judged) {
+        (true, _) => fresh::heights(family, &draw),
+        (false, true) => judged::heights(family, &draw),
+        (false, false) => tuning::heights(family, &draw),
+    }?;
     let grid = Grid::new([POINTS; 2], [PIXEL; 2])?;
     let map = HeightMap::new(grid, heights.iter().map(|h| h * PIXEL).collect())?;
     let form = if family.contains("tilted") { Level::Mean } else { Level::Plane };
