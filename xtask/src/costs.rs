@@ -2,7 +2,7 @@
 
 use crate::bench::machine;
 use crate::dependencies::{LAYERS, brought_along};
-use crate::generated::keep_section;
+use crate::generated::{keep_section, keep_section_within};
 use crate::shell::{self, TaskResult, cargo, example, output, root};
 use std::fmt::Write;
 use std::path::Path;
@@ -10,6 +10,10 @@ use std::process::Command;
 use std::time::Instant;
 
 const PAGE: &str = "docs/src/costs.md";
+
+/// By how much, relatively, a peak may differ from the page: transforms have other plans, and
+/// scratch of other sizes, on machines with other vector units.
+const PEAK: f64 = 0.05;
 
 /// Writes the tables of dependencies and allocations, or checks that they are current; or
 /// measures the builds.
@@ -22,7 +26,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     };
     keep_section(PAGE, "dependencies", &dependencies()?, check)?;
     let allocations = output(&mut example("studies", "costs"))?;
-    keep_section(PAGE, "allocations", &allocations, check)
+    keep_section_within(PEAK, PAGE, "allocations", &allocations, check)
 }
 
 /// Our crates but the tasks.

@@ -18,9 +18,14 @@ pub(crate) fn check_flag(args: &[String]) -> Result<bool, String> {
 
 /// Writes `text` to `path` (below the repository root), or checks that it is there already.
 pub(crate) fn keep(path: &str, text: &str, check: bool) -> TaskResult {
+    keep_within(TOLERANCE, path, text, check)
+}
+
+/// Like [`keep`]; numbers count as the same within a relative difference of `tolerance`.
+fn keep_within(tolerance: f64, path: &str, text: &str, check: bool) -> TaskResult {
     let full = root().join(path);
     if check {
-        return match first_difference(&read(&full)?, text) {
+        return match first_difference(&read(&full)?, text, tolerance) {
             None => Ok(()),
             Some(what) => {
                 Err(format!("{path} is not current ({what}); run the task without --check"))
@@ -38,33 +43,44 @@ pub(crate) fn keep(path: &str, text: &str, check: bool) -> TaskResult {
 
 /// Replaces what stands between `<!-- begin NAME -->` and `<!-- end NAME -->` in the page.
 pub(crate) fn keep_section(path: &str, name: &str, text: &str, check: bool) -> TaskResult {
+    keep_section_within(TOLERANCE, path, name, text, check)
+}
+
+/// Like [`keep_section`]; numbers count as the same within a relative difference of `tolerance`.
+pub(crate) fn keep_section_within(
+    tolerance: f64,
+    path: &str,
+    name: &str,
+    text: &str,
+    check: bool,
+) -> TaskResult {
     let full = root().join(path);
     let page = read(&full)?;
     let (begin, end) = (format!("<!-- begin {name} -->"), format!("<!-- end {name} -->"));
     let start = page.find(&begin).ok_or_else(|| format!("{path} has no '{begin}'"))? + begin.len();
     let stop = page.find(&end).ok_or_else(|| format!("{path} has no '{end}'"))?;
     let replaced = format!("{}\n{}\n{}", &page[..start], text.trim_end(), &page[stop..]);
-    keep(path, &replaced, check)
+    keep_within(tolerance, path, &replaced, check)
 }
 
 /// Where two texts differ, numbers compared by value; `None` if nowhere.
-fn first_difference(committed: &str, fresh: &str) -> Option<String> {
+fn first_difference(committed: &str, fresh: &str, tolerance: f64) -> Option<String> {
     let mut fresh_tokens = tokens(fresh);
     for old in tokens(committed) {
         let Some(new) = fresh_tokens.next() else { return Some(format!("'{old}' is gone")) };
-        if !same(old, new) {
+        if !same(old, new, tolerance) {
             return Some(format!("'{old}' is now '{new}'"));
         }
     }
     fresh_tokens.next().map(|new| format!("'{new}' is new"))
 }
 
-fn same(old: &str, new: &str) -> bool {
+fn same(old: &str, new: &str, tolerance: f64) -> bool {
     if old == new {
         return true;
     }
     let (Ok(a), Ok(b)) = (old.parse::<f64>(), new.parse::<f64>()) else { return false };
-    (a - b).abs() <= TOLERANCE * a.abs().max(b.abs())
+    (a - b).abs() <= tolerance * a.abs().max(b.abs())
 }
 
 /// Splits at white space and around numbers: `M1.5,2` is `M`, `1.5`, `,`, `2`.
@@ -89,11 +105,14 @@ mod tests {
 
     #[test]
     fn numbers_are_compared_by_value_and_words_by_letter() {
-        assert_eq!(first_difference("<path d=\"M1.5,2\"/>", "<path d=\"M1.50,2.0\"/>"), None);
-        assert_eq!(first_difference("x 0.123456789012", "x 0.123456789013"), None);
-        assert!(first_difference("x 0.1234", "x 0.1235").is_some());
-        assert!(first_difference("steel", "brass").is_some());
-        assert!(first_difference("a b", "a").is_some());
-        assert!(first_difference("a", "a b").is_some());
+        let difference = |old, new| first_difference(old, new, TOLERANCE);
+        assert_eq!(difference("<path d=\"M1.5,2\"/>", "<path d=\"M1.50,2.0\"/>"), None);
+        assert_eq!(difference("x 0.123456789012", "x 0.123456789013"), None);
+        assert!(difference("x 0.1234", "x 0.1235").is_some());
+        assert!(difference("steel", "brass").is_some());
+        assert!(difference("a b", "a").is_some());
+        assert!(difference("a", "a b").is_some());
+        assert_eq!(first_difference("3.2 maps", "3.3 maps", 0.05), None);
+        assert!(first_difference("3.2 maps", "3.4 maps", 0.05).is_some());
     }
 }

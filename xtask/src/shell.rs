@@ -35,19 +35,29 @@ pub(crate) fn example(package: &str, name: &str) -> Command {
     command
 }
 
-/// Names the profile in which tasks build the programs that they run, in place of `release`. The
-/// checks of `ci` set it to `test`: they time nothing, and the tests have built most of it already.
-pub(crate) const PROFILE: &str = "XTASK_PROFILE";
+/// Set by `ci` for its checks, which time nothing: the programs that `cargo test --workspace` has
+/// built, beside this task, are run as they are.
+pub(crate) const BUILT: &str = "XTASK_BUILT";
 
-/// A program of a crate, built in release unless [`PROFILE`] says otherwise, and run where the task
-/// was started; its arguments are to follow.
+/// A program of a crate, built in release unless [`BUILT`] is set, and run where the task was
+/// started; its arguments are to follow.
 pub(crate) fn released(package: &str, program: [&str; 2]) -> Command {
+    if std::env::var_os(BUILT).is_some() {
+        return Command::new(built(program));
+    }
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    let profile = std::env::var(PROFILE).unwrap_or_else(|_| "release".to_owned());
-    cargo.args(["run", "--quiet", "--locked", "--profile", &profile, "--manifest-path"]);
+    cargo.args(["run", "--quiet", "--locked", "--release", "--manifest-path"]);
     cargo.arg(root().join("crates").join(package).join("Cargo.toml"));
     cargo.args(program).arg("--");
     cargo
+}
+
+/// Where the tests have put a program: `--bin` beside this task, `--example` one folder below.
+fn built([kind, name]: [&str; 2]) -> PathBuf {
+    let here = std::env::current_exe().unwrap_or_default();
+    let folder = here.parent().unwrap_or(Path::new("."));
+    let folder = if kind == "--example" { folder.join("examples") } else { folder.to_path_buf() };
+    folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
 }
 
 /// Runs to the end, with our own standard streams.

@@ -65,9 +65,19 @@ fn published() -> Result<Vec<Published>, String> {
 /// `cargo package` of all of them at once, so that they find each other; each has its licence and
 /// a page of its own.
 fn package(published: &[Published]) -> TaskResult {
+    let mut header: Option<String> = None; // what lets docs.rs show formulas
     for krate in published {
         let folder = Path::new(&krate.folder);
         read(&folder.join("README.md"))?;
+        if krate.library.is_some() {
+            let own = read(&folder.join("katex-header.html"))?;
+            if header.get_or_insert_with(|| own.clone()) != &own {
+                return Err(format!(
+                    "{}/katex-header.html is not that of the others",
+                    krate.folder
+                ));
+            }
+        }
         for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
             if read(&folder.join(licence))? != read(&root().join(licence))? {
                 return Err(format!("{}/{licence} is not that of the workspace", krate.folder));

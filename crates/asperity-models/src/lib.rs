@@ -11,9 +11,13 @@
 //! All three are one integral over the curvature ([`SummitModel`]), and all take the height of the
 //! flat above the *mean plane of the surface*, not above the mean summit.
 //!
+//! [`ChangEtsionBogy`] are spheres of Greenwood and Williamson that yield; [`thermal_conductance`] has the
+//! correlations of contact conductance and the plasticity indices.
+//!
 //! [`nayak`] has the density of summit heights itself.
 
 mod bgt;
+mod chang_etsion_bogy;
 mod gauss_legendre;
 mod greenwood_elliptical;
 mod kernel_tables;
@@ -22,6 +26,7 @@ mod mean_curvature;
 pub mod nayak;
 mod quadrature;
 mod summit_model;
+pub mod thermal_conductance;
 
 pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic, ModelError,
@@ -29,6 +34,7 @@ pub use contact_types::{
 };
 
 pub use bgt::{BushGibsonThomas, EllipticHertz};
+pub use chang_etsion_bogy::ChangEtsionBogy;
 pub use greenwood_elliptical::{GeometricMeanSphere, GreenwoodElliptical};
 pub use mean_curvature::{ArithmeticMeanSphere, MeanCurvature};
 pub use summit_model::{SummitLaw, SummitModel};

@@ -5,7 +5,7 @@ use crate::kernels::Kernel;
 use crate::quadrature::{Correlation, Summit};
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, ModelError, SeparationModel,
-    SpectralMoments,
+    SpectralMoments, require,
 };
 use gw_closed_form::inverse;
 use gw_closed_form::partial_moments::{Order, times_gaussian};
@@ -76,9 +76,7 @@ impl<L: SummitLaw> SummitModel<L> {
     pub fn new(moments: SpectralMoments, modulus: ContactModulus) -> Result<Self, ModelError> {
         let SpectralMoments { m0, m2, m4 } = moments;
         for (quantity, value) in [("m0", m0), ("m2", m2), ("m4", m4)] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Self::invalid(quantity, value, "must be finite and greater than 0"));
-            }
+            require::positive(L::NAME, quantity, value)?;
         }
         let bandwidth = moments.bandwidth();
         if !bandwidth.is_normal() {
@@ -164,10 +162,7 @@ impl<L: SummitLaw> SummitModel<L> {
     /// [`ModelError::InvalidInput`] unless it is finite and not negative,
     /// [`ModelError::OutsideDomain`] if pressure or separation exceed the largest double.
     pub fn at_area(&self, area_fraction: f64) -> Result<ContactState, ModelError> {
-        if !(area_fraction.is_finite() && area_fraction >= 0.0) {
-            let requirement = "must be finite and not negative";
-            return Err(Self::invalid("area fraction", area_fraction, requirement));
-        }
+        require::not_negative(L::NAME, "area fraction", area_fraction)?;
         if area_fraction <= 0.0 {
             return Ok(nothing_touches());
         }
@@ -325,10 +320,7 @@ impl<L: SummitLaw> ContactModel for SummitModel<L> {
     /// The contact at a mean pressure, by inversion. At 0 nothing touches and there is no finite
     /// separation.
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        if !(mean_pressure.is_finite() && mean_pressure >= 0.0) {
-            let requirement = "must be finite and not negative";
-            return Err(Self::invalid("mean pressure", mean_pressure, requirement));
-        }
+        require::pressure(L::NAME, mean_pressure)?;
         if mean_pressure <= 0.0 {
             return Ok(nothing_touches());
         }

@@ -4,11 +4,13 @@ use crate::EdgesName;
 use contact_accuracy::edge_study::EdgeExperience;
 use contact_accuracy::plan::Outcome;
 use contact_accuracy::{EdgeShare, NoAreaInterval};
+use serde::Serialize;
 use surface_stats::Warning;
 use surface_stats::clean::Record;
 
 /// How much a finding matters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Weight {
     /// May change a conclusion.
     Check,
@@ -30,7 +32,8 @@ impl Weight {
 }
 
 /// What a finding is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Subject {
     /// What the solids bear.
     Material,
@@ -72,7 +75,8 @@ pub enum Ended {
 }
 
 /// One finding.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Finding {
     /// How much it matters.
     pub weight: Weight,
@@ -101,7 +105,8 @@ impl Finding {
 }
 
 /// What was found, with its numbers.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Fact {
     /// Sizes that no rough surface has; each `None` where it is usual.
     Unit {
@@ -184,7 +189,7 @@ pub enum Fact {
 }
 
 /// What presses at one load.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Pressed {
     /// Nominal pressure (Pa).
     pub nominal: f64,
@@ -203,7 +208,8 @@ impl Pressed {
 }
 
 /// Pressure beside the hardness that the modulus suggests.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Yield {
     /// The lightest load at which it is too high.
     pub at: Pressed,
@@ -216,7 +222,8 @@ pub struct Yield {
 }
 
 /// Steep slopes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Steep {
     /// Rms gradient \[-\].
     pub gradient: f64,
@@ -225,7 +232,8 @@ pub struct Steep {
 }
 
 /// Which areas have no bar.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Bare {
     /// That of every load.
     Every,
@@ -241,7 +249,8 @@ pub enum Bare {
 }
 
 /// What the strip along the edges does to the area at the headline.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Seam {
     /// What the strip holds.
     pub share: EdgeShare,
@@ -262,7 +271,7 @@ impl Seam {
 }
 
 /// What was tested and is fine; what was not, or is not, is absent.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Passed {
     /// Nayak's parameter, at least 1.5 \[-\].
     pub bandwidth: Option<f64>,

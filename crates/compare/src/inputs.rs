@@ -5,9 +5,10 @@ use contact_types::{
     SpectralMoments, Wave,
 };
 use multiscale_models::{SelfAffineSpectrum, SphereLevel};
+use serde::Serialize;
 
 /// Everything a model may be made from. What a case does not have stays `None`.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Inputs {
     /// Contact modulus.
     pub modulus: ContactModulus,
@@ -42,7 +43,8 @@ pub struct Inputs {
 }
 
 /// Where moments come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum MomentSource {
     /// Finite differences of a map.
     FiniteDifferences,

@@ -11,6 +11,7 @@ pub type Listener<'a> = dyn FnMut(Progress<'_>) -> ControlFlow<()> + Send + 'a;
 
 /// What a study reports while it works.
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub enum Progress<'a> {
     /// A surface begins: its place among `count`, and how many loads it will be asked at.
     Surface {

@@ -10,11 +10,13 @@ use contact_accuracy::budget::{Budget, Map, grid};
 use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{End, Residuals, Solution};
+use serde::Serialize;
 use std::borrow::Cow;
 use surface_stats::SurfaceStatistics;
 
 /// A finished study.
-#[derive(Debug)]
+#[derive(Debug, Serialize)]
+#[non_exhaustive]
 pub struct Comparison {
     /// What was asked for.
     pub settings: Settings,
@@ -25,7 +27,8 @@ pub struct Comparison {
 }
 
 /// One surface: its numbers, the deterministic curve, every model beside it.
-#[derive(Debug)]
+#[derive(Debug, Serialize)]
+#[non_exhaustive]
 pub struct SurfaceComparison {
     /// What the report calls it.
     pub name: String,
@@ -71,7 +74,8 @@ pub struct SurfaceComparison {
 }
 
 /// What the spectrum of a map says.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Spectral {
     /// Moments.
     pub moments: SpectralMoments,
@@ -84,7 +88,8 @@ pub struct Spectral {
 }
 
 /// The deterministic solution at one load.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct DeterministicPoint {
     /// Nominal pressure (Pa).
     pub mean_pressure: f64,
@@ -95,7 +100,8 @@ pub struct DeterministicPoint {
 }
 
 /// Numbers of one deterministic solution.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct DeterministicAnswer {
     /// Points that carry pressure over all points.
     pub area_fraction: f64,
@@ -186,7 +192,8 @@ impl DeterministicAnswer {
 }
 
 /// What a closer look found.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Closer {
     /// Other choices, each with the relative change of the area it makes.
     pub choices: Vec<Choice>,
@@ -195,7 +202,8 @@ pub struct Closer {
 }
 
 /// Another choice in preparing the map.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Choice {
     /// What it is.
     pub kind: ChoiceKind,
@@ -204,7 +212,8 @@ pub struct Choice {
 }
 
 /// A choice that was tried.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum ChoiceKind {
     /// A paraboloid removed too.
     Paraboloid,
@@ -230,7 +239,7 @@ impl ChoiceKind {
 
 /// The map on fewer points: its waves up to the shortest the coarse grid holds (its cosines if it
 /// does not repeat), the others dropped; solved from nothing, to the tolerance of the study.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Coarser {
     /// Point spacing over that of the map.
     pub factor: usize,
@@ -247,7 +256,8 @@ pub struct Coarser {
 }
 
 /// One model beside the deterministic curve.
-#[derive(Debug)]
+#[derive(Debug, Serialize)]
+#[non_exhaustive]
 pub struct ModelComparison {
     /// What it is.
     pub card: Card,
@@ -261,7 +271,8 @@ pub struct ModelComparison {
 }
 
 /// A model's answers.
-#[derive(Debug)]
+#[derive(Debug, Serialize)]
+#[non_exhaustive]
 pub struct ModelCurve {
     /// One answer per load.
     pub points: Vec<Result<ContactState, ModelError>>,
@@ -288,7 +299,8 @@ impl ModelCurve {
 }
 
 /// Whether a theory covers a surface. This judges the domain, not the error.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Verdict {
     /// Yes, caution or no.
     pub answer: Applies,
@@ -299,7 +311,8 @@ pub struct Verdict {
 }
 
 /// Why a theory covers a surface only with caution, or not at all.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Reason {
     /// Slopes beyond those of small-slope elasticity.
     Steep {
@@ -396,7 +409,8 @@ impl Reason {
 }
 
 /// The answer of a [`Verdict`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Applies {
     /// Within the assumptions.
     Yes,

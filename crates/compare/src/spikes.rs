@@ -1,6 +1,7 @@
 //! Spikes: single points far from their neighbours, and how much of the load they carry.
 
 use contact_types::HeightMap;
+use serde::Serialize;
 use surface_stats::clean::{OutlierRule, find_outliers};
 
 /// Robust standard deviations beyond which a point is a spike; the advice names the same number.
@@ -10,7 +11,8 @@ pub const SPIKE_THRESHOLD: f64 = 8.0;
 const SWEEPS: usize = 200;
 
 /// Spikes of a map.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct Spikes {
     /// Their indices in the map, rising.
     pub indices: Vec<usize>,

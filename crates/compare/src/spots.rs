@@ -2,9 +2,11 @@
 
 use crate::EdgesName;
 use contact_types::Grid;
+use serde::Serialize;
 
 /// How many spots there are and how large they are.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Spots {
     /// Sets of touching points connected over edges or corners, across the seam of the map too.
     pub count: usize,

@@ -8,10 +8,12 @@
 
 use contact_accuracy::round_to_digits;
 use contact_types::HeightMap;
+use serde::Serialize;
 use std::sync::OnceLock;
 
 /// How a surface of the survey was made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Family {
     /// Isotropic, Gaussian.
     Gaussian,
@@ -190,7 +192,8 @@ pub fn peak_slope(map: &HeightMap, area_fraction: f64) -> f64 {
 
 /// How much two surfaces may differ and still count as alike. Chosen on the survey itself so that
 /// ranges from other surfaces hold the error of the one left out (see the book).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Likeness {
     /// Factor between bandwidths.
     pub bandwidth: f64,
@@ -238,7 +241,8 @@ impl Likeness {
 }
 
 /// What a model's error was on surfaces like the one asked for.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Experience {
     /// Lowest signed relative error seen, less the bar of its reference.
     pub low: f64,

@@ -8,6 +8,8 @@ const PART: usize = 64;
 
 /// Shares of the strip along the edge: its points over all, and what it carries over the whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct EdgeShare {
     /// Width of the strip (points).
     pub width: usize,

@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 
 /// A crop at one load, solved as if it repeated, against itself in its natural surroundings.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct EdgeRow {
     /// Number of the large map it was cut from.
     pub surface: usize,
@@ -19,6 +20,8 @@ pub struct EdgeRow {
 
 /// The error of the area on crops like the map asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct EdgeExperience {
     /// Signed relative error that 5 % of the crops are below.
     pub low: f64,

@@ -19,6 +19,7 @@ mod moments;
 mod psd;
 #[cfg(feature = "serde")]
 mod reading;
+pub mod require;
 mod spectrum;
 
 pub use contact::{Caveat, Citation, ContactModel, ContactState, SeparationModel};

@@ -1,12 +1,12 @@
 //! The two floating-point types a solve can run in.
 
 use crate::simd::Lane;
-use grid_fft::FftNum;
+use grid_fft::Float;
 use std::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
 
 /// `f64` or `f32`: the type in which the fields of a solve are stored. Sums are always `f64`.
 pub trait Real:
-    FftNum + Lane + PartialOrd + AddAssign + SubAssign + MulAssign + DivAssign + Default
+    Float + Lane + PartialOrd + AddAssign + SubAssign + MulAssign + DivAssign + Default
 {
     /// Distance from 1 to the next number.
     const EPSILON: f64;

@@ -104,6 +104,7 @@ pub enum Maps {
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Load {
     /// Force over nominal area (Pa), at least 0.
     MeanPressure(f64),

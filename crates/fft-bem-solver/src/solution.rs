@@ -5,6 +5,7 @@ use contact_types::{ContactState, Grid};
 
 /// A contact at one load.
 #[derive(Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Solution {
     /// The grid it was found on.
     pub grid: Grid,
@@ -38,6 +39,8 @@ impl std::fmt::Debug for Solution {
 
 /// How far an iterate is from solving the problem; all are 0 for an exact solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Residuals {
     /// Estimate of the relative rms error of the pressure: what the tolerance is compared with.
     pub preconditioned: f64,
@@ -49,6 +52,7 @@ pub struct Residuals {
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum End {
     /// The estimated error is within the tolerance.
     Converged,

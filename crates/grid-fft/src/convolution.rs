@@ -1,11 +1,10 @@
 //! Field to field through the spectrum, in three passes over memory.
 
+use crate::float::{Float, Plans};
 use crate::parallel::prelude::*;
 use crate::parallel::{for_each_index, thread_index, threads};
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftNum, FftPlanner};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Rows transformed together; also the height of a tile.
 const TILE_ROWS: usize = 16;
@@ -19,15 +18,12 @@ const TILE_ROWS: usize = 16;
 /// Running allocates nothing.
 ///
 /// The convention is that of [`GridFft`](crate::GridFft); the mean of the field is the wave (0, 0).
-pub struct Convolution<T: FftNum> {
+pub struct Convolution<T: Float> {
     shape: [usize; 2],
     /// Shape of the transforms, at least `shape`.
     padded: [usize; 2],
     tile_columns: usize,
-    row_forward: Arc<dyn RealToComplex<T>>,
-    row_inverse: Arc<dyn ComplexToReal<T>>,
-    column_forward: Arc<dyn Fft<T>>,
-    column_inverse: Arc<dyn Fft<T>>,
+    plans: Plans<T>,
     /// Tile (block of rows, group of columns) at `block * groups + group`, column-major inside.
     tiles: Vec<Mutex<Vec<Complex<T>>>>,
     /// One per thread.
@@ -46,7 +42,7 @@ struct Scratch<T> {
     fft: Vec<Complex<T>>,
 }
 
-impl<T: FftNum> std::fmt::Debug for Convolution<T> {
+impl<T: Float> std::fmt::Debug for Convolution<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let mut shown = f.debug_struct("Convolution");
         shown.field("shape", &self.shape).field("padded", &self.padded).finish_non_exhaustive()
@@ -58,7 +54,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl<T: FftNum> Convolution<T> {
+impl<T: Float> Convolution<T> {
     /// Plans for fields of `shape = [ny, nx]`, and for the threads of the pool it is called in.
     ///
     /// # Panics
@@ -80,10 +76,7 @@ impl<T: FftNum> Convolution<T> {
         assert!(ny > 0 && nx > 0, "a transform needs at least one pixel along each axis");
         assert!(py >= ny && px >= nx, "padding cannot shorten a side");
         let nq = px / 2 + 1;
-        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
-        let (row_forward, row_inverse) = (real.plan_fft_forward(px), real.plan_fft_inverse(px));
-        let (column_forward, column_inverse) =
-            (complex.plan_fft_forward(py), complex.plan_fft_inverse(py));
+        let plans = T::plan(padded);
         let zero = Complex::new(T::zero(), T::zero());
         let tile_columns = (128 / size_of::<Complex<T>>()).max(1);
         let mut tiles = Vec::with_capacity(ny.div_ceil(TILE_ROWS) * nq.div_ceil(tile_columns));
@@ -94,12 +87,7 @@ impl<T: FftNum> Convolution<T> {
                 tiles.push(Mutex::new(vec![zero; rows * columns]));
             }
         }
-        let fft_scratch = [
-            row_forward.get_scratch_len(),
-            row_inverse.get_scratch_len(),
-            column_forward.get_inplace_scratch_len(),
-            column_inverse.get_inplace_scratch_len(),
-        ];
+        let fft_scratch = plans.scratch_len();
         let scratch = (0..threads())
             .map(|_| {
                 Mutex::new(Scratch {
@@ -107,21 +95,11 @@ impl<T: FftNum> Convolution<T> {
                     waves: vec![zero; TILE_ROWS.min(ny) * nq],
                     columns: vec![zero; tile_columns.min(nq) * py],
                     symbol: vec![T::zero(); py / 2 + 1],
-                    fft: vec![zero; fft_scratch.into_iter().max().unwrap_or(0)],
+                    fft: vec![zero; fft_scratch],
                 })
             })
             .collect();
-        Self {
-            shape,
-            padded,
-            tile_columns,
-            row_forward,
-            row_inverse,
-            column_forward,
-            column_inverse,
-            tiles,
-            scratch,
-        }
+        Self { shape, padded, tile_columns, plans, tiles, scratch }
     }
 
     /// Shape of the fields, `[ny, nx]`.
@@ -244,7 +222,10 @@ impl<T: FftNum> Convolution<T> {
         for (values, wave) in rows.chunks_exact(nx).zip(waves.chunks_exact_mut(nq)) {
             row[..nx].copy_from_slice(values);
             row[nx..].fill(T::zero()); // the transform used it as scratch
-            self.row_forward.process_with_scratch(row, wave, fft).expect("lengths are as planned");
+            self.plans
+                .row_forward
+                .process_with_scratch(row, wave, fft)
+                .expect("lengths are as planned");
         }
         let height = rows.len() / nx;
         for group in 0..self.groups() {
@@ -277,7 +258,7 @@ impl<T: FftNum> Convolution<T> {
         let scale = factor / T::from_usize(py * px).expect("a pixel count fits a float");
         for (c, column) in columns.chunks_exact_mut(py).enumerate() {
             column[ny..].fill(Complex::new(T::zero(), T::zero()));
-            self.column_forward.process_with_scratch(column, fft);
+            self.plans.column_forward.process_with_scratch(column, fft);
             write_symbol(first + c, symbol);
             let (rising, falling) = column.split_at_mut(py / 2 + 1);
             for (wave, s) in rising.iter_mut().zip(symbol.iter()) {
@@ -286,7 +267,7 @@ impl<T: FftNum> Convolution<T> {
             for (wave, s) in falling.iter_mut().rev().zip(&symbol[1..]) {
                 *wave = *wave * (*s * scale);
             }
-            self.column_inverse.process_with_scratch(column, fft);
+            self.plans.column_inverse.process_with_scratch(column, fft);
         }
         for block in 0..blocks {
             let mut tile = lock(&self.tiles[block * self.groups() + group]);
@@ -320,7 +301,8 @@ impl<T: FftNum> Convolution<T> {
                 wave[nq - 1].im = T::zero();
             }
             let out = if px == nx { &mut *values } else { row.as_mut_slice() };
-            self.row_inverse
+            self.plans
+                .row_inverse
                 .process_with_scratch(wave, out, fft)
                 .expect("lengths are as planned and the ends are real");
             if px > nx {

@@ -5,10 +5,13 @@
 //! that `inverse(forward(field))` is `field`. Only the half spectrum `0..=nx/2` along x is kept.
 
 mod convolution;
+mod float;
 pub mod parallel;
 mod transform;
 
 pub use convolution::Convolution;
-pub use rustfft::FftNum;
+pub use float::Float;
+#[doc(hidden)]
+pub use float::Plans;
 pub use rustfft::num_complex::Complex;
 pub use transform::GridFft;

@@ -1,8 +1,8 @@
 //! Planned row and column transforms.
 
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use crate::float::{Float, Plans};
+use rustfft::Fft;
 use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftNum, FftPlanner};
 use std::sync::Arc;
 
 /// How many columns are gathered at a time, so that a cache line is used whole.
@@ -10,24 +10,21 @@ const COLUMN_BLOCK: usize = 8;
 
 /// A planned transform for fields of `ny * nx` real numbers. Plan once, run many: running
 /// allocates nothing.
-pub struct GridFft<T: FftNum> {
+pub struct GridFft<T: Float> {
     shape: [usize; 2],
-    row_forward: Arc<dyn RealToComplex<T>>,
-    row_inverse: Arc<dyn ComplexToReal<T>>,
-    column_forward: Arc<dyn Fft<T>>,
-    column_inverse: Arc<dyn Fft<T>>,
+    plans: Plans<T>,
     real_row: Vec<T>,
     columns: Vec<Complex<T>>,
     scratch: Vec<Complex<T>>,
 }
 
-impl<T: FftNum> std::fmt::Debug for GridFft<T> {
+impl<T: Float> std::fmt::Debug for GridFft<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("GridFft").field("shape", &self.shape).finish_non_exhaustive()
     }
 }
 
-impl<T: FftNum> GridFft<T> {
+impl<T: Float> GridFft<T> {
     /// Plans transforms for `shape = [ny, nx]`.
     ///
     /// # Panics
@@ -35,26 +32,15 @@ impl<T: FftNum> GridFft<T> {
     pub fn new(shape: [usize; 2]) -> Self {
         let [ny, nx] = shape;
         assert!(ny > 0 && nx > 0, "a transform needs at least one pixel along each axis");
-        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
-        let (row_forward, row_inverse) = (real.plan_fft_forward(nx), real.plan_fft_inverse(nx));
-        let (column_forward, column_inverse) =
-            (complex.plan_fft_forward(ny), complex.plan_fft_inverse(ny));
-        let scratch = [
-            row_forward.get_scratch_len(),
-            row_inverse.get_scratch_len(),
-            column_forward.get_inplace_scratch_len(),
-            column_inverse.get_inplace_scratch_len(),
-        ];
+        let plans = T::plan(shape);
+        let scratch = plans.scratch_len();
         let zero = Complex::new(T::zero(), T::zero());
         Self {
             shape,
-            row_forward,
-            row_inverse,
-            column_forward,
-            column_inverse,
+            plans,
             real_row: vec![T::zero(); nx],
             columns: vec![zero; ny * COLUMN_BLOCK],
-            scratch: vec![zero; scratch.into_iter().max().unwrap_or(0)],
+            scratch: vec![zero; scratch],
         }
     }
 
@@ -84,11 +70,12 @@ impl<T: FftNum> GridFft<T> {
         assert!(field.len() == ny * nx && spectrum.len() == ny * nq, "field or spectrum length");
         for (row, wave) in field.chunks_exact(nx).zip(spectrum.chunks_exact_mut(nq)) {
             self.real_row.copy_from_slice(row);
-            self.row_forward
+            self.plans
+                .row_forward
                 .process_with_scratch(&mut self.real_row, wave, &mut self.scratch)
                 .expect("lengths are as planned");
         }
-        self.transform_columns(spectrum, &self.column_forward.clone());
+        self.transform_columns(spectrum, &self.plans.column_forward.clone());
     }
 
     /// The inverse of [`forward`](Self::forward), with its factor 1/(ny nx). The spectrum is
@@ -100,7 +87,7 @@ impl<T: FftNum> GridFft<T> {
         let [ny, nx] = self.shape;
         let nq = nx / 2 + 1;
         assert!(field.len() == ny * nx && spectrum.len() == ny * nq, "field or spectrum length");
-        self.transform_columns(spectrum, &self.column_inverse.clone());
+        self.transform_columns(spectrum, &self.plans.column_inverse.clone());
         let scale = T::one() / T::from_usize(ny * nx).expect("a pixel count fits a float");
         for (wave, row) in spectrum.chunks_exact_mut(nq).zip(field.chunks_exact_mut(nx)) {
             // The coefficients that a real row makes real; rounding left a trace of imaginary part.
@@ -108,7 +95,8 @@ impl<T: FftNum> GridFft<T> {
             if nx % 2 == 0 {
                 wave[nq - 1].im = T::zero();
             }
-            self.row_inverse
+            self.plans
+                .row_inverse
                 .process_with_scratch(wave, row, &mut self.scratch)
                 .expect("lengths are as planned and the ends are real");
             for value in row {

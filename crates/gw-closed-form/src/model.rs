@@ -6,7 +6,7 @@ use crate::partial_moments::{self, Order};
 use crate::{integrals, inverse};
 use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
-    SeparationModel, SpectralMoments,
+    SeparationModel, SpectralMoments, require,
 };
 use core::f64::consts::PI;
 
@@ -68,9 +68,7 @@ impl GreenwoodWilliamson {
             ("asperity radius", asperities.radius),
             ("asperity height deviation", asperities.height_std),
         ] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(invalid(quantity, value, "must be finite and greater than 0"));
-            }
+            require::positive(MODEL, quantity, value)?;
         }
         if !asperities.mean_offset.is_finite() {
             return Err(invalid("mean offset", asperities.mean_offset, "must be finite"));
@@ -128,13 +126,7 @@ impl GreenwoodWilliamson {
         separation: f64,
         critical_interference: f64,
     ) -> Result<f64, ModelError> {
-        if !(critical_interference.is_finite() && critical_interference >= 0.0) {
-            return Err(invalid(
-                "critical interference",
-                critical_interference,
-                "must be finite and not negative",
-            ));
-        }
+        require::not_negative(MODEL, "critical interference", critical_interference)?;
         let s = self.asperities.height_std;
         let a = self.height_above_summit_mean(separation)?;
         let (alpha, omega) = (a / s, critical_interference / s);
@@ -170,10 +162,7 @@ impl GreenwoodWilliamson {
     /// [`ModelError::InvalidInput`] unless it is finite and positive,
     /// [`ModelError::OutsideDomain`] if the separation exceeds the range of doubles.
     pub fn separation_at_area(&self, area_fraction: f64) -> Result<f64, ModelError> {
-        if !(area_fraction.is_finite() && area_fraction > 0.0) {
-            let requirement = "must be finite and greater than 0";
-            return Err(invalid("area fraction", area_fraction, requirement));
-        }
+        require::positive(MODEL, "area fraction", area_fraction)?;
         let AsperityStatistics { density, radius, height_std, .. } = self.asperities;
         let area = Quotient::of(area_fraction, &[PI, density, radius, height_std]);
         let separation = self.separation_of(alpha_of(Order::One, area)?);
@@ -187,9 +176,7 @@ impl GreenwoodWilliamson {
     /// [`ModelError::InvalidInput`] unless it is finite and not negative,
     /// [`ModelError::OutsideDomain`] if pressure or separation exceed the largest double.
     pub fn at_area(&self, area_fraction: f64) -> Result<ContactState, ModelError> {
-        if !(area_fraction.is_finite() && area_fraction >= 0.0) {
-            return Err(invalid("area fraction", area_fraction, "must be finite and not negative"));
-        }
+        require::not_negative(MODEL, "area fraction", area_fraction)?;
         if area_fraction <= 0.0 {
             return Ok(nothing_touches());
         }
@@ -262,9 +249,7 @@ impl ContactModel for GreenwoodWilliamson {
 
     /// The contact at a mean pressure. At 0 nothing touches and there is no finite separation.
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        if !(mean_pressure.is_finite() && mean_pressure >= 0.0) {
-            return Err(invalid("mean pressure", mean_pressure, "must be finite and not negative"));
-        }
+        require::pressure(MODEL, mean_pressure)?;
         if mean_pressure <= 0.0 {
             return Ok(nothing_touches());
         }

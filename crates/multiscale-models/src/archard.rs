@@ -1,7 +1,7 @@
 //! Archard's spheres on spheres on spheres.
 
-use crate::require;
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError};
 use std::f64::consts::PI;
 
@@ -9,6 +9,7 @@ const MODEL: &str = "Archard";
 
 /// Spheres of one size.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SphereLevel {
     /// Radius of the spheres \[m\].
     pub radius: f64,

@@ -1,8 +1,8 @@
 //! Fractal dimension and roughness from a power spectrum or a structure function, and back.
 
 use crate::majumdar_bhushan::check_dimension;
-use crate::require;
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{FractalParameters, ModelError};
 use std::f64::consts::PI;
 

@@ -1,9 +1,9 @@
 //! Jackson and Streator's recursion over the sinusoids of a profile.
 
-use crate::require;
 use crate::sinusoid::SinusoidLaw;
 use crate::stacked::complete_contact_pressure;
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{
     AmplitudeSpectrum, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
 };

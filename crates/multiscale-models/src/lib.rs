@@ -6,6 +6,7 @@
 //! | model | from | knows |
 //! |---|---|---|
 //! | [`Persson`] | moments, or a spectrum | area; with a spectrum also mean gap, stiffness, energy |
+//! | [`PerssonWithYield`] | rms gradient and hardness | elastic and plastic area |
 //! | [`Stacked`] | largest amplitude over wavelength | area |
 //! | [`JacksonStreator`] | amplitude by frequency | area |
 //! | [`Archard`] | spheres on spheres | area |
@@ -20,7 +21,6 @@ mod jackson_streator;
 mod majumdar_bhushan;
 mod morag_etsion;
 mod persson;
-mod require;
 mod sinusoid;
 pub mod special;
 mod spots;
@@ -38,7 +38,9 @@ pub use archard::{Archard, SphereLevel};
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::{MajumdarBhushan, critical_area};
 pub use morag_etsion::{AsperityContact, MoragEtsion};
-pub use persson::{AreaLaw, Persson, PressureDistribution, SelfAffineSpectrum};
+pub use persson::{
+    AreaLaw, Persson, PerssonWithYield, PressureDistribution, SelfAffineSpectrum, YieldShares,
+};
 pub use sinusoid::SinusoidLaw;
 pub use stacked::Stacked;
 pub use yan_komvopoulos::YanKomvopoulos;

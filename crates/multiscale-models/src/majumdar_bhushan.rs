@@ -1,8 +1,8 @@
 //! Majumdar and Bhushan's fractal model, elastic part.
 
-use crate::require;
 use crate::spots::{self, Critical, Spots};
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError,
 };

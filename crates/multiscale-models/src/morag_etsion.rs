@@ -1,8 +1,8 @@
 //! Morag and Etsion's asperity of a fractal surface.
 
 use crate::majumdar_bhushan::check_dimension;
-use crate::require;
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{ContactModulus, FractalParameters, ModelError};
 use std::f64::consts::PI;
 
@@ -51,6 +51,7 @@ pub struct MoragEtsion {
 
 /// Elastic contact of one asperity.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct AsperityContact {
     /// Load \[N\].
     pub load: f64,

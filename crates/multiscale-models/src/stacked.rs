@@ -1,7 +1,7 @@
 //! The stacked multiscale model: complete contact at the steepest scale decides.
 
-use crate::require;
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{
     AmplitudeSpectrum, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
 };

@@ -1,8 +1,8 @@
 //! Yan and Komvopoulos' fractal surface in three dimensions.
 
-use crate::require;
 use crate::spots::{self, Critical, Spots};
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError};
 use std::f64::consts::PI;
 

@@ -13,7 +13,8 @@ use contact_types::{
     AmplitudeSpectrum, ContactModel, ContactModulus, FractalParameters, SpectralMoments, Wave,
 };
 use multiscale_models::{
-    Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SinusoidLaw, Stacked,
+    Archard, JacksonStreator, MajumdarBhushan, Persson, PerssonWithYield, SelfAffineSpectrum,
+    SinusoidLaw, Stacked,
 };
 
 /// E* = 1 Pa: the tables are in units of E*.
@@ -44,6 +45,33 @@ fn persson_area() {
     area.at_most(1e-15);
     open.at_most(1e-15);
     inverse.at_most(1e-15);
+}
+
+/// H = 1: the parts of the area to 1e-15, absolutely.
+#[test]
+fn persson_with_yield() {
+    let mut worst = 0.0_f64;
+    for row in Table::read("persson_yield.csv").rows() {
+        let gradient = 2.0 * row.number("V_over_H2").sqrt();
+        let model = PerssonWithYield::new(gradient, unit(), 1.0).unwrap();
+        let found = model.shares(row.number("p_over_H")).unwrap();
+        for (found, column) in
+            [(found.open, "A_none"), (found.plastic, "A_plastic"), (found.elastic, "A_elastic")]
+        {
+            worst = worst.max((found - row.number(column)).abs());
+        }
+        let state = model.at_pressure(row.number("p_over_H")).unwrap();
+        assert!(state.area_fraction >= row.number("p_over_H") * (1.0 - 1e-12));
+    }
+    assert!(worst < 1e-15, "{worst:e}");
+    let model = PerssonWithYield::new(1.0, unit(), 0.5).unwrap();
+    assert!(model.shares(0.5).is_err() && model.shares(f64::NAN).is_err());
+    assert!(PerssonWithYield::new(1.0, unit(), 0.0).is_err());
+    // Hard bodies: Persson's own law.
+    let moments = SpectralMoments { m0: 1.0, m2: 0.5, m4: 1.0 };
+    let elastic = Persson::from_moments(moments, unit()).unwrap();
+    let hard = PerssonWithYield::new(1.0, unit(), 1e3).unwrap().shares(0.3).unwrap();
+    assert!((hard.elastic - elastic.area_fraction(0.3).unwrap()).abs() < 1e-15);
 }
 
 #[test]

@@ -49,6 +49,7 @@ pub fn findings(found: &[Finding]) -> Value {
             "subject": f.subject().name(),
             "claim": words.claim,
             "text": words.text,
+            "fact": f.fact,
         })
     };
     found.iter().map(one).collect()

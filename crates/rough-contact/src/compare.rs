@@ -302,8 +302,11 @@ fn study(
                 let area = area_fraction.map_or_else(|| "no answer".to_owned(), text::percent);
                 progress.step(&format!("{current}: {}, {area}", text::pressure(mean_pressure)));
             }
-            compare::Progress::Iterated { .. } => {}
+            compare::Progress::Iterated { number, residual, .. } => {
+                progress.iterating(|| text::iterating(&current, number, residual));
+            }
             compare::Progress::Models => progress.step(&format!("{current}: models")),
+            _ => {}
         }
         ControlFlow::Continue(())
     });

@@ -44,6 +44,13 @@ impl Progress {
         }
     }
 
+    /// Where an iteration stands; on a terminal only, where it does not stay.
+    pub(crate) fn iterating(&mut self, what: impl Fn() -> String) {
+        if let Some(bar) = &self.bar {
+            bar.set_message(what());
+        }
+    }
+
     /// One step is done.
     pub(crate) fn step(&mut self, what: &str) {
         self.done += 1;

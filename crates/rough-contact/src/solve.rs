@@ -168,7 +168,10 @@ impl Solve {
         for index in rising(&loads) {
             let load = loads[index];
             progress.working_on(&shown(load));
-            let result = on_given(solver.solve(&errors.whole, load), given);
+            let result = solver.solve_observed(&errors.whole, load, |now| {
+                progress.iterating(|| text::iterating(&shown(load), now.number, now.residual));
+            });
+            let result = on_given(result, given);
             let (budget, refined) = self.budget(load, &result, &mut solver, &mut errors);
             work.take(index, load, &result, budget.as_ref(), refined);
             progress.step(&shown(load));

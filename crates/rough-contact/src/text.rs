@@ -139,6 +139,15 @@ pub(crate) fn pressure(pascals: f64) -> String {
     with_prefix(pascals, "Pa", 1e13)
 }
 
+/// Where the iteration on `what` stands; the residual is infinite while there is no estimate.
+pub(crate) fn iterating(what: &str, number: usize, residual: f64) -> String {
+    if residual.is_finite() {
+        format!("{what}: iteration {number}, error {residual:.0e}")
+    } else {
+        format!("{what}: iteration {number}")
+    }
+}
+
 /// Seconds, such as `1.20 ms`.
 pub(crate) fn seconds(seconds: f64) -> String {
     with_prefix(seconds, "s", 1e3)

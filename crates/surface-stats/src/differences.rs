@@ -54,6 +54,8 @@ impl fmt::Display for Edges {
 /// McCool (1986), doi:10.1016/0043-1648(86)90045-1, for moments from differences of neighbouring
 /// heights; the transfer functions follow from the difference of two shifted waves.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct DirectionalMoments {
     /// Mean square forward slope along x (-).
     pub m2_x: f64,

@@ -19,6 +19,8 @@ const CUTOFF_SHARE: f64 = 0.999;
 
 /// A power law fitted to a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct PowerLaw {
     /// d ln(PSD) / d ln(frequency) (-).
     pub slope: f64,
@@ -141,6 +143,8 @@ pub fn cutoff(rings: &[Ring], shortest: f64) -> Option<f64> {
 
 /// Roll-off wavelength and the Hurst exponent below it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Rolloff {
     /// Longer waves have a flat spectrum (m).
     pub wavelength: f64,

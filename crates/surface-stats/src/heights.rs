@@ -4,6 +4,8 @@ use contact_types::HeightMap;
 
 /// Parameters of the heights about their mean (ISO 25178-2:2021, 4.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct HeightStatistics {
     /// Mean height of the map (m), before anything is subtracted.
     pub mean: f64,

@@ -26,6 +26,8 @@ pub fn white_noise_moments(s: f64, [dy, dx]: [f64; 2]) -> SpectralMoments {
 
 /// The level at which a PSD stops falling.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct NoiseFloor {
     /// C of the floor (m⁴).
     pub psd: f64,

@@ -10,6 +10,8 @@ use std::f64::consts::TAU;
 
 /// Moments of the map as if it had been measured with larger pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct AtInterval {
     /// Every how many points were used.
     pub every: usize,
@@ -83,6 +85,8 @@ fn differences(map: &HeightMap, edges: Edges, every: usize, [y, x]: [usize; 2]) 
 
 /// Moments of the waves that are not shorter than a cut-off.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct AtCutoff {
     /// Shortest wavelength kept (m).
     pub cutoff: f64,
@@ -108,6 +112,8 @@ pub fn moments_by_cutoff(rings: &[Ring]) -> Vec<AtCutoff> {
 
 /// What rounding the heights to a step does.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct AtStep {
     /// Height step (m); 0 for the heights as they are.
     pub step: f64,

@@ -11,6 +11,7 @@ use std::f64::consts::TAU;
 
 /// Scales and power law of a radial PSD.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SpectralScales {
     /// Noise at the level where the PSD stops falling; absent if it falls to the end.
     pub noise: Option<NoiseFloor>,

@@ -41,6 +41,7 @@ use contact_types::{
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SurfaceStatistics {
     /// `[ny, nx]` of the map.
     pub shape: [usize; 2],
@@ -126,6 +127,7 @@ pub struct SurfaceStatistics {
 
 /// The spectra that [`SurfaceStatistics`] are taken from, of the levelled map.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Spectra {
     /// All waves: of the map as it repeats, or, with open edges, under a Hann window.
     pub power: PowerSpectrum,

@@ -12,6 +12,8 @@ use contact_types::HeightMap;
 /// step, and because their number depends on the step and not on the surface. On an open map the
 /// outermost pixels are never summits, and a plateau that reaches them is not counted.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Summits {
     /// Number of summits.
     pub count: usize,

@@ -5,6 +5,7 @@ use std::fmt;
 /// An assumption of the models that this surface strains, or an input that is not the surface's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Warning {
     /// The map is flat: it has no roughness.
     Flat,

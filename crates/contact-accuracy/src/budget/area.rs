@@ -53,6 +53,8 @@ const LOOSEST: f64 = 1e-2;
 /// The interval is for the band-limited surface through the points of the map. It knows nothing of
 /// what the instrument did not see, nor of the sampling error of one map as a sample of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct AreaAccuracy {
     /// Rms gradient by forward differences over that from the spectrum, g_FD / g_SP; 1 for a
     /// surface that is smooth on the scale of a pixel.

@@ -21,6 +21,8 @@ pub const MOST_DOUBT: f64 = 0.07;
 
 /// How much the interpolants differ at the contact of one solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Between {
     /// Rms difference halfway between neighbours, of which at least one touches (m).
     pub height: f64,

@@ -10,6 +10,7 @@ use fft_bem_solver::{Boundary, Solution};
 
 /// What was prescribed, so that it has no error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Given {
     /// The mean pressure.
     Load,
@@ -19,6 +20,8 @@ pub enum Given {
 
 /// A number with what is known about its error: half widths in its own unit, by source.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Estimate {
     /// The number.
     pub value: f64,
@@ -75,6 +78,8 @@ impl Estimate {
 
 /// The numbers of one deterministic solution with their errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Budget {
     /// Whether the load or the gap was prescribed; what was has no error.
     pub given: Given,

@@ -31,6 +31,7 @@ const OPEN: f64 = 0.6;
 
 /// The contact line of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Line {
     /// Corrected area fraction (-).
     pub area: f64,
@@ -85,6 +86,7 @@ pub fn stiffness_half_width(map: &Map, line: Line) -> f64 {
 
 /// What a solution on twice as many points along each side says of the one on the given grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Finer {
     /// Its corrected area fraction.
     pub area: f64,

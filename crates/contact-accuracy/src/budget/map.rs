@@ -9,6 +9,8 @@ use surface_stats::{StatsError, height_step, repeats};
 
 /// What a map says about the accuracy of answers on it, whatever the load. Made once per surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Map {
     /// The gate, and the bar of the area inside it.
     pub accuracy: AreaAccuracy,

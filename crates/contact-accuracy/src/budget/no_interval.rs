@@ -12,6 +12,7 @@ pub(super) const MOST_CORRECTION: f64 = 0.2;
 
 /// Why there is no interval for an area.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum NoAreaInterval {
     /// The shortest waves of the map are too short for its pixels.
     #[error(

@@ -17,6 +17,7 @@ const DIFFERENCE: f64 = 1e-4;
 
 /// What two solutions at a little less and a little more load say of the stiffness.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Stiffness {
     /// -dp/d(mean gap) (Pa/m).
     pub value: f64,

@@ -18,6 +18,7 @@ const GAP_LOST: f64 = 1.0;
 
 /// The contact line of one solution, from which the bar on another grid follows.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Line {
     /// Corrected area fraction.
     pub area: f64,

@@ -20,6 +20,7 @@ const LONGEST_PIXEL: f64 = 2.0;
 
 /// A grid the map can be solved on.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Candidate {
     /// Points along a side over those of the given map, about.
     pub factor: f64,

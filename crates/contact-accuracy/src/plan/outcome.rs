@@ -7,6 +7,7 @@ use fft_bem_solver::{Load, Precision};
 
 /// The next finer grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Next {
     /// Points `[ny, nx]`.
     pub shape: [usize; 2],
@@ -21,6 +22,7 @@ pub struct Next {
 
 /// The outcome of a request.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Outcome {
     /// What was asked for.
     pub request: Request,
@@ -55,6 +57,7 @@ pub struct Outcome {
 
 /// Why a request is not met.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Unmet {
     /// The map allows no bar, whatever the load and the grid.
     Map(NoAreaInterval),
@@ -73,6 +76,7 @@ pub enum Unmet {
 
 /// Why a load misses the request.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Miss {
     /// Nothing touches at the gap that is given.
     NoContact {
@@ -90,6 +94,7 @@ pub enum Miss {
 
 /// Why a load has no bar.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum NoBar {
     /// The area has none.
     Area(NoAreaInterval),
@@ -99,6 +104,7 @@ pub enum NoBar {
 
 /// What the finest grid considered would do for a load that misses the request.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Finest {
     /// The grid used is the finest.
     Used,

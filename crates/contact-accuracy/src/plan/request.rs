@@ -12,10 +12,12 @@ const TIGHTEST: f64 = 1e-8;
 
 /// Half width of the interval around the area that is asked for, relative to the area.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Request(f64);
 
 /// A request that is none.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum BadRequest {
     /// Not a percentage.
     #[error("'{0}' is no accuracy; write a percentage of the area, for example 2%")]

@@ -1,6 +1,6 @@
 //! A rigid circular punch with a flat end.
 
-use super::inputs::{not_negative, positive};
+use contact_types::require::{not_negative, positive};
 use contact_types::{ContactModulus, ModelError};
 use std::f64::consts::PI;
 

@@ -1,6 +1,6 @@
 //! Hertz: two elastic bodies with curved surfaces.
 
-use super::inputs::{not_negative, positive};
+use contact_types::require::{not_negative, positive};
 use contact_types::{ContactModulus, ModelError};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -36,6 +36,7 @@ pub struct Hertz {
 
 /// A Hertz contact at one load.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct HertzContact {
     /// Force (N).
     pub force: f64,

@@ -6,7 +6,6 @@
 pub mod flat_punch;
 pub mod full_contact;
 pub mod hertz;
-mod inputs;
 pub mod sinusoid;
 pub mod two_harmonic;
 pub mod wavy_2d;

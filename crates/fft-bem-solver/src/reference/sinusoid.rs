@@ -1,6 +1,6 @@
 //! Westergaard: a sinusoidal ridge pattern against a flat.
 
-use super::inputs::{not_negative, positive};
+use contact_types::require::{not_negative, positive};
 use contact_types::{ContactModulus, ModelError};
 use std::f64::consts::{FRAC_2_PI, PI};
 

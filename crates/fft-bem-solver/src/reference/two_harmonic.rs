@@ -1,6 +1,6 @@
 //! A ridge pattern of two harmonics with one contact strip per period.
 
-use super::inputs::positive;
+use contact_types::require::positive;
 use contact_types::{ContactModulus, ModelError};
 use std::f64::consts::{PI, TAU};
 

@@ -1,6 +1,6 @@
 //! The bi-sinusoid: an egg-box against a flat.
 
-use super::inputs::{not_negative, positive};
+use contact_types::require::{not_negative, positive};
 use contact_types::{ContactModulus, ModelError};
 use std::f64::consts::{PI, SQRT_2};
 

@@ -3,10 +3,10 @@
 use super::reduced_diffusion;
 use super::span::MODEL;
 use super::theory::{AreaLaw, Persson};
-use crate::require;
 use crate::special::{erf, erf_inv, erfc, erfc_inv};
 use crate::wide::Wide;
 use contact_types::ModelError;
+use contact_types::require;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 impl Persson {

@@ -3,10 +3,10 @@
 use super::scales::Scales;
 use super::span::{Decay, MODEL};
 use super::theory::Persson;
-use crate::require;
 use crate::special::{erf, half_e1_of_square, squared_erf_tail};
 use crate::wide::Wide;
 use contact_types::ModelError;
+use contact_types::require;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Below this load `x = p / (E* sqrt(m2))` the limits of light load are exact to rounding.

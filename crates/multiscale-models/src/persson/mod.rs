@@ -9,7 +9,9 @@ mod scales;
 mod self_affine;
 mod span;
 mod theory;
+mod with_yield;
 
 pub use pressure_distribution::PressureDistribution;
 pub use self_affine::SelfAffineSpectrum;
 pub use theory::{AreaLaw, Persson};
+pub use with_yield::{PerssonWithYield, YieldShares};

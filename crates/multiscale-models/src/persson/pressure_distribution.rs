@@ -2,9 +2,9 @@
 
 use super::span::MODEL;
 use super::theory::Persson;
-use crate::require;
 use crate::special::{erf, erfc};
 use contact_types::ModelError;
+use contact_types::require;
 use std::f64::consts::PI;
 
 /// Distribution of the local pressure over the nominal area: a continuous part for `sigma > 0`

@@ -1,8 +1,8 @@
 //! Amplitudes of the profiles of a self-affine surface: what the stacked models take.
 
 use super::self_affine::SelfAffineSpectrum;
-use crate::require;
 use crate::special::gauss_legendre;
+use contact_types::require;
 use contact_types::{AmplitudeSpectrum, ModelError, Wave};
 use std::f64::consts::{PI, SQRT_2, TAU};
 

@@ -1,9 +1,9 @@
 //! A continuous self-affine spectrum with a plateau.
 
 use super::span::{Range, check_span};
-use crate::require;
 use crate::special::gauss_legendre;
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{ModelError, SpectralMoments};
 
 const MODEL: &str = "self-affine spectrum";
@@ -27,6 +27,7 @@ const MODEL: &str = "self-affine spectrum";
 /// # Ok::<(), contact_types::ModelError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SelfAffineSpectrum {
     hurst: f64,
     wavenumbers: [f64; 3],

@@ -3,8 +3,8 @@
 use super::scales::Scales;
 use super::self_affine::SelfAffineSpectrum;
 use super::span::MODEL;
-use crate::require;
 use crate::wide::Wide;
+use contact_types::require;
 use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, RoughnessSpectrum,
     SpectralMoments,

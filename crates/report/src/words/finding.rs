@@ -11,6 +11,7 @@ use surface_stats::clean::{FormParameters, Record};
 
 /// A finding in words, as plain text.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Worded {
     /// What was found, with its number.
     pub claim: String,

@@ -31,6 +31,7 @@ pub enum Form {
 
 /// What was found.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum FormParameters {
     /// Nothing but the degree is worth naming.
     Polynomial {

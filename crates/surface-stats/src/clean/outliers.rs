@@ -30,6 +30,8 @@ impl Default for OutlierRule {
 
 /// What was found; nothing has been changed.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Outliers {
     /// Indices of the spikes, rising.
     pub indices: Vec<usize>,

@@ -10,6 +10,8 @@ use contact_types::Grid;
 /// from row to row, while a surface makes it small (its slopes cancel along a row) or smooth (a lay
 /// along the rows, sampled by several of them).
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct RowOffsets {
     /// Height of each row (m), by the sum of the medians, less the straight line through them: that is
     /// a tilt and stays.

@@ -5,6 +5,8 @@ use contact_types::HeightMap;
 
 /// Hybrid parameters, from heights and spacings (ISO 25178-2:2021, 4.4).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Hybrid {
     /// Sdq by forward differences: `√(<(Δx z/dx)²> + <(Δy z/dy)²>)`, each mean over all pairs of
     /// neighbours (-). The same number as `rms_gradient` of an open map.

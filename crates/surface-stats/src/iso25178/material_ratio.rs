@@ -20,6 +20,8 @@ pub struct MaterialRatioCurve {
 
 /// Parameters of the core line (ISO 25178-2:2021, 4.5).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct CoreRoughness {
     /// Sk: height of the core (m).
     pub core_height: f64,
@@ -36,6 +38,7 @@ pub struct CoreRoughness {
 /// Volumes per area between material ratios of 10 % and 80 % (ISO 25178-2:2021, 4.5); 1 m³/m² is
 /// 10⁶ ml/m².
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Volumes {
     /// Vmp: material above the height of ratio 10 % (m).
     pub peak_material: f64,

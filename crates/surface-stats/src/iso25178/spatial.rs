@@ -26,6 +26,8 @@ pub struct Autocorrelation {
 
 /// Spatial parameters (ISO 25178-2:2021, 4.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Spatial {
     /// Sal: shortest shift, over all directions, at which the autocorrelation first falls to 0.2
     /// (m). `None` if it does not within half the map.

@@ -31,6 +31,7 @@ impl Axis {
 
 /// One frequency of a profile spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ProfileBin {
     /// f = 1/wavelength (1/m).
     pub frequency: f64,

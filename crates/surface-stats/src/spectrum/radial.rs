@@ -15,6 +15,7 @@ pub struct PowerSpectrum {
 
 /// Waves whose |q| lies within one step of a ring.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Ring {
     /// Root mean square of |q| over the ring, weighted by variance (unweighted if the ring is
     /// empty) (rad/m).

@@ -1,13 +1,29 @@
-//! Checks of single numbers, with the message that says what is wrong.
+//! What models ask of single numbers, each refused with the message that says what is wrong.
+//!
+//! ```
+//! use contact_types::require;
+//!
+//! assert_eq!(require::positive("my model", "rms height", 1e-6), Ok(1e-6));
+//! let refused = require::positive("my model", "rms height", -1e-6).unwrap_err();
+//! let words = "my model: rms height = -1e-6 is not usable: must be finite and greater than 0";
+//! assert_eq!(refused.to_string(), words);
+//! ```
 
-use contact_types::ModelError;
+use crate::ModelError;
 
-/// The nominal pressure of `at_pressure`: finite and not negative.
-pub(crate) fn pressure(model: &'static str, value: f64) -> Result<f64, ModelError> {
+/// The nominal pressure (Pa) of `at_pressure`: finite and not negative.
+///
+/// # Errors
+/// [`ModelError::InvalidInput`].
+pub fn pressure(model: &'static str, value: f64) -> Result<f64, ModelError> {
     not_negative(model, "mean pressure", value)
 }
 
-pub(crate) fn not_negative(
+/// A finite number, 0 or above.
+///
+/// # Errors
+/// [`ModelError::InvalidInput`].
+pub fn not_negative(
     model: &'static str,
     quantity: &'static str,
     value: f64,
@@ -24,7 +40,11 @@ pub(crate) fn not_negative(
     })
 }
 
-pub(crate) fn positive(
+/// A finite number above 0.
+///
+/// # Errors
+/// [`ModelError::InvalidInput`].
+pub fn positive(
     model: &'static str,
     quantity: &'static str,
     value: f64,
@@ -42,7 +62,10 @@ pub(crate) fn positive(
 }
 
 /// An area fraction between 0 and 1, both included.
-pub(crate) fn fraction(
+///
+/// # Errors
+/// [`ModelError::InvalidInput`].
+pub fn fraction(
     model: &'static str,
     quantity: &'static str,
     value: f64,
@@ -60,7 +83,10 @@ pub(crate) fn fraction(
 }
 
 /// A result that must be a finite double.
-pub(crate) fn representable(
+///
+/// # Errors
+/// [`ModelError::OutsideDomain`].
+pub fn representable(
     model: &'static str,
     quantity: &'static str,
     value: f64,

@@ -1,0 +1,184 @@
+//! Persson's theory with a hardness: the pressure distribution diffuses between two walls.
+
+use crate::special::{erf, erfc};
+use contact_types::{
+    Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, require,
+};
+use std::f64::consts::PI;
+
+const MODEL: &str = "Persson with yield";
+
+/// Up to this V/H² the sum of images converges faster, beyond it the series: four and seven terms then
+/// leave nothing of a double.
+const FEW_IMAGES: f64 = 0.3;
+const IMAGES: usize = 4;
+const WAVES: usize = 7;
+
+/// How the nominal area is shared.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct YieldShares {
+    /// Out of contact \[-\].
+    pub open: f64,
+    /// In elastic contact, at a pressure between 0 and the hardness \[-\].
+    pub elastic: f64,
+    /// At the hardness \[-\].
+    pub plastic: f64,
+}
+
+/// Persson's theory of bodies that yield at a constant hardness H.
+///
+/// As finer roughness comes into view, the distribution of the pressure σ diffuses from the nominal
+/// pressure p; what arrives at 0 has lost contact, what arrives at H has yielded, and both stay there:
+///
+/// ```math
+/// \frac{\partial P}{\partial V}=\tfrac12\frac{\partial^2P}{\partial\sigma^2},\qquad P(0)=P(H)=0,\qquad
+/// P\big|_{V=0}=\delta(\sigma-p),\qquad V=\left(\tfrac12 E^* g\right)^2
+/// ```
+///
+/// with g the rms gradient of the surface. The area is the sum over the images of p in both walls, or the
+/// series of waves between them; the smaller of both errors is below 2e-16. With H to infinity the area is
+/// `erf(p / (E* sqrt(m2)))`; with V to infinity it is the plastic p/H.
+///
+/// ```
+/// use contact_types::{ContactModel, ContactModulus};
+/// use multiscale_models::PerssonWithYield;
+/// // E* g / H = 2: a ground metal.
+/// let model = PerssonWithYield::new(0.05, ContactModulus::from_pascals(100e9)?, 2.5e9)?;
+/// let shares = model.shares(200e6)?;
+/// assert!((shares.elastic + shares.plastic - 0.0811).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Validity
+/// The elastic theory reads the area low by 10 to 20 % at light load, and so does this one; of the yielded
+/// part it takes too much: 0.079 in the example above, where a computed contact has 0.056.
+///
+/// # Source
+/// Persson (2001), doi:10.1103/PhysRevLett.87.116101.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PerssonWithYield {
+    /// Standard deviation of the pressure in full contact, `E* g / 2` \[Pa\].
+    deviation: f64,
+    hardness: f64,
+}
+
+impl PerssonWithYield {
+    /// From the rms gradient of the surface \[-\] and the hardness of the softer body \[Pa\].
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the gradient is negative or not finite, or the hardness not finite
+    /// and greater than 0; [`ModelError::OutsideDomain`] if `E* g` exceeds the largest double.
+    pub fn new(
+        rms_gradient: f64,
+        modulus: ContactModulus,
+        hardness: f64,
+    ) -> Result<Self, ModelError> {
+        require::not_negative(MODEL, "rms gradient", rms_gradient)?;
+        require::positive(MODEL, "hardness", hardness)?;
+        let deviation = 0.5 * rms_gradient * modulus.pascals();
+        require::representable(MODEL, "E* times the rms gradient", deviation)?;
+        Ok(Self { deviation, hardness })
+    }
+
+    /// `E* g / (2 H)`: rms of the pressure of full contact over the hardness \[-\]. Below 0.3 hardly anything
+    /// yields, above 1 the area is hardly more than p/H.
+    pub fn plasticity_index(&self) -> f64 {
+        self.deviation / self.hardness
+    }
+
+    /// How the nominal area is shared at a mean pressure \[Pa\]: each part right to 1e-15, absolutely.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the pressure is negative or not finite,
+    /// [`ModelError::OutsideDomain`] from the hardness on: everything has yielded, and no load above it can
+    /// be carried.
+    pub fn shares(&self, mean_pressure: f64) -> Result<YieldShares, ModelError> {
+        require::pressure(MODEL, mean_pressure)?;
+        if mean_pressure >= self.hardness {
+            return Err(ModelError::OutsideDomain {
+                model: MODEL.into(),
+                quantity: "mean pressure".into(),
+                value: mean_pressure,
+                domain: 0.0..=self.hardness,
+                reason: "the hardness is the most that any contact carries".into(),
+            });
+        }
+        if mean_pressure <= 0.0 {
+            return Ok(YieldShares { open: 1.0, elastic: 0.0, plastic: 0.0 });
+        }
+        let p = mean_pressure / self.hardness;
+        let index = self.plasticity_index();
+        Ok(if index * index <= FEW_IMAGES { by_images(p, index) } else { by_waves(p, index) })
+    }
+}
+
+/// The sum over images, for `p/H` and `sqrt(V)/H`.
+fn by_images(p: f64, index: f64) -> YieldShares {
+    let s = std::f64::consts::SQRT_2 * index;
+    if s <= 0.0 {
+        return YieldShares { open: 0.0, elastic: 1.0, plastic: 0.0 }; // flat: nothing but the nominal pressure
+    }
+    let tail = |x: f64| erfc(x / s);
+    let (mut open, mut elastic, mut plastic) = (0.0, erf(p / s), 0.0);
+    for k in 0..IMAGES {
+        let k = 2.0 * k as f64;
+        open += tail(k + p) - tail(k + 2.0 - p);
+        elastic += tail(k + 2.0 - p) - tail(k + 2.0 + p);
+        plastic += tail(k + 1.0 - p) - tail(k + 1.0 + p);
+    }
+    YieldShares { open, elastic: elastic - plastic, plastic }
+}
+
+/// The series of waves between the walls.
+fn by_waves(p: f64, index: f64) -> YieldShares {
+    let (mut open, mut elastic, mut plastic) = (1.0 - p, 0.0, p);
+    for n in 1..=WAVES {
+        let is_odd = n % 2 == 1;
+        let n = n as f64;
+        let wave = 2.0 / PI * (n * PI * p).sin() / n * (-0.5 * (n * PI * index).powi(2)).exp();
+        open -= wave;
+        plastic -= if is_odd { wave } else { -wave };
+        elastic += if is_odd { 2.0 * wave } else { 0.0 };
+    }
+    YieldShares { open, elastic, plastic }
+}
+
+impl ContactModel for PerssonWithYield {
+    fn citation(&self) -> Citation {
+        Citation {
+            authors: "Persson".into(),
+            year: 2001,
+            title: "Elastoplastic contact between randomly rough surfaces".into(),
+            journal: "Physical Review Letters 87, 116101".into(),
+            doi: "10.1103/PhysRevLett.87.116101".into(),
+        }
+    }
+
+    /// The area is the elastic and the plastic part.
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        let YieldShares { elastic, plastic, .. } = self.shares(mean_pressure)?;
+        let area_fraction = (elastic + plastic).min(1.0);
+        let is_lost = mean_pressure > 0.0 && area_fraction <= 0.0;
+        let caveat = is_lost.then(|| Caveat::Underflow { quantity: "area fraction".into() });
+        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both sums are the same where one takes over from the other, and the parts are all there is.
+    #[test]
+    fn images_and_waves_agree() {
+        for index in [0.35, 0.5, 0.547, 0.6, 0.8] {
+            for p in [1e-6, 0.01, 0.3, 0.5, 0.9, 0.999] {
+                let (a, b) = (by_images(p, index), by_waves(p, index));
+                let apart = (a.open - b.open).abs().max((a.elastic - b.elastic).abs());
+                let tolerance = if index < 0.5 { 1e-12 } else { 1e-15 };
+                assert!(apart.max((a.plastic - b.plastic).abs()) < tolerance, "{index} {p}");
+                assert!((b.open + b.elastic + b.plastic - 1.0).abs() < 1e-15);
+            }
+        }
+    }
+}
