@@ -78,7 +78,8 @@ fn scene(surface: &SurfaceComparison) -> Scene {
         gradient: Some(s.rms_gradient),
         rms_height: Some(s.rms_height),
         radius: s.asperities.map(|a| a.radius),
-        rows: None, // the statistics say it
+        rows: None, // the statistics say these two
+        spacing: 0.0,
         pressed: answers.collect(),
     }
 }

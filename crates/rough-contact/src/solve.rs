@@ -107,12 +107,14 @@ impl Solve {
             cleaned: &cleaned,
             ..Solved::default()
         };
+        let largest = surface.heights().iter().fold(0.0, |most: f64, h| most.max(h.abs()));
         let surface = match self.level {
             Level::None => surface,
             form => surface_stats::level(&surface, form)
                 .map_err(|e| Failure::in_file(&self.input.file, &e))?,
         };
         solved.scene = self.scene(&surface, modulus)?;
+        solved.scene.spacing = largest * f64::EPSILON;
         let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
         work.spikes = Spikes::of(&surface);
         solved.spikes = work.spikes.clone();
@@ -197,6 +199,7 @@ impl Solve {
             rms_height: Some(rms_height),
             radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
             rows: row_offsets(map.grid(), map.heights()).ok(),
+            spacing: 0.0,
             pressed: Vec::new(),
         })
     }

@@ -172,6 +172,21 @@ fn a_load_that_stopped_at_rounding_is_called_that_everywhere() {
     }
 }
 
+/// Heights of 0.1 µm on an offset of 1e9 m are what doubles leave of them: said first.
+#[test]
+fn heights_that_are_rounding_are_said_to_be() {
+    let folder = folder();
+    matrix(folder.path(), "far.txt", 64, 64, |iy, ix| {
+        let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 16.0).cos();
+        1e9 + 1e-7 * wave(iy) * wave(ix)
+    });
+    let line = "solve far.txt --pixel 1um --height-unit m --modulus 110GPa --pressure 1MPa --json";
+    for level in ["", " --level none"] {
+        let json = rough_contact(folder.path(), &format!("{line}{level}")).json();
+        assert!(claim(&json["findings"], 0).contains("is rounding"), "{}", json["findings"]);
+    }
+}
+
 /// The statistics of a map carry what the map itself gives cause to: in the words of the others.
 #[test]
 fn statistics_carry_the_findings_of_their_map() {

@@ -14,6 +14,7 @@ pub const GRADIENT: f64 = 0.1;
 pub type Heights = Result<Vec<f64>, Box<dyn Error>>;
 
 /// Numbers that fix one map of a family.
+#[derive(Debug, Clone, Copy)]
 pub struct Draw {
     /// Points along each side.
     pub n: usize,

@@ -57,6 +57,7 @@ const STEEPEST: f64 = 20.0;
 /// Numbers that are known to a large factor scatter more to the upper side than to the lower, as
 /// counts of few things do: half widths are those of the upper side.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sampled {
     /// Blocks of the solution.
     pub blocks: Blocks,
@@ -133,6 +134,7 @@ fn doubted(height_scatter: f64) -> f64 {
 
 /// Blocks of one solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Blocks {
     /// Relative standard error of the area by the residuals of a line through their loads and areas.
     pub scatter: f64,
