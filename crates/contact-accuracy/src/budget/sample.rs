@@ -17,7 +17,7 @@
 //! rougher in some places than in others, it is still what the longest waves of `h²` itself show.
 //! Waves of height longer than the map are in none of these: on a map that does not repeat, which is a
 //! part of a larger surface, more is added for them. Marks that run across a map, such as scratches, scatter more
-//! than both ways say ([`lines`](super::lines)).
+//! than both ways say (`lines.rs`).
 //!
 //! Where few blocks carry the load, Student's quantile widens what they say of the area, and near full
 //! contact the gap follows the rms height with more than the first power.
