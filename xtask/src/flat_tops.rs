@@ -13,9 +13,12 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     if !check {
         let folder = |name: &str| root().join("target").join(name).display().to_string();
         let judged = output(example("studies", "flat_tops").arg(folder("flat-tops")))?;
+        let fresh = folder("flat-tops-fresh");
+        let fresh = output(example("studies", "flat_tops").args(["--fresh", &fresh]))?;
         let tuning = folder("flat-tops-tuning");
         let tuning = output(example("studies", "flat_tops").args(["--tuning", &tuning]))?;
-        let rows = tuning.lines().skip(1).fold(judged, |all, row| all + row + "\n");
+        let more = fresh.lines().skip(1).chain(tuning.lines().skip(1));
+        let rows = more.fold(judged, |all, row| all + row + "\n");
         let origin = "# Intervals on maps that are not smooth between their points; made by 'cargo \
                       xtask flat-tops' from its own seeds, columns in \
                       crates/studies/examples/flat_tops/measure.rs";

@@ -17,6 +17,7 @@ mod figures;
 mod flat_tops;
 mod generated;
 mod kappa;
+mod sample;
 mod shell;
 mod strangers;
 mod surfaces;
@@ -52,6 +53,8 @@ Usage: cargo xtask <task> [options]
                             (half an hour, resumable)
   flat-tops [--check]       the same on worn, clipped, creased, spiky maps; table, page
                             (half an hour, resumable)
+  sample [--check]          how often the finite sample held on unkind surfaces: scratches, few hills,
+                            crops; table, page (a few minutes, resumable)
   tradeoff [--quick | --figures-only | --check | --repeat | --methods]
                             time against true error, models and solver; table, figures, page
                             (under 10 minutes; wants a quiet machine); --repeat measures again
@@ -85,6 +88,7 @@ fn main() -> ExitCode {
         "bench" => bench::run(rest),
         "budget" => budget::run(rest),
         "flat-tops" => flat_tops::run(rest),
+        "sample" => sample::run(rest),
         "surfaces" => surfaces::run(rest),
         "survey" => survey::run(rest),
         "kappa" => kappa::run(rest),

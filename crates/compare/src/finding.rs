@@ -64,6 +64,17 @@ impl Subject {
     }
 }
 
+/// How the solution of a load ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ended {
+    /// At its tolerance.
+    Converged,
+    /// Where rounding kept it from its tolerance.
+    AtRounding,
+    /// Before that, or not at all.
+    Short,
+}
+
 /// One finding.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -79,7 +90,7 @@ impl Finding {
     pub fn subject(&self) -> Subject {
         match &self.fact {
             Fact::Yield(_) => Subject::Material,
-            Fact::NotConverged { .. } => Subject::Solution,
+            Fact::NotConverged { .. } | Fact::AtRounding { .. } => Subject::Solution,
             Fact::PlanUnmet(_) => Subject::Plan,
             Fact::FinerGrid { .. } | Fact::NoBar { .. } => Subject::Grid,
             Fact::EdgeJump { .. } => Subject::Edges,
@@ -114,6 +125,13 @@ pub enum Fact {
     Steep(Steep),
     /// Loads without a converged solution.
     NotConverged {
+        /// How many.
+        loads: usize,
+        /// Of how many.
+        of: usize,
+    },
+    /// Loads whose solution rounding kept from its tolerance.
+    AtRounding {
         /// How many.
         loads: usize,
         /// Of how many.

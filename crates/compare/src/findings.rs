@@ -1,6 +1,6 @@
 //! What may change a conclusion: decided here once, for page, terminal and files alike.
 
-use crate::finding::{Bare, Fact, Finding, Passed, Pressed, Seam, Weight};
+use crate::finding::{Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Weight};
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
 use crate::{EdgesName, Origin, Spikes};
@@ -22,11 +22,15 @@ fn check(fact: Fact) -> Finding {
 /// The findings of a study on one surface, worst first.
 pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let points = &surface.deterministic;
-    let unsolved = points.iter().filter(|p| p.answer.as_ref().is_none_or(|a| !a.converged)).count();
+    let ends: Vec<Ended> = points
+        .iter()
+        .map(|p| p.answer.as_ref().map_or(Ended::Short, DeterministicAnswer::ended))
+        .collect();
+    let unsolved = ends.iter().filter(|end| **end != Ended::Converged).count();
     let mut found = scene(surface).findings();
     let share = surface.spikes.share(surface.surface.grid().len(), &surface.pressure);
     found.extend(spiky(&surface.spikes, share));
-    found.extend(not_converged(unsolved, points.len()));
+    found.extend(unsolved_loads(&ends));
     found.extend(surface.plan.as_ref().and_then(unmet));
     found.extend(bar(surface, unsolved));
     let said = matches!(surface.map.accuracy.gate(), Err(NoAreaInterval::Unresolved { .. }));
@@ -46,6 +50,21 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     found
 }
 
+/// What the statistics of a map alone say, worst first; `spikes` are its own.
+pub fn measured(s: &SurfaceStatistics, spikes: &Spikes) -> Vec<Finding> {
+    let scene = Scene {
+        gradient: Some(s.rms_gradient),
+        rms_height: Some(s.rms_height),
+        radius: s.asperities.map(|a| a.radius),
+        ..Scene::default()
+    };
+    let mut found = scene.findings();
+    found.extend(spiky(spikes, None));
+    found.extend(s.warnings.iter().map(warned));
+    found.sort_by_key(|f| f.weight);
+    found
+}
+
 /// What a study asks of elasticity, with the answers that converged.
 fn scene(surface: &SurfaceComparison) -> Scene {
     let answers = surface.deterministic.iter().filter_map(|p| {
@@ -59,7 +78,8 @@ fn scene(surface: &SurfaceComparison) -> Scene {
         gradient: Some(s.rms_gradient),
         rms_height: Some(s.rms_height),
         radius: s.asperities.map(|a| a.radius),
-        rows: None, // the statistics say it
+        rows: None, // the statistics say these two
+        spacing: 0.0,
         pressed: answers.collect(),
     }
 }
@@ -73,8 +93,8 @@ pub struct Solved<'a> {
     pub spikes: Spikes,
     /// Largest share of the load that they carry \[-\], if it is known.
     pub spike_share: Option<f64>,
-    /// Of each load: whether it converged, and why its area has no bar, if it has none.
-    pub loads: Vec<(bool, Option<NoAreaInterval>)>,
+    /// Of each load: how its solution ended, and why its area has no bar, if it has none.
+    pub loads: Vec<(Ended, Option<NoAreaInterval>)>,
     /// What was chosen for an accuracy, if one was asked for.
     pub plan: Option<&'a Outcome>,
     /// Points that were filled.
@@ -93,10 +113,10 @@ impl Solved<'_> {
         let of = self.loads.len();
         let mut found = self.scene.findings();
         found.extend(spiky(&self.spikes, self.spike_share));
-        found.extend(not_converged(self.loads.iter().filter(|l| !l.0).count(), of));
+        found.extend(unsolved_loads(&self.loads.iter().map(|l| l.0).collect::<Vec<_>>()));
         found.extend(self.plan.and_then(unmet));
         let bare: Vec<NoAreaInterval> =
-            self.loads.iter().filter(|l| l.0).filter_map(|l| l.1).collect();
+            self.loads.iter().filter(|l| l.0 == Ended::Converged).filter_map(|l| l.1).collect();
         if let Some(why) = bare.first().copied() {
             let loads = bare.len();
             let at = if loads == of { Bare::Every } else { Bare::Some { loads, of } };
@@ -117,8 +137,14 @@ pub fn spiky(spikes: &Spikes, share: Option<f64>) -> Option<Finding> {
     (count > 0).then_some(Finding { weight, fact })
 }
 
-fn not_converged(loads: usize, of: usize) -> Option<Finding> {
-    (loads > 0).then(|| check(Fact::NotConverged { loads, of }))
+/// Loads without a solution to tolerance, by what kept them from it.
+fn unsolved_loads(ends: &[Ended]) -> impl Iterator<Item = Finding> {
+    let of = ends.len();
+    let count = |end| ends.iter().filter(|e| **e == end).count();
+    let (short, rounded) = (count(Ended::Short), count(Ended::AtRounding));
+    let short = (short > 0).then(|| check(Fact::NotConverged { loads: short, of }));
+    let rounded = (rounded > 0).then(|| check(Fact::AtRounding { loads: rounded, of }));
+    short.into_iter().chain(rounded)
 }
 
 fn unmet(plan: &Outcome) -> Option<Finding> {
@@ -133,7 +159,13 @@ fn bar(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> {
     let headline = surface.headline_answer();
     let finer = headline.and_then(|a| a.finer);
     let bar = headline.map(|a| a.budget.area.comparison_half_width());
-    Some(check(match (surface.map.accuracy.gate(), finer, bar) {
+    let own = headline.and_then(|a| a.budget.own.err());
+    let gate = match (surface.map.accuracy.gate(), own, finer) {
+        // The map would do, this contact on it does not.
+        (Ok(()), Some(why), Some(_)) if unsolved == 0 => Err(why),
+        (gate, ..) => gate,
+    };
+    Some(check(match (gate, finer, bar) {
         (Err(why), Some(finer), _) => {
             let points = surface.deterministic.iter();
             let loads = points.filter_map(|p| p.answer.as_ref()?.finer).count();
@@ -254,21 +286,28 @@ mod tests {
 
     #[test]
     fn a_clean_solve_has_no_findings() {
-        let solved = Solved { loads: vec![(true, None); 3], points: 100, ..Solved::default() };
+        let solved =
+            Solved { loads: vec![(Ended::Converged, None); 3], points: 100, ..Solved::default() };
         assert_eq!(facts(&solved), []);
     }
 
     #[test]
     fn the_worst_comes_first_and_counts_its_loads() {
         let why = NoAreaInterval::Empty;
-        let loads = vec![(true, None), (true, Some(why)), (false, Some(why))];
+        let loads = vec![
+            (Ended::Converged, None),
+            (Ended::Converged, Some(why)),
+            (Ended::Short, Some(why)),
+            (Ended::AtRounding, Some(why)),
+        ];
         let solved =
             Solved { loads, missing: 2, points: 100, fill: "nearest", ..Solved::default() };
         assert_eq!(
             facts(&solved),
             [
-                (Weight::Check, Fact::NotConverged { loads: 1, of: 3 }),
-                (Weight::Check, Fact::NoBar { why, at: Bare::Some { loads: 1, of: 3 } }),
+                (Weight::Check, Fact::NotConverged { loads: 1, of: 4 }),
+                (Weight::Check, Fact::AtRounding { loads: 1, of: 4 }),
+                (Weight::Check, Fact::NoBar { why, at: Bare::Some { loads: 1, of: 4 } }),
                 (
                     Weight::Note,
                     Fact::Filled { share: 0.02, spikes: false, how: "nearest".to_owned() }

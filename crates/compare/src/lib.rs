@@ -47,8 +47,10 @@ pub use contact_types::{
 pub use fft_bem_solver::{
     Answer, Iteration, Load, Method, Precision, Solution, Solver, SolverError,
 };
-pub use finding::{Bare, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield};
-pub use findings::{Solved, findings, seam, spiky};
+pub use finding::{
+    Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield,
+};
+pub use findings::{Solved, findings, measured, seam, spiky};
 pub use inputs::{Inputs, MomentSource};
 pub use profile::{
     ProfileComparison, ProfileFact, ProfileModel, ProfileSurface, Unevenness, area_interval,

@@ -22,7 +22,7 @@ pub(crate) fn refine(
 ) -> f64 {
     let start = Instant::now();
     let resolvable = |point: &DeterministicPoint| {
-        point.answer.as_ref().is_some_and(|answer| TwiceFiner::helps(&answer.budget))
+        point.answer.as_ref().is_some_and(|answer| TwiceFiner::is_wanted(&answer.budget, known))
     };
     let mut wanted: Vec<usize> = (0..points.len()).filter(|&i| resolvable(&points[i])).collect();
     if !fits(map.grid(), wanted.len()) {

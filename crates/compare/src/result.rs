@@ -1,5 +1,6 @@
 //! What a study finds, as plain data.
 
+use crate::finding::Ended;
 use crate::inputs::Inputs;
 use crate::survey::Experience;
 use crate::theory::{BuildError, Card};
@@ -146,7 +147,7 @@ impl DeterministicAnswer {
         let d = &solution.diagnostics;
         let mut budget = Budget::of(solution, map);
         if !converged {
-            budget = budget.with_grid(Err(NoAreaInterval::NotConverged), 0.0);
+            budget = budget.with_grid(Err(NoAreaInterval::of_end(d.end)), 0.0);
         }
         Self {
             area_fraction: solution.state.area_fraction,
@@ -167,6 +168,15 @@ impl DeterministicAnswer {
             method: d.method.to_string(),
             converged,
             stopped_at_rounding: d.end == End::Rounding,
+        }
+    }
+
+    /// How its solution ended.
+    pub fn ended(&self) -> Ended {
+        match (self.converged, self.stopped_at_rounding) {
+            (true, _) => Ended::Converged,
+            (false, true) => Ended::AtRounding,
+            (false, false) => Ended::Short,
         }
     }
 

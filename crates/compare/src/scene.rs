@@ -39,6 +39,8 @@ pub struct Scene {
     pub radius: Option<f64>,
     /// How its rows stand against each other, where no statistics say it.
     pub rows: Option<RowOffsets>,
+    /// Spacing of doubles at the heights as they were given (m), where no statistics say it.
+    pub spacing: f64,
     /// Answers by rising load.
     pub pressed: Vec<Pressed>,
 }
@@ -46,7 +48,8 @@ pub struct Scene {
 impl Scene {
     /// What is said before any number: units, yield, slopes.
     pub fn findings(&self) -> Vec<Finding> {
-        let found = [self.unit(), self.beyond_yield(), self.steep(), self.rows_jump()];
+        let found =
+            [self.unit(), self.rounding(), self.beyond_yield(), self.steep(), self.rows_jump()];
         found.into_iter().flatten().collect()
     }
 
@@ -59,6 +62,13 @@ impl Scene {
         let fact = Fact::Unit { gradient, rms_height, radius };
         let is_odd = [gradient, rms_height, radius].iter().any(Option::is_some);
         is_odd.then_some(Finding { weight: Weight::Check, fact })
+    }
+
+    /// Heights that far from zero are given by a few numbers, and what is left after levelling is theirs.
+    fn rounding(&self) -> Option<Finding> {
+        let rms_height = self.rms_height.filter(|rms| *rms > 0.0 && *rms < 4.0 * self.spacing)?;
+        let fact = Fact::Warned(Warning::Rounding { rms_height, spacing: self.spacing });
+        Some(Finding { weight: Weight::Check, fact })
     }
 
     fn rows_jump(&self) -> Option<Finding> {

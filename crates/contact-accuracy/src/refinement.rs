@@ -1,7 +1,7 @@
 //! Bars outside the gate, from solutions on a twice finer grid.
 
 use crate::budget::grid::{Finer, Line, stiffness_half_width};
-use crate::budget::{Budget, Map, NoAreaInterval, Stiffness};
+use crate::budget::{Between, Budget, Map, NoAreaInterval, Stiffness};
 use crate::continuation::regrid;
 use crate::monotone::twice_as_fine;
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -23,6 +23,8 @@ pub struct TwiceFiner {
     builder: SolverBuilder,
     modulus: ContactModulus,
     monotone: Option<Solver>,
+    /// The map on the finer grid, once it is looked at.
+    surface: Option<HeightMap>,
 }
 
 /// Why a map is not solved on a twice finer grid.
@@ -60,6 +62,13 @@ impl TwiceFiner {
         )
     }
 
+    /// Whether one is solved unasked where it can be: it [`helps`](Self::helps), or `map` is a pattern of
+    /// like cells, whose own bar is not known to hold alone.
+    pub fn is_wanted(budget: &Budget, map: &Map) -> bool {
+        let cut = |half: f64| half > 0.0; // in full contact no pixel is
+        Self::helps(budget) || map.is_regular() && budget.area.grid.is_ok_and(cut)
+    }
+
     /// Whether a map on `grid` can be put on a twice finer one: at least 4 x 4 points, and not so
     /// many that there would be more than 64 million.
     pub fn is_possible(grid: Grid) -> bool {
@@ -90,8 +99,9 @@ impl TwiceFiner {
         let builder = solver.boundary(boundary);
         let mut solver = builder.clone().build(grid, modulus)?;
         solver.take_surface(finer)?;
-        let (known, map, monotone) = (*known, map.clone(), None);
-        Ok(Self { known, grid, solver, map, continued, builder, modulus, monotone })
+        let (known, map) = (*known, map.clone());
+        let (monotone, surface) = (None, None);
+        Ok(Self { known, grid, solver, map, continued, builder, modulus, monotone, surface })
     }
 
     /// The grid.
@@ -106,7 +116,8 @@ impl TwiceFiner {
     /// # Errors
     /// [`NotRefined`].
     pub fn solve(&mut self, load: Load, budget: &Budget) -> Result<Finer, NotRefined> {
-        let Self { known, grid, solver, .. } = self;
+        let is_doubted = matches!(budget.own, Err(NoAreaInterval::BetweenPoints { .. }));
+        let Self { known, grid, solver, map, continued, surface, modulus, .. } = self;
         let solution = solver.solve_again(load)?;
         let mut finer = Finer::of(&solution, known, *grid);
         if budget.stiffness.is_some() {
@@ -116,7 +127,13 @@ impl TwiceFiner {
                 finer.stiffness = Some([near.value, near.value * left]);
             }
         }
-        if matches!(budget.own, Err(NoAreaInterval::BetweenPoints { .. })) {
+        if is_doubted {
+            let finer_map = match surface {
+                Some(surface) => surface,
+                none => none.insert(regrid(map, grid.shape(), *continued)?),
+            };
+            let between = Between::of(finer_map, *continued, &solution.pressure, *modulus);
+            finer.doublings = between.map_or(0.0, |between| between.doublings());
             let other = self.monotone()?.solve_again(load)?;
             let area = other.diagnostics.area_fraction_corrected;
             finer.monotone = Some((area, other.state.mean_gap, other.state.mean_pressure));

@@ -80,7 +80,7 @@ fn budget(map: &HeightMap, load: f64) -> Budget {
     if let Some(near) = Stiffness::near(&mut solver, map, &known, pressure).unwrap() {
         budget = budget.with_stiffness(&near, &known, Line::of(&solution));
     }
-    if TwiceFiner::helps(&budget) {
+    if TwiceFiner::is_wanted(&budget, &known) {
         let builder = Solver::builder();
         let mut finer =
             TwiceFiner::of(map, &known, Boundary::Periodic, builder, modulus()).unwrap();

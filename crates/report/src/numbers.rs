@@ -168,6 +168,18 @@ pub fn percent(fraction: f64) -> String {
     format!("{digits}{SPACE}%")
 }
 
+/// "±12 %": a half width as a share of its number. From all of it on the number may be zero, and only
+/// the upper end says something: "at most +133 %".
+pub fn relative_bar(relative: f64) -> String {
+    if relative >= 1.0 {
+        return format!("at most +{}", percent(relative));
+    }
+    let shown = percent(relative);
+    shown
+        .strip_prefix('<')
+        .map_or_else(|| format!("±{shown}"), |rest| format!("<{SPACE}±{}", rest.trim_start()))
+}
+
 /// "58 µs": a duration with two significant digits.
 pub fn duration(seconds: f64) -> String {
     const UNITS: [(f64, &str); 4] = [(1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")];

@@ -180,6 +180,7 @@ fn scene(inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> Scene
     let moments = inputs.moments;
     Scene {
         rows,
+        spacing: 0.0,
         modulus: inputs.modulus.pascals(),
         gradient: moments.map(|m| m.rms_gradient()),
         rms_height: moments.map(|m| m.m0.sqrt()),

@@ -119,12 +119,14 @@ impl Solve {
             cleaned: &cleaned,
             ..Solved::default()
         };
+        let largest = surface.heights().iter().fold(0.0, |most: f64, h| most.max(h.abs()));
         let surface = match self.level {
             Level::None => surface,
             form => surface_stats::level(&surface, form)
                 .map_err(|e| Failure::in_file(&self.input.file, &e))?,
         };
         solved.scene = self.scene(&surface, modulus)?;
+        solved.scene.spacing = largest * f64::EPSILON;
         let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
         work.spikes = Spikes::of(&surface);
         solved.spikes = work.spikes.clone();
@@ -257,6 +259,7 @@ impl Solve {
             rms_height: Some(rms_height),
             radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
             rows: row_offsets(map.grid(), map.heights()).ok(),
+            spacing: 0.0,
             pressed: Vec::new(),
         })
     }
@@ -273,9 +276,9 @@ impl Solve {
         let solution = match result {
             Ok(solution) => solution,
             Err(error) => {
-                let none = Err(NoAreaInterval::NotConverged);
+                let why = |s: &Solution| Err(NoAreaInterval::of_end(s.diagnostics.end));
                 let budget =
-                    error.solution().map(|s| Budget::of(s, &errors.known).with_grid(none, 0.0));
+                    error.solution().map(|s| Budget::of(s, &errors.known).with_grid(why(s), 0.0));
                 return (budget, None);
             }
         };
@@ -297,11 +300,12 @@ impl Solve {
             }
         }
         let budget = under(load, &budget, solution);
-        // Where the points do not fix what touches, the answer itself may be wrong by factors: a
-        // finer grid is solved unasked if it is no more than a few million points.
-        let unasked = matches!(budget.area.grid, Err(NoAreaInterval::BetweenPoints { .. }))
-            && surface.grid().len() <= MOST_UNASKED;
-        if !((self.refine || unasked) && TwiceFiner::helps(&budget)) {
+        // Where the points do not fix what touches, the answer itself may be wrong by factors, and on a
+        // pattern of like cells the points along the contact lines come in together: a finer grid is solved unasked if it is no more than a few million points.
+        let decides = matches!(budget.area.grid, Err(NoAreaInterval::BetweenPoints { .. }))
+            || errors.known.is_regular();
+        let unasked = decides && surface.grid().len() <= MOST_UNASKED;
+        if !((self.refine || unasked) && TwiceFiner::is_wanted(&budget, &errors.known)) {
             return (Some(budget), None);
         }
         let refined = errors.finer.solve(load, surface, &errors.known, &budget);

@@ -48,16 +48,22 @@ const MOST: usize = 3;
 /// The worst findings, one line each, and how many more there are.
 pub(crate) fn findings(found: &[Finding]) -> String {
     let open: Vec<&Finding> = found.iter().filter(|f| f.weight != Weight::Passed).collect();
-    let line = |f: &&Finding| {
-        let words = report::finding(f);
-        let line = format!("{}: {} {}", f.weight.name(), words.claim, words.text);
-        format!("{}\n", line.replace('\u{202F}', " ").trim_end())
-    };
-    let text = open.iter().take(MOST).map(line).collect::<Vec<_>>().concat();
+    let text = open.iter().take(MOST).map(|f| finding_line(f)).collect::<Vec<_>>().concat();
     match open.len().saturating_sub(MOST) {
         0 => text,
         more => format!("{text}and {more} more: --json has all findings\n"),
     }
+}
+
+/// All findings, one line each.
+pub(crate) fn all_findings(found: &[Finding]) -> String {
+    found.iter().map(finding_line).collect::<Vec<_>>().concat()
+}
+
+fn finding_line(finding: &Finding) -> String {
+    let words = report::finding(finding);
+    let line = format!("{}: {} {}", finding.weight.name(), words.claim, words.text);
+    format!("{}\n", line.replace('\u{202F}', " ").trim_end())
 }
 
 /// Columns of equal width under a header; the first is left-aligned, the others are not.

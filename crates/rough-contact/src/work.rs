@@ -6,7 +6,7 @@ use crate::outcome::{Failure, variant};
 use crate::output::Folder;
 use crate::text;
 use compare::budget::{Budget, Given, NoAreaInterval, RealPressure};
-use compare::{NotRefined, Pressed, Spikes};
+use compare::{Ended, NotRefined, Pressed, Spikes};
 use contact_types::Grid;
 use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};
@@ -32,8 +32,8 @@ pub(crate) struct Work {
     /// Spikes of the map as given, and the largest share of the load they carry on it.
     pub(crate) spikes: Spikes,
     pub(crate) spike_share: Option<f64>,
-    /// Whether each load converged, and why its area has no bar.
-    found: Vec<Option<(bool, Option<NoAreaInterval>)>>,
+    /// How each load ended, and why its area has no bar.
+    found: Vec<Option<(Ended, Option<NoAreaInterval>)>>,
 }
 
 impl Work {
@@ -54,8 +54,8 @@ impl Work {
         }
     }
 
-    /// Of each load taken: whether it converged, and why its area has no bar, if it has none.
-    pub(crate) fn found(&self) -> Vec<(bool, Option<NoAreaInterval>)> {
+    /// Of each load taken: how it ended, and why its area has no bar, if it has none.
+    pub(crate) fn found(&self) -> Vec<(Ended, Option<NoAreaInterval>)> {
         self.found.iter().copied().flatten().collect()
     }
 
@@ -107,7 +107,12 @@ impl Work {
         point.json["refined"] = json!(refined.as_ref().map(Refined::json));
         self.points[index] = Some(point);
         let bare = budget.and_then(|b| b.area.comparison_half_width().err());
-        self.found[index] = Some((error.is_none(), bare));
+        let ended = match error {
+            None => Ended::Converged,
+            Some(SolverError::Rounding(_)) => Ended::AtRounding,
+            Some(_) => Ended::Short,
+        };
+        self.found[index] = Some((ended, bare));
         if let (Ok(solution), Some(budget)) = (result, budget) {
             self.pressed[index] = pressed(solution, budget);
             let share = self.spikes.share(self.given.len(), &solution.pressure);

@@ -150,6 +150,67 @@ fn rows_that_jump_are_said_to_jump_and_put_in_line() {
     assert_eq!(step, "rows");
 }
 
+/// A tolerance that single precision does not reach: table, findings, reason and error name the same
+/// cause, and nothing says that the iteration did not converge.
+#[test]
+fn a_load_that_stopped_at_rounding_is_called_that_everywhere() {
+    let folder = folder();
+    waves(folder.path());
+    let line = "solve waves.txt --pixel 1um --height-unit nm --modulus 110GPa --pressure 1MPa \
+                --precision f32 --tolerance 1e-10";
+    let run = rough_contact(folder.path(), &format!("{line} --json"));
+    let json: Value = serde_json::from_str(&run.out).unwrap();
+    let point = &json["points"][0];
+    assert_eq!(run.status, 1);
+    assert_eq!(point["stopped_at_rounding"], true);
+    assert_eq!(point["error"]["kind"], "rounding");
+    assert_eq!(claim(&json["findings"], 0), "1 of 1 loads stopped at rounding.");
+    assert!(point["area_interval_reason"].as_str().unwrap().contains("rounding"), "{point}");
+    let said = rough_contact(folder.path(), line);
+    for text in [&run.out, &run.err, &said.out, &said.err] {
+        assert!(!text.contains("did not converge") && !text.contains("not converged"), "{text}");
+    }
+}
+
+/// Heights of 0.1 µm on an offset of 1e9 m are what doubles leave of them: said first.
+#[test]
+fn heights_that_are_rounding_are_said_to_be() {
+    let folder = folder();
+    matrix(folder.path(), "far.txt", 64, 64, |iy, ix| {
+        let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 16.0).cos();
+        1e9 + 1e-7 * wave(iy) * wave(ix)
+    });
+    let line = "solve far.txt --pixel 1um --height-unit m --modulus 110GPa --pressure 1MPa --json";
+    for level in ["", " --level none"] {
+        let json = rough_contact(folder.path(), &format!("{line}{level}")).json();
+        assert!(claim(&json["findings"], 0).contains("is rounding"), "{}", json["findings"]);
+    }
+}
+
+/// The statistics of a map carry what the map itself gives cause to: in the words of the others.
+#[test]
+fn statistics_carry_the_findings_of_their_map() {
+    let folder = folder();
+    matrix(folder.path(), "steep.txt", 64, 64, |iy, ix| {
+        let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 16.0).cos();
+        let spike = if [iy, ix] == [20, 41] { 90.0 } else { 0.0 };
+        2.0 * wave(iy) * wave(ix) + 0.5 * iy as f64 + spike
+    });
+    let line = "stats steep.txt --pixel 1um --height-unit um --level none";
+    let json = rough_contact(folder.path(), &format!("{line} --json")).answered();
+    let claims: Vec<&str> =
+        json["findings"].as_array().unwrap().iter().map(|f| f["claim"].as_str().unwrap()).collect();
+    let said = rough_contact(folder.path(), line).out;
+    for begins in ["Slopes are too steep", "A plane explains", "1 point is a spike"] {
+        let claim = claims.iter().find(|c| c.starts_with(begins));
+        let claim = claim.unwrap_or_else(|| panic!("{begins}: {claims:?}"));
+        assert!(said.contains(&claim.replace('\u{202F}', " ")), "{said}");
+    }
+    let mistyped = "stats steep.txt --pixel 1um --height-unit mm --json";
+    let json = rough_contact(folder.path(), mistyped).answered();
+    assert_eq!(claim(&json["findings"], 0), "Is the unit right?");
+}
+
 /// One point far above a smooth map carries the load: named with its share and its remedy.
 #[test]
 fn a_spike_that_carries_the_load_is_named() {

@@ -5,4 +5,5 @@
 pub mod drawing;
 pub mod figures;
 pub mod light_load;
+pub mod maps;
 pub mod tradeoff;

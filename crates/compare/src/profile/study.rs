@@ -231,6 +231,7 @@ impl ProfileComparison {
             rms_height: self.inputs.moments.map(|m| m.rms_height()),
             radius: self.inputs.asperities().map(|a| a.radius),
             rows: None,
+            spacing: 0.0,
             pressed: answers
                 .map(|c| c.points.iter().flatten().filter_map(pressed).collect())
                 .unwrap_or_default(),

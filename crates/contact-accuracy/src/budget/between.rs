@@ -28,6 +28,9 @@ pub struct Between {
     pub height: f64,
     /// The same where only one of the two touches, along the contact line (m).
     pub at_line: f64,
+    /// Mean over the map of the signed difference halfway between neighbours that do not both touch (m):
+    /// what creases in the valleys do to the gap.
+    pub open: f64,
     /// What a pixel's worth of load deforms, (mean real pressure / E*) x pixel (m).
     pub deformed: f64,
     /// In full contact, the largest share of the pressure that the difference may take off: as a wave
@@ -61,11 +64,18 @@ impl Between {
         let (mut all, mut line) = ([0.0; 2], [0.0; 2]);
         // The largest share of the pressure that a difference may take off where both touch.
         let mut lifted = 0.0f64;
+        let mut open = 0.0;
         let lift = 0.5 * PI * modulus.pascals() / dy.min(dx);
         let mut add = |difference: f64, pressures: [f64; 2]| {
+            let least = pressures[0].min(pressures[1]);
+            if least <= 0.0 {
+                open += difference;
+            }
+            if pressures[0].max(pressures[1]) <= 0.0 {
+                return;
+            }
             let square = difference * difference;
             all = [all[0] + square, all[1] + 1.0];
-            let least = pressures[0].min(pressures[1]);
             if least > 0.0 {
                 lifted = lifted.max(lift * difference.abs() / least);
             } else {
@@ -73,24 +83,17 @@ impl Between {
             }
         };
         for (i, &p) in pressure.iter().enumerate() {
-            let touches = p > 0.0;
-            if touches {
+            if p > 0.0 {
                 touching += 1.0;
                 load += p;
             }
             let (iy, ix) = (i / nx, i % nx);
             // Halfway to the next point along x, then along y.
             let (right, below) = (inside(ix, 1, nx, repeats), inside(iy, 1, ny, repeats));
-            let next = pressure[iy * nx + right];
-            if touches || next > 0.0 {
-                let along = |k: isize| surface.at(iy, inside(ix, k, nx, repeats));
-                add(difference(along), [p, next]);
-            }
-            let next = pressure[below * nx + ix];
-            if touches || next > 0.0 {
-                let along = |k: isize| surface.at(inside(iy, k, ny, repeats), ix);
-                add(difference(along), [p, next]);
-            }
+            let along = |k: isize| surface.at(iy, inside(ix, k, nx, repeats));
+            add(difference(along), [p, pressure[iy * nx + right]]);
+            let along = |k: isize| surface.at(inside(iy, k, ny, repeats), ix);
+            add(difference(along), [p, pressure[below * nx + ix]]);
         }
         if load <= 0.0 {
             return None;
@@ -98,7 +101,8 @@ impl Between {
         let [height, at_line] = [all, line].map(|[sum, count]| (sum / f64::max(count, 1.0)).sqrt());
         let deformed = load / touching / modulus.pascals() * dy.min(dx);
         let lifted = if line[1] > 0.0 { 0.0 } else { lifted };
-        Some(Self { height, at_line, deformed, lifted })
+        let open = open / (2.0 * surface.grid().len() as f64);
+        Some(Self { height, at_line, open, deformed, lifted })
     }
 
     /// The same of a `solution` on another `grid` of the same area: what the given points say at its
@@ -120,6 +124,11 @@ impl Between {
         let there = |i: usize| solution.pressure[i / nx * my / ny * mx + i % nx * mx / nx];
         let pressure: Vec<f64> = (0..ny * nx).map(there).collect();
         Self::of(surface, repeats, &pressure, modulus)
+    }
+
+    /// Doublings of the points until the doubt is small, if each halves it.
+    pub fn doublings(&self) -> f64 {
+        (self.doubt() / MOST_DOUBT).log2().max(0.0)
     }
 
     /// Whether the bar of the grid is known to hold.

@@ -2,6 +2,7 @@
 
 use super::area::iteration_half_width;
 use super::between::Between;
+use super::given_gap::fall_over_gap;
 use super::map::Map;
 use super::no_interval::NoAreaInterval;
 use super::{grid, iteration, sample};
@@ -90,8 +91,8 @@ pub struct Budget {
     pub mean_gap: Option<Estimate>,
     /// Contact stiffness, -dp/d(mean gap) (Pa/m), if it was computed.
     pub stiffness: Option<Estimate>,
-    /// Relative standard error of the area by blocks, where they can tell.
-    pub area_scatter: Option<f64>,
+    /// What the solution says of other maps of the surface, where it can tell.
+    pub sampled: Option<sample::Sampled>,
     /// Why the grid of this solution has no bar of its own, if it has none; one from a finer grid
     /// may stand with the numbers all the same.
     pub own: Result<(), NoAreaInterval>,
@@ -112,19 +113,29 @@ impl Budget {
         let line = grid::Line::of(solution);
         // An isolated contact is no sample of a surface that goes on.
         let goes_on = found.boundary == Boundary::Periodic;
-        let scatter = goes_on
-            .then(|| sample::area_scatter(&solution.pressure, map.accuracy.grid(), sample::PARTS))
+        let blocks = goes_on
+            .then(|| sample::blocks(&solution.pressure, map.accuracy.grid(), sample::PARTS))
             .flatten();
-        let relative = scatter.map(|s| sample::area_half_width(s, map.height_scatter));
+        let sampled = blocks.map(|blocks| sample::Sampled {
+            blocks,
+            area,
+            fall: fall_over_gap(solution),
+            height: map.height_scatter,
+            marks: map.marks,
+            repeats: map.repeats,
+        });
+        let relative = sampled.map(|s| s.area_half_width());
         let gap = |gap: f64| Estimate {
             value: gap.max(0.0), // rounding may leave it just below at full contact
             grid: if goes_on {
-                gate.map(|_| grid::gap_half_width(map, line))
+                gate.map(|_| {
+                    grid::gap_half_width(map, line).max(grid::gap_of_open_places(map, line, gap))
+                })
             } else {
                 Err(NoAreaInterval::NotStudied("the gap of an isolated contact"))
             },
             iteration: iteration.map(|_| iteration::gap_half_width(map, found)),
-            sample: goes_on.then(|| gap.max(0.0) * sample::gap_half_width(map.height_scatter)),
+            sample: sampled.map(|s| gap.max(0.0) * s.gap_half_width()),
             most: f64::INFINITY,
         };
         Self {
@@ -139,7 +150,7 @@ impl Budget {
             },
             mean_gap: solution.state.mean_gap.map(gap),
             stiffness: None,
-            area_scatter: scatter,
+            sampled,
             own: gate.map(|_| ()),
         }
     }
@@ -183,19 +194,25 @@ impl Budget {
     /// finer Fourier interpolation; the numbers stay those of the given grid.
     #[must_use]
     pub fn refined(mut self, finer: &grid::Finer) -> Self {
-        self.area.grid = Ok(finer.area_half_width(self.area.value));
+        // A bar of its own, on a map of like cells, stays if it is wider.
+        let wider = |own: &mut Result<f64, NoAreaInterval>, half: Option<f64>| {
+            if let Some(half) = half {
+                *own = Ok(own.map_or(half, |own| own.max(half)));
+            }
+        };
+        wider(&mut self.area.grid, Some(finer.area_half_width(self.area.value)));
         if let Some(stiffness) = &mut self.stiffness {
-            stiffness.grid = finer.stiffness_half_width(stiffness.value).map_or(stiffness.grid, Ok);
+            wider(&mut stiffness.grid, finer.stiffness_half_width(stiffness.value));
         }
         match self.given {
             Given::Load => {
                 if let Some(gap) = &mut self.mean_gap {
-                    gap.grid = finer.gap_half_width(gap.value).map_or(gap.grid, Ok);
+                    wider(&mut gap.grid, finer.gap_half_width(gap.value));
                 }
             }
             Given::Gap => {
                 let load = &mut self.mean_pressure;
-                load.grid = Ok(finer.pressure_half_width(load.value));
+                wider(&mut load.grid, Some(finer.pressure_half_width(load.value)));
             }
         }
         self

@@ -29,6 +29,12 @@ pub fn least_fall(solution: &Solution) -> f64 {
     fall * (1.0 - (-LEVELLING * gap.max(0.0) / fall).exp()).sqrt() / CAUTION
 }
 
+/// Fall of the mean gap when the load grows e-fold, over the gap \[-\]; 0 without a gap.
+pub(super) fn fall_over_gap(solution: &Solution) -> f64 {
+    let gap = solution.state.mean_gap.filter(|gap| *gap > 0.0);
+    gap.map_or(0.0, |gap| CAUTION * least_fall(solution) / gap)
+}
+
 /// Relative change of the area over that of the load, at most: 1 at light load, 0 at full contact.
 /// Persson's (2001, doi:10.1063/1.1388626) area, `erf(c p)`, has 0.3 % to half of it less than this.
 pub fn area_per_load(area: f64) -> f64 {
@@ -47,9 +53,11 @@ impl Budget {
         let (load, area) = (self.mean_pressure.value, self.area.value);
         let grid = gap.grid.map(e_folds);
         let iteration = gap.iteration.map(e_folds);
-        // The scatter is no small part of the gap: the load is the exponential of it. It is found
-        // with a caution of its own.
-        let sample = gap.sample.map(|half| (e_folds(half) / CAUTION).exp_m1());
+        // The scatter is no small part of the gap, which is the exponential of a number, and the load
+        // that of another. It is found with a caution of its own.
+        let even =
+            |half: f64| if gap.value > 0.0 { gap.value * (half / gap.value).ln_1p() } else { 0.0 };
+        let sample = gap.sample.map(|half| (e_folds(even(half)) / CAUTION).exp_m1());
         let area = area * area_per_load(area);
         self.given = Given::Gap;
         self.mean_gap = Some(Estimate::exact(gap.value));

@@ -21,6 +21,11 @@ const STIFFNESS_AT_SEAM: f64 = 0.33;
 /// Share of a pixel's worth of deformation from which the gap errs by all of the difference of the
 /// interpolants.
 const EVENED_OUT: f64 = 0.125;
+/// Relative error of the gap over the share of the line in the open places, and the same at a seam.
+const OPEN_GAP: f64 = 0.33;
+const OPEN_GAP_AT_SEAM: f64 = 2.2;
+/// What all waves beyond eight points in line differ from a cubic by, over what those eight do.
+const TAIL: f64 = 2.0;
 /// Open share of the surface below which the error of the stiffness is counted against it.
 const OPEN: f64 = 0.6;
 
@@ -55,10 +60,20 @@ pub fn gap_half_width(map: &Map, line: Line) -> f64 {
     part * map.rms_height * line.share() * map.accuracy.widened(line.edges)
 }
 
-/// Half width of the mean gap (m) that ways to interpolate leave at the contact: a part of their
-/// difference, the smaller the more the load evens them out.
+/// Half width of a mean gap (m) that lives in few open places: of it the share of their own line,
+/// `0.118 S_d / (1 - A)`, counts, the more the fewer they are, as `A²`. Along a seam all of the gap is
+/// one point wide.
+pub fn gap_of_open_places(map: &Map, line: Line, gap: f64) -> f64 {
+    let part = if map.repeats { OPEN_GAP } else { OPEN_GAP_AT_SEAM };
+    let share = BOUNDARY_CORRECTION * line.edges / (1.0 - line.area).max(f64::MIN_POSITIVE);
+    part * gap.max(0.0) * share.min(1.0) * line.area * line.area
+}
+
+/// Half width of the mean gap (m) that ways to interpolate leave: at the contact a part of their
+/// difference, the smaller the more the load evens them out; at open places what they differ by.
 pub fn gap_between(found: &Between) -> f64 {
-    found.height * (found.height / found.deformed) / EVENED_OUT
+    let touching = found.height * (found.height / found.deformed) / EVENED_OUT;
+    touching.max(TAIL * found.open.abs())
 }
 
 /// Relative half width of the stiffness at this contact line. Near full contact the gap is that of
@@ -87,6 +102,9 @@ pub struct Finer {
     pub gap_bar: f64,
     /// Its stiffness (Pa/m) with the half width that its own contact line leaves, if it was asked for.
     pub stiffness: Option<[f64; 2]>,
+    /// Further doublings of the points until what lies between them decides no more, if each halves the
+    /// doubt; 0 where it does not on this grid.
+    pub doublings: f64,
     /// Area fraction, mean gap (m) and mean pressure (Pa) of a surface through the same points that
     /// does not overshoot them, where what lies between them decides.
     pub monotone: Option<(f64, Option<f64>, f64)>,
@@ -104,19 +122,30 @@ impl Finer {
             gap: solution.state.mean_gap,
             pressure: solution.state.mean_pressure,
             bar: own.line_left_over(found.contact_perimeter),
-            gap_bar: gap_half_width(&map.on(grid), Line::of(solution)),
+            gap_bar: {
+                let line = Line::of(solution);
+                let open =
+                    solution.state.mean_gap.map_or(0.0, |gap| gap_of_open_places(map, line, gap));
+                gap_half_width(&map.on(grid), line).max(open)
+            },
             stiffness: None,
+            doublings: 0.0,
             monotone: None,
         }
     }
 
     /// Half width around the area on the given grid: what refining moved, and what is left on the
-    /// finer grid, as much again or the bar of the finer grid, whichever is larger; and not less than
-    /// holds the answer of the monotone surface.
+    /// finer grid, as much again (and for every doubling until the doubt is gone) or the bar of the finer
+    /// grid, whichever is larger; and not less than holds the answer of the monotone surface.
     pub fn area_half_width(&self, given: f64) -> f64 {
         let other = self.monotone.map_or(0.0, |(area, ..)| (area - given).abs() + self.bar);
         let moved = (self.area - given).abs();
-        (moved + moved.max(self.bar)).max(other)
+        self.with_rest(moved, self.bar).max(other)
+    }
+
+    /// What refining moved, and what is still to come.
+    fn with_rest(&self, moved: f64, bar: f64) -> f64 {
+        moved + ((1.0 + self.doublings) * moved).max(bar)
     }
 
     /// Half width around the mean gap on the given grid (m), in the same way.
@@ -125,7 +154,7 @@ impl Finer {
             let other = self.monotone.and_then(|(_, gap, _)| gap);
             let other = other.map_or(0.0, |gap| (gap - given).abs() + self.gap_bar);
             let moved = (gap - given).abs();
-            (moved + moved.max(self.gap_bar)).max(other)
+            self.with_rest(moved, self.gap_bar).max(other)
         })
     }
 
@@ -133,7 +162,7 @@ impl Finer {
     pub fn stiffness_half_width(&self, given: f64) -> Option<f64> {
         self.stiffness.map(|[stiffness, bar]| {
             let moved = (stiffness - given).abs();
-            moved + moved.max(bar)
+            self.with_rest(moved, bar)
         })
     }
 
@@ -159,6 +188,7 @@ mod tests {
             bar: 0.003,
             gap_bar: 1e-9,
             stiffness: Some([1e13, 1e11]),
+            doublings: 0.0,
             monotone: None,
         };
         assert!((finer.area_half_width(0.020) - (0.003 + 0.003)).abs() < 1e-15);
@@ -167,6 +197,9 @@ mod tests {
         assert!((finer.gap_half_width(2.5e-7).unwrap() - 1e-9).abs() < 1e-18);
         assert!((finer.stiffness_half_width(1.2e13).unwrap() - 4e12).abs() < 1.0);
         assert!((finer.pressure_half_width(2.9e6) - 2e5).abs() < 1e-6);
+        // Two more doublings until the doubt is gone: twice more what refining moved.
+        let doubtful = Finer { doublings: 2.0, ..finer };
+        assert!((doubtful.area_half_width(0.020) - 4.0 * 0.003).abs() < 1e-15);
         let flat = Finer { monotone: Some((0.04, Some(1e-7), 4e6)), ..finer };
         assert!((flat.area_half_width(0.020) - 0.023).abs() < 1e-15);
         assert!((flat.gap_half_width(2.5e-7).unwrap() - 1.51e-7).abs() < 1e-18);

@@ -20,7 +20,14 @@ pub struct Map {
     pub rms_height: f64,
     /// Relative standard error of the rms height over maps of the same surface.
     pub height_scatter: f64,
+    /// The same of the rms gradient, made by marks that run across the map; 0 where there are none.
+    pub marks: f64,
+    /// How well its slopes repeat at another place \[-\]; see [`PowerSpectrum::slopes_repeat`].
+    pub regular: f64,
 }
+
+/// From where on a map is a pattern of like cells.
+const REGULAR: f64 = 0.5;
 
 impl Map {
     /// Looks at edges, gradients, steps and spectrum of `surface`. If the edges do not match, the
@@ -43,6 +50,12 @@ impl Map {
         Ok(Self::known(surface, &power, step, repeats))
     }
 
+    /// Whether it is a pattern of like cells. The points along its contact lines come in together, cell by
+    /// cell, so that what is left of the correction does not even out over many edges.
+    pub fn is_regular(&self) -> bool {
+        self.regular >= REGULAR
+    }
+
     /// The same map on another grid: its accuracy there comes from elsewhere.
     #[must_use]
     pub fn on(self, grid: Grid) -> Self {
@@ -57,11 +70,14 @@ impl Map {
         step: Option<f64>,
         repeats: bool,
     ) -> Self {
+        let [height_scatter, marks] = sample::height_and_marks(surface, power);
         Self {
             accuracy: AreaAccuracy::of_waves(surface.grid(), power, step),
             repeats,
             rms_height: power.moments().0.rms_height(),
-            height_scatter: sample::height_scatter(surface, power),
+            height_scatter,
+            marks,
+            regular: power.slopes_repeat(),
         }
     }
 }

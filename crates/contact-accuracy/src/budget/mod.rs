@@ -41,6 +41,7 @@ mod estimate;
 mod given_gap;
 pub mod grid;
 pub mod iteration;
+mod lines;
 mod map;
 mod no_interval;
 pub mod sample;

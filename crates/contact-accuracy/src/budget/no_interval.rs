@@ -2,6 +2,7 @@
 
 use super::between::MOST_DOUBT;
 use contact_types::Grid;
+use fft_bem_solver::End;
 
 /// Coarsest height step over (rms gradient times pixel side).
 pub(super) const MOST_STEP: f64 = 0.5;
@@ -68,6 +69,9 @@ pub enum NoAreaInterval {
     /// The iterations ran out.
     #[error("the solver did not converge")]
     NotConverged,
+    /// Rounding kept the iteration from its tolerance.
+    #[error("rounding stopped the solver before its tolerance")]
+    AtRounding,
     /// The map is flat, or nothing touches.
     #[error("nothing touches")]
     Empty,
@@ -87,4 +91,11 @@ pub enum NoAreaInterval {
     /// The interval was not studied for this kind of problem.
     #[error("no interval is known for {0}")]
     NotStudied(&'static str),
+}
+
+impl NoAreaInterval {
+    /// Of a solution that ended before its tolerance.
+    pub fn of_end(end: End) -> Self {
+        if end == End::Rounding { Self::AtRounding } else { Self::NotConverged }
+    }
 }

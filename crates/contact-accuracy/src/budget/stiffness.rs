@@ -84,14 +84,11 @@ impl Budget {
     pub fn with_stiffness(mut self, found: &Stiffness, map: &Map, line: grid::Line) -> Self {
         let k = found.value;
         let relative = grid::stiffness_half_width(map, line) + DIFFERENCE;
-        let area_scatter = self.area_scatter.unwrap_or(0.0);
         self.stiffness = Some(Estimate {
             value: k,
             grid: self.own.map(|()| k * relative),
             iteration: found.iteration.map(|r| k * r),
-            sample: self
-                .area_scatter
-                .map(|_| k * super::sample::stiffness_half_width(area_scatter, map.height_scatter)),
+            sample: self.sampled.map(|s| k * s.stiffness_half_width()),
             most: f64::INFINITY,
         });
         self

@@ -1,6 +1,9 @@
 //! The error budget of the headline by source, and choices that move it.
 
-use crate::numbers::{METRES, SPACE, duration, percent, quantity, signed_percent, significant};
+use crate::draw::svg::escape;
+use crate::numbers::{
+    METRES, SPACE, duration, percent, quantity, relative_bar, signed_percent, significant,
+};
 use crate::page::phrases::tolerance_words;
 use crate::words::edges::edge_words;
 use compare::ChoiceKind;
@@ -11,7 +14,7 @@ use contact_accuracy::budget::Estimate;
 /// A half width as a share of its value.
 fn share(half: Option<f64>, value: f64) -> String {
     match half.filter(|h| h.is_finite() && value > 0.0) {
-        Some(half) => format!("±{}", percent(half / value)).replace("±<", "&lt;\u{202F}±"),
+        Some(half) => escape(&relative_bar(half / value)),
         None => "–".into(),
     }
 }

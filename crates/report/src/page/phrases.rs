@@ -1,7 +1,8 @@
 //! Phrases that several sections use.
 
 use crate::numbers::{
-    METRES, NEWTONS, PASCALS, SPACE, chosen, percent, power_of_ten, quantity, significant, unit_for,
+    METRES, NEWTONS, PASCALS, SPACE, chosen, power_of_ten, quantity, relative_bar, significant,
+    unit_for,
 };
 use compare::SurfaceComparison;
 
@@ -58,10 +59,12 @@ pub(crate) fn spread_words(surface: &SurfaceComparison) -> String {
     ) else {
         return "no ±".into();
     };
-    let (a, b) = (percent(lo), percent(hi));
+    let (a, b) = (relative_bar(lo), relative_bar(hi));
     if a == b {
-        format!("±{a}")
+        a
+    } else if lo < 1.0 {
+        format!("{} to {b}", a.trim_end_matches(['%', SPACE]))
     } else {
-        format!("±{} to ±{b}", a.trim_end_matches(['%', SPACE]))
+        b
     }
 }

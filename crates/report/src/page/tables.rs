@@ -5,7 +5,7 @@ use crate::draw::svg::{Canvas, Stroke, escape};
 use crate::looks::{inputs_html, look};
 use crate::numbers::{
     METRES, PASCALS, SPACE, chosen, duration, fixed, percent, quantity, quantity_plus_minus,
-    signed_percent, signed_range, significant, unit_for,
+    relative_bar, signed_percent, signed_range, significant, unit_for,
 };
 use crate::page::context::Page;
 use crate::page::phrases::{load_words, spread_words};
@@ -23,8 +23,8 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
         let alone = a.uncertainty().filter(|u| *u > 0.0).map(|u| u / a.area_fraction_corrected);
         let covers = match (a.budget.area.comparison_half_width(), a.budget.area.sample) {
             (Ok(_), Some(_)) => format!(
-                "grid, iteration and finite sample (95{SPACE}%); without the sample ±{}",
-                alone.map_or("0".into(), percent)
+                "grid, iteration and finite sample (95{SPACE}%); without the sample {}",
+                alone.map_or("±0".into(), |share| escape(&relative_bar(share)))
             ),
             (Ok(_), None) => "grid and iteration; not another map of the same surface".to_owned(),
             (Err(reason), _) => format!("no ±: {}", escape(&reason.to_string())),

@@ -36,9 +36,19 @@ pub fn finding(finding: &Finding) -> Worded {
             "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
              the tolerance.",
         ),
+        Fact::AtRounding { loads, of } => worded(
+            format!("{loads} of {of} loads stopped at rounding."),
+            "Their numbers are as good as this floating-point type gives them, short of the \
+             tolerance; they are marked and carry no ±. Ask for a larger tolerance, or for double \
+             precision.",
+        ),
         Fact::PlanUnmet(outcome) => unmet(outcome),
         Fact::FinerGrid { why, area, loads } => worded(
-            "The grid does not resolve the contact.",
+            if matches!(why, NoAreaInterval::BetweenPoints { .. }) {
+                "What lies between the points decides what touches."
+            } else {
+                "The grid does not resolve the contact."
+            },
             format!(
                 "{}. The ± is that of one more solution on a twice finer interpolation, whose area \
                  is {}{SPACE}%; {}.",
@@ -132,6 +142,9 @@ fn beyond_yield(found: &Yield) -> Worded {
         "These pressures make many solids yield."
     };
     let ends = found.full.map_or_else(String::new, |full| {
+        if found.at.mean > full && found.at.nominal > 0.5 * found.at.mean {
+            return format!(" That is more than E* g = {}: the surface is pressed flat.", show(full));
+        }
         if found.at.mean > full {
             return format!(
                 " That is more than E* g = {}: a few points far steeper than the rest carry the load.",
@@ -163,8 +176,10 @@ fn beyond_yield(found: &Yield) -> Worded {
 fn spikes(count: usize, largest: f64, share: Option<f64>) -> Worded {
     let points =
         if count == 1 { "1 point is a spike".into() } else { format!("{count} points are spikes") };
-    let carried =
-        share.map_or_else(String::new, |s| format!("They carry {} of the load. ", percent(s)));
+    let carried = share.map_or_else(String::new, |s| {
+        let who = if count == 1 { "It carries" } else { "They carry" };
+        format!("{who} {} of the load. ", percent(s))
+    });
     worded(
         format!("{points}, up to {} from the neighbours.", quantity(largest, METRES, 2)),
         format!(
@@ -271,6 +286,15 @@ fn warning(warning: &Warning) -> Worded {
                  those of the scan, not of the surface. Put the rows in line: --align-rows.",
                 percent(share)
             ),
+        ),
+        Warning::EdgeJump { ratio: r } => worded(
+            format!("Edges do not match: they jump {} times the inner step.", ratio(r)),
+            "Repeated as it is, the map has a step there: spectral moments contain it, and a solution \
+             presses on it.",
+        ),
+        Warning::Anisotropic { ratio: r } if r > 1e6 => worded(
+            "The surface has a lay: one direction has no slope.",
+            "The closed forms assume an isotropic surface; none of them is safe.",
         ),
         Warning::Anisotropic { ratio: r } => worded(
             format!("The surface has a lay: mean square slopes differ {} times.", ratio(r)),

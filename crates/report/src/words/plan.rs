@@ -60,7 +60,7 @@ pub fn reason(outcome: &Outcome) -> Option<String> {
     Some(match finest {
         Finest::Used => format!("{here}, and no finer grid is considered"),
         Finest::Other { shape, half_width: Some(width) } => {
-            format!("{here}; even {} points would leave ±{}", points(*shape), percent(*width))
+            format!("{here}; even {} points would leave {}", points(*shape), plus_minus(*width))
         }
         Finest::Other { shape, half_width: None } => {
             format!("{here}; even {} points would not resolve the contacts", points(*shape))
@@ -87,8 +87,10 @@ fn percent(relative: f64) -> String {
     format!("{} %", digits(100.0 * relative))
 }
 
+/// From all of the number on, where it may be zero, its upper end alone.
 fn plus_minus(half_width: f64) -> String {
-    format!("±{}", percent(half_width))
+    let sign = if half_width < 1.0 { "±" } else { "at most +" };
+    format!("{sign}{}", percent(half_width))
 }
 
 /// Two significant digits, rounded up so that a bar within a request does not look beyond it only

@@ -110,6 +110,7 @@ fn case(table: &Table, row: usize, class: &'static str, map: &Map) -> Case {
         bar: map.accuracy.on(refined).line_left_over(get("edges2")),
         gap_bar: 0.0,
         stiffness: None,
+        doublings: 0.0,
         monotone: None,
     };
     let share = grid::Line { area: given, edges: get("edges1") };

@@ -1,7 +1,7 @@
 //! Realisations of families of surfaces, and what one of them says of the others.
 
 use crate::families::{FAMILIES, GRADIENT};
-use compare::budget::sample::{PARTS, area_scatter, height_scatter};
+use compare::budget::sample::{PARTS, blocks, height_and_marks};
 use contact_types::ContactModulus;
 use fft_bem_solver::{Load, Solver};
 use std::error::Error;
@@ -24,7 +24,7 @@ pub(crate) fn realisation(family: usize, seed: usize) -> Result<String, Box<dyn 
     let map = FAMILIES[family].generate(family, seed)?;
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let mut solver = Solver::builder().tolerance(1e-5).threads(1).build(map.grid(), modulus)?;
-    let height = height_scatter(&map, &PowerSpectrum::of(&map, Window::None)?);
+    let [height, _] = height_and_marks(&map, &PowerSpectrum::of(&map, Window::None)?);
     let mut rows = String::new();
     for load in LOADS {
         let pressure = load * MODULUS * GRADIENT;
@@ -34,7 +34,7 @@ pub(crate) fn realisation(family: usize, seed: usize) -> Result<String, Box<dyn 
         let stiffness = 0.02f64.ln_1p() * pressure / (gap - more.state.mean_gap.ok_or("no gap")?);
         let _ = write!(rows, "{family},{seed},{load}");
         let area = found.diagnostics.area_fraction_corrected;
-        let blocks = area_scatter(&found.pressure, map.grid(), PARTS).unwrap_or(0.0);
+        let blocks = blocks(&found.pressure, map.grid(), PARTS).map_or(0.0, |b| b.scatter);
         for value in [area, gap, stiffness, blocks, height] {
             let _ = write!(rows, ",{value:.4e}");
         }

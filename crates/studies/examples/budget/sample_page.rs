@@ -100,10 +100,16 @@ fn coverage(table: &Table, place: usize) -> [Coverage; 3] {
 /// Relative half width that one map states of the others.
 fn half_width(table: &Table, row: usize, name: &str) -> f64 {
     let (blocks, height) = (table.get(row, "blocks"), table.get(row, "height"));
+    // The table holds neither how many blocks carry the load nor marks: at its loads most do, and its
+    // maps have none.
+    let carrying = (sample::PARTS * sample::PARTS) as f64;
+    let blocks = sample::Blocks { scatter: blocks, carrying };
+    let area = table.get(row, "area");
+    let told = sample::Sampled { blocks, area, fall: 0.0, height, marks: 0.0, repeats: true };
     match name {
-        "area" => sample::area_half_width(blocks, height),
-        "gap" => sample::gap_half_width(height),
-        _ => sample::stiffness_half_width(blocks, height),
+        "area" => told.area_half_width(),
+        "gap" => told.gap_half_width(),
+        _ => told.stiffness_half_width(),
     }
 }
 

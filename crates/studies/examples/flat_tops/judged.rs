@@ -1,7 +1,7 @@
 //! Families of maps that took no part.
 
-use crate::draw::{Draw, Heights, gradient, mix, softmin, triangle};
 use std::f64::consts::TAU;
+use studies::maps::{Draw, Heights, gradient, mix, softmin, triangle};
 
 /// Their names.
 pub(crate) const JUDGED: [&str; 20] = [

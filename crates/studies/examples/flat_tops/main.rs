@@ -4,11 +4,12 @@
 //!
 //! `flat_tops FOLDER [MAPS]` works through so many maps of the families that took no part in fixing
 //! anything, one file of rows per map in FOLDER, skipping those already there, and prints all rows as
-//! CSV; `--tuning` does the same with those that the constants were fixed on.
+//! CSV; `--tuning` does the same with those that the constants were fixed on, `--fresh` with those written
+//! down last.
 //! `flat_tops --page TABLE FOLDER` makes the tables of the book from both kinds of rows.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
-mod draw;
+mod fresh;
 mod judged;
 mod measure;
 mod page;
@@ -31,17 +32,24 @@ struct Options {
     /// The families that the constants were fixed on
     #[arg(long, conflicts_with = "page")]
     tuning: bool,
+    /// The families that were written down last
+    #[arg(long, conflicts_with_all = ["page", "tuning"])]
+    fresh: bool,
     /// Make the tables of the book from this CSV instead
     #[arg(long, value_name = "TABLE")]
     page: Option<PathBuf>,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let Options { folder, maps, tuning, page } = Options::parse();
+    let Options { folder, maps, tuning, fresh, page } = Options::parse();
     if let Some(table) = page {
         return page::write(&table, &folder);
     }
-    let families: &[&str] = if tuning { &tuning::TUNING } else { &judged::JUDGED };
+    let families: &[&str] = match (tuning, fresh) {
+        (true, _) => &tuning::TUNING,
+        (false, true) => &fresh::FRESH,
+        (false, false) => &judged::JUDGED,
+    };
     fs::create_dir_all(&folder)?;
     let list: Vec<(usize, &str)> =
         (1..=maps).flat_map(|map| families.iter().map(move |family| (map, *family))).collect();

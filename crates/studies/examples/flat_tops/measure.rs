@@ -1,8 +1,7 @@
 //! One map: its answers with their intervals as the command states them, beside the same surface on
 //! four times as many points along each side; and what `--accuracy` claims of it.
 
-use crate::draw::{Draw, GRADIENT, scaled};
-use crate::{judged, tuning};
+use crate::{fresh, judged, tuning};
 use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Between, Budget, Map, Stiffness};
 use contact_accuracy::plan::{self, Request, Sink, Task};
@@ -13,6 +12,7 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use studies::drawing::{log_between, van_der_corput};
+use studies::maps::{Draw, GRADIENT, scaled};
 
 /// Points along each side.
 const POINTS: usize = 96;
@@ -44,9 +44,13 @@ pub(crate) fn map(family: &str, index: usize) -> Result<String, Box<dyn Error>> 
     let shift = 0.137 * (salt % 97) as f64;
     let t = [2, 3, 5, 7].map(|base| (van_der_corput(index, base) + shift).fract());
     let draw = Draw { n: POINTS, seed: 7_000_000 + 100 * salt + index as u64, t };
-    let is_judged = judged::JUDGED.contains(&family);
-    let heights =
-        if is_judged { judged::heights(family, &draw) } else { tuning::heights(family, &draw) }?;
+    let heights = if fresh::FRESH.contains(&family) {
+        fresh::heights(family, &draw)
+    } else if judged::JUDGED.contains(&family) {
+        judged::heights(family, &draw)
+    } else {
+        tuning::heights(family, &draw)
+    }?;
     let map = scaled(&heights, POINTS)?;
     let jitter = log_between(0.7, 1.5, van_der_corput(index, 11));
     let loads = LOADS.map(|x| (x * jitter).clamp(0.0005, 1.3));
@@ -104,7 +108,7 @@ fn stated(map: &HeightMap, known: &Map, loads: &[f64]) -> Result<Vec<Budget>, Bo
         if let Some(near) = Stiffness::near(&mut solver, map, known, pressure(*load))? {
             budget = budget.with_stiffness(&near, known, Line::of(&solution));
         }
-        if TwiceFiner::helps(&budget) {
+        if TwiceFiner::is_wanted(&budget, known) {
             budget = budget.refined(&finer.solve(at, &budget)?);
         }
         list.push(budget);

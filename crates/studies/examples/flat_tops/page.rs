@@ -1,5 +1,6 @@
 //! The tables of the book: how often the intervals of each family held, and how wide they are.
 
+use crate::fresh::FRESH;
 use crate::tuning::TUNING;
 use contact_accuracy::median;
 use std::error::Error;
@@ -32,6 +33,9 @@ struct Counts {
     claims: [usize; 2],
 }
 
+/// Columns of the table.
+const COLUMNS: usize = 17;
+
 /// Loads that count as one class in the second table.
 const CLASSES: [[f64; 2]; 4] = [[0.0, 0.002], [0.002, 0.03], [0.03, 0.2], [0.2, 2.0]];
 
@@ -40,11 +44,20 @@ pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
     let rows = read(&fs::read_to_string(table)?)?;
     let mut page = String::new();
-    for (title, is_tuning) in
-        [("Families that took no part", false), ("Families that the constants were fixed on", true)]
-    {
-        let rows: Vec<&Row> =
-            rows.iter().filter(|r| TUNING.contains(&r.family.as_str()) == is_tuning).collect();
+    let kind = |row: &Row| {
+        if FRESH.contains(&row.family.as_str()) {
+            0
+        } else {
+            1 + usize::from(TUNING.contains(&row.family.as_str()))
+        }
+    };
+    let titles = [
+        "Families that took no part in anything",
+        "Families that took no part in the first rule",
+        "Families that the constants were fixed on",
+    ];
+    for (place, title) in titles.into_iter().enumerate() {
+        let rows: Vec<&Row> = rows.iter().filter(|r| kind(r) == place).collect();
         if rows.is_empty() {
             continue;
         }
@@ -79,7 +92,11 @@ pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
 fn read(text: &str) -> Result<Vec<Row>, Box<dyn Error>> {
     let mut rows = Vec::new();
     for line in text.lines().filter(|l| !l.starts_with('#') && !l.starts_with("family,")) {
-        let cells: Vec<&str> = line.split(',').collect();
+        let mut cells: Vec<&str> = line.split(',').collect();
+        // A name may hold a comma.
+        let more = cells.len().saturating_sub(COLUMNS);
+        let family = cells[..=more].join(",");
+        cells.drain(..more);
         let number = |k: usize| -> Result<f64, Box<dyn Error>> {
             Ok(cells.get(k).ok_or("a row is too short")?.parse()?)
         };
@@ -87,7 +104,7 @@ fn read(text: &str) -> Result<Vec<Row>, Box<dyn Error>> {
             Ok([number(k)?, number(k + 1)?, number(k + 2)?])
         };
         rows.push(Row {
-            family: cells[0].to_owned(),
+            family,
             own: cells.get(4) == Some(&"own"),
             load: number(2)?,
             rms: number(5)?,

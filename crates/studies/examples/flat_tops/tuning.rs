@@ -1,6 +1,6 @@
 //! Families of maps on which the constants were fixed.
 
-use crate::draw::{Draw, Heights, gradient, mix, softmin, triangle};
+use studies::maps::{Draw, Heights, gradient, mix, softmin, triangle};
 
 /// Their names.
 pub(crate) const TUNING: [&str; 21] = [

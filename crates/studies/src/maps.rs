@@ -1,45 +1,53 @@
-//! What the maps of a family are drawn with: numbers that fix one map, random fields, shapes.
+//! What the maps of the studies' families are drawn with: numbers that fix one map, random fields,
+//! shapes. Heights are in any unit, lengths in points, until a map is scaled.
 
 use contact_types::{Grid, HeightMap};
 use std::error::Error;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
 /// Pixel \[m\].
-pub(crate) const PIXEL: f64 = 1e-6;
+pub const PIXEL: f64 = 1e-6;
 /// Rms gradient by forward differences \[-\].
-pub(crate) const GRADIENT: f64 = 0.1;
+pub const GRADIENT: f64 = 0.1;
 
-pub(crate) type Heights = Result<Vec<f64>, Box<dyn Error>>;
+/// Heights of a map, row by row.
+pub type Heights = Result<Vec<f64>, Box<dyn Error>>;
 
 /// Numbers that fix one map of a family.
-pub(crate) struct Draw {
-    pub(crate) n: usize,
-    pub(crate) seed: u64,
+#[derive(Debug, Clone, Copy)]
+pub struct Draw {
+    /// Points along each side.
+    pub n: usize,
+    /// Of all that is random in it.
+    pub seed: u64,
     /// Between 0 and 1.
-    pub(crate) t: [f64; 4],
+    pub t: [f64; 4],
 }
 
 impl Draw {
-    pub(crate) fn log(&self, k: usize, low: f64, high: f64) -> f64 {
+    /// The number `k` of the draw, from `low` to `high`, evenly in the logarithm.
+    pub fn log(&self, k: usize, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.t[k])
     }
-    pub(crate) fn lin(&self, k: usize, low: f64, high: f64) -> f64 {
+    /// The same, evenly.
+    pub fn lin(&self, k: usize, low: f64, high: f64) -> f64 {
         low + (high - low) * self.t[k]
     }
 
-    /// Gaussian field of unit rms height; wavelengths in points.
-    pub(crate) fn field(
-        &self,
-        hurst: f64,
-        cutoff: f64,
-        rolloff: f64,
-        stretch: f64,
-        salt: u64,
-    ) -> Heights {
+    /// Gaussian field of unit rms height, repeating; wavelengths in points. `stretch` times longer along
+    /// y; `salt` tells the fields of one map apart.
+    ///
+    /// # Errors
+    /// Wavelengths that the points cannot hold.
+    pub fn field(&self, hurst: f64, cutoff: f64, rolloff: f64, stretch: f64, salt: u64) -> Heights {
         self.field_on(self.n, hurst, cutoff, rolloff, stretch, salt)
     }
 
-    pub(crate) fn field_on(
+    /// The same on `n` points along each side.
+    ///
+    /// # Errors
+    /// Wavelengths that the points cannot hold.
+    pub fn field_on(
         &self,
         n: usize,
         hurst: f64,
@@ -61,7 +69,10 @@ impl Draw {
     }
 
     /// A field with the wavelengths of this draw.
-    pub(crate) fn rough(&self, salt: u64) -> Heights {
+    ///
+    /// # Errors
+    /// Wavelengths that the points cannot hold.
+    pub fn rough(&self, salt: u64) -> Heights {
         let n = self.n as f64;
         let cutoff = self.log(1, 4.0, 16.0);
         self.field(
@@ -74,7 +85,7 @@ impl Draw {
     }
 
     /// Independent numbers between 0 and 1.
-    pub(crate) fn uniform(&self, count: usize, salt: u64) -> Vec<f64> {
+    pub fn uniform(&self, count: usize, salt: u64) -> Vec<f64> {
         let mut state = self.seed.wrapping_mul(2_654_435_761).wrapping_add(salt);
         let mut next = || {
             state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
@@ -86,13 +97,14 @@ impl Draw {
         (0..count).map(|_| next()).collect()
     }
 
-    pub(crate) fn points(&self, f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+    /// Heights by a formula of y and x in points.
+    pub fn points(&self, f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
         let n = self.n;
         (0..n * n).map(|i| f((i / n) as f64, (i % n) as f64)).collect()
     }
 
     /// Shortest distance of two points on the map that repeats.
-    pub(crate) fn apart(&self, a: f64, b: f64) -> f64 {
+    pub fn apart(&self, a: f64, b: f64) -> f64 {
         let n = self.n as f64;
         let d = (a - b).rem_euclid(n);
         if d > 0.5 * n { d - n } else { d }
@@ -100,24 +112,27 @@ impl Draw {
 }
 
 /// The lower of a height and a level, with a rounded rim.
-pub(crate) fn softmin(z: f64, level: f64, width: f64) -> f64 {
+pub fn softmin(z: f64, level: f64, width: f64) -> f64 {
     let s = (level - z) / width;
     let softplus = if s > 30.0 { s } else { s.exp().ln_1p() };
     level - width * softplus
 }
 
 /// A triangular wave: 1 at whole phases, 0 halfway.
-pub(crate) fn triangle(phase: f64) -> f64 {
+pub fn triangle(phase: f64) -> f64 {
     2.0 * (phase.rem_euclid(1.0) - 0.5).abs()
 }
 
 /// Two fields, point by point.
-pub(crate) fn mix(a: &[f64], b: &[f64], f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+pub fn mix(a: &[f64], b: &[f64], f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| f(*a, *b)).collect()
 }
 
-/// The heights as a map with the rms gradient of the study.
-pub(crate) fn scaled(heights: &[f64], n: usize) -> Result<HeightMap, Box<dyn Error>> {
+/// The heights as a map with the rms gradient [`GRADIENT`].
+///
+/// # Errors
+/// Heights that make no map.
+pub fn scaled(heights: &[f64], n: usize) -> Result<HeightMap, Box<dyn Error>> {
     let g = gradient(heights, n);
     let mean = heights.iter().sum::<f64>() / heights.len() as f64;
     let scaled = heights.iter().map(|h| (h - mean) * GRADIENT / g * PIXEL).collect();
@@ -125,7 +140,7 @@ pub(crate) fn scaled(heights: &[f64], n: usize) -> Result<HeightMap, Box<dyn Err
 }
 
 /// Rms gradient by forward differences, heights and pixel in the same unit.
-pub(crate) fn gradient(h: &[f64], n: usize) -> f64 {
+pub fn gradient(h: &[f64], n: usize) -> f64 {
     let mut sum = 0.0;
     for iy in 0..n - 1 {
         for ix in 0..n - 1 {
