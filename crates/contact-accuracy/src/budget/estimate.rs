@@ -2,7 +2,7 @@
 
 use super::area::iteration_half_width;
 use super::between::Between;
-use super::given_gap::fall_over_gap;
+use super::fall::fall_over_gap;
 use super::map::Map;
 use super::no_interval::NoAreaInterval;
 use super::{grid, iteration, sample};

@@ -38,6 +38,7 @@
 mod area;
 mod between;
 mod estimate;
+mod fall;
 mod given_gap;
 pub mod grid;
 pub mod iteration;
@@ -52,7 +53,7 @@ pub use area::{
 };
 pub use between::{Between, MOST_DOUBT};
 pub use estimate::{Budget, Estimate, Given, RealPressure};
-pub use given_gap::{area_per_load, least_fall};
+pub use fall::{area_per_load, least_fall};
 pub use map::Map;
 pub use no_interval::NoAreaInterval;
 pub use stiffness::Stiffness;
