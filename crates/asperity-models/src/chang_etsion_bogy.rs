@@ -2,7 +2,7 @@
 
 use crate::gauss_legendre::GAUSS_32;
 use contact_types::{
-    AsperityStatistics, Citation, ContactModel, ContactModulus, ContactState, ModelError,
+    AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
     SeparationModel, require,
 };
 use gw_closed_form::partial_moments::{self, Order};
@@ -69,17 +69,25 @@ impl ChangEtsionBogy {
         ] {
             require::positive(MODEL, quantity, value)?;
         }
-        if !asperities.mean_offset.is_finite() {
-            return Err(invalid("mean offset", asperities.mean_offset, "must be finite"));
-        }
+        require::finite(MODEL, "mean offset", asperities.mean_offset)?;
         if !(poisson > -1.0 && poisson <= 0.5) {
-            return Err(invalid("Poisson's ratio", poisson, "must lie between -1 and 1/2"));
+            return Err(require::refused(
+                MODEL,
+                "Poisson's ratio",
+                poisson,
+                "must lie between -1 and 1/2",
+            ));
         }
         let factor = 0.454 + 0.41 * poisson; // K
         let strain = 0.5 * PI * factor * hardness / modulus.pascals();
         let w = strain * strain * asperities.radius / asperities.height_std;
         if !w.is_finite() {
-            return Err(invalid("hardness", hardness, "must be far below the largest double"));
+            return Err(require::refused(
+                MODEL,
+                "hardness",
+                hardness,
+                "must be far below the largest double",
+            ));
         }
         Ok(Self { asperities, modulus, w })
     }
@@ -101,9 +109,7 @@ impl ChangEtsionBogy {
     }
 
     fn alpha(&self, separation: f64) -> Result<f64, ModelError> {
-        if !separation.is_finite() {
-            return Err(invalid("separation", separation, "must be finite"));
-        }
+        require::finite(MODEL, "separation", separation)?;
         Ok((separation - self.asperities.mean_offset) / self.asperities.height_std)
     }
 
@@ -161,15 +167,6 @@ fn elastic_load(alpha: f64, w: f64) -> f64 {
 /// 1/√(2π).
 const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
 
-fn invalid(quantity: &'static str, value: f64, requirement: &'static str) -> ModelError {
-    ModelError::InvalidInput {
-        model: MODEL.into(),
-        quantity: quantity.into(),
-        value,
-        requirement: requirement.into(),
-    }
-}
-
 impl SeparationModel for ChangEtsionBogy {
     fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError> {
         let [pressure, area] = self.at_alpha(self.alpha(separation)?);
@@ -184,7 +181,7 @@ impl ContactModel for ChangEtsionBogy {
             year: 1987,
             title: "An elastic-plastic model for the contact of rough surfaces".into(),
             journal: "Journal of Tribology 109, 257-263".into(),
-            doi: "".into(),
+            doi: "10.1115/1.3261348".into(),
         }
     }
 
@@ -193,21 +190,19 @@ impl ContactModel for ChangEtsionBogy {
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
         let pressure = |alpha: f64| self.at_alpha(alpha)[0];
-        if mean_pressure <= 0.0 || pressure(FARTHEST) >= mean_pressure {
-            let (mean_gap, caveat, separation) = (None, None, None);
-            return Ok(ContactState {
-                mean_pressure,
-                area_fraction: 0.0,
-                separation,
-                mean_gap,
-                caveat,
-            });
+        if mean_pressure <= 0.0 {
+            return Ok(ContactState::nothing_touches());
+        }
+        if pressure(FARTHEST) >= mean_pressure {
+            let caveat = Some(Caveat::Underflow { quantity: "area fraction".into() });
+            return Ok(ContactState { mean_pressure, caveat, ..ContactState::nothing_touches() });
         }
         let (mut low, mut high) = (-1.0, FARTHEST); // pressures above and below
         while pressure(low) < mean_pressure {
             low *= 2.0;
             if low < -1e9 {
-                return Err(invalid(
+                return Err(require::refused(
+                    MODEL,
                     "mean pressure",
                     mean_pressure,
                     "must be one a contact can carry",
@@ -270,6 +265,10 @@ mod tests {
             assert!((back.separation.unwrap() - separation).abs() < 1e-12 * 1e-6);
             assert!((back.area_fraction / there.area_fraction - 1.0).abs() < 1e-12);
         }
+        // At no load nothing touches; below the smallest double an area is not 0, and that is said.
+        assert_eq!(model.at_pressure(0.0).unwrap(), ContactState::nothing_touches());
+        let faint = model.at_pressure(1e-310).unwrap();
+        assert!(faint.area_fraction == 0.0 && faint.caveat.is_some(), "{faint:?}");
         for (hardness, poisson) in [(0.0, 0.3), (f64::NAN, 0.3), (-1.0, 0.3), (1e9, 0.6)] {
             assert!(ChangEtsionBogy::new(asperities, modulus, hardness, poisson).is_err());
         }

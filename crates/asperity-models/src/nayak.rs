@@ -1,7 +1,7 @@
 //! Nayak's distribution of summit heights.
 
 use crate::gauss_legendre::GAUSS_32;
-use contact_types::ModelError;
+use contact_types::{ModelError, require};
 use gw_closed_form::partial_moments::times_gaussian;
 use std::f64::consts::PI;
 
@@ -44,14 +44,7 @@ pub fn summit_height_density(bandwidth: f64, xi: f64) -> Result<f64, ModelError>
             reason: "no isotropic Gaussian surface has less".into(),
         });
     }
-    if !xi.is_finite() {
-        return Err(ModelError::InvalidInput {
-            model: "Nayak summit heights".into(),
-            quantity: "height".into(),
-            value: xi,
-            requirement: "must be finite".into(),
-        });
-    }
+    require::finite("Nayak summit heights", "height", xi)?;
     let bandwidth = bandwidth.max(1.5);
     let rho = (1.5 / bandwidth).sqrt();
     let s = ((bandwidth - 1.5) / bandwidth).sqrt();

@@ -81,7 +81,12 @@ impl<L: SummitLaw> SummitModel<L> {
         let bandwidth = moments.bandwidth();
         if !bandwidth.is_normal() {
             let requirement = "must be a normal number; scale the moments to metres";
-            return Err(Self::invalid("bandwidth m0 m4 / m2^2", bandwidth, requirement));
+            return Err(require::refused(
+                L::NAME,
+                "bandwidth m0 m4 / m2^2",
+                bandwidth,
+                requirement,
+            ));
         }
         if bandwidth < 1.5 * (1.0 - 1e-14) {
             return Err(ModelError::OutsideDomain {
@@ -116,7 +121,7 @@ impl<L: SummitLaw> SummitModel<L> {
         let h = self.dimensionless(separation)?;
         let [slope] = self.correlation.integrate(h, |summit| [stiffness_of::<L>(summit)]);
         let scale = self.pressure_scale() / self.moments.rms_height();
-        Self::finite(gaussian(scale * slope, h), "separation", separation)
+        require::answer(L::NAME, gaussian(scale * slope, h), "separation", separation)
     }
 
     /// Contacts per nominal area in m⁻² at `separation` (m).
@@ -164,7 +169,7 @@ impl<L: SummitLaw> SummitModel<L> {
     pub fn at_area(&self, area_fraction: f64) -> Result<ContactState, ModelError> {
         require::not_negative(L::NAME, "area fraction", area_fraction)?;
         if area_fraction <= 0.0 {
-            return Ok(nothing_touches());
+            return Ok(ContactState::nothing_touches());
         }
         let h = self.solve_area(area_fraction)?;
         let [load, slope, area, area_slope] = self.integrals(h);
@@ -172,9 +177,9 @@ impl<L: SummitLaw> SummitModel<L> {
         let missing = if found.is_normal() { area_fraction / found - 1.0 } else { 0.0 };
         let elasticity = (slope / load) / (area_slope / area);
         let pressure = gaussian(self.pressure_scale() * load * (1.0 + missing * elasticity), h);
-        let pressure = Self::finite(pressure, "area fraction", area_fraction)?;
+        let pressure = require::answer(L::NAME, pressure, "area fraction", area_fraction)?;
         let separation = (h - missing * area / area_slope) * self.moments.rms_height();
-        let separation = Self::finite(separation, "area fraction", area_fraction)?;
+        let separation = require::answer(L::NAME, separation, "area fraction", area_fraction)?;
         Ok(ContactState::of_isolated_summits(pressure, area_fraction, separation))
     }
 
@@ -218,11 +223,8 @@ impl<L: SummitLaw> SummitModel<L> {
 
     /// h = d/√m0.
     fn dimensionless(&self, separation: f64) -> Result<f64, ModelError> {
-        if separation.is_finite() {
-            Ok((separation / self.moments.rms_height()).clamp(-f64::MAX, f64::MAX))
-        } else {
-            Err(Self::invalid("separation", separation, "must be finite"))
-        }
+        require::finite(L::NAME, "separation", separation)?;
+        Ok((separation / self.moments.rms_height()).clamp(-f64::MAX, f64::MAX))
     }
 
     /// h at which ln of the dimensionless load p/(E* √m2) is `target`: Newton on ln p, which is
@@ -288,28 +290,6 @@ impl<L: SummitLaw> SummitModel<L> {
         let alpha = inverse::from_ln_load(target - full - 1.5 * deviation.ln());
         mean + deviation * alpha.unwrap_or(-1e205)
     }
-
-    fn invalid(quantity: &'static str, value: f64, requirement: &'static str) -> ModelError {
-        ModelError::InvalidInput {
-            model: L::NAME.into(),
-            quantity: quantity.into(),
-            value,
-            requirement: requirement.into(),
-        }
-    }
-
-    fn finite(result: f64, quantity: &'static str, value: f64) -> Result<f64, ModelError> {
-        if result.is_finite() {
-            return Ok(result);
-        }
-        Err(ModelError::OutsideDomain {
-            model: L::NAME.into(),
-            quantity: quantity.into(),
-            value,
-            domain: -f64::MAX..=f64::MAX,
-            reason: "the answer exceeds the largest double".into(),
-        })
-    }
 }
 
 impl<L: SummitLaw> ContactModel for SummitModel<L> {
@@ -322,7 +302,7 @@ impl<L: SummitLaw> ContactModel for SummitModel<L> {
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(L::NAME, mean_pressure)?;
         if mean_pressure <= 0.0 {
-            return Ok(nothing_touches());
+            return Ok(ContactState::nothing_touches());
         }
         let unit = self.modulus.pascals().ln() + 0.5 * self.moments.m2.ln();
         let h = self.solve(mean_pressure.ln() - unit)?;
@@ -333,10 +313,10 @@ impl<L: SummitLaw> ContactModel for SummitModel<L> {
         let missing = if found.is_normal() { mean_pressure / found - 1.0 } else { 0.0 };
         let elasticity = (area_slope / area) / (slope / load);
         let area = gaussian(self.area_scale() * area * (1.0 + missing * elasticity), h);
-        let area = Self::finite(area, "mean pressure", mean_pressure)?;
+        let area = require::answer(L::NAME, area, "mean pressure", mean_pressure)?;
         // The last Newton step, on p itself: a large logarithm has lost digits.
         let separation = (h - missing * load / slope) * self.moments.rms_height();
-        let separation = Self::finite(separation, "mean pressure", mean_pressure)?;
+        let separation = require::answer(L::NAME, separation, "mean pressure", mean_pressure)?;
         Ok(ContactState::of_isolated_summits(mean_pressure, area, separation))
     }
 }
@@ -351,18 +331,13 @@ impl<L: SummitLaw> SeparationModel for SummitModel<L> {
             self.correlation.integrate(h, |summit| [load_of::<L>(summit), area_of::<L>(summit)]);
         let pressure = gaussian(self.pressure_scale() * load, h);
         let area = gaussian(self.area_scale() * area, h);
-        let pressure = Self::finite(pressure, "separation", separation)?;
+        let pressure = require::answer(L::NAME, pressure, "separation", separation)?;
         Ok(ContactState::of_isolated_summits(
             pressure,
-            Self::finite(area, "separation", separation)?,
+            require::answer(L::NAME, area, "separation", separation)?,
             separation,
         ))
     }
-}
-
-fn nothing_touches() -> ContactState {
-    let (mean_pressure, area_fraction) = (0.0, 0.0);
-    ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat: None }
 }
 
 /// 4 t^{7/2} s^{3/2} J_3/2 W_P.

@@ -111,6 +111,12 @@ impl ContactState {
         Self { mean_pressure, area_fraction, separation, mean_gap: None, caveat }
     }
 
+    /// Bodies that do not touch: no load, no area, and no separation that is finite.
+    pub fn nothing_touches() -> Self {
+        let (mean_pressure, area_fraction) = (0.0, 0.0);
+        Self { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat: None }
+    }
+
     /// Mean pressure on the real area, F / A_r \[Pa\]; `None` where nothing touches.
     pub fn real_pressure(&self) -> Option<f64> {
         let pressure = self.mean_pressure / self.area_fraction;

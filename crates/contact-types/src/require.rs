@@ -31,13 +31,7 @@ pub fn not_negative(
     if value.is_finite() && value >= 0.0 {
         return Ok(value);
     }
-    let requirement = "must be finite and not negative";
-    Err(ModelError::InvalidInput {
-        model: model.into(),
-        quantity: quantity.into(),
-        value,
-        requirement: requirement.into(),
-    })
+    Err(refused(model, quantity, value, "must be finite and not negative"))
 }
 
 /// A finite number above 0.
@@ -52,13 +46,7 @@ pub fn positive(
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    let requirement = "must be finite and greater than 0";
-    Err(ModelError::InvalidInput {
-        model: model.into(),
-        quantity: quantity.into(),
-        value,
-        requirement: requirement.into(),
-    })
+    Err(refused(model, quantity, value, "must be finite and greater than 0"))
 }
 
 /// An area fraction between 0 and 1, both included.
@@ -73,13 +61,7 @@ pub fn fraction(
     if (0.0..=1.0).contains(&value) {
         return Ok(value);
     }
-    let requirement = "must lie between 0 and 1";
-    Err(ModelError::InvalidInput {
-        model: model.into(),
-        quantity: quantity.into(),
-        value,
-        requirement: requirement.into(),
-    })
+    Err(refused(model, quantity, value, "must lie between 0 and 1"))
 }
 
 /// A result that must be a finite double.
@@ -94,11 +76,62 @@ pub fn representable(
     if value.is_finite() {
         return Ok(value);
     }
-    Err(ModelError::OutsideDomain {
+    Err(beyond_doubles(model, quantity, value, "the result exceeds the largest double"))
+}
+
+/// A finite number of either sign.
+///
+/// # Errors
+/// [`ModelError::InvalidInput`].
+pub fn finite(model: &'static str, quantity: &'static str, value: f64) -> Result<f64, ModelError> {
+    if value.is_finite() {
+        return Ok(value);
+    }
+    Err(refused(model, quantity, value, "must be finite"))
+}
+
+/// What came of the input `quantity = value`, if a double can hold it.
+///
+/// # Errors
+/// [`ModelError::OutsideDomain`], which names the input.
+pub fn answer(
+    model: &'static str,
+    result: f64,
+    quantity: &'static str,
+    value: f64,
+) -> Result<f64, ModelError> {
+    if result.is_finite() {
+        return Ok(result);
+    }
+    Err(beyond_doubles(model, quantity, value, "the answer exceeds the largest double"))
+}
+
+/// The error of an input that cannot be used at all.
+pub fn refused(
+    model: &'static str,
+    quantity: &'static str,
+    value: f64,
+    requirement: &'static str,
+) -> ModelError {
+    ModelError::InvalidInput {
+        model: model.into(),
+        quantity: quantity.into(),
+        value,
+        requirement: requirement.into(),
+    }
+}
+
+fn beyond_doubles(
+    model: &'static str,
+    quantity: &'static str,
+    value: f64,
+    reason: &'static str,
+) -> ModelError {
+    ModelError::OutsideDomain {
         model: model.into(),
         quantity: quantity.into(),
         value,
         domain: f64::MIN..=f64::MAX,
-        reason: "the result exceeds the largest double".into(),
-    })
+        reason: reason.into(),
+    }
 }

@@ -70,9 +70,7 @@ impl GreenwoodWilliamson {
         ] {
             require::positive(MODEL, quantity, value)?;
         }
-        if !asperities.mean_offset.is_finite() {
-            return Err(invalid("mean offset", asperities.mean_offset, "must be finite"));
-        }
+        require::finite(MODEL, "mean offset", asperities.mean_offset)?;
         Ok(Self { asperities, modulus, bandwidth: None })
     }
 
@@ -112,7 +110,7 @@ impl GreenwoodWilliamson {
     pub fn stiffness(&self, separation: f64) -> Result<f64, ModelError> {
         let a = self.height_above_summit_mean(separation)?;
         let [hertz, height, j] = slope_factors(a, self.asperities.height_std);
-        finite(self.pressure_of(&[hertz, height, j]), "separation", separation)
+        require::answer(MODEL, self.pressure_of(&[hertz, height, j]), "separation", separation)
     }
 
     /// Of the summits in contact at `separation` (m), the fraction pressed in deeper than
@@ -166,7 +164,7 @@ impl GreenwoodWilliamson {
         let AsperityStatistics { density, radius, height_std, .. } = self.asperities;
         let area = Quotient::of(area_fraction, &[PI, density, radius, height_std]);
         let separation = self.separation_of(alpha_of(Order::One, area)?);
-        finite(separation, "area fraction", area_fraction)
+        require::answer(MODEL, separation, "area fraction", area_fraction)
     }
 
     /// The contact whose real area fraction is `area_fraction`: pressure and separation, right to
@@ -178,25 +176,22 @@ impl GreenwoodWilliamson {
     pub fn at_area(&self, area_fraction: f64) -> Result<ContactState, ModelError> {
         require::not_negative(MODEL, "area fraction", area_fraction)?;
         if area_fraction <= 0.0 {
-            return Ok(nothing_touches());
+            return Ok(ContactState::nothing_touches());
         }
         let AsperityStatistics { density, radius, height_std: s, .. } = self.asperities;
         let area = Quotient::of(area_fraction, &[PI, density, radius, s]);
         let alpha = alpha_of(Order::One, area)?;
-        let separation = finite(self.separation_of(alpha), "area fraction", area_fraction)?;
+        let separation =
+            require::answer(MODEL, self.separation_of(alpha), "area fraction", area_fraction)?;
         let j = moved_along([Order::One, Order::ThreeHalves], alpha, area.value);
         let pressure = self.pressure_of(&[s, libm::sqrt(s), j]);
-        let pressure = finite(pressure, "area fraction", area_fraction)?;
+        let pressure = require::answer(MODEL, pressure, "area fraction", area_fraction)?;
         Ok(self.state(pressure, area_fraction, separation))
     }
 
     /// a = d - y_s [m].
     fn height_above_summit_mean(&self, separation: f64) -> Result<f64, ModelError> {
-        if separation.is_finite() {
-            Ok(separation - self.asperities.mean_offset)
-        } else {
-            Err(invalid("separation", separation, "must be finite"))
-        }
+        Ok(require::finite(MODEL, "separation", separation)? - self.asperities.mean_offset)
     }
 
     /// d = y_s + α σ_s [m].
@@ -251,16 +246,17 @@ impl ContactModel for GreenwoodWilliamson {
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
         if mean_pressure <= 0.0 {
-            return Ok(nothing_touches());
+            return Ok(ContactState::nothing_touches());
         }
         let AsperityStatistics { density, radius, height_std: s, .. } = self.asperities;
         let hertz = 4.0 / 3.0;
         let scale = [hertz, self.modulus.pascals(), density, libm::sqrt(radius), s, libm::sqrt(s)];
         let load = Quotient::of(mean_pressure, &scale);
         let alpha = alpha_of(Order::ThreeHalves, load)?;
-        let separation = finite(self.separation_of(alpha), "mean pressure", mean_pressure)?;
+        let separation =
+            require::answer(MODEL, self.separation_of(alpha), "mean pressure", mean_pressure)?;
         let j1 = moved_along([Order::ThreeHalves, Order::One], alpha, load.value);
-        let area = finite(self.area_of(&[s, j1]), "mean pressure", mean_pressure)?;
+        let area = require::answer(MODEL, self.area_of(&[s, j1]), "mean pressure", mean_pressure)?;
         Ok(self.state(mean_pressure, area, separation))
     }
 }
@@ -269,8 +265,14 @@ impl SeparationModel for GreenwoodWilliamson {
     fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError> {
         let a = self.height_above_summit_mean(separation)?;
         let s = self.asperities.height_std;
-        let pressure = finite(self.pressure_of(&load_factors(a, s)), "separation", separation)?;
-        let area = finite(self.area_of(&area_factors(a, s)), "separation", separation)?;
+        let pressure = require::answer(
+            MODEL,
+            self.pressure_of(&load_factors(a, s)),
+            "separation",
+            separation,
+        )?;
+        let area =
+            require::answer(MODEL, self.area_of(&area_factors(a, s)), "separation", separation)?;
         Ok(self.state(pressure, area, separation))
     }
 }
@@ -288,11 +290,6 @@ fn moved_along([known, wanted]: [Order; 2], alpha: f64, target: f64) -> f64 {
     partial_moments::value(wanted, alpha) * (1.0 + missing * elasticity)
 }
 
-fn nothing_touches() -> ContactState {
-    let (mean_pressure, area_fraction) = (0.0, 0.0);
-    ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat: None }
-}
-
 /// α where J_n(α) is the quotient, also where no double can hold that.
 fn alpha_of(order: Order, quotient: Quotient) -> Result<f64, ModelError> {
     let found = if quotient.value.is_normal() {
@@ -301,29 +298,11 @@ fn alpha_of(order: Order, quotient: Quotient) -> Result<f64, ModelError> {
         inverse::from_logarithm(order, quotient.logarithm)
     };
     found.map_err(|_| {
-        invalid("ln of the dimensionless load or area", quotient.logarithm, "must be below 708")
-    })
-}
-
-fn invalid(quantity: &'static str, value: f64, requirement: &'static str) -> ModelError {
-    ModelError::InvalidInput {
-        model: MODEL.into(),
-        quantity: quantity.into(),
-        value,
-        requirement: requirement.into(),
-    }
-}
-
-/// The result, or the input `quantity = value` that drove it out of the range of doubles.
-fn finite(result: f64, quantity: &'static str, value: f64) -> Result<f64, ModelError> {
-    if result.is_finite() {
-        return Ok(result);
-    }
-    Err(ModelError::OutsideDomain {
-        model: MODEL.into(),
-        quantity: quantity.into(),
-        value,
-        domain: -f64::MAX..=f64::MAX,
-        reason: "the answer exceeds the largest double".into(),
+        require::refused(
+            MODEL,
+            "ln of the dimensionless load or area",
+            quotient.logarithm,
+            "must be below 708",
+        )
     })
 }

@@ -1,6 +1,6 @@
 //! A ridge pattern of two harmonics with one contact strip per period.
 
-use contact_types::require::positive;
+use contact_types::require::{finite, positive};
 use contact_types::{ContactModulus, ModelError};
 use std::f64::consts::{PI, TAU};
 
@@ -52,14 +52,7 @@ impl TwoHarmonic {
     ) -> Result<Self, ModelError> {
         positive("two harmonics", "first amplitude", amplitudes[0])?;
         positive("two harmonics", "wavelength", wavelength)?;
-        if !amplitudes[1].is_finite() {
-            return Err(ModelError::InvalidInput {
-                model: "two harmonics".into(),
-                quantity: "second amplitude".into(),
-                value: amplitudes[1],
-                requirement: "it must be finite".into(),
-            });
-        }
+        finite("two harmonics", "second amplitude", amplitudes[1])?;
         Ok(Self { amplitudes, wavelength, modulus })
     }
 
