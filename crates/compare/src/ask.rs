@@ -1,6 +1,8 @@
 //! One answer of a model, whichever model it is: the only place where a model is asked.
 
 use contact_types::{ContactModel, ContactState, ModelError, SeparationModel};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
 
 /// What `model`, called `name` in errors, answers at a nominal pressure (Pa).
 ///
@@ -24,6 +26,29 @@ pub fn at_separation(
     separation: f64,
 ) -> Result<ContactState, ModelError> {
     possible(name, model.at_separation(separation)?)
+}
+
+/// A model's answers at nominal pressures (Pa) and its seconds per load: the median of passes over all
+/// loads, as many as fit in 20 ms, at least three.
+pub(crate) fn timed(
+    name: &str,
+    model: &dyn ContactModel,
+    mean_pressures: impl ExactSizeIterator<Item = f64> + Clone,
+) -> (Vec<Result<ContactState, ModelError>>, f64) {
+    let loads = mean_pressures.len().max(1) as f64;
+    let pass = || -> Vec<_> {
+        mean_pressures.clone().map(|p| at_pressure(name, model, black_box(p))).collect()
+    };
+    let begin = Instant::now();
+    let mut passes: Vec<Duration> = Vec::new();
+    let mut answers = Vec::new();
+    while passes.len() < 3 || (begin.elapsed() < Duration::from_millis(20) && passes.len() < 999) {
+        let start = Instant::now();
+        answers = black_box(pass());
+        passes.push(start.elapsed());
+    }
+    passes.sort();
+    (answers, passes[passes.len() / 2].as_secs_f64() / loads)
 }
 
 /// Theories that add up contacts know no upper end; a surface does.

@@ -1,6 +1,6 @@
 //! The study itself: statistics, the deterministic curve, every model over the loads.
 
-use crate::ask::at_pressure;
+use crate::ask::timed;
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
 use crate::inputs::Inputs;
@@ -21,9 +21,8 @@ use contact_accuracy::round_to_digits;
 use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverError};
 use std::borrow::Cow;
-use std::hint::black_box;
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use surface_stats::SurfaceStatistics;
 
 impl Comparison {
@@ -248,7 +247,8 @@ fn ask(
 ) -> ModelComparison {
     let card = theory.card().clone();
     let outcome = theory.build(inputs).and_then(|model| {
-        let (points, seconds) = timed(&card.title, model.as_ref(), deterministic);
+        let (points, seconds) =
+            timed(&card.title, model.as_ref(), deterministic.iter().map(|p| p.mean_pressure));
         // A theory that refuses every load does not apply: its reason is the outcome.
         if let Some(Err(first)) = points.first()
             && points.iter().all(Result::is_err)
@@ -290,28 +290,6 @@ fn error(model: &Result<ContactState, ModelError>, reference: &DeterministicPoin
     let area = model.as_ref().ok()?.area_fraction;
     let truth = reference.answer.as_ref()?.area_fraction_corrected;
     (truth > 0.0).then(|| area / truth - 1.0)
-}
-
-/// A model's answers and its seconds per load: the median of passes over all loads, as many as
-/// fit in 20 ms, at least three.
-fn timed(
-    name: &str,
-    model: &dyn ContactModel,
-    loads: &[DeterministicPoint],
-) -> (Vec<Result<ContactState, ModelError>>, f64) {
-    let pass = || -> Vec<_> {
-        loads.iter().map(|p| at_pressure(name, model, black_box(p.mean_pressure))).collect()
-    };
-    let begin = Instant::now();
-    let mut passes: Vec<Duration> = Vec::new();
-    let mut answers = Vec::new();
-    while passes.len() < 3 || (begin.elapsed() < Duration::from_millis(20) && passes.len() < 999) {
-        let start = Instant::now();
-        answers = black_box(pass());
-        passes.push(start.elapsed());
-    }
-    passes.sort();
-    (answers, passes[passes.len() / 2].as_secs_f64() / loads.len().max(1) as f64)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The study of a surface of which only profiles are known: statistics and every model.
 
-use crate::ask::at_pressure;
+use crate::ask::{at_pressure, timed};
 use crate::finding::{Finding, Pressed};
 use crate::inputs::{Inputs, MomentSource};
 use crate::profile::fact::Unevenness;
@@ -258,17 +258,14 @@ fn ask(
     statistics: &ProfileStatistics,
 ) -> ProfileModel {
     let card = theory.card().clone();
-    let start = Instant::now();
     let outcome = theory.build(inputs).and_then(|model| {
-        let answer =
-            |p: &DeterministicPoint| at_pressure(&card.title, model.as_ref(), p.mean_pressure);
-        let points: Vec<_> = loads.iter().map(answer).collect();
+        let pressures = loads.iter().map(|p| p.mean_pressure);
+        let (points, seconds) = timed(&card.title, model.as_ref(), pressures);
         if let Some(Err(first)) = points.first()
             && points.iter().all(Result::is_err)
         {
             return Err(BuildError::Model(first.clone()));
         }
-        let seconds = start.elapsed().as_secs_f64() / loads.len() as f64;
         Ok(ModelCurve { errors: vec![None; points.len()], points, seconds })
     });
     let intervals = match &outcome {

@@ -64,36 +64,37 @@ impl Between {
         let (mut all, mut line) = ([0.0; 2], [0.0; 2]);
         // The largest share of the pressure that a difference may take off where both touch.
         let mut lifted = 0.0f64;
-        let mut open = 0.0;
+        // Of the whole map, less what lies between two points that touch.
+        let mut open = sum_over(surface, repeats);
         let lift = 0.5 * PI * modulus.pascals() / dy.min(dx);
         let mut add = |difference: f64, pressures: [f64; 2]| {
             let least = pressures[0].min(pressures[1]);
-            if least <= 0.0 {
-                open += difference;
-            }
-            if pressures[0].max(pressures[1]) <= 0.0 {
-                return;
-            }
             let square = difference * difference;
             all = [all[0] + square, all[1] + 1.0];
             if least > 0.0 {
+                open -= difference;
                 lifted = lifted.max(lift * difference.abs() / least);
             } else {
                 line = [line[0] + square, line[1] + 1.0];
             }
         };
-        for (i, &p) in pressure.iter().enumerate() {
-            if p > 0.0 {
-                touching += 1.0;
-                load += p;
-            }
+        // Halfway to both neighbours along x, then along y; between two that touch only once.
+        for (i, &p) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+            touching += 1.0;
+            load += p;
             let (iy, ix) = (i / nx, i % nx);
-            // Halfway to the next point along x, then along y.
-            let (right, below) = (inside(ix, 1, nx, repeats), inside(iy, 1, ny, repeats));
-            let along = |k: isize| surface.at(iy, inside(ix, k, nx, repeats));
-            add(difference(along), [p, pressure[iy * nx + right]]);
-            let along = |k: isize| surface.at(inside(iy, k, ny, repeats), ix);
-            add(difference(along), [p, pressure[below * nx + ix]]);
+            for step in [0, -1] {
+                let along = |k: isize| surface.at(iy, inside(ix, k + step, nx, repeats));
+                let next = pressure[iy * nx + inside(ix, 1 + 2 * step, nx, repeats)];
+                if step == 0 || (next <= 0.0 && (repeats || ix > 0)) {
+                    add(difference(along), [p, next]);
+                }
+                let along = |k: isize| surface.at(inside(iy, k + step, ny, repeats), ix);
+                let next = pressure[inside(iy, 1 + 2 * step, ny, repeats) * nx + ix];
+                if step == 0 || (next <= 0.0 && (repeats || iy > 0)) {
+                    add(difference(along), [p, next]);
+                }
+            }
         }
         if load <= 0.0 {
             return None;
@@ -150,6 +151,36 @@ fn difference(at: impl Fn(isize) -> f64) -> f64 {
     pairs.map(|(k, weight)| weight * (at(-k.cast_signed()) + at(k.cast_signed() + 1))).sum()
 }
 
+/// Sum of the differences halfway to the next point along x and along y, over the whole map. The weights
+/// of a point add up to nothing but near an edge that mirrors.
+fn sum_over(surface: &HeightMap, repeats: bool) -> f64 {
+    let [ny, nx] = surface.grid().shape();
+    let column = |(ix, w): (usize, f64)| w * (0..ny).map(|iy| surface.at(iy, ix)).sum::<f64>();
+    let row = |(iy, w): (usize, f64)| w * (0..nx).map(|ix| surface.at(iy, ix)).sum::<f64>();
+    let x: f64 = weights_of_line(nx, repeats).into_iter().map(column).sum();
+    let y: f64 = weights_of_line(ny, repeats).into_iter().map(row).sum();
+    x + y
+}
+
+/// How often the sum of all differences along a line counts each of its `n` points, those left out that it
+/// counts as nothing.
+fn weights_of_line(n: usize, repeats: bool) -> Vec<(usize, f64)> {
+    if repeats {
+        return Vec::new();
+    }
+    let reach = WEIGHTS.len();
+    let mut weights = vec![0.0; n];
+    // All differences, but those that see no edge, whose weights cancel once all are added.
+    for i in 0..n {
+        for (k, weight) in WEIGHTS.iter().enumerate() {
+            weights[inside(i, -k.cast_signed(), n, false)] += weight;
+            weights[inside(i, k.cast_signed() + 1, n, false)] += weight;
+        }
+    }
+    let near = |i: &usize| *i < 2 * reach || *i + 2 * reach >= n;
+    (0..n).filter(near).map(|i| (i, weights[i])).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,6 +232,36 @@ mod tests {
         assert!((found.doubt() / (found.height / (0.05 * 2e-6)) - 1.0).abs() < 1e-12);
         assert_eq!(Between::of(&map, true, &vec![0.0; 256], modulus()), None);
         assert_eq!(Between::of(&map, true, &[], modulus()), None);
+    }
+
+    /// The sums over the points that touch are those over all pairs of neighbours.
+    #[test]
+    fn open_gap_is_that_of_a_walk_over_all_pairs() {
+        let grid = Grid::new([19, 24], [1.0, 1.0]).unwrap();
+        let rough = |y: f64, x: f64| (7.3 * y * y + 3.1 * x).sin() + 0.01 * x * y;
+        let map = HeightMap::from_fn(grid, rough).unwrap();
+        for (repeats, lowest) in [(true, 0.0), (false, 0.0), (false, 0.9), (false, -3.0)] {
+            let pressure: Vec<f64> = map.heights().iter().map(|z| (z - lowest).max(0.0)).collect();
+            let (mut open, mut squares, mut count) = (0.0, 0.0, 0.0);
+            for (i, &p) in pressure.iter().enumerate() {
+                let (iy, ix) = (i / 24, i % 24);
+                let right = difference(|k| map.at(iy, inside(ix, k, 24, repeats)));
+                let below = difference(|k| map.at(inside(iy, k, 19, repeats), ix));
+                let there = [
+                    (right, pressure[iy * 24 + inside(ix, 1, 24, repeats)]),
+                    (below, pressure[inside(iy, 1, 19, repeats) * 24 + ix]),
+                ];
+                for (difference, other) in there {
+                    open += if p.min(other) > 0.0 { 0.0 } else { difference };
+                    if p.max(other) > 0.0 {
+                        (squares, count) = (squares + difference * difference, count + 1.0);
+                    }
+                }
+            }
+            let found = Between::of(&map, repeats, &pressure, modulus()).unwrap();
+            assert!((found.open - open / (2.0 * 19.0 * 24.0)).abs() < 1e-14, "{found:?}");
+            assert!((found.height - f64::sqrt(squares / count)).abs() < 1e-13, "{found:?}");
+        }
     }
 
     /// A map that does not repeat is continued by its mirror image: its seam is no crease.
