@@ -33,11 +33,11 @@ pub fn at_separation(
 pub(crate) fn timed(
     name: &str,
     model: &dyn ContactModel,
-    mean_pressures: impl ExactSizeIterator<Item = f64> + Clone,
+    mean_pressures: &[f64],
 ) -> (Vec<Result<ContactState, ModelError>>, f64) {
     let loads = mean_pressures.len().max(1) as f64;
     let pass = || -> Vec<_> {
-        mean_pressures.clone().map(|p| at_pressure(name, model, black_box(p))).collect()
+        mean_pressures.iter().map(|p| at_pressure(name, model, black_box(*p))).collect()
     };
     let begin = Instant::now();
     let mut passes: Vec<Duration> = Vec::new();

@@ -18,7 +18,7 @@ use crate::{EdgesName, Registry, Settings, Spikes, Surface, Surrounded, default_
 use contact_accuracy::budget::Between;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_accuracy::round_to_digits;
-use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap, ModelError};
+use contact_types::{ContactModulus, ContactState, HeightMap, ModelError};
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverError};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
@@ -247,8 +247,8 @@ fn ask(
 ) -> ModelComparison {
     let card = theory.card().clone();
     let outcome = theory.build(inputs).and_then(|model| {
-        let (points, seconds) =
-            timed(&card.title, model.as_ref(), deterministic.iter().map(|p| p.mean_pressure));
+        let pressures: Vec<f64> = deterministic.iter().map(|p| p.mean_pressure).collect();
+        let (points, seconds) = timed(&card.title, model.as_ref(), &pressures);
         // A theory that refuses every load does not apply: its reason is the outcome.
         if let Some(Err(first)) = points.first()
             && points.iter().all(Result::is_err)

@@ -24,6 +24,23 @@ pub struct Draw {
     pub t: [f64; 4],
 }
 
+/// A random field on `n` points along each side, `stretch` times longer along y; Hurst exponent, shortest
+/// wavelength and roll-off in points.
+///
+/// # Errors
+/// Wavelengths that the points cannot hold.
+pub fn self_affine(
+    n: usize,
+    [hurst, cutoff, rolloff]: [f64; 3],
+    stretch: f64,
+    scale: Scale,
+    seed: u64,
+) -> Heights {
+    let grid = Grid::new([n, n], [1.0 / stretch, 1.0])?;
+    let recipe = SelfAffine { grid, hurst, rolloff, cutoff, scale, seed, quantise: None };
+    Ok(recipe.generate()?.into_heights())
+}
+
 impl Draw {
     /// The number `k` of the draw, from `low` to `high`, evenly in the logarithm.
     pub fn log(&self, k: usize, low: f64, high: f64) -> f64 {
@@ -56,16 +73,8 @@ impl Draw {
         stretch: f64,
         salt: u64,
     ) -> Heights {
-        let recipe = SelfAffine {
-            grid: Grid::new([n, n], [1.0 / stretch, 1.0])?,
-            hurst,
-            rolloff,
-            cutoff,
-            scale: Scale::RmsHeight(1.0),
-            seed: self.seed + 1000 * salt,
-            quantise: None,
-        };
-        Ok(recipe.generate()?.into_heights())
+        let scale = Scale::RmsHeight(1.0);
+        self_affine(n, [hurst, cutoff, rolloff], stretch, scale, self.seed + 1000 * salt)
     }
 
     /// A field with the wavelengths of this draw.

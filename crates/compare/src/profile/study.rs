@@ -259,8 +259,8 @@ fn ask(
 ) -> ProfileModel {
     let card = theory.card().clone();
     let outcome = theory.build(inputs).and_then(|model| {
-        let pressures = loads.iter().map(|p| p.mean_pressure);
-        let (points, seconds) = timed(&card.title, model.as_ref(), pressures);
+        let pressures: Vec<f64> = loads.iter().map(|p| p.mean_pressure).collect();
+        let (points, seconds) = timed(&card.title, model.as_ref(), &pressures);
         if let Some(Err(first)) = points.first()
             && points.iter().all(Result::is_err)
         {

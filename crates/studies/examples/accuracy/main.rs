@@ -18,7 +18,8 @@ use std::error::Error;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::{fs, thread};
+use std::thread;
+use studies::rows::kept;
 
 /// Surfaces worked on at a time; each takes up to half a gigabyte.
 const WORKERS: usize = 2;
@@ -44,19 +45,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let recipes = ensemble::recipes();
     let chosen: Vec<usize> = (0..recipes.len()).step_by(every.get()).collect();
-    fs::create_dir_all(&folder)?;
-    let file = |index: usize| folder.join(format!("{index:03}.csv"));
-    let work = |index: usize| -> Result<(), String> {
+    let rows = |index: usize| {
         let recipe = &recipes[index];
-        if file(index).exists() {
-            return Ok(());
-        }
-        let rows = measure::surface(index, recipe).map_err(|e| format!("{recipe:?}: {e}"))?;
-        // Written whole or not at all, so that a stopped run never leaves half a surface.
-        let part = file(index).with_extension("part");
-        let written = fs::write(&part, rows).and_then(|()| fs::rename(&part, file(index)));
-        eprintln!("{} of {}: {recipe:?}", index + 1, recipes.len());
-        written.map_err(|e| e.to_string())
+        kept(&folder, &format!("{index:03}"), || {
+            eprintln!("{} of {}: {recipe:?}", index + 1, recipes.len());
+            measure::surface(index, recipe)
+        })
+        .map_err(|e| format!("{recipe:?}: {e}"))
     };
     // Every ninth first, then every third: a run that is stopped has some of every family.
     let mut order = chosen.clone();
@@ -64,7 +59,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let next = AtomicUsize::new(0);
     let worker = || -> Result<(), String> {
         while let Some(&index) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
-            work(index)?;
+            rows(index)?;
         }
         Ok(())
     };
@@ -75,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
     println!("{}", measure::HEADER);
     for index in chosen {
-        print!("{}", fs::read_to_string(file(index))?);
+        print!("{}", rows(index)?);
     }
     Ok(())
 }

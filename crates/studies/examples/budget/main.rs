@@ -23,8 +23,8 @@ use clap::Parser;
 use measure::Surface;
 use rayon::prelude::*;
 use std::error::Error;
-use std::fs;
 use std::path::{Path, PathBuf};
+use studies::rows::kept;
 
 /// Do the error bars hold? Works through what is left of an ensemble and prints all rows as CSV
 #[derive(Parser)]
@@ -60,12 +60,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The rows of the first of these surfaces.
 fn study<S: Surface>(folder: &Path, surfaces: &[S], first: usize) -> Result<(), Box<dyn Error>> {
-    fs::create_dir_all(folder)?;
     let surfaces = &surfaces[..first.min(surfaces.len())];
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build()?;
     let rows: Vec<Result<String, String>> = pool.install(|| {
         let work = |(index, surface): (usize, &S)| {
-            kept(folder, index, || measure::surface(index, surface)).map_err(|e| e.to_string())
+            kept(folder, &format!("{index:03}"), || measure::surface(index, surface))
+                .map_err(|e| e.to_string())
         };
         surfaces.par_iter().enumerate().with_max_len(1).map(work).collect()
     });
@@ -76,30 +76,12 @@ fn study<S: Surface>(folder: &Path, surfaces: &[S], first: usize) -> Result<(), 
     Ok(())
 }
 
-/// The rows in the file of this number, made if there is none.
-fn kept(
-    folder: &Path,
-    index: usize,
-    make: impl FnOnce() -> Result<String, Box<dyn Error>>,
-) -> Result<String, Box<dyn Error>> {
-    let file = folder.join(format!("{index:03}.csv"));
-    if !file.exists() {
-        let rows = make()?;
-        // Written whole or not at all, so that a stopped run never leaves half a surface.
-        let part = file.with_extension("part");
-        fs::write(&part, rows)?;
-        fs::rename(&part, &file)?;
-    }
-    Ok(fs::read_to_string(&file)?)
-}
-
 /// All realisations of all families, one file per family.
 fn sample(folder: &Path) -> Result<(), Box<dyn Error>> {
-    fs::create_dir_all(folder)?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build()?;
     println!("{}", realisations::header());
     for family in 0..families::FAMILIES.len() {
-        let rows = kept(folder, family, || {
+        let rows = kept(folder, &format!("{family:03}"), || {
             let one = |seed| realisations::realisation(family, seed).map_err(|e| e.to_string());
             let all: Result<Vec<String>, String> =
                 pool.install(|| (0..realisations::REALISATIONS).into_par_iter().map(one).collect());

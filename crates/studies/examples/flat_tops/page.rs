@@ -1,12 +1,11 @@
 //! The tables of the book: how often the intervals of each family held, and how wide they are.
 
-use crate::fresh::FRESH;
-use crate::tuning::TUNING;
 use contact_accuracy::median;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
+use studies::rows::Families;
 
 /// A row of the table by the names of its columns.
 struct Row {
@@ -40,24 +39,17 @@ const COLUMNS: usize = 17;
 const CLASSES: [[f64; 2]; 4] = [[0.0, 0.002], [0.002, 0.03], [0.03, 0.2], [0.2, 2.0]];
 
 /// Writes flat-tops.md into `folder`.
-pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
+pub(crate) fn write(table: &Path, folder: &Path, families: Families) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
     let rows = read(&fs::read_to_string(table)?)?;
     let mut page = String::new();
-    let kind = |row: &Row| {
-        if FRESH.contains(&row.family.as_str()) {
-            0
-        } else {
-            1 + usize::from(TUNING.contains(&row.family.as_str()))
-        }
-    };
     let titles = [
         "Families that took no part in anything",
         "Families that took no part in the first rule",
         "Families that the constants were fixed on",
     ];
     for (place, title) in titles.into_iter().enumerate() {
-        let rows: Vec<&Row> = rows.iter().filter(|r| kind(r) == place).collect();
+        let rows: Vec<&Row> = rows.iter().filter(|r| families.place(&r.family) == place).collect();
         if rows.is_empty() {
             continue;
         }

@@ -12,9 +12,9 @@ mod page;
 
 use clap::Parser;
 use std::error::Error;
-use std::fs;
 use std::path::PathBuf;
 use studies::light_load::{HEADER, Row};
+use studies::rows::kept;
 
 /// Real area against load from light load to full contact: solves what is missing and prints all
 /// rows as CSV
@@ -32,20 +32,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     if let Some(table) = page {
         return page::write(&table, &folder);
     }
-    fs::create_dir_all(&folder)?;
     println!("{HEADER}");
     let cases = measure::cases();
     for (index, case) in cases.iter().enumerate() {
-        let file = folder.join(format!("{index:03}.csv"));
-        if !file.exists() {
-            let text: String = case.solve()?.iter().map(|row: &Row| row.line() + "\n").collect();
-            // Written whole or not at all, so that a stopped run never leaves half a map.
-            let part = file.with_extension("part");
-            fs::write(&part, text)?;
-            fs::rename(&part, &file)?;
+        let rows = kept(&folder, &format!("{index:03}"), || {
             eprintln!("{} of {}: {case:?}", index + 1, cases.len());
-        }
-        print!("{}", fs::read_to_string(&file)?);
+            Ok(case.solve()?.iter().map(|row: &Row| row.line() + "\n").collect())
+        })?;
+        print!("{rows}");
     }
     Ok(())
 }

@@ -1,10 +1,9 @@
 //! What the families of this study are made with: fields whose strength differs from map to map as
 //! it does from place to place, crops of larger maps, and marks strewn at random.
 
-use contact_types::Grid;
 use std::f64::consts::TAU;
-use studies::maps::{Draw, Heights};
-use surface_stats::synthesis::{Scale, SelfAffine};
+use studies::maps::{Draw, Heights, self_affine};
+use surface_stats::synthesis::Scale;
 
 /// A field of 0.1 rms gradient expected over its family, heights in points: a map has what it has.
 pub(crate) fn field(d: &Draw, [hurst, cutoff, rolloff]: [f64; 3], salt: u64) -> Heights {
@@ -19,16 +18,8 @@ pub(crate) fn wide(
     stretch: f64,
     salt: u64,
 ) -> Heights {
-    let recipe = SelfAffine {
-        grid: Grid::new([n, n], [1.0 / stretch, 1.0])?,
-        hurst,
-        rolloff,
-        cutoff,
-        scale: Scale::ExpectedRmsGradient(0.1),
-        seed: d.seed + 100_000 * salt,
-        quantise: None,
-    };
-    Ok(recipe.generate()?.into_heights())
+    let scale = Scale::ExpectedRmsGradient(0.1);
+    self_affine(n, [hurst, cutoff, rolloff], stretch, scale, d.seed + 100_000 * salt)
 }
 
 /// The corner of a field on four times the points along each side, whose roll-off wavelength is the

@@ -1,12 +1,11 @@
 //! The tables of the book: how often the intervals of each family held its mean, and how wide they are.
 
-use crate::fresh::FRESH;
-use crate::tuning::TUNING;
 use contact_accuracy::median;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
+use studies::rows::Families;
 
 /// A row of the table.
 struct Row {
@@ -26,24 +25,17 @@ struct Coverage {
 }
 
 /// Writes sample.md into `folder`.
-pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
+pub(crate) fn write(table: &Path, folder: &Path, families: Families) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
     let rows = read(&fs::read_to_string(table)?)?;
     let mut page = String::new();
-    let kind = |row: &Row| {
-        if FRESH.contains(&row.family.as_str()) {
-            0
-        } else {
-            1 + usize::from(TUNING.contains(&row.family.as_str()))
-        }
-    };
     let titles = [
         "Families that took no part",
         "Families that were judged first, before two things were changed",
         "Families that the constants were fixed on",
     ];
     for (place, title) in titles.into_iter().enumerate() {
-        let of = |row: &&Row| kind(row) == place;
+        let of = |row: &&Row| families.place(&row.family) == place;
         let rows: Vec<&Row> = rows.iter().filter(of).collect();
         if !rows.is_empty() {
             tables(&mut page, title, &rows);

@@ -14,8 +14,8 @@ mod page;
 use clap::Parser;
 use compare::survey::{Row, header};
 use std::error::Error;
-use std::fs;
 use std::path::PathBuf;
+use studies::rows::kept;
 
 /// Every closed form against the deterministic answer on an ensemble of surfaces: works through
 /// what is left of it and prints all rows as CSV
@@ -38,21 +38,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let recipes = ensemble::recipes();
     let first = first.unwrap_or(recipes.len());
-    fs::create_dir_all(&folder)?;
     let labels: Vec<&str> = measure::models().iter().map(|m| m.name.as_ref()).collect();
     println!("{}", header(&labels));
     for (index, recipe) in recipes.iter().enumerate().take(first) {
-        let file = folder.join(format!("{index:03}.csv"));
-        if !file.exists() {
-            let rows = measure::surface(index, recipe)?;
-            let text: String = rows.iter().map(|row: &Row| row.line() + "\n").collect();
-            // Written whole or not at all, so that a stopped run never leaves half a surface.
-            let part = file.with_extension("part");
-            fs::write(&part, text)?;
-            fs::rename(&part, &file)?;
+        let rows = kept(&folder, &format!("{index:03}"), || {
             eprintln!("{} of {first}: {recipe:?}", index + 1);
-        }
-        print!("{}", fs::read_to_string(&file)?);
+            let rows = measure::surface(index, recipe)?;
+            Ok(rows.iter().map(|row: &Row| row.line() + "\n").collect())
+        })?;
+        print!("{rows}");
     }
     Ok(())
 }
