@@ -3,7 +3,7 @@
 use crate::error::ReportError;
 use crate::provenance::Provenance;
 use crate::words;
-use crate::words::finding::finding;
+use crate::words::finding::{Worded, finding, warning as warning_words};
 use crate::words::plan as plan_words;
 use compare::{
     Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
@@ -13,8 +13,8 @@ use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, ModelError};
 use serde_json::{Value, json};
 use std::io::Write;
-use surface_stats::SurfaceStatistics;
 use surface_stats::clean::{FormParameters, Record};
+use surface_stats::{SurfaceStatistics, Warning};
 
 /// Writes the results.
 ///
@@ -298,10 +298,15 @@ fn form(parameters: FormParameters) -> Value {
     }
 }
 
+/// A warning of the statistics, in the words of the page.
+pub(crate) fn warned(warning: &Warning) -> Value {
+    let Worded { claim, text } = warning_words(warning);
+    json!({ "kind": warning.kind(), "message": format!("{claim} {text}") })
+}
+
 /// Statistics with the keys of `stats --json`.
 pub fn statistics(s: &SurfaceStatistics) -> Value {
-    let warnings: Vec<Value> =
-        s.warnings.iter().map(|w| json!({ "kind": w.kind(), "message": w.to_string() })).collect();
+    let warnings: Vec<Value> = s.warnings.iter().map(warned).collect();
     json!({
         "shape": s.shape,
         "pixel": s.pixel,

@@ -43,7 +43,7 @@ pub use profile_json::{
     unevenness as unevenness_json,
 };
 pub use provenance::Provenance;
-pub use words::finding::{Worded, finding};
+pub use words::finding::{Worded, finding, warning};
 pub use words::headline_line;
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};
 pub use words::profile::profile_headline;

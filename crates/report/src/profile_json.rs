@@ -1,6 +1,6 @@
 //! Profiles as JSON: SI units, absent numbers `null`.
 
-use crate::json::{cleaning, findings};
+use crate::json::{cleaning, findings, warned};
 use crate::provenance::Provenance;
 use crate::words::reason_of;
 use compare::{ProfileComparison, ProfileModel, Unevenness};
@@ -41,8 +41,7 @@ pub fn unevenness(uneven: Option<Unevenness>) -> Value {
 
 /// Statistics of profiles, with the keys of `stats --json` for a profile.
 pub fn profile_statistics(s: &ProfileStatistics) -> Value {
-    let warnings: Vec<Value> =
-        s.warnings.iter().map(|w| json!({ "kind": w.kind(), "message": w.to_string() })).collect();
+    let warnings: Vec<Value> = s.warnings.iter().map(warned).collect();
     let roughness = match (&s.roughness, s.roughness_mean()) {
         (Ok(all), Some(mean)) => json!({
             "setting": setting(&all[0].setting),

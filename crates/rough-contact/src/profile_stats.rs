@@ -3,6 +3,7 @@
 use crate::outcome::{Failure, Reply};
 use crate::profiles::{Traces, uneven_line};
 use crate::text::{self, Columns, Table};
+use report::Worded;
 use std::fmt::Write as _;
 use std::path::Path;
 use surface_stats::profile::{ProfileOptions, ProfileStatistics};
@@ -98,7 +99,8 @@ fn describe(s: &ProfileStatistics, missing: usize) -> String {
         let _ = write!(out, "\n{columns}");
     }
     for warning in &s.warnings {
-        let _ = writeln!(out, "warning: {warning}");
+        let Worded { claim, text, .. } = report::warning(warning);
+        let _ = writeln!(out, "warning: {claim} {text}");
     }
     out
 }

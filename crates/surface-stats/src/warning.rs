@@ -1,10 +1,9 @@
 //! What must be known before the numbers are put into a contact model.
 
-use std::fmt;
-
 /// An assumption of the models that this surface strains, or an input that is not the surface's.
+///
+/// The words are those of who shows it; this project's stand in the crate `contact-report`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Warning {
     /// The map is flat: it has no roughness.
@@ -116,110 +115,6 @@ impl Warning {
             Self::NoRolloff => "no-rolloff",
             Self::FewWaves { .. } => "few-waves",
             Self::NotSelfAffine { .. } => "not-self-affine",
-        }
-    }
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Flat => write!(f, "the map is flat: it has no roughness to model"),
-            Self::Rounding { rms_height, spacing } => write!(
-                f,
-                "the rms height of {rms_height:.1e} m is the rounding of the heights given, which \
-                 are stored to {spacing:.1e} m: the map is flat"
-            ),
-            Self::Tilted { explained } => write!(
-                f,
-                "a plane explains {:.0} % of the height variance: level the map (plane) unless the \
-                 tilt belongs to the contact",
-                100.0 * explained
-            ),
-            Self::RowsJump { jump, share } => write!(
-                f,
-                "rows jump by {jump:.1e} m rms, {:.0} % of the mean square difference between rows: \
-                 put them in line before anything is made of slopes across them",
-                100.0 * share
-            ),
-            Self::Anisotropic { ratio } if ratio > 1e6 => write!(
-                f,
-                "one direction has no slope: the closed forms assume an isotropic surface, this one \
-                 is a set of parallel ridges"
-            ),
-            Self::Anisotropic { ratio } => write!(
-                f,
-                "mean square slopes differ by a factor of {ratio:.1} between directions (limit 2): \
-                 the closed forms assume an isotropic surface"
-            ),
-            Self::NotGaussian { skewness, kurtosis } => write!(
-                f,
-                "skewness {skewness:.2} and kurtosis {kurtosis:.2} are not those of Gaussian heights \
-                 (0 \u{b1} 0.2 and 3 \u{b1} 0.3): the statistical models assume them"
-            ),
-            Self::NarrowBand { bandwidth } => write!(
-                f,
-                "bandwidth m0 m4 / m2\u{b2} = {bandwidth:.2} is below 1.5, the least of any isotropic \
-                 Gaussian surface: summit models do not apply"
-            ),
-            Self::Unresolved { ratio } => write!(
-                f,
-                "finite differences see {:.0} % of the rms gradient of the spectrum: the shortest \
-                 waves are close to two pixels, and m2, m4 and everything made of them depend on \
-                 the pixel size",
-                100.0 * ratio
-            ),
-            Self::Stepped { step, m2_share, m4_share } => write!(
-                f,
-                "height steps of {:.3} nm make about {:.0} % of m2 and {:.0} % of m4: asperity \
-                 density, radius and every model made of them describe the instrument; remove \
-                 wavelengths below some pixels or measure with finer steps",
-                1e9 * step,
-                100.0 * m2_share,
-                100.0 * m4_share
-            ),
-            Self::Noisy { rms, m2_share, m4_share, reliable } => {
-                write!(
-                    f,
-                    "white noise of {:.2} nm rms makes about {:.0} % of m2 and {:.0} % of m4: ",
-                    1e9 * rms,
-                    100.0 * m2_share,
-                    100.0 * m4_share
-                )?;
-                match reliable {
-                    Some(wavelength) => write!(
-                        f,
-                        "waves shorter than {:.3} \u{b5}m cannot be told from it; filter them out \
-                         before using a model",
-                        1e6 * wavelength
-                    ),
-                    None => write!(f, "the spectrum is flat, nothing stands out of it"),
-                }
-            }
-            Self::FlatTops { plateaus, summits } => write!(
-                f,
-                "{plateaus} flat tops beside {summits} summits: height steps hide summits, and the \
-                 count depends on the step"
-            ),
-            Self::EdgeJump { ratio } => write!(
-                f,
-                "heights jump between opposite edges {ratio:.0} times as much as between \
-                 neighbours: the map does not repeat, and its spectral moments contain the jump"
-            ),
-            Self::NoRolloff => write!(
-                f,
-                "no roll-off within the map: its longest waves are not sampled, and rms height and \
-                 everything made of it grow with the size of the map"
-            ),
-            Self::FewWaves { count } => write!(
-                f,
-                "only {count:.1} of the longest waves fit along the shorter side: another map of \
-                 the same surface will give other numbers"
-            ),
-            Self::NotSelfAffine { hurst } => write!(
-                f,
-                "the spectrum fits a Hurst exponent of {hurst:.2}, not one between 0 and 1: fractal \
-                 parameters have no meaning over this range of wavelengths"
-            ),
         }
     }
 }

@@ -88,8 +88,10 @@ fn all_finite(m: &HeightMap) -> SurfaceStatistics {
                 assert!(x.is_finite(), "number {i} is {x} ({edges}, {level})");
             }
             for warning in &s.warnings {
-                let text = warning.to_string();
-                assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+                // Of parallel ridges one direction has no slope: a ratio without end.
+                let endless = matches!(warning, Warning::Anisotropic { .. });
+                let text = format!("{warning:?}");
+                assert!(!text.contains("NaN") && (endless || !text.contains("inf")), "{text}");
             }
             last = Some(s);
         }

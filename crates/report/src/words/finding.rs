@@ -260,7 +260,8 @@ fn no_bar(reason: NoAreaInterval) -> String {
     )
 }
 
-fn warning(warning: &Warning) -> Worded {
+/// The words of what statistics warn of.
+pub fn warning(warning: &Warning) -> Worded {
     let ratio = |x: f64| significant(x, 2);
     match *warning {
         Warning::Rounding { rms_height, spacing } => worded(
@@ -364,7 +365,6 @@ fn warning(warning: &Warning) -> Worded {
             "A self-affine surface has more than 0 and less than 1: over this range this is none, \
              and fractal parameters have no meaning.",
         ),
-        ref other => worded("", other.to_string()),
     }
 }
 
@@ -414,6 +414,14 @@ mod tests {
         assert_eq!(outside_unit(1.003), "1.003");
         assert_eq!(outside_unit(1.27), "1.3");
         assert_eq!(outside_unit(-0.2), "\u{2212}0.20");
+    }
+
+    #[test]
+    fn a_ratio_without_end_is_not_printed() {
+        for ratio in [3.0, 1e7, f64::INFINITY] {
+            let Worded { claim, text } = warning(&Warning::Anisotropic { ratio });
+            assert!(claim.contains("lay") && !(claim + &text).contains("inf"), "{ratio}");
+        }
     }
 
     #[test]
