@@ -19,6 +19,7 @@ mod profile_csv;
 mod profile_json;
 mod provenance;
 mod sources;
+mod table_csv;
 mod words;
 
 pub use compare; // whose results are written here
@@ -43,6 +44,7 @@ pub use profile_json::{
     unevenness as unevenness_json,
 };
 pub use provenance::Provenance;
+pub use table_csv::write as write_table_csv;
 pub use words::finding::{Worded, finding, warning};
 pub use words::headline_line;
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};

@@ -43,7 +43,7 @@ fn threads(text: &str) -> Result<usize, String> {
 }
 
 /// The elastic constants.
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 pub(crate) struct Bodies {
     /// Contact modulus E*, 1/E* = sum of (1 - nu^2)/E over both bodies
     #[arg(long, value_name = "E", value_parser = pressure, allow_hyphen_values = true)]

@@ -1,30 +1,60 @@
 //! `rough-contact info`: what a surface file holds.
 
 use crate::args::Common;
+use crate::batch::{self, PerFile};
+use crate::files::Files;
 use crate::input::Reading;
 use crate::needs;
 use crate::outcome::{Failure, Reply};
+use crate::rows::{How, Shown};
 use crate::text::{self, Table};
 use clap::Args;
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use surface_io::{FORMATS, Measurement, Need};
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 pub(crate) struct Info {
-    /// Surface file; recognised by its content
-    #[arg(value_name = "FILE", required_unless_present = "list")]
-    file: Option<PathBuf>,
+    #[command(flatten)]
+    files: Files,
+    /// The one that is answered for.
+    #[arg(skip)]
+    file: PathBuf,
     /// The formats that can be read
-    #[arg(long, conflicts_with = "file")]
+    #[arg(long, conflicts_with_all = ["paths", "out", "resume"])]
     list: bool,
     #[command(flatten)]
     reading: Reading,
 }
 
 impl Info {
-    pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
-        let Some(file) = &self.file else { return Ok(formats()) };
+    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+        if self.list { Ok(formats()) } else { batch::run(self, common) }
+    }
+}
+
+impl PerFile for Info {
+    const NAME: &'static str = "info";
+    const SHOWN: &'static [Shown] = &[
+        Shown { head: "format", at: &["/format"], how: How::Word },
+        Shown { head: "points", at: &["/shape"], how: How::Shape },
+        Shown { head: "pixel", at: &["/pixel/1"], how: How::Length },
+        Shown { head: "missing", at: &["/missing"], how: How::Count },
+        Shown { head: "lowest", at: &["/height_min"], how: How::Length },
+        Shown { head: "highest", at: &["/height_max"], how: How::Length },
+        Shown { head: "channel", at: &["/channel"], how: How::Word },
+    ];
+
+    fn files(&self) -> &Files {
+        &self.files
+    }
+
+    fn on(&self, file: &Path) -> Self {
+        Self { file: file.to_owned(), ..self.clone() }
+    }
+
+    fn answer(&self, _: &Common) -> Result<Reply, Failure> {
+        let file = &self.file;
         match self.reading.measurement(file) {
             Ok(measurement) => Ok(Reply::new(describe(&measurement), object(&measurement))),
             Err(failure) => match self.reading.raw(file) {

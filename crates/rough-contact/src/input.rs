@@ -2,6 +2,7 @@
 
 use crate::args;
 use crate::cleaning::{self, CleaningOptions};
+use crate::files::Files;
 use crate::needs;
 use crate::outcome::{self, Failure};
 use crate::profiles::Traces;
@@ -263,11 +264,13 @@ fn refuse_line(path: &Path, measurement: &Measurement) -> Result<(), Failure> {
     Err(Failure::refused("profile", message))
 }
 
-/// One file and how to read it.
+/// Files and how to read them.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Input {
-    /// Surface file; recognised by its content
-    #[arg(value_name = "FILE")]
+    #[command(flatten)]
+    pub(crate) files: Files,
+    /// The one that is answered for.
+    #[arg(skip)]
     pub(crate) file: PathBuf,
     #[command(flatten)]
     pub(crate) reading: Reading,
@@ -276,6 +279,11 @@ pub(crate) struct Input {
 }
 
 impl Input {
+    /// The same with one file only.
+    pub(crate) fn on(&self, file: &Path) -> Self {
+        Self { file: file.to_owned(), ..self.clone() }
+    }
+
     /// The surface, complete, or the traces of one.
     pub(crate) fn measured(&self) -> Result<Measured, Failure> {
         self.reading.measured(&self.file, self.cleaning.asked())

@@ -3,9 +3,11 @@
 //! be written) or 2 (refused).
 
 mod args;
+mod batch;
 mod cleaning;
 mod compare;
 mod compare_profiles;
+mod files;
 mod given;
 mod info;
 mod input;
@@ -22,6 +24,7 @@ mod profiles;
 mod progress;
 mod quantity;
 mod roughness;
+mod rows;
 mod solve;
 mod stats;
 mod synth;

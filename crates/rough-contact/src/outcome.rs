@@ -93,8 +93,28 @@ impl Failure {
         Self { kind, message, status: self.status.max(other.status) }
     }
 
-    fn json(&self) -> Value {
+    /// For scripts.
+    pub(crate) fn json(&self) -> Value {
         json!({ "kind": self.kind, "message": self.message })
+    }
+
+    /// The whole of it, as [`Failure::of_json`] reads it.
+    pub(crate) fn json_with_status(&self) -> Value {
+        json!({ "kind": self.kind, "message": self.message, "status": self.status })
+    }
+
+    /// What was written by [`Failure::json_with_status`].
+    pub(crate) fn of_json(value: &Value) -> Option<Self> {
+        Some(Self {
+            kind: value.get("kind")?.as_str()?.to_owned(),
+            message: value.get("message")?.as_str()?.to_owned(),
+            status: value.get("status")?.as_u64()?.try_into().ok()?,
+        })
+    }
+
+    /// What, the value, the limit, the way out.
+    pub(crate) fn message(&self) -> &str {
+        &self.message
     }
 }
 

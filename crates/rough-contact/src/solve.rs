@@ -1,6 +1,8 @@
 //! `rough-contact solve`: the deterministic solution.
 
 use crate::args::{self, Bodies, Common, List};
+use crate::batch::{self, PerFile};
+use crate::files::{Files, folder_name};
 use crate::input::{Complete, Input, Measured};
 use crate::intervals::{Errors, Finest, Refined, under};
 use crate::loads::{positive, rising, shown};
@@ -9,6 +11,7 @@ use crate::output::Folder;
 use crate::planned;
 use crate::profiles::Traces;
 use crate::progress::Progress;
+use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use crate::work::{Work, map_names};
 use clap::Args;
@@ -22,12 +25,12 @@ use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};
 use serde_json::json;
 use std::borrow::Cow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use surface_stats::clean::row_offsets;
 use surface_stats::profile::{Trace, moments};
 use surface_stats::{DirectionalMoments, HeightStatistics};
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "one for each flag of the command")]
 pub(crate) struct Solve {
     #[command(flatten)]
@@ -99,6 +102,49 @@ const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mea
 
 impl Solve {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+        batch::run(self, common)
+    }
+}
+
+impl PerFile for Solve {
+    const NAME: &'static str = "solve";
+    const SHOWN: &'static [Shown] = &[
+        Shown { head: "points", at: &["/shape"], how: How::Shape },
+        Shown { head: "mean pressure", at: &["/points/*/mean_pressure"], how: How::Pressure },
+        Shown {
+            head: "area",
+            at: &["/points/*/area_fraction_corrected", "/points/*/area_fraction"],
+            how: How::Percent,
+        },
+        Shown { head: "mean gap", at: &["/points/*/mean_gap"], how: How::Length },
+        Shown {
+            head: "real pressure",
+            at: &["/points/*/real_pressure_corrected"],
+            how: How::Pressure,
+        },
+        Shown { head: "time", at: &["/points/*/seconds"], how: How::Seconds },
+        Shown { head: "to check", at: &["/findings"], how: How::Checks },
+    ];
+
+    fn files(&self) -> &Files {
+        &self.input.files
+    }
+
+    /// Maps of several files are kept apart in folders with the names of the files.
+    fn on(&self, file: &Path) -> Self {
+        let only = self.input.files.only().is_some();
+        let apart = |maps: &PathBuf| if only { maps.clone() } else { maps.join(folder_name(file)) };
+        let maps = self.maps.as_ref().map(apart);
+        Self { input: self.input.on(file), maps, ..self.clone() }
+    }
+
+    fn is_complete(&self, file: &Path) -> bool {
+        let loads = self.loads().map_or(0, |loads| loads.len());
+        let all = |maps: &PathBuf| map_names(loads).iter().all(|name| maps.join(name).exists());
+        self.on(file).maps.as_ref().is_none_or(all)
+    }
+
+    fn answer(&self, common: &Common) -> Result<Reply, Failure> {
         let modulus = self.bodies.required()?;
         let loads = self.loads()?;
         let boundary = match self.boundary.as_str() {
@@ -197,7 +243,9 @@ impl Solve {
         solved.spike_share = work.spike_share;
         Ok(self.reply(work, modulus.pascals(), &notes, &solved))
     }
+}
 
+impl Solve {
     /// The map, or the one trace that is to be solved in plane strain.
     fn section(&self) -> Result<Complete, Failure> {
         let path = &self.input.file;

@@ -1,17 +1,21 @@
 //! `rough-contact stats`: roughness statistics, each with its unit.
 
 use crate::args::{self, Common};
+use crate::batch::{self, PerFile};
+use crate::files::Files;
 use crate::input::{Complete, Input, Measured};
 use crate::iso::Iso;
 use crate::outcome::{Failure, Reply};
 use crate::profile_stats;
 use crate::roughness::Edges;
+use crate::rows::{How, Shown};
 use crate::text::{self, Table};
 use clap::Args;
 use compare::{Level, Spikes};
+use std::path::Path;
 use surface_stats::{StatsOptions, SurfaceStatistics, level};
 
-#[derive(Args)]
+#[derive(Args, Clone, Debug)]
 pub(crate) struct Stats {
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
@@ -27,7 +31,35 @@ pub(crate) struct Stats {
 }
 
 impl Stats {
-    pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
+    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+        batch::run(self, common)
+    }
+}
+
+impl PerFile for Stats {
+    const NAME: &'static str = "stats";
+    const SHOWN: &'static [Shown] = &[
+        Shown { head: "points", at: &["/shape"], how: How::Shape },
+        Shown { head: "traces", at: &["/traces"], how: How::Count },
+        Shown { head: "pixel", at: &["/pixel/1", "/spacing"], how: How::Length },
+        Shown { head: "Sq, Pq", at: &["/rms_height", "/primary/Pq/mean"], how: How::Length },
+        Shown { head: "skewness", at: &["/skewness"], how: How::Number },
+        Shown { head: "kurtosis", at: &["/kurtosis"], how: How::Number },
+        Shown { head: "rms gradient", at: &["/rms_gradient"], how: How::Number },
+        Shown { head: "H", at: &["/hurst"], how: How::Number },
+        Shown { head: "filled", at: &["/missing"], how: How::Count },
+        Shown { head: "to check", at: &["/findings"], how: How::Checks },
+    ];
+
+    fn files(&self) -> &Files {
+        &self.input.files
+    }
+
+    fn on(&self, file: &Path) -> Self {
+        Self { input: self.input.on(file), ..self.clone() }
+    }
+
+    fn answer(&self, _: &Common) -> Result<Reply, Failure> {
         let Complete { map, missing, cleaned, height_step, .. } = match self.input.measured()? {
             Measured::Surface(complete) => complete,
             Measured::Profile(traces) => {
@@ -57,7 +89,9 @@ impl Stats {
         }
         Ok(Reply::new(text, json))
     }
+}
 
+impl Stats {
     fn describe(&self, s: &SurfaceStatistics) -> String {
         let absent = || "–".to_owned();
         let length = |x: Option<f64>| x.map_or_else(absent, text::length);

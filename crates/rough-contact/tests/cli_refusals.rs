@@ -19,9 +19,10 @@ fn files_that_are_no_surface() {
     file(at, "nan.txt", "nan nan nan nan\nnan nan nan nan\nnan nan nan nan\n");
     file(at, "inf.txt", "1 2 3 4\n5 inf 7 8\n9 1 2 3\n");
     matrix(at, "row.txt", 1, 8, wavy);
+    std::fs::create_dir(at.join("nothing")).expect("an empty folder");
     for command in ["info", "stats", "solve --modulus 1GPa --pressure 1MPa"] {
         refused(at, &format!("{command} missing.txt"), 2, &["missing.txt"]);
-        refused(at, &format!("{command} ."), 2, &["directory"]);
+        refused(at, &format!("{command} nothing"), 2, &["nothing", "no surface file"]);
         refused(at, &format!("{command} empty.txt"), 2, &["empty.txt", "empty"]);
         refused(at, &format!("{command} noise.bin"), 2, &["noise.bin"]);
         refused(at, &format!("{command} inf.txt {SCALES}"), 2, &["inf"]);

@@ -1,0 +1,166 @@
+//! A table of JSON objects as CSV: one row each, one column for every number, word or truth that one of
+//! them has, with its unit in the header.
+
+use crate::csv::{cell, quoted};
+use serde_json::Value;
+use std::io::{self, Write};
+
+/// Keys whose values are lists of text for people, or too long for a row.
+const LEFT_OUT: [&str; 5] = ["metadata", "channels", "cleaning", "error", "distributions"];
+
+/// Units of the keys of results; what is not here has none. SI throughout.
+const UNITS: &[(&str, &str)] = &[
+    (
+        "m",
+        "pixel height_min height_max height_mean rms_height mean_abs_height peak_height pit_depth \
+           radius height_std mean_offset height_mean roughness rolloff cutoff record_length height_step \
+           noise_rms reliable_wavelength fractal_range mean_gap mean_gap_interval \
+           mean_gap_prediction_interval approach spacing length s_filter l_filter fractal_roughness",
+    ),
+    ("m^2", "m0 m0_spectral m0_interval median_spot_area largest_spot_area"),
+    ("m^-2", "m4 m4_x m4_y m4_spectral m4_interval density"),
+    ("m^-1", "curvature_mean"),
+    (
+        "Pa",
+        "modulus mean_pressure mean_pressure_interval mean_pressure_prediction_interval max_pressure \
+            real_pressure real_pressure_corrected real_pressure_interval \
+            real_pressure_prediction_interval hardness",
+    ),
+    ("Pa/m", "stiffness stiffness_interval stiffness_prediction_interval"),
+    ("J/m^2", "duality_gap"),
+    ("s", "seconds"),
+];
+
+/// Writes the table. The first column is `file`, the last is `why`, empty where nothing is wrong.
+///
+/// # Errors
+/// Whatever the writer reports.
+pub fn write<'a>(
+    rows: impl Iterator<Item = (String, Option<&'a Value>, Option<String>)> + Clone,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let mut heads: Vec<String> = Vec::new();
+    for (_, object, _) in rows.clone() {
+        for (head, _) in object.map(flat).unwrap_or_default() {
+            if !heads.contains(&head) {
+                heads.push(head);
+            }
+        }
+    }
+    let with_units: Vec<String> = heads.iter().map(|head| quoted(&with_unit(head))).collect();
+    let comma = if heads.is_empty() { "" } else { "," };
+    writeln!(out, "file{comma}{},why", with_units.join(","))?;
+    for (file, object, why) in rows {
+        let cells = object.map(flat).unwrap_or_default();
+        let value = |head: &String| {
+            let found = cells.iter().find(|(name, _)| name == head);
+            found.map_or(String::new(), |(_, value)| value.clone())
+        };
+        let values: Vec<String> = heads.iter().map(value).collect();
+        let why = quoted(&why.unwrap_or_default().replace('\n', "; "));
+        writeln!(out, "{}{comma}{},{why}", quoted(&file), values.join(","))?;
+    }
+    Ok(())
+}
+
+/// `mean_gap_interval.0 (m)`.
+fn with_unit(head: &str) -> String {
+    let words =
+        || head.split(['.', '[', ']']).filter(|w| w.parse::<usize>().is_err() && !w.is_empty());
+    let name = words().next_back().unwrap_or_default();
+    let unit = UNITS.iter().find(|(_, names)| names.split_whitespace().any(|n| n == name));
+    unit.map_or_else(|| head.to_owned(), |(unit, _)| format!("{head} ({unit})"))
+}
+
+/// The numbers, words and truths of an object, with the way to them as their name.
+fn flat(object: &Value) -> Vec<(String, String)> {
+    let mut cells = Vec::new();
+    if let Value::Object(fields) = object {
+        for (key, value) in fields.iter().filter(|(key, _)| !LEFT_OUT.contains(&key.as_str())) {
+            push(key.clone(), value, &mut cells);
+        }
+    }
+    cells
+}
+
+fn push(name: String, value: &Value, cells: &mut Vec<(String, String)>) {
+    match value {
+        // A column of its own only where another row has something there.
+        Value::Null => {}
+        Value::Bool(truth) => cells.push((name, truth.to_string())),
+        Value::Number(number) => cells.push((name, cell(number.as_f64()))),
+        Value::String(text) => cells.push((name, quoted(text))),
+        Value::Object(_) => {
+            cells
+                .extend(flat(value).into_iter().map(|(key, cell)| (format!("{name}.{key}"), cell)));
+        }
+        Value::Array(items) if name == "findings" || name == "warnings" => {
+            cells.push((name, items.iter().filter(|f| is_open(f)).count().to_string()));
+        }
+        // The loads of a solution, numbered where there are several.
+        Value::Array(items) if name == "points" => {
+            for (i, item) in items.iter().enumerate() {
+                let number = if items.len() > 1 { format!("[{}]", i + 1) } else { String::new() };
+                cells.extend(flat(item).into_iter().map(|(key, cell)| (key + &number, cell)));
+            }
+        }
+        Value::Array(items) => {
+            let scalar = |v: &Value| v.is_number() || v.is_string() || v.is_null();
+            if items.len() <= 4 && items.iter().all(scalar) {
+                for (i, item) in items.iter().enumerate() {
+                    push(format!("{name}.{i}"), item, cells);
+                }
+            }
+        }
+    }
+}
+
+/// A finding that is not only something that was looked at and found well.
+fn is_open(finding: &Value) -> bool {
+    finding.get("weight").is_none_or(|weight| weight != "passed")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn one_row_each_with_units_and_reasons() {
+        let map = json!({
+            "shape": [4, 5], "rms_height": 1e-7, "method": "chord", "findings": [{ "weight": "check" }, { "weight": "passed" }],
+            "asperities": { "radius": 2e-6 },
+            "points": [{ "mean_gap": 1e-8, "residuals": { "x": 0.5 } }, { "mean_gap": null }],
+        });
+        let other = json!({ "rms_height": 0.25, "points": [{ "converged": true }] });
+        let rows = [
+            ("a, b".to_owned(), Some(&map), None),
+            ("c".to_owned(), None, Some("no\n\"file\"".to_owned())),
+            ("d".to_owned(), Some(&other), None),
+        ];
+        let mut out = Vec::new();
+        write(rows.into_iter(), &mut out).unwrap();
+        let text = String::from_utf8(out).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        let head: Vec<&str> = lines[0].split(',').collect();
+        assert_eq!(head.first().zip(head.last()), Some((&"file", &"why")));
+        for name in [
+            "shape.0",
+            "rms_height (m)",
+            "asperities.radius (m)",
+            "mean_gap[1] (m)",
+            "residuals.x[1]",
+        ] {
+            assert!(head.contains(&name), "{name} in {head:?}");
+        }
+        let at = |name: &str| head.iter().position(|h| *h == name).unwrap();
+        let last: Vec<&str> = lines[3].split(',').collect();
+        assert_eq!(
+            (last[at("rms_height (m)")], last[at("converged")], last[at("shape.0")]),
+            ("0.25", "true", "")
+        );
+        assert!(lines[1].starts_with("\"a, b\",") && lines[1].contains(",1,"), "{}", lines[1]);
+        assert!(lines[2].ends_with("\"no; \"\"file\"\"\""), "{}", lines[2]);
+        assert!(lines.iter().skip(2).all(|l| l.matches(',').count() == head.len() - 1), "{text}");
+    }
+}

@@ -1,0 +1,300 @@
+//! One command over many files: every file by itself, nothing aborted, answers kept as they come.
+
+use crate::args::Common;
+use crate::files::{Files, Kept, expand};
+use crate::outcome::{Failure, Reply};
+use crate::output::{self, Folder};
+use crate::progress::Progress;
+use crate::rows::{self, Outcome, Shown};
+use compare::sha256_hex;
+use serde_json::{Value, json};
+use std::fmt::{Debug, Write as _};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError, RwLock};
+
+/// Files up to this size are answered side by side, one thread each; larger ones alone, with all
+/// threads. Answers do not depend on it.
+const SMALL: u64 = 4 << 20;
+
+/// A command that answers for one file at a time.
+pub(crate) trait PerFile: Clone + Debug + Sync {
+    /// Its name.
+    const NAME: &'static str;
+    /// The columns of its table on a terminal.
+    const SHOWN: &'static [Shown];
+
+    /// The files it was given.
+    fn files(&self) -> &Files;
+
+    /// The same command with one file only.
+    fn on(&self, file: &Path) -> Self;
+
+    /// The answer for the one file.
+    fn answer(&self, common: &Common) -> Result<Reply, Failure>;
+
+    /// True if everything that belongs to the answer beside its numbers is there.
+    fn is_complete(&self, _file: &Path) -> bool {
+        true
+    }
+
+    /// What a table over files shows of an answer; everything else is on the disk.
+    fn digest(answer: Value) -> Value {
+        answer
+    }
+}
+
+/// Answers for the one file that was named as ever, for several in one table.
+pub(crate) fn run<C: PerFile>(command: &C, common: &Common) -> Result<Reply, Failure> {
+    let files = command.files();
+    if files.paths.is_empty() {
+        let message = format!(
+            "no FILE is named; give one, several or a folder, as in `rough-contact {} map.x3p`",
+            C::NAME
+        );
+        return Err(Failure::refused("usage", message));
+    }
+    if let Some(file) = files.only() {
+        return command.on(file).answer(common);
+    }
+    let store = Store::open(&files.kept, &["table.csv", "results.json"], common.force)?;
+    let outcomes = outcomes(command, store.as_ref(), common)?;
+    let mut reply =
+        Reply::new(rows::table(&outcomes, C::SHOWN), json!({ "files": objects(&outcomes) }));
+    reply.trouble = trouble(&outcomes);
+    if let Some(store) = &store {
+        store.folder.write("table.csv", |out| rows::csv(&outcomes, out))?;
+        store.folder.write("results.json", |out| writeln!(out, "{:#}", reply.json))?;
+        let _ = writeln!(reply.text, "table: {}", store.folder.path().join("table.csv").display());
+    }
+    Ok(reply)
+}
+
+/// One object for each file, or why there is none.
+fn objects(outcomes: &[Outcome]) -> Vec<Value> {
+    let one = |outcome: &Outcome| {
+        let mut object = match &outcome.result {
+            Ok((answer, None)) => answer.clone(),
+            Ok((answer, Some(trouble))) => {
+                let mut answer = answer.clone();
+                answer["error"] = trouble.json();
+                answer
+            }
+            Err(failure) => json!({ "error": failure.json() }),
+        };
+        object["file"] = json!(outcome.file.display().to_string());
+        object
+    };
+    outcomes.iter().map(one).collect()
+}
+
+/// Exit status 1 if a file has no complete answer.
+pub(crate) fn trouble(outcomes: &[Outcome]) -> Option<Failure> {
+    let failed = outcomes.iter().filter(|o| o.why().is_some()).count();
+    let message = format!("{failed} of {} files without a complete answer", outcomes.len());
+    (failed > 0).then(|| Failure::incomplete("files_failed", message))
+}
+
+/// Every file answered, in the order of the files.
+///
+/// # Errors
+/// Before any work: nothing was found. After it: all files were refused for one and the same reason,
+/// which is then no matter of the files.
+pub(crate) fn outcomes<C: PerFile>(
+    command: &C,
+    store: Option<&Store>,
+    common: &Common,
+) -> Result<Vec<Outcome>, Failure> {
+    let files = expand(&command.files().paths)?;
+    let threads = common.threads();
+    let settings =
+        format!("{} {} {:?}", env!("CARGO_PKG_VERSION"), C::NAME, command.on(Path::new("")));
+    let next = AtomicUsize::new(0);
+    let alone = RwLock::new(());
+    let done: Vec<Mutex<Option<Outcome>>> = files.iter().map(|_| Mutex::new(None)).collect();
+    let progress = Mutex::new(Progress::new(common.quiet, files.len()));
+    let work = || {
+        while let (index, Some(file)) = {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            (index, files.get(index))
+        } {
+            let size = file.metadata().map_or(0, |facts| facts.len());
+            let (shared, whole) = if size <= SMALL || threads == 1 {
+                (Some(alone.read()), None)
+            } else {
+                (None, Some(alone.write()))
+            };
+            let common = Common {
+                json: common.json,
+                quiet: true,
+                threads: Some(if whole.is_some() { threads } else { 1 }),
+                // What an interrupted run has written of this file is replaced.
+                force: common.force || command.files().kept.resume,
+            };
+            let outcome = one(command, file, &settings, store, &common);
+            drop((shared, whole));
+            let said = said(&outcome);
+            *done[index].lock().unwrap_or_else(PoisonError::into_inner) = Some(outcome);
+            progress.lock().unwrap_or_else(PoisonError::into_inner).step(&said);
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..threads.min(files.len()) {
+            scope.spawn(work);
+        }
+    });
+    let all = done.into_iter().filter_map(|slot| slot.into_inner().ok().flatten());
+    alike(all.collect())
+}
+
+/// A refusal that is the same for all files is one of the command.
+fn alike(outcomes: Vec<Outcome>) -> Result<Vec<Outcome>, Failure> {
+    let reason = outcomes.first().and_then(|o| o.result.is_err().then(|| o.why()).flatten());
+    let same = |o: &Outcome| o.result.is_err() && o.why() == reason;
+    if outcomes.len() > 1 && reason.is_some() && outcomes.iter().all(same) {
+        let failure = outcomes.into_iter().find_map(|o| o.result.err());
+        return Err(failure.unwrap_or_else(|| Failure::refused("files_failed", "")));
+    }
+    Ok(outcomes)
+}
+
+fn said(outcome: &Outcome) -> String {
+    let how = match (&outcome.result, outcome.is_kept) {
+        (Ok((_, None)), false) => "",
+        (Ok((_, None)), true) => ", kept",
+        (Ok((_, Some(_))), _) => ", incomplete",
+        (Err(_), _) => ", failed",
+    };
+    format!("{}{how}", outcome.file.display())
+}
+
+fn one<C: PerFile>(
+    command: &C,
+    file: &Path,
+    settings: &str,
+    store: Option<&Store>,
+    common: &Common,
+) -> Outcome {
+    let outcome = |result, is_kept| Outcome { file: file.to_owned(), result, is_kept };
+    let Some(store) = store else {
+        let reply = command.on(file).answer(common);
+        return outcome(reply.map(|r| (C::digest(r.json), r.trouble)), false);
+    };
+    let content = match std::fs::read(file) {
+        Ok(content) => sha256_hex(&content),
+        Err(e) => {
+            let message = format!("{}: {e}", file.display());
+            return outcome(Err(Failure::refused("io", message)), false);
+        }
+    };
+    let name = Store::name(file, &content, settings);
+    if let Some((answer, trouble)) = store.kept(&name)
+        && command.is_complete(file)
+    {
+        return outcome(Ok((C::digest(answer), trouble)), true);
+    }
+    let result = command.on(file).answer(common).and_then(|reply| {
+        store.keep(&name, &reply)?;
+        Ok((C::digest(reply.json), reply.trouble))
+    });
+    outcome(result, false)
+}
+
+/// The folder of a run: its results, and under `answers` what each file gave.
+pub(crate) struct Store {
+    pub(crate) folder: Folder,
+    answers: PathBuf,
+    resume: bool,
+}
+
+impl Store {
+    /// Prepares the folder, if one is asked for. Results that are there are replaced by a run that goes on
+    /// with them.
+    pub(crate) fn open(kept: &Kept, names: &[&str], force: bool) -> Result<Option<Self>, Failure> {
+        let Some(out) = &kept.out else { return Ok(None) };
+        let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        let folder = Folder::prepare(out, &names, force || kept.resume)?;
+        let answers = out.join("answers");
+        Folder::prepare(&answers, &[], true)?;
+        Ok(Some(Self { folder, answers, resume: kept.resume }))
+    }
+
+    /// The name of an answer: of the file, and a hash of its content, of where it lies and of everything
+    /// that was asked.
+    fn name(file: &Path, content: &str, settings: &str) -> String {
+        let shown = file.display().to_string();
+        let key = sha256_hex(format!("{shown}\n{content}\n{settings}").as_bytes());
+        let stem = file.file_name().unwrap_or_default().to_string_lossy();
+        let plain = |c: char| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '_' };
+        let stem: String = stem.chars().map(plain).take(60).collect();
+        format!("{stem}-{}.json", &key[..24])
+    }
+
+    /// The answer of this name, if it is to be kept, is there and whole.
+    fn kept(&self, name: &str) -> Option<(Value, Option<Failure>)> {
+        if !self.resume {
+            return None;
+        }
+        let text = std::fs::read_to_string(self.answers.join(name)).ok()?;
+        let mut kept: Value = serde_json::from_str(&text).ok()?;
+        let trouble = kept.get("trouble").and_then(Failure::of_json);
+        let answer = kept.get_mut("answer")?.take();
+        answer.is_object().then_some((answer, trouble))
+    }
+
+    /// Puts an answer there. It has its name only when it is whole.
+    fn keep(&self, name: &str, reply: &Reply) -> Result<(), Failure> {
+        let kept = json!({
+            "answer": reply.json, "trouble": reply.trouble.as_ref().map(Failure::json_with_status),
+        });
+        output::write(&self.answers.join(name), |out| {
+            serde_json::to_writer(&mut *out, &kept).map_err(std::io::Error::other)?;
+            writeln!(out)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn store(dir: &Path, resume: bool) -> Store {
+        let kept = Kept { out: Some(dir.join("out")), resume };
+        Store::open(&kept, &["table.csv"], false).expect("a folder").expect("asked for")
+    }
+
+    #[test]
+    fn an_answer_is_kept_for_this_content_at_this_place_with_these_settings() {
+        let name = |file: &str, content, settings| Store::name(Path::new(file), content, settings);
+        let first = name("a/s.x3p", "00", "stats");
+        assert_eq!(first, name("a/s.x3p", "00", "stats"));
+        for other in
+            [("b/s.x3p", "00", "stats"), ("a/s.x3p", "01", "stats"), ("a/s.x3p", "00", "solve")]
+        {
+            assert_ne!(first, name(other.0, other.1, other.2));
+        }
+        assert!(first.starts_with("s.x3p-"));
+    }
+
+    #[test]
+    fn a_part_of_an_answer_is_none() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let mut reply = Reply::new(String::new(), json!({ "m0": 1.5e-13 }));
+        reply.trouble = Some(Failure::incomplete("not_converged", "at 1 MPa"));
+        store(dir.path(), false).keep("a.json", &reply).expect("written");
+        assert!(store(dir.path(), false).kept("a.json").is_none(), "not asked to go on");
+        let store = store(dir.path(), true);
+        let (answer, trouble) = store.kept("a.json").expect("there");
+        assert_eq!(answer, reply.json);
+        assert_eq!(
+            trouble.map(|t| t.json_with_status()),
+            reply.trouble.map(|t| t.json_with_status())
+        );
+        let whole = std::fs::read(store.answers.join("a.json")).expect("there");
+        for length in 0..whole.len() - 1 {
+            std::fs::write(store.answers.join("a.json"), &whole[..length]).expect("written");
+            assert!(store.kept("a.json").is_none(), "{length} of {} bytes", whole.len());
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! Several files and folders where one file could stand, and what is kept of a run over them.
+
+use crate::outcome::{Failure, tell};
+use clap::Args;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use surface_io::FORMATS;
+
+/// The files of a command.
+#[derive(Args, Clone, Default)]
+pub(crate) struct Files {
+    /// Surface files, and folders whose files are taken; recognised by their content
+    #[arg(value_name = "FILE")]
+    pub(crate) paths: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) kept: Kept,
+}
+
+impl fmt::Debug for Files {
+    /// Nothing: which files there are and where answers are kept is no setting of an answer.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Files")
+    }
+}
+
+/// Where the answers of a run over several files are kept.
+#[derive(Args, Clone, Default)]
+pub(crate) struct Kept {
+    /// Of several files: folder for table.csv and results.json, with every answer as it comes
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Go on with --out: answers to the same content and the same options are kept
+    #[arg(long, requires = "out")]
+    pub(crate) resume: bool,
+}
+
+impl Files {
+    /// The one file, where one was named and its answer is not to be kept.
+    pub(crate) fn only(&self) -> Option<&Path> {
+        match self.paths.as_slice() {
+            [one] if !one.is_dir() && self.kept.out.is_none() => Some(one),
+            _ => None,
+        }
+    }
+}
+
+/// The files that were named, and of the folders among them, with the folders in them, those whose
+/// name ends like a format or not at all, in the order of their names. What is left out is said.
+pub(crate) fn expand(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let (mut found, mut left_out) = (Vec::new(), Vec::new());
+    for path in paths {
+        if path.is_dir() {
+            walk(path, &mut found, &mut left_out)?;
+        } else {
+            found.push(path.clone());
+        }
+    }
+    if !left_out.is_empty() {
+        let names: Vec<String> = left_out.iter().take(5).map(|p| p.display().to_string()).collect();
+        let more = if left_out.len() > 5 { ", …" } else { "" };
+        tell(&format!(
+            "rough-contact: left out, for their names end like no format: {}{more} ({} in all); name \
+             a file to have it read",
+            names.join(", "),
+            left_out.len()
+        ));
+    }
+    if found.is_empty() {
+        let names: Vec<String> = paths.iter().map(|p| p.display().to_string()).collect();
+        let message = format!(
+            "{}: no surface file is there; `rough-contact info --list` lists the formats",
+            names.join(", ")
+        );
+        return Err(Failure::refused("empty", message));
+    }
+    Ok(found)
+}
+
+/// A folder name for what belongs to a file: the way to it, without what a folder name cannot hold.
+pub(crate) fn folder_name(file: &Path) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || "._-".contains(c) { c } else { '_' };
+    let shown = file.display().to_string();
+    let name: String = shown.chars().map(plain).collect();
+    let start = name.chars().count().saturating_sub(80);
+    let hash: String = compare::sha256_hex(shown.as_bytes()).chars().take(8).collect();
+    format!("{}-{hash}", name.chars().skip(start).collect::<String>())
+}
+
+fn walk(
+    folder: &Path,
+    found: &mut Vec<PathBuf>,
+    left_out: &mut Vec<PathBuf>,
+) -> Result<(), Failure> {
+    let unreadable =
+        |e: std::io::Error| Failure::refused("io", format!("{}: {e}", folder.display()));
+    let mut entries = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        entries.push(entry.map_err(unreadable)?);
+    }
+    entries.sort_by_key(std::fs::DirEntry::file_name);
+    for entry in entries {
+        let path = entry.path();
+        if entry.file_name().to_string_lossy().starts_with('.') {
+            continue;
+        }
+        // A link to a folder may lead back here; one to a file may not.
+        let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+        if is_folder {
+            walk(&path, found, left_out)?;
+        } else if path.is_file() {
+            if ends_like_a_format(&path) { found.push(path) } else { left_out.push(path) }
+        }
+    }
+    Ok(())
+}
+
+/// True of endings that a format has, of the running numbers of microscopes, and of no ending.
+fn ends_like_a_format(path: &Path) -> bool {
+    let Some(ending) = path.extension() else { return true };
+    let ending = ending.to_string_lossy().to_lowercase();
+    let numbered = ending.len() == 3 && ending.bytes().all(|b| b.is_ascii_digit());
+    let packed = matches!(ending.as_str(), "zip" | "gz");
+    numbered || packed || FORMATS.iter().any(|f| f.extensions.contains(&ending.as_str()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn endings_of_formats_and_of_other_things() {
+        for name in ["a.x3p", "A.SUR", "scan.003", "bare", "b.csv", "c.txt", "d.zip"] {
+            assert!(ends_like_a_format(Path::new(name)), "{name}");
+        }
+        for name in ["a.png", "readme.md", "b.0123", "notes.pdf"] {
+            assert!(!ends_like_a_format(Path::new(name)), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_folder_is_walked_in_the_order_of_names() {
+        let dir = tempfile::tempdir().expect("a folder");
+        std::fs::create_dir(dir.path().join("b")).expect("a folder in it");
+        for name in ["c.x3p", "b/a.sdf", "a.x3p", "b/.hidden.x3p", "b/picture.png"] {
+            std::fs::write(dir.path().join(name), "").expect("a file");
+        }
+        let found = expand(&[dir.path().to_owned()]).expect("files");
+        let names: Vec<_> = found.iter().map(|p| p.strip_prefix(dir.path()).unwrap()).collect();
+        assert_eq!(names, ["a.x3p", "b/a.sdf", "c.x3p"].map(Path::new));
+    }
+}

@@ -1,0 +1,150 @@
+//! Files one below the other: the table of a terminal, and the same as CSV.
+
+use crate::outcome::Failure;
+use crate::text::{self, Columns};
+use serde_json::Value;
+use std::fmt::Write as _;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// What became of one file.
+pub(crate) struct Outcome {
+    pub(crate) file: PathBuf,
+    /// The digest of its answer, and what is incomplete in it.
+    pub(crate) result: Result<(Value, Option<Failure>), Failure>,
+    /// True if the answer was there already.
+    pub(crate) is_kept: bool,
+}
+
+impl Outcome {
+    /// Why there is no answer, or no complete one, without the name of the file.
+    pub(crate) fn why(&self) -> Option<String> {
+        let failure = match &self.result {
+            Ok((_, trouble)) => trouble.as_ref()?,
+            Err(failure) => failure,
+        };
+        let message = failure.message();
+        let name = format!("{}: ", self.file.display());
+        Some(message.strip_prefix(&name).unwrap_or(message).to_owned())
+    }
+}
+
+/// A column of a table on a terminal.
+pub(crate) struct Shown {
+    /// Its heading.
+    pub(crate) head: &'static str,
+    /// Where the number is: the first of these that there is. A `*` stands for every load.
+    pub(crate) at: &'static [&'static str],
+    /// How it is written.
+    pub(crate) how: How,
+}
+
+/// How a value is written.
+#[derive(Clone, Copy)]
+pub(crate) enum How {
+    /// `ny × nx`.
+    Shape,
+    Word,
+    Count,
+    Number,
+    Length,
+    Pressure,
+    Percent,
+    Seconds,
+    /// How many findings are to be checked.
+    Checks,
+}
+
+impl How {
+    fn write(self, value: &Value) -> Option<String> {
+        let number = |write: fn(f64) -> String| value.as_f64().map(write);
+        match self {
+            Self::Shape => {
+                let list: Vec<String> = value.as_array()?.iter().map(Value::to_string).collect();
+                Some(list.join(" × "))
+            }
+            Self::Word => value.as_str().map(str::to_owned),
+            Self::Count => value.as_u64().map(|n| n.to_string()),
+            Self::Number => number(text::number),
+            Self::Length => number(text::length),
+            Self::Pressure => number(text::pressure),
+            Self::Percent => number(text::percent),
+            Self::Seconds => number(text::seconds),
+            Self::Checks => {
+                let open = |f: &&Value| f.get("weight").is_some_and(|w| w == "check");
+                Some(value.as_array()?.iter().filter(open).count().to_string())
+            }
+        }
+    }
+}
+
+fn cell(answer: &Value, shown: &Shown, load: usize) -> Option<String> {
+    let value = |at: &&str| answer.pointer(&at.replace('*', &load.to_string()));
+    shown.at.iter().filter_map(value).find_map(|value| shown.how.write(value))
+}
+
+/// A row for every file with an answer, a line for every one without. A column that no file fills is
+/// left out.
+pub(crate) fn table(outcomes: &[Outcome], shown: &[Shown]) -> String {
+    let folder = common_folder(outcomes);
+    let name = |o: &Outcome| o.file.strip_prefix(&folder).unwrap_or(&o.file).display().to_string();
+    let answers = || outcomes.iter().filter_map(|o| Some((o, &o.result.as_ref().ok()?.0)));
+    let mut heads = vec!["file".to_owned()];
+    let mut cells: Vec<Vec<String>> = answers().map(|(o, _)| vec![name(o)]).collect();
+    let loads = |answer: &Value| answer["points"].as_array().map_or(1, Vec::len);
+    let most = answers().map(|(_, answer)| loads(answer)).max().unwrap_or(1);
+    for load in 0..most {
+        for column in shown {
+            let is_of_load = column.at.iter().any(|at| at.contains('*'));
+            if !is_of_load && load > 0 {
+                continue;
+            }
+            let values: Vec<_> = answers().map(|(_, answer)| cell(answer, column, load)).collect();
+            if values.iter().all(Option::is_none) {
+                continue;
+            }
+            heads.push(column.head.to_owned());
+            for (row, value) in cells.iter_mut().zip(values) {
+                row.push(value.unwrap_or_else(|| "–".to_owned()));
+            }
+        }
+    }
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let mut columns = Columns::new(&heads);
+    let any = !cells.is_empty();
+    for row in cells {
+        columns.row(row);
+    }
+    let mut out = if any { columns.to_string() } else { String::new() };
+    if !folder.as_os_str().is_empty() {
+        out = format!("in {}:\n{out}", folder.display());
+    }
+    for outcome in outcomes {
+        let Some(why) = outcome.why() else { continue };
+        let kind = if outcome.result.is_ok() { "incomplete" } else { "no answer" };
+        let why = why.replace('\n', "; ");
+        let _ = writeln!(out, "{kind}: {}: {why}", name(outcome)); // a String takes everything
+    }
+    let kept = outcomes.iter().filter(|o| o.is_kept).count();
+    if kept > 0 {
+        let _ = writeln!(out, "{kept} of {} answers were there already", outcomes.len());
+    }
+    out
+}
+
+/// The folder that all files are in.
+fn common_folder(outcomes: &[Outcome]) -> PathBuf {
+    let folders = outcomes.iter().map(|o| o.file.parent().unwrap_or(Path::new("")).to_owned());
+    let both = |a: PathBuf, b: PathBuf| {
+        let shared = a.components().zip(b.components()).take_while(|(x, y)| x == y);
+        shared.map(|(x, _)| x).collect()
+    };
+    folders.reduce(both).unwrap_or_default()
+}
+
+/// The same with everything the digests hold.
+pub(crate) fn csv(outcomes: &[Outcome], out: &mut impl Write) -> io::Result<()> {
+    let row = |o: &'_ Outcome| o.file.display().to_string();
+    let rows = outcomes.iter().map(|o| (row(o), o.result.as_ref().ok().map(|r| &r.0), o.why()));
+    report::write_table_csv(rows, out)
+}

@@ -1,0 +1,146 @@
+//! Several files and folders: one table, one reason for each file without an answer, nothing aborted, and
+//! a run that was cut off goes on.
+#![allow(clippy::unwrap_used, reason = "a helper that fails is a failed test")]
+
+mod cli;
+
+use cli::{file, folder, number, refused, rough_contact};
+use serde_json::Value;
+use std::path::Path;
+
+/// Two maps of the same name in two folders, and a file that is none.
+fn maps(at: &Path) {
+    for (name, seed) in [("in/a/map.x3p", 1), ("in/b/map.x3p", 2)] {
+        std::fs::create_dir_all(at.join(name).parent().unwrap()).unwrap();
+        let synth = format!(
+            "synth --shape 32,48 --pixel 1um --hurst 0.8 --rolloff 24um --cutoff 6um \
+             --rms-height 0.3um --seed {seed} --out {name}"
+        );
+        assert_eq!(rough_contact(at, &synth).status, 0);
+    }
+    file(at, "in/b/broken.x3p", "PK\u{3}\u{4} cut off");
+    file(at, "in/picture.png", "not a surface");
+    file(at, "in/.hidden.x3p", "not looked at");
+}
+
+/// An answer without what differs between two runs.
+fn without_times(value: &Value) -> Value {
+    match value {
+        Value::Object(map) => {
+            let kept = map.iter().filter(|(key, _)| *key != "seconds");
+            kept.map(|(key, value)| (key.clone(), without_times(value))).collect()
+        }
+        Value::Array(items) => items.iter().map(without_times).collect(),
+        other => other.clone(),
+    }
+}
+
+fn changed(path: &Path) -> std::time::SystemTime {
+    path.metadata().unwrap().modified().unwrap()
+}
+
+fn kept(at: &Path) -> Vec<std::path::PathBuf> {
+    let entries = std::fs::read_dir(at.join("out/answers")).unwrap();
+    let mut all: Vec<_> = entries.map(|e| e.unwrap().path()).collect();
+    all.sort();
+    all
+}
+
+#[test]
+fn a_folder_is_one_table_with_the_numbers_of_each_file_alone() {
+    let dir = folder();
+    let at = dir.path();
+    maps(at);
+    for (command, heading) in [
+        ("info", "format"),
+        ("stats", "rms gradient"),
+        ("solve --modulus 110GPa --pressure 50MPa,200MPa", "real pressure"),
+    ] {
+        let said = rough_contact(at, &format!("{command} in --threads 3"));
+        assert_eq!(said.status, 1, "{command}: {}", said.err);
+        assert!(said.out.contains(heading), "{}", said.out);
+        for name in ["a/map.x3p", "b/map.x3p", "no answer: b/broken.x3p: "] {
+            assert_eq!(said.out.matches(&format!("\n{name}")).count(), 1, "{name}: {}", said.out);
+        }
+        assert!(
+            said.err.contains("in/picture.png") && !said.err.contains("hidden"),
+            "{}",
+            said.err
+        );
+        assert!(said.err.contains("1 of 3 files"), "{}", said.err);
+
+        let said = rough_contact(at, &format!("{command} in --threads 3 --quiet --json"));
+        assert_eq!(said.status, 1);
+        let all = said.json();
+        assert_eq!(all["error"]["kind"], "files_failed");
+        let all = all["files"].as_array().unwrap().clone();
+        let names: Vec<&str> = all.iter().map(|f| f["file"].as_str().unwrap()).collect();
+        assert_eq!(names, ["in/a/map.x3p", "in/b/broken.x3p", "in/b/map.x3p"]);
+        assert!(all[1]["error"]["message"].as_str().unwrap().contains("broken.x3p"));
+        for one in [&all[0], &all[2]] {
+            let name = one["file"].as_str().unwrap();
+            let alone = rough_contact(at, &format!("{command} {name} --json")).answered();
+            let mut of_many = without_times(one);
+            of_many.as_object_mut().unwrap().remove("file");
+            assert_eq!(of_many, without_times(&alone), "{command} {name}");
+        }
+    }
+    // What is wrong with the question and not with the files is said once.
+    refused(at, "solve in --pressure 1MPa --quiet", 2, &["modulus"]);
+    refused(at, "stats", 2, &["FILE"]);
+    refused(at, "stats nowhere", 2, &["nowhere"]);
+}
+
+#[test]
+fn a_run_goes_on_with_what_is_whole_and_of_the_same_content_and_options() {
+    let dir = folder();
+    let at = dir.path();
+    maps(at);
+    let line = "solve in --modulus 110GPa --pressure 50MPa --maps maps --out out";
+    let first = rough_contact(at, &format!("{line} --json"));
+    assert_eq!(first.status, 1, "{}", first.err);
+    let before = kept(at);
+    assert_eq!(before.len(), 2);
+    refused(at, line, 2, &["table.csv", "--force"]);
+    let written = |e: std::io::Result<std::fs::DirEntry>| e.unwrap().path().join("gap-000.npy");
+    let maps = std::fs::read_dir(at.join("maps")).unwrap().map(written);
+    assert_eq!(maps.filter(|map| map.exists()).count(), 2, "the maps of two files, apart");
+
+    // Nothing has changed: every answer is kept, to the last digit and second.
+    let times: Vec<_> = before.iter().map(|p| changed(p)).collect();
+    let said = rough_contact(at, &format!("{line} --resume"));
+    assert!(said.out.contains("2 of 3 answers were there already"), "{}", said.out);
+    assert_eq!(times, before.iter().map(|p| changed(p)).collect::<Vec<_>>());
+    let again = rough_contact(at, &format!("{line} --resume --json"));
+    assert_eq!(again.json(), first.json());
+
+    // Half an answer, one under its name of the time of writing, and one whose maps are gone.
+    let whole = std::fs::read(&before[0]).unwrap();
+    std::fs::write(&before[0], &whole[..whole.len() / 2]).unwrap();
+    std::fs::write(at.join("out/answers/map.x3p-0.json.1.partial"), &whole).unwrap();
+    let said = rough_contact(at, &format!("{line} --resume"));
+    assert!(said.out.contains("1 of 3 answers"), "{}", said.out);
+    assert_eq!(without_times(&serde_json::from_slice(&whole).unwrap()), {
+        without_times(&serde_json::from_slice(&std::fs::read(&before[0]).unwrap()).unwrap())
+    });
+    std::fs::remove_dir_all(at.join("maps")).unwrap();
+    let said = rough_contact(at, &format!("{line} --resume"));
+    assert!(!said.out.contains("were there already"), "{}", said.out);
+
+    // Other options and another content of the same name are other answers.
+    let said = rough_contact(at, &format!("{line} --resume --level quadratic"));
+    assert!(!said.out.contains("were there already"), "{}", said.out);
+    std::fs::copy(at.join("in/a/map.x3p"), at.join("in/b/map.x3p")).unwrap();
+    let said = rough_contact(at, &format!("{line} --resume --json"));
+    let all = said.json()["files"].clone();
+    assert_eq!(all[0]["points"][0]["area_fraction"], all[2]["points"][0]["area_fraction"]);
+
+    let table = std::fs::read_to_string(at.join("out/table.csv")).unwrap();
+    let rows: Vec<&str> = table.lines().collect();
+    assert_eq!(rows.len(), 4);
+    assert!(rows[0].starts_with("file,") && rows[0].contains("mean_gap (m)"), "{}", rows[0]);
+    let column = rows[0].split(',').position(|head| head == "area_fraction_corrected").unwrap();
+    let cell: f64 = rows[1].split(',').nth(column).unwrap().parse().unwrap();
+    assert!((cell - number(&all[0]["points"][0]["area_fraction_corrected"])).abs() < 1e-15);
+    assert!(rows[2].starts_with("in/b/broken.x3p,,") && !rows[2].ends_with(','), "{}", rows[2]);
+}
