@@ -17,6 +17,9 @@ pub struct Settings {
     /// Nominal pressures (Pa); absent: chosen per surface, see [`default_pressures`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures: Option<Vec<f64>>,
+    /// Nominal area that the pressures carry (m²), if they were given as forces on it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_area: Option<f64>,
     /// Pressure the headline and the maps are for (Pa), one of the pressures computed; absent:
     /// the one whose contact is nearest to 2 % of the surface.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -57,6 +60,7 @@ impl Default for Settings {
             modulus: STEEL_ON_STEEL,
             bodies: Vec::new(),
             pressures: None,
+            load_area: None,
             headline: None,
             level: Level::Plane,
             edges: EdgesName::Periodic,

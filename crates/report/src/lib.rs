@@ -47,5 +47,6 @@ pub use provenance::Provenance;
 pub use table_csv::write as write_table_csv;
 pub use words::finding::{Worded, finding, warning};
 pub use words::headline_line;
+pub use words::loads::loads_line;
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};
 pub use words::profile::profile_headline;

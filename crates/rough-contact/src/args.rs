@@ -137,6 +137,10 @@ pub(crate) fn pressures(text: &str) -> Result<List, QuantityError> {
     quantity::parse_list(text, Dimension::Pressure).map(List)
 }
 
+pub(crate) fn forces(text: &str) -> Result<List, QuantityError> {
+    quantity::parse_list(text, Dimension::Force).map(List)
+}
+
 pub(crate) fn lengths(text: &str) -> Result<List, QuantityError> {
     quantity::parse_list(text, Dimension::Length).map(List)
 }
@@ -180,7 +184,7 @@ fn one_of<T: Copy + Send + Sync + 'static>(
     name: fn(T) -> &'static str,
 ) -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(all.iter().map(|&item| name(item))).map(move |text| {
-        let found = all.iter().copied().find(|&item| name(item) == text);
+        let found = all.iter().copied().find(|&item| name(item).eq_ignore_ascii_case(&text));
         found.expect("clap accepts only these names")
     })
 }
@@ -229,6 +233,16 @@ pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {
 }
 
 /// A model that a study can ask.
-pub(crate) fn study_models() -> PossibleValuesParser {
-    PossibleValuesParser::new(built_in().of_maps().map(|t| t.card().name.as_ref()))
+pub(crate) fn study_models() -> impl TypedValueParser<Value = String> {
+    lower_case(built_in().of_maps().map(|t| t.card().name.as_ref()))
+}
+
+/// Any model.
+pub(crate) fn models() -> impl TypedValueParser<Value = String> {
+    lower_case(built_in().iter().map(|t| t.card().name.as_ref()))
+}
+
+/// One of these names, which are in lower case, typed in any case where its option ignores case.
+fn lower_case(names: impl Iterator<Item = &'static str>) -> impl TypedValueParser<Value = String> {
+    PossibleValuesParser::new(names).map(|name| name.to_ascii_lowercase())
 }

@@ -5,6 +5,7 @@ use crate::cleaning::CleaningOptions;
 use crate::compare_profiles;
 use crate::given::{Given, from_file, from_recipe, repeat};
 use crate::input::Reading;
+use crate::loads::Forces;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::planned;
@@ -36,11 +37,14 @@ pub(crate) struct Compare {
     /// Nominal pressures [default: chosen so that about 0.1 % to half of the surface touches]
     #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
     pressure: Option<List>,
+    #[command(flatten)]
+    forces: Forces,
     /// Pressure of headline and contact map, one of --pressure [default: at about 2 % contact]
     #[arg(long, value_name = "P", value_parser = args::pressure, allow_hyphen_values = true)]
     headline: Option<f64>,
     /// Models to ask, such as gw,persson [default: every one that a surface gives all it needs]
     #[arg(long, value_name = "LIST", value_parser = args::study_models(), value_delimiter = ',')]
+    #[arg(ignore_case = true)]
     models: Option<Vec<String>>,
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
@@ -68,7 +72,7 @@ pub(crate) struct Compare {
     accuracy: Option<Request>,
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
-        "files", "pressure", "headline", "models", "level", "fractal_range", "edges", "method",
+        "files", "pressure", "load", "area", "headline", "models", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
@@ -84,9 +88,11 @@ pub(crate) struct Compare {
 
 impl Compare {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
-        let (mut settings, surfaces) = match &self.from {
-            Some(path) => repeat(path)?,
-            None => (self.settings()?, self.surfaces()?),
+        let (mut settings, surfaces) = if let Some(path) = &self.from {
+            repeat(path)?
+        } else {
+            let (settings, surfaces) = (self.settings()?, self.surfaces()?);
+            (self.loaded(settings, &surfaces)?, surfaces)
         };
         settings.threads = common.threads();
         let surfaces = match surfaces {
@@ -126,6 +132,7 @@ impl Compare {
 
     fn settings(&self) -> Result<Settings, Failure> {
         args::refuse_mirrored(self.edges, self.accuracy.is_some(), false)?;
+        self.forces.given()?; // refused before any work
         let (modulus, bodies) = match self.bodies.given()? {
             Some(modulus) => (modulus.pascals(), self.bodies.listed()),
             None if self.files.is_empty() => (STEEL_ON_STEEL, vec![STEEL; 2]),
@@ -145,6 +152,22 @@ impl Compare {
             accuracy: self.accuracy.map(Request::relative),
             fractal_range: self.fractal_range,
             ..Settings::default()
+        })
+    }
+
+    /// With --load, its pressures on the area that carries it.
+    fn loaded(&self, settings: Settings, surfaces: &Given) -> Result<Settings, Failure> {
+        let areas: Vec<f64> = match surfaces {
+            Given::Maps(maps) => maps.iter().map(|s| s.heights.grid().area()).collect(),
+            Given::Profiles(_) => Vec::new(),
+        };
+        Ok(match self.forces.spread(areas)? {
+            None => settings,
+            Some(spread) => Settings {
+                pressures: Some(spread.pressures),
+                load_area: Some(spread.area),
+                ..settings
+            },
         })
     }
 
@@ -275,6 +298,7 @@ fn not_met(comparison: &Comparison) -> Option<Failure> {
 fn describe(comparison: &Comparison, folder: &Path) -> String {
     let mut out = text::level(comparison.settings.level);
     out.push_str(text::MOMENTS);
+    out.push_str(&text::loads(&comparison.settings));
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
         out.push_str(&text::cleaning(surface.origin.cleaned()));

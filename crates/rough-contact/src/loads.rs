@@ -1,9 +1,121 @@
-//! Loads as they were asked for: which are refused, in which order they are solved, how they are
-//! called.
+//! Loads as they were asked for: forces made pressures, which are refused, in which order they are
+//! solved, how they are called.
 
+use crate::args::{self, List};
 use crate::outcome::Failure;
 use crate::text;
+use clap::Args;
 use fft_bem_solver::Load;
+
+/// Loads as forces.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Forces {
+    /// Loads as forces on the whole nominal area, such as 10N, instead of --pressure
+    #[arg(long, value_name = "LIST", value_parser = args::forces, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "pressure")]
+    load: Option<List>,
+    /// Nominal area that --load presses on, such as 2mm2 [default: that of the map]
+    #[arg(long, value_name = "A", value_parser = args::area, allow_hyphen_values = true)]
+    area: Option<f64>,
+}
+
+/// Forces over the nominal area that carries them.
+#[derive(Clone, Debug)]
+pub(crate) struct Spread {
+    /// Mean pressures in the order given (Pa).
+    pub(crate) pressures: Vec<f64>,
+    /// The nominal area (m²).
+    pub(crate) area: f64,
+    /// True if that is the area of the map.
+    is_of_map: bool,
+}
+
+impl Forces {
+    /// The forces given (N), refused unless each presses.
+    pub(crate) fn given(&self) -> Result<Option<&[f64]>, Failure> {
+        let Some(List(forces)) = &self.load else {
+            if self.area.is_some() {
+                let message = "--area is the area that --load presses on, and no --load is given; give one, \
+                               or leave --area out";
+                return Err(Failure::refused("usage", message));
+            }
+            return Ok(None);
+        };
+        refuse_idle(forces, self.area)?;
+        Ok(Some(forces))
+    }
+
+    /// Over the area given, or the one area that all maps have.
+    pub(crate) fn spread(
+        &self,
+        maps: impl IntoIterator<Item = f64>,
+    ) -> Result<Option<Spread>, Failure> {
+        self.given()?.map(|forces| spread(forces, self.area, maps)).transpose()
+    }
+}
+
+fn refuse_idle(forces: &[f64], area: Option<f64>) -> Result<(), Failure> {
+    for &force in forces {
+        positive("load", force, "N", "at which something touches")?;
+    }
+    area.map_or(Ok(()), |area| positive("nominal area", area, "m^2", "that carries the load"))
+}
+
+/// Forces over the area given, or the one area that all maps have.
+pub(crate) fn spread(
+    forces: &[f64],
+    given: Option<f64>,
+    maps: impl IntoIterator<Item = f64>,
+) -> Result<Spread, Failure> {
+    refuse_idle(forces, given)?;
+    let mut maps = maps.into_iter();
+    let refused = |message: String| Err(Failure::refused("usage", message));
+    let area = match (given, maps.next()) {
+        (Some(area), _) => area,
+        (None, None) => {
+            return refused(
+                "--load presses on an area, and no map says how large it is; give --area, such as \
+                 --area 2mm2, or --pressure"
+                    .to_owned(),
+            );
+        }
+        (None, Some(area)) => match maps.find(|other| (other / area - 1.0).abs() > 1e-9) {
+            // Areas that differ by rounding are one.
+            None => area,
+            Some(other) => {
+                return refused(format!(
+                    "the maps have areas of {} and {}, so that --load is another pressure on each; give \
+                     --area, the nominal area that carries the load, or --pressure",
+                    text::area(area),
+                    text::area(other)
+                ));
+            }
+        },
+    };
+    let pressures: Vec<f64> = forces.iter().map(|force| force / area).collect();
+    for &pressure in &pressures {
+        if !(pressure > 0.0 && pressure.is_finite()) {
+            return refused(format!(
+                "load over area is {pressure} Pa, which is no pressure; check the units of --load and \
+                 --area"
+            ));
+        }
+    }
+    Ok(Spread { pressures, area, is_of_map: given.is_none() })
+}
+
+impl Spread {
+    /// What carries the load.
+    pub(crate) fn line(&self) -> String {
+        let of = if self.is_of_map { "the area of the map" } else { "as --area says" };
+        format!("load: over {}, {of}\n", text::area(self.area))
+    }
+
+    /// A mean pressure as it was given (N).
+    pub(crate) fn force(&self, mean_pressure: f64) -> f64 {
+        mean_pressure * self.area
+    }
+}
 
 /// Refuses a load that is not greater than 0.
 pub(crate) fn positive(what: &str, value: f64, unit: &str, hint: &str) -> Result<(), Failure> {

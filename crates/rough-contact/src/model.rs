@@ -3,6 +3,7 @@
 use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
 use crate::input::{Measured, Reading};
+use crate::loads::{self, Spread};
 use crate::outcome::{Failure, Reply, variant};
 use crate::profile_stats;
 use crate::profiles::{self, Traces};
@@ -21,20 +22,25 @@ use surface_stats::profile::ProfileStatistics;
 #[derive(Args)]
 pub(crate) struct Model {
     /// Which model; --list describes them
-    #[arg(value_name = "NAME", value_parser = names(), required_unless_present = "list")]
+    #[arg(value_name = "NAME", value_parser = args::models(), ignore_case = true)]
+    #[arg(required_unless_present = "list")]
     name: Option<String>,
     /// Surface file to take the roughness from, instead of typing it in
     #[arg(value_name = "FILE")]
     file: Option<PathBuf>,
     /// Every model with citation, inputs and domain
-    #[arg(long, conflicts_with_all = ["name", "file", "pressure", "separation"])]
+    #[arg(long, conflicts_with_all = ["name", "file", "pressure", "load", "separation"])]
     list: bool,
     #[command(flatten)]
     bodies: Bodies,
     /// Nominal pressures to answer at
     #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
-    #[arg(conflicts_with = "separation")]
+    #[arg(conflicts_with_all = ["separation", "load"])]
     pressure: Option<List>,
+    /// Loads to answer at, such as 10N, over the area of FILE or --area, instead of --pressure
+    #[arg(long, value_name = "LIST", value_parser = args::forces, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "separation")]
+    load: Option<List>,
     /// Separations to answer at (flat to mean plane of the undeformed heights), instead of
     /// --pressure
     #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
@@ -45,10 +51,6 @@ pub(crate) struct Model {
     reading: Reading,
     #[command(flatten)]
     cleaning: CleaningOptions,
-}
-
-fn names() -> clap::builder::PossibleValuesParser {
-    clap::builder::PossibleValuesParser::new(built_in().iter().map(|t| t.card().name.as_ref()))
 }
 
 /// What is asked of the model.
@@ -67,14 +69,14 @@ impl Model {
         let theory = compare::find(name).expect("clap accepts only these names");
         let card = theory.card();
         let modulus = self.bodies.required()?;
-        let questions = self.questions()?;
+        self.refuse_silence()?;
         let (mut cleaned, mut rows, mut spikes) = (Vec::new(), None, Spikes::default());
-        self.source.refuse_unused(&card.name, self.file.as_deref())?;
+        self.source.refuse_unused(&card.name, self.file.as_deref(), self.load.is_some())?;
         let inputs = if let Some(path) = &self.file {
             let surface = match self.reading.measured(path, self.cleaning.asked())? {
                 Measured::Surface(surface) => surface,
                 Measured::Profile(traces) => {
-                    return self.of_profile(theory, &questions, modulus, path, &traces);
+                    return self.of_profile(theory, modulus, path, &traces);
                 }
             };
             cleaned.clone_from(&surface.cleaned);
@@ -85,8 +87,9 @@ impl Model {
             self.cleaning.refuse_without_file()?;
             self.source.typed(&card.name, modulus)?
         };
+        let (questions, spread) = self.questions(inputs.nominal_area)?;
         let answers = answer(theory, &inputs, &questions)?;
-        let mut reply = reply(card, &inputs, &questions, &answers);
+        let mut reply = reply(card, &inputs, &questions, &answers, spread.as_ref());
         let mut findings = scene(&inputs, &answers, rows).findings();
         findings.extend(compare::spiky(&spikes, None));
         findings.sort_by_key(|f| f.weight);
@@ -108,7 +111,6 @@ impl Model {
     fn of_profile(
         &self,
         theory: &dyn Theory,
-        questions: &[Question],
         modulus: ContactModulus,
         path: &Path,
         traces: &Traces,
@@ -120,8 +122,9 @@ impl Model {
             ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
         let inputs = compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
         let inputs = self.source.for_profile(inputs);
-        let answers = answer(theory, &inputs, questions)?;
-        let mut reply = reply(theory.card(), &inputs, questions, &answers);
+        let (questions, spread) = self.questions(None)?;
+        let answers = answer(theory, &inputs, &questions)?;
+        let mut reply = reply(theory.card(), &inputs, &questions, &answers, spread.as_ref());
         let origin = self.reading.origin(path, traces, String::new());
         let scene = scene(&inputs, &answers, None);
         let found = compare::profile_findings(&statistics, traces.uneven, &origin, &scene);
@@ -156,16 +159,33 @@ impl Model {
         Ok(reply)
     }
 
-    fn questions(&self) -> Result<Vec<Question>, Failure> {
-        match (&self.pressure, &self.separation) {
-            (Some(List(p)), _) => Ok(p.iter().copied().map(Question::Pressure).collect()),
-            (_, Some(List(d))) => Ok(d.iter().copied().map(Question::Separation).collect()),
-            _ => Err(Failure::refused(
-                "usage",
-                "nothing is asked; give --pressure LIST, for example --pressure 1MPa..1GPa:10, or \
-                 --separation LIST",
-            )),
+    /// Refuses to answer nothing.
+    fn refuse_silence(&self) -> Result<(), Failure> {
+        if self.pressure.is_some() || self.load.is_some() || self.separation.is_some() {
+            return Ok(());
         }
+        Err(Failure::refused(
+            "usage",
+            "nothing is asked; give --pressure LIST, for example --pressure 1MPa..1GPa:10, --load LIST or \
+             --separation LIST",
+        ))
+    }
+
+    /// What is asked, of a surface of this area if it is known.
+    fn questions(&self, area: Option<f64>) -> Result<(Vec<Question>, Option<Spread>), Failure> {
+        if let Some(List(forces)) = &self.load {
+            let spread = loads::spread(forces, self.source.area(), area)?;
+            return Ok((
+                spread.pressures.iter().map(|&p| Question::Pressure(p)).collect(),
+                Some(spread),
+            ));
+        }
+        let of = |list: &Option<List>, question: fn(f64) -> Question| -> Vec<Question> {
+            list.iter().flat_map(|List(all)| all.iter().copied().map(question)).collect()
+        };
+        let mut all = of(&self.pressure, Question::Pressure);
+        all.extend(of(&self.separation, Question::Separation));
+        Ok((all, None))
     }
 }
 
@@ -246,14 +266,22 @@ impl Question {
     }
 }
 
-fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer]) -> Reply {
-    let mut columns =
-        Columns::new(&["mean pressure", "area", "real pressure", "separation", "mean gap"]);
+fn reply(
+    card: &Card,
+    inputs: &Inputs,
+    questions: &[Question],
+    answers: &[Answer],
+    spread: Option<&Spread>,
+) -> Reply {
+    let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
+    headings.extend(["mean pressure", "area", "real pressure", "separation", "mean gap"]);
+    let mut columns = Columns::new(&headings);
     let mut notes: Vec<String> = Vec::new();
     // The first refusal is said on standard error.
     let told = answers.iter().find_map(|answer| answer.as_ref().err());
     for (question, answer) in questions.iter().zip(answers) {
-        columns.row(cells(*question, answer));
+        let force = spread.map(|s| text::force(s.force(question.value())));
+        columns.row(force.into_iter().chain(cells(*question, answer)));
         let note = match answer {
             Ok(state) => state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) if Some(error) == told => None,
@@ -265,12 +293,21 @@ fn reply(card: &Card, inputs: &Inputs, questions: &[Question], answers: &[Answer
     for note in notes {
         let _ = writeln!(text, "{note}"); // a String takes everything
     }
-    let points: Vec<Value> = questions.iter().zip(answers).map(|(q, a)| point(*q, a)).collect();
+    text += &spread.map_or_else(String::new, Spread::line);
+    let point = |(q, a): (&Question, &Answer)| {
+        let mut point = point(*q, a);
+        if let Some(spread) = spread {
+            point["load"] = json!(spread.force(q.value()));
+        }
+        point
+    };
+    let points: Vec<Value> = questions.iter().zip(answers).map(point).collect();
     let json = json!({
         "model": card.name,
         "citation": citation(&card.citation),
         "modulus": inputs.modulus.pascals(),
         "inputs": crate::roughness::object(inputs),
+        "load_area": spread.map(|s| s.area),
         "points": points,
     });
     let trouble = told.map(failure);

@@ -184,6 +184,7 @@ fn range(
             Dimension::Area => "1nm^2..1um^2:16",
             Dimension::PerArea => "1mm^-2..1um^-2:16",
             Dimension::Pressure => "1kPa..1GPa:16",
+            Dimension::Force => "1N..1kN:16",
         },
     };
     let (last, count) = tail.split_once(':').ok_or(fault("the number of points is missing"))?;
@@ -288,6 +289,7 @@ fn missing_unit(number: &str, dimension: Dimension) -> QuantityError {
         Dimension::Area => format!("{number}um^2 or {number}nm^2"),
         Dimension::PerArea => format!("{number}m^-2 or {number}um^-2"),
         Dimension::Pressure => format!("{number}MPa or {number}GPa"),
+        Dimension::Force => format!("{number}N or {number}kN"),
     };
     QuantityError::MissingUnit { number: number.to_owned(), suggestion }
 }
@@ -295,7 +297,7 @@ fn missing_unit(number: &str, dimension: Dimension) -> QuantityError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Dimension::{Area, Length, Number, PerArea, Pressure};
+    use Dimension::{Area, Force, Length, Number, PerArea, Pressure};
 
     /// The doubles on the right are what the compiler makes of the decimal: correctly rounded.
     #[test]
@@ -329,6 +331,13 @@ mod tests {
             ("3e12m-2", PerArea, 3e12),
             ("210N/mm2", Pressure, 2.1e8),
             ("1kgf/mm2", Pressure, 9_806_650.0),
+            ("2inches", Length, 0.0508),
+            ("5mils", Length, 127e-6),
+            ("3angstrom", Length, 3e-10),
+            ("10N", Force, 10.0),
+            ("2.5 kN", Force, 2500.0),
+            ("3µN", Force, 3e-6),
+            ("1kgf", Force, 9.80665),
         ] {
             assert_eq!(parse(text, dimension).unwrap(), expected, "{text}");
         }
@@ -339,6 +348,8 @@ mod tests {
     fn pounds_on_square_inches() {
         assert!((parse("1psi", Pressure).unwrap() / 6894.757 - 1.0).abs() < 1e-7);
         assert!((parse("30ksi", Pressure).unwrap() / 30.0 / 6_894_757.0 - 1.0).abs() < 1e-7);
+        // 1 lbf = 4.448 222 N.
+        assert!((parse("1lbf", Force).unwrap() / 4.448_222 - 1.0).abs() < 1e-7);
         assert!((parse("1in^2", Area).unwrap() / 6.4516e-4 - 1.0).abs() < 1e-15);
         assert!((parse("1in^-2", PerArea).unwrap() * 6.4516e-4 - 1.0).abs() < 1e-15);
     }
@@ -353,6 +364,11 @@ mod tests {
             ("3MM", Length, "did you mean mm?"),
             ("1,5um", Length, "write 1.5um"),
             ("0,5GPa", Pressure, "decimal comma"),
+            ("10kg", Force, "did you mean kgf?"),
+            ("10Lb", Force, "did you mean lbf?"),
+            ("10n", Force, "did you mean N?"),
+            ("300kg/mm2", Pressure, "did you mean kgf/mm^2?"),
+            ("10kPsi", Pressure, "did you mean ksi?"),
         ] {
             let message = parse(text, dimension).unwrap_err().to_string();
             assert!(message.contains(part), "{text}: {message}");
@@ -369,6 +385,8 @@ mod tests {
             ("1.5", Length, "1.5um or 1.5nm"),
             ("3um", Pressure, "Pa, kPa, MPa"),
             ("3um", Area, "um^2"),
+            ("10", Force, "10N or 10kN"),
+            ("10MPa", Force, "N, kN, mN"),
             ("3furlong", Length, "m, mm, um"),
             ("0.8m", Number, "write 0.8"),
             ("nanPa", Pressure, "not a finite number"),

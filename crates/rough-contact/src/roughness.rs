@@ -72,7 +72,7 @@ pub(crate) struct Source {
     /// Fractal roughness G
     #[arg(long, value_name = "G", value_parser = args::length, allow_hyphen_values = true)]
     roughness: Option<f64>,
-    /// Nominal area
+    /// Nominal area; with --load the area that carries it
     #[arg(long, value_name = "A", value_parser = args::area, allow_hyphen_values = true)]
     area: Option<f64>,
     /// Spots larger than this are elastic, smaller ones are not counted
@@ -250,6 +250,11 @@ impl Source {
         Ok(radii.into_iter().zip(densities).map(level).collect())
     }
 
+    /// The nominal area given (m²).
+    pub(crate) fn area(&self) -> Option<f64> {
+        self.area
+    }
+
     /// The form taken off a FILE.
     pub(crate) fn level(&self) -> Level {
         self.level.unwrap_or(Level::Plane)
@@ -303,7 +308,13 @@ impl Source {
     }
 
     /// An option that the model does not use is a mistake, not a wish.
-    pub(crate) fn refuse_unused(&self, model: &str, file: Option<&Path>) -> Result<(), Failure> {
+    /// With a load, --area has a use beside that.
+    pub(crate) fn refuse_unused(
+        &self,
+        model: &str,
+        file: Option<&Path>,
+        is_loaded: bool,
+    ) -> Result<(), Failure> {
         let used = options_of(model).join(" ");
         let used = |name: &str| used.split([' ', '[', ']']).any(|option| option == name);
         for (name, is_given) in self.given() {
@@ -313,7 +324,8 @@ impl Source {
                 Some(_) => of_file || (extra && used(name)),
                 None => !of_file && (used(name) || (model == "persson" && name == "--m4")),
             };
-            if is_given && !fits {
+            let carries = is_loaded && name == "--area";
+            if is_given && !fits && !carries {
                 let message = match file {
                     Some(path) => format!(
                         "{name} and {} both say what the surface is; give one of them",

@@ -5,7 +5,7 @@ use crate::batch::{self, PerFile};
 use crate::files::{Files, folder_name};
 use crate::input::{Complete, Input, Measured};
 use crate::intervals::{Errors, Finest, Refined, under};
-use crate::loads::{positive, rising, shown};
+use crate::loads::{Forces, Spread, positive, rising, shown};
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::planned;
@@ -37,10 +37,13 @@ pub(crate) struct Solve {
     bodies: Bodies,
     /// Mean pressures to solve for
     #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
-    #[arg(required_unless_present = "gap", conflicts_with = "gap")]
+    #[arg(required_unless_present_any = ["gap", "load"], conflicts_with = "gap")]
     pressure: Option<List>,
+    #[command(flatten)]
+    forces: Forces,
     /// Mean gaps to solve for, instead of --pressure
     #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "load")]
     gap: Option<List>,
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
@@ -146,7 +149,7 @@ impl PerFile for Solve {
 
     fn answer(&self, common: &Common) -> Result<Reply, Failure> {
         let modulus = self.bodies.required()?;
-        let loads = self.loads()?;
+        let count = self.count()?;
         let boundary = match self.boundary.as_str() {
             "free" if self.gap.is_some() => return Err(Failure::refused("combination", FREE_GAP)),
             "free" => Boundary::Free,
@@ -155,9 +158,11 @@ impl PerFile for Solve {
         args::refuse_mirrored(self.edges, self.accuracy.is_some(), self.boundary == "free")?;
         let maps = match &self.maps {
             None => None,
-            Some(path) => Some(Folder::prepare(path, &map_names(loads.len()), common.force)?),
+            Some(path) => Some(Folder::prepare(path, &map_names(count), common.force)?),
         };
         let Complete { map: surface, cleaned, height_step, missing, .. } = self.section()?;
+        let spread = self.forces.spread([surface.grid().area()])?;
+        let loads = self.loads(spread.as_ref());
         let mut solved = Solved {
             missing,
             points: surface.grid().len(),
@@ -204,7 +209,7 @@ impl PerFile for Solve {
             solved.scene.pressed = work.pressed();
             solved.spike_share = work.spike_share;
             solved.plan = Some(&outcome);
-            let mut reply = self.reply(work, modulus.pascals(), "", &solved);
+            let mut reply = self.reply(work, modulus.pascals(), "", &solved, spread.as_ref());
             planned::state(&outcome, refinable, &mut reply);
             return Ok(reply);
         }
@@ -241,7 +246,7 @@ impl PerFile for Solve {
         solved.loads = work.found();
         solved.scene.pressed = work.pressed();
         solved.spike_share = work.spike_share;
-        Ok(self.reply(work, modulus.pascals(), &notes, &solved))
+        Ok(self.reply(work, modulus.pascals(), &notes, &solved, spread.as_ref()))
     }
 }
 
@@ -262,6 +267,10 @@ impl Solve {
                 "this is a profile, and a surface has no deterministic answer from one line of it; give \
                  --plane-strain if it is the cross-section of long parallel ridges, or see `model` and \
                  `compare`, which take it for a line of an isotropic surface",
+            ),
+            (Measured::Profile(_), true) if self.forces.given()?.is_some() => refused(
+                "--load is a force on an area, and in plane strain a load is a force on a length of ridge; \
+                 give --pressure",
             ),
             (Measured::Profile(_), true) if self.boundary == "free" => refused(
                 "--boundary free is for a contact that ends in all directions; ridges in plane strain do \
@@ -361,24 +370,44 @@ impl Solve {
         (Some(budget), Some(refined))
     }
 
-    /// The loads in the order given; zero and negative ones are refused before any work.
-    fn loads(&self) -> Result<Vec<Load>, Failure> {
+    /// How many loads there are; zero and negative ones are refused before any work.
+    fn count(&self) -> Result<usize, Failure> {
+        if let Some(forces) = self.forces.given()? {
+            return Ok(forces.len());
+        }
         if let Some(List(pressures)) = &self.pressure {
             for &p in pressures {
                 positive("mean pressure", p, "Pa", "at which something touches")?;
             }
-            return Ok(pressures.iter().map(|&p| Load::MeanPressure(p)).collect());
+            return Ok(pressures.len());
         }
-        let List(gaps) = self.gap.as_ref().expect("clap requires one of the two");
+        let List(gaps) = self.gap.as_ref().expect("clap requires one of the three");
         for &g in gaps {
             positive("mean gap", g, "m", "or use --pressure for a closed gap")?;
         }
-        Ok(gaps.iter().map(|&g| Load::MeanGap(g)).collect())
+        Ok(gaps.len())
     }
 
-    fn reply(&self, work: Work, modulus: f64, notes: &str, solved: &Solved<'_>) -> Reply {
+    /// The loads in the order given.
+    fn loads(&self, spread: Option<&Spread>) -> Vec<Load> {
+        let gaps = self.gap.iter().flat_map(|List(gaps)| gaps.iter().map(|&g| Load::MeanGap(g)));
+        let given = self.pressure.as_ref().map(|List(pressures)| pressures);
+        let pressures = spread.map(|s| &s.pressures).or(given);
+        let pressures = pressures.into_iter().flatten().map(|&p| Load::MeanPressure(p));
+        pressures.chain(gaps).collect()
+    }
+
+    fn reply(
+        &self,
+        work: Work,
+        modulus: f64,
+        notes: &str,
+        solved: &Solved<'_>,
+        spread: Option<&Spread>,
+    ) -> Reply {
         let findings = solved.findings();
-        let mut headings = vec!["mean pressure"];
+        let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
+        headings.push("mean pressure");
         if self.gap.is_some() {
             headings.push("±"); // the load is an answer too
         }
@@ -399,7 +428,12 @@ impl Solve {
         }
         let mut columns = Columns::new(&headings);
         let mut points = Vec::new();
-        for point in work.points.into_iter().flatten() {
+        for mut point in work.points.into_iter().flatten() {
+            if let Some(spread) = spread {
+                let force = point.json["mean_pressure"].as_f64().map(|p| spread.force(p));
+                point.cells.insert(0, force.map_or_else(|| "–".to_owned(), text::force));
+                point.json["load"] = json!(force);
+            }
             columns.row(point.cells);
             points.push(point.json);
         }
@@ -414,12 +448,14 @@ impl Solve {
             "precision": self.precision.name(),
             "modulus": modulus,
             "tolerance": self.tolerance,
+            "load_area": spread.map(|s| s.area),
             "points": points,
             "cleaning": report::cleaning_json(solved.cleaned),
             "findings": report::findings_json(&findings),
         });
         let text =
             text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
+        let text = text + &spread.map_or_else(String::new, Spread::line);
         let text = text + &text::level(self.level);
         let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
         Reply { text: text + notes, json, trouble: work.trouble }

@@ -1,6 +1,6 @@
 //! Numbers and tables as people read them on a terminal.
 
-use compare::{Finding, Level, Weight};
+use compare::{Finding, Level, Settings, Weight};
 use std::fmt;
 use surface_stats::clean::Record;
 
@@ -40,6 +40,11 @@ pub(crate) fn level(form: Level) -> String {
         Level::None => "level: none, the heights as they are\n".to_owned(),
         form => format!("level: {} taken off (--level)\n", form.name()),
     }
+}
+
+/// Forces and the pressures they are, where a study was given forces.
+pub(crate) fn loads(settings: &Settings) -> String {
+    report::loads_line(settings).map_or_else(String::new, |line| format!("load: {line}\n"))
 }
 
 /// Most findings that are shown.
@@ -132,6 +137,22 @@ pub(crate) fn length_range(low: f64, high: f64) -> String {
         return format!("about {from}, {} from lowest to highest", length(high - low));
     }
     format!("{from} to {to}")
+}
+
+/// An area in square metres, such as `2.00 mm²`.
+pub(crate) fn area(square_metres: f64) -> String {
+    let side = square_metres.sqrt();
+    let (scale, prefix) = PREFIXES
+        .iter()
+        .copied()
+        .find(|(scale, _)| side >= *scale && *scale <= 1.0)
+        .unwrap_or((1e-12, "p"));
+    format!("{} {prefix}m²", number(square_metres / (scale * scale)))
+}
+
+/// A force in newtons, such as `10.0 N`.
+pub(crate) fn force(newtons: f64) -> String {
+    with_prefix(newtons, "N", 1e13)
 }
 
 /// A pressure in pascals, such as `50.0 MPa`.

@@ -13,6 +13,8 @@ pub(crate) enum Dimension {
     PerArea,
     /// Pascals.
     Pressure,
+    /// Newtons.
+    Force,
 }
 
 /// A unit: its name, and a factor and a power of ten that make it one of SI.
@@ -28,12 +30,16 @@ const LENGTHS: &[Unit] = &[
     ("microns", 1.0, -6),
     ("nm", 1.0, -9),
     ("A", 1.0, -10),
+    ("angstrom", 1.0, -10),
     ("pm", 1.0, -12),
     ("fm", 1.0, -15),
     ("km", 1.0, 3),
     ("in", 254.0, -4), // 25.4 mm exactly, since 1959
     ("inch", 254.0, -4),
+    ("inches", 254.0, -4),
     ("mil", 254.0, -7),
+    ("mils", 254.0, -7),
+    ("thou", 254.0, -7),
 ];
 
 /// Pressure units.
@@ -59,6 +65,31 @@ const PRESSURES: &[Unit] = &[
     ("ksi", 0.453_592_37 * 9.806_65 / (0.0254 * 0.0254), 3),
 ];
 
+/// Force units.
+const FORCES: &[Unit] = &[
+    ("N", 1.0, 0),
+    ("kN", 1.0, 3),
+    ("MN", 1.0, 6),
+    ("mN", 1.0, -3),
+    ("uN", 1.0, -6),
+    ("nN", 1.0, -9),
+    ("pN", 1.0, -12),
+    ("kgf", 980_665.0, -5),
+    ("gf", 980_665.0, -8),
+    ("lbf", 0.453_592_37 * 9.806_65, 0),
+];
+
+/// What people write who mean a unit of the table: kilograms and pounds are masses.
+const MEANT: &[(Dimension, &str, &str)] = &[
+    (Dimension::Force, "kg", "kgf"),
+    (Dimension::Force, "g", "gf"),
+    (Dimension::Force, "lb", "lbf"),
+    (Dimension::Force, "lbs", "lbf"),
+    (Dimension::Pressure, "kg/mm^2", "kgf/mm^2"),
+    (Dimension::Pressure, "kg/cm^2", "kgf/cm^2"),
+    (Dimension::Pressure, "kpsi", "ksi"),
+];
+
 impl Dimension {
     /// What people call it.
     pub(crate) fn kind(self) -> &'static str {
@@ -68,6 +99,7 @@ impl Dimension {
             Self::Area => "area",
             Self::PerArea => "number per area",
             Self::Pressure => "pressure",
+            Self::Force => "force",
         }
     }
 
@@ -79,6 +111,7 @@ impl Dimension {
             Self::Area => "m^2, mm^2, um^2 or nm^2",
             Self::PerArea => "m^-2, mm^-2, um^-2 or nm^-2",
             Self::Pressure => "Pa, kPa, MPa, GPa, bar, psi, kgf/mm^2 or N/mm^2",
+            Self::Force => "N, kN, mN, uN, nN, kgf or lbf",
         }
     }
 
@@ -90,6 +123,7 @@ impl Dimension {
             Self::Area => "for example 0.2nm^2",
             Self::PerArea => "for example 3e12m^-2",
             Self::Pressure => "for example 50MPa",
+            Self::Force => "for example 10N",
         }
     }
 
@@ -114,17 +148,23 @@ impl Dimension {
                 find(LENGTHS, length).map(|(f, e)| (1.0 / (f * f), -2 * e))
             }
             Self::Pressure => find(PRESSURES, unit),
+            Self::Force => find(FORCES, unit),
         }
     }
 
     /// The unit with these letters in other cases, if there is one: of `MPa` and `mPa` the one
-    /// whose first letter is as it was typed.
+    /// whose first letter is as it was typed. Of a mass the weight.
     pub(crate) fn near(self, unit: &str) -> Option<&'static str> {
         let table = match self {
             Self::Length => LENGTHS,
             Self::Pressure => PRESSURES,
+            Self::Force => FORCES,
             _ => return None,
         };
+        let is_meant = |m: &&(Self, &str, &str)| m.0 == self && m.1.eq_ignore_ascii_case(unit);
+        if let Some((_, _, meant)) = MEANT.iter().find(is_meant) {
+            return Some(meant);
+        }
         let mut near = table.iter().filter(|(name, _, _)| name.eq_ignore_ascii_case(unit));
         let first = near.clone().find(|(name, _, _)| name.chars().next() == unit.chars().next());
         first.or_else(|| near.next()).map(|(name, _, _)| *name)

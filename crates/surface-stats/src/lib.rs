@@ -14,6 +14,7 @@ mod level;
 mod linear;
 pub mod noise;
 mod options;
+pub mod pair;
 pub mod polynomial;
 pub mod profile;
 pub mod sampling;

@@ -5,6 +5,7 @@ use crate::numbers::{METRES, PASCALS, SPACE, chosen, duration, significant};
 use crate::page::context::Page;
 use crate::page::phrases::{levelled, tolerance_words};
 use crate::words::edges::treatment;
+use crate::words::loads::loads_words;
 use crate::words::plan as plan_words;
 use compare::{Body, FileOrigin, Origin, Recipe};
 use compare::{DeterministicAnswer, SurfaceComparison};
@@ -58,6 +59,7 @@ pub(crate) fn section(page: &Page<'_>) -> String {
             bodies_words(&settings.bodies)
         ),
     ));
+    rows.extend(loads_words(settings).map(|words| ("Loads".to_owned(), words)));
     for surface in &page.comparison.surfaces {
         let Some(plan) = &surface.plan else { continue };
         let term = if page.several() {

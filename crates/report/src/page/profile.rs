@@ -13,6 +13,7 @@ use crate::page::sections::{figure, notes};
 use crate::page::tables::{applies, swatch};
 use crate::provenance::Provenance;
 use crate::words;
+use crate::words::loads::loads_words;
 use crate::words::profile::{area_range, profile_headline};
 use compare::ProfileComparison;
 use contact_types::{Citation, ContactState};
@@ -279,6 +280,7 @@ fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
                 bodies_words(&settings.bodies)
             ),
         ));
+        rows.extend(loads_words(settings).map(|words| ("Loads".into(), words)));
     }
     let list: String =
         rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();

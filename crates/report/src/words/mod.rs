@@ -5,6 +5,7 @@ pub(crate) mod coarser;
 mod date;
 pub(crate) mod edges;
 pub(crate) mod finding;
+pub(crate) mod loads;
 pub(crate) mod plan;
 pub(crate) mod profile;
 mod ranking;

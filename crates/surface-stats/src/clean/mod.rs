@@ -19,4 +19,5 @@ pub use mirror::{mirrored, resample_mirrored};
 pub use outliers::{OutlierRule, Outliers, find_outliers};
 pub use plan::{Record, Step, apply};
 pub use rows::{RowOffsets, row_offsets};
+pub(crate) use transform::{Along, interpolated};
 pub use transform::{Facing, combine, equivalent, flip, resample};

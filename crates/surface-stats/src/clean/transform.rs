@@ -167,34 +167,49 @@ fn cubic(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsError> {
         .transpose()?;
     let heights = smoothed.as_deref().unwrap_or(map.heights());
 
-    let (columns, rows) = (stencils(nx, shape[1], step[1]), stencils(ny, shape[0], step[0]));
-    let mut resampled = Vec::with_capacity(grid.len());
+    let along = |axis: usize| Along { first: 0.0, step: step[axis], count: shape[axis] };
+    let resampled = interpolated([ny, nx], heights, [along(0), along(1)]);
+    Ok(HeightMap::new(grid, resampled)?)
+}
+
+/// Points along one axis, in units of the points of a map: `first`, `first + step`, … .
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Along {
+    pub(crate) first: f64,
+    pub(crate) step: f64,
+    pub(crate) count: usize,
+}
+
+/// Heights at points inside a map of at least 4 x 4 points; those at its own points are its own.
+pub(crate) fn interpolated([ny, nx]: [usize; 2], heights: &[f64], along: [Along; 2]) -> Vec<f64> {
+    let (rows, columns) = (stencils(ny, along[0]), stencils(nx, along[1]));
+    let mut new = Vec::with_capacity(rows.len() * columns.len());
     for (y, wy) in &rows {
         for (x, wx) in &columns {
             let along = |row: usize| {
                 let z = &heights[row * nx + x..row * nx + x + 4];
                 (0..4).map(|k| wx[k] * z[k]).sum::<f64>()
             };
-            resampled.push((0..4).map(|k| wy[k] * along(y + k)).sum());
+            new.push((0..4).map(|k| wy[k] * along(y + k)).sum());
         }
     }
-    Ok(HeightMap::new(grid, resampled)?)
+    new
 }
 
 /// First of four neighbours and their weights for every new point along one axis. Next to an edge
 /// the stencil is shifted inwards and the cubic through its four points is used.
-fn stencils(n: usize, m: usize, step: f64) -> Vec<(usize, [f64; 4])> {
+fn stencils(n: usize, Along { first, step, count }: Along) -> Vec<(usize, [f64; 4])> {
     let stencil = |i: usize| {
-        let position = i as f64 * step;
+        let position = first + i as f64 * step;
         let cell = (position.floor() as usize).min(n - 2);
         let t = position - cell as f64;
         if cell > 0 && cell + 2 < n {
             return (cell - 1, keys(t));
         }
-        let first = if cell == 0 { 0 } else { n - 4 };
-        (first, lagrange(position - first as f64))
+        let start = if cell == 0 { 0 } else { n - 4 };
+        (start, lagrange(position - start as f64))
     };
-    (0..m).map(stencil).collect()
+    (0..count).map(stencil).collect()
 }
 
 /// Weights of the points -1, 0, 1, 2 at t in 0..1 (Keys 1981, doi:10.1109/TASSP.1981.1163711).

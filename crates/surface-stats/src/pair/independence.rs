@@ -1,0 +1,91 @@
+//! Whether two surfaces know of each other.
+
+use crate::spectrum::{PowerSpectrum, Window};
+use crate::{DirectionalMoments, Edges, HeightStatistics, Level, StatsError, level, repeats};
+use contact_types::{HeightMap, SpectralMoments};
+
+/// Moments of two bodies and of their sum. Those of independent surfaces add.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Independence {
+    /// Of each body on the common part, by finite differences.
+    pub bodies: [SpectralMoments; 2],
+    /// Of the sum of the heights, measured in the same way: those that models are given.
+    pub composite: SpectralMoments,
+    /// m0, m2, m4 of the composite over the sums of those of the bodies, less 1 \[-\]: −1 for bodies
+    /// that mate, +1 for a body against its own mirror image; 0 for flat bodies.
+    pub excess: [f64; 3],
+    /// Its standard deviation for independent bodies with these spectra \[-\].
+    pub chance: [f64; 3],
+}
+
+impl Independence {
+    /// Of two bodies on the same points and their sum, each without its `form`.
+    pub(super) fn of(
+        parts: [&HeightMap; 2],
+        sum: &HeightMap,
+        form: Level,
+    ) -> Result<Self, StatsError> {
+        let (bodies, powers, grid) = {
+            let [a, b] = [level(parts[0], form)?, level(parts[1], form)?];
+            let repeat = repeats(&a) && repeats(&b);
+            let window = if repeat { Window::None } else { Window::Hann };
+            let powers = [power(&a, window)?, power(&b, window)?];
+            ([moments(&a)?, moments(&b)?], powers, a.grid())
+        };
+        let composite = moments(&level(sum, form)?)?;
+        let parts = |m: SpectralMoments| [m.m0, m.m2, m.m4];
+        let sums = [0, 1, 2].map(|k| parts(bodies[0])[k] + parts(bodies[1])[k]);
+        let share = |k: usize, of: f64| if sums[k] > 0.0 { of / sums[k] } else { 0.0 };
+        let excess = [0, 1, 2].map(|k| share(k, parts(composite)[k] - sums[k]));
+        let spread = spread([&powers[0], &powers[1]], grid.pixel());
+        let chance = [0, 1, 2].map(|k| share(k, spread[k]));
+        Ok(Self { bodies, composite, excess, chance })
+    }
+
+    /// Sums of the moments of the bodies.
+    pub fn sum(&self) -> SpectralMoments {
+        let [a, b] = self.bodies;
+        SpectralMoments { m0: a.m0 + b.m0, m2: a.m2 + b.m2, m4: a.m4 + b.m4 }
+    }
+
+    /// Whether the moments add: each to 5 %, or to three times what chance makes of them.
+    pub fn holds(&self) -> bool {
+        let adds = |(excess, chance): (&f64, &f64)| excess.abs() <= (3.0 * chance).max(0.05);
+        self.excess.iter().zip(&self.chance).all(adds)
+    }
+}
+
+fn moments(map: &HeightMap) -> Result<SpectralMoments, StatsError> {
+    let rms = HeightStatistics::of(map).rms_height;
+    Ok(DirectionalMoments::of(map, Edges::Open)?.isotropic(rms * rms))
+}
+
+/// A wave: its wave vector (rad/m), how many waves it stands for, the variance of each (m²).
+type Wave = ([f64; 2], f64, f64);
+
+fn power(map: &HeightMap, window: Window) -> Result<Vec<Wave>, StatsError> {
+    let mut waves = Vec::with_capacity(map.grid().len() / 2 + map.grid().shape()[0]);
+    if !map.is_flat() {
+        let spectrum = PowerSpectrum::of(map, window)?;
+        spectrum.for_each(|q, weight, variance| waves.push((q, weight, variance)));
+    }
+    Ok(waves)
+}
+
+/// Standard deviation of m0, m2, m4 of a sum whose two parts have waves of random phase. A wave of
+/// variances `P1` and `P2` adds `2 √(P1 P2) cos φ`, with `φ` uniform, for itself and its mirror image, and
+/// counts in m2 and m4 as forward differences see it.
+fn spread([first, second]: [&[Wave]; 2], [dy, dx]: [f64; 2]) -> [f64; 3] {
+    let mut variances = [0.0; 3];
+    for ((q, weight, a), (_, _, b)) in first.iter().zip(second) {
+        let [y, x] = [(q[0], dy), (q[1], dx)].map(|(q, d)| (2.0 * (0.5 * q * d).sin() / d).powi(2));
+        let seen = [1.0, f64::midpoint(x, y), f64::midpoint(x * x, y * y)];
+        for (variance, seen) in variances.iter_mut().zip(seen) {
+            // Products of roots, since squares of small numbers vanish.
+            *variance += weight * (2.0 * seen * a.sqrt() * b.sqrt()).powi(2);
+        }
+    }
+    variances.map(f64::sqrt)
+}

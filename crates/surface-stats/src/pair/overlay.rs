@@ -1,0 +1,147 @@
+//! Which points of two maps lie on each other.
+
+use super::error::PairError;
+use crate::clean::Along;
+use contact_types::Grid;
+
+/// How two maps were laid on each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Placed {
+    /// How far the second was moved along `[y, x]` (m): the shift asked for in whole points.
+    pub shift: [f64; 2],
+    /// Whether both repeat, so that what moves out on one side comes in on the other; else the common
+    /// part was cut out.
+    pub is_rolled: bool,
+    /// The grids of both maps as given.
+    pub grids: [Grid; 2],
+    /// The grid of their common part.
+    pub common: Grid,
+    /// Which of them were put on the points of the other.
+    pub resampled: [bool; 2],
+}
+
+impl Placed {
+    /// Part of the area of each map that lies on the other \[-\].
+    pub fn shares(&self) -> [f64; 2] {
+        self.grids.map(|grid| (self.common.area() / grid.area()).min(1.0))
+    }
+
+    /// Larger over smaller distance of points, of the axis where they differ most \[-\].
+    pub fn pixel_ratio(&self) -> f64 {
+        let [a, b] = self.grids.map(|grid| grid.pixel());
+        let ratio = |k: usize| if a[k] > b[k] { a[k] / b[k] } else { b[k] / a[k] };
+        ratio(0).max(ratio(1))
+    }
+}
+
+/// The part of two maps that lies on each other along one axis, in points of each.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Common {
+    /// Distance of the points (m): that of the finer map.
+    pub(super) pixel: f64,
+    /// How far the second was moved (m).
+    pub(super) shift: f64,
+    /// Where the points are in each map.
+    pub(super) along: [Along; 2],
+    /// Which map is not taken at its own points.
+    pub(super) between: Option<usize>,
+}
+
+/// Fewest points of its own with which a map is interpolated: those of one cubic.
+const FEWEST: f64 = 4.0;
+
+/// Along one axis, centres on each other and the second moved by `shift`, in whole points of the finer.
+pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Common, PairError> {
+    let pixel = d[0].min(d[1]);
+    let whole = (shift / pixel).round();
+    let shift = whole * pixel;
+    let too_little = |found| Err(PairError::TooLittle { shift, found, length: found * pixel });
+    // Points that drift apart by less than half of one over the smaller map lie on each other.
+    if (d[0] - d[1]).abs() * n[0].min(n[1]) as f64 <= 0.5 * pixel {
+        let offset = ((n[0] as f64 - n[1] as f64) / 2.0).floor() + whole;
+        let (low, high) = (offset.max(0.0), (offset + n[1] as f64).min(n[0] as f64));
+        if high - low < 2.0 {
+            return too_little((high - low).max(0.0));
+        }
+        let at = |first| Along { first, step: 1.0, count: (high - low) as usize };
+        let along = [at(low), at(low - offset)];
+        return Ok(Common { pixel: d[0], shift, along, between: None });
+    }
+    let (fine, coarse) = if d[0] < d[1] { (0, 1) } else { (1, 0) };
+    // The first points, seen from the centre of the first map.
+    let centre = |k: usize| -0.5 * (n[k] - 1) as f64 * d[k];
+    let start = [centre(0), centre(1) + shift];
+    let end = |k: usize| start[k] + (n[k] - 1) as f64 * d[k];
+    let (low, high) = (start[0].max(start[1]), end(0).min(end(1)));
+    // A point on the end of the other map is inside it, whatever rounding says.
+    let first = ((low - start[fine]) / pixel - 1e-6).ceil().max(0.0);
+    let last = ((high - start[fine]) / pixel + 1e-6).floor().min((n[fine] - 1) as f64);
+    let count = last - first + 1.0;
+    if count < 2.0 {
+        return too_little(count.max(0.0));
+    }
+    let step = pixel / d[coarse];
+    let own = (count - 1.0) * step + 1.0;
+    if own < FEWEST {
+        return Err(PairError::TooCoarse { which: coarse, own, pixels: d });
+    }
+    let at = ((start[fine] + first * pixel - start[coarse]) / d[coarse]).max(0.0);
+    let mut along = [Along { first, step: 1.0, count: count as usize }; 2];
+    along[coarse] = Along { first: at, step, count: count as usize };
+    Ok(Common { pixel, shift, along, between: Some(coarse) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn along(n: [usize; 2], d: [f64; 2], shift: f64) -> Common {
+        common(n, d, shift).unwrap()
+    }
+
+    #[test]
+    fn equal_points_are_taken_whole() {
+        let c = along([8, 8], [1.0, 1.0], 2.4);
+        assert_eq!((c.along[0].first, c.along[1].first, c.along[0].count), (2.0, 0.0, 6));
+        assert!((c.shift - 2.0).abs() < 1e-15 && c.between.is_none());
+        let back = along([8, 8], [1.0, 1.0], -2.6);
+        assert_eq!((back.along[0].first, back.along[1].first, back.along[0].count), (0.0, 3.0, 5));
+        // Centres on each other: two points stand over on each side.
+        let c = along([8, 4], [1.0, 1.0], 0.0);
+        assert_eq!((c.along[0].first, c.along[1].first, c.along[0].count), (2.0, 0.0, 4));
+        // A pixel that is off by a thousandth drifts by 0.1 points over 100, by one over 1000.
+        assert!(along([100, 100], [1.0, 1.001], 0.0).between.is_none());
+        assert_eq!(along([1000, 1000], [1.0, 1.001], 0.0).between, Some(1));
+    }
+
+    /// Nine points at −4…4 and seven at −6, −4 … 6: the second's places 1, 1.5 … 5.
+    #[test]
+    fn the_finer_points_are_kept() {
+        let c = along([9, 7], [1.0, 2.0], 0.0);
+        assert_eq!(c.between, Some(1));
+        assert_eq!((c.along[0].first, c.along[0].count), (0.0, 9));
+        assert!((c.along[1].first - 1.0).abs() < 1e-12 && (c.along[1].step - 0.5).abs() < 1e-15);
+        // Moved to −3…9.
+        let moved = along([9, 7], [1.0, 2.0], 3.0);
+        assert!((moved.along[0].first - 1.0).abs() < 1e-12, "{moved:?}");
+        assert!(moved.along[1].first.abs() < 1e-12 && moved.along[0].count == 8, "{moved:?}");
+        // The coarser first.
+        let swapped = along([7, 9], [2.0, 1.0], -3.0);
+        assert_eq!(swapped.between, Some(0));
+        assert!((swapped.along[1].first - 1.0).abs() < 1e-12, "{swapped:?}");
+        assert!(swapped.along[0].first.abs() < 1e-12 && swapped.along[1].count == 8, "{swapped:?}");
+    }
+
+    #[test]
+    fn too_little_in_common_is_refused() {
+        for shift in [7.0, -7.0, 8.0, 1e6] {
+            assert!(matches!(common([8, 8], [1.0, 1.0], shift), Err(PairError::TooLittle { .. })));
+        }
+        assert!(matches!(
+            common([50, 50], [1.0, 100.0], 0.0),
+            Err(PairError::TooCoarse { which: 1, .. })
+        ));
+    }
+}
