@@ -142,7 +142,7 @@ impl PerFile for Solve {
     }
 
     fn is_complete(&self, file: &Path) -> bool {
-        let loads = self.loads().map_or(0, |loads| loads.len());
+        let loads = self.count().unwrap_or(0);
         let all = |maps: &PathBuf| map_names(loads).iter().all(|name| maps.join(name).exists());
         self.on(file).maps.as_ref().is_none_or(all)
     }
