@@ -61,7 +61,8 @@ pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
     Applies, Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer,
-    DeterministicPoint, ModelComparison, ModelCurve, Reason, Spectral, SurfaceComparison, Verdict,
+    DeterministicPoint, ModelComparison, ModelCurve, Reason, Refused, Spectral, SurfaceComparison,
+    Verdict,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Scene, is_steep};

@@ -22,8 +22,19 @@ pub struct Comparison {
     pub settings: Settings,
     /// The surfaces in the order given.
     pub surfaces: Vec<SurfaceComparison>,
+    /// Surfaces that were given and have no study.
+    pub refused: Vec<Refused>,
     /// Wall-clock time of all of it (s).
     pub seconds: f64,
+}
+
+/// A surface without a study.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Refused {
+    /// What it is called.
+    pub name: String,
+    /// Why it has none.
+    pub reason: String,
 }
 
 /// One surface: its numbers, the deterministic curve, every model beside it.

@@ -7,7 +7,8 @@ use crate::inputs::Inputs;
 use crate::progress::{Listener, Progress, StudyError};
 use crate::refine::refine;
 use crate::result::{
-    Comparison, DeterministicPoint, ModelComparison, ModelCurve, Spectral, SurfaceComparison,
+    Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, Spectral,
+    SurfaceComparison,
 };
 use crate::solver_of::builder;
 use crate::spots::spots_beyond;
@@ -31,7 +32,8 @@ impl Comparison {
     /// there. It is called on a thread of the solver.
     ///
     /// # Errors
-    /// [`StudyError`]. A load at which the solver does not converge and a model that does not
+    /// [`StudyError`]. Of several surfaces one that is refused costs the others nothing: it is listed
+    /// under `refused`, and only if all are, the first reason is the error. A load at which the solver does not converge and a model that does not
     /// apply are results, not errors.
     pub fn run(
         surfaces: Vec<Surface>,
@@ -51,10 +53,26 @@ impl Comparison {
         }
         let count = surfaces.len();
         let mut done = Vec::with_capacity(count);
+        let mut refused = Vec::new();
+        let mut first = None;
         for (index, surface) in surfaces.into_iter().enumerate() {
-            done.push(compare(surface, modulus, (&settings, registry), [index, count], progress)?);
+            let name = surface.name.clone();
+            match compare(surface, modulus, (&settings, registry), [index, count], progress) {
+                Ok(found) => done.push(found),
+                Err(StudyError::Stopped) => return Err(StudyError::Stopped),
+                Err(why) => {
+                    refused.push(Refused { name, reason: why.to_string() });
+                    first.get_or_insert(why);
+                }
+            }
         }
-        Ok(Self { settings, surfaces: done, seconds: start.elapsed().as_secs_f64() })
+        match first {
+            Some(why) if done.is_empty() => Err(why),
+            _ => {
+                let seconds = start.elapsed().as_secs_f64();
+                Ok(Self { settings, surfaces: done, refused, seconds })
+            }
+        }
     }
 }
 

@@ -34,6 +34,7 @@ pub fn write(
 pub fn comparison(comparison: &Comparison, provenance: &Provenance) -> Value {
     json!({
         "surfaces": comparison.surfaces.iter().map(|s| surface(s, comparison)).collect::<Vec<_>>(),
+        "refused": comparison.refused,
         "settings": comparison.settings,
         "versions": { "rough-contact": provenance.version, "platform": provenance.platform },
         "seconds": comparison.seconds,
@@ -55,7 +56,8 @@ pub fn findings(found: &[Finding]) -> Value {
     found.iter().map(one).collect()
 }
 
-fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
+/// One surface of a study, as [`comparison`] lists it.
+pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     let grid = s.solved_map().grid();
     let settings = &comparison.settings;
     let (precision, tolerance) = s

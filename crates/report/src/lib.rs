@@ -7,6 +7,7 @@
 
 mod budget_json;
 mod csv;
+mod digest;
 pub mod draw;
 mod error;
 pub mod figures;
@@ -26,6 +27,7 @@ pub use compare; // whose results are written here
 
 pub use budget_json::keys as budget_keys;
 pub use csv::write as write_csv;
+pub use digest::digest;
 pub use error::ReportError;
 pub use figures::panels::{write_area_svg, write_pressure_svg};
 pub use figures::profiles::{
@@ -33,11 +35,13 @@ pub use figures::profiles::{
 };
 pub use json::{
     accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,
-    findings as findings_json, statistics as statistics_json, write as write_json,
+    findings as findings_json, statistics as statistics_json, surface as surface_json,
+    write as write_json,
 };
 pub use page::html::write as write_html;
 pub use page::profile::write as write_profile_html;
 pub use page::profile_tables::setting_words;
+pub use page::summary::{Summary, write as write_summary_html};
 pub use profile_csv::write as write_profile_csv;
 pub use profile_json::{
     profile_comparison as profile_comparison_json, profile_statistics as profile_statistics_json,

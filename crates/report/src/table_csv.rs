@@ -6,7 +6,8 @@ use serde_json::Value;
 use std::io::{self, Write};
 
 /// Keys whose values are lists of text for people, or too long for a row.
-const LEFT_OUT: [&str; 5] = ["metadata", "channels", "cleaning", "error", "distributions"];
+const LEFT_OUT: [&str; 6] =
+    ["metadata", "channels", "cleaning", "error", "checks", "distributions"];
 
 /// Units of the keys of results; what is not here has none. SI throughout.
 const UNITS: &[(&str, &str)] = &[

@@ -25,9 +25,6 @@ pub(crate) trait PerFile: Clone + Debug + Sync {
     /// The columns of its table on a terminal.
     const SHOWN: &'static [Shown];
 
-    /// The files it was given.
-    fn files(&self) -> &Files;
-
     /// The same command with one file only.
     fn on(&self, file: &Path) -> Self;
 
@@ -46,8 +43,11 @@ pub(crate) trait PerFile: Clone + Debug + Sync {
 }
 
 /// Answers for the one file that was named as ever, for several in one table.
-pub(crate) fn run<C: PerFile>(command: &C, common: &Common) -> Result<Reply, Failure> {
-    let files = command.files();
+pub(crate) fn run<C: PerFile>(
+    command: &C,
+    files: &Files,
+    common: &Common,
+) -> Result<Reply, Failure> {
     if files.paths.is_empty() {
         let message = format!(
             "no FILE is named; give one, several or a folder, as in `rough-contact {} map.x3p`",
@@ -59,7 +59,7 @@ pub(crate) fn run<C: PerFile>(command: &C, common: &Common) -> Result<Reply, Fai
         return command.on(file).answer(common);
     }
     let store = Store::open(&files.kept, &["table.csv", "results.json"], common.force)?;
-    let outcomes = outcomes(command, store.as_ref(), common)?;
+    let outcomes = outcomes(command, &files.paths, store.as_ref(), common)?;
     let mut reply =
         Reply::new(rows::table(&outcomes, C::SHOWN), json!({ "files": objects(&outcomes) }));
     reply.trouble = trouble(&outcomes);
@@ -72,7 +72,7 @@ pub(crate) fn run<C: PerFile>(command: &C, common: &Common) -> Result<Reply, Fai
 }
 
 /// One object for each file, or why there is none.
-fn objects(outcomes: &[Outcome]) -> Vec<Value> {
+pub(crate) fn objects(outcomes: &[Outcome]) -> Vec<Value> {
     let one = |outcome: &Outcome| {
         let mut object = match &outcome.result {
             Ok((answer, None)) => answer.clone(),
@@ -103,10 +103,11 @@ pub(crate) fn trouble(outcomes: &[Outcome]) -> Option<Failure> {
 /// which is then no matter of the files.
 pub(crate) fn outcomes<C: PerFile>(
     command: &C,
+    paths: &[PathBuf],
     store: Option<&Store>,
     common: &Common,
 ) -> Result<Vec<Outcome>, Failure> {
-    let files = expand(&command.files().paths)?;
+    let files = expand(paths)?;
     let threads = common.threads();
     let settings =
         format!("{} {} {:?}", env!("CARGO_PKG_VERSION"), C::NAME, command.on(Path::new("")));
@@ -130,7 +131,7 @@ pub(crate) fn outcomes<C: PerFile>(
                 quiet: true,
                 threads: Some(if whole.is_some() { threads } else { 1 }),
                 // What an interrupted run has written of this file is replaced.
-                force: common.force || command.files().kept.resume,
+                force: common.force || store.is_some_and(|s| s.resume),
             };
             let outcome = one(command, file, &settings, store, &common);
             drop((shared, whole));
@@ -176,29 +177,38 @@ fn one<C: PerFile>(
     store: Option<&Store>,
     common: &Common,
 ) -> Outcome {
-    let outcome = |result, is_kept| Outcome { file: file.to_owned(), result, is_kept };
+    let mut outcome = Outcome {
+        file: file.to_owned(),
+        result: Err(Failure::refused("", "")),
+        is_kept: false,
+        kept_as: None,
+    };
     let Some(store) = store else {
         let reply = command.on(file).answer(common);
-        return outcome(reply.map(|r| (C::digest(r.json), r.trouble)), false);
+        outcome.result = reply.map(|r| (C::digest(r.json), r.trouble));
+        return outcome;
     };
     let content = match std::fs::read(file) {
         Ok(content) => sha256_hex(&content),
         Err(e) => {
             let message = format!("{}: {e}", file.display());
-            return outcome(Err(Failure::refused("io", message)), false);
+            outcome.result = Err(Failure::refused("io", message));
+            return outcome;
         }
     };
     let name = Store::name(file, &content, settings);
     if let Some((answer, trouble)) = store.kept(&name)
         && command.is_complete(file)
     {
-        return outcome(Ok((C::digest(answer), trouble)), true);
+        let result = Ok((C::digest(answer), trouble));
+        return Outcome { result, is_kept: true, kept_as: Some(name), ..outcome };
     }
-    let result = command.on(file).answer(common).and_then(|reply| {
+    outcome.result = command.on(file).answer(common).and_then(|reply| {
         store.keep(&name, &reply)?;
         Ok((C::digest(reply.json), reply.trouble))
     });
-    outcome(result, false)
+    outcome.kept_as = Some(name);
+    outcome
 }
 
 /// The folder of a run: its results, and under `answers` what each file gave.
@@ -212,12 +222,29 @@ impl Store {
     /// Prepares the folder, if one is asked for. Results that are there are replaced by a run that goes on
     /// with them.
     pub(crate) fn open(kept: &Kept, names: &[&str], force: bool) -> Result<Option<Self>, Failure> {
-        let Some(out) = &kept.out else { return Ok(None) };
+        kept.out.as_ref().map(|out| Self::at(out, names, kept.resume, force)).transpose()
+    }
+
+    /// The same at a folder.
+    pub(crate) fn at(
+        out: &Path,
+        names: &[&str],
+        resume: bool,
+        force: bool,
+    ) -> Result<Self, Failure> {
         let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
-        let folder = Folder::prepare(out, &names, force || kept.resume)?;
+        let folder = Folder::prepare(out, &names, force || resume)?;
         let answers = out.join("answers");
         Folder::prepare(&answers, &[], true)?;
-        Ok(Some(Self { folder, answers, resume: kept.resume }))
+        Ok(Self { folder, answers, resume })
+    }
+
+    /// The whole answer of a file, as it was kept.
+    pub(crate) fn whole(&self, outcome: &Outcome) -> std::io::Result<Value> {
+        let name = outcome.kept_as.as_deref().unwrap_or_default();
+        let text = std::fs::read_to_string(self.answers.join(name))?;
+        let mut kept: Value = serde_json::from_str(&text).map_err(std::io::Error::other)?;
+        Ok(kept["answer"].take())
     }
 
     /// The name of an answer: of the file, and a hash of its content, of where it lies and of everything

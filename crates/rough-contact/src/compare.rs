@@ -3,19 +3,20 @@
 use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
 use crate::compare_profiles;
-use crate::given::{Given, from_file, from_recipe, repeat};
+use crate::given::{Given, One, from_file, from_recipe, repeat};
 use crate::input::Reading;
 use crate::loads::Forces;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::planned;
 use crate::progress::Progress;
+use crate::shell::quoted;
 use crate::text::{self, Columns};
 use clap::Args;
 use compare::plan::Request;
 use compare::{
-    Comparison, EdgesName, Level, Method, Origin, Precision, Registry, RunFile, RunSurface, STEEL,
-    STEEL_ON_STEEL, Settings, Surface, SurfaceComparison,
+    Comparison, EdgesName, Level, Method, Origin, Precision, Refused, Registry, RunFile,
+    RunSurface, STEEL, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison,
 };
 use report::Provenance;
 use std::fmt::Write as _;
@@ -27,9 +28,13 @@ use std::path::{Path, PathBuf};
 const OUTPUTS: [&str; 6] =
     ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg", "run.toml"];
 
-#[derive(Args)]
+/// Most files that have a section each; the pictures of more make a page of many megabytes.
+const MOST_SECTIONS: usize = 10;
+
+#[derive(Args, Clone, Debug)]
 pub(crate) struct Compare {
-    /// Surface files; without any, three built-in surfaces: polished, ground, blasted
+    /// Surface files, and folders whose files are taken; without any, three built-in surfaces:
+    /// polished, ground, blasted
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(flatten)]
@@ -72,7 +77,7 @@ pub(crate) struct Compare {
     accuracy: Option<Request>,
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
-        "files", "pressure", "load", "area", "headline", "models", "level", "fractal_range", "edges", "method",
+        "files", "summary", "pressure", "load", "area", "headline", "models", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
@@ -80,6 +85,13 @@ pub(crate) struct Compare {
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// Each file by itself, and a page of distributions in place of a section for each [default: for
+    /// a folder, or more than 10 files]
+    #[arg(long)]
+    summary: bool,
+    /// Go on with a summary in --out: answers to the same content and the same options are kept
+    #[arg(long, conflicts_with = "from")]
+    resume: bool,
     #[command(flatten)]
     reading: Reading,
     #[command(flatten)]
@@ -88,10 +100,11 @@ pub(crate) struct Compare {
 
 impl Compare {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+        let mut unread = Vec::new();
         let (mut settings, surfaces) = if let Some(path) = &self.from {
             repeat(path)?
         } else {
-            let (settings, surfaces) = (self.settings()?, self.surfaces()?);
+            let (settings, surfaces) = (self.settings()?, self.surfaces(&mut unread)?);
             (self.loaded(settings, &surfaces)?, surfaces)
         };
         settings.threads = common.threads();
@@ -115,7 +128,8 @@ impl Compare {
         let folder = Folder::prepare(&self.out, &names, common.force)?;
         let listed = surfaces.iter().map(|s| (s.name.clone(), s.origin.clone()));
         let run_file = run_file(&settings, listed);
-        let comparison = study(surfaces, settings, common)?;
+        let mut comparison = study(surfaces, settings, common)?;
+        comparison.refused.extend(unread);
         let repeat = repeat_command(folder.path());
         let provenance = Provenance::here(repeat);
         let mut reply = Reply::new(
@@ -130,7 +144,13 @@ impl Compare {
         Ok(reply)
     }
 
-    fn settings(&self) -> Result<Settings, Failure> {
+    /// True if every file is answered by itself, and the page shows distributions.
+    pub(crate) fn is_summary(&self) -> bool {
+        let many = self.files.len() > MOST_SECTIONS || self.files.iter().any(|f| f.is_dir());
+        self.from.is_none() && !self.files.is_empty() && (self.summary || self.resume || many)
+    }
+
+    pub(crate) fn settings(&self) -> Result<Settings, Failure> {
         args::refuse_mirrored(self.edges, self.accuracy.is_some(), false)?;
         self.forces.given()?; // refused before any work
         let (modulus, bodies) = match self.bodies.given()? {
@@ -156,7 +176,7 @@ impl Compare {
     }
 
     /// With --load, its pressures on the area that carries it.
-    fn loaded(&self, settings: Settings, surfaces: &Given) -> Result<Settings, Failure> {
+    pub(crate) fn loaded(&self, settings: Settings, surfaces: &Given) -> Result<Settings, Failure> {
         let areas: Vec<f64> = match surfaces {
             Given::Maps(maps) => maps.iter().map(|s| s.heights.grid().area()).collect(),
             Given::Profiles(_) => Vec::new(),
@@ -171,11 +191,46 @@ impl Compare {
         })
     }
 
-    fn surfaces(&self) -> Result<Given, Failure> {
+    /// What is in a file.
+    pub(crate) fn read(&self, path: &Path) -> Result<One, Failure> {
+        from_file(path, &self.reading, self.cleaning.asked())
+    }
+
+    /// The same command with no file and no folder: what every answer depends on.
+    pub(crate) fn on(&self, file: &Path) -> Self {
+        let files = vec![file.to_owned()];
+        Self { files, out: PathBuf::new(), summary: false, resume: false, ..self.clone() }
+    }
+
+    pub(crate) fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
+    /// The folder, and whether to go on with what is there.
+    pub(crate) fn out(&self) -> (&Path, bool) {
+        (&self.out, self.resume)
+    }
+
+    /// What is in the files. One that cannot be read costs the others nothing: it goes to `unread`.
+    fn surfaces(&self, unread: &mut Vec<Refused>) -> Result<Given, Failure> {
         if !self.files.is_empty() {
-            let cleaning = self.cleaning.asked();
-            let read = |path: &PathBuf| from_file(path, &self.reading, cleaning);
-            let mut given = Given::of(self.files.iter().map(read).collect::<Result<Vec<_>, _>>()?)?;
+            let (mut all, mut first) = (Vec::new(), None);
+            for path in &self.files {
+                match self.read(path) {
+                    Ok(one) => all.push(one),
+                    Err(failure) => {
+                        let reason = failure.message().to_owned();
+                        unread.push(Refused { name: path.display().to_string(), reason });
+                        first.get_or_insert(failure);
+                    }
+                }
+            }
+            if let Some(failure) = first
+                && all.is_empty()
+            {
+                return Err(failure);
+            }
+            let mut given = Given::of(all)?;
             given.distinct();
             return Ok(given);
         }
@@ -199,15 +254,6 @@ fn repeat_command(out: &Path) -> String {
     let again = format!("{}-again", out.display().to_string().trim_end_matches(['/', '\\']));
     let run_file = out.join("run.toml").display().to_string();
     format!("rough-contact compare --from {} --out {}", quoted(&run_file), quoted(&again))
-}
-
-/// A word for a shell.
-fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "/._-+:\\~".contains(c);
-    if word.chars().all(is_plain) {
-        return word.to_owned();
-    }
-    format!("'{}'", word.replace('\'', "'\\''"))
 }
 
 fn study(
@@ -285,13 +331,22 @@ fn not_converged(comparison: &Comparison) -> Option<Failure> {
     (!lines.is_empty()).then(|| Failure::incomplete("not_converged", lines.join("\n")))
 }
 
-/// Loads that did not converge, and surfaces whose plan misses the accuracy asked for.
-fn not_met(comparison: &Comparison) -> Option<Failure> {
+/// Surfaces without a study, loads that did not converge, and surfaces whose plan misses the accuracy
+/// asked for.
+pub(crate) fn not_met(comparison: &Comparison) -> Option<Failure> {
     let unmet = comparison
         .surfaces
         .iter()
         .filter_map(|surface| planned::unmet(&surface.name, surface.plan.as_ref()?, ""));
-    not_converged(comparison).into_iter().chain(unmet).reduce(Failure::and)
+    let refused = comparison.refused.iter().map(|r| {
+        let message = if r.reason.contains(&r.name) {
+            r.reason.clone()
+        } else {
+            format!("{}: {}", r.name, r.reason)
+        };
+        Failure::incomplete("files_failed", format!("no answer: {message}"))
+    });
+    refused.chain(not_converged(comparison)).chain(unmet).reduce(Failure::and)
 }
 
 /// A short table per surface, and where the report is.
@@ -368,6 +423,5 @@ mod tests {
             repeat_command(Path::new("my out")),
             "rough-contact compare --from 'my out/run.toml' --out 'my out-again'"
         );
-        assert_eq!(quoted("it's"), "'it'\\''s'");
     }
 }

@@ -29,7 +29,7 @@ pub(crate) struct Info {
 
 impl Info {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
-        if self.list { Ok(formats()) } else { batch::run(self, common) }
+        if self.list { Ok(formats()) } else { batch::run(self, &self.files, common) }
     }
 }
 
@@ -44,10 +44,6 @@ impl PerFile for Info {
         Shown { head: "highest", at: &["/height_max"], how: How::Length },
         Shown { head: "channel", at: &["/channel"], how: How::Word },
     ];
-
-    fn files(&self) -> &Files {
-        &self.files
-    }
 
     fn on(&self, file: &Path) -> Self {
         Self { file: file.to_owned(), ..self.clone() }

@@ -6,6 +6,7 @@ mod args;
 mod batch;
 mod cleaning;
 mod compare;
+mod compare_many;
 mod compare_profiles;
 mod files;
 mod given;
@@ -25,6 +26,7 @@ mod progress;
 mod quantity;
 mod roughness;
 mod rows;
+mod shell;
 mod solve;
 mod stats;
 mod synth;
@@ -107,7 +109,7 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::Stats(stats) => stats.run(common),
         Command::Model(model) => model.run(common),
         Command::Solve(solve) => solve.run(common),
-        Command::Compare(compare) => compare.run(common),
+        Command::Compare(compare) => compare_many::run(compare, common),
         Command::Synth(synth) => synth.run(common),
         Command::Validate(validate) => validate.run(common),
     }

@@ -14,6 +14,8 @@ pub(crate) struct Outcome {
     pub(crate) result: Result<(Value, Option<Failure>), Failure>,
     /// True if the answer was there already.
     pub(crate) is_kept: bool,
+    /// The file name of its answer, where answers are kept.
+    pub(crate) kept_as: Option<String>,
 }
 
 impl Outcome {

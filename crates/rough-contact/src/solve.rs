@@ -2,7 +2,7 @@
 
 use crate::args::{self, Bodies, Common, List};
 use crate::batch::{self, PerFile};
-use crate::files::{Files, folder_name};
+use crate::files::folder_name;
 use crate::input::{Complete, Input, Measured};
 use crate::intervals::{Errors, Finest, Refined, under};
 use crate::loads::{Forces, Spread, positive, rising, shown};
@@ -105,7 +105,7 @@ const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mea
 
 impl Solve {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
-        batch::run(self, common)
+        batch::run(self, &self.input.files, common)
     }
 }
 
@@ -128,10 +128,6 @@ impl PerFile for Solve {
         Shown { head: "time", at: &["/points/*/seconds"], how: How::Seconds },
         Shown { head: "to check", at: &["/findings"], how: How::Checks },
     ];
-
-    fn files(&self) -> &Files {
-        &self.input.files
-    }
 
     /// Maps of several files are kept apart in folders with the names of the files.
     fn on(&self, file: &Path) -> Self {

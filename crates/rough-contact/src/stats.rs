@@ -2,7 +2,6 @@
 
 use crate::args::{self, Common};
 use crate::batch::{self, PerFile};
-use crate::files::Files;
 use crate::input::{Complete, Input, Measured};
 use crate::iso::Iso;
 use crate::outcome::{Failure, Reply};
@@ -32,7 +31,7 @@ pub(crate) struct Stats {
 
 impl Stats {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
-        batch::run(self, common)
+        batch::run(self, &self.input.files, common)
     }
 }
 
@@ -50,10 +49,6 @@ impl PerFile for Stats {
         Shown { head: "filled", at: &["/missing"], how: How::Count },
         Shown { head: "to check", at: &["/findings"], how: How::Checks },
     ];
-
-    fn files(&self) -> &Files {
-        &self.input.files
-    }
 
     fn on(&self, file: &Path) -> Self {
         Self { input: self.input.on(file), ..self.clone() }

@@ -144,3 +144,78 @@ fn a_run_goes_on_with_what_is_whole_and_of_the_same_content_and_options() {
     assert!((cell - number(&all[0]["points"][0]["area_fraction_corrected"])).abs() < 1e-15);
     assert!(rows[2].starts_with("in/b/broken.x3p,,") && !rows[2].ends_with(','), "{}", rows[2]);
 }
+
+#[test]
+fn a_folder_compared_is_a_page_of_distributions() {
+    let dir = folder();
+    let at = dir.path();
+    maps(at);
+    file(at, "in/b/flat.txt", "0 0 0 0\n0 0 0 0\n0 0 0 0\n"); // refused by the reader: no units
+    let line = "compare in --modulus 110GPa --out out --quiet --json";
+    let said = rough_contact(at, line);
+    assert_eq!(said.status, 1, "{}", said.err);
+    let all = said.json()["files"].as_array().unwrap().clone();
+    assert_eq!(all.len(), 4);
+    let read = |name: &str| std::fs::read_to_string(at.join("out").join(name)).unwrap();
+    let results: Value = serde_json::from_str(&read("results.json")).unwrap();
+    assert_eq!(results["refused"].as_array().unwrap().len(), 2);
+    assert_eq!(results["surfaces"].as_array().unwrap().len(), 2);
+
+    // What the table and the page say is what `compare` says of the file alone.
+    let alone = "compare in/a/map.x3p --modulus 110GPa --out alone --quiet --json";
+    let alone = rough_contact(at, alone).answered()["surfaces"][0].clone();
+    let (one, whole) = (&all[0], &results["surfaces"][0]);
+    assert_eq!(whole["statistics"], alone["statistics"]);
+    assert_eq!(one["mean_pressure"], alone["headline_pressure"]);
+    let error = |surface: &Value, name: &str| {
+        let models = surface["models"].as_array().unwrap();
+        models.iter().find(|m| m["model"] == name).unwrap()["area_error"]["headline"].clone()
+    };
+    for name in ["gw", "persson"] {
+        assert_eq!(one["models"][name]["area_error"], error(&alone, name));
+        assert_eq!(error(whole, name), error(&alone, name));
+    }
+    let page = read("report.html");
+    assert_eq!(page.matches("<h2>").count(), 6, "sections of the batch, none of a map");
+    for part in
+        ["2 files have none", "in/b/broken.x3p", "Distributions over the maps", "in/a/map.x3p"]
+    {
+        assert!(page.contains(part), "{part}");
+    }
+    assert_eq!(read("table.csv").lines().count(), 5);
+
+    // Going on changes no number; without the word nothing is overwritten.
+    refused(at, "compare in --modulus 110GPa --out out --quiet", 2, &["report.html", "--force"]);
+    let again = rough_contact(at, &format!("{line} --resume"));
+    assert_eq!(again.json()["files"], said.json()["files"]);
+    let names = read("table.csv");
+    let said = rough_contact(at, "compare in --modulus 110GPa --out out --quiet --resume");
+    assert!(said.out.contains("2 of 4 answers were there already"), "{}", said.out);
+    assert_eq!(read("table.csv"), names);
+}
+
+#[test]
+fn of_a_few_files_one_that_fails_costs_the_others_nothing() {
+    let dir = folder();
+    let at = dir.path();
+    maps(at);
+    std::fs::write(at.join("tiny.txt"), "1 2\n3 5\n").unwrap();
+    let line = "compare in/a/map.x3p in/b/broken.x3p tiny.txt in/b/map.x3p --modulus 110GPa --pressure \
+                100MPa --pixel 1um --height-unit nm --quiet --out out --json";
+    let said = rough_contact(at, line);
+    assert_eq!(said.status, 1, "{}", said.err);
+    let results = said.json();
+    let names = |key: &str| -> Vec<String> {
+        let list = results[key].as_array().unwrap();
+        list.iter().map(|s| s["name"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(names("surfaces"), ["in/a/map.x3p", "in/b/map.x3p"]);
+    assert!(names("refused").contains(&"in/b/broken.x3p".to_owned()), "{:?}", names("refused"));
+    for name in names("refused") {
+        assert!(said.err.contains(&name), "{name}: {}", said.err);
+    }
+    let page = std::fs::read_to_string(at.join("out/report.html")).unwrap();
+    assert!(page.contains("no study") && page.contains("broken.x3p"));
+    // All refused is refused.
+    refused(at, "compare in/b/broken.x3p --modulus 1GPa --out no", 2, &["broken.x3p"]);
+}

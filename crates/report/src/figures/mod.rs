@@ -7,5 +7,6 @@ pub(crate) mod maps;
 pub(crate) mod multiples;
 pub(crate) mod panels;
 pub(crate) mod profiles;
+pub(crate) mod spread;
 pub(crate) mod surface;
 pub(crate) mod trace;

@@ -51,6 +51,10 @@ pub(crate) fn section(page: &Page<'_>) -> String {
         };
         rows.push((term, treatment(surface).into()));
     }
+    for refused in &page.comparison.refused {
+        let reason = format!("no study: {}", escape(&refused.reason));
+        rows.push((escape(&refused.name), reason));
+    }
     rows.push((
         "Material".into(),
         format!(

@@ -11,4 +11,5 @@ pub(crate) mod profile_tables;
 pub(crate) mod sections;
 pub(crate) mod slider;
 pub(crate) mod statistics;
+pub(crate) mod summary;
 pub(crate) mod tables;

@@ -1,0 +1,461 @@
+//! The page over many maps: distributions, not a section for each.
+
+use crate::digest::Spread;
+use crate::draw::svg::escape;
+use crate::error::ReportError;
+use crate::figures::spread::{Curves, Histogram, Strip, curves, histograms, strips};
+use crate::looks::look;
+use crate::numbers::{
+    METRES, PASCALS, SPACE, Unit, chosen, duration, percent, quantity, signed_percent, significant,
+    unit_for,
+};
+use crate::page::how_made::bodies_words;
+use crate::page::html::document;
+use crate::page::sections::figure;
+use crate::page::tables::swatch;
+use crate::provenance::Provenance;
+use crate::words;
+use compare::{Settings, find};
+use serde_json::Value;
+use std::io::Write;
+
+/// A run over many maps.
+#[derive(Debug)]
+pub struct Summary<'a> {
+    /// Name and [digest](crate::digest) of each map with an answer.
+    pub maps: Vec<(String, &'a Value)>,
+    /// Name of each file without one, and why.
+    pub failed: Vec<(String, String)>,
+    /// What was asked.
+    pub settings: &'a Settings,
+    /// Wall-clock time of all of it (s).
+    pub seconds: f64,
+}
+
+/// Most maps that are listed one by one.
+const MOST_LISTED: usize = 1000;
+
+impl Summary<'_> {
+    fn values(&self, key: &str) -> Vec<Option<f64>> {
+        self.maps.iter().map(|(_, map)| map[key].as_f64().filter(|v| v.is_finite())).collect()
+    }
+
+    /// A model's errors at the headline.
+    fn errors(&self, model: &str) -> Vec<Option<f64>> {
+        self.maps.iter().map(|(_, map)| map["models"][model]["area_error"].as_f64()).collect()
+    }
+
+    /// The models, in the order of the study.
+    fn models(&self) -> Vec<&'static str> {
+        let known = compare::built_in().of_maps().map(|t| t.card().name.as_ref());
+        known
+            .filter(|name| self.maps.iter().any(|(_, map)| map["models"][*name].is_object()))
+            .collect()
+    }
+
+    /// Area over load, over pressures if all maps were asked the same.
+    fn curves(&self) -> Curves {
+        let list = |map: &Value| -> Vec<[f64; 2]> {
+            let points = map["curve"].as_array().map_or(&[][..], Vec::as_slice);
+            points.iter().filter_map(|p| Some([p[0].as_f64()?, p[1].as_f64()?])).collect()
+        };
+        let mut each: Vec<Vec<[f64; 2]>> = self.maps.iter().map(|(_, map)| list(map)).collect();
+        if self.settings.pressures.is_none() {
+            for (curve, gradient) in each.iter_mut().zip(self.values("rms_gradient")) {
+                let scale = self.settings.modulus * gradient.filter(|g| *g > 0.0).unwrap_or(1.0);
+                for point in curve {
+                    point[0] /= scale;
+                }
+            }
+        }
+        Curves { each, shared: self.settings.pressures.is_some() }
+    }
+}
+
+/// Writes the page.
+///
+/// # Errors
+/// [`ReportError`] if the writer fails.
+pub fn write(
+    summary: &Summary<'_>,
+    provenance: &Provenance,
+    out: &mut impl Write,
+) -> Result<(), ReportError> {
+    let count = summary.maps.len();
+    let all = count + summary.failed.len();
+    let mut body = format!(
+        "<header><p class=\"file\">rough-contact report · {all} files · <i>E</i>* = {} · {}</p>\n\
+         <h1>{}</h1>\n<p>{}</p></header>\n",
+        chosen(summary.settings.modulus, PASCALS),
+        words::date(provenance.unix_time),
+        headline(summary),
+        standing(summary)
+    );
+    if count > 0 {
+        body.push_str(&load_and_errors(summary));
+        body.push_str(&models(summary));
+        body.push_str(&distributions(summary));
+    }
+    body.push_str(&to_check(summary));
+    body.push_str(&failed(summary));
+    body.push_str(&listed(summary));
+    body.push_str(&how_made(summary, provenance));
+    document(&format!("{all} maps (rough-contact)"), false, &body, "", out)
+}
+
+/// The model whose errors are smallest in the median, and how they are spread.
+fn headline(summary: &Summary<'_>) -> String {
+    let sizes = |name: &&'static str| {
+        let errors: Vec<f64> = summary.errors(name).into_iter().flatten().collect();
+        let full = errors.len() == summary.maps.len();
+        let spread = Spread::of(errors.iter().map(|e| e.abs())).filter(|_| full)?;
+        Some((*name, spread.median(), Spread::of(errors.into_iter())?))
+    };
+    let best = summary.models().iter().filter_map(sizes).min_by(|a, b| a.1.total_cmp(&b.1));
+    match best {
+        Some((name, size, errors)) => format!(
+            "Nearest over {} maps: {}, <b>{}</b> off in the median, {} to {} on four of five",
+            summary.maps.len(),
+            label(name),
+            percent(size),
+            signed_percent(errors.quantile(0.1)),
+            signed_percent(errors.quantile(0.9)),
+        ),
+        None => {
+            format!("{} maps solved; no closed form answers on all of them", summary.maps.len())
+        }
+    }
+}
+
+fn label(name: &str) -> String {
+    find(name).map_or_else(|| escape(name), |theory| escape(&theory.card().title))
+}
+
+/// What was answered, and how far that can be read.
+fn standing(summary: &Summary<'_>) -> String {
+    let of = |test: fn(&Value) -> bool| summary.maps.iter().filter(|(_, map)| test(map)).count();
+    let short = of(|map| map["converged"] != true);
+    let bare = of(|map| !map["area_interval"].is_array());
+    let warned = of(|map| map["to_check"].as_u64().is_some_and(|n| n > 0));
+    let mut text = format!("{} maps have an answer", summary.maps.len());
+    if !summary.failed.is_empty() {
+        text.push_str(&format!(
+            ", <b>{} files have none</b> (below, with the reason)",
+            summary.failed.len()
+        ));
+    }
+    text.push_str(&format!(
+        ". Of their headlines {short} did not converge and {bare} have no error bar; {warned} maps have \
+         something to check. Loads: {}.",
+        match &summary.settings.pressures {
+            Some(_) => "the same for every map; the headline is the one at which about 2 % touches, or the \
+                        one asked for"
+                .to_owned(),
+            None => format!(
+                "chosen for each map, from about 0.1{SPACE}% to half of it in contact; the headline is at \
+                 about 2{SPACE}%"
+            ),
+        }
+    ));
+    text
+}
+
+fn load_and_errors(summary: &Summary<'_>) -> String {
+    let list: Vec<Strip> = summary
+        .models()
+        .iter()
+        .enumerate()
+        .filter_map(|(place, name)| {
+            let errors = Spread::of(summary.errors(name).into_iter().flatten())?;
+            let label = find(name).map_or_else(|| (*name).into(), |t| t.card().label.to_string());
+            Some(Strip { label, look: look(name, place), errors })
+        })
+        .collect();
+    format!(
+        "<h2>Area and load</h2>\n<div class=\"two\">\n{}{}</div>\n",
+        figure(
+            &curves(&summary.curves(), "b-f1").inline(),
+            "<b>Fig. 1. Real contact area</b> of every map by the deterministic solution. Thick: median; \
+             grey: four of five maps, where at least half of them have an answer.",
+        ),
+        figure(
+            &strips(&list, "b-f2").inline(),
+            &format!(
+                "<b>Fig. 2. Error of the closed forms</b> at the headline of each map. Mark: median; bar: \
+                 middle half; line: four of five maps. Grey: within 10{SPACE}%."
+            ),
+        ),
+    )
+}
+
+fn models(summary: &Summary<'_>) -> String {
+    let mut rows = String::new();
+    for (place, name) in summary.models().into_iter().enumerate() {
+        let errors = summary.errors(name);
+        let verdicts = |word: &str| {
+            let is = |map: &&(String, &Value)| map.1["models"][name]["verdict"] == word;
+            summary.maps.iter().filter(is).count()
+        };
+        let mean =
+            |(_, map): &(String, &Value)| map["models"][name]["mean_absolute_area_error"].as_f64();
+        let spread = Spread::of(errors.iter().copied().flatten());
+        let over = Spread::of(summary.maps.iter().filter_map(mean));
+        let worst = errors.iter().enumerate().filter_map(|(i, e)| Some((i, (*e)?)));
+        let worst = worst.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        let q =
+            |part: f64| spread.as_ref().map_or("–".into(), |s| signed_percent(s.quantile(part)));
+        rows.push_str(&format!(
+            "<tr><th scope=\"row\"><div>{}<span>{}</span></div></th><td class=\"n\">{}</td>\
+             <td class=\"n\">{}</td><td class=\"n\">{} to {}</td><td class=\"n\">{}</td>\
+             <td class=\"n\">{}</td><td class=\"why\">{}</td></tr>\n",
+            swatch(look(name, place)),
+            label(name),
+            errors.iter().flatten().count(),
+            q(0.5),
+            q(0.1),
+            q(0.9),
+            over.map_or("–".into(), |s| percent(s.median())),
+            [verdicts("yes"), verdicts("caution"), verdicts("no")]
+                .map(|n| n.to_string())
+                .join(" / "),
+            worst.map_or("–".into(), |(i, e)| format!(
+                "{}: {}",
+                signed_percent(e),
+                escape(&summary.maps[i].0)
+            )),
+        ));
+    }
+    format!(
+        "<h2>Models</h2>\n<div class=\"scroll\"><table class=\"models\"><caption>Error of the area against the \
+         deterministic solution</caption><thead><tr><th scope=\"col\">Model</th><th scope=\"col\" \
+         class=\"n\">Maps</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" class=\"n\">Four of \
+         five maps</th><th scope=\"col\" class=\"n\">Over all loads</th><th scope=\"col\" class=\"n\">Yes / caution / no</th><th scope=\"col\">Farthest \
+         off</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n<p class=\"why\">Median, four of five and farthest: at the headline of \
+         each map. Over all loads: median over the maps of the mean size of the error over the \
+         loads. Yes, caution, no: on how many maps the theory applies.</p>\n"
+    )
+}
+
+/// A quantity whose spread is shown.
+struct Quantity {
+    key: &'static str,
+    symbol: &'static str,
+    name: &'static str,
+    units: &'static [Unit],
+    drawn: bool,
+}
+
+const QUANTITIES: [Quantity; 13] = [
+    q("rms_height", "<i>Sq</i>", "RMS height", METRES, true),
+    q("rms_gradient", "<i>Sdq</i>", "RMS gradient", &[], true),
+    q("bandwidth", "<i>α</i>", "Bandwidth m₀m₄/m₂²", &[], false),
+    q("skewness", "<i>Ssk</i>", "Skewness", &[], false),
+    q("kurtosis", "<i>Sku</i>", "Kurtosis", &[], false),
+    q("hurst", "<i>H</i>", "Hurst exponent", &[], false),
+    q("mean_pressure", "<i>p</i>", "Headline load", PASCALS, false),
+    q("area_fraction_corrected", "<i>A</i>/<i>A</i>₀", "Real contact area", &[], true),
+    q("real_pressure_corrected", "<i>p</i><sub>r</sub>", "Mean real pressure", PASCALS, true),
+    q("mean_gap", "<i>ḡ</i>", "Mean gap", METRES, true),
+    q("contact_spots", "<i>n</i>", "Contact spots", &[], false),
+    q("median_spot_area", "", "Median spot area", AREAS, true),
+    q("seconds", "", "Solver, all loads", &[Unit { scale: 1.0, name: "s" }], false),
+];
+
+const AREAS: &[Unit] = &[
+    Unit { scale: 1e-18, name: "nm²" },
+    Unit { scale: 1e-12, name: "µm²" },
+    Unit { scale: 1e-6, name: "mm²" },
+    Unit { scale: 1.0, name: "m²" },
+];
+
+const fn q(
+    key: &'static str,
+    symbol: &'static str,
+    name: &'static str,
+    units: &'static [Unit],
+    drawn: bool,
+) -> Quantity {
+    Quantity { key, symbol, name, units, drawn }
+}
+
+impl Quantity {
+    /// The unit of the median, and of the area per cent.
+    fn unit(&self, spread: &Spread) -> Unit {
+        match (self.key, self.units) {
+            ("area_fraction_corrected", _) => Unit { scale: 0.01, name: "%" },
+            (_, []) => Unit { scale: 1.0, name: "" },
+            (_, units) => unit_for(spread.median(), units),
+        }
+    }
+}
+
+fn distributions(summary: &Summary<'_>) -> String {
+    let (mut drawn, mut rows) = (Vec::new(), String::new());
+    for quantity in &QUANTITIES {
+        let values = summary.values(quantity.key);
+        let Some(spread) = Spread::of(values.iter().copied().flatten()) else { continue };
+        let unit = quantity.unit(&spread);
+        let unit_name = |before: &str, after: &str| {
+            if unit.name.is_empty() {
+                String::new()
+            } else {
+                format!("{before}{}{after}", unit.name)
+            }
+        };
+        if quantity.drawn {
+            let in_unit = Spread::of(spread.sorted.iter().map(|v| v / unit.scale));
+            drawn.extend(in_unit.map(|values| Histogram {
+                title: format!("{}{}", quantity.name, unit_name(" (", ")")),
+                values,
+            }));
+        }
+        let cells: String = [0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0]
+            .map(|part| {
+                format!(
+                    "<td class=\"n\">{}</td>",
+                    significant(spread.quantile(part) / unit.scale, 3)
+                )
+            })
+            .concat();
+        let [low, high] = spread.ends();
+        let name = |value: f64| {
+            let place = values.iter().position(|v| v.is_some_and(|v| v.total_cmp(&value).is_eq()));
+            place.map_or(String::new(), |i| escape(&summary.maps[i].0))
+        };
+        rows.push_str(&format!(
+            "<tr><th scope=\"row\">{}{}{}{}</th><td class=\"n\">{}</td>{cells}<td class=\"why\">{} … \
+             {}</td></tr>\n",
+            quantity.name,
+            if quantity.symbol.is_empty() { "" } else { " " },
+            quantity.symbol,
+            unit_name(", ", ""),
+            spread.sorted.len(),
+            name(low),
+            name(high)
+        ));
+    }
+    format!(
+        "<h2>How the maps differ</h2>\n<figure class=\"wide scroll\">{}<figcaption><b>Fig. 3. Distributions \
+         over the maps.</b> Maps per class; dashed: median. A logarithmic axis where the values span more \
+         than a factor of eight.</figcaption></figure>\n<div class=\"wide scroll\"><table \
+         class=\"over\"><caption>Quantiles over the maps, contact at the headline</caption><thead><tr><th \
+         scope=\"col\">Quantity</th><th scope=\"col\" class=\"n\">Maps</th><th scope=\"col\" \
+         class=\"n\">Lowest</th><th scope=\"col\" class=\"n\">10{SPACE}%</th><th scope=\"col\" \
+         class=\"n\">25{SPACE}%</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" \
+         class=\"n\">75{SPACE}%</th><th scope=\"col\" class=\"n\">90{SPACE}%</th><th scope=\"col\" \
+         class=\"n\">Highest</th><th scope=\"col\">Lowest … highest are \
+         of</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n",
+        histograms(&drawn, "b-f3").inline()
+    )
+}
+
+/// What is to be checked, by kind, most maps first.
+fn to_check(summary: &Summary<'_>) -> String {
+    let mut kinds: Vec<(&str, usize, &str, &str)> = Vec::new();
+    for (name, map) in &summary.maps {
+        for check in map["checks"].as_array().into_iter().flatten() {
+            let (kind, claim) = (check["kind"].as_str(), check["claim"].as_str());
+            let (kind, claim) = (kind.unwrap_or_default(), claim.unwrap_or_default());
+            match kinds.iter_mut().find(|k| k.0 == kind) {
+                Some(known) => known.1 += 1,
+                None => kinds.push((kind, 1, claim, name)),
+            }
+        }
+    }
+    if kinds.is_empty() {
+        return String::new();
+    }
+    kinds.sort_by_key(|k| std::cmp::Reverse(k.1));
+    let rows: String = kinds
+        .iter()
+        .map(|(_, count, claim, name)| {
+            format!(
+                "<tr><td class=\"n\">{count}</td><td>{}</td><td class=\"why\">{}</td></tr>\n",
+                escape(claim),
+                escape(name)
+            )
+        })
+        .collect();
+    format!(
+        "<h2>To be checked before use</h2>\n<table class=\"over\"><caption>By kind</caption><thead><tr><th \
+         scope=\"col\" class=\"n\">Maps</th><th scope=\"col\">As said of the first of them</th><th \
+         scope=\"col\">The first</th></tr></thead><tbody>\n{rows}</tbody></table>\n"
+    )
+}
+
+fn failed(summary: &Summary<'_>) -> String {
+    if summary.failed.is_empty() {
+        return String::new();
+    }
+    let rows: String = summary
+        .failed
+        .iter()
+        .map(|(name, why)| {
+            format!("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", escape(name), escape(why))
+        })
+        .collect();
+    format!(
+        "<h2>Files without an answer</h2>\n<table class=\"key\"><caption>{} of {}</caption><tbody>\n\
+         {rows}</tbody></table>\n",
+        summary.failed.len(),
+        summary.failed.len() + summary.maps.len()
+    )
+}
+
+/// Every map in a line, folded away.
+fn listed(summary: &Summary<'_>) -> String {
+    if summary.maps.is_empty() || summary.maps.len() > MOST_LISTED {
+        return String::new();
+    }
+    let row = |(name, map): &(String, &Value)| {
+        let of =
+            |key: &str, write: &dyn Fn(f64) -> String| map[key].as_f64().map_or("–".into(), write);
+        let check = map["to_check"].as_u64().filter(|n| *n > 0);
+        format!(
+            "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td class=\"n\">{}</td>\
+             <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+            escape(name),
+            of("rms_height", &|v| quantity(v, METRES, 3)),
+            of("rms_gradient", &|v| significant(v, 2)),
+            of("mean_pressure", &|v| chosen(v, PASCALS)),
+            of("area_fraction_corrected", &percent),
+            check.map_or("–".into(), |n| n.to_string()),
+        )
+    };
+    let rows: String = summary.maps.iter().map(row).collect();
+    format!(
+        "<details><summary>Every map in one line</summary><table class=\"over\"><thead><tr><th \
+         scope=\"col\">Map</th><th scope=\"col\" class=\"n\"><i>Sq</i></th><th scope=\"col\" \
+         class=\"n\"><i>Sdq</i></th><th scope=\"col\" class=\"n\">Headline</th><th scope=\"col\" \
+         class=\"n\">Area</th><th scope=\"col\" class=\"n\">To check</th></tr></thead><tbody>\n{rows}\
+         </tbody></table></details>\n"
+    )
+}
+
+fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
+    let settings = summary.settings;
+    let solver = match settings.accuracy {
+        Some(accuracy) => format!("for each map what {} of the area needs", percent(accuracy)),
+        None => format!(
+            "{}, {}, tolerance {:e}",
+            settings.method, settings.precision, settings.tolerance
+        ),
+    };
+    format!(
+        "<h2>How this was made</h2>\n<dl><dt>Program</dt><dd>rough-contact {}, {}, {} threads, {}</dd>\n\
+         <dt>Material</dt><dd><i>E</i>* = {}, {}</dd>\n<dt>Surface</dt><dd>level: {}; edges: \
+         {}</dd>\n<dt>Solver</dt><dd>{solver}; area corrected for the contact line</dd></dl>\n<p>Made \
+         with</p><pre>{}</pre>\n<p class=\"why\">One row for each file is in <code>table.csv</code>, complete \
+         results in <code>results.json</code>. <code>compare</code> with one of the files alone writes its \
+         report, with a closer look at its accuracy.</p>\n",
+        escape(&provenance.version),
+        escape(&provenance.platform),
+        settings.threads,
+        duration(summary.seconds),
+        chosen(settings.modulus, PASCALS),
+        bodies_words(&settings.bodies),
+        settings.level.name(),
+        settings.edges.name(),
+        escape(&provenance.repeat)
+    )
+}

@@ -1,0 +1,144 @@
+//! `rough-contact compare` of many maps: each by itself, and a page of how they are spread.
+
+use crate::args::Common;
+use crate::batch::{self, PerFile, Store};
+use crate::compare::Compare;
+use crate::given::{Given, One};
+use crate::outcome::{Failure, Reply};
+use crate::rows::{self, How, Outcome, Shown};
+use crate::shell::quoted;
+use compare::{Comparison, Registry, Settings, Surface};
+use report::{Provenance, Summary};
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// What the folder receives beside the answers.
+const OUTPUTS: [&str; 3] = ["report.html", "results.json", "table.csv"];
+
+/// A profile among the files.
+const PROFILE: &str = "a profile has no deterministic answer that closed forms could be compared with; \
+compare up to 10 profiles in a run of their own";
+
+impl PerFile for Compare {
+    const NAME: &'static str = "compare";
+    const SHOWN: &'static [Shown] = &[
+        Shown { head: "points", at: &["/shape"], how: How::Shape },
+        Shown { head: "Sq", at: &["/rms_height"], how: How::Length },
+        Shown { head: "rms gradient", at: &["/rms_gradient"], how: How::Number },
+        Shown { head: "headline", at: &["/mean_pressure"], how: How::Pressure },
+        Shown { head: "area", at: &["/area_fraction_corrected"], how: How::Percent },
+        Shown { head: "real pressure", at: &["/real_pressure_corrected"], how: How::Pressure },
+        Shown { head: "GW off by", at: &["/models/gw/area_error"], how: How::Percent },
+        Shown { head: "Persson off by", at: &["/models/persson/area_error"], how: How::Percent },
+        Shown { head: "solver", at: &["/seconds"], how: How::Seconds },
+        Shown { head: "to check", at: &["/to_check"], how: How::Count },
+    ];
+
+    fn on(&self, file: &Path) -> Self {
+        self.on(file)
+    }
+
+    fn answer(&self, common: &Common) -> Result<Reply, Failure> {
+        let path = self.files().first().map_or(Path::new(""), PathBuf::as_path);
+        let One::Map(map) = self.read(path)? else {
+            return Err(Failure::refused("profile", format!("{}: {PROFILE}", path.display())));
+        };
+        let settings = Settings { threads: common.threads(), ..self.settings()? };
+        let given = Given::Maps(vec![Surface { name: path.display().to_string(), ..*map }]);
+        let settings = self.loaded(settings, &given)?;
+        let Given::Maps(surface) = given else { return Err(Failure::refused("profile", PROFILE)) };
+        let go_on = &mut |_: compare::Progress<'_>| ControlFlow::Continue(());
+        let study = Comparison::run(surface, settings, &Registry::built_in(), go_on)
+            .map_err(|e| Failure::in_file(path, &e))?;
+        let json = study.surfaces.first().map_or(Value::Null, |s| report::surface_json(s, &study));
+        let mut reply = Reply::new(String::new(), json);
+        reply.trouble = crate::compare::not_met(&study);
+        Ok(reply)
+    }
+
+    fn digest(answer: Value) -> Value {
+        report::digest(&answer)
+    }
+}
+
+/// Runs the studies and writes the page; the report with a section each where they are few.
+pub(crate) fn run(command: &Compare, common: &Common) -> Result<Reply, Failure> {
+    if !command.is_summary() {
+        return command.run(common);
+    }
+    let (out, resume) = command.out();
+    let start = Instant::now();
+    let settings = Settings { threads: common.threads(), ..command.settings()? };
+    let store = Store::at(out, &OUTPUTS, resume, common.force)?;
+    let outcomes = batch::outcomes(command, command.files(), Some(&store), common)?;
+    let mut reply = Reply::new(
+        rows::table(&outcomes, Compare::SHOWN),
+        json!({ "files": batch::objects(&outcomes), "settings": settings }),
+    );
+    reply.trouble = batch::trouble(&outcomes);
+    let words: Vec<String> = std::env::args().skip(1).map(|word| quoted(&word)).collect();
+    let provenance = Provenance::here(format!("rough-contact {}", words.join(" ")));
+    let summary = summary(&outcomes, &settings, start.elapsed().as_secs_f64());
+    // What was computed is printed even if it cannot be written.
+    if let Err(failure) = write(&store, &outcomes, &summary, &provenance) {
+        reply.trouble = Some(failure);
+    }
+    let page = store.folder.path().join("report.html");
+    let _ = writeln!(reply.text, "report: {}", page.display()); // a String takes everything
+    Ok(reply)
+}
+
+fn summary<'a>(outcomes: &'a [Outcome], settings: &'a Settings, seconds: f64) -> Summary<'a> {
+    let name = |o: &Outcome| o.file.display().to_string();
+    let map = |o: &'a Outcome| Some((name(o), &o.result.as_ref().ok()?.0));
+    let failed = |o: &Outcome| o.result.is_err().then(|| (name(o), o.why().unwrap_or_default()));
+    Summary {
+        maps: outcomes.iter().filter_map(map).collect(),
+        failed: outcomes.iter().filter_map(failed).collect(),
+        settings,
+        seconds,
+    }
+}
+
+fn write(
+    store: &Store,
+    outcomes: &[Outcome],
+    summary: &Summary<'_>,
+    provenance: &Provenance,
+) -> Result<(), Failure> {
+    let io = |e: report::ReportError| match e {
+        report::ReportError::Io(e) => e,
+        other => std::io::Error::other(other),
+    };
+    let folder = &store.folder;
+    folder.write("report.html", |out| {
+        report::write_summary_html(summary, provenance, out).map_err(io)
+    })?;
+    folder.write("table.csv", |out| rows::csv(outcomes, out))?;
+    // The answers go through one by one: together they may be more than the memory holds.
+    folder.write("results.json", |out| {
+        let mut before = "{\n\"surfaces\": [\n";
+        for outcome in outcomes.iter().filter(|o| o.result.is_ok()) {
+            write!(out, "{before}{}", store.whole(outcome)?)?;
+            before = ",\n";
+        }
+        let refused: Vec<Value> = summary
+            .failed
+            .iter()
+            .map(|(name, reason)| json!({ "name": name, "reason": reason }))
+            .collect();
+        let versions =
+            json!({ "rough-contact": provenance.version, "platform": provenance.platform });
+        let opening = if before.starts_with('{') { before } else { "" };
+        writeln!(
+            out,
+            "{opening}\n],\n\"refused\": {},\n\"settings\": {},\n\"versions\": {versions}\n}}",
+            json!(refused),
+            json!(summary.settings),
+        )
+    })
+}
