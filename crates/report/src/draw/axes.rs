@@ -124,6 +124,14 @@ impl Axis {
             if !(-3..=3).contains(&e) && is_decade {
                 return power_of_ten(e);
             }
+            if value < 1e-3 {
+                let decade = value.log10().floor() as i32;
+                return format!("{:.2}", value / 10f64.powi(decade))
+                    .trim_end_matches(['0', '.'])
+                    .to_owned()
+                    + "\u{b7}"
+                    + &power_of_ten(decade);
+            }
         }
         let decimals = (0..9)
             .find(|&d| {

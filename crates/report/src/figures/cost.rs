@@ -77,7 +77,8 @@ pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
         taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
     }
     for route in routes {
-        let size = [text_width(&route.label, 10.0, route.bold), 10.0];
+        // A little room beside it, so that neighbours do not read as one word.
+        let size = [text_width(&route.label, 10.0, route.bold) + 4.0, 10.0];
         let inside = [FRAME[0], FRAME[1] - 8.0, COLUMN - 2.0, FRAME[3]];
         if let Some(r) = place_near(place(route), size, &taken, inside) {
             taken.push(r);

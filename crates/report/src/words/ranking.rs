@@ -119,84 +119,117 @@ enum Side {
     Low,
     High,
     Crosses,
+    /// Not told apart from it at any load.
     Agrees,
 }
 
-impl Side {
-    /// From the smallest and the largest signed error. What prints as 0.0 % is no difference.
-    fn of(lo: f64, hi: f64) -> Self {
-        const NONE: f64 = 5e-4;
-        match (lo < -NONE, hi > NONE) {
-            (true, false) => Self::Low,
-            (false, true) => Self::High,
-            (true, true) => Self::Crosses,
-            (false, false) => Self::Agrees,
-        }
+/// A curve against the deterministic one and its ± of grid and iteration.
+struct Against {
+    side: Side,
+    /// Whether it lies outside the ± at every load.
+    told: bool,
+    /// Whether it is the same to what is printed, and not only within the ±.
+    same: bool,
+}
+
+/// From the errors of a model and half the width of the reference's own ±, both relative to the
+/// reference: an error within the ± tells nothing, nor does what prints as 0.0 %.
+fn against(loads: impl Iterator<Item = (f64, f64)>) -> Against {
+    const NONE: f64 = 5e-4;
+    let (mut low, mut high, mut told, mut same) = (false, false, true, true);
+    for (error, uncertainty) in loads {
+        same &= error.abs() <= NONE;
+        let is_outside = error.abs() > NONE.max(uncertainty);
+        told &= is_outside;
+        low |= is_outside && error < 0.0;
+        high |= is_outside && error > 0.0;
     }
+    let side = match (low, high) {
+        (true, false) => Side::Low,
+        (false, true) => Side::High,
+        (true, true) => Side::Crosses,
+        (false, false) => Side::Agrees,
+    };
+    Against { side, told, same }
+}
+
+/// The errors of a model at the loads that have a reference, with half the width of its ± there,
+/// relative to it.
+fn told(surface: &SurfaceComparison, curve: &ModelCurve) -> impl Iterator<Item = (f64, f64)> {
+    surface.deterministic.iter().zip(&curve.errors).filter_map(|(point, error)| {
+        let answer = point.answer.as_ref()?;
+        let uncertainty = answer.uncertainty().unwrap_or(f64::INFINITY);
+        Some(((*error)?, uncertainty / answer.area_fraction_corrected))
+    })
 }
 
 /// Which models read low, high, or cross, over the loads.
 pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
-    let (mut low, mut high, mut cross) = (Vec::new(), Vec::new(), Vec::new());
-    let mut agree = Vec::new();
-    for model in &surface.models {
-        let Some((lo, hi)) = model.outcome.as_ref().ok().and_then(ModelCurve::range) else {
-            continue;
-        };
-        let label = escape(&model.card.label);
-        match Side::of(lo, hi) {
-            Side::Low => low.push(label),
-            Side::High => high.push(label),
-            Side::Crosses => cross.push(label),
-            Side::Agrees => agree.push(label),
-        }
-    }
     let always = if surface.deterministic.len() > 1 { "at every load" } else { "at this load" };
-    let verb = |names: &[String], one: &str, many: &str| {
-        if names.len() == 1 { one.to_owned() } else { many.to_owned() }
-    };
-    let mut parts = Vec::new();
-    if !low.is_empty() {
-        parts.push(format!(
-            "{} {} too little contact {always}, so too high a real pressure.",
-            list(&low),
-            verb(&low, "predicts", "predict")
-        ));
+    let tells = "where the ± of the solution tells them apart";
+    // Each group with its sentence for one and for many.
+    let mut groups = [
+        (
+            "predicts",
+            "predict",
+            format!("too little contact {always}, so too high a real pressure"),
+        ),
+        ("predicts", "predict", format!("too little contact {tells}, so too high a real pressure")),
+        ("predicts", "predict", format!("too much {always}")),
+        ("predicts", "predict", format!("too much {tells}")),
+        ("crosses", "cross", "the deterministic curve".to_owned()),
+        ("agrees", "agree", format!("with the deterministic area {always}")),
+        ("lies", "lie", format!("within the ± of the deterministic area {always}")),
+    ]
+    .map(|sentence| (sentence, Vec::new()));
+    for model in &surface.models {
+        let Ok(curve) = &model.outcome else { continue };
+        if told(surface, curve).next().is_none() {
+            continue;
+        }
+        let found = against(told(surface, curve));
+        let group = match found.side {
+            Side::Low => usize::from(!found.told),
+            Side::High => 2 + usize::from(!found.told),
+            Side::Crosses => 4,
+            Side::Agrees => 5 + usize::from(!found.same),
+        };
+        groups[group].1.push(escape(&model.card.label));
     }
-    if !high.is_empty() {
-        parts.push(format!(
-            "{} {} too much {always}.",
-            list(&high),
-            verb(&high, "predicts", "predict")
-        ));
-    }
-    if !cross.is_empty() {
-        parts.push(format!(
-            "{} {} the deterministic curve.",
-            list(&cross),
-            verb(&cross, "crosses", "cross")
-        ));
-    }
-    if !agree.is_empty() {
-        parts.push(format!(
-            "{} {} with the deterministic area {always}.",
-            list(&agree),
-            verb(&agree, "agrees", "agree")
-        ));
-    }
-    parts.join(" ")
+    let sentences: Vec<String> = groups
+        .iter()
+        .filter(|(_, names)| !names.is_empty())
+        .map(|((one, many, rest), names)| {
+            format!("{} {} {rest}.", list(names), if names.len() == 1 { one } else { many })
+        })
+        .collect();
+    sentences.join(" ")
 }
 
-/// "Within 10 % of the deterministic area: Elliptical up to 4 MPa; GW from … to ….".
+/// "Within 10 % of the deterministic area: Elliptical up to 4 MPa; GW from … to ….". Loads at which the
+/// reference itself is not known to 10 % tell nothing and are said.
 pub(crate) fn within_ten(surface: &SurfaceComparison) -> String {
     let loads = &surface.deterministic;
     let at = |i: usize| chosen(loads[i].mean_pressure, PASCALS);
+    let is_known = |i: usize| {
+        loads[i].answer.as_ref().is_some_and(|answer| {
+            let uncertainty = answer.uncertainty().unwrap_or(f64::INFINITY);
+            uncertainty <= WANTED * answer.area_fraction_corrected
+        })
+    };
+    let known = (0..loads.len()).filter(|i| is_known(*i)).count();
+    if known == 0 {
+        return format!(
+            "The area of the solution itself is not known to 10{SPACE}% at any of these loads: which \
+             closed form is within that cannot be said."
+        );
+    }
     let mut parts = Vec::new();
     for model in &surface.models {
         let Ok(curve) = &model.outcome else { continue };
         let mut spans: Vec<[usize; 2]> = Vec::new();
         for (i, error) in curve.errors.iter().enumerate() {
-            if error.is_some_and(|e| e.abs() <= WANTED) {
+            if is_known(i) && error.is_some_and(|e| e.abs() <= WANTED) {
                 match spans.last_mut() {
                     Some(span) if span[1] + 1 == i => span[1] = i,
                     _ => spans.push([i, i]),
@@ -219,12 +252,17 @@ pub(crate) fn within_ten(surface: &SurfaceComparison) -> String {
             .collect();
         parts.push(format!("{} {}", escape(&model.card.label), words.join(" and ")));
     }
-    if parts.is_empty() {
-        format!(
-            "No closed form is within 10{SPACE}% of the deterministic area at any of these loads."
-        )
+    let these = if known == loads.len() {
+        "these loads".to_owned()
     } else {
+        format!("the {known} of {} loads at which it is known to that", loads.len())
+    };
+    if parts.is_empty() {
+        format!("No closed form is within 10{SPACE}% of the deterministic area at any of {these}.")
+    } else if known == loads.len() {
         format!("Within 10{SPACE}% of the deterministic area: {}.", parts.join("; "))
+    } else {
+        format!("Within 10{SPACE}% of the deterministic area, at {these}: {}.", parts.join("; "))
     }
 }
 
@@ -255,12 +293,28 @@ mod tests {
         assert_eq!(list(&["GW", "BGT", "Persson"]), "GW, BGT and Persson");
     }
 
+    fn side(loads: &[(f64, f64)]) -> Side {
+        against(loads.iter().copied()).side
+    }
+
     #[test]
     fn a_curve_that_is_nowhere_off_does_not_cross() {
-        assert_eq!(Side::of(-1e-5, 2e-5), Side::Agrees);
-        assert_eq!(Side::of(0.0, 0.0), Side::Agrees);
-        assert_eq!(Side::of(-0.2, 1e-5), Side::Low);
-        assert_eq!(Side::of(-1e-5, 0.2), Side::High);
-        assert_eq!(Side::of(-0.1, 0.2), Side::Crosses);
+        assert_eq!(side(&[(-1e-5, 0.0), (2e-5, 0.0)]), Side::Agrees);
+        assert_eq!(side(&[(0.0, 0.0)]), Side::Agrees);
+        assert_eq!(side(&[(-0.2, 0.0), (1e-5, 0.0)]), Side::Low);
+        assert_eq!(side(&[(-1e-5, 0.0), (0.2, 0.0)]), Side::High);
+        assert_eq!(side(&[(-0.1, 0.0), (0.2, 0.0)]), Side::Crosses);
+    }
+
+    #[test]
+    fn within_the_bar_of_the_reference_nothing_is_told() {
+        let faint = against([(-0.99, 1.5), (-0.8, 0.9)].into_iter());
+        assert!(faint.side == Side::Agrees && !faint.told && !faint.same);
+        let partly = against([(-0.99, 1.5), (-0.8, 0.1)].into_iter());
+        assert!(partly.side == Side::Low && !partly.told);
+        let clearly = against([(-0.3, 0.1), (-0.2, 0.1)].into_iter());
+        assert!(clearly.side == Side::Low && clearly.told);
+        let unknown = against([(-0.3, f64::INFINITY)].into_iter());
+        assert!(unknown.side == Side::Agrees && !unknown.same);
     }
 }
