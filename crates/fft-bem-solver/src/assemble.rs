@@ -120,7 +120,8 @@ impl<T: Real> Engine<T> {
             mean_pressure,
             area_fraction,
             separation: Some(-(problem.mean_height + state.level) * units.height),
-            mean_gap: Some(fields::sum_of(pixels, counted) / n),
+            // Near full contact what is left of the residual may outweigh the gap; bodies do not overlap.
+            mean_gap: Some((fields::sum_of(pixels, counted) / n).max(0.0)),
             caveat: None,
         };
         let approach = self.state.level * units.height;

@@ -366,3 +366,16 @@ fn tolerances_below_rounding_end() {
         }
     }
 }
+
+/// Near full contact a loose tolerance leaves more overlap than gap, and in it rounding may: on average
+/// bodies do not overlap. Each of these loads had a negative gap before that was said.
+#[test]
+fn bodies_do_not_overlap_on_average() {
+    for (seed, load) in [(1, 1.5), (1, 1.6), (2, 1.3), (3, 1.6), (3, 3.0)] {
+        let map = self_affine(unit_grid(64, 64), 0.8, 32.0, 4.0, seed);
+        let mut solver = Solver::builder().tolerance(1e-2).build(map.grid(), modulus(1.0)).unwrap();
+        let found = solver.solve(&map, Load::MeanPressure(load)).unwrap();
+        assert!(found.state.mean_gap.unwrap() >= 0.0, "{seed}, {load}: {:?}", found.state);
+        assert!(found.state.area_fraction > 0.99, "{seed}, {load}: {:?}", found.state);
+    }
+}
