@@ -10,6 +10,7 @@ mod closer;
 mod coarser;
 mod curve;
 mod describe;
+mod distribution;
 mod finding;
 mod findings;
 mod inputs;
@@ -44,6 +45,7 @@ pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
     SeparationModel, SpectralMoments, SurfaceError,
 };
+pub use distribution::{Distributions, GapDistribution, PressureDistribution, SpotDistribution};
 pub use fft_bem_solver::{
     Answer, Iteration, Load, Method, Precision, Solution, Solver, SolverError,
 };
@@ -68,7 +70,7 @@ pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Scene, is_steep};
 pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
-pub use spots::{Spots, contact_spots};
+pub use spots::{Spot, Spots, contact_spots, spot_list};
 pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
 pub use surface_stats::Level;
 pub use surroundings::{Surrounded, on_given};

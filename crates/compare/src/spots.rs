@@ -25,45 +25,86 @@ pub fn contact_spots(pressure: &[f64], grid: Grid) -> Option<Spots> {
 /// The same with other surroundings: a spot at the edge of mirror images joins its own image, not
 /// what lies at the other edge, and counts by its part on the map.
 pub(crate) fn spots_beyond(pressure: &[f64], grid: Grid, edges: EdgesName) -> Option<Spots> {
+    let list = spot_list(pressure, grid, edges == EdgesName::Periodic);
+    Some(Spots {
+        count: list.len(),
+        // Largest first: the upper one of two in the middle.
+        median_area: list.get(list.len().checked_sub(1)? - list.len() / 2)?.area,
+        largest_area: list.first()?.area,
+    })
+}
+
+/// One contact spot.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Spot {
+    /// Area by counted points (m²).
+    pub area: f64,
+    /// Force it carries (N).
+    pub load: f64,
+    /// Mean position `[y, x]` of its points, from the centre of the first point (m). Of a spot that runs
+    /// around a periodic map it has no meaning.
+    pub centroid: [f64; 2],
+    /// Load over area (Pa).
+    pub mean_pressure: f64,
+    /// Highest pressure of a point (Pa).
+    pub max_pressure: f64,
+    /// Its points.
+    pub points: usize,
+}
+
+/// Every contact spot of a pressure field (Pa), largest first: sets of touching points connected over edges or
+/// corners; across the seam of the map too where it `repeats`. Empty if nothing touches or the field is
+/// not of this grid.
+pub fn spot_list(pressure: &[f64], grid: Grid, repeats: bool) -> Vec<Spot> {
     let [ny, nx] = grid.shape();
     if pressure.len() != grid.len() {
-        return None;
+        return Vec::new();
     }
+    let [dy, dx] = grid.pixel();
     let mut left: Vec<bool> = pressure.iter().map(|p| *p > 0.0).collect();
-    let mut sizes: Vec<usize> = Vec::new();
-    let mut front: Vec<usize> = Vec::new();
+    let mut spots = Vec::new();
+    // Points with the way to them from the first one, which does not jump at the seam.
+    let mut front: Vec<(usize, [isize; 2])> = Vec::new();
     for start in 0..left.len() {
         if !std::mem::take(&mut left[start]) {
             continue;
         }
-        front.push(start);
-        let mut size = 0;
-        while let Some(i) = front.pop() {
-            size += 1;
-            for dy in [ny - 1, 0, 1] {
-                for dx in [nx - 1, 0, 1] {
+        front.push((start, [0, 0]));
+        let (mut points, mut sum, mut highest, mut way) = (0_usize, 0.0, 0.0_f64, [0.0; 2]);
+        while let Some((i, [wy, wx])) = front.pop() {
+            points += 1;
+            sum += pressure[i];
+            highest = highest.max(pressure[i]);
+            way = [way[0] + wy as f64, way[1] + wx as f64];
+            for (dy, ay) in [(ny - 1, -1), (0, 0), (1, 1)] {
+                for (dx, ax) in [(nx - 1, -1), (0, 0), (1, 1)] {
                     let (y, x) = ((i / nx + dy) % ny, (i % nx + dx) % nx);
                     let crosses = y.abs_diff(i / nx) > 1 || x.abs_diff(i % nx) > 1;
-                    if crosses && edges == EdgesName::Mirrored {
+                    if crosses && !repeats {
                         continue;
                     }
                     let j = y * nx + x;
                     if std::mem::take(&mut left[j]) {
-                        front.push(j);
+                        front.push((j, [wy + ay, wx + ax]));
                     }
                 }
             }
         }
-        sizes.push(size);
+        let place = |first: usize, way: f64, n: usize, pixel: f64| {
+            (first as f64 + way / points as f64).rem_euclid(n as f64) * pixel
+        };
+        spots.push(Spot {
+            area: points as f64 * dy * dx,
+            load: sum * dy * dx,
+            centroid: [place(start / nx, way[0], ny, dy), place(start % nx, way[1], nx, dx)],
+            mean_pressure: sum / points as f64,
+            max_pressure: highest,
+            points,
+        });
     }
-    sizes.sort_unstable();
-    let [dy, dx] = grid.pixel();
-    let area = |points: usize| points as f64 * dy * dx;
-    Some(Spots {
-        count: sizes.len(),
-        median_area: area(*sizes.get(sizes.len() / 2)?),
-        largest_area: area(*sizes.last()?),
-    })
+    spots.sort_by_key(|spot| std::cmp::Reverse(spot.points));
+    spots
 }
 
 #[cfg(test)]
@@ -87,6 +128,16 @@ mod tests {
         assert_eq!(spots, Spots { count: 2, median_area: 6.0, largest_area: 6.0 });
         let inside = spots_beyond(&pressure, grid, EdgesName::Mirrored).unwrap();
         assert_eq!((inside.count, inside.largest_area), (4, 4.0));
+        let list = spot_list(&pressure, grid, true);
+        let sorted = list.windows(2).all(|w| w[0].points >= w[1].points);
+        assert!(sorted && list.iter().all(|s| (s.load / s.area - 1.0).abs() < 1e-12));
+        // Three points around the corner of the map: (0, 0), (0, 5), (5, 5) in rows and columns.
+        let corner = list.iter().find(|s| s.centroid[1] > 3.0).unwrap();
+        let [y, x] = corner.centroid;
+        assert!(
+            (y - 2.0 * (6.0 - 1.0 / 3.0)).abs() < 1e-12 && (x - (6.0 - 2.0 / 3.0)).abs() < 1e-12,
+            "{y} {x}"
+        );
         assert!(contact_spots(&[0.0; 36], grid).is_none());
         assert!(contact_spots(&[1.0; 35], grid).is_none());
     }

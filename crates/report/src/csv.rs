@@ -74,6 +74,21 @@ fn write_surface(
     Ok(())
 }
 
+/// Writes contact spots as a table, one row each.
+///
+/// # Errors
+/// Whatever the writer reports.
+pub fn write_spots(spots: &[compare::Spot], out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "area (m^2),load (N),x (m),y (m),mean_pressure (Pa),max_pressure (Pa),points")?;
+    for spot in spots {
+        let [y, x] = spot.centroid;
+        let row = [spot.area, spot.load, x, y, spot.mean_pressure, spot.max_pressure];
+        let row: Vec<String> = row.into_iter().map(|v| cell(Some(v))).collect();
+        writeln!(out, "{},{}", row.join(","), spot.points)?;
+    }
+    Ok(())
+}
+
 /// The shortest decimal that reads back as the same number.
 pub(crate) fn cell(value: Option<f64>) -> String {
     value.filter(|v| v.is_finite()).map_or(String::new(), |v| {

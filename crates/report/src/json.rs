@@ -6,7 +6,8 @@ use crate::words;
 use crate::words::finding::{Worded, finding, warning as warning_words};
 use crate::words::plan as plan_words;
 use compare::{
-    Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
+    Comparison, DeterministicPoint, Distributions, EdgesName, Finding, ModelComparison, ModelCurve,
+    SurfaceComparison, spot_list,
 };
 use contact_accuracy::BOUNDARY_CORRECTION;
 use contact_accuracy::plan::Outcome;
@@ -82,6 +83,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "median_area": c.median_area,
             "largest_area": c.largest_area,
         })),
+        "distributions": distributions(s),
         "refined": refined(s),
         "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|c| json!({
             "choice": c.kind.name(),
@@ -110,6 +112,13 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         },
         "models": s.models.iter().map(|m| model(m, s)).collect::<Vec<_>>(),
     })
+}
+
+/// Of pressure and spots at the headline.
+pub(crate) fn distributions(s: &SurfaceComparison) -> Option<Distributions> {
+    let grid = s.solved_map().grid();
+    let spots = spot_list(&s.pressure, grid, s.edges == EdgesName::Periodic);
+    Distributions::of(&s.pressure, &[], &spots)
 }
 
 /// The headline load on a twice finer grid, if it was solved there.

@@ -26,7 +26,7 @@ mod words;
 pub use compare; // whose results are written here
 
 pub use budget_json::keys as budget_keys;
-pub use csv::write as write_csv;
+pub use csv::{write as write_csv, write_spots as write_spots_csv};
 pub use digest::digest;
 pub use error::ReportError;
 pub use figures::panels::{write_area_svg, write_pressure_svg};

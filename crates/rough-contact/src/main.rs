@@ -8,6 +8,9 @@ mod cleaning;
 mod compare;
 mod compare_many;
 mod compare_profiles;
+mod convert;
+mod export;
+mod fields;
 mod files;
 mod given;
 mod info;
@@ -75,6 +78,8 @@ enum Command {
     Compare(compare::Compare),
     /// Make a random self-affine surface
     Synth(synth::Synth),
+    /// The heights of a file, cleaned and levelled as asked, in another format
+    Convert(convert::Convert),
     /// The solver against exact solutions, on this machine
     Validate(validate::Validate),
 }
@@ -110,6 +115,7 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::Model(model) => model.run(common),
         Command::Solve(solve) => solve.run(common),
         Command::Compare(compare) => compare_many::run(compare, common),
+        Command::Convert(convert) => convert.run(common),
         Command::Synth(synth) => synth.run(common),
         Command::Validate(validate) => validate.run(common),
     }

@@ -2,18 +2,18 @@
 
 use crate::args::{self, Bodies, Common, List};
 use crate::batch::{self, PerFile};
+use crate::fields::{Fields, Sink};
 use crate::files::folder_name;
 use crate::input::{Complete, Input, Measured};
 use crate::intervals::{Errors, Finest, Refined, under};
 use crate::loads::{Forces, Spread, positive, rising, shown};
 use crate::outcome::{Failure, Reply};
-use crate::output::Folder;
 use crate::planned;
 use crate::profiles::Traces;
 use crate::progress::Progress;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
-use crate::work::{Work, map_names};
+use crate::work::Work;
 use clap::Args;
 use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
@@ -82,9 +82,11 @@ pub(crate) struct Solve {
     /// Take a profile for the cross-section of ridges that are infinitely long: plane strain
     #[arg(long)]
     plane_strain: bool,
-    /// Folder for pressure-000.npy and gap-000.npy of each load
-    #[arg(long, value_name = "DIR")]
-    maps: Option<PathBuf>,
+    #[command(flatten)]
+    fields: Fields,
+    /// Distributions of pressure, gap and contact spots of each load: in the JSON
+    #[arg(long)]
+    distributions: bool,
     #[command(flatten)]
     input: Input,
 }
@@ -97,6 +99,10 @@ const PLANE_STRAIN: &str = "plane strain: the trace is the cross-section of para
 infinitely long and repeat with its length; a surface that is rough in both directions touches \
 differently. Mean pressure is load per length of ridge over the length of the trace. If the two ends \
 of the trace differ in height, --edges mirrored takes the jump between them out.\n";
+
+/// Why heights and displacements are not written on a chosen grid.
+const CHOSEN_GRID: &str = "--fields heights and displacement are on the grid of the file, and --accuracy chooses \
+                           a grid of its own; leave them out, or give --tolerance";
 
 /// Why an isolated contact is not solved for its gap.
 const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mean gap of an isolated \
@@ -133,14 +139,16 @@ impl PerFile for Solve {
     fn on(&self, file: &Path) -> Self {
         let only = self.input.files.only().is_some();
         let apart = |maps: &PathBuf| if only { maps.clone() } else { maps.join(folder_name(file)) };
-        let maps = self.maps.as_ref().map(apart);
-        Self { input: self.input.on(file), maps, ..self.clone() }
+        let maps = self.fields.maps.as_ref().map(apart);
+        let fields = self.fields.to(maps);
+        Self { input: self.input.on(file), fields, ..self.clone() }
     }
 
     fn is_complete(&self, file: &Path) -> bool {
         let loads = self.count().unwrap_or(0);
-        let all = |maps: &PathBuf| map_names(loads).iter().all(|name| maps.join(name).exists());
-        self.on(file).maps.as_ref().is_none_or(all)
+        let names = self.fields.names(loads);
+        let all = |maps: &PathBuf| names.iter().all(|name| maps.join(name).exists());
+        self.on(file).fields.maps.as_ref().is_none_or(all)
     }
 
     fn answer(&self, common: &Common) -> Result<Reply, Failure> {
@@ -152,10 +160,11 @@ impl PerFile for Solve {
             _ => Boundary::Periodic,
         };
         args::refuse_mirrored(self.edges, self.accuracy.is_some(), self.boundary == "free")?;
-        let maps = match &self.maps {
-            None => None,
-            Some(path) => Some(Folder::prepare(path, &map_names(count), common.force)?),
-        };
+        let repeats = boundary == Boundary::Periodic && self.edges == EdgesName::Periodic;
+        if self.accuracy.is_some() && self.fields.needs_heights() {
+            return Err(Failure::refused("combination", CHOSEN_GRID));
+        }
+        let mut maps = Sink::prepare(&self.fields, count, repeats, common.force)?;
         let Complete { map: surface, cleaned, height_step, missing, .. } = self.section()?;
         let spread = self.forces.spread([surface.grid().area()])?;
         let loads = self.loads(spread.as_ref());
@@ -174,8 +183,12 @@ impl PerFile for Solve {
         };
         solved.scene = self.scene(&surface, modulus)?;
         solved.scene.spacing = largest * f64::EPSILON;
+        if let Some(maps) = maps.as_mut().filter(|_| self.fields.needs_heights()) {
+            maps.surface = Some(surface.clone());
+        }
         let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
         work.spikes = Spikes::of(&surface);
+        work.distributions = self.distributions.then_some(repeats);
         solved.spikes = work.spikes.clone();
         let known = Map::with_step(&surface, height_step)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
@@ -195,7 +208,7 @@ impl PerFile for Solve {
                 request,
                 method: self.method,
                 certified: self.certify,
-                fields: self.maps.is_some(),
+                fields: self.fields.needs_gap() || self.distributions,
                 threads: common.threads(),
             };
             let outcome = asked.solve(&loads, &mut work, &mut progress)?;
@@ -219,7 +232,11 @@ impl PerFile for Solve {
             .clone()
             .certified(self.certify)
             // The budget of errors looks at the pressure.
-            .maps(if work.keeps_maps() { Maps::PressureAndGap } else { Maps::Pressure })
+            .maps(if self.fields.needs_gap() || self.distributions {
+                Maps::PressureAndGap
+            } else {
+                Maps::Pressure
+            })
             .build(surface.grid(), modulus)
             .map_err(|e| Failure::from_error(&e))?;
         let finer = Finest { builder: builder.maps(Maps::None), boundary, modulus, made: None };

@@ -1,13 +1,14 @@
 //! `rough-contact synth`: a random self-affine surface from a recipe and a seed.
 
 use crate::args::{self, Common};
+use crate::export::Format;
 use crate::outcome::{Failure, Reply};
 use crate::output;
 use crate::text::{self, Table};
 use clap::Args;
 use contact_types::{Grid, HeightMap};
 use serde_json::json;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
 #[derive(Args)]
@@ -40,7 +41,7 @@ pub(crate) struct Synth {
     /// Round the heights to multiples of this step, as an instrument does
     #[arg(long, value_name = "DZ", value_parser = args::length, allow_hyphen_values = true)]
     quantise: Option<f64>,
-    /// File to write; its ending chooses the format: .npy (metres, f64) or .x3p
+    /// File to write; its ending chooses the format: .npy (metres, f64), .x3p, .sdf, .txt or .vti
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
 }
@@ -50,10 +51,7 @@ impl Synth {
         let format = Format::of(&self.out)?;
         output::check(&self.out, common.force)?;
         let map = self.surface()?;
-        output::write(&self.out, |writer| match format {
-            Format::Npy => surface_io::write::npy(writer, &map),
-            Format::X3p => surface_io::write::x3p(writer, &map, &self.comment()),
-        })?;
+        output::write(&self.out, |writer| format.write(writer, &map, &self.comment()))?;
         Ok(self.reply(&map))
     }
 
@@ -99,29 +97,5 @@ impl Synth {
             "seed": self.seed,
         });
         Reply::new(table.to_string(), json)
-    }
-}
-
-/// What a file name asks for.
-#[derive(Clone, Copy)]
-enum Format {
-    Npy,
-    X3p,
-}
-
-impl Format {
-    fn of(path: &Path) -> Result<Self, Failure> {
-        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        match ending.as_str() {
-            "npy" => Ok(Self::Npy),
-            "x3p" => Ok(Self::X3p),
-            _ => {
-                let message = format!(
-                    "{}: the ending '{ending}' is no format this command writes; use .npy or .x3p",
-                    path.display()
-                );
-                Err(Failure::refused("unknown_format", message))
-            }
-        }
     }
 }

@@ -1,12 +1,12 @@
 //! What is collected while loads are solved: one point each, maps on the disk, what went wrong.
 
+use crate::fields::{Sink, spots};
 use crate::intervals::{Intervals, Refined};
 use crate::loads::shown;
 use crate::outcome::{Failure, variant};
-use crate::output::Folder;
 use crate::text;
 use compare::budget::{Budget, Given, NoAreaInterval, RealPressure};
-use compare::{Ended, NotRefined, Pressed, Spikes};
+use compare::{Distributions, Ended, NotRefined, Pressed, Spikes};
 use contact_types::Grid;
 use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};
@@ -19,7 +19,9 @@ pub(crate) struct Point {
 
 /// What is collected while the loads are solved. Fields go to the map files and are dropped.
 pub(crate) struct Work {
-    maps: Option<Folder>,
+    maps: Option<Sink>,
+    /// Distributions are wanted: whether a spot at one edge goes on at the other.
+    pub(crate) distributions: Option<bool>,
     pub(crate) trouble: Option<Failure>,
     pub(crate) method: String,
     pub(crate) points: Vec<Option<Point>>,
@@ -38,9 +40,10 @@ pub(crate) struct Work {
 
 impl Work {
     /// Nothing yet, of so many loads.
-    pub(crate) fn new(maps: Option<Folder>, loads: usize, method: String, grid: Grid) -> Self {
+    pub(crate) fn new(maps: Option<Sink>, loads: usize, method: String, grid: Grid) -> Self {
         Self {
             maps,
+            distributions: None,
             trouble: None,
             method,
             points: (0..loads).map(|_| None).collect(),
@@ -64,11 +67,6 @@ impl Work {
         let mut all: Vec<Pressed> = self.pressed.iter().copied().flatten().collect();
         all.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
         all
-    }
-
-    /// True if the pressure and the gap of each load are written.
-    pub(crate) fn keeps_maps(&self) -> bool {
-        self.maps.is_some()
     }
 
     /// Forgets what was taken: the loads are solved again, on `grid`.
@@ -105,6 +103,11 @@ impl Work {
         };
         let mut point = point(load, solution.zip(budget), error);
         point.json["refined"] = json!(refined.as_ref().map(Refined::json));
+        if let (Some(repeats), Some(solution)) = (self.distributions, solution) {
+            let spots = spots(solution, self.grid, repeats);
+            let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
+            point.json["distributions"] = json!(found);
+        }
         self.points[index] = Some(point);
         let bare = budget.and_then(|b| b.area.comparison_half_width().err());
         let ended = match error {
@@ -129,7 +132,8 @@ impl Work {
         }
         let Some(solution) = solution else { return };
         self.method = solution.diagnostics.method.to_string();
-        if let Some(Err(failure)) = self.maps.as_ref().map(|maps| self.write(maps, index, solution))
+        if let Some(Err(failure)) =
+            self.maps.as_ref().map(|maps| maps.write(index, self.grid, solution))
         {
             self.report(failure);
         }
@@ -141,29 +145,12 @@ impl Work {
             Some(earlier) => earlier.and(failure),
         });
     }
-
-    fn write(&self, maps: &Folder, index: usize, solution: &Solution) -> Result<(), Failure> {
-        for (name, field) in [("pressure", &solution.pressure), ("gap", &solution.gap)] {
-            let name = map_name(name, index);
-            maps.write(&name, |out| surface_io::write::npy_array(out, self.grid.shape(), field))?;
-        }
-        Ok(())
-    }
 }
 
 /// What presses at a load.
 fn pressed(solution: &Solution, budget: &Budget) -> Option<Pressed> {
     let mean = budget.real_pressure()?.value();
     Some(Pressed::of(solution.state.mean_pressure, mean, solution.diagnostics.max_pressure))
-}
-
-fn map_name(field: &str, index: usize) -> String {
-    format!("{field}-{index:03}.npy")
-}
-
-/// The files of the maps of so many loads.
-pub(crate) fn map_names(loads: usize) -> Vec<String> {
-    (0..loads).flat_map(|i| [map_name("pressure", i), map_name("gap", i)]).collect()
 }
 
 fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverError>) -> Point {

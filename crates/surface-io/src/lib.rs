@@ -36,6 +36,7 @@ mod text;
 mod tiff;
 mod units;
 mod unpack;
+mod vtk;
 pub mod write;
 #[cfg(feature = "zip")]
 mod xml;

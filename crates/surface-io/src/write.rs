@@ -1,7 +1,9 @@
-//! Files out: NPY, X3P and SDF.
+//! Files out: NPY, X3P, SDF, text, and images of fields for VTK.
 
 use contact_types::HeightMap;
 use std::io::{self, Write};
+
+pub use crate::vtk::vti;
 
 /// Writes NPY: heights in metres, f64, shape `[ny, nx]`. The format has no place for the pixel
 /// size and the unit: reading it back needs the pixel size and the height unit (m).
@@ -34,7 +36,7 @@ pub fn npy_array(out: &mut impl Write, [ny, nx]: [usize; 2], values: &[f64]) -> 
     numbers(out, values)
 }
 
-fn numbers(out: &mut impl Write, values: &[f64]) -> io::Result<()> {
+pub(crate) fn numbers(out: &mut impl Write, values: &[f64]) -> io::Result<()> {
     let mut buffer = Vec::with_capacity(8 * 4096);
     for chunk in values.chunks(4096) {
         buffer.clear();
@@ -69,6 +71,24 @@ pub fn sdf(out: &mut impl Write, map: &HeightMap) -> io::Result<()> {
     header.extend([0, 7, 0]); // not compressed, f64, no checksum
     out.write_all(&header)?;
     numbers(out, map.heights())
+}
+
+/// Writes a matrix of heights in metres as text, rows of `nx` numbers between tabs, with the size and the
+/// unit in a header as Gwyddion writes it. Every height reads back to the same bits, the pixel size
+/// to the last place.
+///
+/// # Errors
+/// Whatever `out` reports.
+pub fn text(out: &mut impl Write, map: &HeightMap) -> io::Result<()> {
+    let nx = map.grid().shape()[1];
+    let [height, width] = map.grid().size();
+    writeln!(out, "# Channel: Height\n# Width: {width:e} m\n# Height: {height:e} m")?;
+    writeln!(out, "# Value units: m")?;
+    for row in map.heights().chunks(nx) {
+        let row: Vec<String> = row.iter().map(|z| format!("{z:e}")).collect();
+        writeln!(out, "{}", row.join("\t"))?;
+    }
+    Ok(())
 }
 
 /// Writes X3P (ISO 25178-72): heights in metres as binary f64, increments in metres, checksums.

@@ -1,0 +1,241 @@
+//! How pressure, gap and contact spots are distributed over a map.
+
+use crate::spots::Spot;
+use serde::Serialize;
+
+/// Classes of pressure and of gap.
+const CLASSES: usize = 40;
+
+/// Distributions of one contact.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Distributions {
+    /// Of the pressure.
+    pub pressure: PressureDistribution,
+    /// Of the gap outside the contact; `None` without a gap field, or where all touches.
+    pub gap: Option<GapDistribution>,
+    /// Of the spots.
+    pub spots: SpotDistribution,
+}
+
+/// Density of the pressure over the nominal area: a weight at zero, where nothing touches, and a density
+/// beyond.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PressureDistribution {
+    /// Share of the nominal area without contact: the weight at zero pressure (-).
+    pub apart: f64,
+    /// Mean over the contact (Pa).
+    pub mean: f64,
+    /// Edges of the classes, rising from 0 (Pa); one more than there are densities.
+    pub edges: Vec<f64>,
+    /// Share of the nominal area per pressure in each class (1/Pa); with the weight at zero its integral is 1.
+    pub density: Vec<f64>,
+    /// Share of the nominal area with more pressure than each edge (-).
+    pub above: Vec<f64>,
+    /// Exponent s of a density that begins as `p^s`, from the shares of the contact below 0.1 and
+    /// 0.3 of the mean pressure; `None` below 1000 touching points or with none below 0.1. Hertz's and Persson's
+    /// theory have 1.
+    pub exponent_at_zero: Option<f64>,
+}
+
+/// Share of the nominal area with less gap than each value; what touches has none.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct GapDistribution {
+    /// Mean over what does not touch (m).
+    pub mean: f64,
+    /// Gaps (m), rising, spaced evenly in the logarithm up to the largest.
+    pub gaps: Vec<f64>,
+    /// Share of the nominal area below each, contact included (-).
+    pub below: Vec<f64>,
+}
+
+/// Spots by their area.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct SpotDistribution {
+    /// How many there are.
+    pub count: usize,
+    /// Areas (m²), rising by factors of two from one point.
+    pub areas: Vec<f64>,
+    /// Number of spots of at least each area.
+    pub count_at_least: Vec<usize>,
+    /// Their share of the real contact area (-).
+    pub area_share: Vec<f64>,
+    /// Their share of the load (-).
+    pub load_share: Vec<f64>,
+}
+
+impl Distributions {
+    /// Of a pressure field (Pa), the gap field on the same points (m; empty if there is none) and the list of spots;
+    /// `None` if nothing touches.
+    pub fn of(pressure: &[f64], gap: &[f64], spots: &[Spot]) -> Option<Self> {
+        let spots = SpotDistribution::of(spots)?;
+        Some(Self {
+            pressure: PressureDistribution::of(pressure)?,
+            gap: GapDistribution::of(pressure, gap),
+            spots,
+        })
+    }
+}
+
+impl PressureDistribution {
+    /// Of a field (Pa); `None` if nothing touches.
+    pub fn of(pressure: &[f64]) -> Option<Self> {
+        let all = pressure.len() as f64;
+        let touching = || pressure.iter().copied().filter(|p| *p > 0.0);
+        let (count, sum) = touching().fold((0_usize, 0.0), |(n, sum), p| (n + 1, sum + p));
+        let highest = touching().fold(0.0, f64::max);
+        if count == 0 || !highest.is_finite() {
+            return None;
+        }
+        let width = highest / CLASSES as f64;
+        let mut counts = [0_usize; CLASSES];
+        for p in touching() {
+            counts[((p / width) as usize).min(CLASSES - 1)] += 1;
+        }
+        let mut above = vec![count as f64 / all];
+        let mut left = count;
+        for n in counts {
+            left -= n;
+            above.push(left as f64 / all);
+        }
+        let mean = sum / count as f64;
+        Some(Self {
+            apart: (pressure.len() - count) as f64 / all,
+            mean,
+            edges: (0..=CLASSES).map(|i| i as f64 * width).collect(),
+            density: counts.iter().map(|&n| n as f64 / all / width).collect(),
+            above,
+            exponent_at_zero: exponent(count, |part| {
+                touching().filter(|p| *p < part * mean).count()
+            }),
+        })
+    }
+}
+
+/// A density `p^s` has below p a share that goes as `p^(s + 1)`.
+fn exponent(count: usize, below: impl Fn(f64) -> usize) -> Option<f64> {
+    let (few, more) = (below(0.1), below(0.3));
+    let enough = count >= 1000 && few > 0;
+    enough.then(|| (more as f64 / few as f64).ln() / 3.0_f64.ln() - 1.0)
+}
+
+impl GapDistribution {
+    fn of(pressure: &[f64], gap: &[f64]) -> Option<Self> {
+        if gap.len() != pressure.len() {
+            return None;
+        }
+        let apart =
+            || pressure.iter().zip(gap).filter(|(p, _)| **p <= 0.0).map(|(_, g)| g.max(0.0));
+        let (count, sum) = apart().fold((0_usize, 0.0), |(n, sum), g| (n + 1, sum + g));
+        let widest = apart().fold(0.0, f64::max);
+        if count == 0 || widest <= 0.0 {
+            return None;
+        }
+        // Four decades below the largest: what lies below them is in the first class.
+        let gaps: Vec<f64> = (1..=CLASSES)
+            .map(|i| widest * 10f64.powf(4.0 * (i as f64 / CLASSES as f64 - 1.0)))
+            .collect();
+        let mut sorted: Vec<f64> = apart().collect();
+        sorted.sort_by(f64::total_cmp);
+        let touching = gap.len() - count;
+        let below = gaps.iter().map(|&limit| {
+            (touching + sorted.partition_point(|g| *g <= limit)) as f64 / gap.len() as f64
+        });
+        Some(Self { mean: sum / count as f64, below: below.collect(), gaps })
+    }
+}
+
+impl SpotDistribution {
+    fn of(spots: &[Spot]) -> Option<Self> {
+        let largest = spots.iter().map(|s| s.points).max()?;
+        let point = spots[0].area / spots[0].points as f64;
+        let [area, load] =
+            [|s: &Spot| s.area, |s: &Spot| s.load].map(|of| spots.iter().map(of).sum::<f64>());
+        let sizes: Vec<usize> = std::iter::successors(Some(1_usize), |n| n.checked_mul(2))
+            .take_while(|n| *n <= largest)
+            .collect();
+        let from = |size: usize| spots.iter().filter(move |s| s.points >= size);
+        Some(Self {
+            count: spots.len(),
+            areas: sizes.iter().map(|&n| n as f64 * point).collect(),
+            count_at_least: sizes.iter().map(|&n| from(n).count()).collect(),
+            area_share: sizes
+                .iter()
+                .map(|&n| from(n).map(|s| s.area).sum::<f64>() / area)
+                .collect(),
+            load_share: sizes
+                .iter()
+                .map(|&n| from(n).map(|s| s.load).sum::<f64>() / load)
+                .collect(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spots::spot_list;
+    use contact_types::Grid;
+
+    /// Hertz: p = p0 √(1 − r²/a²), so that the share of the contact with less pressure than p is (p/p0)²: the density
+    /// rises linearly, 2 p/p0².
+    #[test]
+    fn hertz_has_a_density_that_rises_linearly() {
+        let (n, radius, highest) = (801, 300.0, 2e9);
+        let pressure: Vec<f64> = (0..n * n)
+            .map(|i| {
+                let [y, x] = [i / n, i % n].map(|k| (k as f64 - 400.0) / radius);
+                highest * (1.0 - x * x - y * y).max(0.0).sqrt()
+            })
+            .collect();
+        let grid = Grid::new([n, n], [1e-6; 2]).unwrap();
+        let spots = spot_list(&pressure, grid, false);
+        let found = Distributions::of(&pressure, &[], &spots).unwrap();
+        let share = std::f64::consts::PI * radius * radius / (n * n) as f64;
+        let p = &found.pressure;
+        assert!((p.apart - (1.0 - share)).abs() < 1e-3 * share);
+        assert!((p.mean / (2.0 / 3.0 * highest) - 1.0).abs() < 1e-3);
+        for (i, density) in p.density.iter().enumerate() {
+            let middle = f64::midpoint(p.edges[i], p.edges[i + 1]);
+            let exact = share * 2.0 * middle / (highest * highest);
+            // Few points lie in the first classes, at the edge of a circle on a lattice.
+            assert!(i < 8 || (density / exact - 1.0).abs() < 0.08, "{i}: {density} and {exact}");
+            let above = share * (1.0 - (p.edges[i] / highest).powi(2));
+            assert!((p.above[i] - above).abs() < 1e-3 * share, "{i}");
+        }
+        assert!((p.exponent_at_zero.unwrap() - 1.0).abs() < 0.1, "{:?}", p.exponent_at_zero);
+        assert_eq!((found.spots.count, found.gap.is_none()), (1, true));
+        assert!(found.spots.area_share.iter().all(|s| (s - 1.0).abs() < 1e-12));
+    }
+
+    #[test]
+    fn weights_densities_and_shares_are_whole() {
+        let grid = Grid::new([4, 5], [1.0, 1.0]).unwrap();
+        let mut pressure = vec![0.0; 20];
+        for (i, p) in [(0, 1.0), (1, 3.0), (12, 4.0)] {
+            pressure[i] = p;
+        }
+        let gap: Vec<f64> = pressure.iter().map(|p| if *p > 0.0 { 0.0 } else { 1e-6 }).collect();
+        let spots = spot_list(&pressure, grid, true);
+        let found = Distributions::of(&pressure, &gap, &spots).unwrap();
+        let p = &found.pressure;
+        let integral: f64 = p.density.iter().map(|d| d * (p.edges[1] - p.edges[0])).sum();
+        assert!((integral + p.apart - 1.0).abs() < 1e-12 && (p.apart - 0.85).abs() < 1e-12);
+        assert!((p.above[0] - 0.15).abs() < 1e-12 && p.above[CLASSES] == 0.0);
+        assert_eq!(
+            (&found.spots.areas[..], &found.spots.count_at_least[..]),
+            (&[1.0, 2.0][..], &[2, 1][..])
+        );
+        assert_eq!(found.spots.load_share, [1.0, 0.5]);
+        let gap = found.gap.unwrap();
+        assert!(
+            (gap.mean - 1e-6).abs() < 1e-18
+                && (gap.below[CLASSES - 1] - 1.0).abs() < 1e-12
+                && (gap.below[0] - 0.15).abs() < 1e-12
+        );
+        assert!(Distributions::of(&[0.0; 20], &[], &[]).is_none());
+    }
+}

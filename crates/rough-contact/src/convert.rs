@@ -1,0 +1,82 @@
+//! `rough-contact convert`: the heights of a file, cleaned and levelled as asked, in another format.
+
+use crate::args::{self, Common};
+use crate::cleaning::CleaningOptions;
+use crate::export::Format;
+use crate::input::{Complete, Measured, Reading};
+use crate::outcome::{Failure, Reply};
+use crate::output;
+use crate::text::{self, Table};
+use clap::Args;
+use compare::Level;
+use serde_json::json;
+use std::path::PathBuf;
+use surface_stats::level;
+
+#[derive(Args)]
+pub(crate) struct Convert {
+    /// Surface file; recognised by its content
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Form to remove by least squares; without it the heights stay as they are
+    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "none")]
+    level: Level,
+    /// File to write; its ending chooses the format: .x3p, .npy, .sdf, .txt or .vti
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    #[command(flatten)]
+    reading: Reading,
+    #[command(flatten)]
+    cleaning: CleaningOptions,
+}
+
+impl Convert {
+    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+        let format = Format::of(&self.out)?;
+        output::check(&self.out, common.force)?;
+        let shown = self.file.display().to_string();
+        let Complete { map, missing, cleaned, .. } =
+            match self.reading.measured(&self.file, self.cleaning.asked())? {
+                Measured::Surface(complete) => complete,
+                Measured::Profile(_) => {
+                    let message =
+                        format!("{shown}: a profile is no map, and maps are what is written");
+                    return Err(Failure::refused("profile", message));
+                }
+            };
+        let map = match self.level {
+            Level::None => map,
+            form => level(&map, form).map_err(|e| Failure::in_file(&self.file, &e))?,
+        };
+        let steps: Vec<String> = cleaned.iter().map(ToString::to_string).collect();
+        let comment = format!(
+            "rough-contact convert {shown}: {missing} points filled; level {}; cleaned: {}",
+            self.level.name(),
+            if steps.is_empty() { "nothing".to_owned() } else { steps.join("; ") }
+        );
+        output::write(&self.out, |writer| format.write(writer, &map, &comment))?;
+        let [ny, nx] = map.grid().shape();
+        let [dy, dx] = map.grid().pixel();
+        let (low, high) = map.range();
+        let mut table = Table::default();
+        table.row("wrote", self.out.display().to_string());
+        table.row("points", format!("{ny} rows × {nx} columns, {missing} filled in"));
+        table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
+        table.row("level", self.level.name());
+        table.row("heights", text::length_range(low, high));
+        if !format.lacks().is_empty() {
+            table.row("note", format.lacks());
+        }
+        let json = json!({
+            "path": self.out.to_string_lossy(),
+            "shape": [ny, nx],
+            "pixel": [dy, dx],
+            "missing": missing,
+            "level": self.level.name(),
+            "height_min": low,
+            "height_max": high,
+            "cleaning": report::cleaning_json(&cleaned),
+        });
+        Ok(Reply::new(text::cleaning(&cleaned) + &table.to_string(), json))
+    }
+}

@@ -1,0 +1,68 @@
+//! Maps out, in the format that a file name asks for.
+
+use crate::outcome::Failure;
+use contact_types::HeightMap;
+use std::io::{Seek, Write};
+use std::path::Path;
+use surface_io::write;
+
+/// What a file name asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Format {
+    Npy,
+    X3p,
+    Sdf,
+    Text,
+    Vti,
+}
+
+/// Every format and its endings.
+const ENDINGS: [(Format, &[&str]); 5] = [
+    (Format::X3p, &["x3p"]),
+    (Format::Npy, &["npy"]),
+    (Format::Sdf, &["sdf"]),
+    (Format::Text, &["txt", "asc"]),
+    (Format::Vti, &["vti"]),
+];
+
+impl Format {
+    /// By the ending.
+    pub(crate) fn of(path: &Path) -> Result<Self, Failure> {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        let found = ENDINGS.iter().find(|(_, endings)| endings.contains(&ending.as_str()));
+        found.map(|(format, _)| *format).ok_or_else(|| {
+            let all: Vec<String> =
+                ENDINGS.iter().flat_map(|(_, e)| e.iter().map(|e| format!(".{e}"))).collect();
+            let message = format!(
+                "{}: the ending '{ending}' is no format this command writes; use {}",
+                path.display(),
+                all.join(", ")
+            );
+            Failure::refused("unknown_format", message)
+        })
+    }
+
+    /// Writes the heights; `comment` where the format has a place for it.
+    pub(crate) fn write(
+        self,
+        out: &mut (impl Write + Seek),
+        map: &HeightMap,
+        comment: &str,
+    ) -> std::io::Result<()> {
+        match self {
+            Self::Npy => write::npy(out, map),
+            Self::X3p => write::x3p(out, map, comment),
+            Self::Sdf => write::sdf(out, map),
+            Self::Text => write::text(out, map),
+            Self::Vti => write::vti(out, map.grid(), &[("height", map.heights())]),
+        }
+    }
+
+    /// What a reader of the file has to be told.
+    pub(crate) fn lacks(self) -> &'static str {
+        match self {
+            Self::Npy => "NPY has no place for the pixel size and the unit (metres)",
+            _ => "",
+        }
+    }
+}
