@@ -55,7 +55,7 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
             format!(
                 "<li><span class=\"tag {class}\">{word}</span><b>{}</b> {}</li>\n",
                 escape(&words.claim),
-                escape(&words.text)
+                with_options(&words.text)
             )
         })
         .collect();
@@ -63,6 +63,19 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
         "<section aria-labelledby=\"{id}-w\"><p class=\"cap\" id=\"{id}-w\">Read before use</p>\
          <ul class=\"warns\">\n{items}</ul></section>\n"
     )
+}
+
+/// Text whose options (`--edges`) are not broken behind their hyphens.
+fn with_options(text: &str) -> String {
+    let word = |word: &str| {
+        let escaped = escape(word);
+        if word.starts_with("--") {
+            format!("<span class=\"opt\">{escaped}</span>")
+        } else {
+            escaped
+        }
+    };
+    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// Figs. 1 to 4: area, real pressure, error, cost.
