@@ -129,12 +129,14 @@ impl Solved<'_> {
     }
 }
 
-/// Spikes; they may change a conclusion where they carry a twentieth of the load.
+/// Spikes; they may change a conclusion where they carry a twentieth of the load, and none where they carry
+/// a thousandth.
 pub fn spiky(spikes: &Spikes, share: Option<f64>) -> Option<Finding> {
     let count = spikes.indices.len();
     let weight = if share.is_some_and(|s| s > 0.05) { Weight::Check } else { Weight::Note };
     let fact = Fact::Spikes { count, largest: spikes.largest, share };
-    (count > 0).then_some(Finding { weight, fact })
+    let matters = count > 0 && share.is_none_or(|s| s >= 1e-3);
+    matters.then_some(Finding { weight, fact })
 }
 
 /// Loads without a solution to tolerance, by what kept them from it.

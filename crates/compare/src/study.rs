@@ -112,6 +112,7 @@ fn compare(
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
     let setup = Instant::now();
     let (map, statistics, spectra) = describe(&heights, &origin, settings).map_err(refused)?;
+    let spikes = Spikes::of(&heights); // before levelling, as they are removed
     drop(heights);
     let (spectral, known) = spectral(&map, &spectra.power, &statistics);
     let mut inputs =
@@ -198,7 +199,6 @@ fn compare(
         .asked_models(registry)
         .map(|theory| ask(theory, &inputs, &deterministic, &statistics, alike.as_ref()))
         .collect();
-    let spikes = Spikes::of(&map);
     Ok(SurfaceComparison {
         spikes,
         name,

@@ -176,6 +176,7 @@ impl PerFile for Solve {
             ..Solved::default()
         };
         let largest = surface.heights().iter().fold(0.0, |most: f64, h| most.max(h.abs()));
+        let spikes = Spikes::of(&surface); // before levelling, as they are removed
         let surface = match self.level {
             Level::None => surface,
             form => surface_stats::level(&surface, form)
@@ -187,7 +188,7 @@ impl PerFile for Solve {
             maps.surface = Some(surface.clone());
         }
         let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
-        work.spikes = Spikes::of(&surface);
+        work.spikes = spikes;
         work.distributions = self.distributions.then_some(repeats);
         solved.spikes = work.spikes.clone();
         let known = Map::with_step(&surface, height_step)
