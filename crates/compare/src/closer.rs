@@ -133,7 +133,7 @@ fn choices(
         list.extend(with.map(|a| Choice { kind, effect: a / without - 1.0 }));
     };
     let is_levelled = matches!(surface.statistics.level, Level::Plane);
-    if matches!(surface.origin, Origin::File(_) | Origin::Given(_)) && is_levelled {
+    if !matches!(surface.origin, Origin::Recipe(_)) && is_levelled {
         let form = level(&used, Level::Quadratic).ok();
         tried(ChoiceKind::Paraboloid, form.and_then(|m| area(&m)), reference);
     }

@@ -19,21 +19,13 @@ pub(crate) fn describe(
     settings: &Settings,
 ) -> Result<(HeightMap, SurfaceStatistics, Spectra), StatsError> {
     let form = settings.level;
-    let (edges, missing, height_step) = match origin {
-        Origin::Recipe(_) => (Edges::Periodic, 0, None),
-        Origin::File(file) => (Edges::Open, file.missing, file.height_step),
-        Origin::Given(given) => {
-            let edges = if given.repeats == Some(true) { Edges::Periodic } else { Edges::Open };
-            (edges, given.missing, given.height_step)
-        }
-    };
     let fractal_range = settings.fractal_range;
     let options = StatsOptions::default()
         .with_level(form)
-        .with_edges(edges)
+        .with_edges(origin.edges())
         .with_fractal_range(fractal_range)
-        .with_missing(missing)
-        .with_height_step(height_step);
+        .with_missing(origin.missing())
+        .with_height_step(origin.height_step());
     // From the heights as given, so that a tilt that is removed is still reported.
     let (statistics, spectra) = SurfaceStatistics::with_spectra(heights, &options)?;
     Ok((level(heights, form)?, statistics, spectra))

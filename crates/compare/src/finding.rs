@@ -8,6 +8,7 @@ use contact_accuracy::{EdgeShare, NoAreaInterval};
 use serde::Serialize;
 use surface_stats::Warning;
 use surface_stats::clean::Record;
+use surface_stats::pair::Independence;
 
 /// How much a finding matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -86,6 +87,11 @@ pub struct Finding {
 }
 
 impl Finding {
+    /// A fact that is good to know.
+    pub fn note(fact: Fact) -> Self {
+        Self { weight: Weight::Note, fact }
+    }
+
     /// What it is about.
     pub fn subject(&self) -> Subject {
         match &self.fact {
@@ -101,6 +107,10 @@ impl Finding {
             | Fact::Warned(_)
             | Fact::Filled { .. }
             | Fact::Cleaned(_)
+            | Fact::Pair { .. }
+            | Fact::PixelsDiffer { .. }
+            | Fact::CommonPart { .. }
+            | Fact::OfBody { .. }
             | Fact::Passed(_) => Subject::Surface,
         }
     }
@@ -188,6 +198,34 @@ pub enum Fact {
     },
     /// Steps of cleaning.
     Cleaned(Vec<Record>),
+    /// Two bodies whose moments do not add, as those of independent surfaces do.
+    Pair {
+        /// Their names.
+        names: [String; 2],
+        /// The moments.
+        moments: Independence,
+    },
+    /// Two bodies measured at different distances of the points.
+    PixelsDiffer {
+        /// Their names.
+        names: [String; 2],
+        /// Their pixels `[dy, dx]` (m).
+        pixels: [[f64; 2]; 2],
+    },
+    /// Two bodies of which only parts lie on each other.
+    CommonPart {
+        /// Their names.
+        names: [String; 2],
+        /// Part of each that lies on the other \[-\].
+        shares: [f64; 2],
+    },
+    /// What was found on one body of a pair.
+    OfBody {
+        /// Its name.
+        body: String,
+        /// What was found.
+        fact: Box<Fact>,
+    },
     /// What was tested and is fine.
     Passed(Passed),
 }
@@ -285,4 +323,6 @@ pub struct Passed {
     pub anisotropy: Option<f64>,
     /// Part of the rms gradient that finite differences see \[-\].
     pub resolved: Option<f64>,
+    /// Moments of two bodies that add.
+    pub independence: Option<Independence>,
 }

@@ -3,7 +3,7 @@
 use crate::finding::{Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Weight};
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
-use crate::{EdgesName, Origin, Spikes};
+use crate::{EdgesName, Independence, Origin, PairFound, PairOrigin, Spikes};
 use contact_accuracy::edge_study::EdgeStudy;
 use contact_accuracy::plan::Outcome;
 use contact_accuracy::{EdgeShare, NoAreaInterval};
@@ -44,6 +44,7 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
         let all = surface.surface.grid().len();
         found.extend(filled(file.missing, all, &file.fill, &file.cleaned));
     }
+    found.extend(surface.origin.pair().map(of_pair).into_iter().flatten());
     found.extend(cleaned(surface.origin.cleaned()));
     found.extend(passed(surface));
     found.sort_by_key(|f| f.weight);
@@ -105,6 +106,8 @@ pub struct Solved<'a> {
     pub fill: &'a str,
     /// Steps of cleaning.
     pub cleaned: &'a [Record],
+    /// The two bodies, if it is a pair; they say themselves what was filled and cleaned.
+    pub pair: Option<&'a PairOrigin>,
 }
 
 impl Solved<'_> {
@@ -124,9 +127,44 @@ impl Solved<'_> {
         }
         found.extend(filled(self.missing, self.points, self.fill, self.cleaned));
         found.extend(cleaned(self.cleaned));
+        found.extend(self.pair.map(of_pair).into_iter().flatten());
         found.sort_by_key(|f| f.weight);
         found
     }
+}
+
+/// Larger over smaller distance of points from which waves of one body are missing in the sum.
+const PIXELS_MATTER: f64 = 1.5;
+
+/// What two bodies say of each other, and what was done to each.
+pub fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
+    let Some(PairFound { placed, independence }) = &pair.found else { return Vec::new() };
+    let names = || pair.names.clone();
+    let mut found = Vec::new();
+    if !independence.holds() {
+        found.push(check(Fact::Pair { names: names(), moments: *independence }));
+    }
+    if placed.resampled.contains(&true) {
+        let matters = placed.pixel_ratio() >= PIXELS_MATTER;
+        let weight = if matters { Weight::Check } else { Weight::Note };
+        let pixels = placed.grids.map(|grid| grid.pixel());
+        found.push(Finding { weight, fact: Fact::PixelsDiffer { names: names(), pixels } });
+    }
+    let shares = placed.shares();
+    // Less than a point in a thousand is no part.
+    if shares.iter().any(|share| *share < 0.999) {
+        let fact = Fact::CommonPart { names: names(), shares };
+        found.push(Finding { weight: Weight::Note, fact });
+    }
+    for ((body, origin), grid) in pair.names.iter().zip(&*pair.bodies).zip(placed.grids) {
+        let Origin::File(file) = origin else { continue };
+        let own = filled(file.missing, grid.len(), &file.fill, &file.cleaned);
+        found.extend(own.into_iter().chain(cleaned(&file.cleaned)).map(|f| Finding {
+            weight: f.weight,
+            fact: Fact::OfBody { body: body.clone(), fact: Box::new(f.fact) },
+        }));
+    }
+    found
 }
 
 /// Spikes; they may change a conclusion where they carry a twentieth of the load, and none where they carry
@@ -251,9 +289,18 @@ fn passed(surface: &SurfaceComparison) -> Option<Finding> {
         heights: s.skewness.zip(s.kurtosis).filter(|_| is_normal).map(|(a, b)| [a, b]),
         anisotropy: s.anisotropy.filter(|a| *a <= 2.0 && !rows_jump(s)),
         resolved: resolves(surface).then_some(surface.spectral.resolved),
+        independence: independence(surface),
     };
     let any = passed != Passed::default();
     any.then_some(Finding { weight: Weight::Passed, fact: Fact::Passed(passed) })
+}
+
+/// Moments of two bodies, if they add.
+fn independence(surface: &SurfaceComparison) -> Option<Independence> {
+    let found = surface.origin.pair()?.found.as_ref()?.independence;
+    // Of a flat body there is nothing to test.
+    let is_rough = found.bodies.iter().all(|body| body.m0 > 0.0);
+    (is_rough && found.holds()).then_some(found)
 }
 
 /// Whether the grid resolves the slopes and, at the headline, the contacts.

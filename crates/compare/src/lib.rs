@@ -52,7 +52,7 @@ pub use fft_bem_solver::{
 pub use finding::{
     Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield,
 };
-pub use findings::{Solved, findings, measured, seam, spiky};
+pub use findings::{Solved, findings, measured, of_pair, seam, spiky};
 pub use inputs::{Inputs, MomentSource};
 pub use profile::{
     ProfileComparison, ProfileFact, ProfileModel, ProfileSurface, Unevenness, area_interval,
@@ -71,8 +71,11 @@ pub use scene::{Scene, is_steep};
 pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spot, Spots, contact_spots, spot_list};
-pub use surface::{FileOrigin, GivenOrigin, Origin, Surface, sha256_hex};
+pub use surface::{
+    FileOrigin, GivenOrigin, NoPair, Origin, PairFound, PairOrigin, Surface, sha256_hex,
+};
 pub use surface_stats::Level;
+pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
 pub use surroundings::{Surrounded, on_given};
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};

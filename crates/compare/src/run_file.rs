@@ -57,7 +57,7 @@ impl RunFile {
         if file.surfaces.is_empty() {
             return Err(RunFileError::NoSurface);
         }
-        let is_given = |s: &&RunSurface| matches!(s.origin, Origin::Given(_));
+        let is_given = |s: &&RunSurface| s.origin.is_given();
         if let Some(given) = file.surfaces.iter().find(is_given) {
             return Err(RunFileError::Given { name: given.name.clone() });
         }

@@ -6,6 +6,8 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use surface_stats::clean::Record;
+use surface_stats::pair::{Composite, Independence, PairError, Placed, Placing};
+use surface_stats::{Edges, Level};
 
 /// One surface of a study.
 #[derive(Debug, Clone)]
@@ -40,6 +42,44 @@ pub enum Origin {
     Recipe(Recipe),
     /// Heights that a program handed over.
     Given(GivenOrigin),
+    /// Two bodies pressed together.
+    Pair(PairOrigin),
+}
+
+/// Two bodies pressed together, as one surface: the sum of their heights.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct PairOrigin {
+    /// Names of the first body and of the second, which lies on it.
+    pub names: [String; 2],
+    /// How the second was laid on the first.
+    pub placing: Placing,
+    /// Where the two came from.
+    pub bodies: Box<[Origin; 2]>,
+    /// How they came to lie and what they know of each other. Not part of a run file, which repeats it.
+    #[serde(skip)]
+    pub found: Option<PairFound>,
+}
+
+/// What was found when two bodies were laid on each other.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct PairFound {
+    /// How they lie.
+    pub placed: Placed,
+    /// Moments of both and of the sum of their heights.
+    pub independence: Independence,
+}
+
+/// Two surfaces that make no pair.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{} against {}: {source}", names[0], names[1])]
+pub struct NoPair {
+    /// Their names.
+    pub names: [String; 2],
+    /// Why not.
+    pub source: PairError,
 }
 
 /// Heights that a program handed over, of which no file and no recipe tells.
@@ -136,12 +176,89 @@ pub struct FileOrigin {
 }
 
 impl Origin {
-    /// What cleaning did, step by step; nothing where no file was read.
+    /// What cleaning did, step by step; nothing where no file was read, or two were.
     pub fn cleaned(&self) -> &[Record] {
         match self {
             Self::File(file) => &file.cleaned,
-            Self::Recipe(_) | Self::Given(_) => &[],
+            Self::Recipe(_) | Self::Given(_) | Self::Pair(_) => &[],
         }
+    }
+
+    /// The pair, if it is one.
+    pub fn pair(&self) -> Option<&PairOrigin> {
+        if let Self::Pair(pair) = self { Some(pair) } else { None }
+    }
+
+    /// Points that were filled; of a pair those of both whole maps.
+    pub fn missing(&self) -> usize {
+        match self {
+            Self::File(file) => file.missing,
+            Self::Recipe(_) => 0,
+            Self::Given(given) => given.missing,
+            Self::Pair(pair) => pair.bodies.iter().map(Self::missing).sum(),
+        }
+    }
+
+    /// What lies beyond the edges: the map again if it was made so, else nothing that is known.
+    pub fn edges(&self) -> Edges {
+        let repeats = match self {
+            Self::File(_) => false,
+            Self::Recipe(_) => true,
+            Self::Given(given) => given.repeats == Some(true),
+            Self::Pair(pair) => {
+                let is_cell = pair.found.as_ref().is_some_and(|found| found.placed.is_rolled);
+                is_cell && pair.bodies.iter().all(|body| body.edges() == Edges::Periodic)
+            }
+        };
+        if repeats { Edges::Periodic } else { Edges::Open }
+    }
+
+    /// Height step that is still in the heights (m). Rounding errors of two bodies are independent, so
+    /// that the squares of their steps add.
+    pub fn height_step(&self) -> Option<f64> {
+        match self {
+            Self::File(file) => file.height_step,
+            Self::Recipe(_) => None,
+            Self::Given(given) => given.height_step,
+            Self::Pair(pair) => pair.bodies.iter().filter_map(Self::height_step).reduce(f64::hypot),
+        }
+    }
+
+    /// Whether the heights were handed over by a program, all of them or those of one body.
+    pub(crate) fn is_given(&self) -> bool {
+        match self {
+            Self::File(_) | Self::Recipe(_) => false,
+            Self::Given(_) => true,
+            Self::Pair(pair) => pair.bodies.iter().any(Self::is_given),
+        }
+    }
+}
+
+impl Surface {
+    /// This surface with another pressed on it, as one: the sum of their heights
+    /// ([`Composite`]). `level` is the form that the study takes off, without which the moments
+    /// of both are compared; taking a plane off the sum is taking one off each.
+    ///
+    /// # Errors
+    /// [`NoPair`].
+    pub fn against(
+        &self,
+        second: &Self,
+        placing: &Placing,
+        level: Level,
+    ) -> Result<Self, Box<NoPair>> {
+        let names = [self.name.clone(), second.name.clone()];
+        let refused = |source| Box::new(NoPair { names: names.clone(), source });
+        let pair = Composite::of(&self.heights, &second.heights, placing).map_err(refused)?;
+        let independence = pair.independence(level).map_err(|e| refused(e.into()))?;
+        let origin = Origin::Pair(PairOrigin {
+            names: names.clone(),
+            placing: *placing,
+            bodies: Box::new([self.origin.clone(), second.origin.clone()]),
+            found: Some(PairFound { placed: pair.placed, independence }),
+        });
+        let name = format!("{} against {}", names[0], names[1]);
+        Ok(Self { name, origin, heights: pair.map })
     }
 }
 

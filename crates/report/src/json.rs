@@ -69,6 +69,8 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     json!({
         "name": s.name,
         "origin": s.origin,
+        "pair": s.origin.pair().map(crate::pair_json::pair),
+        "bodies": crate::pair_json::bodies(s.origin.pair(), &settings.bodies),
         "cleaning": cleaning(s.origin.cleaned()),
         "findings": findings(&compare::findings(s)),
         "statistics": statistics(&s.statistics),

@@ -16,6 +16,7 @@ mod lines;
 pub mod looks;
 pub mod numbers;
 mod page;
+mod pair_json;
 mod profile_csv;
 mod profile_json;
 mod provenance;
@@ -42,6 +43,7 @@ pub use page::html::write as write_html;
 pub use page::profile::write as write_profile_html;
 pub use page::profile_tables::setting_words;
 pub use page::summary::{Summary, write as write_summary_html};
+pub use pair_json::{bodies as bodies_json, pair as pair_json};
 pub use profile_csv::write as write_profile_csv;
 pub use profile_json::{
     profile_comparison as profile_comparison_json, profile_statistics as profile_statistics_json,
@@ -52,5 +54,6 @@ pub use table_csv::write as write_table_csv;
 pub use words::finding::{Worded, finding, warning};
 pub use words::headline_line;
 pub use words::loads::loads_line;
+pub use words::pair::pair_lines;
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};
 pub use words::profile::profile_headline;

@@ -6,7 +6,7 @@ use crate::units::Dimension;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use compare::built_in;
-use compare::{Body, EdgesName, Level, Method, Precision};
+use compare::{Body, EdgesName, Flip, Level, Method, Precision};
 use contact_types::{ContactModulus, Elastic, SurfaceError};
 use surface_io::Layout;
 
@@ -226,6 +226,10 @@ pub(crate) fn refuse_mirrored(
         }
     };
     Err(Failure::refused("combination", message))
+}
+
+pub(crate) fn flip() -> impl TypedValueParser<Value = Flip> {
+    one_of(Flip::ALL, Flip::name)
 }
 
 pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {

@@ -31,6 +31,11 @@ pub(crate) trait PerFile: Clone + Debug + Sync {
     /// The answer for the one file.
     fn answer(&self, common: &Common) -> Result<Reply, Failure>;
 
+    /// Content of other files that an answer depends on, as a hash.
+    fn beside(&self) -> String {
+        String::new()
+    }
+
     /// True if everything that belongs to the answer beside its numbers is there.
     fn is_complete(&self, _file: &Path) -> bool {
         true
@@ -109,8 +114,13 @@ pub(crate) fn outcomes<C: PerFile>(
 ) -> Result<Vec<Outcome>, Failure> {
     let files = expand(paths)?;
     let threads = common.threads();
-    let settings =
-        format!("{} {} {:?}", env!("CARGO_PKG_VERSION"), C::NAME, command.on(Path::new("")));
+    let settings = format!(
+        "{} {} {:?} {}",
+        env!("CARGO_PKG_VERSION"),
+        C::NAME,
+        command.on(Path::new("")),
+        command.beside()
+    );
     let next = AtomicUsize::new(0);
     let alone = RwLock::new(());
     let done: Vec<Mutex<Option<Outcome>>> = files.iter().map(|_| Mutex::new(None)).collect();

@@ -1,5 +1,6 @@
 //! `rough-contact compare`: the study and its report.
 
+use crate::against::{self, Against};
 use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
 use crate::compare_profiles;
@@ -77,7 +78,8 @@ pub(crate) struct Compare {
     accuracy: Option<Request>,
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
-        "files", "summary", "pressure", "load", "area", "headline", "models", "level", "fractal_range", "edges", "method",
+        "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
+        "headline", "models", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
@@ -92,6 +94,8 @@ pub(crate) struct Compare {
     /// Go on with a summary in --out: answers to the same content and the same options are kept
     #[arg(long, conflicts_with = "from")]
     resume: bool,
+    #[command(flatten)]
+    against: Against,
     #[command(flatten)]
     reading: Reading,
     #[command(flatten)]
@@ -193,7 +197,18 @@ impl Compare {
 
     /// What is in a file.
     pub(crate) fn read(&self, path: &Path) -> Result<One, Failure> {
-        from_file(path, &self.reading, self.cleaning.asked())
+        let how = (&self.reading, self.cleaning.asked());
+        let one = from_file(path, how.0, how.1)?;
+        if self.against.given()?.is_none() {
+            return Ok(one);
+        }
+        let One::Map(map) = one else { return Err(against::profile(path)) };
+        self.against.pressed_on(*map, how, self.level).map(|s| One::Map(Box::new(s)))
+    }
+
+    /// Content of a second body, as a hash.
+    pub(crate) fn second_body(&self) -> String {
+        self.against.content()
     }
 
     /// The same command with no file and no folder: what every answer depends on.
@@ -235,6 +250,10 @@ impl Compare {
             return Ok(given);
         }
         self.cleaning.refuse_without_file()?;
+        if self.against.given()?.is_some() {
+            let message = "--against is for a second body on a surface FILE, and none is given";
+            return Err(Failure::refused("usage", message));
+        }
         let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
         recipes.iter().map(from_recipe).collect::<Result<_, _>>().map(Given::Maps)
     }
@@ -356,6 +375,8 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     out.push_str(&text::loads(&comparison.settings));
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
+        let made_of = (comparison.settings.modulus, comparison.settings.bodies.clone());
+        out.push_str(&against::lines(surface.origin.pair(), Some(made_of)));
         out.push_str(&text::cleaning(surface.origin.cleaned()));
         out.push_str(&text::findings(&compare::findings(surface)));
         if let Some(plan) = &surface.plan {

@@ -42,6 +42,10 @@ impl PerFile for Compare {
         self.on(file)
     }
 
+    fn beside(&self) -> String {
+        self.second_body()
+    }
+
     fn answer(&self, common: &Common) -> Result<Reply, Failure> {
         let path = self.files().first().map_or(Path::new(""), PathBuf::as_path);
         let One::Map(map) = self.read(path)? else {

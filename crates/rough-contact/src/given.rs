@@ -4,8 +4,8 @@ use crate::compare_profiles;
 use crate::input::{Complete, Fill, Measured, Reading};
 use crate::outcome::Failure;
 use compare::{
-    Cleaning, FileOrigin, Origin, ProfileSurface, RunFile, RunSurface, Settings, Surface,
-    sha256_hex,
+    Cleaning, FileOrigin, Level, Origin, PairOrigin, Placing, ProfileSurface, RunFile, RunSurface,
+    Settings, Surface, sha256_hex,
 };
 use std::path::Path;
 use surface_io::Layout;
@@ -103,20 +103,48 @@ pub(crate) fn repeat(path: &Path) -> Result<(Settings, Given), Failure> {
     let run = RunFile::parse(&text).map_err(|e| Failure::in_file(path, &e))?;
     let mut surfaces = Vec::new();
     for RunSurface { name, origin } in run.surfaces {
-        let surface = match origin {
-            Origin::Recipe(recipe) => One::Map(Box::new(from_recipe(&recipe)?)),
-            Origin::Given(_) => {
-                let error = compare::RunFileError::Given { name };
-                return Err(Failure::from_error(&error));
-            }
-            Origin::File(file) => again(path, &file)?,
-        };
+        let surface = made_again(path, &name, origin, run.settings.level)?;
         surfaces.push(match surface {
             One::Map(map) => One::Map(Box::new(Surface { name, ..*map })),
             One::Profile(profile) => One::Profile(Box::new(ProfileSurface { name, ..*profile })),
         });
     }
     Ok((run.settings, Given::of(surfaces)?))
+}
+
+/// Two surfaces as one.
+pub(crate) fn pressed(
+    first: &Surface,
+    second: &Surface,
+    placing: &Placing,
+    level: Level,
+) -> Result<Surface, Failure> {
+    first.against(second, placing, level).map_err(|e| Failure::refused("no_pair", e.to_string()))
+}
+
+/// A surface from where it came.
+fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<One, Failure> {
+    Ok(match origin {
+        Origin::Recipe(recipe) => One::Map(Box::new(from_recipe(&recipe)?)),
+        Origin::Given(_) => {
+            let error = compare::RunFileError::Given { name: name.to_owned() };
+            return Err(Failure::from_error(&error));
+        }
+        Origin::File(file) => again(path, &file)?,
+        Origin::Pair(PairOrigin { names, placing, bodies, .. }) => {
+            let mut made = Vec::with_capacity(2);
+            for (name, origin) in names.into_iter().zip(*bodies) {
+                match made_again(path, &name, origin, level)? {
+                    One::Map(map) => made.push(Surface { name, ..*map }),
+                    One::Profile(_) => {
+                        let message = format!("{}: {name} is a profile", path.display());
+                        return Err(Failure::refused("profile", message));
+                    }
+                }
+            }
+            One::Map(Box::new(pressed(&made[0], &made[1], &placing, level)?))
+        }
+    })
 }
 
 fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {

@@ -284,6 +284,11 @@ impl Input {
         Self { file: file.to_owned(), ..self.clone() }
     }
 
+    /// How the file is read and cleaned.
+    pub(crate) fn how(&self) -> (&Reading, Cleaning) {
+        (&self.reading, self.cleaning.asked())
+    }
+
     /// The surface, complete, or the traces of one.
     pub(crate) fn measured(&self) -> Result<Measured, Failure> {
         self.reading.measured(&self.file, self.cleaning.asked())

@@ -19,6 +19,55 @@ pub(crate) struct Forces {
     area: Option<f64>,
 }
 
+/// Loads to solve for, as one of three kinds.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Loads {
+    /// Mean pressures to solve for
+    #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
+    #[arg(required_unless_present_any = ["gap", "load"], conflicts_with = "gap")]
+    pressure: Option<List>,
+    #[command(flatten)]
+    pub(crate) forces: Forces,
+    /// Mean gaps to solve for, instead of --pressure
+    #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "load")]
+    gap: Option<List>,
+}
+
+impl Loads {
+    /// True if the gap is prescribed, and the load is an answer.
+    pub(crate) fn is_by_gap(&self) -> bool {
+        self.gap.is_some()
+    }
+
+    /// How many loads there are; zero and negative ones are refused before any work.
+    pub(crate) fn count(&self) -> Result<usize, Failure> {
+        if let Some(forces) = self.forces.given()? {
+            return Ok(forces.len());
+        }
+        if let Some(List(pressures)) = &self.pressure {
+            for &p in pressures {
+                positive("mean pressure", p, "Pa", "at which something touches")?;
+            }
+            return Ok(pressures.len());
+        }
+        let List(gaps) = self.gap.as_ref().expect("clap requires one of the three");
+        for &g in gaps {
+            positive("mean gap", g, "m", "or use --pressure for a closed gap")?;
+        }
+        Ok(gaps.len())
+    }
+
+    /// The loads in the order given.
+    pub(crate) fn each(&self, spread: Option<&Spread>) -> Vec<Load> {
+        let gaps = self.gap.iter().flat_map(|List(gaps)| gaps.iter().map(|&g| Load::MeanGap(g)));
+        let given = self.pressure.as_ref().map(|List(pressures)| pressures);
+        let pressures = spread.map(|s| &s.pressures).or(given);
+        let pressures = pressures.into_iter().flatten().map(|&p| Load::MeanPressure(p));
+        pressures.chain(gaps).collect()
+    }
+}
+
 /// Forces over the nominal area that carries them.
 #[derive(Clone, Debug)]
 pub(crate) struct Spread {

@@ -2,6 +2,7 @@
 //! numbers, and exit status 0 (all answers given), 1 (something did not converge or could not
 //! be written) or 2 (refused).
 
+mod against;
 mod args;
 mod batch;
 mod cleaning;

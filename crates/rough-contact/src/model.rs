@@ -1,5 +1,6 @@
 //! `rough-contact model`: a closed-form model from a surface or from numbers.
 
+use crate::against::{self, Against};
 use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
 use crate::input::{Measured, Reading};
@@ -48,6 +49,8 @@ pub(crate) struct Model {
     #[command(flatten)]
     source: Source,
     #[command(flatten)]
+    against: Against,
+    #[command(flatten)]
     reading: Reading,
     #[command(flatten)]
     cleaning: CleaningOptions,
@@ -70,13 +73,21 @@ impl Model {
         let card = theory.card();
         let modulus = self.bodies.required()?;
         self.refuse_silence()?;
+        let mut pair = None;
         let (mut cleaned, mut rows, mut spikes) = (Vec::new(), None, Spikes::default());
         self.source.refuse_unused(&card.name, self.file.as_deref(), self.load.is_some())?;
         let inputs = if let Some(path) = &self.file {
-            let surface = match self.reading.measured(path, self.cleaning.asked())? {
-                Measured::Surface(surface) => surface,
-                Measured::Profile(traces) => {
-                    return self.of_profile(theory, modulus, path, &traces);
+            let how = (&self.reading, self.cleaning.asked());
+            let surface = if self.against.given()?.is_some() {
+                let (complete, both) = self.against.complete(path, how, self.source.level())?;
+                pair = Some(both);
+                complete
+            } else {
+                match self.reading.measured(path, how.1)? {
+                    Measured::Surface(surface) => surface,
+                    Measured::Profile(traces) => {
+                        return self.of_profile(theory, modulus, path, &traces);
+                    }
                 }
             };
             cleaned.clone_from(&surface.cleaned);
@@ -85,6 +96,11 @@ impl Model {
             self.source.measured(&card.name, modulus, path, surface)?
         } else {
             self.cleaning.refuse_without_file()?;
+            if self.against.given()?.is_some() {
+                let message = "--against is for a second body on a surface FILE, and none is given; for \
+                               moments typed in, add those of the two";
+                return Err(Failure::refused("usage", message));
+            }
             self.source.typed(&card.name, modulus)?
         };
         let (questions, spread) = self.questions(inputs.nominal_area)?;
@@ -92,6 +108,7 @@ impl Model {
         let mut reply = reply(card, &inputs, &questions, &answers, spread.as_ref());
         let mut findings = scene(&inputs, &answers, rows).findings();
         findings.extend(compare::spiky(&spikes, None));
+        findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
         findings.sort_by_key(|f| f.weight);
         let first = text::cleaning(&cleaned) + &text::findings(&findings);
         reply.text.insert_str(0, &first);
@@ -103,6 +120,10 @@ impl Model {
             reply.text += text::MOMENTS;
         }
         reply.json["cleaning"] = report::cleaning_json(&cleaned);
+        let made_of = (modulus.pascals(), self.bodies.listed());
+        reply.json["pair"] = against::json(pair.as_ref());
+        reply.json["bodies"] = report::bodies_json(pair.as_ref(), &made_of.1);
+        reply.text += &against::lines(pair.as_ref(), Some(made_of));
         Ok(reply)
     }
 

@@ -1,12 +1,13 @@
 //! `rough-contact solve`: the deterministic solution.
 
-use crate::args::{self, Bodies, Common, List};
+use crate::against::{self, Against};
+use crate::args::{self, Bodies, Common};
 use crate::batch::{self, PerFile};
 use crate::fields::{Fields, Sink};
 use crate::files::folder_name;
 use crate::input::{Complete, Input, Measured};
 use crate::intervals::{Errors, Finest, Refined, under};
-use crate::loads::{Forces, Spread, positive, rising, shown};
+use crate::loads::{Loads, Spread, rising, shown};
 use crate::outcome::{Failure, Reply};
 use crate::planned;
 use crate::profiles::Traces;
@@ -18,8 +19,8 @@ use clap::Args;
 use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, Level, Method, NotRefined, Precision, Scene, Solved, Spikes, Surrounded, TwiceFiner,
-    on_given,
+    EdgesName, Level, Method, NotRefined, PairOrigin, Precision, Scene, Solved, Spikes, Surrounded,
+    TwiceFiner, on_given,
 };
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};
@@ -35,16 +36,8 @@ use surface_stats::{DirectionalMoments, HeightStatistics};
 pub(crate) struct Solve {
     #[command(flatten)]
     bodies: Bodies,
-    /// Mean pressures to solve for
-    #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
-    #[arg(required_unless_present_any = ["gap", "load"], conflicts_with = "gap")]
-    pressure: Option<List>,
     #[command(flatten)]
-    forces: Forces,
-    /// Mean gaps to solve for, instead of --pressure
-    #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
-    #[arg(conflicts_with = "load")]
-    gap: Option<List>,
+    loads: Loads,
     /// Form to remove by least squares first
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
     level: Level,
@@ -87,6 +80,8 @@ pub(crate) struct Solve {
     /// Distributions of pressure, gap and contact spots of each load: in the JSON
     #[arg(long)]
     distributions: bool,
+    #[command(flatten)]
+    against: Against,
     #[command(flatten)]
     input: Input,
 }
@@ -144,8 +139,12 @@ impl PerFile for Solve {
         Self { input: self.input.on(file), fields, ..self.clone() }
     }
 
+    fn beside(&self) -> String {
+        self.against.content()
+    }
+
     fn is_complete(&self, file: &Path) -> bool {
-        let loads = self.count().unwrap_or(0);
+        let loads = self.loads.count().unwrap_or(0);
         let names = self.fields.names(loads);
         let all = |maps: &PathBuf| names.iter().all(|name| maps.join(name).exists());
         self.on(file).fields.maps.as_ref().is_none_or(all)
@@ -153,9 +152,11 @@ impl PerFile for Solve {
 
     fn answer(&self, common: &Common) -> Result<Reply, Failure> {
         let modulus = self.bodies.required()?;
-        let count = self.count()?;
+        let count = self.loads.count()?;
         let boundary = match self.boundary.as_str() {
-            "free" if self.gap.is_some() => return Err(Failure::refused("combination", FREE_GAP)),
+            "free" if self.loads.is_by_gap() => {
+                return Err(Failure::refused("combination", FREE_GAP));
+            }
             "free" => Boundary::Free,
             _ => Boundary::Periodic,
         };
@@ -165,11 +166,14 @@ impl PerFile for Solve {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
         let mut maps = Sink::prepare(&self.fields, count, repeats, common.force)?;
-        let Complete { map: surface, cleaned, height_step, missing, .. } = self.section()?;
-        let spread = self.forces.spread([surface.grid().area()])?;
-        let loads = self.loads(spread.as_ref());
+        let (complete, pair) = self.section()?;
+        let Complete { map: surface, cleaned, height_step, missing, .. } = complete;
+        let spread = self.loads.forces.spread([surface.grid().area()])?;
+        let loads = self.loads.each(spread.as_ref());
         let mut solved = Solved {
-            missing,
+            // Of two bodies each says its own.
+            missing: if pair.is_some() { 0 } else { missing },
+            pair: pair.as_ref(),
             points: surface.grid().len(),
             fill: self.input.reading.fill.name(),
             cleaned: &cleaned,
@@ -266,7 +270,15 @@ impl PerFile for Solve {
 
 impl Solve {
     /// The map, or the one trace that is to be solved in plane strain.
-    fn section(&self) -> Result<Complete, Failure> {
+    fn section(&self) -> Result<(Complete, Option<PairOrigin>), Failure> {
+        if self.against.given()?.is_some() && !self.plane_strain {
+            let pair = self.against.complete(&self.input.file, self.input.how(), self.level)?;
+            return Ok((pair.0, Some(pair.1)));
+        }
+        self.alone().map(|complete| (complete, None))
+    }
+
+    fn alone(&self) -> Result<Complete, Failure> {
         let path = &self.input.file;
         let refused = |message: &str| {
             Err(Failure::refused("profile", format!("{}: {message}", path.display())))
@@ -282,7 +294,11 @@ impl Solve {
                  --plane-strain if it is the cross-section of long parallel ridges, or see `model` and \
                  `compare`, which take it for a line of an isotropic surface",
             ),
-            (Measured::Profile(_), true) if self.forces.given()?.is_some() => refused(
+            (Measured::Profile(_), true) if self.against.given()?.is_some() => refused(
+                "--against presses two maps on each other, and --plane-strain is for one profile; leave \
+                 one of them out",
+            ),
+            (Measured::Profile(_), true) if self.loads.forces.given()?.is_some() => refused(
                 "--load is a force on an area, and in plane strain a load is a force on a length of ridge; \
                  give --pressure",
             ),
@@ -384,33 +400,6 @@ impl Solve {
         (Some(budget), Some(refined))
     }
 
-    /// How many loads there are; zero and negative ones are refused before any work.
-    fn count(&self) -> Result<usize, Failure> {
-        if let Some(forces) = self.forces.given()? {
-            return Ok(forces.len());
-        }
-        if let Some(List(pressures)) = &self.pressure {
-            for &p in pressures {
-                positive("mean pressure", p, "Pa", "at which something touches")?;
-            }
-            return Ok(pressures.len());
-        }
-        let List(gaps) = self.gap.as_ref().expect("clap requires one of the three");
-        for &g in gaps {
-            positive("mean gap", g, "m", "or use --pressure for a closed gap")?;
-        }
-        Ok(gaps.len())
-    }
-
-    /// The loads in the order given.
-    fn loads(&self, spread: Option<&Spread>) -> Vec<Load> {
-        let gaps = self.gap.iter().flat_map(|List(gaps)| gaps.iter().map(|&g| Load::MeanGap(g)));
-        let given = self.pressure.as_ref().map(|List(pressures)| pressures);
-        let pressures = spread.map(|s| &s.pressures).or(given);
-        let pressures = pressures.into_iter().flatten().map(|&p| Load::MeanPressure(p));
-        pressures.chain(gaps).collect()
-    }
-
     fn reply(
         &self,
         work: Work,
@@ -422,7 +411,7 @@ impl Solve {
         let findings = solved.findings();
         let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
         headings.push("mean pressure");
-        if self.gap.is_some() {
+        if self.loads.is_by_gap() {
             headings.push("±"); // the load is an answer too
         }
         headings.extend([
@@ -463,6 +452,8 @@ impl Solve {
             "modulus": modulus,
             "tolerance": self.tolerance,
             "load_area": spread.map(|s| s.area),
+            "bodies": report::bodies_json(solved.pair, &self.bodies.listed()),
+            "pair": against::json(solved.pair),
             "points": points,
             "cleaning": report::cleaning_json(solved.cleaned),
             "findings": report::findings_json(&findings),
@@ -470,6 +461,7 @@ impl Solve {
         let text =
             text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
         let text = text + &spread.map_or_else(String::new, Spread::line);
+        let text = text + &against::lines(solved.pair, Some((modulus, self.bodies.listed())));
         let text = text + &text::level(self.level);
         let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
         Reply { text: text + notes, json, trouble: work.trouble }

@@ -1,5 +1,6 @@
 //! `rough-contact stats`: roughness statistics, each with its unit.
 
+use crate::against::{self, Against};
 use crate::args::{self, Common};
 use crate::batch::{self, PerFile};
 use crate::input::{Complete, Input, Measured};
@@ -25,6 +26,8 @@ pub(crate) struct Stats {
     /// The areal parameters of ISO 25178-2 too: Sdr, Sal, Str, Std, the Sk family, volumes
     #[arg(long)]
     iso: bool,
+    #[command(flatten)]
+    against: Against,
     #[command(flatten)]
     input: Input,
 }
@@ -54,14 +57,24 @@ impl PerFile for Stats {
         Self { input: self.input.on(file), ..self.clone() }
     }
 
+    fn beside(&self) -> String {
+        self.against.content()
+    }
+
     fn answer(&self, _: &Common) -> Result<Reply, Failure> {
-        let Complete { map, missing, cleaned, height_step, .. } = match self.input.measured()? {
-            Measured::Surface(complete) => complete,
-            Measured::Profile(traces) => {
-                let degree = self.level.degree().unwrap_or(0);
-                return profile_stats::run(&self.input.file, &traces, degree);
+        let (complete, pair) = if self.against.given()?.is_some() {
+            let pair = self.against.complete(&self.input.file, self.input.how(), self.level)?;
+            (pair.0, Some(pair.1))
+        } else {
+            match self.input.measured()? {
+                Measured::Surface(complete) => (complete, None),
+                Measured::Profile(traces) => {
+                    let degree = self.level.degree().unwrap_or(0);
+                    return profile_stats::run(&self.input.file, &traces, degree);
+                }
             }
         };
+        let Complete { map, missing, cleaned, height_step, .. } = complete;
         let options = StatsOptions::default()
             .with_level(self.level)
             .with_edges(self.boundary.rule())
@@ -69,12 +82,16 @@ impl PerFile for Stats {
             .with_height_step(height_step);
         let s = SurfaceStatistics::of(&map, &options)
             .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-        let findings = compare::measured(&s, &Spikes::of(&map));
+        let mut findings = compare::measured(&s, &Spikes::of(&map));
+        findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
+        findings.sort_by_key(|f| f.weight);
         let mut json = report::statistics_json(&s);
         json["findings"] = report::findings_json(&findings);
         json["cleaning"] = report::cleaning_json(&cleaned);
+        json["pair"] = against::json(pair.as_ref());
         let mut text =
             text::cleaning(&cleaned) + &text::all_findings(&findings) + &self.describe(&s);
+        text += &against::lines(pair.as_ref(), None);
         if self.iso {
             let iso = level(&map, options.level)
                 .and_then(|map| Iso::of(&map, options.edges))

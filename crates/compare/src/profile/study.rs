@@ -41,7 +41,7 @@ impl ProfileSurface {
             Origin::File(file) => {
                 (file.cleaning.s_filter, file.cleaning.l_filter, file.height_step)
             }
-            Origin::Recipe(_) | Origin::Given(_) => (None, None, None),
+            Origin::Recipe(_) | Origin::Given(_) | Origin::Pair(_) => (None, None, None),
         };
         ProfileOptions::default()
             .with_degree(settings.level.degree().unwrap_or(0))

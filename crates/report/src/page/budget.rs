@@ -7,7 +7,6 @@ use crate::numbers::{
 use crate::page::phrases::tolerance_words;
 use crate::words::edges::edge_words;
 use compare::ChoiceKind;
-use compare::Origin;
 use compare::{DeterministicAnswer, SurfaceComparison};
 use contact_accuracy::budget::Estimate;
 
@@ -130,9 +129,10 @@ pub(crate) fn choices(surface: &SurfaceComparison) -> String {
             )
         })
         .collect();
-    let fill = match &surface.origin {
-        Origin::File(file) if file.missing > 0 => " Filling of missing points was not varied.",
-        _ => "",
+    let fill = if surface.origin.missing() > 0 {
+        " Filling of missing points was not varied."
+    } else {
+        ""
     };
     format!(
         "<table class=\"key\"><caption>Choices that move the answer: area</caption>\

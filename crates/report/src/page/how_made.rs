@@ -6,6 +6,7 @@ use crate::page::context::Page;
 use crate::page::phrases::{levelled, tolerance_words};
 use crate::words::edges::treatment;
 use crate::words::loads::loads_words;
+use crate::words::pair::{bodies, lying, moments};
 use crate::words::plan as plan_words;
 use compare::{Body, FileOrigin, Origin, Recipe};
 use compare::{DeterministicAnswer, SurfaceComparison};
@@ -55,14 +56,18 @@ pub(crate) fn section(page: &Page<'_>) -> String {
         let reason = format!("no study: {}", escape(&refused.reason));
         rows.push((escape(&refused.name), reason));
     }
-    rows.push((
-        "Material".into(),
-        format!(
-            "<i>E</i>* = {}, {}",
-            chosen(settings.modulus, PASCALS),
-            bodies_words(&settings.bodies)
-        ),
-    ));
+    let pair = page.comparison.surfaces.first().and_then(|s| s.origin.pair());
+    let material = pair.map_or_else(
+        || {
+            format!(
+                "<i>E</i>* = {}, {}",
+                chosen(settings.modulus, PASCALS),
+                bodies_words(&settings.bodies)
+            )
+        },
+        |pair| escape(&bodies(pair, &settings.bodies, settings.modulus)),
+    );
+    rows.push(("Material".into(), material));
     rows.extend(loads_words(settings).map(|words| ("Loads".to_owned(), words)));
     for surface in &page.comparison.surfaces {
         let Some(plan) = &surface.plan else { continue };
@@ -115,6 +120,21 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
             }
             text.push_str(&format!(", SHA-256 <code>{}</code>", escape(sha256)));
             text
+        }
+        Origin::Pair(pair) => {
+            let bodies = pair.names.iter().zip(&*pair.bodies).map(|(name, origin)| {
+                let steps: String = origin
+                    .cleaned()
+                    .iter()
+                    .map(|step| format!("; cleaned: {}", escape(&step.to_string())))
+                    .collect();
+                format!("<b>{}</b>: {}{steps}", escape(name), origin_words(origin))
+            });
+            let mut lines: Vec<String> = bodies.collect();
+            // The sentence after it ends with its own period.
+            lines.extend(moments(pair).map(|text| format!("Moments: {}.", escape(&text))));
+            lines.push(escape(&lying(pair)));
+            lines.join("<br>\n")
         }
         Origin::Given(given) => {
             let filled = if given.missing > 0 {

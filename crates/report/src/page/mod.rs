@@ -5,6 +5,7 @@ pub(crate) mod context;
 pub(crate) mod how_made;
 pub(crate) mod html;
 pub(crate) mod overview;
+mod pair;
 pub(crate) mod phrases;
 pub(crate) mod profile;
 pub(crate) mod profile_tables;

@@ -11,6 +11,7 @@ use crate::numbers::{
 };
 use crate::page::budget;
 use crate::page::context::Page;
+use crate::page::pair;
 use crate::page::phrases::levelled;
 use crate::page::slider::dial;
 use crate::page::{statistics, tables};
@@ -296,7 +297,11 @@ pub(crate) fn the_surface(
     let grid = surface.surface.grid();
     let p = chosen(surface.headline_pressure(), PASCALS);
     let heights = surface.surface.heights();
-    let mut out = format!("<{h}>The surface</{h}>\n<div class=\"two maps\">\n");
+    let (title, first) = match surface.origin.pair() {
+        Some(both) => ("Both surfaces as one", pair::opening(both)),
+        None => ("The surface", String::new()),
+    };
+    let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
     if grid.shape().contains(&1) {
         out.push_str("<p>A single profile: no map is drawn.</p>\n");
     } else {

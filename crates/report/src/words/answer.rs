@@ -123,8 +123,9 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
         "" => String::new(),
         covers => format!(" <small>({covers})</small>"),
     };
+    let whole = if surface.origin.pair().is_some() { "the area in common" } else { "the surface" };
     format!(
-        "{opening}{}t {p}, {about}<b>{}</b> of the surface touches; the mean real pressure is \
+        "{opening}{}t {p}, {about}<b>{}</b> of {whole} touches; the mean real pressure is \
          {about}<b>{}</b>{unresolved}.{label}",
         if opening.is_empty() { 'A' } else { 'a' },
         area_prediction(answer),

@@ -2,6 +2,7 @@
 
 use crate::numbers::{METRES, percent, quantity, signed_percent, signed_range};
 use compare::{EdgesName, Origin, Seam, SurfaceComparison, seam};
+use surface_stats::Edges;
 
 /// For "How this was made": the treatment of the edges.
 pub(crate) fn treatment(surface: &SurfaceComparison) -> &'static str {
@@ -11,7 +12,10 @@ pub(crate) fn treatment(surface: &SurfaceComparison) -> &'static str {
         (EdgesName::Periodic, Origin::Given(given)) if given.repeats == Some(true) => {
             "Periodic, as given."
         }
-        (EdgesName::Periodic, Origin::File(_) | Origin::Given(_)) => {
+        (EdgesName::Periodic, Origin::Pair(_)) if surface.origin.edges() == Edges::Periodic => {
+            "Periodic, as both bodies were made."
+        }
+        (EdgesName::Periodic, Origin::File(_) | Origin::Given(_) | Origin::Pair(_)) => {
             "Repeated periodically as it is."
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::numbers::{METRES, PASCALS, SPACE, fixed, percent, quantity, significant};
 use crate::words::edges::seam_effect;
+use crate::words::pair;
 use crate::words::plan;
 use crate::words::profile;
 use compare::{Bare, EdgesName, Fact, Finding, Passed, SPIKE_THRESHOLD, Seam, Steep, Yield};
@@ -92,8 +93,19 @@ pub fn finding(finding: &Finding) -> Worded {
             format!("The heights were cleaned: {}.", steps(records)),
             "What was taken off is in no answer here.",
         ),
+        Fact::Pair { names, moments } => of_two(pair::dependent(names, moments)),
+        Fact::PixelsDiffer { names, pixels } => of_two(pair::pixels_differ(names, *pixels)),
+        Fact::CommonPart { names, shares } => of_two(pair::common_part(names, *shares)),
+        Fact::OfBody { body, fact } => {
+            let words = self::finding(&Finding::note(fact.as_ref().clone()));
+            worded(format!("{body}: {}", words.claim), words.text)
+        }
         Fact::Passed(passed) => tested(passed),
     }
+}
+
+fn of_two([claim, text]: [String; 2]) -> Worded {
+    worded(claim, text)
 }
 
 fn unit([gradient, rms_height, radius]: [Option<f64>; 3]) -> Worded {
@@ -401,6 +413,10 @@ fn tested(passed: &Passed) -> Worded {
     if let Some(resolved) = passed.resolved {
         claims.push("resolution");
         texts.push(format!("finite differences see {} of the rms gradient", percent(resolved)));
+    }
+    if let Some(found) = &passed.independence {
+        claims.push("independence");
+        texts.push(pair::independent(found));
     }
     worded(format!("{}.", capital(&claims.join(", "))), format!("{}.", capital(&texts.join("; "))))
 }

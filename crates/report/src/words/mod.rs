@@ -6,6 +6,7 @@ mod date;
 pub(crate) mod edges;
 pub(crate) mod finding;
 pub(crate) mod loads;
+pub(crate) mod pair;
 pub(crate) mod plan;
 pub(crate) mod profile;
 mod ranking;

@@ -1,0 +1,166 @@
+//! Two bodies pressed together, in words.
+
+use crate::numbers::{
+    METRES, PASCALS, SPACE, chosen, percent, quantity, signed_percent, significant,
+};
+use compare::{Body, Flip, Independence, PairOrigin, Settings};
+
+/// How a body was turned over.
+fn turned(flip: Flip) -> &'static str {
+    match flip {
+        Flip::Columns => "turned over as a book is closed, its first column on the last",
+        Flip::Rows => "turned over as a page of a wall calendar, its first row on the last",
+        Flip::None => "laid on as its map stands, not turned over",
+    }
+}
+
+/// A way along one axis.
+fn moved(way: f64) -> String {
+    if way == 0.0 { "0".to_owned() } else { quantity(way, METRES, 4) }
+}
+
+/// How the bodies lie, as plain text.
+pub(crate) fn lying(pair: &PairOrigin) -> String {
+    let [first, second] = &pair.names;
+    let mut text = format!("{second} lies on {first}, {}", turned(pair.placing.flip));
+    let Some(found) = &pair.found else { return text };
+    let placed = &found.placed;
+    let [dy, dx] = placed.shift;
+    if dy != 0.0 || dx != 0.0 {
+        text += &format!(", moved by {} along x and {} along y", moved(dx), moved(dy));
+        text += if placed.is_rolled {
+            " (what leaves on one side comes in on the other)"
+        } else {
+            " (in whole points; only the part in common is kept)"
+        };
+    }
+    if placed
+        .shift
+        .iter()
+        .zip(pair.placing.shift)
+        .any(|(is, asked)| (is - asked).abs() > 1e-9 * asked.abs())
+    {
+        let [dy, dx] = pair.placing.shift;
+        text += &format!("; {} and {} were asked for", moved(dx), moved(dy));
+    }
+    let [ny, nx] = placed.common.shape();
+    let [py, px] = placed.common.pixel().map(|d| chosen(d, METRES));
+    text += &format!("; {nx} × {ny} points of {px} × {py} in common");
+    let shares = placed.shares();
+    if shares.iter().any(|share| *share < 0.999) {
+        let [a, b] = shares.map(percent);
+        text += &format!(", {a} of {first} and {b} of {second}");
+    }
+    for (name, is_new) in pair.names.iter().zip(placed.resampled) {
+        if is_new {
+            text += &format!("; {name} interpolated at the points of the other");
+        }
+    }
+    text
+}
+
+/// "m0 +0.3 %, m2 −0.1 %, m4 +0.0 %".
+fn excess(found: &Independence) -> String {
+    let one = |(name, value): (&str, &f64)| format!("{name} {}", signed_percent(*value));
+    ["m₀", "m₂", "m₄"].into_iter().zip(&found.excess).map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// What chance alone makes of it.
+fn chance(found: &Independence) -> String {
+    let [a, b, c] = found.chance.map(|x| significant(100.0 * x, 2));
+    format!("chance alone makes ± {a}, {b} and {c}{SPACE}%")
+}
+
+/// Whose moments the models have, as plain text.
+pub(crate) fn moments(pair: &PairOrigin) -> Option<String> {
+    let found = pair.found.as_ref()?.independence;
+    let whose = "every model has those of the sum of both surfaces";
+    if found.bodies.iter().any(|body| body.m0 <= 0.0) {
+        return Some(whose.to_owned());
+    }
+    Some(format!(
+        "{whose}; they differ from the sums of the moments of the two by {} ({})",
+        excess(&found),
+        chance(&found)
+    ))
+}
+
+/// The finding that they do not add: claim and text.
+pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> [String; 2] {
+    let mates = found.excess[1] < 0.0;
+    let claim = if mates {
+        format!("{first} and {second} fit into each other.")
+    } else {
+        format!("{first} and {second} meet high on high.")
+    };
+    [
+        claim,
+        format!(
+            "Moments of the sum differ from the sums of those of the two by {}; {}. The two are not \
+             independent where they lie: another place, by --shift or --flip, gives another area.",
+            excess(found),
+            chance(found)
+        ),
+    ]
+}
+
+/// The finding that the points differ: claim and text.
+pub(crate) fn pixels_differ(names: &[String; 2], pixels: [[f64; 2]; 2]) -> [String; 2] {
+    let size = |p: [f64; 2]| p[0].max(p[1]);
+    let (fine, coarse) = if size(pixels[0]) < size(pixels[1]) { (0, 1) } else { (1, 0) };
+    let points = |k: usize| quantity(size(pixels[k]), METRES, 3);
+    [
+        format!(
+            "The bodies were measured at different point spacings: {} and {}.",
+            points(0),
+            points(1)
+        ),
+        format!(
+            "{} was interpolated at the points of {}, which adds no wave: its waves shorter than {} are \
+             not in the sum, and the area depends on the shortest waves.",
+            names[coarse],
+            names[fine],
+            quantity(2.0 * size(pixels[coarse]), METRES, 2)
+        ),
+    ]
+}
+
+/// The finding that parts lie outside: claim and text.
+pub(crate) fn common_part(names: &[String; 2], shares: [f64; 2]) -> [String; 2] {
+    let [a, b] = shares.map(percent);
+    [
+        format!("{a} of {} and {b} of {} lie on each other.", names[0], names[1]),
+        "Only that part is solved, and a load is one on its area.".to_owned(),
+    ]
+}
+
+/// "independence" among what passed.
+pub(crate) fn independent(found: &Independence) -> String {
+    format!("moments of the two bodies add ({})", excess(found))
+}
+
+/// What each body is made of, as plain text.
+fn materials(pair: &PairOrigin, bodies: &[Body]) -> String {
+    let one = |name: &str, body: &Body| {
+        let poisson = format!("{}", body.poisson).replace('-', "\u{2212}");
+        format!("{name} E = {}, ν = {poisson}", chosen(body.young, PASCALS))
+    };
+    match (&pair.names, bodies) {
+        ([first, second], [a, b]) => format!("{}; {}", one(first, a), one(second, b)),
+        ([first, second], [a]) => format!("{}; {second} rigid", one(first, a)),
+        _ => "E* as given, without saying what each body is made of".to_owned(),
+    }
+}
+
+/// What each body of a pair is made of, with the modulus of both.
+pub(crate) fn bodies(pair: &PairOrigin, bodies: &[Body], modulus: f64) -> String {
+    format!("{} (E* = {})", materials(pair, bodies), quantity(modulus, PASCALS, 4))
+}
+
+/// The lines of a terminal on a pair: how it lies, what it is made of, whose moments count.
+pub fn pair_lines(pair: &PairOrigin, settings: Option<&Settings>) -> Vec<String> {
+    let mut lines = vec![format!("pair: {}", lying(pair))];
+    lines.extend(settings.map(|s| format!("bodies: {}", bodies(pair, &s.bodies, s.modulus))));
+    lines.extend(moments(pair).map(|text| format!("moments: {text}")));
+    lines.into_iter().map(|line| line.replace(SPACE, " ")).collect()
+}

@@ -1,0 +1,200 @@
+//! A second body, pressed on the first.
+
+use crate::args;
+use crate::cleaning::CleaningOptions;
+use crate::given::{One, from_file, pressed};
+use crate::input::{Complete, Reading};
+use crate::outcome::Failure;
+use crate::quantity;
+use crate::units::Dimension;
+use clap::{Args, Parser};
+use compare::{Body, Cleaning, Flip, Level, Origin, PairOrigin, Placing, Settings, Surface};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// Options of a second body.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Second body")]
+pub(crate) struct Against {
+    /// Surface file of a second body that lies face down on FILE: the sum of both heights is solved
+    #[arg(long = "against", id = "against", value_name = "FILE2")]
+    second: Option<PathBuf>,
+    /// How it is turned over: columns, as a book is closed; rows, as a page of a wall calendar is
+    /// turned; none, its map already stands as it lies [default: columns]
+    #[arg(long, value_name = "HOW", value_parser = args::flip())]
+    flip: Option<Flip>,
+    /// Move it then along columns and rows, in whole points
+    #[arg(long, value_name = "DX,DY", value_parser = shift, allow_hyphen_values = true)]
+    shift: Option<[f64; 2]>,
+    /// File and cleaning options of the second body, such as "--fill harmonic --crop 0,0,99,99", in
+    /// place of those of FILE [default: those of FILE]
+    #[arg(long = "against-options", id = "against_options", value_name = "OPTIONS")]
+    #[arg(value_parser = own, allow_hyphen_values = true)]
+    own: Option<Own>,
+}
+
+/// How a body is read and cleaned.
+#[derive(Parser, Clone, Debug)]
+#[command(no_binary_name = true, disable_help_flag = true)]
+struct Own {
+    #[command(flatten)]
+    reading: Reading,
+    #[command(flatten)]
+    cleaning: CleaningOptions,
+}
+
+fn own(text: &str) -> Result<Own, String> {
+    Own::try_parse_from(words(text)?).map_err(|e| {
+        let message = e.to_string();
+        let first = message.lines().next().unwrap_or_default();
+        first.trim_start_matches("error: ").to_owned()
+    })
+}
+
+/// The words of a line; quotes keep spaces together.
+fn words(text: &str) -> Result<Vec<String>, String> {
+    let (mut words, mut word, mut quote) = (Vec::new(), None::<String>, None);
+    for c in text.chars() {
+        match quote {
+            Some(open) if c == open => quote = None,
+            None if c == '"' || c == '\'' => {
+                quote = Some(c);
+                word.get_or_insert_default();
+            }
+            None if c.is_whitespace() => words.extend(word.take()),
+            _ => word.get_or_insert_default().push(c),
+        }
+    }
+    if quote.is_some() {
+        return Err("a quotation mark is not closed".to_owned());
+    }
+    words.extend(word);
+    Ok(words)
+}
+
+/// `DX,DY` as `[dy, dx]` in metres.
+fn shift(text: &str) -> Result<[f64; 2], String> {
+    match quantity::parse_list(text, Dimension::Length).map_err(|e| e.to_string())?[..] {
+        [dx, dy] => Ok([dy, dx]),
+        _ => Err(format!("'{text}' is not DX,DY; write for example 10um,0um")),
+    }
+}
+
+impl Against {
+    /// The file of the second body; its options without one are a mistake.
+    pub(crate) fn given(&self) -> Result<Option<&Path>, Failure> {
+        let alone = [
+            ("--flip", self.flip.is_some()),
+            ("--shift", self.shift.is_some()),
+            ("--against-options", self.own.is_some()),
+        ];
+        match (&self.second, alone.iter().find(|(_, is_given)| *is_given)) {
+            (Some(path), _) => Ok(Some(path)),
+            (None, None) => Ok(None),
+            (None, Some((name, _))) => {
+                let message = format!("{name} is for a second body; give --against FILE too");
+                Err(Failure::refused("usage", message))
+            }
+        }
+    }
+
+    /// The first surface with the second on it; the first as it is if there is no second.
+    pub(crate) fn pressed_on(
+        &self,
+        mut first: Surface,
+        how: (&Reading, Cleaning),
+        level: Level,
+    ) -> Result<Surface, Failure> {
+        let Some(path) = self.given()? else { return Ok(first) };
+        let (reading, cleaning) =
+            self.own.as_ref().map_or(how, |own| (&own.reading, own.cleaning.asked()));
+        let mut second = match from_file(path, reading, cleaning)? {
+            One::Map(map) => *map,
+            One::Profile(_) => return Err(profile(path)),
+        };
+        // Files of one name are told apart by where they lie.
+        if first.name == second.name {
+            for body in [&mut first, &mut second] {
+                if let Origin::File(file) = &body.origin {
+                    body.name.clone_from(&file.path);
+                }
+            }
+        }
+        if first.name == second.name {
+            second.name += " (2)";
+        }
+        let placing =
+            Placing { flip: self.flip.unwrap_or_default(), shift: self.shift.unwrap_or_default() };
+        pressed(&first, &second, &placing, level)
+    }
+
+    /// The file with the second body on it, complete.
+    pub(crate) fn complete(
+        &self,
+        path: &Path,
+        how: (&Reading, Cleaning),
+        level: Level,
+    ) -> Result<(Complete, PairOrigin), Failure> {
+        let first = match from_file(path, how.0, how.1)? {
+            One::Map(map) => *map,
+            One::Profile(_) => return Err(profile(path)),
+        };
+        let Surface { origin, heights, .. } = self.pressed_on(first, how, level)?;
+        let complete = Complete {
+            map: heights,
+            missing: origin.missing(),
+            cleaned: Vec::new(),
+            height_step: origin.height_step(),
+            format: "pair".to_owned(),
+        };
+        let pair = origin.pair().cloned();
+        pair.map(|pair| (complete, pair))
+            .ok_or_else(|| Failure::refused("usage", "--against is missing"))
+    }
+
+    /// What the answer depends on beside the first file and the options.
+    pub(crate) fn content(&self) -> String {
+        let content = self.second.as_ref().and_then(|path| std::fs::read(path).ok());
+        content.map_or_else(String::new, |content| compare::sha256_hex(&content))
+    }
+}
+
+pub(crate) fn profile(path: &Path) -> Failure {
+    let message = format!(
+        "{}: this is a profile, and --against presses two maps on each other; a line of one body says \
+         nothing of where the other meets it",
+        path.display()
+    );
+    Failure::refused("profile", message)
+}
+
+/// The lines of a terminal on a pair, and the modulus its bodies make; nothing for one body.
+pub(crate) fn lines(pair: Option<&PairOrigin>, made_of: Option<(f64, Vec<Body>)>) -> String {
+    let Some(pair) = pair else { return String::new() };
+    let settings =
+        made_of.map(|(modulus, bodies)| Settings { modulus, bodies, ..Settings::default() });
+    report::pair_lines(pair, settings.as_ref()).join("\n") + "\n"
+}
+
+/// The pair of a JSON answer, `null` for one body.
+pub(crate) fn json(pair: Option<&PairOrigin>) -> Value {
+    pair.map_or(Value::Null, report::pair_json)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_of_the_second_body_are_read_as_those_of_the_first() {
+        let said = own("--fill harmonic --channel 'Z Axis' --outliers 8").unwrap();
+        assert_eq!(said.reading.channel.as_deref(), Some("Z Axis"));
+        assert_eq!(said.reading.fill.name(), "harmonic");
+        assert_eq!(said.cleaning.asked().outliers, Some(8.0));
+        for bad in ["--fill some", "--channel 'Z", "--pressure 1MPa", "b.x3p"] {
+            assert!(own(bad).is_err(), "{bad}");
+        }
+        assert_eq!(shift("10um,-2um").unwrap().map(|d| (1e9 * d).round() as i32), [-2000, 10_000]);
+        assert!(shift("10um").is_err());
+    }
+}
