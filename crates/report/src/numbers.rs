@@ -240,6 +240,14 @@ pub const METRES: &[Unit] = &[
     Unit { scale: 1e3, name: "km" },
 ];
 
+/// Multiples of the square metre.
+pub const AREAS: &[Unit] = &[
+    Unit { scale: 1e-18, name: "nm²" },
+    Unit { scale: 1e-12, name: "µm²" },
+    Unit { scale: 1e-6, name: "mm²" },
+    Unit { scale: 1.0, name: "m²" },
+];
+
 /// Multiples of the newton.
 pub const NEWTONS: &[Unit] = &[
     Unit { scale: 1e-9, name: "nN" },

@@ -58,6 +58,34 @@ impl Traces {
         Ok(Self { each: traces, missing, cleaned, uneven, height_step, cleaning, format })
     }
 
+    /// Takes the traces of another file of the same surface in.
+    ///
+    /// # Errors
+    /// If they are of another length or spacing.
+    pub(crate) fn add(&mut self, other: Self, first: &Path, file: &Path) -> Result<(), Failure> {
+        if let (Some(a), Some(b)) = (self.each.first(), other.each.first()) {
+            let same = (b.spacing() / a.spacing() - 1.0).abs() < 1e-6;
+            if a.len() != b.len() || !same {
+                let message = format!(
+                    "{}: {} points {} apart, and {} has {} points {} apart; traces of one sample are alike: \
+                     cut them to one length with --crop 0,X0,1,NX, or leave --pool out",
+                    file.display(),
+                    b.len(),
+                    text::length(b.spacing()),
+                    first.display(),
+                    a.len(),
+                    text::length(a.spacing())
+                );
+                return Err(Failure::refused("profile", message));
+            }
+        }
+        self.each.extend(other.each);
+        self.missing += other.missing;
+        self.height_step = self.height_step.into_iter().chain(other.height_step).reduce(f64::max);
+        self.uneven = self.uneven.or(other.uneven);
+        Ok(())
+    }
+
     /// The one trace that is solved in plane strain.
     pub(crate) fn only(mut self, path: &Path) -> Result<(HeightMap, Self), Failure> {
         let filtered = self.cleaning.s_filter.is_some() || self.cleaning.l_filter.is_some();

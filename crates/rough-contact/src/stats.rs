@@ -3,17 +3,19 @@
 use crate::against::{self, Against};
 use crate::args::{self, Common};
 use crate::batch::{self, PerFile};
+use crate::files::expand;
 use crate::input::{Complete, Input, Measured};
 use crate::iso::Iso;
 use crate::outcome::{Failure, Reply};
 use crate::profile_stats;
 use crate::roughness::Edges;
 use crate::rows::{How, Shown};
-use crate::text::{self, Table};
+use crate::text::{self, Columns, Table};
 use clap::Args;
 use compare::{Level, Spikes};
+use serde_json::json;
 use std::path::Path;
-use surface_stats::{StatsOptions, SurfaceStatistics, level};
+use surface_stats::{ByDistance, StatsOptions, SurfaceStatistics, by_distance, level};
 
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Stats {
@@ -26,6 +28,12 @@ pub(crate) struct Stats {
     /// The areal parameters of ISO 25178-2 too: Sdr, Sal, Str, Std, the Sk family, volumes
     #[arg(long)]
     iso: bool,
+    /// Slope, curvature and autocorrelation by the distance over which they are taken too
+    #[arg(long)]
+    scales: bool,
+    /// Take the traces of all files for one sample of one surface: profiles of equal length and spacing
+    #[arg(long, conflicts_with_all = ["out", "resume"])]
+    pool: bool,
     #[command(flatten)]
     against: Against,
     #[command(flatten)]
@@ -34,7 +42,28 @@ pub(crate) struct Stats {
 
 impl Stats {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
-        batch::run(self, &self.input.files, common)
+        if self.pool { self.pooled() } else { batch::run(self, &self.input.files, common) }
+    }
+
+    /// All files as one sample.
+    fn pooled(&self) -> Result<Reply, Failure> {
+        let mut files = expand(&self.input.files.paths)?.into_iter();
+        let profile = |file: &Path| match self.input.on(file).measured()? {
+            Measured::Profile(traces) => Ok(traces),
+            Measured::Surface(_) => {
+                let message = format!(
+                    "{}: this is a map, and --pool is for the traces of profiles; leave --pool out",
+                    file.display()
+                );
+                Err(Failure::refused("profile", message))
+            }
+        };
+        let first = files.next().unwrap_or_default();
+        let mut all = profile(&first)?;
+        for file in files {
+            all.add(profile(&file)?, &first, &file)?;
+        }
+        profile_stats::run(&first, &all, self.level.degree().unwrap_or(0))
     }
 }
 
@@ -99,8 +128,30 @@ impl PerFile for Stats {
             text = format!("{text}\nISO 25178-2\n{}", iso.describe());
             json["iso25178"] = iso.json();
         }
+        if self.scales {
+            let levelled =
+                level(&map, options.level).map_err(|e| Failure::in_file(&self.input.file, &e))?;
+            let [along_x, along_y] = by_distance(&levelled);
+            text = format!("{text}\nalong x\n{}\nalong y\n{}", scales(&along_x), scales(&along_y));
+            json["scales"] = json!({ "x": along_x, "y": along_y });
+        }
         Ok(Reply::new(text, json))
     }
+}
+
+/// A line for each distance.
+fn scales(list: &[ByDistance]) -> Columns {
+    let mut columns = Columns::new(&["distance", "rms slope", "rms curvature", "autocorrelation"]);
+    let dash = || "–".to_owned();
+    for d in list {
+        columns.row([
+            text::length(d.distance),
+            text::number(d.slope),
+            d.curvature.map_or_else(dash, |c| format!("{c:.3e} 1/m")),
+            d.autocorrelation.map_or_else(dash, text::number),
+        ]);
+    }
+    columns
 }
 
 impl Stats {

@@ -219,3 +219,37 @@ fn of_a_few_files_one_that_fails_costs_the_others_nothing() {
     // All refused is refused.
     refused(at, "compare in/b/broken.x3p --modulus 1GPa --out no", 2, &["broken.x3p"]);
 }
+
+/// Traces in several files are one sample, as traces beside each other in one file are.
+#[test]
+fn traces_of_several_files_are_pooled() {
+    let dir = folder();
+    let at = dir.path();
+    let height =
+        |i: usize, k: usize| ((i * 37 + k * 101) % 29) as f64 * 0.01 + (i as f64 * 0.05).sin();
+    let table = |columns: &[usize], count: usize| -> String {
+        let rows = (0..count).map(|i| {
+            let z: Vec<String> = columns.iter().map(|&k| format!("{:.6}", height(i, k))).collect();
+            format!("{} {}\n", i, z.join(" "))
+        });
+        rows.collect()
+    };
+    let names = ["x z1 z2 z3\n", "x z\n"];
+    file(at, "all.txt", &(names[0].to_owned() + &table(&[1, 2, 3], 400)));
+    for k in 1..=3 {
+        file(at, &format!("t{k}.txt"), &(names[1].to_owned() + &table(&[k], 400)));
+    }
+    file(at, "short.txt", &(names[1].to_owned() + &table(&[1], 200)));
+    let units = "--lateral-unit um --height-unit um";
+    let one = rough_contact(at, &format!("stats all.txt {units} --json")).answered();
+    let pooled =
+        rough_contact(at, &format!("stats t1.txt t2.txt t3.txt --pool {units} --json")).answered();
+    assert_eq!(pooled, one);
+    assert_eq!(pooled["traces"], 3);
+    refused(
+        at,
+        &format!("stats t1.txt short.txt --pool {units}"),
+        2,
+        &["short.txt", "--crop", "400", "200"],
+    );
+}

@@ -134,3 +134,19 @@ fn a_contact_is_written_whole() {
         "solve map.sdf --modulus 110GPa --pressure 300MPa --accuracy 5% --maps x --fields heights";
     refused(at, chosen, 2, &["--accuracy", "--tolerance"]);
 }
+
+/// A slope over one point is the one the moments are made of.
+#[test]
+fn statistics_by_distance_begin_with_the_moments() {
+    let dir = folder();
+    let at = dir.path();
+    map(at);
+    let stats = rough_contact(at, "stats map.sdf --scales --json").answered();
+    for (axis, pixel) in [("x", 1e-6), ("y", 1.25e-6)] {
+        let first = &stats["scales"][axis][0];
+        assert!((number(&first["distance"]) / pixel - 1.0).abs() < 1e-9);
+        let m2 = number(&stats[format!("m2_{axis}")]);
+        assert!((number(&first["slope"]).powi(2) / m2 - 1.0).abs() < 1e-9, "{axis}");
+    }
+    assert!(rough_contact(at, "stats map.sdf --json").answered().get("scales").is_none());
+}

@@ -4,6 +4,7 @@
 //! [`SurfaceStatistics::of`] answers most questions in one call; the parts are public beside it.
 //! Definitions, choices and their consequences are in the book, chapter "Surface statistics".
 
+mod by_distance;
 pub mod clean;
 mod differences;
 mod error;
@@ -33,6 +34,7 @@ pub use contact_types::{
     Shell, SpectralMoments, SurfaceError, Wave,
 };
 
+pub use by_distance::{ByDistance, by_distance};
 pub use differences::{DirectionalMoments, Edges};
 pub use error::StatsError;
 pub use heights::HeightStatistics;

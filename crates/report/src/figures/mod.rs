@@ -2,6 +2,7 @@
 
 pub(crate) mod cost;
 pub(crate) mod curves;
+pub(crate) mod distributions;
 pub mod front;
 pub(crate) mod maps;
 pub(crate) mod multiples;

@@ -2,6 +2,7 @@
 
 pub(crate) mod budget;
 pub(crate) mod context;
+pub(crate) mod distributions;
 pub(crate) mod how_made;
 pub(crate) mod html;
 pub(crate) mod overview;

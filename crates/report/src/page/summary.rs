@@ -6,8 +6,8 @@ use crate::error::ReportError;
 use crate::figures::spread::{Curves, Histogram, Strip, curves, histograms, strips};
 use crate::looks::look;
 use crate::numbers::{
-    METRES, PASCALS, SPACE, Unit, chosen, duration, percent, quantity, signed_percent, significant,
-    unit_for,
+    AREAS, METRES, PASCALS, SPACE, Unit, chosen, duration, percent, quantity, signed_percent,
+    significant, unit_for,
 };
 use crate::page::how_made::bodies_words;
 use crate::page::html::document;
@@ -259,13 +259,6 @@ const QUANTITIES: [Quantity; 13] = [
     q("contact_spots", "<i>n</i>", "Contact spots", &[], false),
     q("median_spot_area", "", "Median spot area", AREAS, true),
     q("seconds", "", "Solver, all loads", &[Unit { scale: 1.0, name: "s" }], false),
-];
-
-const AREAS: &[Unit] = &[
-    Unit { scale: 1e-18, name: "nm²" },
-    Unit { scale: 1e-12, name: "µm²" },
-    Unit { scale: 1e-6, name: "mm²" },
-    Unit { scale: 1.0, name: "m²" },
 ];
 
 const fn q(
