@@ -2,10 +2,7 @@
 
 use contact_types::Grid;
 use serde::{Deserialize, Serialize};
-use std::fmt;
-use std::str::FromStr;
 use surface_stats::clean::{Form, OutlierRule, Step};
-use surface_stats::polynomial::MAX_DEGREE;
 
 /// Cleaning asked for. The order is fixed and is that of the fields: rows first, whose
 /// jumps hide spikes and form, then spikes, because they
@@ -22,7 +19,7 @@ pub struct Cleaning {
     pub outliers: Option<f64>,
     /// Form taken off by least squares.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub form: Option<FormName>,
+    pub form: Option<Form>,
     /// Nesting index of the S-filter (m): shorter waves are taken off.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub s_filter: Option<f64>,
@@ -71,7 +68,7 @@ impl Cleaning {
         [
             self.align_rows.then_some(Step::Rows),
             self.outliers.map(|threshold| Step::Outliers(rule(threshold))),
-            self.form.map(|FormName(form)| Step::Form(form)),
+            self.form.map(Step::Form),
             self.s_filter.map(Step::SFilter),
             self.l_filter.map(Step::LFilter),
         ]
@@ -101,81 +98,9 @@ impl Cleaning {
     }
 }
 
-/// A form as it is typed: `plane`, `quadratic`, `polynomial:N`, `sphere` or `cylinder`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "String", into = "String")]
-pub struct FormName(pub Form);
-
-impl FromStr for FormName {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let form = match text.trim() {
-            "plane" => Form::Polynomial(1),
-            "quadratic" => Form::Polynomial(2),
-            "sphere" => Form::Sphere,
-            "cylinder" => Form::Cylinder,
-            other => match other.strip_prefix("polynomial:").map(str::parse) {
-                Some(Ok(degree)) if degree <= MAX_DEGREE => Form::Polynomial(degree),
-                Some(_) => {
-                    return Err(format!(
-                        "'{other}' has no degree from 0 to {MAX_DEGREE}; write for example \
-                         polynomial:4"
-                    ));
-                }
-                None => {
-                    return Err(format!(
-                        "'{other}' is no form; write plane, quadratic, polynomial:N with N from 0 \
-                         to {MAX_DEGREE}, sphere or cylinder"
-                    ));
-                }
-            },
-        };
-        Ok(Self(form))
-    }
-}
-
-impl fmt::Display for FormName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            Form::Polynomial(1) => f.write_str("plane"),
-            Form::Polynomial(2) => f.write_str("quadratic"),
-            Form::Polynomial(degree) => write!(f, "polynomial:{degree}"),
-            Form::Sphere => f.write_str("sphere"),
-            Form::Cylinder => f.write_str("cylinder"),
-        }
-    }
-}
-
-impl TryFrom<String> for FormName {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<Self, String> {
-        text.parse()
-    }
-}
-
-impl From<FormName> for String {
-    fn from(form: FormName) -> Self {
-        form.to_string()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn forms_read_back_as_they_are_written() {
-        for text in ["plane", "quadratic", "polynomial:0", "polynomial:12", "sphere", "cylinder"] {
-            assert_eq!(text.parse::<FormName>().unwrap().to_string(), text);
-        }
-        assert_eq!("polynomial:1".parse::<FormName>(), "plane".parse());
-        for text in ["polynomial:13", "polynomial:", "polynomial:-1", "polynomial:2.5", "ball", ""]
-        {
-            assert!(text.parse::<FormName>().is_err(), "{text}");
-        }
-    }
 
     #[test]
     fn filters_that_leave_nothing_are_refused() {

@@ -36,7 +36,7 @@ mod theory;
 mod verdict;
 
 pub use ask::{at_pressure, at_separation};
-pub use cleaning::{Cleaning, CleaningError, FormName};
+pub use cleaning::{Cleaning, CleaningError};
 pub use coarser::COARSER;
 pub use contact_accuracy::{
     Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,

@@ -3,11 +3,11 @@
 use crate::args;
 use crate::outcome::Failure;
 use clap::Args;
-use compare::{Cleaning, FormName};
+use compare::Cleaning;
 use std::path::Path;
 use surface_io::Measurement;
 use surface_stats::Edges;
-use surface_stats::clean::{self, Record};
+use surface_stats::clean::{self, Form, Record};
 
 /// Done in this order on the valid points, before missing points are filled.
 #[derive(Args, Clone, Copy, Debug, Default)]
@@ -21,8 +21,8 @@ pub(crate) struct CleaningOptions {
     #[arg(long, value_name = "THRESHOLD", value_parser = threshold, allow_hyphen_values = true)]
     outliers: Option<f64>,
     /// Take a form off by least squares: plane, quadratic, polynomial:N, sphere or cylinder
-    #[arg(long, value_name = "FORM", value_parser = str::parse::<FormName>)]
-    form: Option<FormName>,
+    #[arg(long, value_name = "FORM", value_parser = str::parse::<Form>)]
+    form: Option<Form>,
     /// Take waves shorter than this off (Gaussian, ISO 16610-61)
     #[arg(long, value_name = "CUTOFF", value_parser = args::length, allow_hyphen_values = true)]
     s_filter: Option<f64>,

@@ -3,7 +3,7 @@
 use crate::needs;
 use crate::outcome::Failure;
 use crate::{cleaning, text};
-use compare::{Cleaning, FormName, Unevenness};
+use compare::{Cleaning, Unevenness};
 use contact_types::HeightMap;
 use std::path::Path;
 use surface_io::{Fill, Measurement, Resampled};
@@ -110,7 +110,7 @@ fn unevenness(how: Resampled) -> Unevenness {
 fn refuse(path: &Path, cleaning: Cleaning) -> Result<(), Failure> {
     let message = if cleaning.align_rows {
         "--align-rows puts the rows of a map in line, and this is a profile; leave it out"
-    } else if let Some(FormName(Form::Sphere | Form::Cylinder)) = cleaning.form {
+    } else if let Some(Form::Sphere | Form::Cylinder) = cleaning.form {
         "--form sphere and cylinder are forms of maps, and this is a profile; give --form polynomial:2, \
          or another degree"
     } else {
