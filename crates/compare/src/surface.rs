@@ -250,7 +250,10 @@ impl Surface {
         let names = [self.name.clone(), second.name.clone()];
         let refused = |source| Box::new(NoPair { names: names.clone(), source });
         let pair = Composite::of(&self.heights, &second.heights, placing).map_err(refused)?;
-        let independence = pair.independence(level).map_err(|e| refused(e.into()))?;
+        let repeats = |body: &Self| body.origin.edges() == Edges::Periodic;
+        let is_cell = pair.placed.is_rolled && repeats(self) && repeats(second);
+        let edges = if is_cell { Edges::Periodic } else { Edges::Open };
+        let independence = pair.independence(level, edges).map_err(|e| refused(e.into()))?;
         let origin = Origin::Pair(PairOrigin {
             names: names.clone(),
             placing: *placing,

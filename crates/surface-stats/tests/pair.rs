@@ -1,11 +1,11 @@
 //! Two bodies as one: what must be exact is exact, what adds in the mean adds within its scatter.
 
 use contact_types::{Grid, HeightMap, SpectralMoments};
-use surface_stats::Level;
 use surface_stats::clean::flip;
 use surface_stats::pair::{Composite, Flip, PairError, Placing};
 use surface_stats::spectrum::Axis;
 use surface_stats::synthesis::{Scale, SelfAffine};
+use surface_stats::{Edges, Level};
 
 const FLIPS: &[Flip] = Flip::ALL;
 
@@ -49,7 +49,7 @@ fn a_flat_body_changes_no_bit() {
             let pair = Composite::of(&map, &flat, &at(how, [0.0; 2])).unwrap();
             assert_eq!(pair.map, map);
             assert!(pair.placed.shares().iter().all(|share| share.to_bits() == 1.0f64.to_bits()));
-            let found = pair.independence(Level::Plane).unwrap();
+            let found = pair.independence(Level::Plane, Edges::Open).unwrap();
             assert!(found.holds() && found.excess.iter().all(|e| e.abs() < 1e-12), "{found:?}");
         }
     }
@@ -94,7 +94,7 @@ fn a_body_mates_with_its_negative() {
         let pair =
             Composite::of(&map, &negative(&mirrored(&map, how)), &at(how, [0.0; 2])).unwrap();
         assert!(pair.map.is_flat() && pair.map.at(3, 4).abs() < f64::MIN_POSITIVE, "{how:?}");
-        let found = pair.independence(Level::Plane).unwrap();
+        let found = pair.independence(Level::Plane, Edges::Open).unwrap();
         assert!(
             !found.holds() && found.excess.iter().all(|e| (e + 1.0).abs() < 1e-12),
             "{found:?}"
@@ -150,7 +150,7 @@ fn moments_of_independent_surfaces_add_within_the_scatter_reported() {
             };
             let (a, b) = (map(2 * seed), map(2 * seed + 1));
             let pair = Composite::of(&a, &b, &at(Flip::Rows, [0.0; 2])).unwrap();
-            let found = pair.independence(Level::Mean).unwrap();
+            let found = pair.independence(Level::Mean, Edges::Open).unwrap();
             for (k, all) in deviations.iter_mut().enumerate() {
                 all.push(found.excess[k] / found.chance[k]);
             }
@@ -209,6 +209,6 @@ fn periodic_maps_keep_their_waves() {
     for (sum, own) in pair.map.heights().iter().zip(cell(128).heights()) {
         assert!((sum - 2.0 * own).abs() < 1e-20);
     }
-    let SpectralMoments { m2, .. } = pair.independence(Level::Mean).unwrap().composite;
+    let SpectralMoments { m2, .. } = pair.independence(Level::Mean, Edges::Open).unwrap().composite;
     assert!(m2 > 0.0);
 }

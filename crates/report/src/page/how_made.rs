@@ -65,7 +65,12 @@ pub(crate) fn section(page: &Page<'_>) -> String {
                 bodies_words(&settings.bodies)
             )
         },
-        |pair| escape(&bodies(pair, &settings.bodies, settings.modulus)),
+        |pair| {
+            // Of several pairs each has its own names.
+            let names = pair.names.each_ref().map(String::as_str);
+            let names = if page.several() { ["first body", "second body"] } else { names };
+            escape(&bodies(names, &settings.bodies, settings.modulus))
+        },
     );
     rows.push(("Material".into(), material));
     rows.extend(loads_words(settings).map(|words| ("Loads".to_owned(), words)));

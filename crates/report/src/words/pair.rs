@@ -45,7 +45,8 @@ pub(crate) fn lying(pair: &PairOrigin) -> String {
     }
     let [ny, nx] = placed.common.shape();
     let [py, px] = placed.common.pixel().map(|d| chosen(d, METRES));
-    text += &format!("; {nx} × {ny} points of {px} × {py} in common");
+    let pixel = if px == py { px } else { format!("{px} × {py}") };
+    text += &format!("; {nx} × {ny} points of {pixel} in common");
     let shares = placed.shares();
     if shares.iter().any(|share| *share < 0.999) {
         let [a, b] = shares.map(percent);
@@ -139,28 +140,26 @@ pub(crate) fn independent(found: &Independence) -> String {
     format!("moments of the two bodies add ({})", excess(found))
 }
 
-/// What each body is made of, as plain text.
-fn materials(pair: &PairOrigin, bodies: &[Body]) -> String {
+/// What each body of a pair is made of, with the modulus of both.
+pub(crate) fn bodies(names: [&str; 2], bodies: &[Body], modulus: f64) -> String {
     let one = |name: &str, body: &Body| {
         let poisson = format!("{}", body.poisson).replace('-', "\u{2212}");
         format!("{name} E = {}, ν = {poisson}", chosen(body.young, PASCALS))
     };
-    match (&pair.names, bodies) {
-        ([first, second], [a, b]) => format!("{}; {}", one(first, a), one(second, b)),
-        ([first, second], [a]) => format!("{}; {second} rigid", one(first, a)),
-        _ => "E* as given, without saying what each body is made of".to_owned(),
+    let [first, second] = names;
+    let modulus = quantity(modulus, PASCALS, 4);
+    match bodies {
+        [a, b] => format!("{}; {} (E* = {modulus})", one(first, a), one(second, b)),
+        [a] => format!("{}; {second} rigid (E* = {modulus})", one(first, a)),
+        _ => format!("E* = {modulus} as given, without saying what each body is made of"),
     }
-}
-
-/// What each body of a pair is made of, with the modulus of both.
-pub(crate) fn bodies(pair: &PairOrigin, bodies: &[Body], modulus: f64) -> String {
-    format!("{} (E* = {})", materials(pair, bodies), quantity(modulus, PASCALS, 4))
 }
 
 /// The lines of a terminal on a pair: how it lies, what it is made of, whose moments count.
 pub fn pair_lines(pair: &PairOrigin, settings: Option<&Settings>) -> Vec<String> {
     let mut lines = vec![format!("pair: {}", lying(pair))];
-    lines.extend(settings.map(|s| format!("bodies: {}", bodies(pair, &s.bodies, s.modulus))));
+    let names = pair.names.each_ref().map(String::as_str);
+    lines.extend(settings.map(|s| format!("bodies: {}", bodies(names, &s.bodies, s.modulus))));
     lines.extend(moments(pair).map(|text| format!("moments: {text}")));
     lines.into_iter().map(|line| line.replace(SPACE, " ")).collect()
 }

@@ -49,12 +49,12 @@ impl Composite {
         Ok(Self { map, parts, placed })
     }
 
-    /// How far the moments of the two, each without its `form`, are from adding up.
+    /// How far the moments of the two, each without its `form` and with these edges, are from adding up.
     ///
     /// # Errors
     /// [`StatsError::TooSmall`] below 3 x 3 points, [`StatsError::OutOfRange`].
-    pub fn independence(&self, form: Level) -> Result<Independence, StatsError> {
-        Independence::of([&self.parts[0], &self.parts[1]], &self.map, form)
+    pub fn independence(&self, form: Level, edges: Edges) -> Result<Independence, StatsError> {
+        Independence::of([&self.parts[0], &self.parts[1]], &self.map, form, edges)
     }
 }
 
@@ -75,6 +75,9 @@ fn rolled(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid
     let (a, b) = (on_grid(first, resampled[0])?, on_grid(second, resampled[1])?);
     let common = a.grid();
     let points = [0, 1].map(|k| (shift[k] / common.pixel()[k]).round());
+    if let Some(k) = points.iter().position(|n| !n.is_finite()) {
+        return Err(PairError::TooLittle { shift: shift[k], found: 0.0 });
+    }
     let shift = [0, 1].map(|k| points[k] * common.pixel()[k]);
     // Whole turns change nothing; a remainder is exact.
     let turned = |k: usize| points[k].rem_euclid(shape[k] as f64) as usize % shape[k];

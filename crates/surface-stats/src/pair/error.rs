@@ -8,16 +8,14 @@ use crate::StatsError;
 pub enum PairError {
     /// The maps hardly meet.
     #[error(
-        "with the second map moved by {shift:e} m, {found} rows or columns ({length:e} m) of the two \
-         lie on each other, and at least 2 must; shift less"
+        "with the second map moved by {shift:e} m, {found} rows or columns of the two lie on each other, \
+         and at least 2 must; shift less"
     )]
     TooLittle {
         /// How far the second was moved (m).
         shift: f64,
         /// Points in common along the axis.
         found: f64,
-        /// Their length (m).
-        length: f64,
     },
     /// The coarser map has too few points where the other lies.
     #[error(

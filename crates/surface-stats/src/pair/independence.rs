@@ -26,15 +26,16 @@ impl Independence {
         parts: [&HeightMap; 2],
         sum: &HeightMap,
         form: Level,
+        edges: Edges,
     ) -> Result<Self, StatsError> {
         let (bodies, powers, grid) = {
             let [a, b] = [level(parts[0], form)?, level(parts[1], form)?];
             let repeat = repeats(&a) && repeats(&b);
             let window = if repeat { Window::None } else { Window::Hann };
             let powers = [power(&a, window)?, power(&b, window)?];
-            ([moments(&a)?, moments(&b)?], powers, a.grid())
+            ([moments(&a, edges)?, moments(&b, edges)?], powers, a.grid())
         };
-        let composite = moments(&level(sum, form)?)?;
+        let composite = moments(&level(sum, form)?, edges)?;
         let parts = |m: SpectralMoments| [m.m0, m.m2, m.m4];
         let sums = [0, 1, 2].map(|k| parts(bodies[0])[k] + parts(bodies[1])[k]);
         let share = |k: usize, of: f64| if sums[k] > 0.0 { of / sums[k] } else { 0.0 };
@@ -59,9 +60,9 @@ impl Independence {
     }
 }
 
-fn moments(map: &HeightMap) -> Result<SpectralMoments, StatsError> {
+fn moments(map: &HeightMap, edges: Edges) -> Result<SpectralMoments, StatsError> {
     let rms = HeightStatistics::of(map).rms_height;
-    Ok(DirectionalMoments::of(map, Edges::Open)?.isotropic(rms * rms))
+    Ok(DirectionalMoments::of(map, edges)?.isotropic(rms * rms))
 }
 
 /// A wave: its wave vector (rad/m), how many waves it stands for, the variance of each (m²).

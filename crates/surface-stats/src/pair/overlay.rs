@@ -57,7 +57,7 @@ pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Common, P
     let pixel = d[0].min(d[1]);
     let whole = (shift / pixel).round();
     let shift = whole * pixel;
-    let too_little = |found| Err(PairError::TooLittle { shift, found, length: found * pixel });
+    let too_little = |found| Err(PairError::TooLittle { shift, found });
     // Points that drift apart by less than half of one over the smaller map lie on each other.
     if (d[0] - d[1]).abs() * n[0].min(n[1]) as f64 <= 0.5 * pixel {
         let offset = ((n[0] as f64 - n[1] as f64) / 2.0).floor() + whole;

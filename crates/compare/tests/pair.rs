@@ -1,0 +1,75 @@
+//! A study of two bodies: the sum of both, with what each was.
+
+use compare::{
+    Comparison, Fact, Flip, GivenOrigin, Origin, Placing, Registry, RunFile, RunFileError,
+    RunSurface, Settings, Surface, built_in_recipes, findings,
+};
+use std::ops::ControlFlow;
+use surface_stats::{Edges, Level};
+
+fn pair(placing: &Placing) -> Surface {
+    let body = |k: usize| {
+        let mut recipe = built_in_recipes().expect("recipes").swap_remove(k);
+        recipe.shape = [96, 128];
+        recipe.pixel = [1e-6; 2];
+        (recipe.rolloff, recipe.cutoff, recipe.seed) = (24e-6, 8e-6, 7 + k as u64);
+        recipe.make().expect("a surface")
+    };
+    body(0).against(&body(1), placing, Level::Mean).expect("a pair")
+}
+
+#[test]
+fn the_models_get_the_moments_of_the_sum_and_it_is_said_how_they_add() {
+    let surface = pair(&Placing::default());
+    let found = surface.origin.pair().and_then(|p| p.found.clone()).expect("laid");
+    assert_eq!(surface.origin.edges(), Edges::Periodic, "as both were made");
+    let settings = Settings {
+        pressures: Some(vec![1e8]),
+        level: Level::Mean,
+        models: Some(vec!["gw".into()]),
+        ..Settings::default()
+    };
+    let go = &mut |_: compare::Progress<'_>| ControlFlow::Continue(());
+    let study = Comparison::run(vec![surface], settings, &Registry::built_in(), go).expect("runs");
+    let one = &study.surfaces[0];
+    assert_eq!(one.inputs.moments, Some(found.independence.composite));
+    let (moments, sum) = (one.inputs.moments.expect("rough"), found.independence.sum());
+    for (k, (own, sum)) in
+        [(moments.m0, sum.m0), (moments.m2, sum.m2), (moments.m4, sum.m4)].into_iter().enumerate()
+    {
+        let off = own / sum - 1.0;
+        let chance = found.independence.chance[k];
+        assert!(off.abs() < 4.0 * chance, "m{}: {off} beside {chance}", 2 * k);
+    }
+    let said = findings(one);
+    let independence = said.iter().find_map(|f| match &f.fact {
+        Fact::Passed(passed) => passed.independence,
+        _ => None,
+    });
+    assert_eq!(independence, Some(found.independence));
+}
+
+#[test]
+fn a_run_file_holds_both_bodies_and_how_they_lie() {
+    let surface = pair(&Placing { flip: Flip::Rows, shift: [3e-6, -1e-6 / 3.0] });
+    let listed = |origin: Origin| RunFile {
+        program: "0.1.0".into(),
+        settings: Settings::default(),
+        surfaces: vec![RunSurface { name: surface.name.clone(), origin }],
+    };
+    let text = listed(surface.origin.clone()).to_toml().expect("text");
+    let read = RunFile::parse(&text).expect("a run file");
+    let (before, after) = (surface.origin.pair(), read.surfaces[0].origin.pair());
+    let (before, after) = (before.expect("a pair"), after.expect("a pair"));
+    assert_eq!((&before.names, &before.bodies), (&after.names, &after.bodies));
+    assert_eq!(before.placing, after.placing);
+    assert!(after.found.is_none(), "found again, not read");
+
+    // Heights that a program handed over cannot be made again, in a pair either.
+    let mut origin = surface.origin.clone();
+    if let Origin::Pair(pair) = &mut origin {
+        pair.bodies[1] = Origin::Given(GivenOrigin::of(&surface.heights, "handed over"));
+    }
+    let text = listed(origin).to_toml().expect("text");
+    assert!(matches!(RunFile::parse(&text), Err(RunFileError::Given { .. })));
+}
