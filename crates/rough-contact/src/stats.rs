@@ -32,7 +32,7 @@ pub(crate) struct Stats {
     #[arg(long)]
     scales: bool,
     /// Take the traces of all files for one sample of one surface: profiles of equal length and spacing
-    #[arg(long, conflicts_with_all = ["out", "resume"])]
+    #[arg(long, conflicts_with_all = ["out", "resume", "against", "iso", "scales"])]
     pool: bool,
     #[command(flatten)]
     against: Against,

@@ -246,6 +246,8 @@ fn traces_of_several_files_are_pooled() {
         rough_contact(at, &format!("stats t1.txt t2.txt t3.txt --pool {units} --json")).answered();
     assert_eq!(pooled, one);
     assert_eq!(pooled["traces"], 3);
+    let scales = format!("stats t1.txt t2.txt --pool --scales {units}");
+    refused(at, &scales, 2, &["--pool", "--scales"]);
     refused(
         at,
         &format!("stats t1.txt short.txt --pool {units}"),
