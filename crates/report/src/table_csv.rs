@@ -18,7 +18,8 @@ const UNITS: &[(&str, &str)] = &[
            noise_rms reliable_wavelength fractal_range mean_gap mean_gap_interval \
            mean_gap_prediction_interval approach spacing length s_filter l_filter fractal_roughness",
     ),
-    ("m^2", "m0 m0_spectral m0_interval median_spot_area largest_spot_area"),
+    ("N", "load"),
+    ("m^2", "m0 m0_spectral m0_interval median_spot_area largest_spot_area load_area"),
     ("m^-2", "m4 m4_x m4_y m4_spectral m4_interval density"),
     ("m^-1", "curvature_mean"),
     (

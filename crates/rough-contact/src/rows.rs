@@ -51,6 +51,7 @@ pub(crate) enum How {
     Number,
     Length,
     Pressure,
+    Force,
     Percent,
     Seconds,
     /// How many findings are to be checked.
@@ -70,6 +71,7 @@ impl How {
             Self::Number => number(text::number),
             Self::Length => number(text::length),
             Self::Pressure => number(text::pressure),
+            Self::Force => number(text::force),
             Self::Percent => number(text::percent),
             Self::Seconds => number(text::seconds),
             Self::Checks => {

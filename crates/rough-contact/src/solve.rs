@@ -114,6 +114,8 @@ impl PerFile for Solve {
     const NAME: &'static str = "solve";
     const SHOWN: &'static [Shown] = &[
         Shown { head: "points", at: &["/shape"], how: How::Shape },
+        Shown { head: "against", at: &["/pair/second/name"], how: How::Word },
+        Shown { head: "load", at: &["/points/*/load"], how: How::Force },
         Shown { head: "mean pressure", at: &["/points/*/mean_pressure"], how: How::Pressure },
         Shown {
             head: "area",

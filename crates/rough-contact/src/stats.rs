@@ -71,6 +71,7 @@ impl PerFile for Stats {
     const NAME: &'static str = "stats";
     const SHOWN: &'static [Shown] = &[
         Shown { head: "points", at: &["/shape"], how: How::Shape },
+        Shown { head: "against", at: &["/pair/second/name"], how: How::Word },
         Shown { head: "traces", at: &["/traces"], how: How::Count },
         Shown { head: "pixel", at: &["/pixel/1", "/spacing"], how: How::Length },
         Shown { head: "Sq, Pq", at: &["/rms_height", "/primary/Pq/mean"], how: How::Length },

@@ -217,6 +217,27 @@ fn bodies_measured_differently() {
     assert!(said["bodies"].is_null());
 }
 
+/// Several files on one second body: a row each, and what is kept knows of the second body.
+#[test]
+fn several_files_are_each_pressed_on_the_second_body() {
+    let folder = folder();
+    bodies(folder.path());
+    let line = format!(
+        "solve a.txt flat.txt --against b.txt {FILE} --modulus 50GPa --load 1N --out out --resume"
+    );
+    let said = rough_contact(folder.path(), &line);
+    assert_eq!(said.status, 0, "{}", said.err);
+    for part in ["against", "b.txt", "load", "1.00 N"] {
+        assert!(said.out.contains(part), "{part}: {}", said.out);
+    }
+    let csv = std::fs::read_to_string(folder.path().join("out/table.csv")).unwrap();
+    assert!(csv.contains("load (N)") && csv.contains("load_area (m^2)"), "{csv}");
+    assert!(rough_contact(folder.path(), &line).out.contains("2 of 2 answers were there already"));
+    matrix(folder.path(), "b.txt", 32, 32, bumpy(1.7, 1.0, false));
+    let again = rough_contact(folder.path(), &line);
+    assert!(again.status == 0 && !again.out.contains("there already"), "{}", again.out);
+}
+
 #[test]
 fn pairs_that_make_no_sense_are_refused() {
     let folder = folder();
