@@ -1,0 +1,261 @@
+//! The surfaces the equation is fitted on, and those it is judged on: of other seeds and, for half of
+//! them, of families that took no part in the fit.
+
+use contact_types::HeightMap;
+use std::error::Error;
+use std::f64::consts::TAU;
+use studies::drawing::van_der_corput;
+use studies::maps::{Draw, mix, scaled, softmin, triangle};
+
+/// What its maps are used for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    Fit,
+    Judge,
+}
+
+/// A family and how many of its maps are fitted and judged.
+pub(crate) struct Family {
+    pub(crate) name: &'static str,
+    pub(crate) maps: [usize; 2],
+    make: fn(&Draw) -> Result<Vec<f64>, Box<dyn Error>>,
+}
+
+/// One map.
+#[derive(Clone, Copy)]
+pub(crate) struct Case {
+    pub(crate) family: &'static Family,
+    pub(crate) draw: Draw,
+}
+
+const fn family(
+    name: &'static str,
+    maps: [usize; 2],
+    make: fn(&Draw) -> Result<Vec<f64>, Box<dyn Error>>,
+) -> Family {
+    Family { name, maps, make }
+}
+
+/// All of them. A map keeps its numbers as long as its family keeps its place and its counts grow.
+pub(crate) static FAMILIES: [Family; 18] = [
+    family("gaussian", [64, 40], gaussian),
+    family("wide", [24, 16], wide),
+    family("lay", [40, 24], lay),
+    family("bent", [48, 24], bent),
+    family("worn", [40, 24], worn),
+    family("turned", [28, 16], turned),
+    family("patchy", [28, 16], patchy),
+    family("scratched", [28, 16], scratched),
+    family("stepped", [32, 16], stepped),
+    family("cross-hatched", [0, 16], cross_hatched),
+    family("plateau-honed", [0, 16], plateau_honed),
+    family("log-normal", [0, 16], log_normal),
+    family("pillars", [0, 16], pillars),
+    family("pitted", [0, 16], pitted),
+    family("partly-polished", [0, 16], partly_polished),
+    family("milled", [0, 16], milled),
+    family("two-levels", [0, 16], two_levels),
+    family("weibull", [0, 16], weibull),
+];
+
+/// The maps of a part, interleaved so that any first part of the list covers all families.
+pub(crate) fn cases(part: Part) -> Vec<Case> {
+    let mut list = Vec::new();
+    let which = usize::from(part == Part::Judge);
+    for i in 0..FAMILIES.iter().map(|f| f.maps[which]).max().unwrap_or(0) {
+        for (place, family) in FAMILIES.iter().enumerate().filter(|(_, f)| i < f.maps[which]) {
+            // The judged maps go on where the sequence of the fitted ones is far away.
+            let at = 1 + i + which * 5000;
+            let t = [2, 3, 5, 7].map(|base| van_der_corput(at, base));
+            let n = if family.name == "wide" { 1024 } else { 512 };
+            let seed = (100_000 + 50_000 * which + 1000 * place + i) as u64;
+            list.push(Case { family, draw: Draw { n, seed, t } });
+        }
+    }
+    list
+}
+
+impl Case {
+    /// The map, of 0.1 rms gradient by differences.
+    pub(crate) fn map(&self) -> Result<HeightMap, Box<dyn Error>> {
+        scaled(&(self.family.make)(&self.draw)?, self.draw.n)
+    }
+}
+
+type Heights = Result<Vec<f64>, Box<dyn Error>>;
+
+/// A field of unit rms height: shortest wave of 8 to 20 points, the longest 1/8 to 2/3 of the side.
+fn rough(d: &Draw, stretch: f64, salt: u64) -> Heights {
+    let cutoff = d.log(1, 8.0, 20.0);
+    let rolloff = (d.n as f64 / d.log(2, 1.5, 10.0)).max(1.3 * cutoff);
+    d.field(d.lin(0, 0.2, 1.0), cutoff, rolloff, stretch, salt)
+}
+
+/// A field finer than that, on top of others.
+fn fine(d: &Draw, salt: u64) -> Heights {
+    d.field(d.lin(0, 0.3, 0.9), 8.0, d.log(1, 12.0, 60.0), 1.0, salt)
+}
+
+fn gaussian(d: &Draw) -> Heights {
+    if d.t[3] < 0.8 {
+        return rough(d, 1.0, 0);
+    }
+    // Narrow bands, down to a bandwidth parameter of 1.6.
+    let cutoff = d.log(1, 8.0, 24.0);
+    d.field(d.lin(0, 0.2, 1.0), cutoff, cutoff * d.log(2, 1.05, 3.0), 1.0, 0)
+}
+
+fn wide(d: &Draw) -> Heights {
+    let cutoff = d.log(1, 6.0, 12.0);
+    d.field(d.lin(0, 0.2, 0.9), cutoff, d.n as f64 / d.log(2, 1.2, 10.0), 1.0, 0)
+}
+
+fn lay(d: &Draw) -> Heights {
+    rough(d, d.log(3, 1.2, 6.0), 0)
+}
+
+/// Through sinh((asinh z + bend) / tails): skewed, with heavier or lighter tails.
+fn bent(d: &Draw) -> Heights {
+    let (bend, tails) = (d.lin(3, -0.7, 0.7), 0.75 + 0.6 * ((7.3 * d.t[3]) % 1.0));
+    Ok(rough(d, 1.0, 0)?.iter().map(|z| ((z.asinh() + bend) / tails).sinh()).collect())
+}
+
+/// Summits pressed to a level, and on most of them a fine roughness of the wear.
+fn worn(d: &Draw) -> Heights {
+    let level = d.lin(3, -0.5, 1.2);
+    let on_top = 0.15 * ((5.7 * d.t[3]) % 1.0);
+    Ok(mix(&rough(d, 1.0, 0)?, &fine(d, 1)?, |z, f| softmin(z, level, 0.15) + on_top * f))
+}
+
+fn turned(d: &Draw) -> Heights {
+    let marks = (4.0 + 24.0 * d.t[3]).round();
+    let depth = 0.3 + 2.0 * ((5.7 * d.t[3]) % 1.0);
+    let n = d.n as f64;
+    let waves = d.points(|_, x| depth * triangle(marks * x / n).powf(1.5));
+    Ok(mix(&rough(d, 1.0, 0)?, &waves, |z, w| 0.5 * z + w))
+}
+
+/// Rough in some places, smoother in others.
+fn patchy(d: &Draw) -> Heights {
+    let n = d.n as f64;
+    let strength = d.field(0.8, n / 8.0, n / 3.0, 1.0, 1)?;
+    let contrast = d.lin(3, 0.2, 0.9);
+    Ok(mix(&rough(d, 1.0, 0)?, &strength, |z, s| (1.0 + contrast * (1.5 * s).tanh()) * z))
+}
+
+/// Valleys along straight lines that repeat, with raised rims on some.
+fn scratched(d: &Draw) -> Heights {
+    let count = 3 + (20.0 * d.t[3]) as usize;
+    let u = d.uniform(4 * count, 3);
+    let n = d.n as f64;
+    let rim = 0.4 * ((5.7 * d.t[3]) % 1.0);
+    let marks = d.points(|y, x| {
+        let one = |u: &[f64]| {
+            let slope = (7.0 * u[0]).floor() - 3.0;
+            let r = d.apart(x + slope * y, u[1] * n) / slope.hypot(1.0) / (3.0 + 8.0 * u[2]);
+            (1.0 + 3.0 * u[3]) * (rim * r * r - 1.0) * (-0.5 * r * r).exp()
+        };
+        u.chunks_exact(4).map(one).sum()
+    });
+    Ok(mix(&rough(d, 1.0, 0)?, &marks, |z, m| z + m))
+}
+
+/// Heights rounded to 0.05 to 1.5 of gradient times point spacing.
+fn stepped(d: &Draw) -> Heights {
+    let z = rough(d, 1.0, 0)?;
+    let step = d.log(3, 0.05, 1.5) * studies::maps::gradient(&z, d.n);
+    Ok(z.iter().map(|z| (z / step).round() * step).collect())
+}
+
+fn cross_hatched(d: &Draw) -> Heights {
+    let (n, a) = (d.n, rough(d, 1.5 + 4.0 * d.t[3], 0)?);
+    let b = rough(d, 1.5 + 4.0 * d.t[3], 1)?;
+    let sum = |i: usize| {
+        let (iy, ix) = (i / n, i % n);
+        a[iy * n + (ix + iy) % n] + b[iy * n + (ix + n - iy) % n]
+    };
+    Ok((0..n * n).map(sum).collect())
+}
+
+/// A worn ground with fine roughness, and honing grooves across each other.
+fn plateau_honed(d: &Draw) -> Heights {
+    let grooves = d.field(0.7, 10.0, 40.0, 12.0, 2)?;
+    let n = d.n;
+    let level = d.lin(3, -1.0, 0.5);
+    let f = fine(d, 1)?;
+    let at = |i: usize| {
+        let (iy, ix) = (i / n, i % n);
+        let (a, b) = (grooves[iy * n + (ix + iy) % n], grooves[iy * n + (ix + n - iy) % n]);
+        softmin(a + 0.7 * b, level, 0.2) + 0.12 * f[i]
+    };
+    Ok((0..n * n).map(at).collect())
+}
+
+fn log_normal(d: &Draw) -> Heights {
+    let s = d.lin(3, 0.1, 0.6);
+    let sign = if d.t[3] * 10.0 % 1.0 < 0.5 { 1.0 } else { -1.0 };
+    Ok(rough(d, 1.0, 0)?.iter().map(|z| sign * (sign * s * z).exp() / s).collect())
+}
+
+/// Few high plateaus with a fine roughness.
+fn pillars(d: &Draw) -> Heights {
+    let n = d.n as f64;
+    let coarse = d.field(0.8, n / 20.0, n / 6.0, 1.0, 0)?;
+    let on_top = d.lin(3, 0.05, 0.4);
+    Ok(mix(&coarse, &fine(d, 1)?, |z, f| (1.5 * (z - 0.6)).tanh() + on_top * f))
+}
+
+fn pitted(d: &Draw) -> Heights {
+    let n = d.n as f64;
+    let pits = d.field(0.8, n / 24.0, n / 8.0, 1.0, 1)?;
+    let depth = d.lin(3, 0.5, 4.0);
+    Ok(mix(&rough(d, 1.0, 0)?, &pits, |z, p| z + softmin(0.7 - p, 0.0, 0.1) * depth))
+}
+
+fn partly_polished(d: &Draw) -> Heights {
+    let n = d.n as f64;
+    let place = d.field(0.9, n / 10.0, n / 4.0, 1.0, 1)?;
+    let left = d.lin(3, 0.15, 0.7);
+    let share = |s: f64| left + (1.0 - left) / (1.0 + (-8.0 * s).exp());
+    Ok(mix(&rough(d, 1.0, 0)?, &place, |z, s| share(s) * z))
+}
+
+/// Arcs of a face mill.
+fn milled(d: &Draw) -> Heights {
+    let n = d.n as f64;
+    let (pitch, depth) = (n / (5.0 + 20.0 * d.t[3]).round(), 0.3 + 1.5 * ((5.7 * d.t[3]) % 1.0));
+    let arcs = d.points(|y, x| {
+        let bow = 0.15 * n * (TAU * y / n).cos();
+        depth * (TAU * (x + bow) / pitch).cos()
+    });
+    Ok(mix(&rough(d, 1.0, 0)?, &arcs, |z, a| 0.4 * z + a))
+}
+
+fn two_levels(d: &Draw) -> Heights {
+    let n = d.n as f64;
+    let coarse = d.field(0.8, n / 20.0, n / 5.0, 1.0, 0)?;
+    let on_top = d.lin(3, 0.1, 0.6);
+    Ok(mix(&coarse, &fine(d, 1)?, |z, f| (2.0 * z).tanh() + on_top * f))
+}
+
+/// Heights of a Weibull distribution by way of the Gaussian's own distribution.
+fn weibull(d: &Draw) -> Heights {
+    let shape = d.log(3, 1.2, 6.0);
+    let below = |z: f64| 0.5 * libm_erfc(-z / std::f64::consts::SQRT_2);
+    Ok(rough(d, 1.0, 0)?
+        .iter()
+        .map(|z| (-(1.0 - below(*z)).max(1e-9).ln()).powf(1.0 / shape))
+        .collect())
+}
+
+/// Complementary error function to 1.2e-7 (Numerical Recipes, erfcc), enough to draw heights.
+fn libm_erfc(x: f64) -> f64 {
+    let t = 1.0 / (1.0 + 0.5 * x.abs());
+    let series = [
+        -1.26551223, 1.00002368, 0.37409196, 0.09678418, -0.18628806, 0.27886807, -1.13520398,
+        1.48851587, -0.82215223, 0.17087277,
+    ];
+    let sum = series.iter().rev().fold(0.0, |sum, c| c + t * sum);
+    let value = t * (-x * x + sum).exp();
+    if x >= 0.0 { value } else { 2.0 - value }
+}
