@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | [`Persson`] | moments, or a spectrum | area; with a spectrum also mean gap, stiffness, energy |
 //! | [`PerssonWithYield`] | rms gradient and hardness | elastic and plastic area |
+//! | [`Equation`], [`MapEquation`] | moments; the slopes of a map | area, with an interval |
 //! | [`Stacked`] | largest amplitude over wavelength | area |
 //! | [`JacksonStreator`] | amplitude by frequency | area |
 //! | [`Archard`] | spheres on spheres | area |
@@ -16,6 +17,7 @@
 //!
 
 mod archard;
+mod equation;
 pub mod fractal;
 mod jackson_streator;
 mod majumdar_bhushan;
@@ -35,6 +37,10 @@ pub use contact_types::{
 };
 
 pub use archard::{Archard, SphereLevel};
+pub use equation::{
+    Equation, INTERVAL_TERMS, MAP_TERMS, MapEquation, MapSlopes, NUMBER_TERMS, SLOPE_KNOTS,
+    map_terms, number_terms,
+};
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::{MajumdarBhushan, critical_area};
 pub use morag_etsion::{AsperityContact, MoragEtsion};

@@ -6,13 +6,16 @@
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
 mod families;
+mod fit;
 mod measure;
+mod table;
 
 use clap::Parser;
-use families::Part;
+use families::{Case, Part};
+use rayon::prelude::*;
 use std::error::Error;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A closed form for the real area: solves what is missing of its surfaces and prints all rows as CSV
 #[derive(Parser)]
@@ -22,26 +25,60 @@ struct Options {
     /// The surfaces that the constants are judged on
     #[arg(long)]
     judge: bool,
+    /// Fit the constants to this table and print them
+    #[arg(long, value_name = "TABLE")]
+    fit: Option<PathBuf>,
     /// Only so many maps from the start of the list
     #[arg(long, default_value_t = usize::MAX)]
     first: usize,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let Options { folder, judge, first } = Options::parse();
-    fs::create_dir_all(&folder)?;
-    let cases = families::cases(if judge { Part::Judge } else { Part::Fit });
-    println!("{}", measure::header());
-    for case in cases.iter().take(first) {
-        let file = folder.join(format!("{}-{}.csv", case.family.name, case.draw.seed));
-        if !file.exists() {
-            let text = measure::row(case)? + "\n";
-            // Written whole or not at all, so that a stopped run never leaves half a row.
-            let part = file.with_extension("part");
-            fs::write(&part, text)?;
-            fs::rename(&part, &file)?;
-        }
-        print!("{}", fs::read_to_string(&file)?);
+    let Options { folder, judge, fit, first } = Options::parse();
+    if let Some(table) = fit {
+        return constants(&table);
     }
+    fs::create_dir_all(&folder)?;
+    let part = if judge { Part::Judge } else { Part::Fit };
+    let cases: Vec<Case> = families::cases(part).into_iter().take(first).collect();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build()?;
+    let work = |case: &Case| kept(&folder, case).map_err(|e| e.to_string());
+    let rows: Vec<Result<String, String>> =
+        pool.install(|| cases.par_iter().with_max_len(1).map(work).collect());
+    println!("{}", measure::header());
+    for row in rows {
+        print!("{}", row?);
+    }
+    Ok(())
+}
+
+/// The row in the file of this map, made if there is none.
+fn kept(folder: &Path, case: &Case) -> Result<String, Box<dyn Error>> {
+    let file = folder.join(format!("{}-{}.csv", case.family.name, case.draw.seed));
+    if !file.exists() {
+        let text = measure::row(case)? + "\n";
+        // Written whole or not at all, so that a stopped run never leaves half a row.
+        let part = file.with_extension("part");
+        fs::write(&part, text)?;
+        fs::rename(&part, &file)?;
+    }
+    Ok(fs::read_to_string(&file)?)
+}
+
+/// Fits everything and prints it as the constants of the crate.
+fn constants(table: &Path) -> Result<(), Box<dyn Error>> {
+    let rows = table::read(table)?;
+    let (numbers, map) = (fit::numbers(&rows), fit::map(&rows));
+    let share = 0.95;
+    let half = fit::spread(&fit::number_misses(&rows, &numbers), share);
+    let own = fit::spread(&fit::misses(&rows, &map)?, share);
+    let more = fit::left_out(&rows, share)?;
+    println!("numbers {numbers:?}");
+    println!("map {map:?}");
+    println!("half width of numbers {half:.3?}");
+    for (name, share) in fit::held(&fit::misses(&rows, &map)?, &own) {
+        println!("  {name}: {:.1} % held", 100.0 * share);
+    }
+    println!("half width of maps {own:.3?}, for families left out times {more:.2}");
     Ok(())
 }

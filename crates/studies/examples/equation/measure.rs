@@ -2,12 +2,14 @@
 
 use crate::families::Case;
 use contact_accuracy::round_to_digits;
-use contact_types::{ContactModulus, HeightMap};
+use contact_types::ContactModulus;
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solver};
 use std::error::Error;
 use std::fmt::Write as _;
 use surface_stats::spectrum::{PowerSpectrum, Window};
-use surface_stats::{DirectionalMoments, Edges, HeightStatistics, height_step};
+use surface_stats::{
+    DirectionalMoments, Edges, HeightStatistics, SLOPE_LEVELS, height_step, slope_curve,
+};
 
 const MODULUS: f64 = 1e11;
 /// Relative rms pressure error to reach.
@@ -16,13 +18,11 @@ const TOLERANCE: f64 = 3e-4;
 const LEFT_OVER: f64 = 0.3;
 /// Loads p/(E* g): areas of 0.1 to 99 % on Gaussian surfaces.
 pub(crate) const LOADS: [f64; 9] = [0.0005, 0.0016, 0.005, 0.015, 0.045, 0.12, 0.3, 0.65, 1.2];
-/// Fractions of the map over whose highest points the slope is taken: 2^(-k/2).
-pub(crate) const LEVELS: usize = 23;
 
 /// First line of the table.
 pub(crate) fn header() -> String {
     let mut line = String::from("family,seed,n,hurst,alpha,alpha_fd,ratio,step,skew,kurtosis,g_fd");
-    for k in 0..LEVELS {
+    for k in 0..SLOPE_LEVELS {
         let _ = write!(line, ",s{k}");
     }
     for k in 0..LOADS.len() {
@@ -42,10 +42,11 @@ pub(crate) fn row(case: &Case) -> Result<String, Box<dyn Error>> {
     let (gradient, by_points) = (moments.rms_gradient(), seen.rms_gradient());
     let [_, dx] = map.grid().pixel();
     let heights = HeightStatistics::of(&map);
+    let slopes = slope_curve(&map, Edges::Periodic).ok_or("a flat map")?;
     let fixed = [
         moments.bandwidth(),
         seen.bandwidth(),
-        lay(&differences),
+        differences.anisotropy().ok_or("a flat map")?.sqrt(),
         height_step(map.heights()).map_or(0.0, |q| q / (by_points * dx)),
         heights.skewness.unwrap_or(0.0),
         heights.kurtosis.unwrap_or(3.0),
@@ -62,8 +63,9 @@ pub(crate) fn row(case: &Case) -> Result<String, Box<dyn Error>> {
         let _ = write!(line, ",{}", round_to_digits(value, 6));
     };
     fixed.into_iter().for_each(&mut add);
-    slope_curve(&map).into_iter().for_each(&mut add);
-    let mut solver = Solver::builder().tolerance(TOLERANCE).threads(1).build(map.grid(), modulus)?;
+    slopes.into_iter().for_each(&mut add);
+    let mut solver =
+        Solver::builder().tolerance(TOLERANCE).threads(1).build(map.grid(), modulus)?;
     for x in LOADS {
         let found = solver.solve(&map, Load::MeanPressure(x * MODULUS * by_points))?;
         let d = &found.diagnostics;
@@ -73,40 +75,4 @@ pub(crate) fn row(case: &Case) -> Result<String, Box<dyn Error>> {
         add(found.state.mean_gap.ok_or("no mean gap")? / rms);
     }
     Ok(line)
-}
-
-/// Ratio of the rms slopes across and along the lay, whatever its direction.
-fn lay(d: &DirectionalMoments) -> f64 {
-    let (mean, half) = (0.5 * (d.m2_x + d.m2_y), 0.5 * (d.m2_x - d.m2_y));
-    let root = half.hypot(d.m2_xy);
-    ((mean + root) / (mean - root).max(1e-12)).sqrt()
-}
-
-/// Rms gradient over the highest 2^(-k/2) of the map over that of all.
-fn slope_curve(map: &HeightMap) -> Vec<f64> {
-    let [ny, nx] = map.grid().shape();
-    let z = map.heights();
-    let at = |iy: usize, ix: usize| z[(iy % ny) * nx + ix % nx];
-    let mut points: Vec<(f64, f64)> = Vec::with_capacity(z.len());
-    for iy in 0..ny {
-        for ix in 0..nx {
-            let here = at(iy, ix);
-            let beside =
-                [at(iy, ix + 1), at(iy, ix + nx - 1), at(iy + 1, ix), at(iy + ny - 1, ix)];
-            points.push((here, beside.iter().map(|b| (b - here).powi(2)).sum()));
-        }
-    }
-    points.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
-    let mut sums = vec![0.0];
-    for (_, slope) in &points {
-        sums.push(sums[sums.len() - 1] + slope);
-    }
-    let n = points.len();
-    let mean = sums[n] / n as f64;
-    (0..LEVELS)
-        .map(|k| {
-            let count = ((n as f64) * 0.5f64.powf(0.5 * k as f64)).round().max(1.0) as usize;
-            (sums[count] / count as f64 / mean).sqrt()
-        })
-        .collect()
 }

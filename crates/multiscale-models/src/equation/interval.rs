@@ -1,0 +1,19 @@
+//! How far an answer may be from what a solver finds on the same surface.
+
+/// How many constants a half width has.
+pub const INTERVAL_TERMS: usize = 6;
+
+/// What the constants of a half width multiply, at area `a`: a floor and the chance of few contacts,
+/// which end with the open area; what the slope of the highest part, the lay and the lower part moved
+/// the answer, and how unlike its parts the whole map is. `moved` are those four.
+pub(super) fn terms(a: f64, moved: [f64; 4]) -> [f64; INTERVAL_TERMS] {
+    let open = (1.0 - a).max(0.0).sqrt();
+    let few = (1e-3 / a.max(1e-4)).sqrt();
+    let [slope, lay, below, unlike] = moved.map(|m| open * m.abs());
+    [open, open * few, slope, lay, below, unlike]
+}
+
+/// The area at a distance of `half` in the logarithm, below and above, at most 1.
+pub(super) fn around(area: f64, half: f64) -> [f64; 2] {
+    [area * (-half).exp(), (area * half.exp()).min(1.0)]
+}

@@ -1,0 +1,205 @@
+//! The law for a map: the slope of the part that touches decides.
+
+use super::constants::{BANDWIDTH_USED, MAP, MAP_SPREAD, MAP_TERMS};
+use super::numbers::{MODEL, caveat, citation};
+use super::{MapSlopes, interval};
+use crate::special::{erf, erf_inv};
+use contact_types::{
+    Citation, ContactModel, ContactModulus, ContactState, ModelError, SpectralMoments, require,
+};
+use std::f64::consts::{LN_2, SQRT_2};
+
+/// Knots of the law in `ln u`, u the argument of the error function.
+const KNOTS: usize = 65;
+/// First knot and distance: u from 1.2e-4 to 3.5.
+const FIRST: f64 = -9.0;
+const STEP: f64 = 0.16;
+/// Most that w may rise per unit of `ln u`: the load stays strictly increasing in the area.
+const STEEPEST: f64 = 0.9;
+
+/// The law for a map: as [`Equation`](super::Equation), with what a map can tell.
+///
+/// ```math
+/// A=\operatorname{erf} u,\qquad \frac{p}{E^*g}=\frac{u}{\sqrt2}\,e^{-w(A)},
+/// ```
+///
+/// where w is a sum of [`map_terms`] of the area itself: the slope `s` of the highest part of the map,
+/// twice as much as touches under light load, that of the lower part, the bandwidth, the ratio of
+/// slopes across and along the lay, and the kurtosis of the heights. w is taken at 65 values of u once per map and is linear in `ln u`
+/// between them, nowhere steeper than 0.9; so area and pressure follow from each other without
+/// iteration, and both rise strictly.
+///
+/// ```
+/// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
+/// use multiscale_models::{MapEquation, MapSlopes};
+/// let moments = SpectralMoments { m0: 1e-12, m2: 0.02, m4: 4e9 };
+/// let modulus = ContactModulus::from_pascals(110e9)?;
+/// // Worn: the highest parts have a third of the slope of all.
+/// let mut highest = [0.33; 23];
+/// highest[..3].copy_from_slice(&[1.0, 0.7, 0.45]);
+/// let worn = MapEquation::new(moments, &MapSlopes::new(highest, 1.0, 3.0)?, modulus)?;
+/// let plain = MapEquation::new(moments, &MapSlopes::plain(), modulus)?;
+/// let area = |law: &MapEquation| law.at_pressure(50e6).map(|s| s.area_fraction);
+/// assert!(area(&worn)? > 2.0 * area(&plain)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// Fitted by the authors of this program to its own solutions (the book, "The equation"); the form is
+/// Persson's law, doi:10.1063/1.1388626, with a corrected argument.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MapEquation {
+    /// E* g \[Pa\].
+    unit: f64,
+    gradient: f64,
+    bandwidth: f64,
+    /// `ln(p/(E* g))` at each knot.
+    loads: Vec<f64>,
+    /// Half width of the interval in `ln A` at each knot.
+    halves: Vec<f64>,
+}
+
+/// What the constants of the law for a map multiply, at the area `a` of the answer.
+pub fn map_terms(a: f64, slopes: &MapSlopes, log_bandwidth: f64) -> [f64; MAP_TERMS] {
+    // Twice the area under light load, the area itself where much touches.
+    let s = slopes.log_slope((a * (1.0 + (1.0 - a).powi(16))).min(1.0));
+    let below = slopes.log_slope_below(a);
+    let r = slopes.log_ratio();
+    [
+        1.0,
+        a,
+        a * a,
+        log_bandwidth,
+        a * log_bandwidth,
+        s,
+        a * s,
+        r,
+        a * r,
+        r * s,
+        a * below,
+        a * a * below,
+        a * (1.0 - a) * slopes.log_kurtosis(),
+    ]
+}
+
+/// What the half width of the interval is made of, at area `a` and with the law's own constants.
+pub(super) fn spread_terms(
+    a: f64,
+    terms: &[f64; MAP_TERMS],
+    slopes: &MapSlopes,
+) -> [f64; super::INTERVAL_TERMS] {
+    interval::terms(a, [terms[5], terms[7], terms[10], slopes.unlike()])
+}
+
+impl MapEquation {
+    /// From the moments of a map and its slopes.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if a moment is negative or not finite, or `m2` is 0.
+    pub fn new(
+        moments: SpectralMoments,
+        slopes: &MapSlopes,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        Self::with_constants(moments, slopes, modulus, (&MAP, &MAP_SPREAD))
+    }
+
+    /// With other constants, of the law and of its interval: for those who fit.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn with_constants(
+        moments: SpectralMoments,
+        slopes: &MapSlopes,
+        modulus: ContactModulus,
+        (law, spread): (&[f64; MAP_TERMS], &[f64; super::INTERVAL_TERMS]),
+    ) -> Result<Self, ModelError> {
+        require::positive(MODEL, "m2", moments.m2)?;
+        let bandwidth = require::positive(MODEL, "bandwidth m0 m4/m2²", moments.bandwidth())?;
+        let gradient = moments.rms_gradient();
+        let unit = require::positive(MODEL, "E* times rms gradient", modulus.pascals() * gradient)?;
+        let log = bandwidth.clamp(BANDWIDTH_USED[0], BANDWIDTH_USED[1]).ln();
+        let (mut loads, mut halves) = (Vec::with_capacity(KNOTS), Vec::with_capacity(KNOTS));
+        let mut before = None;
+        for k in 0..KNOTS {
+            let log_u = FIRST + STEP * k as f64;
+            let a = erf(log_u.exp());
+            let terms = map_terms(a, slopes, log);
+            let mut w: f64 = terms.iter().zip(law).map(|(f, c)| f * c).sum();
+            if let Some(last) = before {
+                w = w.min(last + STEEPEST * STEP);
+            }
+            before = Some(w);
+            loads.push(log_u - 0.5 * LN_2 - w);
+            halves
+                .push(spread_terms(a, &terms, slopes).iter().zip(spread).map(|(f, c)| f * c).sum());
+        }
+        Ok(Self { unit, gradient, bandwidth, loads, halves })
+    }
+
+    /// `ln u` at a load `ln x`: linear between the knots, in proportion beyond them.
+    fn argument(&self, load: f64) -> f64 {
+        let last = KNOTS - 1;
+        let at = |k: usize| FIRST + STEP * k as f64;
+        if load <= self.loads[0] {
+            return at(0) + (load - self.loads[0]);
+        }
+        if load >= self.loads[last] {
+            return at(last) + (load - self.loads[last]);
+        }
+        let k = self.loads.partition_point(|l| *l <= load) - 1;
+        at(k) + STEP * (load - self.loads[k]) / (self.loads[k + 1] - self.loads[k])
+    }
+
+    /// Real area fraction at nominal pressure `p` (Pa).
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the pressure is negative or not finite.
+    pub fn area_fraction(&self, pressure: f64) -> Result<f64, ModelError> {
+        let x = require::pressure(MODEL, pressure)? / self.unit;
+        Ok(if x > 0.0 { erf(self.argument(x.ln()).exp()) } else { 0.0 })
+    }
+
+    /// The nominal pressure (Pa) at which the area fraction is `area`, below 1.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] outside 0 to 1; [`ModelError::OutsideDomain`] at 1.
+    pub fn pressure_at_area(&self, area: f64) -> Result<f64, ModelError> {
+        let u = erf_inv(require::fraction(MODEL, "area fraction", area)?);
+        let u = require::representable(MODEL, "pressure of full contact", u)?;
+        if u <= 0.0 {
+            return Ok(0.0);
+        }
+        let place = (u.ln() - FIRST) / STEP;
+        let k = (place.max(0.0) as usize).min(KNOTS - 2);
+        let load = if place < 0.0 {
+            self.loads[0] + place * STEP
+        } else if place > (KNOTS - 1) as f64 {
+            self.loads[KNOTS - 1] + (place - (KNOTS - 1) as f64) * STEP
+        } else {
+            self.loads[k] + (place - k as f64) * (self.loads[k + 1] - self.loads[k])
+        };
+        Ok(load.exp() * self.unit)
+    }
+
+    /// Area fractions between which 95 of 100 maps lie where the law answers `area`.
+    pub fn interval(&self, area: f64) -> [f64; 2] {
+        let u = erf_inv(area.clamp(1e-300, 1.0)).min(SQRT_2 * 10.0);
+        let place = ((u.ln() - FIRST) / STEP).clamp(0.0, (KNOTS - 1) as f64);
+        let k = (place as usize).min(KNOTS - 2);
+        let t = place - k as f64;
+        interval::around(area, self.halves[k] * (1.0 - t) + self.halves[k + 1] * t)
+    }
+}
+
+impl ContactModel for MapEquation {
+    fn citation(&self) -> Citation {
+        citation()
+    }
+
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        let area_fraction = self.area_fraction(mean_pressure)?;
+        let caveat = caveat(area_fraction, self.gradient, self.bandwidth, mean_pressure);
+        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+    }
+}

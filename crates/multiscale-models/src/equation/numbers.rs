@@ -1,0 +1,166 @@
+//! The law for numbers: a pressure over E* g, and a bandwidth.
+
+use super::constants::{
+    AREA, BANDWIDTH, BANDWIDTH_USED, NUMBER_TERMS, NUMBERS, NUMBERS_SPREAD, STEEP,
+};
+use super::interval;
+use crate::special::{erf, erf_inv};
+use contact_types::{
+    Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, SpectralMoments,
+    require,
+};
+use std::f64::consts::SQRT_2;
+
+pub(super) const MODEL: &str = "equation";
+
+/// A closed form for the real area of isotropic Gaussian surfaces, fitted to deterministic solutions.
+///
+/// ```math
+/// A = \operatorname{erf}\!\left(\sqrt2\,x\,e^{w}\right),\quad x=\frac{p}{E^* g},\quad
+/// w = c_0 + c_1 t + c_2 t^2 + (c_3 + c_4 t)\ln\alpha,\quad t=\operatorname{erf}(\sqrt2\,x)
+/// ```
+///
+/// - `p`: nominal pressure \[Pa\]; `E*`: contact modulus \[Pa\]; `g`: rms gradient, `g² = 2 m2` \[-\];
+/// - `α = m0 m4/m2²`: Nayak's bandwidth \[-\]; `t` is Persson's area, `w = 0` his law.
+///
+/// Strictly increasing in p for every bandwidth: with the constants as they are, `d ln(x e^w)/d ln x`
+/// is at least 0.5. `A → 1` at heavy load and `A E* g/p → √(8/π) e^(c0 + c3 ln α)` at light load.
+///
+/// ```
+/// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
+/// use multiscale_models::Equation;
+/// let moments = SpectralMoments { m0: 1e-12, m2: 0.02, m4: 4e9 };
+/// let law = Equation::from_moments(moments, ContactModulus::from_pascals(110e9)?)?;
+/// let state = law.at_pressure(50e6)?;
+/// let [low, high] = law.interval(state.area_fraction);
+/// assert!(low < state.area_fraction && state.area_fraction < high);
+/// let back = law.pressure_at_area(state.area_fraction)?;
+/// assert!((back / 50e6 - 1.0).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// Fitted by the authors of this program to its own solutions (the book, "The equation"); the form is
+/// Persson's law, doi:10.1063/1.1388626, with a corrected argument.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Equation {
+    /// E* g \[Pa\].
+    unit: f64,
+    gradient: f64,
+    bandwidth: f64,
+}
+
+/// What the constants of the law for numbers multiply, at Persson's area `t` and the logarithm of
+/// the bandwidth.
+pub fn number_terms(t: f64, log_bandwidth: f64) -> [f64; NUMBER_TERMS] {
+    [1.0, t, t * t, log_bandwidth, t * log_bandwidth]
+}
+
+impl Equation {
+    /// From the moments of a surface.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if a moment is negative or not finite, or `m2` is 0.
+    pub fn from_moments(
+        moments: SpectralMoments,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        require::positive(MODEL, "m2", moments.m2)?;
+        let bandwidth = require::positive(MODEL, "bandwidth m0 m4/m2²", moments.bandwidth())?;
+        let gradient = moments.rms_gradient();
+        let unit = require::positive(MODEL, "E* times rms gradient", modulus.pascals() * gradient)?;
+        Ok(Self { unit, gradient, bandwidth })
+    }
+
+    /// `ln(√2 x e^w)`-argument of the error function at `x = p/(E* g)`.
+    fn argument(&self, x: f64) -> f64 {
+        let t = erf(SQRT_2 * x);
+        let log = self.bandwidth.clamp(BANDWIDTH_USED[0], BANDWIDTH_USED[1]).ln();
+        let w: f64 = number_terms(t, log).iter().zip(NUMBERS).map(|(f, c)| f * c).sum();
+        SQRT_2 * x * w.exp()
+    }
+
+    /// Real area fraction at nominal pressure `p` (Pa).
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if the pressure is negative or not finite.
+    pub fn area_fraction(&self, pressure: f64) -> Result<f64, ModelError> {
+        Ok(erf(self.argument(require::pressure(MODEL, pressure)? / self.unit)))
+    }
+
+    /// The nominal pressure (Pa) at which the area fraction is `area`, below 1.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] outside 0 to 1; [`ModelError::OutsideDomain`] at 1.
+    pub fn pressure_at_area(&self, area: f64) -> Result<f64, ModelError> {
+        let y = erf_inv(require::fraction(MODEL, "area fraction", area)?);
+        let y = require::representable(MODEL, "pressure of full contact", y)?;
+        if y <= 0.0 {
+            return Ok(0.0);
+        }
+        // Between e^-3 and e^3 times Persson's; the argument rises strictly.
+        let [mut low, mut high] = [-3.0f64, 3.0].map(|s| y / SQRT_2 * s.exp());
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if self.argument(middle) < y { low = middle } else { high = middle }
+        }
+        Ok(0.5 * (low + high) * self.unit)
+    }
+
+    /// Area fractions between which 95 of 100 isotropic Gaussian surfaces of these moments lie at a
+    /// load where the law answers `area`, the chance of one sample included.
+    pub fn interval(&self, area: f64) -> [f64; 2] {
+        let terms = interval::terms(area, [0.0; 4]);
+        interval::around(area, terms.iter().zip(NUMBERS_SPREAD).map(|(f, c)| f * c).sum())
+    }
+}
+
+pub(super) fn citation() -> Citation {
+    Citation {
+        authors: "Authors of rough-contact, after Persson (2001)".into(),
+        year: 2026,
+        title: "A fitted closed form of the real area".into(),
+        journal: "this program's book, chapter The equation".into(),
+        doi: "10.1063/1.1388626".into(),
+    }
+}
+
+/// What must be known of an answer.
+pub(super) fn caveat(area: f64, gradient: f64, bandwidth: f64, pressure: f64) -> Option<Caveat> {
+    let beyond = |quantity: &'static str, value: f64, limit: f64, reason: &'static str| {
+        Some(Caveat::BeyondModel { quantity: quantity.into(), value, limit, reason: reason.into() })
+    };
+    if pressure <= 0.0 {
+        None
+    } else if area < f64::MIN_POSITIVE {
+        Some(Caveat::Underflow { quantity: "area fraction".into() })
+    } else if gradient > STEEP {
+        let reason = "a half-space deforms like this only under small slopes";
+        beyond("rms gradient", gradient, STEEP, reason)
+    } else if bandwidth < BANDWIDTH[0] {
+        beyond("bandwidth", bandwidth, BANDWIDTH[0], "fitted on larger bandwidths")
+    } else if bandwidth > BANDWIDTH[1] {
+        beyond("bandwidth", bandwidth, BANDWIDTH[1], "fitted on smaller bandwidths")
+    } else if area < AREA[0] {
+        beyond("area fraction", area, AREA[0], "fitted on larger areas")
+    } else if area > AREA[1] {
+        beyond("area fraction", area, AREA[1], "fitted on smaller areas")
+    } else {
+        None
+    }
+}
+
+impl ContactModel for Equation {
+    fn citation(&self) -> Citation {
+        citation()
+    }
+
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        let area_fraction = self.area_fraction(mean_pressure)?;
+        let caveat = caveat(area_fraction, self.gradient, self.bandwidth, mean_pressure);
+        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+    }
+}

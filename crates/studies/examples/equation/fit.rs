@@ -1,0 +1,268 @@
+//! The constants from the fitted surfaces: least squares in the logarithm of the argument, weighted by
+//! what they change of the area, and half widths from quantiles of what is left.
+
+use crate::table::{Row, one};
+use multiscale_models::special::{erf, erf_inv};
+use multiscale_models::{
+    INTERVAL_TERMS, MAP_TERMS, MapEquation, NUMBER_TERMS, map_terms, number_terms,
+};
+use std::error::Error;
+use std::f64::consts::{FRAC_2_SQRT_PI, SQRT_2};
+
+/// Areas above this tell nothing of the argument.
+const FULL: f64 = 0.995;
+/// Relative error of the area beyond which a row counts less.
+const USUAL: f64 = 0.06;
+/// Rounds of weights.
+const ROUNDS: usize = 6;
+
+/// One equation of the least squares: what the constants multiply, what they should give, and what
+/// 1 of that is in the logarithm of the area.
+struct Line<const N: usize> {
+    terms: [f64; N],
+    wanted: f64,
+    weight: f64,
+}
+
+/// Families of isotropic Gaussian heights.
+pub(crate) fn is_gaussian(row: &Row) -> bool {
+    matches!(row.family.as_str(), "gaussian" | "wide")
+}
+
+/// Constants of the law for numbers.
+pub(crate) fn numbers(rows: &[Row]) -> [f64; NUMBER_TERMS] {
+    let mut lines = Vec::new();
+    for row in rows.iter().filter(|r| is_gaussian(r)) {
+        for load in row.loads.iter().filter(|l| l.area < FULL) {
+            let u = erf_inv(load.area);
+            let t = erf(SQRT_2 * load.x);
+            lines.push(Line {
+                terms: number_terms(t, row.bandwidth.ln()),
+                wanted: (u / (SQRT_2 * load.x)).ln(),
+                weight: sensitivity(u, load.area),
+            });
+        }
+    }
+    robust(&mut lines, |_, _| {})
+}
+
+/// Constants of the law for a map.
+pub(crate) fn map(rows: &[Row]) -> [f64; MAP_TERMS] {
+    const NEAR: f64 = 1e-3;
+    let (mut lines, mut beside) = (Vec::new(), Vec::new());
+    for row in rows {
+        for load in row.loads.iter().filter(|l| l.area < FULL) {
+            let u = erf_inv(load.area);
+            let log = row.bandwidth.ln();
+            lines.push(Line {
+                terms: map_terms(load.area, &row.slopes, log),
+                wanted: (u / (SQRT_2 * load.x)).ln(),
+                weight: sensitivity(u, load.area),
+            });
+            let more = map_terms((load.area * (1.0 + NEAR)).min(1.0), &row.slopes, log);
+            beside.push((more, sensitivity(u, load.area)));
+        }
+    }
+    // w follows the area it gives: an error of the argument counts for more where w rises.
+    robust(&mut lines, |lines, c| {
+        for (line, (more, plain)) in lines.iter_mut().zip(&beside) {
+            let rise = (dot(more, c) - dot(&line.terms, c)) / NEAR;
+            line.weight = 1.0 / (1.0 / plain - rise).max(0.15);
+        }
+    })
+}
+
+/// d ln A / d ln u.
+fn sensitivity(u: f64, area: f64) -> f64 {
+    FRAC_2_SQRT_PI * (-u * u).exp() * u / area
+}
+
+fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Least squares in which large errors count less, rounded to 0.001.
+fn robust<const N: usize>(
+    lines: &mut [Line<N>],
+    reweigh: impl Fn(&mut [Line<N>], &[f64; N]),
+) -> [f64; N] {
+    let mut trust = vec![1.0; lines.len()];
+    let mut constants = [0.0; N];
+    for _ in 0..ROUNDS {
+        constants = least_squares(lines, &trust);
+        reweigh(lines, &constants);
+        for (trust, line) in trust.iter_mut().zip(lines.iter()) {
+            let left = (line.wanted - dot(&line.terms, &constants)) * line.weight;
+            *trust = 1.0 / (1.0 + (left / USUAL).powi(2)).sqrt();
+        }
+    }
+    constants.map(|c| (c * 1000.0).round() / 1000.0)
+}
+
+/// By the normal equations, eliminated with the largest pivot: a dozen well-scaled unknowns.
+fn least_squares<const N: usize>(lines: &[Line<N>], trust: &[f64]) -> [f64; N] {
+    let mut m = [[0.0; N]; N];
+    let mut v = [0.0; N];
+    for (line, trust) in lines.iter().zip(trust) {
+        let weight = (line.weight * trust).powi(2);
+        for i in 0..N {
+            v[i] += weight * line.terms[i] * line.wanted;
+            for j in 0..N {
+                m[i][j] += weight * line.terms[i] * line.terms[j];
+            }
+        }
+    }
+    for k in 0..N {
+        let pivot = (k..N).max_by(|a, b| m[*a][k].abs().total_cmp(&m[*b][k].abs())).unwrap_or(k);
+        m.swap(k, pivot);
+        v.swap(k, pivot);
+        for i in k + 1..N {
+            let part = m[i][k] / m[k][k];
+            for j in k..N {
+                m[i][j] -= part * m[k][j];
+            }
+            v[i] -= part * v[k];
+        }
+    }
+    for k in (0..N).rev() {
+        let known: f64 = (k + 1..N).map(|j| m[k][j] * v[j]).sum();
+        v[k] = (v[k] - known) / m[k][k];
+    }
+    v
+}
+
+/// An answer against a solution: what the half width is made of, and the error in the logarithm.
+pub(crate) struct Miss {
+    pub(crate) family: String,
+    terms: [f64; INTERVAL_TERMS],
+    error: f64,
+}
+
+/// Every unit half width of the law for a map, one constant at a time.
+fn units() -> [[f64; INTERVAL_TERMS]; INTERVAL_TERMS] {
+    std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))))
+}
+
+/// How the law for a map with these constants misses the rows that are partly open.
+pub(crate) fn misses(rows: &[Row], c: &[f64; MAP_TERMS]) -> Result<Vec<Miss>, Box<dyn Error>> {
+    let mut list = Vec::new();
+    for row in rows {
+        let of = |unit| {
+            MapEquation::with_constants(row.moments(), &row.slopes, one()?, (c, unit))
+                .map_err(Box::<dyn Error>::from)
+        };
+        let laws: Result<Vec<MapEquation>, Box<dyn Error>> = units().iter().map(of).collect();
+        let laws = laws?;
+        for load in row.loads.iter().filter(|l| l.area < FULL) {
+            let area = laws[0].area_fraction(load.x)?;
+            // The lower end is never cut off.
+            let terms = std::array::from_fn(|i| -(laws[i].interval(area)[0] / area).ln());
+            let error = (load.area / area).ln();
+            list.push(Miss { family: row.family.clone(), terms, error });
+        }
+    }
+    Ok(list)
+}
+
+/// The same of the law for numbers, Gaussian rows only.
+pub(crate) fn number_misses(rows: &[Row], c: &[f64; NUMBER_TERMS]) -> Vec<Miss> {
+    let mut list = Vec::new();
+    for row in rows.iter().filter(|r| is_gaussian(r)) {
+        for load in row.loads.iter().filter(|l| l.area < FULL) {
+            let t = erf(SQRT_2 * load.x);
+            let w = dot(&number_terms(t, row.bandwidth.ln()), c);
+            let area = erf(SQRT_2 * load.x * w.exp());
+            let open = (1.0 - area).max(0.0).sqrt();
+            let terms = [open, open * (1e-3 / area.max(1e-4)).sqrt(), 0.0, 0.0, 0.0, 0.0];
+            let error = (load.area / area).ln();
+            list.push(Miss { family: row.family.clone(), terms, error });
+        }
+    }
+    list
+}
+
+/// Constants of a half width: the most likely ones for errors of a Laplace distribution, of which 95 %
+/// lie within three times the mean; then all by one factor, so that `share` of the errors are held.
+/// Every family has the same weight.
+pub(crate) fn spread(misses: &[Miss], share: f64) -> [f64; INTERVAL_TERMS] {
+    const LEAST: f64 = 1e-3;
+    let weight = |m: &Miss| 1.0 / misses.iter().filter(|o| o.family == m.family).count() as f64;
+    let weights: Vec<f64> = misses.iter().map(weight).collect();
+    let loss = |c: &[f64; INTERVAL_TERMS]| -> f64 {
+        let one = |m: &Miss, w: &f64| {
+            let half = dot(&m.terms, c) + LEAST;
+            w * (half.ln() + 3.0 * m.error.abs() / half)
+        };
+        misses.iter().zip(&weights).map(|(m, w)| one(m, w)).sum()
+    };
+    let mut c = [0.03; INTERVAL_TERMS];
+    let mut step = 0.02;
+    while step > 2e-4 {
+        let mut best = (loss(&c), c);
+        for i in 0..INTERVAL_TERMS {
+            for way in [-step, step] {
+                let mut tried = c;
+                tried[i] = f64::max(tried[i] + way, 0.0);
+                let found = loss(&tried);
+                if found < best.0 {
+                    best = (found, tried);
+                }
+            }
+        }
+        if best.1 == c {
+            step *= 0.5;
+        }
+        c = best.1;
+    }
+    let mut ratios: Vec<(f64, f64)> = misses
+        .iter()
+        .zip(&weights)
+        .map(|(m, w)| (m.error.abs() / (dot(&m.terms, &c) + 1e-12), *w))
+        .collect();
+    ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let all: f64 = weights.iter().sum();
+    let mut held = 0.0;
+    let factor = ratios.iter().find(|(_, w)| {
+        held += w;
+        held >= share * all
+    });
+    c.map(|c| c * factor.map_or(1.0, |f| f.0))
+}
+
+/// Share of each family that lies within the half width.
+pub(crate) fn held(misses: &[Miss], c: &[f64; INTERVAL_TERMS]) -> Vec<(String, f64)> {
+    let mut counts: Vec<(String, f64, f64)> = Vec::new();
+    for m in misses {
+        let inside = f64::from(u8::from(m.error.abs() <= dot(&m.terms, c) + 1e-3));
+        match counts.iter_mut().find(|n| n.0 == m.family) {
+            Some(n) => (n.1, n.2) = (n.1 + inside, n.2 + 1.0),
+            None => counts.push((m.family.clone(), inside, 1.0)),
+        }
+    }
+    counts.into_iter().map(|(name, inside, all)| (name, inside / all)).collect()
+}
+
+/// By what the half widths have to grow so that families that took no part in the fit are held:
+/// each family is left out in turn, and the same is asked of all others.
+pub(crate) fn left_out(rows: &[Row], share: f64) -> Result<f64, Box<dyn Error>> {
+    let mut names: Vec<&str> = rows.iter().map(|r| r.family.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    let mut ratios = Vec::new();
+    for name in names {
+        let (out, rest): (Vec<Row>, Vec<Row>) =
+            rows.iter().cloned().partition(|r| r.family == name);
+        let constants = map(&rest);
+        let half = spread(&misses(&rest, &constants)?, share);
+        let mut own: Vec<f64> = misses(&out, &constants)?
+            .iter()
+            .map(|m| m.error.abs() / dot(&m.terms, &half))
+            .collect();
+        own.sort_by(f64::total_cmp);
+        let at = own[((own.len() as f64 * share) as usize).min(own.len() - 1)];
+        eprintln!("{name} left out: {at:.2} times the half width");
+        ratios.push(at);
+    }
+    ratios.sort_by(f64::total_cmp);
+    Ok(ratios[ratios.len() / 2])
+}

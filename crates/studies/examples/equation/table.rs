@@ -1,0 +1,72 @@
+//! The rows of the tables: a map with what it tells, and its solutions.
+
+use crate::measure::{LOADS, header};
+use contact_types::{ContactModulus, SpectralMoments};
+use multiscale_models::MapSlopes;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+use surface_stats::SLOPE_LEVELS;
+
+/// One map.
+#[derive(Debug, Clone)]
+pub(crate) struct Row {
+    pub(crate) family: String,
+    /// Nayak's bandwidth by differences \[-\].
+    pub(crate) bandwidth: f64,
+    /// Ratio of rms slopes across and along the lay.
+    pub(crate) ratio: f64,
+    pub(crate) skewness: f64,
+    pub(crate) slopes: MapSlopes,
+    pub(crate) loads: Vec<Load>,
+}
+
+/// One solution.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Load {
+    /// p/(E* g).
+    pub(crate) x: f64,
+    pub(crate) area: f64,
+    /// Half width of its grid error.
+    pub(crate) bar: f64,
+}
+
+impl Row {
+    fn parse(line: &str) -> Option<Self> {
+        let cells: Vec<&str> = line.split(',').collect();
+        let numbers: Option<Vec<f64>> = cells[1..].iter().map(|c| c.parse().ok()).collect();
+        let numbers = numbers?;
+        let (fixed, loads) = numbers.split_at_checked(10 + SLOPE_LEVELS)?;
+        let highest = <[f64; SLOPE_LEVELS]>::try_from(&fixed[10..]).ok()?;
+        (loads.len() == 4 * LOADS.len()).then_some(())?;
+        let load = |l: &[f64]| Load { x: l[0], area: l[1], bar: l[2] };
+        Some(Self {
+            family: cells[0].into(),
+            bandwidth: fixed[4],
+            ratio: fixed[5],
+            skewness: fixed[7],
+            slopes: MapSlopes::new(highest, fixed[5], fixed[8]).ok()?,
+            loads: loads.chunks_exact(4).map(load).collect(),
+        })
+    }
+
+    /// Moments of gradient 1 and this bandwidth, for a modulus of 1 Pa: pressures are loads.
+    pub(crate) fn moments(&self) -> SpectralMoments {
+        SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.25 * self.bandwidth }
+    }
+}
+
+/// A modulus of 1 Pa.
+pub(crate) fn one() -> Result<ContactModulus, Box<dyn Error>> {
+    Ok(ContactModulus::from_pascals(1.0)?)
+}
+
+/// The maps of a table.
+pub(crate) fn read(table: &Path) -> Result<Vec<Row>, Box<dyn Error>> {
+    let text = fs::read_to_string(table)?;
+    let mut lines = text.lines().filter(|l| !l.starts_with('#'));
+    if lines.next() != Some(header().as_str()) {
+        return Err(format!("{} has another header", table.display()).into());
+    }
+    lines.map(|l| Row::parse(l).ok_or_else(|| format!("cannot read '{l}'").into())).collect()
+}
