@@ -4,7 +4,7 @@ use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, RoughnessSpectrum,
     SpectralMoments, Wave,
 };
-use multiscale_models::{SelfAffineSpectrum, SphereLevel};
+use multiscale_models::{MapSlopes, SelfAffineSpectrum, SphereLevel};
 use serde::Serialize;
 
 /// Everything a model may be made from. What a case does not have stays `None`.
@@ -20,6 +20,9 @@ pub struct Inputs {
     pub source: MomentSource,
     /// Asperities, if they were given rather than derived from the moments.
     pub asperities: Option<AsperityStatistics>,
+    /// Slopes of the highest parts of a map; only the fitted equation needs them.
+    #[serde(skip)]
+    pub slopes: Option<MapSlopes>,
     /// Radial spectrum; only Persson's mean gap needs it.
     pub spectrum: Option<RoughnessSpectrum>,
     /// A continuous spectrum, in place of a radial one.
@@ -71,6 +74,7 @@ impl Inputs {
             moments: None,
             source: MomentSource::Given,
             asperities: None,
+            slopes: None,
             spectrum: None,
             self_affine: None,
             gamma: None,

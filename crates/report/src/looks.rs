@@ -2,13 +2,14 @@
 //! by the name of the model; one that is not in this list is drawn in a reserve.
 
 use crate::draw::palette::{
-    BGT, ELLIPTICAL, GW, INK2, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
+    BGT, ELLIPTICAL, EQUATION, GW, INK2, Look, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON,
+    STACKED,
 };
 use crate::draw::svg::escape;
 use compare::Card;
 
 /// Name, look, and inputs as HTML symbols.
-const LOOKS: [(&str, Look, &str); 8] = [
+const LOOKS: [(&str, Look, &str); 9] = [
     ("gw", Look::model(GW, "6 2.5", Marker::Square, 1), MOMENTS),
     ("bgt", Look::model(BGT, "2 2", Marker::TriangleUp, 2), MOMENTS),
     ("greenwood-elliptical", Look::model(ELLIPTICAL, "", Marker::Diamond, 3), MOMENTS),
@@ -20,6 +21,11 @@ const LOOKS: [(&str, Look, &str); 8] = [
         "majumdar-bhushan",
         Look::model(MAJUMDAR_BHUSHAN, "1 2.5", Marker::Plus, 1),
         "<i>D</i>, <i>G</i>",
+    ),
+    (
+        "equation",
+        Look::model(EQUATION, "", Marker::TriangleDown, 0),
+        "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>, <i>s</i>(<i>A</i>)",
     ),
 ];
 

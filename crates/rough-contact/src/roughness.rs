@@ -10,7 +10,7 @@ use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, ModelError,
     SpectralMoments,
 };
-use multiscale_models::{SelfAffineSpectrum, SphereLevel};
+use multiscale_models::{MapSlopes, SelfAffineSpectrum, SphereLevel};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -18,6 +18,7 @@ use surface_stats::fractal::PowerLaw;
 use surface_stats::spectrum::{Axis, amplitudes, radial};
 use surface_stats::{
     DirectionalMoments, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
+    slope_curve,
 };
 
 /// Roughness typed in.
@@ -298,6 +299,15 @@ impl Source {
         }
         drop(heights);
         match model {
+            "equation" => {
+                let seen = HeightStatistics::of(&map).kurtosis.zip(differences.anisotropy());
+                let slopes =
+                    slope_curve(&map, edges).zip(seen).map(|(curve, (kurtosis, ratio))| {
+                        MapSlopes::new(curve, ratio.sqrt(), kurtosis)
+                    });
+                let refused = |e: ModelError| Failure::from_error(&e);
+                inputs.slopes = slopes.transpose().map_err(refused)?;
+            }
             "persson" => inputs.spectrum = Some(radial(&map).map_err(refused)?),
             "stacked" | "multiscale" => {
                 inputs.amplitudes = Some(amplitudes(&map, Axis::X).map_err(refused)?);

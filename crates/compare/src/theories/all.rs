@@ -1,7 +1,8 @@
 //! The order of the built-in theories in tables and figures.
 
 use super::{
-    archard, bgt, greenwood_elliptical, gw, majumdar_bhushan, multiscale, persson, stacked,
+    archard, bgt, equation, greenwood_elliptical, gw, majumdar_bhushan, multiscale, persson,
+    stacked,
 };
 use crate::theory::Theory;
 use std::sync::Arc;
@@ -17,6 +18,7 @@ pub(crate) fn all() -> Vec<Arc<dyn Theory>> {
         multiscale::theory(),
         archard::theory(),
         majumdar_bhushan::theory(),
+        equation::theory(),
     ];
     rows.into_iter().map(super::row::Row::theory).collect()
 }

@@ -3,6 +3,7 @@
 mod all;
 mod archard;
 mod bgt;
+mod equation;
 mod greenwood_elliptical;
 mod gw;
 mod majumdar_bhushan;

@@ -49,9 +49,11 @@ pub const STACKED: Colour = colour("stk", "#835C00", "#F9C379");
 pub const MAJUMDAR_BHUSHAN: Colour = colour("mb", "#5A2D69", "#B46987");
 /// Jackson–Streator multiscale; chosen as [`MAJUMDAR_BHUSHAN`].
 pub const MULTISCALE: Colour = colour("js", "#780FFF", "#6978F0");
+/// The fitted equation.
+pub const EQUATION: Colour = colour("eq", "#005A9C", "#5AB4FF");
 
 /// Every colour, in the order of the stylesheet.
-pub const COLOURS: [Colour; 15] = [
+pub const COLOURS: [Colour; 16] = [
     PAPER,
     INK,
     INK2,
@@ -67,6 +69,7 @@ pub const COLOURS: [Colour; 15] = [
     STACKED,
     MAJUMDAR_BHUSHAN,
     MULTISCALE,
+    EQUATION,
 ];
 
 /// Shape that marks a series where colour is not seen.
