@@ -11,6 +11,7 @@ mod costs;
 mod dependencies;
 mod docs;
 mod edges;
+mod equation;
 mod extremes;
 mod features;
 mod figures;
@@ -51,6 +52,8 @@ Usage: cargo xtask <task> [options]
                             slopes; table, figures, page (half an hour, resumable)
   budget [--check]          how often the stated error bars held; tables, figure, page
                             (half an hour, resumable)
+  equation [--check]        the fitted closed form of the area: surfaces, constants, errors on surfaces
+                            kept back; tables, page (half an hour, resumable)
   flat-tops [--check]       the same on worn, clipped, creased, spiky maps; table, page
                             (half an hour, resumable)
   sample [--check]          how often the finite sample held on unkind surfaces: scratches, few hills,
@@ -81,6 +84,7 @@ fn main() -> ExitCode {
         "costs" => costs::run(rest),
         "docs" => docs::run(rest),
         "edges" => edges::run(rest),
+        "equation" => equation::run(rest),
         "extremes" => extremes::run(rest),
         "features" => features::run(rest),
         "strangers" => strangers::run(rest),

@@ -48,6 +48,14 @@ pub(crate) fn numbers(rows: &[Row]) -> [f64; NUMBER_TERMS] {
 
 /// Constants of the law for a map.
 pub(crate) fn map(rows: &[Row]) -> [f64; MAP_TERMS] {
+    map_without(rows, &[])
+}
+
+/// The same with some of them 0.
+pub(crate) fn map_without(rows: &[Row], left_out: &[usize]) -> [f64; MAP_TERMS] {
+    let kept = |terms: [f64; MAP_TERMS]| {
+        std::array::from_fn(|i| if left_out.contains(&i) { 0.0 } else { terms[i] })
+    };
     const NEAR: f64 = 1e-3;
     let (mut lines, mut beside) = (Vec::new(), Vec::new());
     for row in rows {
@@ -55,11 +63,11 @@ pub(crate) fn map(rows: &[Row]) -> [f64; MAP_TERMS] {
             let u = erf_inv(load.area);
             let log = row.bandwidth.ln();
             lines.push(Line {
-                terms: map_terms(load.area, &row.slopes, log),
+                terms: kept(map_terms(load.area, &row.slopes, log)),
                 wanted: (u / (SQRT_2 * load.x)).ln(),
                 weight: sensitivity(u, load.area),
             });
-            let more = map_terms((load.area * (1.0 + NEAR)).min(1.0), &row.slopes, log);
+            let more = kept(map_terms((load.area * (1.0 + NEAR)).min(1.0), &row.slopes, log));
             beside.push((more, sensitivity(u, load.area)));
         }
     }
@@ -112,6 +120,12 @@ fn least_squares<const N: usize>(lines: &[Line<N>], trust: &[f64]) -> [f64; N] {
             }
         }
     }
+    // What multiplies a constant that is left out is 0 everywhere: the constant stays 0.
+    for (k, row) in m.iter_mut().enumerate() {
+        if row[k] <= 0.0 {
+            row[k] = 1.0;
+        }
+    }
     for k in 0..N {
         let pivot = (k..N).max_by(|a, b| m[*a][k].abs().total_cmp(&m[*b][k].abs())).unwrap_or(k);
         m.swap(k, pivot);
@@ -135,7 +149,7 @@ fn least_squares<const N: usize>(lines: &[Line<N>], trust: &[f64]) -> [f64; N] {
 pub(crate) struct Miss {
     pub(crate) family: String,
     terms: [f64; INTERVAL_TERMS],
-    error: f64,
+    pub(crate) error: f64,
 }
 
 /// Every unit half width of the law for a map, one constant at a time.

@@ -8,6 +8,7 @@
 mod families;
 mod fit;
 mod measure;
+mod page;
 mod table;
 
 use clap::Parser;
@@ -28,15 +29,21 @@ struct Options {
     /// Fit the constants to this table and print them
     #[arg(long, value_name = "TABLE")]
     fit: Option<PathBuf>,
+    /// Make the tables of the book from the fitted and the judged table instead, into FOLDER
+    #[arg(long, num_args = 2, value_names = ["FITTED", "JUDGED"])]
+    page: Option<Vec<PathBuf>>,
     /// Only so many maps from the start of the list
     #[arg(long, default_value_t = usize::MAX)]
     first: usize,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let Options { folder, judge, fit, first } = Options::parse();
+    let Options { folder, judge, fit, page, first } = Options::parse();
     if let Some(table) = fit {
         return constants(&table);
+    }
+    if let Some([fitted, judged]) = page.as_deref() {
+        return page::write([fitted, judged], &folder);
     }
     fs::create_dir_all(&folder)?;
     let part = if judge { Part::Judge } else { Part::Fit };

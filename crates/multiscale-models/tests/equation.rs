@@ -1,0 +1,113 @@
+//! The fitted equation: limits, monotony, inverse, and the surfaces it was fitted on.
+
+use multiscale_models::{
+    ContactModel, ContactModulus, Equation, MapEquation, MapSlopes, ModelError, SLOPE_KNOTS,
+    SpectralMoments,
+};
+use std::f64::consts::PI;
+
+/// Gradient 1 and this bandwidth: with a modulus of 1 Pa, pressures are loads p/(E* g).
+fn moments(bandwidth: f64) -> SpectralMoments {
+    SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.25 * bandwidth }
+}
+
+fn one() -> ContactModulus {
+    ContactModulus::from_pascals(1.0).unwrap()
+}
+
+/// Slope curves from gentle to cliffs, by a fixed sequence.
+fn slopes(i: usize) -> MapSlopes {
+    let mut highest = [1.0; SLOPE_KNOTS];
+    let mut state = i as u64 + 1;
+    for k in 1..SLOPE_KNOTS {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        let t = (state >> 33) as f64 / (1u64 << 31) as f64;
+        // What the highest half as much has of the square can be all of it, or nothing.
+        highest[k] = (highest[k - 1] * (0.3 + 0.95 * t)).clamp(0.01, 3.0);
+    }
+    MapSlopes::new(highest, 1.0 + (i % 7) as f64, 2.0 + (i % 5) as f64).unwrap()
+}
+
+/// Loads over ten decades.
+fn loads() -> impl Iterator<Item = f64> {
+    (0..600).map(|k| 10f64.powf(-9.0 + k as f64 / 60.0))
+}
+
+#[test]
+fn area_rises_strictly_and_pressure_follows_from_it() {
+    let rises = |law: &dyn Fn(f64) -> f64, inverse: &dyn Fn(f64) -> f64| {
+        let mut before = 0.0;
+        for x in loads() {
+            let area = law(x);
+            assert!(area > before || before > 1.0 - 1e-13, "{x}: {area} after {before}");
+            assert!(area <= 1.0);
+            before = area;
+            if area < 0.9 {
+                assert!((inverse(area) / x - 1.0).abs() < 2e-14, "{x}");
+            }
+        }
+    };
+    for bandwidth in [1.5, 5.0, 30.0, 1000.0] {
+        let law = Equation::from_moments(moments(bandwidth), one()).unwrap();
+        rises(&|x| law.area_fraction(x).unwrap(), &|a| law.pressure_at_area(a).unwrap());
+        for i in 0..40 {
+            let law = MapEquation::new(moments(bandwidth), &slopes(i), one()).unwrap();
+            rises(&|x| law.area_fraction(x).unwrap(), &|a| law.pressure_at_area(a).unwrap());
+        }
+    }
+}
+
+#[test]
+fn limits_are_right() {
+    let numbers = Equation::from_moments(moments(10.0), one()).unwrap();
+    let map = MapEquation::new(moments(10.0), &MapSlopes::plain(), one()).unwrap();
+    for law in [&numbers as &dyn ContactModel, &map] {
+        let area = |x: f64| law.at_pressure(x).unwrap().area_fraction;
+        assert!(area(0.0) <= 0.0);
+        // In proportion under light load, by a constant between Persson's and the summit theories'.
+        let slope = area(1e-8) / 1e-8;
+        assert!((area(1e-9) / 1e-9 / slope - 1.0).abs() < 1e-6);
+        assert!(((8.0 / PI).sqrt()..(2.0 * PI).sqrt()).contains(&slope), "{slope}");
+        assert!((area(20.0) - 1.0).abs() < 1e-15);
+        assert!(matches!(law.at_pressure(-1.0), Err(ModelError::InvalidInput { .. })));
+        assert!(matches!(law.at_pressure(f64::NAN), Err(ModelError::InvalidInput { .. })));
+    }
+    assert!(numbers.pressure_at_area(1.0).is_err() && map.pressure_at_area(1.0).is_err());
+    assert!(Equation::from_moments(moments(0.0), one()).is_err());
+}
+
+/// Beyond what it was fitted on it says so.
+#[test]
+fn a_caveat_outside_the_range() {
+    let caveat = |bandwidth: f64, x: f64| {
+        let law = Equation::from_moments(moments(bandwidth), one()).unwrap();
+        law.at_pressure(x).unwrap().caveat
+    };
+    // The gradient of these moments is 1: not steep.
+    assert!(caveat(10.0, 0.1).is_none());
+    for (bandwidth, x) in [(1.2, 0.1), (400.0, 0.1), (10.0, 1e-5), (10.0, 1.6)] {
+        assert!(caveat(bandwidth, x).is_some(), "{bandwidth} {x}");
+    }
+}
+
+/// Rows of `fixtures/equation-fit.csv` lie in the interval as often as it says.
+#[test]
+fn the_interval_holds_the_surfaces_it_was_made_from() {
+    let table = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/equation-fit.csv");
+    let text = std::fs::read_to_string(table).unwrap();
+    let (mut held, mut all) = (0, 0);
+    for line in text.lines().filter(|l| !l.starts_with('#')).skip(1) {
+        let v: Vec<f64> = line.split(',').skip(1).map(|c| c.parse().unwrap()).collect();
+        let highest = <[f64; SLOPE_KNOTS]>::try_from(&v[10..10 + SLOPE_KNOTS]).unwrap();
+        let law =
+            MapEquation::new(moments(v[4]), &MapSlopes::new(highest, v[5], v[8]).unwrap(), one());
+        let law = law.unwrap();
+        for load in v[10 + SLOPE_KNOTS..].chunks_exact(4).filter(|l| l[1] < 0.995) {
+            let [low, high] = law.interval(law.area_fraction(load[0]).unwrap());
+            held += usize::from(low <= load[1] && load[1] <= high);
+            all += 1;
+        }
+    }
+    let share = f64::from(held as u32) / f64::from(all as u32);
+    assert!(all > 2500 && (0.93..0.98).contains(&share), "{held} of {all}");
+}

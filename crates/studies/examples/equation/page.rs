@@ -1,0 +1,240 @@
+//! What the book says of the equation, from the two tables.
+
+use crate::fit;
+use crate::table::{Row, one, read};
+use compare::{Inputs, built_in};
+use multiscale_models::{Equation, MAP_TERMS, MapEquation};
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+/// Of the others that need moments only.
+const OTHERS: [&str; 4] = ["gw", "bgt", "greenwood-elliptical", "persson"];
+const LIGHT: &str = "| | A ≈ 0.1 % | 0.4 % | 1 % | 3.5 % | 10 % | 25 % | 53 % | 85 % | 99 % |\n|---|---|---|---|---|---|---|---|---|---|\n";
+
+/// One answer against a solution.
+struct Answer<'a> {
+    row: &'a Row,
+    /// Place of the load.
+    load: usize,
+    numbers: f64,
+    map: f64,
+    is_held: [bool; 2],
+    others: [Option<f64>; OTHERS.len()],
+}
+
+/// Writes `equation.md` into `folder`; fails if the constants of the crate are not those of the fit.
+pub(crate) fn write([fitted, judged]: [&Path; 2], folder: &Path) -> Result<(), Box<dyn Error>> {
+    let (fitted, judged) = (read(fitted)?, read(judged)?);
+    same_constants(&fitted)?;
+    let answers = answers(&judged)?;
+    let page = [
+        families(&answers),
+        by_load(&answers),
+        classes(&answers),
+        terms(&fitted, &judged)?,
+        others(&answers),
+    ];
+    fs::create_dir_all(folder)?;
+    fs::write(folder.join("equation.md"), page.join("\n"))?;
+    Ok(())
+}
+
+/// The fit gives what the crate has.
+fn same_constants(rows: &[Row]) -> Result<(), Box<dyn Error>> {
+    let constants = fit::map(rows);
+    let half = fit::spread(&fit::misses(rows, &constants)?, 0.95);
+    let row = rows.first().ok_or("no rows")?;
+    for row in [row, rows.last().unwrap_or(row)] {
+        let law = MapEquation::new(row.moments(), &row.slopes, one()?)?;
+        let again =
+            MapEquation::with_constants(row.moments(), &row.slopes, one()?, (&constants, &half))?;
+        for load in &row.loads {
+            let [a, b] = [&law, &again].map(|l| l.area_fraction(load.x));
+            if (a? / b? - 1.0).abs() > 1e-9 {
+                return Err("the constants of the crate are not those of the fit".into());
+            }
+        }
+    }
+    Ok(())
+}
+
+fn answers(rows: &[Row]) -> Result<Vec<Answer<'_>>, Box<dyn Error>> {
+    let mut list = Vec::new();
+    for row in rows {
+        let numbers = Equation::from_moments(row.moments(), one()?)?;
+        let law = MapEquation::new(row.moments(), &row.slopes, one()?)?;
+        let inputs = Inputs { moments: Some(row.moments()), ..Inputs::new(one()?) };
+        let others = OTHERS.map(|name| {
+            built_in().iter().find(|t| t.card().name == name).and_then(|t| t.build(&inputs).ok())
+        });
+        for (k, load) in row.loads.iter().enumerate() {
+            let [a, b] = [numbers.area_fraction(load.x)?, law.area_fraction(load.x)?];
+            let holds = |[low, high]: [f64; 2]| low <= load.area && load.area <= high;
+            list.push(Answer {
+                row,
+                load: k,
+                numbers: a / load.area - 1.0,
+                map: b / load.area - 1.0,
+                is_held: [holds(numbers.interval(a)), holds(law.interval(b))],
+                others: std::array::from_fn(|i| {
+                    let state = others[i].as_ref()?.at_pressure(load.x).ok()?;
+                    Some(state.area_fraction / load.area - 1.0)
+                }),
+            });
+        }
+    }
+    Ok(list)
+}
+
+/// Median and 95 % of the absolute errors, in per cent.
+fn seen(errors: impl Iterator<Item = f64>) -> String {
+    let mut errors: Vec<f64> = errors.collect();
+    if errors.is_empty() {
+        return "–".into();
+    }
+    errors.sort_by(f64::total_cmp);
+    let median = 100.0 * errors[errors.len() / 2];
+    let mut sizes: Vec<f64> = errors.iter().map(|e| e.abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let within = 100.0 * sizes[((sizes.len() as f64 * 0.95) as usize).min(sizes.len() - 1)];
+    let sign = if median < 0.0 { "−" } else { "+" };
+    format!("{within:.1} ({sign}{:.1})", median.abs())
+}
+
+fn names(answers: &[Answer<'_>]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for a in answers {
+        if !names.contains(&a.row.family) {
+            names.push(a.row.family.clone());
+        }
+    }
+    names
+}
+
+fn persson(a: &Answer<'_>) -> Option<f64> {
+    a.others[3]
+}
+
+fn families(answers: &[Answer<'_>]) -> String {
+    let mut page = String::from(
+        "Per cent: 95 % of the cases are within (median). Held: share of the cases inside the \
+         law's own interval.\n\n| family | maps | Persson | for numbers | for a map | held |\n\
+         |---|---|---|---|---|---|\n",
+    );
+    for name in names(answers) {
+        let own: Vec<&Answer<'_>> = answers.iter().filter(|a| a.row.family == name).collect();
+        let maps = own.iter().filter(|a| a.load == 0).count();
+        let held = own.iter().filter(|a| a.is_held[1]).count() as f64 / own.len() as f64;
+        let _ = writeln!(
+            page,
+            "| {name} | {maps} | {} | {} | {} | {:.0} % |",
+            seen(own.iter().filter_map(|a| persson(a))),
+            seen(own.iter().map(|a| a.numbers)),
+            seen(own.iter().map(|a| a.map)),
+            100.0 * held
+        );
+    }
+    let of = |f: &dyn Fn(&Answer<'_>) -> bool| seen(answers.iter().filter(|a| f(a)).map(|a| a.map));
+    let gaussian: Vec<&Answer<'_>> = answers.iter().filter(|a| fit::is_gaussian(a.row)).collect();
+    let held = gaussian.iter().filter(|a| a.is_held[0]).count() as f64 / gaussian.len() as f64;
+    let _ = writeln!(
+        page,
+        "\nAll {} cases: {}. The interval of the law for numbers holds {:.0} % of the Gaussian cases.\n",
+        answers.len(),
+        of(&|_| true),
+        100.0 * held
+    );
+    page
+}
+
+fn by_load(answers: &[Answer<'_>]) -> String {
+    let mut page = format!("Over the load, areas as on Gaussian surfaces:\n\n{LIGHT}");
+    let mut line = |name: &str, f: &dyn Fn(&Answer<'_>) -> Option<f64>| {
+        let _ = write!(page, "| {name} |");
+        for k in 0..9 {
+            let _ =
+                write!(page, " {} |", seen(answers.iter().filter(|a| a.load == k).filter_map(f)));
+        }
+        page.push('\n');
+    };
+    let gaussian = |a: &Answer<'_>| fit::is_gaussian(a.row);
+    line("Gaussian, numbers", &|a| gaussian(a).then_some(a.numbers));
+    line("Gaussian, map", &|a| gaussian(a).then_some(a.map));
+    line("all others, map", &|a| (!gaussian(a)).then_some(a.map));
+    line("grid error of the solution", &|a| {
+        let load = a.row.loads[a.load];
+        Some(load.bar / load.area)
+    });
+    page
+}
+
+fn classes(answers: &[Answer<'_>]) -> String {
+    let mut page =
+        String::from("\n| class | maps | for numbers | for a map |\n|---|---|---|---|\n");
+    let mut line = |name: &str, f: &dyn Fn(&Row) -> bool| {
+        let own: Vec<&Answer<'_>> = answers.iter().filter(|a| f(a.row)).collect();
+        let maps = own.iter().filter(|a| a.load == 0).count();
+        let numbers = seen(own.iter().map(|a| a.numbers));
+        let map = seen(own.iter().map(|a| a.map));
+        let _ = writeln!(page, "| {name} | {maps} | {numbers} | {map} |");
+    };
+    let gaussian =
+        |r: &Row, low: f64, high: f64| fit::is_gaussian(r) && (low..high).contains(&r.bandwidth);
+    line("Gaussian, α below 5", &|r| gaussian(r, 0.0, 5.0));
+    line("Gaussian, α 5 to 15", &|r| gaussian(r, 5.0, 15.0));
+    line("Gaussian, α above 15", &|r| gaussian(r, 15.0, f64::INFINITY));
+    line("skewness below −0.5", &|r| r.skewness < -0.5);
+    line("skewness −0.5 to 0.5", &|r| r.skewness.abs() <= 0.5);
+    line("skewness above 0.5", &|r| r.skewness > 0.5);
+    line("ratio of slopes above 1.5", &|r| r.ratio > 1.5);
+    page
+}
+
+/// What each group of constants buys: fitted without them on the fitted surfaces, asked of the judged.
+fn terms(fitted: &[Row], judged: &[Row]) -> Result<String, Box<dyn Error>> {
+    let groups: [(&str, &[usize]); 7] = [
+        ("all 13", &[]),
+        ("without the kurtosis", &[12]),
+        ("nor the lower part", &[10, 11, 12]),
+        ("nor the product of lay and slope", &[9, 10, 11, 12]),
+        ("nor the lay", &[7, 8, 9, 10, 11, 12]),
+        ("nor the bandwidth", &[3, 4, 7, 8, 9, 10, 11, 12]),
+        ("nor the slope of the highest part", &[3, 4, 5, 6, 7, 8, 9, 10, 11, 12]),
+    ];
+    let mut page = String::from(
+        "\n| constants of the law for a map | number | Gaussian | fitted families | new families |\n|---|---|---|---|---|\n",
+    );
+    for (name, left_out) in groups {
+        let constants = fit::map_without(fitted, left_out);
+        let errors = fit::misses(judged, &constants)?;
+        let of = |f: &dyn Fn(&str) -> bool| {
+            seen(errors.iter().filter(|m| f(&m.family)).map(|m| (-m.error).exp() - 1.0))
+        };
+        let known = |n: &str| fitted.iter().any(|r| r.family == n);
+        let smooth = |n: &str| matches!(n, "gaussian" | "wide");
+        let _ = writeln!(
+            page,
+            "| {name} | {} | {} | {} | {} |",
+            MAP_TERMS - left_out.len(),
+            of(&smooth),
+            of(&|n| known(n) && !smooth(n)),
+            of(&|n| !known(n))
+        );
+    }
+    Ok(page)
+}
+
+fn others(answers: &[Answer<'_>]) -> String {
+    let mut page = format!("\nThe others on the same judged surfaces, Gaussian ones:\n\n{LIGHT}");
+    for (i, name) in OTHERS.iter().enumerate() {
+        let _ = write!(page, "| {name} |");
+        for k in 0..9 {
+            let own = answers.iter().filter(|a| a.load == k && fit::is_gaussian(a.row));
+            let _ = write!(page, " {} |", seen(own.filter_map(|a| a.others[i])));
+        }
+        page.push('\n');
+    }
+    page
+}
