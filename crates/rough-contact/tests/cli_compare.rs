@@ -158,7 +158,7 @@ fn a_study_of_chosen_models() {
     assert_eq!(names("again"), ["gw", "persson"]);
 
     assert_eq!(rough_contact(at, &format!("{study} --out all --quiet")).status, 0);
-    assert_eq!(names("all").len(), 7);
+    assert_eq!(names("all").len(), 8);
 
     refused(at, &format!("{study} --models gw,archard --out r"), 2, &["archard", "persson"]);
     refused(at, "compare --from two/run.toml --models gw --out r", 2, &["--models"]);
