@@ -12,7 +12,7 @@ fn moments(bandwidth: f64) -> SpectralMoments {
 }
 
 fn one() -> ContactModulus {
-    ContactModulus::from_pascals(1.0).unwrap()
+    ContactModulus::from_pascals(1.0).expect("a modulus")
 }
 
 /// Slope curves from gentle to cliffs, by a fixed sequence.
@@ -25,12 +25,12 @@ fn slopes(i: usize) -> MapSlopes {
         // What the highest half as much has of the square can be all of it, or nothing.
         highest[k] = (highest[k - 1] * (0.3 + 0.95 * t)).clamp(0.01, 3.0);
     }
-    MapSlopes::new(highest, 1.0 + (i % 7) as f64, 2.0 + (i % 5) as f64).unwrap()
+    MapSlopes::new(highest, 1.0 + (i % 7) as f64, 2.0 + (i % 5) as f64).expect("slopes")
 }
 
 /// Loads over ten decades.
 fn loads() -> impl Iterator<Item = f64> {
-    (0..600).map(|k| 10f64.powf(-9.0 + k as f64 / 60.0))
+    (0..600).map(|k| 10f64.powf(-9.0 + f64::from(k) / 60.0))
 }
 
 #[test]

@@ -5,7 +5,7 @@ use contact_types::HeightMap;
 use std::error::Error;
 use std::f64::consts::TAU;
 use studies::drawing::van_der_corput;
-use studies::maps::{Draw, mix, scaled, softmin, triangle};
+use studies::maps::{Draw, Heights, mix, scaled, softmin, triangle};
 
 /// What its maps are used for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,7 +18,7 @@ pub(crate) enum Part {
 pub(crate) struct Family {
     pub(crate) name: &'static str,
     pub(crate) maps: [usize; 2],
-    make: fn(&Draw) -> Result<Vec<f64>, Box<dyn Error>>,
+    make: fn(&Draw) -> Heights,
 }
 
 /// One map.
@@ -28,11 +28,7 @@ pub(crate) struct Case {
     pub(crate) draw: Draw,
 }
 
-const fn family(
-    name: &'static str,
-    maps: [usize; 2],
-    make: fn(&Draw) -> Result<Vec<f64>, Box<dyn Error>>,
-) -> Family {
+const fn family(name: &'static str, maps: [usize; 2], make: fn(&Draw) -> Heights) -> Family {
     Family { name, maps, make }
 }
 
@@ -81,8 +77,6 @@ impl Case {
         scaled(&(self.family.make)(&self.draw)?, self.draw.n)
     }
 }
-
-type Heights = Result<Vec<f64>, Box<dyn Error>>;
 
 /// A field of unit rms height: shortest wave of 8 to 20 points, the longest 1/8 to 2/3 of the side.
 fn rough(d: &Draw, stretch: f64, salt: u64) -> Heights {

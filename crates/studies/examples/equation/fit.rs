@@ -13,6 +13,8 @@ use std::f64::consts::{FRAC_2_SQRT_PI, SQRT_2};
 const FULL: f64 = 0.995;
 /// Relative error of the area beyond which a row counts less.
 const USUAL: f64 = 0.06;
+/// Step of the area for slopes of w.
+const NEAR: f64 = 1e-3;
 /// Rounds of weights.
 const ROUNDS: usize = 6;
 
@@ -56,7 +58,6 @@ pub(crate) fn map_without(rows: &[Row], left_out: &[usize]) -> [f64; MAP_TERMS] 
     let kept = |terms: [f64; MAP_TERMS]| {
         std::array::from_fn(|i| if left_out.contains(&i) { 0.0 } else { terms[i] })
     };
-    const NEAR: f64 = 1e-3;
     let (mut lines, mut beside) = (Vec::new(), Vec::new());
     for row in rows {
         for load in row.loads.iter().filter(|l| l.area < FULL) {
@@ -212,18 +213,18 @@ pub(crate) fn spread(misses: &[Miss], share: f64) -> [f64; INTERVAL_TERMS] {
     let mut c = [0.03; INTERVAL_TERMS];
     let mut step = 0.02;
     while step > 2e-4 {
-        let mut best = (loss(&c), c);
+        let (mut best, mut is_better) = ((loss(&c), c), false);
         for i in 0..INTERVAL_TERMS {
             for way in [-step, step] {
                 let mut tried = c;
                 tried[i] = f64::max(tried[i] + way, 0.0);
                 let found = loss(&tried);
                 if found < best.0 {
-                    best = (found, tried);
+                    (best, is_better) = ((found, tried), true);
                 }
             }
         }
-        if best.1 == c {
+        if !is_better {
             step *= 0.5;
         }
         c = best.1;
