@@ -160,8 +160,7 @@ fn moments_of_independent_surfaces_add_within_the_scatter_reported() {
             let mean = all.iter().sum::<f64>() / n;
             let spread = (all.iter().map(|z| z * z).sum::<f64>() / n).sqrt();
             assert!(mean.abs() < 4.0 / f64::sqrt(n), "m{} open {is_open}: mean {mean}", 2 * k);
-            // The scatter of an open map is an estimate under a window.
-            let most = 4.0 / f64::sqrt(2.0 * n) + if is_open { 0.25 } else { 0.0 };
+            let most = 4.0 / f64::sqrt(2.0 * n);
             assert!((spread - 1.0).abs() < most, "m{} open {is_open}: spread {spread}", 2 * k);
         }
     }
