@@ -69,7 +69,8 @@ rows! {
     Datx, datx, ["datx"], "all maps; not checked against a real file";
     Hdf5, hdf5, ["h5", "hdf5"],
         "every data set of two axes, also of NetCDF-4 and MATLAB 7.3; unit from its attribute";
-    Mnt, mnt, ["mnt"], "recognised and refused with the way out";
+    #[cfg(feature = "zip")]
+    Mnt, mnt, ["mnt"], "surfaces as they were loaded, with missing points; results of the document are not read";
     Text, table, ["csv", "asc", "tsv", "txt", "xyz"],
         "matrices, lists of x y z, profiles, several traces beside each other; any separator, decimal comma, missing cells";
 }

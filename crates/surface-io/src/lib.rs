@@ -29,6 +29,8 @@ mod limits;
 mod meaning;
 mod measurement;
 mod need;
+#[cfg(feature = "zip")]
+mod ole;
 mod options;
 mod read;
 mod resample;

@@ -18,6 +18,7 @@ pub(crate) mod mdt;
 pub(crate) mod mi;
 #[cfg(feature = "zip")]
 pub(crate) mod mitutoyo;
+#[cfg(feature = "zip")]
 pub(crate) mod mnt;
 pub(crate) mod nanoscope;
 pub(crate) mod netcdf;

@@ -12,6 +12,7 @@
 pub mod binary;
 pub mod instruments;
 pub mod microscopes;
+pub mod mountains;
 
 use surface_io::{Measurement, ReadOptions};
 
@@ -161,5 +162,6 @@ pub fn samples() -> Vec<Sample> {
     samples.extend(binary::samples());
     samples.extend(instruments::samples());
     samples.extend(microscopes::samples());
+    samples.extend(mountains::samples());
     samples
 }
