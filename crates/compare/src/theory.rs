@@ -91,6 +91,9 @@ pub enum Assumes {
     Amplitudes,
     /// A fractal profile over the fit range.
     Fractal,
+    /// Surfaces like those that its constants were fitted on: resolved by their points, with heights of a
+    /// shape that was among them.
+    Fitted,
     /// Not known: only what the model itself says of its answers counts.
     Unstated,
 }
