@@ -67,7 +67,7 @@ pub use result::{
     Verdict,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
-pub use scene::{Scene, is_steep};
+pub use scene::{Scene, is_steep, typical_hardness};
 pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spot, Spots, contact_spots, spot_list};

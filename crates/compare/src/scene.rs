@@ -110,7 +110,7 @@ impl Scene {
 /// 0.06 to 0.075, silicon carbide 0.063, hard carbon 0.10; PTFE 0.04, PMMA 0.053. The upper ends allow
 /// for two like bodies, whose contact modulus is half; the lower end of metals is that of structural
 /// alloys.
-fn typical_hardness(modulus: f64) -> Option<[f64; 2]> {
+pub fn typical_hardness(modulus: f64) -> Option<[f64; 2]> {
     let [low, high] = match modulus {
         e if e < RUBBER => return None,
         e if e < POLYMER => [0.04, 0.11],

@@ -14,6 +14,7 @@ mod export;
 mod fields;
 mod files;
 mod given;
+mod hardness;
 mod info;
 mod input;
 mod intervals;

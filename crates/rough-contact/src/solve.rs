@@ -5,6 +5,7 @@ use crate::args::{self, Bodies, Common};
 use crate::batch::{self, PerFile};
 use crate::fields::{Fields, Sink};
 use crate::files::folder_name;
+use crate::hardness;
 use crate::input::{Complete, Input, Measured};
 use crate::intervals::{Errors, Finest, Refined, under};
 use crate::loads::{Loads, Spread, rising, shown};
@@ -72,6 +73,10 @@ pub(crate) struct Solve {
     /// Contact stiffness too, -dp/d(mean gap), from two more solutions beside each load
     #[arg(long, conflicts_with = "accuracy")]
     stiffness: bool,
+    /// Highest pressure that the softer body bears, as 2GPa: metals yield there, and the area grows
+    #[arg(long, value_name = "H", value_parser = args::pressure, allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["accuracy", "stiffness"])]
+    hardness: Option<f64>,
     /// Take a profile for the cross-section of ridges that are infinitely long: plane strain
     #[arg(long)]
     plane_strain: bool,
@@ -154,6 +159,7 @@ impl PerFile for Solve {
 
     fn answer(&self, common: &Common) -> Result<Reply, Failure> {
         let modulus = self.bodies.required()?;
+        hardness::check(self.hardness)?;
         let count = self.loads.count()?;
         let boundary = match self.boundary.as_str() {
             "free" if self.loads.is_by_gap() => {
@@ -235,6 +241,10 @@ impl PerFile for Solve {
             .precision(self.precision)
             .tolerance(self.tolerance)
             .threads(common.threads());
+        let builder = match self.hardness {
+            Some(hardness) => builder.hardness(hardness),
+            None => builder,
+        };
         let mut solver = builder
             .clone()
             .certified(self.certify)
@@ -264,7 +274,10 @@ impl PerFile for Solve {
         drop(progress);
         let notes = work.intervals.notes(!self.refine && can_be_refined);
         solved.loads = work.found();
-        solved.scene.pressed = work.pressed();
+        // With a hardness no pressure is beyond it: nothing is left to warn of.
+        if self.hardness.is_none() {
+            solved.scene.pressed = work.pressed();
+        }
         solved.spike_share = work.spike_share;
         Ok(self.reply(work, modulus.pascals(), &notes, &solved, spread.as_ref()))
     }
@@ -431,6 +444,14 @@ impl Solve {
         if self.stiffness {
             headings.push("stiffness");
         }
+        let yields = self.hardness.map(|hardness| hardness::Given {
+            hardness,
+            modulus,
+            gradient: solved.scene.gradient,
+        });
+        if yields.is_some() {
+            headings.extend(hardness::HEADINGS);
+        }
         let mut columns = Columns::new(&headings);
         let mut points = Vec::new();
         for mut point in work.points.into_iter().flatten() {
@@ -439,10 +460,13 @@ impl Solve {
                 point.cells.insert(0, force.map_or_else(|| "–".to_owned(), text::force));
                 point.json["load"] = json!(force);
             }
+            if yields.is_some() {
+                hardness::complete(&mut point.json);
+            }
             columns.row(point.cells);
             points.push(point.json);
         }
-        let json = json!({
+        let mut json = json!({
             "shape": work.grid.shape(),
             "pixel": work.grid.pixel(),
             "level": self.level.name(),
@@ -460,12 +484,20 @@ impl Solve {
             "cleaning": report::cleaning_json(solved.cleaned),
             "findings": report::findings_json(&findings),
         });
+        let mut notes = notes.to_owned();
+        if let Some(yields) = yields {
+            json["hardness"] = yields.json();
+            let solved = json["points"].as_array().into_iter().flatten();
+            let solved = solved.filter(|p| !p["area_fraction"].is_null());
+            let highest = solved.filter_map(|p| p["mean_pressure"].as_f64()).fold(0.0, f64::max);
+            notes += &yields.lines(highest);
+        }
         let text =
             text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
         let text = text + &spread.map_or_else(String::new, Spread::line);
         let text = text + &against::lines(solved.pair, Some((modulus, self.bodies.listed())));
         let text = text + &text::level(self.level);
         let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
-        Reply { text: text + notes, json, trouble: work.trouble }
+        Reply { text: text + &notes, json, trouble: work.trouble }
     }
 }

@@ -1,6 +1,7 @@
 //! What is collected while loads are solved: one point each, maps on the disk, what went wrong.
 
 use crate::fields::{Sink, spots};
+use crate::hardness;
 use crate::intervals::{Intervals, Refined};
 use crate::loads::shown;
 use crate::outcome::{Failure, variant};
@@ -221,6 +222,7 @@ fn point(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverE
         text::seconds(d.seconds),
     ]);
     cells.extend(budget.stiffness.map(|k| text::stiffness(k.value)));
+    hardness::add(&mut json, &mut cells, solution);
     Point { json, cells }
 }
 

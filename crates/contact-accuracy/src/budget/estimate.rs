@@ -107,6 +107,9 @@ impl Budget {
         let iteration = iteration_half_width(found);
         let gate = if found.contact_pixels == 0 {
             Err(NoAreaInterval::Empty)
+        } else if found.yielded.is_some_and(|y| y.area_fraction > 0.0) {
+            // Nobody has counted how often the bar of elastic contact holds for it.
+            Err(NoAreaInterval::NotStudied("contact that has yielded"))
         } else {
             map.accuracy.grid_half_width(solution)
         };

@@ -1,0 +1,101 @@
+//! Contact that yields, as a user asks for it.
+
+mod cli;
+
+use cli::{folder, matrix, number, refused, rough_contact};
+use serde_json::Value;
+use std::f64::consts::TAU;
+use std::path::Path;
+
+const FILE: &str = "a.txt --pixel 1um --height-unit um --modulus 100GPa";
+
+/// Waves of several lengths, one cell of 32 x 32, rms gradient about 0.06.
+fn surface(folder: &Path) {
+    let wave = |iy: usize, ix: usize, a: f64, ky: f64, kx: f64| {
+        a * (TAU * (ky * iy as f64 + kx * ix as f64) / 32.0 + ky + 2.0 * kx).cos()
+    };
+    matrix(folder, "a.txt", 32, 32, |iy, ix| {
+        wave(iy, ix, 0.1, 1.0, 2.0) + wave(iy, ix, 0.06, 3.0, -1.0) + wave(iy, ix, 0.04, 2.0, 4.0)
+    });
+}
+
+fn solved(folder: &Path, rest: &str) -> Value {
+    rough_contact(folder, &format!("solve {FILE} {rest} --json")).answered()
+}
+
+fn points(answer: &Value) -> &[Value] {
+    answer["points"].as_array().expect("points")
+}
+
+#[test]
+fn what_has_yielded_carries_the_hardness_and_has_no_elastic_bar() {
+    let folder = folder();
+    surface(folder.path());
+    let loads = "--pressure 20MPa,100MPa,500MPa --tolerance 1e-6";
+    let (hard, elastic) = (1e9, solved(folder.path(), loads));
+    let answer = solved(folder.path(), &format!("{loads} --hardness 1GPa"));
+    assert_eq!(points(&answer).len(), 3);
+    for (point, elastic) in points(&answer).iter().zip(points(&elastic)) {
+        let [load, area, saturated, share, rest] = [
+            "mean_pressure",
+            "area_fraction",
+            "saturated_fraction",
+            "plastic_load_fraction",
+            "elastic_area_fraction",
+        ]
+        .map(|key| number(&point[key]));
+        assert!(saturated > 0.0 && rest > 0.0 && share < 1.0, "{point}");
+        // Equilibrium, and no pressure above H.
+        assert!((share * load / (saturated * hard) - 1.0).abs() < 1e-9, "{point}");
+        assert!((saturated + rest - area).abs() < 1e-12, "{point}");
+        assert!(area >= load / hard && number(&point["max_pressure"]) <= hard);
+        assert!(area >= number(&elastic["area_fraction"]), "{point}");
+        // The bar of elastic contact was not counted for it, and is not shown.
+        assert!(point["area_interval"].is_null() && point["mean_gap_interval"].is_null());
+        assert!(point["area_interval_reason"].as_str().unwrap().contains("yielded"), "{point}");
+        assert!(elastic.get("saturated_fraction").is_none());
+    }
+    let ratio = number(&answer["hardness"]["modulus_gradient_over_hardness"]);
+    assert!((1.0..20.0).contains(&ratio) && answer["hardness"]["warning"].is_null(), "{answer}");
+    assert!(elastic.get("hardness").is_none());
+}
+
+#[test]
+fn a_hardness_above_every_pressure_changes_no_number() {
+    let folder = folder();
+    surface(folder.path());
+    let answers = ["", "--hardness 80GPa"]
+        .map(|rest| solved(folder.path(), &format!("--pressure 20MPa,100MPa {rest}")));
+    for (elastic, hard) in points(&answers[0]).iter().zip(points(&answers[1])) {
+        for key in ["area_fraction", "area_interval", "area_interval_reason"] {
+            assert_eq!(elastic[key], hard[key], "{key}");
+        }
+        let [a, b] = [elastic, hard].map(|p| number(&p["mean_gap"]));
+        assert!((a / b - 1.0).abs() < 1e-6);
+        assert_eq!(number(&hard["saturated_fraction"]), 0.0);
+    }
+}
+
+#[test]
+fn bad_hardness_is_refused_and_an_odd_one_is_doubted() {
+    let folder = folder();
+    surface(folder.path());
+    for (hardness, said) in [("0GPa", "above 0 Pa"), ("-1GPa", "above 0 Pa"), ("NaN", "NaN")] {
+        let line = format!("solve {FILE} --pressure 1MPa --hardness {hardness}");
+        refused(folder.path(), &line, 2, &[said]);
+    }
+    for other in ["--stiffness", "--accuracy 2%"] {
+        let line = format!("solve {FILE} --pressure 1MPa --hardness 1GPa {other}");
+        refused(folder.path(), &line, 2, &["--hardness"]);
+    }
+    let doubted = solved(folder.path(), "--pressure 100Pa --hardness 2kPa");
+    assert!(doubted["hardness"]["warning"].as_str().unwrap().contains("unit"), "{doubted}");
+    // Of several loads, those that no contact can carry are refused, the others answered.
+    let line = format!("solve {FILE} --pressure 100MPa,2GPa --hardness 1GPa --json");
+    let said = rough_contact(folder.path(), &line);
+    let answer = said.json();
+    assert!(said.status != 0 && number(&answer["points"][0]["saturated_fraction"]) > 0.0);
+    let point = &answer["points"][1];
+    assert!(point["error"]["message"].as_str().unwrap().contains("above the hardness"), "{point}");
+    assert!(point["saturated_fraction"].is_null() && point["area_fraction"].is_null());
+}
