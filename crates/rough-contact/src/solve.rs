@@ -240,11 +240,8 @@ impl PerFile for Solve {
             .boundary(boundary)
             .precision(self.precision)
             .tolerance(self.tolerance)
-            .threads(common.threads());
-        let builder = match self.hardness {
-            Some(hardness) => builder.hardness(hardness),
-            None => builder,
-        };
+            .threads(common.threads())
+            .hardness(self.hardness.unwrap_or(f64::INFINITY));
         let mut solver = builder
             .clone()
             .certified(self.certify)
