@@ -260,6 +260,10 @@ fn capital(text: &str) -> String {
 
 fn no_bar(reason: NoAreaInterval) -> String {
     let text = capital(&reason.to_string());
+    // Of what was not studied nobody knows how far off it may be.
+    if let NoAreaInterval::NotStudied(_) = reason {
+        return format!("{text}.");
+    }
     let advice = match reason {
         NoAreaInterval::Unresolved { .. } | NoAreaInterval::SpotsTooSmall { .. } => {
             " Measure finer, or remove short wavelengths and quote the cut-off."
