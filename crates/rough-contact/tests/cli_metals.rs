@@ -76,7 +76,7 @@ fn a_hardness_above_every_pressure_leaves_the_elastic_answer_and_its_bar() {
         assert!((a / b - 1.0).abs() < 1e-4, "{a} {b}");
         let [a, b] = [elastic, hard].map(|p| number(&p["mean_gap"]));
         assert!((a / b - 1.0).abs() < 1e-6);
-        assert_eq!(number(&hard["saturated_fraction"]), 0.0);
+        assert!(number(&hard["saturated_fraction"]) <= 0.0);
     }
 }
 
