@@ -111,8 +111,8 @@ fn compare(
     let Surface { name, origin, heights } = surface;
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
     let setup = Instant::now();
-    let (map, statistics, spectra) = describe(&heights, &origin, settings).map_err(refused)?;
     let spikes = Spikes::of(&heights); // before levelling, as they are removed
+    let (map, statistics, spectra) = describe(&heights, &origin, settings).map_err(refused)?;
     drop(heights);
     let (spectral, known) = spectral(&map, &spectra.power, &statistics);
     let mut inputs =
