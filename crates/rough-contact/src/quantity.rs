@@ -69,6 +69,14 @@ pub(crate) enum QuantityError {
         /// The same with a decimal point.
         meant: String,
     },
+    /// Quantities that cannot be meant.
+    #[error("'{text}': {why}")]
+    NotThese {
+        /// What was typed.
+        text: String,
+        /// Why not, and what to write.
+        why: &'static str,
+    },
     /// A unit on a pure number.
     #[error("'{text}' has a unit, but this is a pure number; write {number}")]
     UnexpectedUnit {
@@ -185,6 +193,8 @@ fn range(
             Dimension::PerArea => "1mm^-2..1um^-2:16",
             Dimension::Pressure => "1kPa..1GPa:16",
             Dimension::Force => "1N..1kN:16",
+            Dimension::Resistivity => "10nohm.m..1uohm.m:16",
+            Dimension::Conductivity => "1W/m/K..100W/m/K:16",
         },
     };
     let (last, count) = tail.split_once(':').ok_or(fault("the number of points is missing"))?;
@@ -290,6 +300,8 @@ fn missing_unit(number: &str, dimension: Dimension) -> QuantityError {
         Dimension::PerArea => format!("{number}m^-2 or {number}um^-2"),
         Dimension::Pressure => format!("{number}MPa or {number}GPa"),
         Dimension::Force => format!("{number}N or {number}kN"),
+        Dimension::Resistivity => format!("{number}nohm.m or {number}uohm.cm"),
+        Dimension::Conductivity => format!("{number}W/m/K"),
     };
     QuantityError::MissingUnit { number: number.to_owned(), suggestion }
 }
@@ -300,6 +312,21 @@ mod tests {
     use Dimension::{Area, Force, Length, Number, PerArea, Pressure};
 
     /// The doubles on the right are what the compiler makes of the decimal: correctly rounded.
+    #[test]
+    #[allow(clippy::float_cmp, reason = "parsing must be exact")]
+    fn resistivities_and_conductivities() {
+        for text in ["22nohm.m", "22 nΩ m", "22nΩ·m", "2.2uohm.cm", "22nohm*m", "2.2e-8 Ω·m"] {
+            assert_eq!(parse(text, Dimension::Resistivity), Ok(2.2e-8), "{text}");
+        }
+        for text in ["50W/m/K", "50 W/(m·K)", "50 W/mK", "50W/(m K)"] {
+            assert_eq!(parse(text, Dimension::Conductivity), Ok(50.0), "{text}");
+        }
+        for text in ["22ohm", "22ohm/m", "5W/K", "5"] {
+            assert!(parse(text, Dimension::Resistivity).is_err(), "{text}");
+            assert!(parse(text, Dimension::Conductivity).is_err(), "{text}");
+        }
+    }
+
     #[test]
     #[allow(clippy::float_cmp, reason = "parsing must be exact")]
     fn quantities_are_the_nearest_doubles() {

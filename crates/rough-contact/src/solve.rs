@@ -3,6 +3,7 @@
 use crate::against::{self, Against};
 use crate::args::{self, Bodies, Common};
 use crate::batch::{self, PerFile};
+use crate::conduction::Conduction;
 use crate::fields::{Fields, Sink};
 use crate::files::folder_name;
 use crate::hardness;
@@ -14,23 +15,20 @@ use crate::planned;
 use crate::profiles::Traces;
 use crate::progress::Progress;
 use crate::rows::{How, Shown};
+use crate::scene;
 use crate::text::{self, Columns};
-use crate::work::Work;
+use crate::work::{Point, Work};
 use clap::Args;
 use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
-    EdgesName, Level, Method, NotRefined, PairOrigin, Precision, Scene, Solved, Spikes, Surrounded,
+    EdgesName, Level, Method, NotRefined, PairOrigin, Precision, Solved, Spikes, Surrounded,
     TwiceFiner, on_given,
 };
-use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};
 use serde_json::json;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
-use surface_stats::clean::row_offsets;
-use surface_stats::profile::{Trace, moments};
-use surface_stats::{DirectionalMoments, HeightStatistics};
 
 #[derive(Args, Clone, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "one for each flag of the command")]
@@ -77,6 +75,8 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "H", value_parser = args::pressure, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["accuracy", "stiffness"])]
     hardness: Option<f64>,
+    #[command(flatten)]
+    conduction: Conduction,
     /// Take a profile for the cross-section of ridges that are infinitely long: plane strain
     #[arg(long)]
     plane_strain: bool,
@@ -194,7 +194,8 @@ impl PerFile for Solve {
             form => surface_stats::level(&surface, form)
                 .map_err(|e| Failure::in_file(&self.input.file, &e))?,
         };
-        solved.scene = self.scene(&surface, modulus)?;
+        solved.scene = scene::of(&surface, modulus, self.plane_strain)
+            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
         solved.scene.spacing = largest * f64::EPSILON;
         if let Some(maps) = maps.as_mut().filter(|_| self.fields.needs_heights()) {
             maps.surface = Some(surface.clone());
@@ -266,6 +267,11 @@ impl PerFile for Solve {
             let result = on_given(result, given);
             let (budget, refined) = self.budget(load, &result, &mut solver, &mut errors);
             work.take(index, load, &result, budget.as_ref(), refined);
+            if let Some(Point { json, cells }) =
+                work.points[index].as_mut().filter(|_| result.is_ok())
+            {
+                self.conduction.add(json, cells, &mut solver, given.area())?;
+            }
             progress.step(&shown(load));
         }
         drop(progress);
@@ -332,35 +338,6 @@ impl Solve {
                 Ok(Complete { map, missing, cleaned, height_step, format })
             }
         }
-    }
-
-    /// What is asked of elasticity.
-    fn scene(&self, map: &HeightMap, modulus: ContactModulus) -> Result<Scene, Failure> {
-        let rms_height = HeightStatistics::of(map).rms_height;
-        if self.plane_strain {
-            // Of ridges the slope of the section is the gradient.
-            let trace = Trace::new(map.grid().pixel()[1], map.heights().to_vec())
-                .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-            return Ok(Scene {
-                modulus: modulus.pascals(),
-                gradient: Some(moments(&trace).m2.sqrt()),
-                rms_height: Some(rms_height),
-                ..Scene::default()
-            });
-        }
-        let edges = surface_stats::Edges::Open;
-        let slopes = DirectionalMoments::of(map, edges)
-            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-        let moments = slopes.isotropic(rms_height * rms_height);
-        Ok(Scene {
-            modulus: modulus.pascals(),
-            gradient: Some(moments.rms_gradient()),
-            rms_height: Some(rms_height),
-            radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
-            rows: row_offsets(map.grid(), map.heights()).ok(),
-            spacing: 0.0,
-            pressed: Vec::new(),
-        })
     }
 
     /// The errors of a solution: with its stiffness, and with what a twice finer grid says of it, if
@@ -449,6 +426,7 @@ impl Solve {
         if yields.is_some() {
             headings.extend(hardness::HEADINGS);
         }
+        headings.extend(self.conduction.headings());
         let mut columns = Columns::new(&headings);
         let mut points = Vec::new();
         for mut point in work.points.into_iter().flatten() {
@@ -493,7 +471,7 @@ impl Solve {
             text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
         let text = text + &spread.map_or_else(String::new, Spread::line);
         let text = text + &against::lines(solved.pair, Some((modulus, self.bodies.listed())));
-        let text = text + &text::level(self.level);
+        let text = text + &text::level(self.level) + self.conduction.line();
         let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
         Reply { text: text + &notes, json, trouble: work.trouble }
     }

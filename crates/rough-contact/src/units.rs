@@ -15,6 +15,10 @@ pub(crate) enum Dimension {
     Pressure,
     /// Newtons.
     Force,
+    /// Ohm metres.
+    Resistivity,
+    /// Watts per metre and kelvin.
+    Conductivity,
 }
 
 /// A unit: its name, and a factor and a power of ten that make it one of SI.
@@ -79,6 +83,25 @@ const FORCES: &[Unit] = &[
     ("lbf", 0.453_592_37 * 9.806_65, 0),
 ];
 
+/// Units of resistivity, written without what stands between their parts.
+const RESISTIVITIES: &[Unit] = &[
+    ("ohmm", 1.0, 0),
+    ("mohmm", 1.0, -3),
+    ("uohmm", 1.0, -6),
+    ("nohmm", 1.0, -9),
+    ("ohmcm", 1.0, -2),
+    ("uohmcm", 1.0, -8),
+];
+
+/// Units of thermal conductivity, likewise.
+const CONDUCTIVITIES: &[Unit] = &[
+    ("W/m/K", 1.0, 0),
+    ("W/mK", 1.0, 0),
+    ("mW/m/K", 1.0, -3),
+    ("mW/mK", 1.0, -3),
+    ("W/cm/K", 1.0, 2),
+];
+
 /// What people write who mean a unit of the table: kilograms and pounds are masses.
 const MEANT: &[(Dimension, &str, &str)] = &[
     (Dimension::Force, "kg", "kgf"),
@@ -100,6 +123,8 @@ impl Dimension {
             Self::PerArea => "number per area",
             Self::Pressure => "pressure",
             Self::Force => "force",
+            Self::Resistivity => "resistivity",
+            Self::Conductivity => "thermal conductivity",
         }
     }
 
@@ -112,6 +137,8 @@ impl Dimension {
             Self::PerArea => "m^-2, mm^-2, um^-2 or nm^-2",
             Self::Pressure => "Pa, kPa, MPa, GPa, bar, psi, kgf/mm^2 or N/mm^2",
             Self::Force => "N, kN, mN, uN, nN, kgf or lbf",
+            Self::Resistivity => "ohm.m, uohm.m, nohm.m or uohm.cm",
+            Self::Conductivity => "W/m/K",
         }
     }
 
@@ -124,6 +151,8 @@ impl Dimension {
             Self::PerArea => "for example 3e12m^-2",
             Self::Pressure => "for example 50MPa",
             Self::Force => "for example 10N",
+            Self::Resistivity => "for example 22nohm.m",
+            Self::Conductivity => "for example 50W/m/K",
         }
     }
 
@@ -149,6 +178,8 @@ impl Dimension {
             }
             Self::Pressure => find(PRESSURES, unit),
             Self::Force => find(FORCES, unit),
+            Self::Resistivity => find(RESISTIVITIES, &unit.replace(['.', '*', '-'], "")),
+            Self::Conductivity => find(CONDUCTIVITIES, &unit.replace(['.', '*', '(', ')'], "")),
         }
     }
 
@@ -178,6 +209,8 @@ pub(crate) fn plain(unit: &str) -> String {
         match c {
             'µ' | 'μ' => out.push('u'),
             'Å' | '\u{212b}' => out.push('A'),
+            'Ω' | '\u{2126}' => out.push_str("ohm"),
+            '·' => out.push('.'),
             '²' => out.push_str("^2"),
             '⁻' => out.push_str("^-"),
             other => out.push(other),

@@ -103,3 +103,70 @@ fn bad_hardness_is_refused_and_an_odd_one_is_doubted() {
     assert!(point["error"]["message"].as_str().unwrap().contains("above the hardness"), "{point}");
     assert!(point["saturated_fraction"].is_null() && point["area_fraction"].is_null());
 }
+
+/// h = 2 k/(E* (ρ1 + ρ2)), thermal and electrical alike, elastic and yielding; nothing without contact, and no
+/// end in full contact, which JSON cannot write.
+#[test]
+fn a_contact_conducts_as_stiffly_as_it_stands() {
+    let folder = folder();
+    surface(folder.path());
+    let rest = "--resistivity 22nohm.m,7uohm.cm --conductivity 50W/m/K";
+    for more in ["--pressure 20MPa,100MPa", "--pressure 20MPa,100MPa --hardness 1GPa"] {
+        let answer = solved(folder.path(), &format!("{rest} {more}"));
+        for point in points(&answer) {
+            let stiffness = number(&point["stiffness"]);
+            let spots = 2.0 * stiffness / 100e9;
+            let electrical = number(&point["electrical_conductance"]);
+            assert!((electrical / (spots / 92e-9) - 1.0).abs() < 1e-12, "{point}");
+            assert!((number(&point["thermal_conductance"]) / (spots * 25.0) - 1.0).abs() < 1e-12);
+            let of_map = number(&point["electrical_conductance_of_map"]);
+            assert!((of_map / (electrical * 1024e-12) - 1.0).abs() < 1e-12, "{point}");
+            assert!(number(&point["conduction"]["residual"]) < 1e-7, "{point}");
+            assert_eq!(point["contact_set"], "part");
+            assert!(point["electrical_conductance_interval"].is_null());
+        }
+    }
+    let full = solved(folder.path(), &format!("{rest} --pressure 1TPa"));
+    assert_eq!(points(&full)[0]["contact_set"], "everything");
+    assert!(points(&full)[0]["stiffness"].is_null(), "{full}");
+    let apart = solved(folder.path(), &format!("{rest} --gap 10um"));
+    assert_eq!(points(&apart)[0]["contact_set"], "none");
+    assert!(number(&points(&apart)[0]["thermal_conductance"]).abs() < 1e-300, "{apart}");
+    let elastic = solved(folder.path(), "--pressure 20MPa");
+    assert!(points(&elastic)[0].get("electrical_conductance").is_none());
+}
+
+/// The load secant of an elastic contact is the stiffness of its contact set.
+#[test]
+fn stiffness_of_the_set_is_the_load_secant() {
+    let folder = folder();
+    surface(folder.path());
+    let loads = "--pressure 99.9MPa,100MPa,100.1MPa --tolerance 1e-10";
+    let answer = solved(folder.path(), &format!("{loads} --resistivity 22nohm.m"));
+    let [below, at, above] = points(&answer) else { panic!("{answer}") };
+    let gap = |point: &Value| number(&point["mean_gap"]);
+    let secant = 0.2e6 / (gap(below) - gap(above));
+    assert!((number(&at["stiffness"]) / secant - 1.0).abs() < 0.01, "{secant} {at}");
+}
+
+#[test]
+fn numbers_that_conduct_nothing_sensible_are_refused() {
+    let folder = folder();
+    surface(folder.path());
+    for (option, word) in [
+        ("--resistivity -1nohm.m", "negative"),
+        ("--resistivity 5", "unit"),
+        ("--resistivity 1nohm.m,2nohm.m,3nohm.m", "two"),
+        ("--conductivity 5W/K", "W/m/K"),
+        ("--conductivity nanW/m/K", "finite"),
+        ("--conductivity 50W/m/K --stiffness", "cannot be used"),
+    ] {
+        refused(folder.path(), &format!("solve {FILE} --pressure 1MPa {option}"), 2, &[word]);
+    }
+    // The limits are allowed: a superconductor and an insulator.
+    let point = |option: &str| points(&solved(folder.path(), option))[0].clone();
+    let short = point("--pressure 20MPa --resistivity 0ohm.m");
+    assert!(short["electrical_conductance"].is_null() && short["contact_set"] == "part", "{short}");
+    let none = point("--pressure 20MPa --conductivity 0W/m/K,50W/m/K");
+    assert!(number(&none["thermal_conductance"]).abs() < 1e-300, "{none}");
+}
