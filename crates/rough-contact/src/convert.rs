@@ -21,7 +21,7 @@ pub(crate) struct Convert {
     /// Form to remove by least squares; without it the heights stay as they are
     #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "none")]
     level: Level,
-    /// File to write; its ending chooses the format: .x3p, .npy, .sdf, .txt or .vti
+    /// File to write; its ending chooses the format: .x3p, .npy, .sdf, .txt, .vti or .h5
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
     #[command(flatten)]

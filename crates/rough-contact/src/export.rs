@@ -14,15 +14,17 @@ pub(crate) enum Format {
     Sdf,
     Text,
     Vti,
+    Hdf5,
 }
 
 /// Every format and its endings.
-const ENDINGS: [(Format, &[&str]); 5] = [
+const ENDINGS: [(Format, &[&str]); 6] = [
     (Format::X3p, &["x3p"]),
     (Format::Npy, &["npy"]),
     (Format::Sdf, &["sdf"]),
     (Format::Text, &["txt", "asc"]),
     (Format::Vti, &["vti"]),
+    (Format::Hdf5, &["h5", "hdf5"]),
 ];
 
 impl Format {
@@ -55,6 +57,7 @@ impl Format {
             Self::Sdf => write::sdf(out, map),
             Self::Text => write::text(out, map),
             Self::Vti => write::vti(out, map.grid(), &[("height", map.heights())]),
+            Self::Hdf5 => write::hdf5(out, map.grid(), &[("height", "m", map.heights())], comment),
         }
     }
 

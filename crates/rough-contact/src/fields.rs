@@ -32,6 +32,8 @@ pub(crate) enum Kind {
     Npy,
     /// One file for all fields of a load: VTK image data, for `ParaView`
     Vti,
+    /// One file for all fields of a load: HDF5 with units and pixel size
+    Hdf5,
 }
 
 /// What to write, and where.
@@ -65,11 +67,12 @@ impl Fields {
     pub(crate) fn names(&self, loads: usize) -> Vec<String> {
         let mut all = Vec::new();
         for load in 0..loads {
-            let drawn = self.asked.iter().filter(|f| **f != Field::Spots);
+            let drawn: Vec<_> = self.asked.iter().filter(|f| **f != Field::Spots).collect();
             match self.map_format {
-                Kind::Npy => all.extend(drawn.map(|f| file(f.name(), load, "npy"))),
-                Kind::Vti if drawn.count() > 0 => all.push(file("contact", load, "vti")),
-                Kind::Vti => {}
+                Kind::Npy => all.extend(drawn.iter().map(|f| file(f.name(), load, "npy"))),
+                _ if drawn.is_empty() => {}
+                Kind::Vti => all.push(file("contact", load, "vti")),
+                Kind::Hdf5 => all.push(file("contact", load, "h5")),
             }
             if self.asked.contains(&Field::Spots) {
                 all.push(file("spots", load, "csv"));
@@ -103,6 +106,15 @@ impl Field {
             Self::Displacement => "displacement",
             Self::Heights => "heights",
             Self::Spots => "spots",
+        }
+    }
+
+    /// Unit of its numbers; the columns of the table have their own.
+    fn unit(self) -> &'static str {
+        match self {
+            Self::Pressure => "Pa",
+            Self::Gap | Self::Displacement | Self::Heights => "m",
+            Self::Spots => "",
         }
     }
 }
@@ -147,12 +159,19 @@ impl Sink {
                     self.folder.write(&name, |out| write::npy_array(out, grid.shape(), &values))?;
                 }
             }
-            Kind::Vti if drawn.is_empty() => {}
+            _ if drawn.is_empty() => {}
             Kind::Vti => {
                 let all: Vec<_> = drawn.iter().map(|&f| (f.name(), values(f))).collect();
                 let all: Vec<(&str, &[f64])> = all.iter().map(|(n, v)| (*n, v.as_ref())).collect();
                 self.folder
                     .write(&file("contact", load, "vti"), |out| write::vti(out, grid, &all))?;
+            }
+            Kind::Hdf5 => {
+                let all: Vec<_> = drawn.iter().map(|&f| (f.name(), f.unit(), values(f))).collect();
+                let all: Vec<(&str, &str, &[f64])> =
+                    all.iter().map(|(n, u, v)| (*n, *u, v.as_ref())).collect();
+                self.folder
+                    .write(&file("contact", load, "h5"), |out| write::hdf5(out, grid, &all, ""))?;
             }
         }
         if self.fields.asked.contains(&Field::Spots) {

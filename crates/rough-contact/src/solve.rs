@@ -173,8 +173,8 @@ impl PerFile for Solve {
         if self.accuracy.is_some() && self.fields.needs_heights() {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
-        let mut maps = Sink::prepare(&self.fields, count, repeats, common.force)?;
         let (complete, pair) = self.section()?;
+        let mut maps = Sink::prepare(&self.fields, count, repeats, common.force)?;
         let Complete { map: surface, cleaned, height_step, missing, .. } = complete;
         let spread = self.loads.forces.spread([surface.grid().area()])?;
         let loads = self.loads.each(spread.as_ref());

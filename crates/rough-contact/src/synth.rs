@@ -41,7 +41,7 @@ pub(crate) struct Synth {
     /// Round the heights to multiples of this step, as an instrument does
     #[arg(long, value_name = "DZ", value_parser = args::length, allow_hyphen_values = true)]
     quantise: Option<f64>,
-    /// File to write; its ending chooses the format: .npy (metres, f64), .x3p, .sdf, .txt or .vti
+    /// File to write; its ending chooses the format: .npy (metres, f64), .x3p, .sdf, .txt, .vti or .h5
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
 }

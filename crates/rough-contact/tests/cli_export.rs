@@ -6,6 +6,7 @@ mod cli;
 use cli::{folder, number, refused, rough_contact};
 use serde_json::Value;
 use std::path::Path;
+use surface_io::ReadOptions;
 
 fn map(at: &Path) {
     let synth = "synth --shape 40,56 --pixel 1um,1.25um --hurst 0.8 --rolloff 24um --cutoff 6um \
@@ -32,6 +33,7 @@ fn heights_come_back_from_every_format() {
         ("a.x3p", ""),
         ("a.sdf", ""),
         ("a.txt", ""),
+        ("a.h5", ""),
         ("a.npy", "--pixel 1um,1.25um --height-unit m"),
     ] {
         let said = rough_contact(at, &format!("convert map.sdf --out {name} --json")).answered();
@@ -124,12 +126,21 @@ fn a_contact_is_written_whole() {
     let names: Vec<_> =
         std::fs::read_dir(at.join("vtk")).unwrap().map(|e| e.unwrap().file_name()).collect();
     assert_eq!(names, ["contact-000.vti"]);
+    let h5 = "solve map.sdf --modulus 110GPa --pressure 300MPa --maps h5 --map-format hdf5 --fields pressure,gap,heights";
+    assert_eq!(rough_contact(at, h5).status, 0);
+    let kept = surface_io::read(&at.join("h5/contact-000.h5"), &ReadOptions::default()).unwrap();
+    assert_eq!(kept.channel(), "heights", "the pressure is no height");
+    assert_eq!(kept.grid().pixel(), [1.25e-6, 1e-6]);
+    assert_eq!(kept.channels().len(), 3);
     let only = "solve map.sdf --modulus 110GPa --pressure 300MPa --maps only --fields spots";
     assert_eq!(rough_contact(at, only).status, 0);
     let names: Vec<_> =
         std::fs::read_dir(at.join("only")).unwrap().map(|e| e.unwrap().file_name()).collect();
     assert_eq!(names, ["spots-000.csv"]);
     assert_eq!(std::fs::read_to_string(at.join("only/spots-000.csv")).unwrap(), table);
+    let broken = "solve none.sdf --modulus 110GPa --pressure 300MPa --maps left";
+    refused(at, broken, 2, &["none.sdf"]);
+    assert!(!at.join("left").exists(), "nothing was written, so there is no folder");
     let chosen =
         "solve map.sdf --modulus 110GPa --pressure 300MPa --accuracy 5% --maps x --fields heights";
     refused(at, chosen, 2, &["--accuracy", "--tolerance"]);

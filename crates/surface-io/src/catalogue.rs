@@ -1,5 +1,6 @@
 //! The one table of formats: how each is recognised and which reader takes it.
 
+use crate::binary::Bytes;
 use crate::error::ReadError;
 use crate::finish::{finish, finish_traces};
 use crate::format::Format;
@@ -55,6 +56,8 @@ rows! {
     Plux, plux, ["plux"], "all layers; not checked against a real file";
     #[cfg(feature = "zip")]
     Lext, lext, ["lext"], "height image, others are listed; not checked against a real file";
+    #[cfg(feature = "zip")]
+    Oir, oir, ["oir", "poir"], "height images, also packed (POIR); not checked against a real file";
     Park, park, ["tiff"], "maps and profiles of XEI and SmartScan";
     Jpk, jpk, ["jpk", "jpk-qi-image"], "all channels";
     Tiff, tiff_plain, ["tif", "tiff"],
@@ -148,6 +151,10 @@ pub(crate) fn recognise(bytes: &[u8]) -> Result<&'static FormatSpec, ReadError> 
         return Err(error);
     }
     FORMATS.iter().find(|spec| (spec.sniff)(bytes)).ok_or_else(|| {
+        if bytes.starts_with(b"PK\x03\x04") {
+            let what = "the list of files at its end cannot be read: it was cut off, or is damaged";
+            return Bytes::little(bytes, Format::Zip).field("archive", what);
+        }
         let start = bytes[..bytes.len().min(16)].escape_ascii().to_string();
         ReadError::UnknownFormat { start }
     })

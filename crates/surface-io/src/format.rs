@@ -44,6 +44,7 @@ formats! {
     Zon, "Keyence ZON";
     Plux, "Sensofar PLUX";
     Lext, "Olympus LEXT";
+    Oir, "Olympus OIR";
     Park, "Park Systems TIFF";
     Jpk, "JPK image";
     Tiff, "TIFF";

@@ -1,8 +1,9 @@
-//! Files out: NPY, X3P, SDF, text, and images of fields for VTK.
+//! Files out: NPY, X3P, SDF, text, and fields as VTK images and HDF5.
 
 use contact_types::HeightMap;
 use std::io::{self, Write};
 
+pub use crate::hdf5::hdf5;
 pub use crate::vtk::vti;
 
 /// Writes NPY: heights in metres, f64, shape `[ny, nx]`. The format has no place for the pixel

@@ -110,6 +110,40 @@ fn the_topography_is_read_and_a_bad_channel_costs_nothing() {
     assert!(read_bytes(&broken, &asked).unwrap_err().to_string().contains("24 bits"));
 }
 
+/// Of an OIR file the heights are read and not the picture, of a packed one also where another member is broken.
+#[test]
+fn heights_are_read_beside_pictures_and_broken_members() {
+    let find = |name: &str| samples().into_iter().find(|s| s.name == name).unwrap();
+    let oir = find("oir");
+    let found = read_bytes(&oir.bytes, &oir.options).unwrap();
+    assert_eq!((found.channel(), found.channels().len()), ("HEIGHT", 2));
+    assert!(found.channels()[0].fault.as_ref().is_some_and(|fault| fault.contains("24 bits")));
+    assert_eq!(found.metadata()["date"], "2026-11-23");
+    let packed = find("oir, packed");
+    let found = read_bytes(&packed.bytes, &packed.options).unwrap();
+    assert_eq!((found.channel(), found.channels().len()), ("a.oir: HEIGHT", 3));
+    assert!(found.channels()[2].fault.is_some());
+    let mut short = oir.bytes.clone();
+    let at = short.windows(4).position(|w| w == b"c1_0").unwrap();
+    short[at + 3] = b'5';
+    let error =
+        read_bytes(&short, &oir.options.clone().with_channel("HEIGHT")).unwrap_err().to_string();
+    assert!(error.contains("0 bytes in 0 pieces, 70 are needed"), "{error}");
+    let mut other = oir.bytes;
+    other[72..80].copy_from_slice(b"FLUOVIEW");
+    let error = read_bytes(&other, &oir.options).unwrap_err().to_string();
+    assert!(error.contains("fluorescence"), "{error}");
+}
+
+/// A cut archive is an archive, not an unknown file.
+#[test]
+fn an_archive_without_its_end_is_called_one() {
+    let whole = common::binary::zip(&[("map.txt", &[b'1'; 999])]);
+    let error = read_bytes(&whole[..60], &ReadOptions::default()).unwrap_err();
+    assert_eq!(error.kind(), "malformed");
+    assert!(error.to_string().contains("ZIP"), "{error}");
+}
+
 /// SPIP writes the scale of its numbers into the header.
 #[test]
 fn a_conversion_factor_is_a_unit() {
@@ -232,7 +266,7 @@ fn files_that_are_none() {
     let error = read_bytes(b"\x89HDF\r\n\x1a\n\0\0\0\0", &options).unwrap_err();
     assert!(matches!(error, ReadError::Malformed { .. }), "{error}");
     let error = read_bytes(b"OLYMPUSRAWFORMAT\x0c\0\0\0", &options).unwrap_err().to_string();
-    assert!(error.contains("OIR") && error.contains("LEXT"), "{error}");
+    assert!(error.contains("OIR") && error.contains("byte 72"), "{error}");
     let error = read_bytes(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0\0", &options).unwrap_err();
     assert!(error.to_string().contains("SUR"), "{error}");
     let several =

@@ -74,7 +74,10 @@ pub(crate) fn unwrap_single<'a>(
         return Ok(Cow::Borrowed(bytes)); // the reader of the inner format names the fault
     };
     let is_ours = |name: &String| {
-        is_npy(name) || is_main_xml(name) || name == "xl/workbook.xml" || name == "index.xml"
+        is_npy(name)
+            || is_main_xml(name)
+            || is_oir(name)
+            || ["xl/workbook.xml", "index.xml"].contains(&name.as_str())
     };
     if archive.names.iter().any(is_ours) {
         return Ok(Cow::Borrowed(bytes));
@@ -114,6 +117,10 @@ fn is_by_the_way(name: &str) -> bool {
 
 pub(crate) fn is_npy(name: &str) -> bool {
     name.to_ascii_lowercase().ends_with(".npy")
+}
+
+pub(crate) fn is_oir(name: &str) -> bool {
+    name.to_ascii_lowercase().ends_with(".oir")
 }
 
 pub(crate) fn is_main_xml(name: &str) -> bool {

@@ -5,7 +5,6 @@
 //! |---|---|
 //! | `%PDF`, PNG, JPEG, BMP, GIF | documents and pictures |
 //! | `Rar!`, `7z` | archives |
-//! | `OLYMPUSRAWFORMAT` | OIR of Olympus, whose data are cut into pieces with a list of their own |
 //! | `SIMPLE  =`, `MATLAB 5.0`, `solid `, `ply` | FITS, MATLAB before 7.3, STL, PLY |
 //! | `ARDF`, `WIT_PR` | force maps of Asylum, projects of WITec |
 //!
@@ -30,11 +29,6 @@ const FOREIGN: &[Foreign] = &[
         magic: b"%PDF",
         name: "a PDF document",
         way_out: "export the data from the program that made it, for example as X3P or text",
-    },
-    Foreign {
-        magic: b"OLYMPUSRAWFORMAT",
-        name: "an Olympus OIR file",
-        way_out: "save the height image as LEXT or CSV in the microscope's program",
     },
     Foreign { magic: b"SIMPLE  =", name: "a FITS file", way_out: "save its array as NPY" },
     Foreign {

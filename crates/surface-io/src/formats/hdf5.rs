@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `unit`, `units`, `Unit`, `Units` | unit of the numbers |
 //! | `No Data`, `_FillValue`, `missing_value` | the number that marks a missing point; NaN does anyway |
+//! | `pixel`, `pixel_unit` | [dy, dx] and its unit, as [`write::hdf5`](crate::write::hdf5) writes them |
 //! | `X Converter`, `Y Converter` | DATX: a compound of category, base unit and parameters, of which the second is the pixel size in metres |
 //!
 //! A data set without them has neither unit nor pixel size, as an array has. Chunks that were
@@ -75,7 +76,7 @@ fn channel<'a>(
     };
     let pixel = match (pixel(&dataset, "Y Converter"), pixel(&dataset, "X Converter")) {
         (Some(dy), Some(dx)) => Pixel::Metres([dy, dx]),
-        _ => Pixel::Unknown,
+        _ => written_pixel(&dataset).map_or(Pixel::Unknown, Pixel::Metres),
     };
     let missing = match dataset.attribute(&["No Data", "_FillValue", "missing_value"]) {
         Some(Value::Numbers(numbers)) => numbers.first().copied(),
@@ -95,6 +96,17 @@ fn channel<'a>(
         }
         Ok(values)
     })))
+}
+
+/// `[dy, dx]` (m), as this crate writes it.
+fn written_pixel(dataset: &Dataset<'_>) -> Option<[f64; 2]> {
+    let (Some(Value::Numbers(sides)), Some(Value::Text(unit))) =
+        (dataset.attribute(&["pixel"]), dataset.attribute(&["pixel_unit"]))
+    else {
+        return None;
+    };
+    let &[dy, dx] = &sides[..] else { return None };
+    (unit == "m").then_some([dy, dx])
 }
 
 /// Metres per point of a converter in points.

@@ -27,6 +27,8 @@ pub(crate) mod nms;
 pub(crate) mod npy;
 #[cfg(feature = "zip")]
 pub(crate) mod npz;
+#[cfg(feature = "zip")]
+pub(crate) mod oir;
 pub(crate) mod opd;
 pub(crate) mod opdx;
 pub(crate) mod os3d;

@@ -10,6 +10,8 @@
 //! | numbers | integers of 1, 2, 4, 8 bytes, IEEE floats of 4 and 8 bytes, both orders | others |
 //! | attributes | numbers, texts, compounds of them, in the header | in a fractal heap |
 //!
+//! What is [written](hdf5) is the smallest form that every reader knows.
+//!
 //! Source: The HDF Group, *HDF5 File Format Specification*, version 3.0.
 
 mod chunks;
@@ -17,8 +19,10 @@ mod dataset;
 mod file;
 mod groups;
 mod types;
+mod write;
 
 pub(crate) use dataset::Dataset;
 pub(crate) use file::{File, MAGIC};
 pub(crate) use groups::datasets;
 pub(crate) use types::Value;
+pub use write::hdf5;

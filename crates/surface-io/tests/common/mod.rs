@@ -13,6 +13,7 @@ pub mod binary;
 pub mod instruments;
 pub mod microscopes;
 pub mod mountains;
+pub mod olympus;
 
 use surface_io::{Measurement, ReadOptions};
 
@@ -163,5 +164,6 @@ pub fn samples() -> Vec<Sample> {
     samples.extend(instruments::samples());
     samples.extend(microscopes::samples());
     samples.extend(mountains::samples());
+    samples.extend(olympus::samples());
     samples
 }

@@ -1,0 +1,341 @@
+//! OIR of Olympus laser microscopes (OLS5000 and later), and POIR, a ZIP archive of such files.
+//!
+//! | byte | type | content |
+//! |---|---|---|
+//! | 0 | 16 | `OLYMPUSRAWFORMAT` |
+//! | 72 | 8 | `UNKNOWN`, where microscopes of another family write `FLUOVIEW` |
+//! | 96 | | chunks, until one of size −1 |
+//!
+//! | chunk | content |
+//! |---|---|
+//! | i32, i32 | bytes behind these two numbers; kind |
+//! | kind 0 | blocks, one behind the other: u32 kind, 32 bytes, then texts as `BLOCKS` lists them |
+//! | kind 3 | u32 0, u32 length of the data, text: name of the data; *behind* the chunk u32 the length again, u32 4, the data |
+//! | others | passed over: blocks of a single frame, pictures, nothing |
+//!
+//! A text is its length, u32, and as many bytes. Block 2 is XML: of each `channel`, whose attribute is its id, in
+//! `imageInfo/phase/group`
+//!
+//! | element | content |
+//! |---|---|
+//! | `imageDefinition/imageType`, `bitCounts` | `HEIGHT`; 16 |
+//! | `length/x`, `y`, `z` | size of a pixel, height of a step |
+//! | `pixelUnit/x`, `y`, `z` | their units |
+//! | `imageInfo/width`, `height` | points along x, along y |
+//! | `acquisition/microscopeConfiguration/pixelCalibration/x`, `y` | factors on the size of a pixel; 1 if missing |
+//!
+//! The only name in block 6, the id and the number of a piece, with `_` between them, name the data: u16, little endian,
+//! in rows. The spacing is stored, so the question of N or N − 1 intervals does not arise. A calibration of the heights
+//! (`pixelCalibration/z`) is listed with the metadata and not applied, as the reader this is known from does.
+//!
+//! Source: SurfaceTopography (an open reader). Not checked against a real file.
+
+use super::archive::{Archive, MAGIC as ZIP, is_oir};
+use crate::binary::{Bytes, Sample, find};
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::units::metres_per;
+use crate::{Format, Limits, ReadError, xml};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::rc::Rc;
+
+const FORMAT: Format = Format::Oir;
+const MAGIC: &[u8] = b"OLYMPUSRAWFORMAT";
+const FIRST_CHUNK: usize = 96;
+
+/// What the blocks of a kind hold, in their order: `t` a text, `w` four bytes; a `*` in front: a count u32 of such entries.
+const BLOCKS: [&str; 15] =
+    ["", "t", "t", "t", "t", "*tt", "*tw", "*tw", "*tw", "*wtt", "*twtt", "*tt", "*tw", "*tw", "t"];
+const PROPERTIES: usize = 2;
+const PREFIX: usize = 6;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC) || is_packed(bytes)
+}
+
+/// True for an archive with OIR files in it.
+fn is_packed(bytes: &[u8]) -> bool {
+    bytes.starts_with(ZIP) && find(bytes, b".oir").is_some()
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let mut contents = Contents::default();
+    if bytes.starts_with(MAGIC) {
+        add(&mut contents, "", &Data::There(bytes), limits)?;
+        return Ok(contents);
+    }
+    let mut archive = Archive::open(bytes, FORMAT, limits)?;
+    let names: Vec<String> = archive.names.iter().filter(|name| is_oir(name)).cloned().collect();
+    let mut total = 0;
+    for name in names {
+        let member = archive.unpack(&name, limits)?;
+        total += member.len() as u64;
+        limits.check_unpacked(FORMAT, total)?;
+        // A member that cannot be read must not cost the others.
+        if let Err(fault) = add(&mut contents, &name, &Data::Unpacked(Rc::new(member)), limits) {
+            contents.channels.push(Channel::unreadable(name, fault));
+        }
+    }
+    Ok(contents)
+}
+
+/// The bytes of an OIR file.
+#[derive(Clone)]
+enum Data<'a> {
+    There(&'a [u8]),
+    Unpacked(Rc<Vec<u8>>),
+}
+
+impl Data<'_> {
+    fn bytes(&self) -> Bytes<'_> {
+        Bytes::little(
+            match self {
+                Self::There(bytes) => bytes,
+                Self::Unpacked(bytes) => bytes,
+            },
+            FORMAT,
+        )
+    }
+}
+
+/// Adds the channels of one file; `member` is its name in an archive.
+fn add<'a>(
+    contents: &mut Contents<'a>,
+    member: &str,
+    data: &Data<'a>,
+    limits: &Limits,
+) -> Result<(), ReadError> {
+    let b = data.bytes();
+    let parts = Parts::of(b, limits)?;
+    let properties = b.slice(parts.properties.start, parts.properties.len())?;
+    let Properties { channels, fields } = Properties::of(properties, limits)?;
+    let get = |key: &'static str| {
+        fields.get(key).ok_or_else(|| b.field(key, "the element is missing or empty"))
+    };
+    let side = |key: &'static str| {
+        let text = get(key)?;
+        text.parse::<usize>().map_err(|_| b.field(key, format!("{text:?} is no size")))
+    };
+    let shape = [side("imageInfo/height")?, side("imageInfo/width")?];
+    limits.check_points(FORMAT, shape)?;
+    for (id, fields_of) in channels {
+        let kind = fields_of.get("imageDefinition/imageType").map_or("Picture", String::as_str);
+        let name = format!("{member}{}{kind}", if member.is_empty() { "" } else { ": " });
+        let channel = (|| {
+            let [y, x, z] = ["y", "x", "z"].map(|axis| scale(b, &fields_of, &fields, axis));
+            let (pixel, step) = (Pixel::Metres([y?, x?]), z?);
+            match fields_of.get("imageDefinition/bitCounts").map(String::as_str) {
+                Some("16") => {}
+                bits => {
+                    let feature =
+                        format!("data of {} bits", bits.unwrap_or("an unknown number of"));
+                    return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+                }
+            }
+            let pieces = parts.data_of(b, &id, 2 * shape[0] * shape[1])?;
+            let (unit, factor) = if kind == "HEIGHT" { ("m", step) } else { ("counts", 1.0) };
+            let data = data.clone();
+            Ok(Channel::new(name.clone(), Some(unit), shape, pixel, move || {
+                let mut values = Vec::with_capacity(shape[0] * shape[1]);
+                for piece in pieces {
+                    let count = piece.len() / 2;
+                    values.extend(data.bytes().samples(piece.start, count, Sample::U16)?);
+                }
+                for value in &mut values {
+                    *value *= factor;
+                }
+                Ok(values)
+            }))
+        })();
+        contents.channels.push(channel.unwrap_or_else(|e| Channel::unreadable(name, e)));
+    }
+    for (key, path) in [
+        ("date", "general/creationDateTime"),
+        ("instrument", "microscope/name"),
+        (
+            "height calibration, not applied",
+            "acquisition/microscopeConfiguration/pixelCalibration/z",
+        ),
+    ] {
+        if let Some(text) = fields.get(path) {
+            contents.metadata.entry(key.into()).or_insert_with(|| text.clone());
+        }
+    }
+    Ok(())
+}
+
+/// Metres per pixel along an axis, or per step of height.
+fn scale(
+    b: Bytes<'_>,
+    channel: &BTreeMap<String, String>,
+    image: &BTreeMap<String, String>,
+    axis: &str,
+) -> Result<f64, ReadError> {
+    let number = |key: String, text: &String| {
+        text.parse::<f64>().map_err(|_| b.field(key, format!("{text:?} is no number")))
+    };
+    let get = |key: String| match channel.get(&key) {
+        Some(text) => Ok((key, text)),
+        None => Err(b.field(key, "the element is missing or empty")),
+    };
+    let (key, text) = get(format!("length/{axis}"))?;
+    let length = number(key, text)?;
+    let (key, unit) = get(format!("pixelUnit/{axis}"))?;
+    let words = unit.replace('_', ""); // MICRO_METER
+    let unit = metres_per(&words).ok_or_else(|| b.field(key, format!("{unit:?} is no length")))?;
+    let key = format!("acquisition/microscopeConfiguration/pixelCalibration/{axis}");
+    let calibration = match image.get(&key) {
+        Some(text) if axis != "z" => number(key, text)?,
+        _ => 1.0,
+    };
+    Ok(length * unit * calibration)
+}
+
+/// Where things are in a file.
+struct Parts {
+    properties: Range<usize>,
+    prefix: String,
+    /// By the names of the data.
+    data: BTreeMap<String, Range<usize>>,
+}
+
+impl Parts {
+    fn of(b: Bytes<'_>, limits: &Limits) -> Result<Self, ReadError> {
+        if b.slice(72, 8)?.starts_with(b"FLUOVIEW") {
+            let feature = "an image of a fluorescence microscope, which has no heights,";
+            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        }
+        let (mut properties, mut prefix, mut data) = (None, None, BTreeMap::new());
+        let (mut at, mut chunks) = (FIRST_CHUNK, 0);
+        while b.u32(at)? != u32::MAX {
+            chunks += 1;
+            limits.check_items(FORMAT, chunks)?;
+            let (size, kind) = (b.u32(at)? as usize, b.u32(at + 4)?);
+            let start = at + 8;
+            b.slice(start, size)?;
+            at = start + size;
+            match kind {
+                0 => {
+                    for (kind, text) in blocks(b, start..at, limits)? {
+                        match kind {
+                            PROPERTIES => properties = Some(text),
+                            PREFIX => prefix = Some(b.text(text.start, text.len())?),
+                            _ => {}
+                        }
+                    }
+                }
+                3 => {
+                    let name = text(b, start + 8, at)?;
+                    let length = b.u32(at)? as usize;
+                    b.slice(at + 8, length)?;
+                    data.insert(b.text(name.start, name.len())?, at + 8..at + 8 + length);
+                    at += 8 + length;
+                }
+                _ => {}
+            }
+        }
+        let missing = |what: &'static str| b.field(what, "the file has none");
+        Ok(Self {
+            properties: properties.ok_or_else(|| missing("image properties"))?,
+            prefix: prefix.ok_or_else(|| missing("name of the data"))?,
+            data,
+        })
+    }
+
+    /// The pieces of a channel's data, which have to make `length` bytes.
+    fn data_of(
+        &self,
+        b: Bytes<'_>,
+        id: &str,
+        length: usize,
+    ) -> Result<Vec<Range<usize>>, ReadError> {
+        let piece = |i: usize| self.data.get(&format!("{}_{id}_{i}", self.prefix)).cloned();
+        let pieces: Vec<_> = (0..).map_while(piece).collect();
+        let found: usize = pieces.iter().map(Range::len).sum();
+        if found == length && pieces.iter().all(|piece| piece.len() % 2 == 0) {
+            return Ok(pieces);
+        }
+        let what = format!("{found} bytes in {} pieces, {length} are needed", pieces.len());
+        Err(b.field(format!("data {}_{id}", self.prefix), what))
+    }
+}
+
+/// The first text of every block in a chunk, with the kind of the block.
+fn blocks(
+    b: Bytes<'_>,
+    chunk: Range<usize>,
+    limits: &Limits,
+) -> Result<Vec<(usize, Range<usize>)>, ReadError> {
+    let mut found = Vec::new();
+    let mut at = chunk.start;
+    while at < chunk.end {
+        let kind = b.u32(at)? as usize;
+        let Some(parts) = BLOCKS.get(kind).filter(|parts| !parts.is_empty()) else {
+            return Err(b.fault(at, format!("a block of the unknown kind {kind}")));
+        };
+        at += 36;
+        let (count, entry) = match parts.strip_prefix('*') {
+            Some(entry) => (b.u32(at)?, entry),
+            None => (1, *parts),
+        };
+        at += if parts.starts_with('*') { 4 } else { 0 };
+        limits.check_items(FORMAT, u64::from(count))?;
+        let mut first = None;
+        for part in (0..count).flat_map(|_| entry.chars()) {
+            if part == 'w' {
+                at += 4;
+                continue;
+            }
+            let text = text(b, at, chunk.end)?;
+            at = text.end;
+            first.get_or_insert(text);
+        }
+        found.extend(first.map(|text| (kind, text)));
+        limits.check_items(FORMAT, found.len() as u64)?;
+    }
+    Ok(found)
+}
+
+/// Where the bytes of a text are whose length stands at `at`.
+fn text(b: Bytes<'_>, at: usize, end: usize) -> Result<Range<usize>, ReadError> {
+    let (start, length) = (at + 4, b.u32(at)? as usize);
+    if start > end || length > end - start {
+        return Err(b.fault(at, format!("a text of {length} bytes does not fit here")));
+    }
+    Ok(start..start + length)
+}
+
+/// The XML of an image.
+struct Properties {
+    /// Id and fields, by their paths below the channel, of every channel.
+    channels: Vec<(String, BTreeMap<String, String>)>,
+    /// Fields outside the channels by their paths below the root.
+    fields: BTreeMap<String, String>,
+}
+
+impl Properties {
+    fn of(raw: &[u8], limits: &Limits) -> Result<Self, ReadError> {
+        const CHANNEL: [&str; 4] = ["imageInfo", "phase", "group", "channel"];
+        let (mut channels, mut fields) = (Vec::new(), BTreeMap::new());
+        let mut open = BTreeMap::new();
+        let raw = &raw[..raw.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1)];
+        xml::walk(raw, FORMAT, "image properties", |element| {
+            let [_root, path @ ..] = element.path else { return Ok(()) };
+            if path == CHANNEL {
+                let id = element.attribute("id").unwrap_or_default().to_owned();
+                channels.push((id, std::mem::take(&mut open)));
+                return limits.check_items(FORMAT, channels.len() as u64);
+            }
+            let text = element.text.trim();
+            if !text.is_empty() {
+                let inside = path.len() > CHANNEL.len() && path[..CHANNEL.len()] == CHANNEL;
+                let (map, path) =
+                    if inside { (&mut open, &path[CHANNEL.len()..]) } else { (&mut fields, path) };
+                limits.check_items(FORMAT, map.len() as u64 + 1)?;
+                map.entry(path.join("/")).or_insert_with(|| text.to_owned());
+            }
+            Ok(())
+        })?;
+        Ok(Self { channels, fields })
+    }
+}
