@@ -45,7 +45,8 @@ fn model_table(list: &Value) -> String {
 /// The page of a model: its name, or that name in full.
 fn page(name: &str) -> &str {
     match name {
-        "gw" => "greenwood-williamson",
+        "gw" | "ceb" => "greenwood-williamson",
+        "persson-yield" => "persson",
         "bgt" => "bush-gibson-thomas",
         other => other,
     }

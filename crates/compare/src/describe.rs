@@ -57,6 +57,8 @@ pub(crate) fn model_inputs(
         fractal: statistics.fractal(),
         dimension: statistics.dimension,
         nominal_area: Some(map.grid().area()),
+        hardness: settings.hardness,
+        poisson: settings.poisson(),
         ..Inputs::new(modulus)
     }
 }

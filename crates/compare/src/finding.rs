@@ -95,7 +95,10 @@ impl Finding {
     /// What it is about.
     pub fn subject(&self) -> Subject {
         match &self.fact {
-            Fact::Yield(_) => Subject::Material,
+            Fact::Yield(_)
+            | Fact::Yielding(_)
+            | Fact::OddHardness { .. }
+            | Fact::BulkYield { .. } => Subject::Material,
             Fact::NotConverged { .. } | Fact::AtRounding { .. } => Subject::Solution,
             Fact::PlanUnmet(_) => Subject::Plan,
             Fact::FinerGrid { .. } | Fact::NoBar { .. } => Subject::Grid,
@@ -131,6 +134,22 @@ pub enum Fact {
     },
     /// The elastic answer presses harder than solids of this modulus usually bear.
     Yield(Yield),
+    /// Part of the contact has yielded at the hardness given.
+    Yielding(Yielding),
+    /// A hardness that solids of this modulus do not have.
+    OddHardness {
+        /// H (Pa).
+        hardness: f64,
+        /// That of solids, `[low, high]` (Pa).
+        usual: [f64; 2],
+    },
+    /// Loads so high that the bodies yield in their volume.
+    BulkYield {
+        /// The highest (Pa).
+        highest: f64,
+        /// H (Pa).
+        hardness: f64,
+    },
     /// Slopes that small-slope elasticity does not cover.
     Steep(Steep),
     /// Loads without a converged solution.
@@ -261,6 +280,26 @@ pub struct Yield {
     pub hardness: [f64; 2],
     /// E* times the rms gradient (Pa): the elastic area holds for a hardness of at least this.
     pub full: Option<f64>,
+}
+
+/// What has yielded at the headline.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Yielding {
+    /// H (Pa).
+    pub hardness: f64,
+    /// `E* g / H` \[-\], if g is known: up to 1 the elastic area is right to 2 %.
+    pub over_elastic: Option<f64>,
+    /// Nominal pressure of the headline (Pa).
+    pub load: f64,
+    /// Part of the points in contact at H \[-\].
+    pub share: f64,
+    /// Part of the load that they carry \[-\].
+    pub load_share: f64,
+    /// Corrected area fraction \[-\].
+    pub area: f64,
+    /// The same of elastic bodies \[-\], if there is a solution.
+    pub elastic_area: Option<f64>,
 }
 
 /// Steep slopes.

@@ -1,8 +1,9 @@
 //! What may change a conclusion: decided here once, for page, terminal and files alike.
 
-use crate::finding::{Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Weight};
+use crate::finding::{Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Weight, Yielding};
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
+use crate::yielding::{BULK_YIELD, Hardness};
 use crate::{EdgesName, Independence, Origin, PairFound, PairOrigin, Spikes};
 use contact_accuracy::edge_study::EdgeStudy;
 use contact_accuracy::plan::Outcome;
@@ -28,6 +29,7 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
         .collect();
     let unsolved = ends.iter().filter(|end| **end != Ended::Converged).count();
     let mut found = scene(surface).findings();
+    found.extend(hardness(surface));
     let share = surface.spikes.share(surface.surface.grid().len(), &surface.pressure);
     found.extend(spiky(&surface.spikes, share));
     found.extend(unsolved_loads(&ends));
@@ -66,9 +68,42 @@ pub fn measured(s: &SurfaceStatistics, spikes: &Spikes) -> Vec<Finding> {
     found
 }
 
-/// What a study asks of elasticity, with the answers that converged.
+/// What a hardness does to the headline, and whether it can be one.
+fn hardness(surface: &SurfaceComparison) -> Vec<Finding> {
+    let Some(pascals) = surface.inputs.hardness else { return Vec::new() };
+    let modulus = surface.inputs.modulus.pascals();
+    let gradient = surface.inputs.moments.map(|m| m.rms_gradient());
+    let given = Hardness { pascals, modulus, gradient };
+    let mut found = Vec::new();
+    found.extend(given.doubt().map(|usual| check(Fact::OddHardness { hardness: pascals, usual })));
+    let solved = surface.deterministic.iter().filter(|p| p.answer.is_some());
+    let highest = solved.map(|p| p.mean_pressure).fold(0.0, f64::max);
+    if highest > BULK_YIELD * pascals {
+        found.push(Finding::note(Fact::BulkYield { highest, hardness: pascals }));
+    }
+    let yielded = surface.headline_answer().and_then(|a| Some((a, a.yielded?)));
+    if let Some((answer, yielded)) = yielded
+        && yielded.area_fraction > 0.0
+    {
+        let elastic = surface.elastic.get(surface.headline).and_then(|p| p.answer.as_ref());
+        found.push(Finding::note(Fact::Yielding(Yielding {
+            hardness: pascals,
+            over_elastic: given.over_elastic(),
+            load: surface.headline_pressure(),
+            share: (yielded.area_fraction / answer.area_fraction).min(1.0),
+            load_share: yielded.load_share,
+            area: answer.area_fraction_corrected,
+            elastic_area: elastic.map(|a| a.area_fraction_corrected),
+        })));
+    }
+    found
+}
+
+/// What a study asks of elasticity, with the answers that converged; with a hardness no pressure is beyond
+/// what the bodies bear.
 fn scene(surface: &SurfaceComparison) -> Scene {
-    let answers = surface.deterministic.iter().filter_map(|p| {
+    let is_elastic = surface.inputs.hardness.is_none();
+    let answers = surface.deterministic.iter().filter(|_| is_elastic).filter_map(|p| {
         let answer = p.answer.as_ref().filter(|a| a.converged)?;
         let mean = answer.budget.real_pressure()?.value();
         Some(Pressed::of(p.mean_pressure, mean, answer.max_pressure))

@@ -12,6 +12,10 @@ use serde::Serialize;
 pub struct Inputs {
     /// Contact modulus.
     pub modulus: ContactModulus,
+    /// Hardness of the softer body (Pa), if the bodies yield.
+    pub hardness: Option<f64>,
+    /// Poisson's ratio of the softer body \[-\]; only summits that yield need it.
+    pub poisson: f64,
     /// Name of the surface in its study.
     pub surface: Option<String>,
     /// Profile spectral moments.
@@ -70,6 +74,8 @@ impl Inputs {
     pub fn new(modulus: ContactModulus) -> Self {
         Self {
             modulus,
+            hardness: None,
+            poisson: 0.3,
             surface: None,
             moments: None,
             source: MomentSource::Given,
@@ -93,6 +99,7 @@ impl Inputs {
         let wave = Wave { frequency: 1e4, amplitude: 1e-7 };
         let steel = ContactModulus::from_pascals(1e11).expect("a positive modulus");
         Self {
+            hardness: Some(2e9),
             moments: Some(SpectralMoments { m0: 1e-14, m2: 1e-3, m4: 1e9 }),
             amplitudes: AmplitudeSpectrum::new(vec![wave], 1e-3).ok(),
             fractal: Some(FractalParameters { dimension: 1.3, roughness: 1e-10 }),

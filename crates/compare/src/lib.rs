@@ -16,6 +16,7 @@ mod findings;
 mod inputs;
 mod profile;
 mod progress;
+mod reason;
 mod recipe;
 mod refine;
 mod registry;
@@ -34,6 +35,7 @@ mod tabulated;
 mod theories;
 mod theory;
 mod verdict;
+mod yielding;
 
 pub use ask::{at_pressure, at_separation};
 pub use cleaning::{Cleaning, CleaningError};
@@ -47,10 +49,10 @@ pub use contact_types::{
 };
 pub use distribution::{Distributions, GapDistribution, PressureDistribution, SpotDistribution};
 pub use fft_bem_solver::{
-    Answer, Iteration, Load, Method, Precision, Solution, Solver, SolverError,
+    Answer, Iteration, Load, Method, Precision, Solution, Solver, SolverError, Yielded,
 };
 pub use finding::{
-    Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield,
+    Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield, Yielding,
 };
 pub use findings::{Solved, findings, measured, of_pair, seam, spiky};
 pub use inputs::{Inputs, MomentSource};
@@ -59,16 +61,16 @@ pub use profile::{
     profile_findings, profile_inputs,
 };
 pub use progress::{Listener, Progress, StudyError};
+pub use reason::{Applies, Excess, Reason, Verdict};
 pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
 pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
-    Applies, Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer,
-    DeterministicPoint, ModelComparison, ModelCurve, Reason, Refused, Spectral, SurfaceComparison,
-    Verdict,
+    Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer, DeterministicPoint,
+    ModelComparison, ModelCurve, Refused, Spectral, SurfaceComparison,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
-pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures};
+pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures, poisson};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spot, Spots, contact_spots, spot_list};
 pub use surface::{
@@ -79,3 +81,4 @@ pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
 pub use surroundings::{Surrounded, on_given};
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};
+pub use yielding::{BULK_YIELD, Hardness, elastic_holds};

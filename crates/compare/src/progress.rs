@@ -158,6 +158,25 @@ pub enum StudyError {
          studied for maps that are repeated; give a tolerance, or leave the edges periodic"
     )]
     PlannedMirrored,
+    /// A hardness that no pressure is held to.
+    #[error(
+        "hardness {value:e} Pa: a hardness is a finite pressure above 0; leave it out for elastic bodies"
+    )]
+    BadHardness {
+        /// The value (Pa).
+        value: f64,
+    },
+    /// An accuracy of bodies that yield.
+    #[error(
+        "an accuracy cannot be planned for bodies that yield: the error of the area was studied for elastic \
+         contact; give a tolerance, or leave the hardness out"
+    )]
+    PlannedYielding,
+    /// A hardness with profiles, whose contact is not solved.
+    #[error(
+        "a hardness is for maps: of profiles no contact is solved, in which anything could yield; leave it out"
+    )]
+    YieldingProfiles,
     /// The observer asked to stop.
     #[error("stopped")]
     Stopped,

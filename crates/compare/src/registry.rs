@@ -97,6 +97,11 @@ impl Registry {
         self.theories.iter().map(AsRef::as_ref)
     }
 
+    /// Those that a study may ask, in order: what a height map gives, and a hardness.
+    pub fn of_studies(&self) -> impl Iterator<Item = &dyn Theory> {
+        self.iter().filter(|theory| theory.card().from_map || theory.card().yields)
+    }
+
     /// Those that a height map gives all they need, in order.
     pub fn of_maps(&self) -> impl Iterator<Item = &dyn Theory> {
         self.iter().filter(|theory| theory.card().from_map)

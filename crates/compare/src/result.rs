@@ -2,6 +2,7 @@
 
 use crate::finding::Ended;
 use crate::inputs::Inputs;
+use crate::reason::Verdict;
 use crate::survey::Experience;
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes, Spots};
@@ -9,9 +10,8 @@ use contact_accuracy::NoAreaInterval;
 use contact_accuracy::budget::{Budget, Map, grid};
 use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{End, Residuals, Solution};
+use fft_bem_solver::{End, Residuals, Solution, Yielded};
 use serde::Serialize;
-use std::borrow::Cow;
 use surface_stats::SurfaceStatistics;
 
 /// A finished study.
@@ -57,8 +57,11 @@ pub struct SurfaceComparison {
     pub spectral: Spectral,
     /// Seconds spent on statistics and spectra, once per map.
     pub setup_seconds: f64,
-    /// The deterministic solution at each load, by rising pressure.
+    /// The deterministic solution at each load, by rising pressure; of bodies that yield, if a hardness
+    /// was given.
     pub deterministic: Vec<DeterministicPoint>,
+    /// The same of elastic bodies, beside those that yield; empty without a hardness.
+    pub elastic: Vec<DeterministicPoint>,
     /// Single points far from their neighbours.
     pub spikes: Spikes,
     /// What the map says about the accuracy of answers on it.
@@ -142,6 +145,8 @@ pub struct DeterministicAnswer {
     pub seconds: f64,
     /// What is left of the residuals.
     pub residuals: Residuals,
+    /// What has yielded, if a hardness was given.
+    pub yielded: Option<Yielded>,
     /// Energy bound (J/m²).
     pub duality_gap: f64,
     /// Name of the method that found it.
@@ -175,6 +180,7 @@ impl DeterministicAnswer {
             transforms: d.transforms,
             seconds: d.seconds,
             residuals: d.residuals,
+            yielded: d.yielded,
             duality_gap: d.duality_gap,
             method: d.method.to_string(),
             converged,
@@ -291,6 +297,9 @@ pub struct ModelCurve {
     pub seconds: f64,
     /// Signed relative error of the area at each load, where both sides answer.
     pub errors: Vec<Option<f64>>,
+    /// Of a theory of elastic bodies beside bodies that yield: its errors against the elastic solution.
+    /// Empty otherwise.
+    pub elastic_errors: Vec<Option<f64>>,
 }
 
 impl ModelCurve {
@@ -306,147 +315,6 @@ impl ModelCurve {
     pub fn range(&self) -> Option<(f64, f64)> {
         let present = || self.errors.iter().flatten().copied();
         Some((present().min_by(f64::total_cmp)?, present().max_by(f64::total_cmp)?))
-    }
-}
-
-/// Whether a theory covers a surface. This judges the domain, not the error.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Verdict {
-    /// Yes, caution or no.
-    pub answer: Applies,
-    /// Why not simply yes, with the measured numbers.
-    pub reasons: Vec<Reason>,
-    /// True if the surface itself is the reason, and not the height of some loads.
-    pub at_every_load: bool,
-}
-
-/// Why a theory covers a surface only with caution, or not at all.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Reason {
-    /// Slopes beyond those of small-slope elasticity.
-    Steep {
-        /// Rms gradient \[-\].
-        gradient: f64,
-    },
-    /// The theory has no meaning for this surface.
-    Refused(ModelError),
-    /// Something it is made of is absent.
-    Missing {
-        /// What is absent.
-        needs: Cow<'static, str>,
-        /// What a fractal fit gave, if that is what is missing \[-\].
-        dimension: Option<f64>,
-    },
-    /// Rows of the map stand at heights of their own.
-    RowsJump,
-    /// The surface has a lay.
-    Lay {
-        /// Larger over smaller mean square slope \[-\].
-        ratio: f64,
-    },
-    /// The heights are not normal.
-    NotGaussian {
-        /// Skewness \[-\].
-        skewness: f64,
-        /// Kurtosis \[-\].
-        kurtosis: f64,
-    },
-    /// Summits no longer act alone.
-    Crowded {
-        /// The first mean pressure at which the area exceeds 5 % (Pa).
-        from: f64,
-    },
-    /// Fitted on maps that resolve their contacts, which this one does not.
-    NotResolved {
-        /// Loads at which the points do not carry the error bar of the area.
-        loads: usize,
-        /// Of how many.
-        of: usize,
-    },
-    /// The input depends on how long the rows of the map are.
-    RecordLength {
-        /// Where the input sits (m); `None` if no wave stands out.
-        wavelength: Option<f64>,
-        /// Length of the rows (m).
-        length: f64,
-    },
-    /// The input depends on the range that a fractal was fitted over.
-    FitRange {
-        /// Dimension of the fit \[-\].
-        dimension: f64,
-        /// Shortest wavelength of the fit (m).
-        short: f64,
-        /// Longest wavelength of the fit (m).
-        long: f64,
-    },
-    /// The model says itself that an assumption is strained.
-    Beyond {
-        /// The quantity that shows it.
-        quantity: Cow<'static, str>,
-        /// Its value.
-        value: f64,
-        /// Where the assumption is usually taken to end.
-        limit: f64,
-        /// What is strained.
-        reason: Cow<'static, str>,
-    },
-    /// The model reaches full contact.
-    Full {
-        /// The first mean pressure at which it does (Pa).
-        from: f64,
-    },
-    /// Some loads have no answer.
-    NoAnswer {
-        /// How many.
-        loads: usize,
-        /// Of how many.
-        of: usize,
-    },
-}
-
-impl Reason {
-    /// True if it depends on the load, and not on the surface alone.
-    pub fn is_by_load(&self) -> bool {
-        match self {
-            Self::Crowded { .. }
-            | Self::Beyond { .. }
-            | Self::Full { .. }
-            | Self::NoAnswer { .. } => true,
-            Self::Steep { .. }
-            | Self::RowsJump
-            | Self::Refused(_)
-            | Self::Missing { .. }
-            | Self::Lay { .. }
-            | Self::NotGaussian { .. }
-            | Self::RecordLength { .. }
-            | Self::NotResolved { .. }
-            | Self::FitRange { .. } => false,
-        }
-    }
-}
-
-/// The answer of a [`Verdict`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Applies {
-    /// Within the assumptions.
-    Yes,
-    /// It answers, but an assumption is strained.
-    Caution,
-    /// No meaning here.
-    No,
-}
-
-impl Applies {
-    /// The word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Yes => "yes",
-            Self::Caution => "caution",
-            Self::No => "no",
-        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Everything a user can choose about a study.
 
-use crate::{Registry, Theory};
+use crate::{Card, Registry, Theory};
 use fft_bem_solver::{Method, Precision};
 use serde::{Deserialize, Serialize};
 use surface_stats::Level;
@@ -11,6 +11,10 @@ use surface_stats::Level;
 pub struct Settings {
     /// Contact modulus E* (Pa).
     pub modulus: f64,
+    /// Hardness of the softer body (Pa), the highest pressure it bears: the contact is then that of bodies
+    /// that yield there. Absent: elastic bodies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hardness: Option<f64>,
     /// The elastic bodies it is made of, if they are known: one against a rigid flat, or two.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<Body>,
@@ -58,6 +62,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             modulus: STEEL_ON_STEEL,
+            hardness: None,
             bodies: Vec::new(),
             pressures: None,
             load_area: None,
@@ -76,6 +81,11 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Poisson's ratio of the bodies, the mean of two \[-\]; 0.3 if they are not known.
+    pub fn poisson(&self) -> f64 {
+        poisson(&self.bodies)
+    }
+
     /// The theories to ask, in the order of the registry.
     pub fn asked_models<'a>(
         &'a self,
@@ -83,7 +93,20 @@ impl Settings {
     ) -> impl Iterator<Item = &'a dyn Theory> {
         let asked =
             |name: &str| self.models.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
-        registry.of_maps().filter(move |theory| asked(&theory.card().name))
+        // A theory of bodies that yield has no place beside elastic ones, unless it was named.
+        let has_use =
+            |card: &Card| !card.yields || self.hardness.is_some() || self.models.is_some();
+        registry
+            .of_studies()
+            .filter(move |theory| asked(&theory.card().name) && has_use(theory.card()))
+    }
+}
+
+/// Poisson's ratio of bodies, the mean of two \[-\]; 0.3 if they are not known.
+pub fn poisson(bodies: &[Body]) -> f64 {
+    match bodies {
+        [] => 0.3,
+        bodies => bodies.iter().map(|b| b.poisson).sum::<f64>() / bodies.len() as f64,
     }
 }
 

@@ -10,17 +10,18 @@ use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, Spectral,
     SurfaceComparison,
 };
-use crate::solver_of::builder;
+use crate::solver_of::{builder, elastic};
 use crate::spots::spots_beyond;
 use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::{Judged, verdict};
+use crate::yielding::{excess, gradient_of_loads};
 use crate::{EdgesName, Registry, Settings, Spikes, Surface, Surrounded, default_pressures};
 use contact_accuracy::budget::Between;
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_accuracy::round_to_digits;
 use contact_types::{ContactModulus, ContactState, HeightMap, ModelError};
-use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverError};
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solver, SolverBuilder, SolverError};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -48,9 +49,7 @@ impl Comparison {
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
         check_pressures(&settings)?;
         check_models(&settings, registry)?;
-        if settings.accuracy.is_some() && settings.edges == EdgesName::Mirrored {
-            return Err(StudyError::PlannedMirrored);
-        }
+        check_combinations(&settings)?;
         let count = surfaces.len();
         let mut done = Vec::with_capacity(count);
         let mut refused = Vec::new();
@@ -76,6 +75,19 @@ impl Comparison {
     }
 }
 
+fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
+    match (settings.accuracy, settings.hardness) {
+        (_, Some(value)) if !(value > 0.0 && value.is_finite()) => {
+            Err(StudyError::BadHardness { value })
+        }
+        (Some(_), Some(_)) => Err(StudyError::PlannedYielding),
+        (Some(_), None) if settings.edges == EdgesName::Mirrored => {
+            Err(StudyError::PlannedMirrored)
+        }
+        _ => Ok(()),
+    }
+}
+
 pub(crate) fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
     let given = settings.pressures.iter().flatten().chain(&settings.headline);
     match given.copied().find(|p| !(p.is_finite() && *p > 0.0)) {
@@ -90,10 +102,10 @@ pub(crate) fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
 pub(crate) fn check_models(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
     let Some(names) = &settings.models else { return Ok(()) };
     let known = || {
-        let names: Vec<&str> = registry.of_maps().map(|t| t.card().name.as_ref()).collect();
+        let names: Vec<&str> = registry.of_studies().map(|t| t.card().name.as_ref()).collect();
         names.join(", ")
     };
-    let is_known = |name: &str| registry.of_maps().any(|t| t.card().name == name);
+    let is_known = |name: &str| registry.of_studies().any(|t| t.card().name == name);
     match names.iter().find(|name| !is_known(name)) {
         Some(name) => Err(StudyError::UnknownModel { name: name.clone(), known: known() }),
         None if names.is_empty() => Err(StudyError::NoModel { known: known() }),
@@ -131,24 +143,16 @@ fn compare(
 
     let whole = Surrounded::new(Cow::Borrowed(&map), settings.edges).map_err(refused)?;
     let mut curve = Curve::new(known, settings.headline);
+    let built = |builder: SolverBuilder| {
+        let built = builder.build(whole.map().grid(), modulus);
+        built.map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })
+    };
+    let task = Solve { whole: &whole, map: &map, repeats: known.repeats, modulus };
     let plan = match settings.accuracy {
         None => {
-            let mut solver = builder(settings)
-                .build(whole.map().grid(), modulus)
-                .map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })?;
+            let mut solver = built(builder(settings))?;
             for (i, &p) in pressures.iter().enumerate() {
-                let mut watch = |now: &Iteration<'_>| match tell(Progress::of_iteration(i, now)) {
-                    Ok(()) => ControlFlow::Continue(()),
-                    Err(_) => ControlFlow::Break(()),
-                };
-                let load = Load::MeanPressure(p);
-                let result = whole.solve_observed(&mut solver, load, &mut watch);
-                if matches!(result, Err(SolverError::Stopped(_))) {
-                    return Err(StudyError::Stopped);
-                }
-                let pressure = result.as_ref().map_or(&[][..], |s| &s.pressure);
-                let between = Between::of(&map, known.repeats, pressure, modulus);
-                curve.take(p, result, between.as_ref());
+                task.load(&mut solver, (i, p), &mut curve, &mut tell)?;
                 tell(curve.news(i))?;
             }
             None
@@ -179,6 +183,21 @@ fn compare(
         }
     };
     let Curve { points: mut deterministic, headline, pressure, solved, .. } = curve;
+    let mut elastic_points = Vec::new();
+    if settings.hardness.is_some() {
+        let mut solver = built(elastic(settings))?;
+        let mut beside = Curve::new(known, settings.headline);
+        for (i, point) in deterministic.iter().enumerate() {
+            // Where nothing has yielded, the answer is the elastic one.
+            let yielded = point.answer.as_ref().and_then(|a| a.yielded);
+            if yielded.is_some_and(|y| y.area_fraction <= 0.0) {
+                beside.points.push(point.clone());
+                continue;
+            }
+            task.load(&mut solver, (i, point.mean_pressure), &mut beside, &mut tell)?;
+        }
+        elastic_points = beside.points;
+    }
     // A plan says itself what a finer grid would do.
     let refined_seconds = match plan {
         None => refine(whole.map(), &known, modulus, settings, &mut deterministic, headline),
@@ -194,10 +213,17 @@ fn compare(
     let grid = solved.as_ref().unwrap_or(&map).grid();
     let spots = spots_beyond(&pressure, grid, settings.edges);
     tell(Progress::Models)?;
-    let alike = likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]);
+    // The survey is of elastic contact.
+    let alike = match settings.hardness {
+        None => likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]),
+        Some(_) => None,
+    };
+    let judged =
+        Judged { excess: excess(&deterministic, &elastic_points), ..Judged::of(&statistics) };
+    let loads = (&deterministic[..], &elastic_points[..]);
     let models = settings
         .asked_models(registry)
-        .map(|theory| ask(theory, &inputs, &deterministic, &statistics, alike.as_ref()))
+        .map(|theory| ask(theory, &inputs, loads, &judged, alike.as_ref()))
         .collect();
     Ok(SurfaceComparison {
         spikes,
@@ -210,6 +236,7 @@ fn compare(
         spectral,
         setup_seconds,
         deterministic,
+        elastic: elastic_points,
         map: known,
         refined_seconds,
         coarser: Vec::new(),
@@ -234,10 +261,10 @@ fn refused_plan(error: PlanError, name: &str) -> StudyError {
 
 /// The pressures of a study on one surface, rising and distinct.
 pub(crate) fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) -> Vec<f64> {
-    let mut loads = settings
-        .pressures
-        .clone()
-        .unwrap_or_else(|| default_pressures(modulus.pascals(), rms_gradient));
+    let mut loads = settings.pressures.clone().unwrap_or_else(|| {
+        let gradient = gradient_of_loads(rms_gradient, modulus, settings.hardness);
+        default_pressures(modulus.pascals(), gradient)
+    });
     loads.sort_by(f64::total_cmp);
     loads.dedup_by(|a, b| same(*a, *b));
     loads
@@ -255,15 +282,50 @@ pub(crate) fn named(load: f64, value: f64) -> bool {
         || same(round_to_digits(load, 4), value)
 }
 
-/// Asks a model at every load, with its time.
+/// What the solutions of a surface share.
+struct Solve<'a> {
+    whole: &'a Surrounded<'a>,
+    map: &'a HeightMap,
+    repeats: bool,
+    modulus: ContactModulus,
+}
+
+impl Solve<'_> {
+    /// Solves for a load and puts it on the curve.
+    fn load(
+        &self,
+        solver: &mut Solver,
+        (index, pressure): (usize, f64),
+        curve: &mut Curve,
+        tell: &mut (dyn FnMut(Progress<'_>) -> Result<(), StudyError> + Send),
+    ) -> Result<(), StudyError> {
+        let mut watch = |now: &Iteration<'_>| match tell(Progress::of_iteration(index, now)) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(_) => ControlFlow::Break(()),
+        };
+        let load = Load::MeanPressure(pressure);
+        let result = self.whole.solve_observed(solver, load, &mut watch);
+        if matches!(result, Err(SolverError::Stopped(_))) {
+            return Err(StudyError::Stopped);
+        }
+        let found = result.as_ref().map_or(&[][..], |s| &s.pressure);
+        let between = Between::of(self.map, self.repeats, found, self.modulus);
+        curve.take(pressure, result, between.as_ref());
+        Ok(())
+    }
+}
+
+/// Asks a model at every load, with its time. `deterministic` is what it is judged by, `elastic` the
+/// solution of elastic bodies beside one of bodies that yield, if there is one.
 fn ask(
     theory: &dyn Theory,
     inputs: &Inputs,
-    deterministic: &[DeterministicPoint],
-    statistics: &SurfaceStatistics,
+    (deterministic, elastic): (&[DeterministicPoint], &[DeterministicPoint]),
+    judged: &Judged,
     alike: Option<&Query>,
 ) -> ModelComparison {
     let card = theory.card().clone();
+    let beside = if card.yields { &[] } else { elastic };
     let outcome = theory.build(inputs).and_then(|model| {
         let pressures: Vec<f64> = deterministic.iter().map(|p| p.mean_pressure).collect();
         let (points, seconds) = timed(&card.title, model.as_ref(), &pressures);
@@ -273,10 +335,15 @@ fn ask(
         {
             return Err(BuildError::Model(first.clone()));
         }
-        let errors = points.iter().zip(deterministic).map(|(m, d)| error(m, d)).collect();
-        Ok(ModelCurve { points, seconds, errors })
+        let against = |loads: &[DeterministicPoint]| {
+            points.iter().zip(loads).map(|(m, d)| error(m, d)).collect()
+        };
+        let (errors, elastic_errors) = (against(deterministic), against(beside));
+        Ok(ModelCurve { points, seconds, errors, elastic_errors })
     });
-    let verdict = verdict(&card, inputs, &outcome, deterministic, &Judged::of(statistics));
+    // Whether a theory of elastic bodies has what it assumes, elastic bodies tell.
+    let loads = if beside.is_empty() { deterministic } else { beside };
+    let verdict = verdict(&card, inputs, &outcome, loads, judged);
     let experience = alike.and_then(|query| Survey::built_in().ask(&card.name, query));
     ModelComparison { card, outcome, verdict, experience }
 }

@@ -50,6 +50,9 @@ pub struct Card {
     pub assumes: Assumes,
     /// True if a height map gives all it needs.
     pub from_map: bool,
+    /// True if its bodies yield: it needs a hardness beside the map.
+    #[serde(default)]
+    pub yields: bool,
     /// True if it answers at a separation of the undeformed planes too.
     pub has_separation: bool,
 }
@@ -74,6 +77,7 @@ impl Card {
             citation,
             assumes: Assumes::Unstated,
             from_map: true,
+            yields: false,
             has_separation: false,
         }
     }

@@ -2,7 +2,8 @@
 
 use crate::findings::rows_jump;
 use crate::inputs::Inputs;
-use crate::result::{Applies, DeterministicPoint, ModelCurve, Reason, Verdict};
+use crate::reason::{Applies, Excess, Reason, Verdict};
+use crate::result::{DeterministicPoint, ModelCurve};
 use crate::scene::is_steep;
 use crate::theory::{Assumes, BuildError, Card};
 use contact_types::Caveat;
@@ -22,6 +23,8 @@ pub(crate) struct Judged {
     pub(crate) kurtosis: Option<f64>,
     /// Wavelengths of the fractal fit (m).
     pub(crate) fractal_range: Option<[f64; 2]>,
+    /// What yield adds to the elastic area, if a hardness is given and it does.
+    pub(crate) excess: Option<Excess>,
 }
 
 impl Judged {
@@ -34,6 +37,7 @@ impl Judged {
             skewness: statistics.skewness,
             kurtosis: statistics.kurtosis,
             fractal_range: statistics.fractal_range,
+            excess: None,
         }
     }
 }
@@ -125,6 +129,7 @@ fn strains(
         Assumes::Fitted => reasons.extend(beyond_fit(loads, statistics)),
         Assumes::Gaussian | Assumes::Unstated => {}
     }
+    reasons.extend(statistics.excess.filter(|_| !card.yields).map(Reason::Elastic));
     reasons.extend(caveat(curve, loads));
     let failed = curve.points.iter().filter(|p| p.is_err()).count();
     if failed > 0 {
@@ -190,7 +195,13 @@ mod tests {
             caveat: Some(caveat),
         };
         let load = DeterministicPoint { mean_pressure: 2e6, answer: None, trouble: None };
-        (ModelCurve { points: vec![Ok(state)], seconds: 0.0, errors: vec![None] }, [load])
+        let curve = ModelCurve {
+            points: vec![Ok(state)],
+            seconds: 0.0,
+            errors: vec![None],
+            elastic_errors: Vec::new(),
+        };
+        (curve, [load])
     }
 
     #[test]

@@ -121,8 +121,13 @@ impl TwiceFiner {
         let solution = solver.solve_again(load)?;
         let mut finer = Finer::of(&solution, known, *grid);
         if budget.stiffness.is_some() {
-            let mut solve = |load| solver.solve_again(load);
-            if let Some(near) = Stiffness::around(&mut solve, known, finer.pressure)? {
+            let near = if solver.hardness().is_finite() {
+                Stiffness::of_set(solver, &solution)?
+            } else {
+                let mut solve = |load| solver.solve_again(load);
+                Stiffness::around(&mut solve, known, finer.pressure)?
+            };
+            if let Some(near) = near {
                 let left = stiffness_half_width(&known.on(*grid), Line::of(&solution));
                 finer.stiffness = Some([near.value, near.value * left]);
             }

@@ -63,6 +63,8 @@ impl<T: Real> Engine<T> {
             }
         });
         let area_fraction = contact_pixels as f64 / n;
+        // No pressure exceeds the hardness: whatever the line, it takes this area to carry the load.
+        let least = (load_sum / n / settings.hardness).min(area_fraction);
         let off = |i: usize| if is_full(i) { gap(i).max(0.0) } else { gap(i).abs() };
         let complementarity = fields::sum_of(pixels, |i| pressure(i) * off(i));
         let work = fields::dot(p, u) / n;
@@ -101,7 +103,7 @@ impl<T: Real> Engine<T> {
             seconds: run.clock.elapsed().as_secs_f64(),
             contact_pixels,
             contact_perimeter,
-            area_fraction_corrected: (area_fraction - BOUNDARY_CORRECTION * cut).max(0.0),
+            area_fraction_corrected: (area_fraction - BOUNDARY_CORRECTION * cut).max(least),
             yielded,
             max_pressure: (fields::max(p) * units.pressure).max(0.0).min(settings.hardness),
             elastic_energy: 0.5 * work * units.pressure * units.height,

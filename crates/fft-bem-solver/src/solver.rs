@@ -228,6 +228,14 @@ impl Solver {
         self.modulus
     }
 
+    /// Highest pressure that the bodies bear (Pa); infinite for elastic ones.
+    pub fn hardness(&self) -> f64 {
+        match &self.engine {
+            Work::Double(engine) => engine.settings.hardness,
+            Work::Single(engine) => engine.settings.hardness,
+        }
+    }
+
     /// Forgets the last solution: the next solve starts from nothing.
     pub fn forget(&mut self) {
         match &mut self.engine {

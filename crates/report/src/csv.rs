@@ -5,6 +5,10 @@ use compare::{Comparison, SurfaceComparison};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
+/// Columns of bodies that yield, and of elastic ones beside them.
+const YIELDING: &str = ",area_fraction_at_hardness [-],load_share_at_hardness [-],area_fraction_elastic [-],\
+                        real_pressure_elastic [Pa]";
+
 /// Writes one row per surface and load. SI units; a missing number is an empty cell. Columns of
 /// a model are `area_fraction_NAME` and `real_pressure_NAME [Pa]`, with its signed relative error.
 ///
@@ -18,6 +22,10 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
          area_fraction_prediction_low [-],area_fraction_prediction_high [-],mean_gap_low [m],\
          mean_gap_high [m]",
     );
+    let yields = comparison.settings.hardness.is_some();
+    if yields {
+        header.push_str(YIELDING);
+    }
     let asked = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
     let models: Vec<&str> = asked.iter().map(|m| m.card.name.as_ref()).collect();
     for model in &models {
@@ -29,7 +37,7 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
     }
     writeln!(out, "{header}")?;
     for surface in &comparison.surfaces {
-        write_surface(surface, &models, out)?;
+        write_surface(surface, &models, yields, out)?;
     }
     Ok(())
 }
@@ -37,6 +45,7 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
 fn write_surface(
     surface: &SurfaceComparison,
     models: &[&str],
+    yields: bool,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let lines = Lines::of(surface);
@@ -61,6 +70,17 @@ fn write_surface(
         let gap = answer.and_then(|a| a.budget.mean_gap?.comparison().ok());
         for range in [prediction, gap] {
             cells.extend([range.map(|r| r[0]), range.map(|r| r[1])]);
+        }
+        if yields {
+            let yielded = answer.and_then(|a| a.yielded);
+            let elastic = surface.elastic.get(i).and_then(|p| p.answer.as_ref());
+            let elastic = elastic.map(|a| a.area_fraction_corrected);
+            cells.extend([
+                yielded.map(|y| y.area_fraction),
+                yielded.map(|y| y.load_share),
+                elastic,
+                real(elastic),
+            ]);
         }
         for model in models {
             let line = lines.models.iter().find(|l| l.name == *model);

@@ -108,10 +108,14 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "method": method,
             "precision": precision,
             "modulus": settings.modulus,
+            "hardness": settings.hardness,
             "tolerance": tolerance,
             "accuracy": s.plan.as_ref().map(accuracy),
             "points": s.deterministic.iter().map(point).collect::<Vec<_>>(),
         },
+        "elastic": settings.hardness.map(|_| json!({
+            "points": s.elastic.iter().map(point).collect::<Vec<_>>(),
+        })),
         "models": s.models.iter().map(|m| model(m, s)).collect::<Vec<_>>(),
     })
 }
@@ -178,6 +182,7 @@ fn point(p: &DeterministicPoint) -> Value {
     });
     if let Value::Object(keys) = &mut point {
         keys.extend(crate::budget_json::keys(Some(&a.budget)));
+        keys.extend(crate::yield_json::yield_keys(a.yielded, a.area_fraction));
     }
     point
 }
@@ -214,6 +219,7 @@ fn area_error(curve: &ModelCurve, surface: &SurfaceComparison) -> Value {
         "headline": curve.errors.get(surface.headline),
         "worst": summary.map(|(worst, _)| worst),
         "mean_absolute": summary.map(|(_, mean)| mean),
+        "against_elastic": (!curve.elastic_errors.is_empty()).then_some(&curve.elastic_errors),
     })
 }
 

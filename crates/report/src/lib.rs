@@ -23,6 +23,7 @@ mod provenance;
 mod sources;
 mod table_csv;
 mod words;
+mod yield_json;
 
 pub use compare; // whose results are written here
 
@@ -57,3 +58,4 @@ pub use words::loads::loads_line;
 pub use words::pair::pair_lines;
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};
 pub use words::profile::profile_headline;
+pub use yield_json::{YIELD_KEYS, yield_keys};

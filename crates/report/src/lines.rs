@@ -1,6 +1,6 @@
 //! The numbers every figure over the load draws: the same that `curves.csv` lists.
 
-use crate::draw::palette::Look;
+use crate::draw::palette::{ELASTIC_LOOK, Look};
 use crate::looks::look;
 use crate::numbers::{PASCALS, Unit, signed_range, significant, unit_for};
 use compare::{DeterministicAnswer, SurfaceComparison};
@@ -30,7 +30,8 @@ pub(crate) struct Lines {
     pub area: Vec<Option<f64>>,
     /// Its interval from grid and iteration.
     pub interval: Vec<Option<[f64; 2]>>,
-    /// The closed forms that answer at one load at least.
+    /// The closed forms that answer at one load at least; before them the solution of elastic bodies, where
+    /// that of bodies that yield is the reference.
     pub models: Vec<ModelLine>,
     /// Index of the load read off.
     pub headline: usize,
@@ -47,11 +48,21 @@ impl Lines {
             let look = look(&name, place);
             Some(ModelLine { name, label, look, area: area.collect() })
         });
+        let elastic = (!surface.elastic.is_empty()).then(|| ModelLine {
+            name: "elastic".into(),
+            label: "Elastic".into(),
+            look: ELASTIC_LOOK,
+            area: surface
+                .elastic
+                .iter()
+                .map(|p| Some(p.answer.as_ref()?.area_fraction_corrected))
+                .collect(),
+        });
         Self {
             pressures: surface.deterministic.iter().map(|p| p.mean_pressure).collect(),
             area: answers().map(|a| a.map(|a| a.area_fraction_corrected)).collect(),
             interval: answers().map(|a| a.and_then(DeterministicAnswer::interval)).collect(),
-            models: models.collect(),
+            models: elastic.into_iter().chain(models).collect(),
             headline: surface.headline,
         }
     }

@@ -9,7 +9,7 @@ use crate::draw::svg::escape;
 use compare::Card;
 
 /// Name, look, and inputs as HTML symbols.
-const LOOKS: [(&str, Look, &str); 9] = [
+const LOOKS: [(&str, Look, &str); 11] = [
     ("gw", Look::model(GW, "6 2.5", Marker::Square, 1), MOMENTS),
     ("bgt", Look::model(BGT, "2 2", Marker::TriangleUp, 2), MOMENTS),
     ("greenwood-elliptical", Look::model(ELLIPTICAL, "", Marker::Diamond, 3), MOMENTS),
@@ -26,6 +26,16 @@ const LOOKS: [(&str, Look, &str); 9] = [
         "equation",
         Look::model(EQUATION, "", Marker::TriangleDown, 0),
         "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>, <i>s</i>(<i>A</i>)",
+    ),
+    (
+        "ceb",
+        Look::model(GW, "3 1.5", Marker::Plus, 3),
+        "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>, <i>H</i>, <i>ν</i>",
+    ),
+    (
+        "persson-yield",
+        Look::model(PERSSON, "3 1.5 1 1.5", Marker::Hexagon, 2),
+        "<i>m</i><sub>2</sub>, <i>H</i>",
     ),
 ];
 

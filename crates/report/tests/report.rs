@@ -72,8 +72,19 @@ fn hostile() -> &'static Comparison {
     })
 }
 
-fn all() -> [&'static Comparison; 3] {
-    [one(), three(), hostile()]
+/// A ground metal that yields.
+fn yielding() -> &'static Comparison {
+    static YIELDING: OnceLock<Comparison> = OnceLock::new();
+    YIELDING.get_or_init(|| {
+        let settings = Settings { hardness: Some(5e9), ..Settings::default() };
+        let mut study = run(small(&["ground"]), settings);
+        study.look_closer(&mut |_| ControlFlow::Continue(())).unwrap();
+        study
+    })
+}
+
+fn all() -> [&'static Comparison; 4] {
+    [one(), three(), hostile(), yielding()]
 }
 
 fn provenance() -> Provenance {

@@ -238,7 +238,7 @@ pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {
 
 /// A model that a study can ask.
 pub(crate) fn study_models() -> impl TypedValueParser<Value = String> {
-    lower_case(built_in().of_maps().map(|t| t.card().name.as_ref()))
+    lower_case(built_in().of_studies().map(|t| t.card().name.as_ref()))
 }
 
 /// Any model.

@@ -5,6 +5,7 @@ use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
 use crate::compare_profiles;
 use crate::given::{Given, One, from_file, from_recipe, repeat};
+use crate::hardness;
 use crate::input::Reading;
 use crate::loads::Forces;
 use crate::outcome::{Failure, Reply};
@@ -65,6 +66,11 @@ pub(crate) struct Compare {
     /// Method of the deterministic solver
     #[arg(long, value_parser = args::method(), default_value = "auto")]
     method: Method,
+    /// Highest pressure that the softer body bears, as 2GPa: the study is of the contact that yields there,
+    /// with the elastic one beside
+    #[arg(long, value_name = "H", value_parser = args::pressure, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "accuracy")]
+    hardness: Option<f64>,
     /// Floating-point type of the solver's iteration
     #[arg(long, value_parser = args::precision(), default_value = "f64")]
     precision: Precision,
@@ -79,7 +85,7 @@ pub(crate) struct Compare {
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
-        "headline", "models", "level", "fractal_range", "edges", "method",
+        "headline", "models", "hardness", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
@@ -157,6 +163,7 @@ impl Compare {
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
         args::refuse_mirrored(self.edges, self.accuracy.is_some(), false)?;
         self.forces.given()?; // refused before any work
+        hardness::check(self.hardness)?;
         let (modulus, bodies) = match self.bodies.given()? {
             Some(modulus) => (modulus.pascals(), self.bodies.listed()),
             None if self.files.is_empty() => (STEEL_ON_STEEL, vec![STEEL; 2]),
@@ -164,6 +171,7 @@ impl Compare {
         };
         Ok(Settings {
             modulus,
+            hardness: self.hardness,
             bodies,
             pressures: self.pressure.as_ref().map(|List(pressures)| pressures.clone()),
             headline: self.headline,

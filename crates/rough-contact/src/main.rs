@@ -22,6 +22,7 @@ mod intervals;
 mod iso;
 mod loads;
 mod model;
+mod model_list;
 mod needs;
 mod outcome;
 mod output;

@@ -5,6 +5,7 @@ use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
 use crate::input::{Measured, Reading};
 use crate::loads::{self, Spread};
+use crate::model_list::{self, citation, cited};
 use crate::outcome::{Failure, Reply, variant};
 use crate::profile_stats;
 use crate::profiles::{self, Traces};
@@ -13,7 +14,7 @@ use crate::text::{self, Columns};
 use clap::Args;
 use compare::{BuildError, Card, Inputs, Pressed, Scene, Spikes, Theory, built_in};
 use contact_accuracy::round_to_digits;
-use contact_types::{Caveat, Citation, ContactModulus, ContactState, ModelError};
+use contact_types::{Caveat, ContactModulus, ContactState, ModelError};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -68,7 +69,7 @@ type Ask<'a> = Box<dyn Fn(&Question) -> Answer + 'a>;
 
 impl Model {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
-        let Some(name) = &self.name else { return Ok(list()) };
+        let Some(name) = &self.name else { return Ok(model_list::list()) };
         let theory = compare::find(name).expect("clap accepts only these names");
         let card = theory.card();
         let modulus = self.bodies.required()?;
@@ -103,6 +104,7 @@ impl Model {
             }
             self.source.typed(&card.name, modulus)?
         };
+        let inputs = self.with_poisson(inputs);
         let (questions, spread) = self.questions(inputs.nominal_area)?;
         let answers = answer(theory, &inputs, &questions)?;
         let mut reply = reply(card, &inputs, &questions, &answers, spread.as_ref());
@@ -142,7 +144,7 @@ impl Model {
         let (statistics, _, spectrum) =
             ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
         let inputs = compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
-        let inputs = self.source.for_profile(inputs);
+        let inputs = self.with_poisson(self.source.for_profile(inputs));
         let (questions, spread) = self.questions(None)?;
         let answers = answer(theory, &inputs, &questions)?;
         let mut reply = reply(theory.card(), &inputs, &questions, &answers, spread.as_ref());
@@ -178,6 +180,12 @@ impl Model {
         reply.json["cleaning"] = report::cleaning_json(&traces.cleaned);
         reply.json["profile"] = report::profile_statistics_json(&statistics);
         Ok(reply)
+    }
+
+    /// With Poisson's ratio of the bodies, if they were given.
+    fn with_poisson(&self, inputs: Inputs) -> Inputs {
+        let bodies = self.bodies.listed();
+        Inputs { poisson: compare::poisson(&bodies), ..inputs }
     }
 
     /// Refuses to answer nothing.
@@ -436,47 +444,6 @@ fn refusal(error: &ModelError) -> Value {
         "kind": variant(error), "quantity": quantity, "value": value, "domain": domain,
         "message": short(error).to_string(),
     })
-}
-
-fn citation(c: &Citation) -> Value {
-    json!({
-        "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi,
-    })
-}
-
-fn cited(c: &Citation) -> String {
-    if c.doi.is_empty() {
-        format!("{} {}", c.authors, c.year)
-    } else {
-        format!("{} {}, doi:{}", c.authors, c.year, c.doi)
-    }
-}
-
-fn list() -> Reply {
-    let mut text = String::new();
-    let mut models = Vec::new();
-    for card in built_in().iter().map(Theory::card) {
-        let c = &card.citation;
-        let doi = if c.doi.is_empty() { String::new() } else { format!(" doi:{}", c.doi) };
-        let options = crate::roughness::options_of(&card.name).join(", or ");
-        let separation = if card.has_separation { "; --separation as well" } else { "" };
-        // A String takes everything.
-        let _ = writeln!(
-            text,
-            "{}: {}\n  {} ({}) {}. {}.{doi}\n  inputs: {}\n  domain: {}\n  options: {options}{separation}\n",
-            card.name, card.title, c.authors, c.year, c.title, c.journal, card.needs, card.domain,
-        );
-        models.push(json!({
-            "name": card.name,
-            "title": card.title,
-            "citation": citation(c),
-            "inputs": card.needs,
-            "domain": card.domain,
-            "options": crate::roughness::options_of(&card.name),
-            "separation": card.has_separation,
-        }));
-    }
-    Reply::new(text, json!({ "models": models }))
 }
 
 #[cfg(test)]

@@ -79,6 +79,9 @@ pub(crate) struct Source {
     /// Spots larger than this are elastic, smaller ones are not counted
     #[arg(long, value_name = "A", value_parser = args::area, allow_hyphen_values = true)]
     critical_area: Option<f64>,
+    /// Hardness of the softer body, for models of bodies that yield
+    #[arg(long, value_name = "H", value_parser = args::pressure, allow_hyphen_values = true)]
+    hardness: Option<f64>,
     /// Radii of the spheres of each level, coarse to fine, such as 1mm,10um
     #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
     sphere_radius: Option<List>,
@@ -133,6 +136,15 @@ pub(crate) fn options_of(model: &str) -> Vec<&'static str> {
         "multiscale" => vec!["--hurst --rolloff --cutoff --m0 [--longest] [--record-length]"],
         "archard" => vec!["--sphere-radius --sphere-density"],
         "majumdar-bhushan" => vec!["--dimension --roughness --area [--critical-area]"],
+        "ceb" => vec![
+            "--hardness --m0 --m2 --m4",
+            "--hardness --asperity-density --asperity-radius --asperity-height-std [--mean-offset]",
+            "--hardness --hurst --rolloff --cutoff --m0 [--longest]",
+        ],
+        "persson-yield" => vec![
+            "--hardness --m0 --m2 --m4",
+            "--hardness --hurst --rolloff --cutoff --m0 [--longest]",
+        ],
         _ => vec![MOMENTS, SELF_AFFINE],
     }
 }
@@ -145,6 +157,7 @@ impl Source {
         inputs.max_amplitude_ratio = self.max_amplitude_ratio;
         inputs.nominal_area = self.area;
         inputs.critical_area = self.critical_area;
+        inputs.hardness = self.hardness;
         inputs.asperities = self.asperities()?;
         inputs.spheres = self.spheres()?;
         inputs.fractal = self.fractal()?;
@@ -263,7 +276,8 @@ impl Source {
 
     /// Inputs from profiles, with what no file says.
     pub(crate) fn for_profile(&self, inputs: Inputs) -> Inputs {
-        Inputs { gamma: self.gamma, critical_area: self.critical_area, ..inputs }
+        let Self { gamma, critical_area, hardness, .. } = *self;
+        Inputs { gamma, critical_area, hardness, ..inputs }
     }
 
     /// What the model needs of a measured surface, and nothing else.
@@ -281,6 +295,7 @@ impl Source {
         let mut inputs = Inputs::new(modulus);
         inputs.gamma = self.gamma;
         inputs.critical_area = self.critical_area;
+        inputs.hardness = self.hardness;
         inputs.nominal_area = Some(heights.grid().area());
         let map = level(&heights, form).map_err(refused)?;
         // Every model has the moments that a study gives it; only Persson's mean gap needs more.
@@ -329,7 +344,7 @@ impl Source {
         let used = |name: &str| used.split([' ', '[', ']']).any(|option| option == name);
         for (name, is_given) in self.given() {
             let of_file = matches!(name, "--level" | "--boundary");
-            let extra = matches!(name, "--gamma" | "--critical-area");
+            let extra = matches!(name, "--gamma" | "--critical-area" | "--hardness");
             let fits = match file {
                 Some(_) => of_file || (extra && used(name)),
                 None => !of_file && (used(name) || (model == "persson" && name == "--m4")),
@@ -353,7 +368,7 @@ impl Source {
         Ok(())
     }
 
-    fn given(&self) -> [(&'static str, bool); 22] {
+    fn given(&self) -> [(&'static str, bool); 23] {
         [
             ("--m0", self.m0.is_some()),
             ("--m2", self.m2.is_some()),
@@ -373,6 +388,7 @@ impl Source {
             ("--roughness", self.roughness.is_some()),
             ("--area", self.area.is_some()),
             ("--critical-area", self.critical_area.is_some()),
+            ("--hardness", self.hardness.is_some()),
             ("--sphere-radius", self.sphere_radius.is_some()),
             ("--sphere-density", self.sphere_density.is_some()),
             ("--level", self.level.is_some()),
@@ -415,5 +431,6 @@ pub(crate) fn object(inputs: &Inputs) -> Value {
         "roughness": inputs.fractal.map(|f| f.roughness),
         "nominal_area": inputs.nominal_area,
         "critical_area": inputs.critical_area,
+        "hardness": inputs.hardness,
     })
 }

@@ -19,6 +19,7 @@ use crate::scene;
 use crate::text::{self, Columns};
 use crate::work::{Point, Work};
 use clap::Args;
+use compare::Hardness;
 use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
 use compare::{
@@ -418,8 +419,8 @@ impl Solve {
         if self.stiffness {
             headings.push("stiffness");
         }
-        let yields = self.hardness.map(|hardness| hardness::Given {
-            hardness,
+        let yields = self.hardness.map(|pascals| Hardness {
+            pascals,
             modulus,
             gradient: solved.scene.gradient,
         });
@@ -461,11 +462,11 @@ impl Solve {
         });
         let mut notes = notes.to_owned();
         if let Some(yields) = yields {
-            json["hardness"] = yields.json();
+            json["hardness"] = hardness::json(yields);
             let solved = json["points"].as_array().into_iter().flatten();
             let solved = solved.filter(|p| !p["area_fraction"].is_null());
             let highest = solved.filter_map(|p| p["mean_pressure"].as_f64()).fold(0.0, f64::max);
-            notes += &yields.lines(highest);
+            notes += &hardness::lines(yields, highest);
         }
         let text =
             text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();

@@ -5,7 +5,8 @@ use crate::finding::{Finding, Pressed};
 use crate::inputs::{Inputs, MomentSource};
 use crate::profile::fact::Unevenness;
 use crate::profile::findings::profile_findings;
-use crate::result::{DeterministicPoint, ModelCurve, Verdict};
+use crate::reason::Verdict;
+use crate::result::{DeterministicPoint, ModelCurve};
 use crate::scene::Scene;
 use crate::study::{check_models, check_pressures, loads, named};
 use crate::theory::{BuildError, Card, Theory};
@@ -166,6 +167,9 @@ impl ProfileComparison {
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
         check_pressures(&settings)?;
         check_models(&settings, registry)?;
+        if settings.hardness.is_some() {
+            return Err(StudyError::YieldingProfiles);
+        }
         let options = surface.options(&settings);
         let ProfileSurface { name, origin, traces, uneven } = surface;
         let refused = |source| StudyError::Statistics { surface: name.clone(), source };
@@ -266,7 +270,8 @@ fn ask(
         {
             return Err(BuildError::Model(first.clone()));
         }
-        Ok(ModelCurve { errors: vec![None; points.len()], points, seconds })
+        let errors = vec![None; points.len()];
+        Ok(ModelCurve { errors, points, seconds, elastic_errors: Vec::new() })
     });
     let intervals = match &outcome {
         Ok(curve) => loads
@@ -286,6 +291,7 @@ fn ask(
         skewness: statistics.skewness,
         kurtosis: statistics.kurtosis,
         fractal_range: statistics.fractal_range,
+        excess: None,
     };
     let verdict = verdict(&card, inputs, &outcome, loads, &judged);
     ProfileModel { card, outcome, intervals, verdict }

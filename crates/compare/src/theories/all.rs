@@ -1,8 +1,8 @@
 //! The order of the built-in theories in tables and figures.
 
 use super::{
-    archard, bgt, equation, greenwood_elliptical, gw, majumdar_bhushan, multiscale, persson,
-    stacked,
+    archard, bgt, chang_etsion_bogy, equation, greenwood_elliptical, gw, majumdar_bhushan,
+    multiscale, persson, persson_yield, stacked,
 };
 use crate::theory::Theory;
 use std::sync::Arc;
@@ -19,6 +19,8 @@ pub(crate) fn all() -> Vec<Arc<dyn Theory>> {
         archard::theory(),
         majumdar_bhushan::theory(),
         equation::theory(),
+        chang_etsion_bogy::theory(),
+        persson_yield::theory(),
     ];
     rows.into_iter().map(super::row::Row::theory).collect()
 }

@@ -14,6 +14,7 @@ pub(super) fn theory() -> Row {
         needs: "radius and density of the spheres of each level",
         domain: "many spheres per contact of the level above, and far apart",
         from_map: false,
+        yields: false,
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(build),
     }

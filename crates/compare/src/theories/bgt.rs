@@ -14,6 +14,7 @@ pub(super) fn theory() -> Row {
         needs: "m0, m2, m4",
         domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
         from_map: true,
+        yields: false,
         assumes: Assumes::Summits,
         build: Build::Separation(build),
     }

@@ -14,6 +14,7 @@ pub(super) fn theory() -> Row {
         needs: "m0, m2, m4; from a map also the slope of its highest part",
         domain: "any area from 0.1 %; off by about 5 % on Gaussian maps, up to 20 % on others; measured maps with spikes or unresolved waves: unknown",
         from_map: true,
+        yields: false,
         assumes: Assumes::Fitted,
         build: Build::Pressure(build),
     }

@@ -14,6 +14,7 @@ pub(super) fn theory() -> Row {
         needs: "m0, m2, m4, or density, radius, height deviation and mean offset of asperities",
         domain: "isotropic Gaussian surface, contact below about 10 % of it",
         from_map: true,
+        yields: false,
         assumes: Assumes::Summits,
         build: Build::Separation(build),
     }

@@ -14,6 +14,7 @@ pub(super) fn theory() -> Row {
         needs: "dimension D, roughness G, nominal area; a critical area for D of 1.5 and more",
         domain: "1 < D < 1.5 without a critical area",
         from_map: true,
+        yields: false,
         assumes: Assumes::Fractal,
         build: Build::Pressure(build),
     }

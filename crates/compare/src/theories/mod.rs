@@ -3,12 +3,14 @@
 mod all;
 mod archard;
 mod bgt;
+mod chang_etsion_bogy;
 mod equation;
 mod greenwood_elliptical;
 mod gw;
 mod majumdar_bhushan;
 mod multiscale;
 mod persson;
+mod persson_yield;
 mod row;
 mod stacked;
 

@@ -14,6 +14,7 @@ pub(super) fn theory() -> Row {
         needs: "amplitudes of the rows, at every frequency",
         domain: "depends on the record length and on the direction of the rows",
         from_map: true,
+        yields: false,
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(build),
     }

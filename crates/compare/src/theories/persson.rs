@@ -14,6 +14,7 @@ pub(super) fn theory() -> Row {
         needs: "m2; a spectrum for the mean gap",
         domain: "isotropic Gaussian surface, any load; reads low at light load",
         from_map: true,
+        yields: false,
         assumes: Assumes::Gaussian,
         build: Build::Pressure(build),
     }

@@ -30,6 +30,7 @@ pub(super) struct Row {
     pub(super) needs: &'static str,
     pub(super) domain: &'static str,
     pub(super) from_map: bool,
+    pub(super) yields: bool,
     pub(super) assumes: Assumes,
     pub(super) build: Build,
 }
@@ -45,6 +46,7 @@ impl Row {
         card.domain = self.domain.into();
         card.assumes = self.assumes;
         card.from_map = self.from_map;
+        card.yields = self.yields;
         card.has_separation = matches!(self.build, Build::Separation(_));
         Arc::new(BuiltIn { card, build: self.build })
     }

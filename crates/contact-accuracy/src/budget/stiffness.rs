@@ -1,4 +1,4 @@
-//! Contact stiffness, -dp/d(mean gap), from two more solutions.
+//! Contact stiffness, -dp/d(mean gap): from two more solutions, of a contact that may yield from its set.
 
 use super::area::iteration_half_width;
 use super::estimate::{Budget, Estimate};
@@ -7,6 +7,7 @@ use super::no_interval::NoAreaInterval;
 use super::{grid, iteration};
 use contact_types::HeightMap;
 use fft_bem_solver::{Load, Solution, Solver, SolverError};
+use std::time::Instant;
 
 /// Factor between the load and the two loads beside it.
 const STEP: f64 = 1.01;
@@ -15,7 +16,7 @@ const STEP: f64 = 1.01;
 /// curvature of ln p against the gap, of order one.
 const DIFFERENCE: f64 = 1e-4;
 
-/// What two solutions at a little less and a little more load say of the stiffness.
+/// What is known of the stiffness at a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Stiffness {
@@ -23,9 +24,9 @@ pub struct Stiffness {
     pub value: f64,
     /// Relative half width left by stopping the iterations; the reason if it is not known.
     pub iteration: Result<f64, NoAreaInterval>,
-    /// FFT pairs of both solutions.
+    /// FFT pairs spent.
     pub transforms: f64,
-    /// Wall-clock time of both (s).
+    /// Wall-clock time spent (s).
     pub seconds: f64,
 }
 
@@ -35,6 +36,9 @@ impl Stiffness {
     /// `k = p ln(p2/p1) / (gap1 - gap2)`. `None` if the gap has no mean, does not close by more than
     /// the iteration leaves of it, or is closed: in full contact the stiffness is infinite.
     ///
+    /// Of bodies with a hardness the slope of the curve is not the stiffness, for what has yielded takes
+    /// no more load: there the load itself is solved, and its contact set is asked.
+    ///
     /// # Errors
     /// [`SolverError`].
     pub fn near(
@@ -43,7 +47,30 @@ impl Stiffness {
         map: &Map,
         mean_pressure: f64,
     ) -> Result<Option<Self>, SolverError> {
+        if solver.hardness().is_finite() {
+            let solution = solver.solve(surface, Load::MeanPressure(mean_pressure))?;
+            return Self::of_set(solver, &solution);
+        }
         Self::around(&mut |load| solver.solve(surface, load), map, mean_pressure)
+    }
+
+    /// Of the contact set of `solution`, which `solver` holds: its mixed problem. `None` without contact and
+    /// in full contact.
+    ///
+    /// # Errors
+    /// [`SolverError`].
+    pub fn of_set(solver: &mut Solver, solution: &Solution) -> Result<Option<Self>, SolverError> {
+        let start = Instant::now();
+        let set = solver.contact_stiffness()?;
+        let found = &solution.diagnostics;
+        let area = found.area_fraction_corrected;
+        if !(set.per_area > 0.0 && set.per_area.is_finite() && area > 0.0) {
+            return Ok(None);
+        }
+        // The set is that of an iterate: the stiffness moves no more than its area does.
+        let iteration = iteration_half_width(found).map(|half| half / area + set.residual);
+        let (transforms, seconds) = (set.transforms, start.elapsed().as_secs_f64());
+        Ok(Some(Self { value: set.per_area, iteration, transforms, seconds }))
     }
 
     /// The same of a surface that `solve` knows.

@@ -126,6 +126,10 @@ impl Look {
 pub const DETERMINISTIC_LOOK: Look =
     Look { colour: DETERMINISTIC, width: 2.0, dash: "", marker: Marker::Dot, marker_offset: 0 };
 
+/// The solution of elastic bodies beside that of bodies that yield: thin.
+pub const ELASTIC_LOOK: Look =
+    Look { colour: INK2, width: 0.8, dash: "", marker: Marker::Ring, marker_offset: 2 };
+
 /// Height: dark low, light high, lightness linear in the value.
 pub const HEIGHT_RAMP: [u32; 9] =
     [0x1F2D4C, 0x234560, 0x2A5F71, 0x3B797D, 0x569286, 0x79A98D, 0xA1C096, 0xCBD4A1, 0xF6E8B3];

@@ -8,7 +8,7 @@ use crate::words::edges::treatment;
 use crate::words::loads::loads_words;
 use crate::words::pair::{bodies, lying, moments};
 use crate::words::plan as plan_words;
-use compare::{Body, FileOrigin, Origin, Recipe};
+use compare::{Body, FileOrigin, Origin, Recipe, Settings};
 use compare::{DeterministicAnswer, SurfaceComparison};
 use contact_accuracy::BOUNDARY_CORRECTION;
 use contact_accuracy::plan::Outcome;
@@ -73,6 +73,7 @@ pub(crate) fn section(page: &Page<'_>) -> String {
         },
     );
     rows.push(("Material".into(), material));
+    rows.extend(hardness_words(settings).map(|words| ("Hardness".to_owned(), words)));
     rows.extend(loads_words(settings).map(|words| ("Loads".to_owned(), words)));
     for surface in &page.comparison.surfaces {
         let Some(plan) = &surface.plan else { continue };
@@ -92,6 +93,21 @@ pub(crate) fn section(page: &Page<'_>) -> String {
          results in <code>results.json</code>, every setting in <code>run.toml</code>.</p>\n",
         escape(&made.repeat)
     )
+}
+
+/// The hardness, and what else a theory of yield was given.
+pub(crate) fn hardness_words(settings: &Settings) -> Option<String> {
+    let hardness = settings.hardness?;
+    let poisson = significant(settings.poisson(), 2);
+    let whose = if settings.bodies.is_empty() {
+        format!("CEB assumes ν = {poisson}, for <i>E</i>* alone was given")
+    } else {
+        format!("CEB takes ν = {poisson} of the bodies")
+    };
+    Some(format!(
+        "no pressure exceeds <i>H</i> = {}; models are judged by that contact; {whose}",
+        chosen(hardness, PASCALS)
+    ))
 }
 
 /// What E* is made of. Contact is solved as that of one rough elastic half space and a rigid flat.

@@ -133,9 +133,12 @@ fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
             format!(" · {}", words::date(page.provenance.unix_time)),
         )
     };
+    let hardness = surface.inputs.hardness;
+    let hardness =
+        hardness.map_or(String::new(), |h| format!(" · <i>H</i> = {}", chosen(h, PASCALS)));
     let line = format!(
         "<p class=\"file\">{before}{} × {}{SPACE}{}, {nx} × {ny} points · <i>E</i>* = \
-         {}{after}</p>\n",
+         {}{hardness}{after}</p>\n",
         side(lx),
         side(ly),
         unit.name,

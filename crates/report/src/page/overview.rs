@@ -8,7 +8,7 @@ use crate::numbers::{
 };
 use crate::page::context::Page;
 use crate::words;
-use compare::{ModelCurve, SurfaceComparison};
+use compare::{ModelComparison, SurfaceComparison, elastic_holds};
 
 /// The opening of a report on several surfaces.
 pub(crate) fn section(page: &mut Page<'_>) -> String {
@@ -61,18 +61,25 @@ pub(crate) fn section(page: &mut Page<'_>) -> String {
     out
 }
 
-/// Mean size of the error of each model over all loads of a surface, by the order of the list.
-fn mean_errors(surface: &SurfaceComparison) -> Vec<Option<f64>> {
-    surface
-        .models
-        .iter()
-        .map(|m| m.outcome.as_ref().ok().and_then(ModelCurve::worst_and_mean).map(|(_, mean)| mean))
-        .collect()
+/// Whether theories of elastic bodies are ranked.
+fn ranks_elastic(surfaces: &[SurfaceComparison]) -> bool {
+    surfaces.iter().all(elastic_holds)
+}
+
+/// Mean size of the error of each model over all loads of each surface, by the order of the list; none
+/// of a theory that is not ranked.
+fn mean_errors(surfaces: &[SurfaceComparison]) -> Vec<Vec<Option<f64>>> {
+    let elastic = ranks_elastic(surfaces);
+    let mean = |m: &ModelComparison| {
+        let curve = m.outcome.as_ref().ok().filter(|_| m.card.yields || elastic)?;
+        curve.worst_and_mean().map(|(_, mean)| mean)
+    };
+    surfaces.iter().map(|s| s.models.iter().map(mean).collect()).collect()
 }
 
 /// Which closed form has the smallest largest mean error over the surfaces.
 fn headline(surfaces: &[SurfaceComparison]) -> String {
-    let all: Vec<Vec<Option<f64>>> = surfaces.iter().map(mean_errors).collect();
+    let all = mean_errors(surfaces);
     let models = all.first().map_or(0, Vec::len);
     let worst = |k: usize| -> Option<f64> {
         all.iter().map(|errors| errors[k]).try_fold(0.0_f64, |w, e| Some(w.max(e?)))
@@ -100,22 +107,25 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
 /// Whether the order of the models is the same on every surface, among those that answer on all,
 /// and which do not.
 fn ranking(surfaces: &[SurfaceComparison]) -> String {
-    let all: Vec<Vec<Option<f64>>> = surfaces.iter().map(mean_errors).collect();
-    let labels: Vec<String> = surfaces
+    let all = mean_errors(surfaces);
+    let elastic = ranks_elastic(surfaces);
+    let labels: Vec<Option<String>> = surfaces
         .first()
         .map_or(&[][..], |s| &s.models)
         .iter()
-        .map(|m| escape(&m.card.label))
+        .map(|m| (m.card.yields || elastic).then(|| escape(&m.card.label)))
         .collect();
-    format!("{}{}", order(surfaces, &all), left_out(&labels, &all))
+    let of_elastic = if elastic { "" } else { words::NOT_RANKED };
+    format!("{}{}{of_elastic}", order(surfaces, &all), left_out(&labels, &all))
 }
 
 /// " Not ranked: MB (answers on 1 of 3)."; empty if every model answers on every surface.
-fn left_out(labels: &[String], all: &[Vec<Option<f64>>]) -> String {
+fn left_out(labels: &[Option<String>], all: &[Vec<Option<f64>>]) -> String {
     let missing: Vec<String> = labels
         .iter()
         .enumerate()
         .filter_map(|(k, label)| {
+            let label = label.as_ref()?;
             let answers = all.iter().filter(|e| e.get(k).is_some_and(Option::is_some)).count();
             (answers < all.len())
                 .then(|| format!("{label} (answers on {answers} of {})", all.len()))
@@ -195,9 +205,11 @@ mod tests {
 
     #[test]
     fn a_model_without_an_answer_everywhere_is_named() {
-        let labels = ["GW".to_owned(), "MB".to_owned()];
+        let labels = ["GW", "MB"].map(|label| Some(label.to_owned()));
         let all = [vec![Some(0.1), None], vec![Some(0.2), Some(0.8)]];
         assert_eq!(left_out(&labels, &all), " Not ranked: MB (answers on 1 of 2).");
         assert_eq!(left_out(&labels[..1], &all), "");
+        // A theory that is not ranked at all is said otherwise.
+        assert_eq!(left_out(&[labels[0].clone(), None], &all), "");
     }
 }

@@ -90,12 +90,18 @@ pub(crate) fn over_load(
     let p = chosen(surface.headline_pressure(), PASCALS);
     let has_band = lines.interval.iter().flatten().count() > 1;
     let band = if has_band { " Grey band: ± from grid and iteration." } else { "" };
+    let yields = surface.inputs.hardness.is_some();
     let one = page.next_figure();
     let area = figure(
         &curves::area(lines, &format!("{id}-f{one}"), Use::Page).inline(),
         &format!(
-            "<b>Fig. {one}. Real contact area.</b> Dots: deterministic solutions.{band} Dotted \
-             vertical: load read off."
+            "<b>Fig. {one}. Real contact area.</b> Dots: deterministic solutions{}.{band} Dotted \
+             vertical: load read off.",
+            if yields {
+                " of the contact that yields; thin with rings: elastic bodies"
+            } else {
+                ""
+            }
         ),
     );
     let two = page.next_figure();
@@ -211,10 +217,16 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
     let has_bar = surface.headline_answer().is_some_and(|a| a.interval().is_some());
     let covers = if has_bar { format!("{} alone. ", words::COMPARISON) } else { String::new() };
     format!(
-        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{covers}{} {} {}</p>\n",
+        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{covers}{} {} {}{}</p>\n",
         source_sentence(surface.inputs.source),
         words::within_ten(surface),
-        words::survey(surface)
+        words::survey(surface),
+        if surface.inputs.hardness.is_some() {
+            " Errors are against the contact that yields; small, “elastic”: those of a theory of elastic \
+             bodies against the solution of elastic bodies."
+        } else {
+            ""
+        }
     )
 }
 
@@ -401,9 +413,14 @@ pub(crate) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> Stri
     format!(
         "<{h}>How accurate the deterministic answer is</{h}>\n{budget}<div class=\"two\">\n\
          <div>{}</div>\n<div><p style=\"margin-top:0\">{conditions}</p><p>{counted}</p></div></div>\n\
-         <p class=\"why\">Not covered: plastic flow, friction, adhesion, waves longer than the map, \
+         <p class=\"why\">Not covered: {}, friction, adhesion, waves longer than the map, \
          and the instrument’s own calibration and transfer function.</p>\n",
-        budget::choices(surface)
+        budget::choices(surface),
+        if surface.inputs.hardness.is_some() {
+            "hardening, pile-up, a hardness that depends on size, plastic flow in the volume, unloading"
+        } else {
+            "plastic flow"
+        }
     )
 }
 

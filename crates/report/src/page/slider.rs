@@ -65,6 +65,11 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
         let area: Vec<String> = curve.points.iter().map(tables::model_area).collect();
         let error: Vec<String> =
             curve.errors.iter().map(|e| e.map_or("–".into(), signed_percent)).collect();
+        if !curve.elastic_errors.is_empty() {
+            let elastic: Vec<String> =
+                curve.elastic_errors.iter().map(|e| tables::elastic_error(*e)).collect();
+            cells.insert(format!("x-{}", model.card.name), json!(elastic));
+        }
         cells.insert(format!("a-{}", model.card.name), json!(area));
         cells.insert(format!("e-{}", model.card.name), json!(error));
     }

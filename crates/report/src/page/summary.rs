@@ -9,7 +9,7 @@ use crate::numbers::{
     AREAS, METRES, PASCALS, SPACE, Unit, chosen, duration, percent, quantity, signed_percent,
     significant, unit_for,
 };
-use crate::page::how_made::bodies_words;
+use crate::page::how_made::{bodies_words, hardness_words};
 use crate::page::html::document;
 use crate::page::sections::figure;
 use crate::page::tables::swatch;
@@ -47,7 +47,7 @@ impl Summary<'_> {
 
     /// The models, in the order of the study.
     fn models(&self) -> Vec<&'static str> {
-        let known = compare::built_in().of_maps().map(|t| t.card().name.as_ref());
+        let known = compare::built_in().of_studies().map(|t| t.card().name.as_ref());
         known
             .filter(|name| self.maps.iter().any(|(_, map)| map["models"][*name].is_object()))
             .collect()
@@ -111,7 +111,12 @@ fn headline(summary: &Summary<'_>) -> String {
         let spread = Spread::of(errors.iter().map(|e| e.abs())).filter(|_| full)?;
         Some((*name, spread.median(), Spread::of(errors.into_iter())?))
     };
-    let best = summary.models().iter().filter_map(sizes).min_by(|a, b| a.1.total_cmp(&b.1));
+    // Of bodies that yield a theory of elastic ones is right by accident at most.
+    let ranks = |name: &&&'static str| {
+        summary.settings.hardness.is_none() || find(name).is_some_and(|t| t.card().yields)
+    };
+    let best =
+        summary.models().iter().filter(ranks).filter_map(sizes).min_by(|a, b| a.1.total_cmp(&b.1));
     match best {
         Some((name, size, errors)) => format!(
             "Nearest over {} maps: {}, <b>{}</b> off in the median, {} to {} on four of five",
@@ -436,7 +441,7 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
     };
     format!(
         "<h2>How this was made</h2>\n<dl><dt>Program</dt><dd>rough-contact {}, {}, {} threads, {}</dd>\n\
-         <dt>Material</dt><dd><i>E</i>* = {}, {}</dd>\n<dt>Surface</dt><dd>level: {}; edges: \
+         <dt>Material</dt><dd><i>E</i>* = {}, {}{}</dd>\n<dt>Surface</dt><dd>level: {}; edges: \
          {}</dd>\n<dt>Solver</dt><dd>{solver}; area corrected for the contact line</dd></dl>\n<p>Made \
          with</p><pre>{}</pre>\n<p class=\"why\">One row for each file is in <code>table.csv</code>, complete \
          results in <code>results.json</code>. <code>compare</code> with one of the files alone writes its \
@@ -447,6 +452,7 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
         duration(summary.seconds),
         chosen(settings.modulus, PASCALS),
         bodies_words(&settings.bodies),
+        hardness_words(settings).map_or(String::new(), |words| format!("; {words}")),
         settings.level.name(),
         settings.edges.name(),
         escape(&provenance.repeat)

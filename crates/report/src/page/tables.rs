@@ -12,7 +12,9 @@ use crate::page::phrases::{load_words, spread_words};
 use crate::sources::DETERMINISTIC;
 use crate::words;
 use compare::survey::Experience;
-use compare::{Applies, ModelComparison, SurfaceComparison, is_steep};
+use compare::{
+    Applies, DeterministicAnswer, ModelComparison, SurfaceComparison, elastic_holds, is_steep,
+};
 use contact_types::{ContactState, ModelError};
 
 /// Value, and what its ± covers, of the numbers people came for.
@@ -44,10 +46,7 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             }
             .into(),
         ));
-        let load = a.budget.mean_pressure.value;
-        let (highest, why) =
-            words::highest_pressure(a.max_pressure, load, a.area_fraction_corrected);
-        rows.push(("Highest local pressure".into(), highest, why.into()));
+        rows.extend(yield_rows(surface, a));
         if let Some(gap) = a.mean_gap {
             let sq = surface.statistics.rms_height;
             let relative = if sq > 0.0 {
@@ -75,7 +74,12 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             rows.push((
                 "Contact stiffness".into(),
                 format!("{value}/µm"),
-                "−d<i>p</i>/d(mean gap), from two loads beside this one".into(),
+                if surface.inputs.hardness.is_some() {
+                    "of the contact set, as it would unload; not the slope of the loading curve"
+                } else {
+                    "−d<i>p</i>/d(mean gap), from two loads beside this one"
+                }
+                .into(),
             ));
         }
         if let Some(spots) = surface.spots {
@@ -115,11 +119,49 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
     )
 }
 
+/// The highest pressure; with a hardness what has yielded, and what elastic bodies would do.
+fn yield_rows(
+    surface: &SurfaceComparison,
+    a: &DeterministicAnswer,
+) -> Vec<(String, String, String)> {
+    let load = a.budget.mean_pressure.value;
+    let (highest, why) = words::highest_pressure(a.max_pressure, load, a.area_fraction_corrected);
+    let Some(yielded) = a.yielded.filter(|y| y.area_fraction > 0.0) else {
+        return vec![("Highest local pressure".into(), highest, why.into())];
+    };
+    let mut rows = vec![(
+        "Contact at the hardness".into(),
+        percent((yielded.area_fraction / a.area_fraction).min(1.0)),
+        format!(
+            "carries {} of the load; flattened there, {} over the whole map",
+            percent(yielded.load_share),
+            quantity(yielded.mean_flattening, METRES, 2)
+        ),
+    )];
+    let elastic = surface.elastic.get(surface.headline).and_then(|p| p.answer.as_ref());
+    rows.extend(elastic.map(|elastic| {
+        (
+            "Area of elastic bodies".into(),
+            words::area(elastic),
+            format!(
+                "the same map without yield; highest pressure {}",
+                quantity(elastic.max_pressure, PASCALS, 2)
+            ),
+        )
+    }));
+    rows
+}
+
 /// A model's area at one load, "1.67 %".
 pub(crate) fn model_area(point: &Result<ContactState, ModelError>) -> String {
     point
         .as_ref()
         .map_or("–".into(), |s| format!("{}{SPACE}%", significant(100.0 * s.area_fraction, 3)))
+}
+
+/// "elastic: −3.1 %": what a theory of those is wrong by on their own contact.
+pub(crate) fn elastic_error(error: Option<f64>) -> String {
+    format!("elastic: {}", error.map_or("–".into(), signed_percent))
 }
 
 /// A short piece of a series' line with its marker.
@@ -153,7 +195,9 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
         let error = m.outcome.as_ref().ok().and_then(|c| c.errors[surface.headline]);
         error.map_or(f64::INFINITY, f64::abs)
     };
-    order.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    let elastic = elastic_holds(surface);
+    let last = |(_, m): &(usize, &ModelComparison)| !(m.card.yields || elastic);
+    order.sort_by(|a, b| last(a).cmp(&last(b)).then(size(a).total_cmp(&size(b))));
     for (place, model) in order {
         rows.push_str(&model_row(page, surface, model, place));
     }
@@ -193,6 +237,9 @@ fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
             (_, Err(reason)) => applies(Applies::Caution, &reason.to_string()),
             _ if is_steep(surface.statistics.rms_gradient) => {
                 applies(Applies::Caution, words::SMALL_SLOPES)
+            }
+            _ if surface.inputs.hardness.is_some() => {
+                applies(Applies::Yes, "full map, yields at the hardness, periodic cell")
             }
             _ => applies(Applies::Yes, "full map, elastic, periodic cell"),
         }
@@ -243,11 +290,16 @@ fn model_row(
         if several { format!(" data-k=\"{prefix}-{}\"", card.name) } else { String::new() }
     };
     let error = curve.errors[surface.headline].map_or("–".into(), signed_percent);
+    // Beside the contact that yields, what the theory makes of the one it is about.
+    let of_elastic = curve
+        .elastic_errors
+        .get(surface.headline)
+        .map_or(String::new(), |e| format!("<small{}>{}</small>", key("x"), elastic_error(*e)));
     let range = curve.range().map_or("–".into(), |(lo, hi)| signed_range(lo, hi));
     let mean = curve.worst_and_mean().map_or("–".into(), |(_, mean)| percent(mean));
     format!(
         "<tr>{name}<td data-l=\"Area\" class=\"n\"{}>{}</td><td data-l=\"Error at load\" \
-         class=\"n\"{}>{error}</td><td data-l=\"Error, all loads\" class=\"n\">{range}</td>\
+         class=\"n\"><span{}>{error}</span>{of_elastic}</td><td data-l=\"Error, all loads\" class=\"n\">{range}</td>\
          <td data-l=\"Mean |error|\" class=\"n\">{mean}</td><td data-l=\"Time per load\" \
          class=\"n\">{}</td>{domain}{source}</tr>\n",
         key("a"),

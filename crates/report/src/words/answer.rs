@@ -4,6 +4,7 @@ use crate::draw::svg::escape;
 use crate::numbers::{
     PASCALS, SPACE, chosen, quantity, quantity_plus_minus, rounded_down, significant, with_bar,
 };
+use crate::words::yielding;
 use compare::{DeterministicAnswer, SurfaceComparison};
 
 /// "1.96 ± 0.12 %", "at most 2.1 %" where the interval begins at zero, or "1.96 %" without one.
@@ -88,7 +89,8 @@ pub fn headline_line(surface: &SurfaceComparison) -> Option<String> {
         covers => format!(" ({covers})"),
     };
     let p = chosen(surface.headline_pressure(), PASCALS);
-    let line = format!("at {p} {} of the area touches{label}", area_prediction(answer));
+    let share = yielding::share(surface).replace("<b>", "").replace("</b>", "");
+    let line = format!("at {p} {} of the area touches{share}{label}", area_prediction(answer));
     Some(line.replace(SPACE, " "))
 }
 
@@ -125,10 +127,11 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
     };
     let whole = if surface.origin.pair().is_some() { "the area in common" } else { "the surface" };
     format!(
-        "{opening}{}t {p}, {about}<b>{}</b> of {whole} touches; the mean real pressure is \
+        "{opening}{}t {p}, {about}<b>{}</b> of {whole} touches{}; the mean real pressure is \
          {about}<b>{}</b>{unresolved}.{label}",
         if opening.is_empty() { 'A' } else { 'a' },
         area_prediction(answer),
+        yielding::share(surface),
         real_pressure_prediction(answer)
     )
 }

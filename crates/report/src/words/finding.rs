@@ -5,6 +5,7 @@ use crate::words::edges::seam_effect;
 use crate::words::pair;
 use crate::words::plan;
 use crate::words::profile;
+use crate::words::yielding;
 use compare::{Bare, EdgesName, Fact, Finding, Passed, SPIKE_THRESHOLD, Seam, Steep, Yield};
 use contact_accuracy::NoAreaInterval;
 use contact_accuracy::plan::Outcome;
@@ -30,6 +31,9 @@ pub fn finding(finding: &Finding) -> Worded {
     match &finding.fact {
         Fact::Unit { gradient, rms_height, radius } => unit([*gradient, *rms_height, *radius]),
         Fact::Yield(found) => beyond_yield(found),
+        Fact::Yielding(found) => of_two(yielding::headline(found)),
+        Fact::OddHardness { hardness, usual } => of_two(yielding::odd(*hardness, *usual)),
+        Fact::BulkYield { highest, hardness } => of_two(yielding::bulk(*highest, *hardness)),
         Fact::Steep(found) => steep(found),
         Fact::Spikes { count, largest, share } => spikes(*count, *largest, *share),
         Fact::NotConverged { loads, of } => worded(

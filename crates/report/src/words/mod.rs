@@ -11,6 +11,7 @@ pub(crate) mod plan;
 pub(crate) mod profile;
 mod ranking;
 mod verdict;
+pub(crate) mod yielding;
 
 pub use answer::headline_line;
 pub(crate) use answer::{
@@ -18,5 +19,5 @@ pub(crate) use answer::{
     real_pressure_prediction,
 };
 pub(crate) use date::date;
-pub(crate) use ranking::{curves_lead, ranked, recommendation, survey, within_ten};
+pub(crate) use ranking::{NOT_RANKED, curves_lead, ranked, recommendation, survey, within_ten};
 pub(crate) use verdict::{SMALL_SLOPES, reason, reason_of};

@@ -6,7 +6,10 @@ use crate::numbers::{PASCALS, SPACE, chosen, duration, percent, signed_percent, 
 use crate::words::coarser;
 use crate::words::verdict::reason;
 use compare::survey::FEWEST;
-use compare::{Applies, ModelComparison, ModelCurve, SurfaceComparison};
+use compare::{Applies, ModelComparison, ModelCurve, SurfaceComparison, elastic_holds};
+
+/// Said where the contact yields.
+pub(crate) const NOT_RANKED: &str = " Theories of elastic bodies are not ranked: where the contact yields they agree by accident at most.";
 
 /// A closed form with its error at the headline load.
 pub(crate) struct Ranked<'a> {
@@ -20,12 +23,15 @@ pub(crate) struct Ranked<'a> {
     pub seconds: f64,
 }
 
-/// The closed forms that answer at the headline load, nearest first.
+/// The closed forms that answer at the headline load, nearest first; where the contact yields, those of
+/// bodies that yield.
 pub(crate) fn ranked(surface: &SurfaceComparison) -> Vec<Ranked<'_>> {
+    let elastic = elastic_holds(surface);
     let mut list: Vec<Ranked<'_>> = surface
         .models
         .iter()
         .enumerate()
+        .filter(|(_, model)| model.card.yields || elastic)
         .filter_map(|(place, model)| {
             let curve = model.outcome.as_ref().ok()?;
             let error = (*curve.errors.get(surface.headline)?)?;
@@ -42,7 +48,11 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
     let relative = answer.uncertainty().map(|u| u / answer.area_fraction_corrected);
     let ranked = ranked(surface);
     let Some(nearest) = ranked.first() else {
-        return "No closed form answers at this load.".into();
+        return if elastic_holds(surface) {
+            "No closed form answers at this load.".into()
+        } else {
+            "No closed form of bodies that yield answers at this load.".into()
+        };
     };
     let faster = |r: &Ranked<'_>| {
         let ratio = times(answer.seconds / r.seconds);
@@ -98,6 +108,9 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
             escape(&best.model.card.title),
             reason(best.model).trim_end_matches('.')
         ));
+    }
+    if !elastic_holds(surface) {
+        text.push_str(NOT_RANKED);
     }
     text.push_str(&coarser::sentence(surface, answer.seconds));
     text
@@ -225,7 +238,8 @@ pub(crate) fn within_ten(surface: &SurfaceComparison) -> String {
         );
     }
     let mut parts = Vec::new();
-    for model in &surface.models {
+    let elastic = elastic_holds(surface);
+    for model in surface.models.iter().filter(|m| m.card.yields || elastic) {
         let Ok(curve) = &model.outcome else { continue };
         let mut spans: Vec<[usize; 2]> = Vec::new();
         for (i, error) in curve.errors.iter().enumerate() {
@@ -268,6 +282,10 @@ pub(crate) fn within_ten(surface: &SurfaceComparison) -> String {
 
 /// What "surfaces like this" means below the model table, or that the survey has none.
 pub(crate) fn survey(surface: &SurfaceComparison) -> String {
+    if surface.inputs.hardness.is_some() {
+        return "The survey of 240 surfaces was of elastic contact and says nothing of this one."
+            .into();
+    }
     let load = chosen(surface.headline_pressure(), PASCALS);
     if surface.models.iter().any(|m| m.experience.is_some()) {
         format!(

@@ -1,6 +1,6 @@
 //! Whether a theory covers a surface, in words.
 
-use crate::numbers::{SPACE, length, pressure, significant};
+use crate::numbers::{SPACE, length, percent, pressure, significant};
 use compare::{Assumes, Card, ModelComparison, Reason, Verdict};
 use contact_types::ModelError;
 
@@ -66,6 +66,15 @@ fn words(reason: &Reason) -> String {
         Reason::Beyond { quantity, value, limit, reason } => {
             format!("{quantity} {} beyond {}: {reason}", plain(*value), plain(*limit))
         }
+        Reason::Elastic(excess) => format!(
+            "is of elastic bodies; these yield and touch on up to {} more{}",
+            percent(excess.most),
+            if excess.everywhere {
+                String::new()
+            } else {
+                format!(", from {} on", pressure(excess.from))
+            }
+        ),
         Reason::Full { from } => format!("full contact from {}", pressure(*from)),
         Reason::NoAnswer { loads, of } => format!("no answer at {loads} of {of} loads"),
     }

@@ -1,0 +1,161 @@
+//! Whether a theory covers a surface, and why not: as numbers. `report` has the words.
+
+use contact_types::ModelError;
+use serde::Serialize;
+use std::borrow::Cow;
+
+/// Whether a theory covers a surface. This judges the domain, not the error.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Verdict {
+    /// Yes, caution or no.
+    pub answer: Applies,
+    /// Why not simply yes, with the measured numbers.
+    pub reasons: Vec<Reason>,
+    /// True if the surface itself is the reason, and not the height of some loads.
+    pub at_every_load: bool,
+}
+
+/// Why a theory covers a surface only with caution, or not at all.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Reason {
+    /// Slopes beyond those of small-slope elasticity.
+    Steep {
+        /// Rms gradient \[-\].
+        gradient: f64,
+    },
+    /// The theory has no meaning for this surface.
+    Refused(ModelError),
+    /// Something it is made of is absent.
+    Missing {
+        /// What is absent.
+        needs: Cow<'static, str>,
+        /// What a fractal fit gave, if that is what is missing \[-\].
+        dimension: Option<f64>,
+    },
+    /// Rows of the map stand at heights of their own.
+    RowsJump,
+    /// The surface has a lay.
+    Lay {
+        /// Larger over smaller mean square slope \[-\].
+        ratio: f64,
+    },
+    /// The heights are not normal.
+    NotGaussian {
+        /// Skewness \[-\].
+        skewness: f64,
+        /// Kurtosis \[-\].
+        kurtosis: f64,
+    },
+    /// Summits no longer act alone.
+    Crowded {
+        /// The first mean pressure at which the area exceeds 5 % (Pa).
+        from: f64,
+    },
+    /// Fitted on maps that resolve their contacts, which this one does not.
+    NotResolved {
+        /// Loads at which the points do not carry the error bar of the area.
+        loads: usize,
+        /// Of how many.
+        of: usize,
+    },
+    /// The input depends on how long the rows of the map are.
+    RecordLength {
+        /// Where the input sits (m); `None` if no wave stands out.
+        wavelength: Option<f64>,
+        /// Length of the rows (m).
+        length: f64,
+    },
+    /// The input depends on the range that a fractal was fitted over.
+    FitRange {
+        /// Dimension of the fit \[-\].
+        dimension: f64,
+        /// Shortest wavelength of the fit (m).
+        short: f64,
+        /// Longest wavelength of the fit (m).
+        long: f64,
+    },
+    /// The model says itself that an assumption is strained.
+    Beyond {
+        /// The quantity that shows it.
+        quantity: Cow<'static, str>,
+        /// Its value.
+        value: f64,
+        /// Where the assumption is usually taken to end.
+        limit: f64,
+        /// What is strained.
+        reason: Cow<'static, str>,
+    },
+    /// The bodies yield, and the theory is of elastic ones.
+    Elastic(Excess),
+    /// The model reaches full contact.
+    Full {
+        /// The first mean pressure at which it does (Pa).
+        from: f64,
+    },
+    /// Some loads have no answer.
+    NoAnswer {
+        /// How many.
+        loads: usize,
+        /// Of how many.
+        of: usize,
+    },
+}
+
+impl Reason {
+    /// True if it depends on the load, and not on the surface alone.
+    pub fn is_by_load(&self) -> bool {
+        match self {
+            Self::Crowded { .. }
+            | Self::Beyond { .. }
+            | Self::Full { .. }
+            | Self::NoAnswer { .. } => true,
+            Self::Elastic(excess) => !excess.everywhere,
+            Self::Steep { .. }
+            | Self::RowsJump
+            | Self::Refused(_)
+            | Self::Missing { .. }
+            | Self::Lay { .. }
+            | Self::NotGaussian { .. }
+            | Self::RecordLength { .. }
+            | Self::NotResolved { .. }
+            | Self::FitRange { .. } => false,
+        }
+    }
+}
+
+/// The answer of a [`Verdict`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Applies {
+    /// Within the assumptions.
+    Yes,
+    /// It answers, but an assumption is strained.
+    Caution,
+    /// No meaning here.
+    No,
+}
+
+impl Applies {
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Yes => "yes",
+            Self::Caution => "caution",
+            Self::No => "no",
+        }
+    }
+}
+
+/// By how much the area of bodies that yield exceeds that of elastic ones.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Excess {
+    /// The first mean pressure at which it is more than 2 % (Pa).
+    pub from: f64,
+    /// The largest, relative to the elastic area \[-\].
+    pub most: f64,
+    /// True if it is more than 2 % at every load that has both.
+    pub everywhere: bool,
+}

@@ -1,0 +1,83 @@
+//! Bodies that yield: what a hardness means for the elastic answer.
+
+use crate::reason::Excess;
+use crate::result::{DeterministicPoint, SurfaceComparison};
+use crate::scene::typical_hardness;
+use contact_types::ContactModulus;
+use serde::Serialize;
+
+/// By how much a hardness may leave the range of solids before it is called a mistake.
+const NONSENSE: f64 = 10.0;
+
+/// Mean pressure over hardness beyond which a ceiling of the pressure is no model of a metal: it yields in
+/// its volume.
+pub const BULK_YIELD: f64 = 0.3;
+
+/// Part of the area by which yield makes the elastic one wrong: `E* g / H <= 1` keeps it below.
+const TOLD: f64 = 0.02;
+
+/// A hardness beside what is pressed with it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Hardness {
+    /// H (Pa).
+    pub pascals: f64,
+    /// Contact modulus (Pa).
+    pub modulus: f64,
+    /// Rms gradient \[-\], if it is known.
+    pub gradient: Option<f64>,
+}
+
+impl Hardness {
+    /// `E* g / H` \[-\]: up to 1 the area of elastic contact is right to 2 %.
+    pub fn over_elastic(&self) -> Option<f64> {
+        self.gradient.map(|g| self.modulus * g / self.pascals)
+    }
+
+    /// The hardness of solids of this modulus, `[low, high]` (Pa), if this one is so far from it that the
+    /// unit may be wrong.
+    pub fn doubt(&self) -> Option<[f64; 2]> {
+        let [low, high] = typical_hardness(self.modulus)?;
+        let is_far = self.pascals < low / NONSENSE || self.pascals > high * NONSENSE;
+        is_far.then_some([low, high])
+    }
+}
+
+/// Of the loads that both solutions have; `None` where the elastic area is right to 2 %.
+pub(crate) fn excess(
+    yielding: &[DeterministicPoint],
+    elastic: &[DeterministicPoint],
+) -> Option<Excess> {
+    let area = |p: &DeterministicPoint| {
+        let area = p.answer.as_ref()?.area_fraction_corrected;
+        (area > 0.0).then_some(area)
+    };
+    let both = yielding.iter().zip(elastic);
+    let excesses: Vec<(f64, f64)> =
+        both.filter_map(|(a, b)| Some((a.mean_pressure, area(a)? / area(b)? - 1.0))).collect();
+    let from = excesses.iter().find(|(_, e)| *e > TOLD)?.0;
+    let most = excesses.iter().map(|(_, e)| *e).max_by(f64::total_cmp)?;
+    let everywhere = excesses.iter().all(|(_, e)| *e > TOLD);
+    Some(Excess { from, most, everywhere })
+}
+
+/// Whether a theory of elastic bodies can be right at the headline: no hardness is given, or the area of
+/// elastic bodies is that of these to 2 %. Where it is not, a theory that agrees does so by accident.
+pub fn elastic_holds(surface: &SurfaceComparison) -> bool {
+    let at = surface.headline;
+    let (Some(yielding), Some(elastic)) = (surface.deterministic.get(at), surface.elastic.get(at))
+    else {
+        return true;
+    };
+    excess(std::slice::from_ref(yielding), std::slice::from_ref(elastic)).is_none()
+}
+
+/// The rms gradient that the loads of a study are chosen for: with a hardness such that the highest of them
+/// stays below what the bodies bear before they yield in their volume.
+pub(crate) fn gradient_of_loads(
+    gradient: f64,
+    modulus: ContactModulus,
+    hardness: Option<f64>,
+) -> f64 {
+    // The highest load that is chosen is 0.4 E* g.
+    hardness.map_or(gradient, |h| gradient.min(BULK_YIELD / 0.4 * h / modulus.pascals()))
+}

@@ -1,0 +1,74 @@
+//! Sentences on bodies that yield: claim and text.
+
+use crate::numbers::{PASCALS, chosen, percent, quantity, signed_percent, significant};
+use compare::{BULK_YIELD, SurfaceComparison, Yielding};
+
+/// What a pressure that is held to a hardness leaves out.
+pub(crate) const LEFT_OUT: &str =
+    "One hardness at every scale; nothing hardens or piles up; loading only.";
+
+/// Of the headline.
+pub(crate) fn headline(found: &Yielding) -> [String; 2] {
+    let claim = format!(
+        "The contact yields: {} of it is at the hardness of {}.",
+        percent(found.share),
+        quantity(found.hardness, PASCALS, 3)
+    );
+    let elastic = found.elastic_area.filter(|a| *a > 0.0).map_or_else(String::new, |elastic| {
+        format!(
+            " Elastic bodies would touch on {} ({}).",
+            percent(elastic),
+            signed_percent(elastic / found.area - 1.0)
+        )
+    });
+    let ratio = found.over_elastic.map_or_else(String::new, |ratio| {
+        format!(
+            " E* g / H is {}; up to about 1 the elastic area would be right to 2\u{202F}%.",
+            significant(ratio, 2)
+        )
+    });
+    let text = format!(
+        "At {} it carries {} of the load.{elastic}{ratio} {LEFT_OUT}",
+        chosen(found.load, PASCALS),
+        percent(found.load_share)
+    );
+    [claim, text]
+}
+
+/// Of a hardness that no solid of this modulus has.
+pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> [String; 2] {
+    let show = |p: f64| quantity(p, PASCALS, 2);
+    [
+        "Is the unit of the hardness right?".into(),
+        format!(
+            "It is {}; solids with this contact modulus have about {} to {}.",
+            show(hardness),
+            show(low),
+            show(high)
+        ),
+    ]
+}
+
+/// Of loads at which the body yields in its volume.
+pub(crate) fn bulk(highest: f64, hardness: f64) -> [String; 2] {
+    [
+        format!("Loads reach {} of the hardness.", percent(highest / hardness)),
+        format!(
+            "Beyond about {} the body yields in its volume and not only where it touches; that is not \
+             modelled.",
+            percent(BULK_YIELD)
+        ),
+    ]
+}
+
+/// ", 43 % of that at the hardness"; empty where nothing is.
+pub(crate) fn share(surface: &SurfaceComparison) -> String {
+    let yielded = surface.headline_answer().and_then(|a| Some((a.yielded?, a.area_fraction)));
+    match yielded {
+        Some((yielded, area)) if yielded.area_fraction > 0.0 => {
+            let share = (yielded.area_fraction / area).min(1.0);
+            format!(", <b>{}</b> of that at the hardness", percent(share))
+        }
+        _ => String::new(),
+    }
+}

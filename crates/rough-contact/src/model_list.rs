@@ -1,0 +1,48 @@
+//! `rough-contact model --list`: every model with its source, inputs and domain.
+
+use crate::outcome::Reply;
+use compare::{Theory, built_in};
+use contact_types::Citation;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+
+pub(crate) fn citation(c: &Citation) -> Value {
+    json!({
+        "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi,
+    })
+}
+
+pub(crate) fn cited(c: &Citation) -> String {
+    if c.doi.is_empty() {
+        format!("{} {}", c.authors, c.year)
+    } else {
+        format!("{} {}, doi:{}", c.authors, c.year, c.doi)
+    }
+}
+
+pub(crate) fn list() -> Reply {
+    let mut text = String::new();
+    let mut models = Vec::new();
+    for card in built_in().iter().map(Theory::card) {
+        let c = &card.citation;
+        let doi = if c.doi.is_empty() { String::new() } else { format!(" doi:{}", c.doi) };
+        let options = crate::roughness::options_of(&card.name).join(", or ");
+        let separation = if card.has_separation { "; --separation as well" } else { "" };
+        // A String takes everything.
+        let _ = writeln!(
+            text,
+            "{}: {}\n  {} ({}) {}. {}.{doi}\n  inputs: {}\n  domain: {}\n  options: {options}{separation}\n",
+            card.name, card.title, c.authors, c.year, c.title, c.journal, card.needs, card.domain,
+        );
+        models.push(json!({
+            "name": card.name,
+            "title": card.title,
+            "citation": citation(c),
+            "inputs": card.needs,
+            "domain": card.domain,
+            "options": crate::roughness::options_of(&card.name),
+            "separation": card.has_separation,
+        }));
+    }
+    Reply::new(text, json!({ "models": models }))
+}
