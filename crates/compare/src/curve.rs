@@ -1,5 +1,6 @@
 //! The deterministic curve while it is solved.
 
+use crate::first_contact::FirstContact;
 use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use contact_accuracy::budget::{Between, Budget, Map};
@@ -11,7 +12,8 @@ use std::ops::ControlFlow;
 /// Area fraction the headline is looked for at.
 const TYPICAL_AREA: f64 = 0.02;
 
-/// The deterministic curve while it grows; of the fields only that of the headline is kept.
+/// The deterministic curve while it grows; of the fields only that of the headline is kept, of the others
+/// what touches.
 pub(crate) struct Curve {
     map: Map,
     wanted: Option<f64>,
@@ -21,6 +23,8 @@ pub(crate) struct Curve {
     score: f64,
     /// Pressure field of the headline (Pa).
     pub(crate) pressure: Vec<f64>,
+    /// The contact of all loads so far.
+    pub(crate) first: Option<FirstContact>,
     /// The map on the grid solved on, if it is not the given one.
     pub(crate) solved: Option<HeightMap>,
 }
@@ -29,7 +33,7 @@ impl Curve {
     pub(crate) fn new(map: Map, wanted: Option<f64>) -> Self {
         let (points, pressure) = (Vec::new(), Vec::new());
         let score = f64::INFINITY;
-        Self { map, wanted, points, headline: 0, score, pressure, solved: None }
+        Self { map, wanted, points, headline: 0, score, pressure, first: None, solved: None }
     }
 
     /// A load; `between` is what is known of the map between its points at this contact.
@@ -62,6 +66,8 @@ impl Curve {
         }
         let score = self.distance(mean_pressure, answer.as_ref());
         let index = self.points.len();
+        let pressure = solution.as_ref().map_or(&[][..], |s| &s.pressure);
+        self.first = FirstContact::with(self.first.take(), index, pressure);
         self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
         if score < self.score {
             self.score = score;

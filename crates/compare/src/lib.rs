@@ -13,6 +13,7 @@ mod describe;
 mod distribution;
 mod finding;
 mod findings;
+mod first_contact;
 mod inputs;
 mod profile;
 mod progress;
@@ -55,6 +56,7 @@ pub use finding::{
     Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield, Yielding,
 };
 pub use findings::{Solved, findings, measured, of_pair, seam, spiky};
+pub use first_contact::FirstContact;
 pub use inputs::{Inputs, MomentSource};
 pub use profile::{
     ProfileComparison, ProfileFact, ProfileModel, ProfileSurface, Unevenness, area_interval,

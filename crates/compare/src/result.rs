@@ -1,6 +1,7 @@
 //! What a study finds, as plain data.
 
 use crate::finding::Ended;
+use crate::first_contact::FirstContact;
 use crate::inputs::Inputs;
 use crate::reason::Verdict;
 use crate::survey::Experience;
@@ -81,6 +82,8 @@ pub struct SurfaceComparison {
     pub headline: usize,
     /// Pressure field at that load (Pa) on the grid solved; empty if there is no solution.
     pub pressure: Vec<f64>,
+    /// The contact of every load; `None` unless every load has a solution in which points only join.
+    pub first_contact: Option<FirstContact>,
     /// Contact spots at that load.
     pub spots: Option<Spots>,
     /// Every model of the list.

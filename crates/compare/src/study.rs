@@ -182,7 +182,7 @@ fn compare(
             Some(plan::run(&task, &mut sink).map_err(|e| refused_plan(e, &name))?)
         }
     };
-    let Curve { points: mut deterministic, headline, pressure, solved, .. } = curve;
+    let Curve { points: mut deterministic, headline, pressure, first, solved, .. } = curve;
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
         let mut solver = built(elastic(settings))?;
@@ -245,6 +245,7 @@ fn compare(
         solved,
         headline,
         pressure,
+        first_contact: first,
         spots,
         models,
     })

@@ -20,13 +20,7 @@ impl Picture {
     /// # Errors
     /// If the number of bytes does not fit the size.
     pub fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
-        let mut file = Vec::new();
-        let mut encoder = png::Encoder::new(&mut file, self.width as u32, self.height as u32);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::High);
-        encoder.write_header()?.write_image_data(&self.rgb)?;
-        Ok(file)
+        encoded([self.width, self.height], png::ColorType::Rgb, &self.rgb)
     }
 
     /// `data:image/png;base64,…`.
@@ -34,8 +28,48 @@ impl Picture {
     /// # Errors
     /// As [`Picture::png`].
     pub fn data_address(&self) -> Result<String, png::EncodingError> {
-        Ok(format!("data:image/png;base64,{}", STANDARD.encode(self.png()?)))
+        Ok(address(&self.png()?))
     }
+}
+
+/// An 8-bit grey picture, row-major from the upper left.
+#[derive(Debug, Clone)]
+pub(crate) struct Grey {
+    /// Pixels along x.
+    pub(crate) width: usize,
+    /// Pixels along y.
+    pub(crate) height: usize,
+    /// One byte per pixel.
+    pub(crate) values: Vec<u8>,
+}
+
+impl Grey {
+    /// `data:image/png;base64,…`.
+    ///
+    /// # Errors
+    /// If the number of bytes does not fit the size.
+    pub(crate) fn data_address(&self) -> Result<String, png::EncodingError> {
+        encoded([self.width, self.height], png::ColorType::Grayscale, &self.values)
+            .map(|file| address(&file))
+    }
+}
+
+fn encoded(
+    [width, height]: [usize; 2],
+    colour: png::ColorType,
+    bytes: &[u8],
+) -> Result<Vec<u8>, png::EncodingError> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width as u32, height as u32);
+    encoder.set_color(colour);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    encoder.write_header()?.write_image_data(bytes)?;
+    Ok(file)
+}
+
+fn address(file: &[u8]) -> String {
+    format!("data:image/png;base64,{}", STANDARD.encode(file))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::draw::axes::round_step;
 use crate::draw::palette::{HEIGHT_RAMP, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
-use crate::draw::png::Picture;
+use crate::draw::png::{Grey, Picture};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, chosen, significant, unit_for};
 use contact_accuracy::round_to_digits;
@@ -119,6 +119,14 @@ fn contact_picture(pressure: &[f64], heights: &[f64], shape: [usize; 2], top: f6
             OkLab(RELIEF.0 + RELIEF.1 * shade[i], 0.0, 0.0)
         }
     })
+}
+
+/// The surface in faint grey, as [`contact`] shows it where nothing touches.
+pub(crate) fn relief(heights: &[f64], grid: Grid, window: Window, limit: usize) -> Grey {
+    let (small, [ny, nx]) = reduced(heights, grid, window, limit, Reduce::Mean);
+    let shade = shading(&small, [ny, nx]);
+    let grey = |s: &f64| OkLab(RELIEF.0 + RELIEF.1 * s, 0.0, 0.0).to_rgb()[0];
+    Grey { width: nx, height: ny, values: shade.iter().map(grey).collect() }
 }
 
 /// What a map figure shows besides its picture.
@@ -342,7 +350,7 @@ fn colour_bar(canvas: &mut Canvas, top: f64, legend: &Legend<'_>, key: &str) {
         })
         .collect();
     canvas.raw(&format!(
-        "<defs><linearGradient id=\"{key}-g\">{stops}</linearGradient></defs>\
+        "<g class=\"legend\"><defs><linearGradient id=\"{key}-g\">{stops}</linearGradient></defs>\
          <rect class=\"px\" x=\"0\" y=\"{}\" width=\"{WIDTH}\" height=\"8\" fill=\"url(#{key}-g)\"/>",
         num(top)
     ));
@@ -353,6 +361,7 @@ fn colour_bar(canvas: &mut Canvas, top: f64, legend: &Legend<'_>, key: &str) {
         ..Text::new([WIDTH, top + 19.0], &legend.high)
     });
     canvas.text(&Text { colour: INK, ..Text::new([WIDTH + 8.0, top + 8.0], legend.title) });
+    canvas.raw("</g>");
 }
 
 /// The square of about a sixth of the map (at least 32 points) that carries the most contact

@@ -14,7 +14,8 @@ use contact_types::Citation;
 use std::io::Write;
 
 const STYLE: &str = include_str!("style.css");
-const SCRIPT: &str = include_str!("slider.js");
+/// The slider, then what follows it.
+const SCRIPT: &str = concat!(include_str!("slider.js"), include_str!("moving.js"));
 /// Nothing may be fetched: pictures are data, style and script are in the page.
 const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; \
                       script-src 'unsafe-inline'";

@@ -5,6 +5,7 @@ pub(crate) mod context;
 pub(crate) mod distributions;
 pub(crate) mod how_made;
 pub(crate) mod html;
+pub(crate) mod moving;
 pub(crate) mod overview;
 mod pair;
 pub(crate) mod phrases;

@@ -11,6 +11,7 @@ use crate::numbers::{
 };
 use crate::page::budget;
 use crate::page::context::Page;
+use crate::page::moving::{LARGEST, Moving};
 use crate::page::pair;
 use crate::page::phrases::levelled;
 use crate::page::slider::dial;
@@ -258,13 +259,19 @@ pub(crate) fn where_it_touches(
     let n = page.next_figure();
     let key = format!("{id}-f{n}");
     let map = maps::contact(&surface.pressure, heights, grid, window, page.map_limit, &key)?;
+    let moving = Moving::of(surface).filter(|_| page.comparison.surfaces.len() <= MOST_MOVING);
+    let (hidden, moves) = match &moving {
+        Some(moving) => (moving.whole(page.map_limit)?, moves_words(grid.shape(), &p)),
+        None => Default::default(),
+    };
     let mut out = format!(
-        "<{h}>Where it touches at {p}</{h}>\n<div class=\"two maps\">\n{}",
+        "<{h}>Where it touches at {}</{h}>\n<div class=\"two maps\">\n{}",
+        if moving.is_some() { format!("<span data-k=\"load\">{p}</span>") } else { p },
         figure(
-            &map.inline(),
+            &(map.inline() + &hidden),
             &format!(
                 "<b>Fig. {n}. Contact map.</b> Colour: pressure. Grey relief: the surface under \
-                 it.{}",
+                 it.{}{moves}",
                 reduced_words(grid.shape(), page.map_limit, "the highest pressure")
             )
         )
@@ -275,8 +282,13 @@ pub(crate) fn where_it_touches(
         let [dy, dx] = grid.pixel();
         let sides = [chosen(dx, METRES), chosen(dy, METRES)];
         let spacing = if sides[0] == sides[1] { sides[0].clone() } else { sides.join(" × ") };
+        let [ny, nx] = grid.shape();
+        let hidden = match &moving {
+            Some(moving) => moving.relief(window, [0, 0, ny, nx], window[2].max(window[3]))?,
+            None => String::new(),
+        };
         out.push_str(&figure(
-            &zoom.inline(),
+            &(zoom.inline() + &hidden),
             &format!(
                 "<b>Boxed area</b>, enlarged {} times. One square is one point of the {}, \
                  {spacing}.",
@@ -287,6 +299,22 @@ pub(crate) fn where_it_touches(
     }
     out.push_str("</div>\n");
     Ok(out)
+}
+
+/// Of more surfaces the pictures that move would make the page too large.
+const MOST_MOVING: usize = 4;
+
+/// What the slider does to the contact map, for pages on which it moves.
+fn moves_words([ny, nx]: [usize; 2], headline: &str) -> String {
+    let dots = if ny.max(nx) > LARGEST {
+        format!(", with {LARGEST} dots along the longer side, each in contact if a point of it is")
+    } else {
+        String::new()
+    };
+    format!(
+        "<span class=\"moves\"> At another load of the slider: what touches there, in one colour{dots}; the \
+         pressure is that at {headline}.</span>"
+    )
 }
 
 /// " Drawn at 640 × 640; each dot the … of the points it covers."
