@@ -3,110 +3,13 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-use compare::{Comparison, FileOrigin, Origin, Registry, Settings, Surface, built_in_recipes};
+mod studies;
+
+use compare::{Comparison, FileOrigin, Origin, Settings, Surface, built_in_recipes};
 use contact_types::{Grid, HeightMap};
-use report::{Provenance, write_area_svg, write_csv, write_html, write_json, write_pressure_svg};
+use report::{write_area_svg, write_html, write_json, write_pressure_svg};
 use std::collections::HashMap;
-use std::ops::ControlFlow;
-use std::sync::OnceLock;
-
-fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
-    Comparison::run(surfaces, settings, &Registry::built_in(), &mut |_| ControlFlow::Continue(()))
-        .unwrap()
-}
-
-/// The built-in surfaces on 96 x 96 points.
-fn small(names: &[&str]) -> Vec<Surface> {
-    built_in_recipes()
-        .unwrap()
-        .into_iter()
-        .filter(|r| names.contains(&r.name.as_str()))
-        .map(|mut recipe| {
-            recipe.shape = [96, 96];
-            recipe.make().unwrap()
-        })
-        .collect()
-}
-
-fn one() -> &'static Comparison {
-    static ONE: OnceLock<Comparison> = OnceLock::new();
-    ONE.get_or_init(|| {
-        let mut study = run(small(&["ground"]), Settings::default());
-        let mut iterations = 0;
-        let mut go = |news: compare::Progress<'_>| {
-            iterations += usize::from(matches!(news, compare::Progress::Iterated { .. }));
-            ControlFlow::Continue(())
-        };
-        study.solve_coarser(&mut go).unwrap();
-        study.look_closer(&mut go).unwrap();
-        assert!(iterations > 0, "the listener hears of iterations");
-        study
-    })
-}
-
-fn three() -> &'static Comparison {
-    static THREE: OnceLock<Comparison> = OnceLock::new();
-    THREE.get_or_init(|| run(small(&["polished", "ground", "blasted"]), Settings::default()))
-}
-
-/// Names that would break a page if they were not escaped, heights that do not repeat.
-fn hostile() -> &'static Comparison {
-    static HOSTILE: OnceLock<Comparison> = OnceLock::new();
-    HOSTILE.get_or_init(|| {
-        let grid = Grid::new([40, 56], [2e-6, 1e-6]).unwrap();
-        let heights =
-            HeightMap::from_fn(grid, |y, x| 1e-7 * ((3e5 * x).sin() + (2e5 * y).cos()) + 1e-3 * x)
-                .unwrap();
-        let name = "</script><b>\"&'.x3p".to_owned();
-        let file = FileOrigin {
-            path: name.clone(),
-            fill: "harmonic".into(),
-            missing: 300,
-            ..FileOrigin::default()
-        };
-        let pressures = Some(vec![1e5, 1e7, 1e8]);
-        run(
-            vec![Surface { name, origin: Origin::File(file), heights }],
-            Settings { pressures, ..Settings::default() },
-        )
-    })
-}
-
-/// A ground metal that yields.
-fn yielding() -> &'static Comparison {
-    static YIELDING: OnceLock<Comparison> = OnceLock::new();
-    YIELDING.get_or_init(|| {
-        let settings = Settings { hardness: Some(5e9), ..Settings::default() };
-        let mut study = run(small(&["ground"]), settings);
-        study.look_closer(&mut |_| ControlFlow::Continue(())).unwrap();
-        study
-    })
-}
-
-fn all() -> [&'static Comparison; 4] {
-    [one(), three(), hostile(), yielding()]
-}
-
-fn provenance() -> Provenance {
-    Provenance {
-        version: "0".into(),
-        platform: "test".into(),
-        unix_time: 0,
-        repeat: "rough-contact compare <x> --out y".into(),
-    }
-}
-
-fn html(comparison: &Comparison) -> String {
-    let mut out = Vec::new();
-    write_html(comparison, &provenance(), &mut out).unwrap();
-    String::from_utf8(out).unwrap()
-}
-
-fn csv(comparison: &Comparison) -> String {
-    let mut out = Vec::new();
-    write_csv(comparison, &mut out).unwrap();
-    String::from_utf8(out).unwrap()
-}
+use studies::{all, csv, hostile, html, one, provenance, run, small, three, yielding};
 
 /// Width of a letter in ems, at least, in Helvetica and what replaces it.
 fn least_width(letter: char) -> f64 {
