@@ -7,9 +7,9 @@ mod studies;
 
 use compare::{Comparison, FileOrigin, Origin, Settings, Surface, built_in_recipes};
 use contact_types::{Grid, HeightMap};
-use report::{write_area_svg, write_html, write_json, write_pressure_svg};
+use report::{write_area_svg, write_json, write_pressure_svg};
 use std::collections::HashMap;
-use studies::{all, csv, hostile, html, one, provenance, run, small, three, yielding};
+use studies::{all, csv, hostile, html, one, provenance, run, small, three};
 
 /// Width of a letter in ems, at least, in Helvetica and what replaces it.
 fn least_width(letter: char) -> f64 {
