@@ -37,10 +37,26 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         &["contact-accuracy", "contact-types", "surface-stats", "contact-compare"],
         100,
     ),
+    // What a front end answers, without its words for options, its tables and its files.
     (
-        "rough-contact",
+        "contact-answers",
         5,
         &[
+            "contact-accuracy",
+            "contact-types",
+            "surface-io",
+            "surface-stats",
+            "fft-bem-solver",
+            "contact-compare",
+            "contact-report",
+        ],
+        120,
+    ),
+    (
+        "rough-contact",
+        6,
+        &[
+            "contact-answers",
             "contact-accuracy",
             "contact-types",
             "surface-io",
@@ -55,7 +71,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
     // The research programs: their tests and examples reach for every crate.
     (
         "studies",
-        5,
+        6,
         &[
             "contact-types",
             "surface-stats",
@@ -65,7 +81,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         ],
         100,
     ),
-    ("xtask", 6, &[], 10),
+    ("xtask", 7, &[], 10),
 ];
 
 /// The crates that come with one of ours, with default features, without tests.

@@ -3,11 +3,12 @@
 use crate::outcome::Failure;
 use crate::quantity::{self, QuantityError};
 use crate::units::Dimension;
+use answers::bodies;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use compare::built_in;
 use compare::{Body, EdgesName, Flip, Level, Method, Precision};
-use contact_types::{ContactModulus, Elastic, SurfaceError};
+use contact_types::ContactModulus;
 use surface_io::Layout;
 
 /// Options of every command.
@@ -60,31 +61,18 @@ pub(crate) struct Bodies {
 impl Bodies {
     /// E*, if any of its options was given.
     pub(crate) fn given(&self) -> Result<Option<ContactModulus>, Failure> {
-        let elastic = |i: usize| Elastic::new(self.young[i], self.poisson[i]);
-        let modulus = match (self.modulus, self.young.len(), self.poisson.len()) {
-            (None, 0, 0) => return Ok(None),
-            (Some(pascals), ..) => ContactModulus::from_pascals(pascals),
-            (None, 1, 1) => elastic(0).and_then(ContactModulus::against_rigid),
-            (None, 2, 2) => {
-                elastic(0).and_then(|first| ContactModulus::of_pair(first, elastic(1)?))
-            }
+        match (self.modulus, self.young.len(), self.poisson.len()) {
+            (None, 0, 0) => Ok(None),
+            (Some(pascals), ..) => bodies::of_modulus(pascals).map(Some),
+            (None, 1, 1) | (None, 2, 2) => bodies::contact_modulus(&self.listed()).map(Some),
             (None, young, poisson) => {
                 let message = format!(
                     "--young given {young} times and --poisson {poisson} times; give both once \
                      (the other body is rigid) or both twice"
                 );
-                return Err(Failure::refused("usage", message));
+                Err(Failure::refused("usage", message))
             }
-        };
-        modulus.map(Some).map_err(|e| match e {
-            SurfaceError::Material { quantity, value, unit: "", domain } => {
-                let (low, high) = (domain.start(), domain.end());
-                let message =
-                    format!("{quantity} = {value} is outside its domain, {low} to {high}");
-                Failure::refused("material", message)
-            }
-            other => Failure::from_error(&other),
-        })
+        }
     }
 
     /// The elastic bodies as they were given; none with --modulus.

@@ -4,10 +4,7 @@ use crate::args;
 use crate::outcome::Failure;
 use clap::Args;
 use compare::Cleaning;
-use std::path::Path;
-use surface_io::Measurement;
-use surface_stats::Edges;
-use surface_stats::clean::{self, Form, Record};
+use surface_stats::clean::Form;
 
 /// Done in this order on the valid points, before missing points are filled.
 #[derive(Args, Clone, Copy, Debug, Default)]
@@ -54,29 +51,4 @@ impl CleaningOptions {
                        none is given; name a FILE or leave them out";
         Err(Failure::refused("usage", message))
     }
-}
-
-/// A measurement after cleaning, with what each step did.
-pub(crate) fn apply(
-    path: &Path,
-    measurement: Measurement,
-    cleaning: Cleaning,
-) -> Result<(Measurement, Vec<Record>), Failure> {
-    if cleaning.is_empty() {
-        return Ok((measurement, Vec::new()));
-    }
-    cleaning.check(measurement.grid()).map_err(|e| Failure::in_file(path, &e))?;
-    let steps = cleaning.steps();
-    // A measured map ends at its edges, whatever is assumed beyond them later.
-    let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps, Edges::Open);
-    measurement.edit(clean).map_err(|e| Failure::in_file(path, &e))
-}
-
-/// Spikes among the points that are missing after cleaning.
-pub(crate) fn spikes(records: &[Record]) -> usize {
-    let count = |record: &Record| match *record {
-        Record::Outliers { count, .. } => count,
-        _ => 0,
-    };
-    records.iter().map(count).sum()
 }

@@ -1,13 +1,10 @@
 //! `--resistivity`, `--conductivity`: what a contact conducts.
 
-use crate::outcome::Failure;
 use crate::quantity::{self, QuantityError};
 use crate::text;
 use crate::units::Dimension;
+use answers::Conducted;
 use clap::Args;
-use contact_types::ContactModulus;
-use fft_bem_solver::{Conductors, SetStiffness, Solver};
-use serde_json::{Value, json};
 
 /// Two numbers, one for each body.
 #[derive(Clone, Copy, Debug)]
@@ -61,45 +58,13 @@ impl Conduction {
             .collect()
     }
 
-    /// Adds what the contact of the last solution conducts to a point and its row. `area` is that of the
-    /// map (m²).
-    pub(crate) fn add(
-        self,
-        point: &mut Value,
-        cells: &mut Vec<String>,
-        solver: &mut Solver,
-        area: f64,
-    ) -> Result<(), Failure> {
-        if self.headings().is_empty() {
-            return Ok(());
+    /// What is asked of the solver.
+    pub(crate) fn asked(self) -> answers::Conduction {
+        let of = |pair: Option<Pair>| pair.map(|Pair(values)| values);
+        answers::Conduction {
+            resistivities: of(self.resistivity),
+            conductivities: of(self.conductivity),
         }
-        let modulus = solver.modulus();
-        let set = solver.contact_stiffness().map_err(|e| Failure::from_error(&e))?;
-        point["stiffness"] = finite(set.per_area);
-        point["contact_set"] = json!(match set.per_area {
-            k if k <= 0.0 => "none",
-            k if k.is_finite() => "part",
-            _ => "everything",
-        });
-        point["conduction"] = json!({
-            "residual": set.residual, "transforms": set.transforms, "iterations": set.iterations,
-        });
-        cells.push(shown(set.per_area, text::stiffness));
-        let of = |pair: Option<Pair>, kind: fn([f64; 2]) -> Conductors| {
-            pair.map(|Pair(values)| conductance(&set, modulus, kind(values))).transpose()
-        };
-        let electrical = of(self.resistivity, Conductors::Resistivities)?;
-        let thermal = of(self.conductivity, Conductors::Conductivities)?;
-        for (key, found, unit) in
-            [("electrical", electrical, "S/m²"), ("thermal", thermal, "W/m²/K")]
-        {
-            let Some(found) = found else { continue };
-            point[format!("{key}_conductance")] = finite(found);
-            point[format!("{key}_conductance_interval")] = Value::Null;
-            point[format!("{key}_conductance_of_map")] = finite(found * area);
-            cells.push(shown(found, |value| format!("{value:.3e} {unit}")));
-        }
-        Ok(())
     }
 
     /// What must be known about the numbers.
@@ -114,17 +79,13 @@ impl Conduction {
     }
 }
 
-fn conductance(
-    set: &SetStiffness,
-    modulus: ContactModulus,
-    conductors: Conductors,
-) -> Result<f64, Failure> {
-    set.conductance(modulus, conductors).map_err(|e| Failure::from_error(&e))
-}
-
-/// A number of JSON, which has no infinity: `contact_set` says what `null` is.
-fn finite(value: f64) -> Value {
-    if value.is_finite() { json!(value) } else { Value::Null }
+/// What a load conducts, as cells of its row.
+pub(crate) fn cells(found: &Conducted) -> Vec<String> {
+    let per_area = |unit: &'static str| move |value: f64| format!("{value:.3e} {unit}");
+    let mut cells = vec![shown(found.stiffness, text::stiffness)];
+    cells.extend(found.electrical.map(|value| shown(value, per_area("S/m²"))));
+    cells.extend(found.thermal.map(|value| shown(value, per_area("W/m²/K"))));
+    cells
 }
 
 fn shown(value: f64, text: impl Fn(f64) -> String) -> String {

@@ -3,7 +3,7 @@
 use crate::outcome::Failure;
 use crate::output::Folder;
 use clap::{Args, ValueEnum};
-use compare::{Spot, spot_list};
+use compare::spot_list;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::Solution;
 use std::borrow::Cow;
@@ -175,7 +175,7 @@ impl Sink {
             }
         }
         if self.fields.asked.contains(&Field::Spots) {
-            let spots = spots(solution, grid, self.repeats);
+            let spots = spot_list(&solution.pressure, grid, self.repeats);
             let name = file("spots", load, "csv");
             self.folder.write(&name, |out| report::write_spots_csv(&spots, out))?;
         }
@@ -197,9 +197,4 @@ impl Sink {
             }
         }
     }
-}
-
-/// The spots of a solution.
-pub(crate) fn spots(solution: &Solution, grid: Grid, repeats: bool) -> Vec<Spot> {
-    spot_list(&solution.pressure, grid, repeats)
 }

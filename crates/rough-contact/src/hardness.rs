@@ -2,9 +2,8 @@
 
 use crate::outcome::Failure;
 use crate::text;
+use answers::hardness_doubt;
 use compare::{BULK_YIELD, Hardness};
-use fft_bem_solver::Solution;
-use serde_json::{Value, json};
 use std::fmt::Write as _;
 
 /// Headings of the table.
@@ -24,25 +23,6 @@ pub(crate) fn check(hardness: Option<f64>) -> Result<(), Failure> {
     }
 }
 
-/// Why the hardness is likely a slip.
-fn doubt(given: Hardness) -> Option<String> {
-    let [low, high] = given.doubt()?;
-    Some(format!(
-        "solids with this contact modulus have a hardness of about {} to {}: is the unit right?",
-        text::pressure(low),
-        text::pressure(high)
-    ))
-}
-
-/// What stands beside the points.
-pub(crate) fn json(given: Hardness) -> Value {
-    json!({
-        "pascals": given.pascals,
-        "modulus_gradient_over_hardness": given.over_elastic(),
-        "warning": doubt(given),
-    })
-}
-
 /// What stands below the table; `highest` is the largest mean pressure that was solved for (Pa).
 pub(crate) fn lines(given: Hardness, highest: f64) -> String {
     let mut out = format!("hardness {}", text::pressure(given.pascals));
@@ -55,7 +35,7 @@ pub(crate) fn lines(given: Hardness, highest: f64) -> String {
         );
     }
     out.push('\n');
-    if let Some(doubt) = doubt(given) {
+    if let Some(doubt) = hardness_doubt(given) {
         let _ = writeln!(out, "check the hardness: {doubt}");
     }
     if highest > BULK_YIELD * given.pascals {
@@ -66,22 +46,4 @@ pub(crate) fn lines(given: Hardness, highest: f64) -> String {
         );
     }
     out + "one hardness at every scale; nothing hardens or piles up; loading only, no friction\n"
-}
-
-/// Adds what has yielded to a point and its row.
-pub(crate) fn add(point: &mut Value, cells: &mut Vec<String>, solution: &Solution) {
-    let Some(yielded) = solution.diagnostics.yielded else { return };
-    if let Value::Object(keys) = point {
-        keys.extend(report::yield_keys(Some(yielded), solution.state.area_fraction));
-    }
-    cells.extend([yielded.area_fraction, yielded.load_share].map(text::percent));
-}
-
-/// The same keys, absent, in a point that was refused.
-pub(crate) fn complete(point: &mut Value) {
-    for key in report::YIELD_KEYS {
-        if point.get(key).is_none() {
-            point[key] = Value::Null;
-        }
-    }
 }

@@ -68,32 +68,9 @@ impl PerFile for Info {
 }
 
 fn object(m: &Measurement) -> Value {
-    let summary = m.height_summary();
-    let channels: Vec<Value> = m
-        .channels()
-        .iter()
-        .map(|c| {
-            json!({
-                "name": c.name, "unit": c.unit, "is_height": c.is_height, "shape": c.shape,
-                "pixel": c.pixel, "is_trace": c.is_trace, "fault": c.fault,
-            })
-        })
-        .collect();
-    json!({
-        "format": m.format().name(),
-        "shape": m.grid().shape(),
-        "pixel": m.grid().pixel(),
-        "missing": m.missing(),
-        "height_min": summary.map(|s| s.0),
-        "height_max": summary.map(|s| s.1),
-        "height_mean": summary.map(|s| s.2),
-        "channel": m.channel(),
-        "channels": channels,
-        "is_profile": m.is_profile(),
-        "uneven_steps": m.uneven(),
-        "ambiguity": m.ambiguity().map(needs::reading),
-        "metadata": m.metadata(),
-    })
+    let mut json = answers::info(m);
+    json["ambiguity"] = json!(m.ambiguity().map(needs::reading));
+    json
 }
 
 /// A file without units: points, and its numbers as they stand there.

@@ -1,19 +1,17 @@
 //! A surface file and how to read it: the options every command with a FILE takes.
 
 use crate::args;
-use crate::cleaning::{self, CleaningOptions};
+use crate::cleaning::CleaningOptions;
 use crate::files::Files;
 use crate::needs;
 use crate::outcome::{self, Failure};
 use crate::profiles::Traces;
 use crate::quantity;
+pub(crate) use answers::Complete;
 use clap::{Args, ValueEnum};
 use compare::{Cleaning, FileOrigin, Origin};
-use contact_types::HeightMap;
 use std::path::{Path, PathBuf};
 use surface_io::{HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions};
-use surface_stats::clean::Record;
-use surface_stats::height_step;
 
 /// How missing points are filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -207,39 +205,9 @@ impl Reading {
             let reading = needs::reading(reading);
             outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
         }
-        refuse_line(path, &measurement)?;
-        let format = measurement.format().name().to_owned();
-        // Neither a removed form nor filled points take the steps away; only smoothing does.
-        let kept = cleaning.s_filter.is_none();
-        let height_step = kept.then(|| height_step(measurement.heights())).flatten();
-        let (measurement, cleaned) = cleaning::apply(path, measurement, cleaning)?;
-        let missing = measurement.missing();
-        let spikes = cleaning::spikes(&cleaned);
-        if self.fill == Fill::Refuse && spikes > 0 && missing == spikes {
-            let message = format!(
-                "{}: --outliers made {spikes} {} missing points, and --fill refuse keeps none; \
-                 add --fill harmonic or --fill nearest, or raise the threshold",
-                path.display(),
-                if spikes == 1 { "spike" } else { "spikes" }
-            );
-            return Err(Failure::refused("missing", message));
-        }
-        let map = measurement.fill(self.fill.rule()).map_err(|e| needs::unfilled(path, &e))?;
-        Ok(Complete { map, missing, cleaned, height_step, format })
+        answers::complete(measurement, cleaning, self.fill.rule())
+            .map_err(|e| needs::unmade(path, &e))
     }
-}
-
-/// A surface without missing points, and what was done to it.
-pub(crate) struct Complete {
-    pub(crate) map: HeightMap,
-    /// Points that were filled, spikes among them.
-    pub(crate) missing: usize,
-    /// What each step of cleaning did.
-    pub(crate) cleaned: Vec<Record>,
-    /// Height step of the data as measured, if they have one and it is still in the heights (m).
-    pub(crate) height_step: Option<f64>,
-    /// Name of the format it was read from.
-    pub(crate) format: String,
 }
 
 /// What a file gave.
@@ -248,20 +216,6 @@ pub(crate) enum Measured {
     Surface(Complete),
     /// One trace or several of one surface.
     Profile(Traces),
-}
-
-/// A single column of points, or a single point, is neither a map nor a trace along x.
-fn refuse_line(path: &Path, measurement: &Measurement) -> Result<(), Failure> {
-    let [ny, nx] = measurement.grid().shape();
-    if ny > 1 && nx > 1 {
-        return Ok(());
-    }
-    let message = format!(
-        "{}: {ny} x {nx} points are no surface, which needs at least 2 x 2 points, and no profile, \
-         which is one row (`rough-contact info` still reads it)",
-        path.display()
-    );
-    Err(Failure::refused("profile", message))
 }
 
 /// Files and how to read them.

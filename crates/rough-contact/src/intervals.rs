@@ -1,85 +1,13 @@
-//! Error intervals of `solve`: where they come from, and why there is none.
+//! Error intervals of `solve` in words: what they were paid with, and why there is none.
 
+use crate::loads::{rising, shown};
 use crate::text;
-use compare::budget::grid::Finer;
-use compare::budget::{Budget, Map};
-use compare::{NotRefined, TwiceFiner};
+use answers::{Point, Refined};
+use compare::TwiceFiner;
+use compare::budget::Budget;
 use contact_accuracy::NoAreaInterval;
-use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{Boundary, Load, Solution, SolverBuilder};
-use serde_json::{Value, json};
+use fft_bem_solver::{Load, Solution};
 use std::fmt::Write as _;
-use std::time::Instant;
-
-/// What the errors of all loads are found from.
-pub(crate) struct Errors {
-    pub(crate) known: Map,
-    /// The map that is solved: the given one, or with its mirror images.
-    pub(crate) whole: HeightMap,
-    /// The given map, if it is not the whole.
-    pub(crate) part: Option<HeightMap>,
-    pub(crate) finer: Finest,
-}
-
-/// The twice finer grid, made for the first load that needs it.
-pub(crate) struct Finest {
-    pub(crate) builder: SolverBuilder,
-    pub(crate) boundary: Boundary,
-    pub(crate) modulus: ContactModulus,
-    pub(crate) made: Option<TwiceFiner>,
-}
-
-impl Finest {
-    /// A load on the finer grid.
-    pub(crate) fn solve(
-        &mut self,
-        load: Load,
-        map: &HeightMap,
-        known: &Map,
-        budget: &Budget,
-    ) -> Result<Refined, NotRefined> {
-        let start = Instant::now();
-        let finer = match &mut self.made {
-            Some(finer) => finer,
-            none => {
-                let builder = self.builder.clone();
-                none.insert(TwiceFiner::of(map, known, self.boundary, builder, self.modulus)?)
-            }
-        };
-        let found = finer.solve(load, budget)?;
-        Ok(Refined { found, grid: finer.grid(), seconds: start.elapsed().as_secs_f64() })
-    }
-}
-
-/// A load on the twice finer grid.
-#[derive(Clone, Copy)]
-pub(crate) struct Refined {
-    pub(crate) found: Finer,
-    grid: Grid,
-    seconds: f64,
-}
-
-impl Refined {
-    /// What a script sees of it.
-    pub(crate) fn json(&self) -> Value {
-        json!({
-            "shape": self.grid.shape(),
-            "area_fraction_corrected": self.found.area,
-            "mean_pressure": self.found.pressure,
-            "mean_gap": self.found.gap,
-            "monotone_area_fraction_corrected": self.found.monotone.map(|(area, ..)| area),
-            "seconds": self.seconds,
-        })
-    }
-}
-
-/// The budget of a load by what was prescribed.
-pub(crate) fn under(load: Load, budget: &Budget, solution: &Solution) -> Budget {
-    match load {
-        Load::MeanGap(_) => budget.at_given_gap(solution),
-        _ => *budget,
-    }
-}
 
 /// What is said below the table about intervals that are missing or were paid for.
 #[derive(Default)]
@@ -92,15 +20,30 @@ pub(crate) struct Intervals {
 }
 
 impl Intervals {
+    /// Of all points, in the order in which they were solved.
+    pub(crate) fn of(points: &[Point]) -> Self {
+        let loads: Vec<Load> = points.iter().map(|point| point.load).collect();
+        let mut all = Self::default();
+        for index in rising(&loads) {
+            let point = &points[index];
+            if let (true, Some(solution), Some(budget)) =
+                (point.converged, &point.solution, &point.budget)
+            {
+                all.take(&shown(point.load), solution, budget, point.refined.as_ref());
+            }
+        }
+        all
+    }
+
     /// A load that was solved, as it is `shown`.
-    pub(crate) fn take(
+    fn take(
         &mut self,
         shown: &str,
         solution: &Solution,
         budget: &Budget,
-        refined: Option<Refined>,
+        refined: Option<&Refined>,
     ) {
-        if let Some(Refined { found, grid, seconds }) = refined {
+        if let Some(&Refined { found, grid, seconds }) = refined {
             let [ny, nx] = grid.shape();
             let other = found.monotone.map_or(String::new(), |(area, ..)| {
                 let area = text::percent(area);

@@ -4,6 +4,7 @@
 use crate::args::{self, List};
 use crate::outcome::Failure;
 use crate::text;
+pub(crate) use answers::loads::{Spread, positive, rising, shown};
 use clap::Args;
 use fft_bem_solver::Load;
 
@@ -68,17 +69,6 @@ impl Loads {
     }
 }
 
-/// Forces over the nominal area that carries them.
-#[derive(Clone, Debug)]
-pub(crate) struct Spread {
-    /// Mean pressures in the order given (Pa).
-    pub(crate) pressures: Vec<f64>,
-    /// The nominal area (m²).
-    pub(crate) area: f64,
-    /// True if that is the area of the map.
-    is_of_map: bool,
-}
-
 impl Forces {
     /// The forces given (N), refused unless each presses.
     pub(crate) fn given(&self) -> Result<Option<&[f64]>, Failure> {
@@ -141,57 +131,11 @@ pub(crate) fn spread(
             }
         },
     };
-    let pressures: Vec<f64> = forces.iter().map(|force| force / area).collect();
-    for &pressure in &pressures {
-        if !(pressure > 0.0 && pressure.is_finite()) {
-            return refused(format!(
-                "load over area is {pressure} Pa, which is no pressure; check the units of --load and \
-                 --area"
-            ));
-        }
-    }
-    Ok(Spread { pressures, area, is_of_map: given.is_none() })
+    Spread::of(forces, given, area, "check the units of --load and --area")
 }
 
-impl Spread {
-    /// What carries the load.
-    pub(crate) fn line(&self) -> String {
-        let of = if self.is_of_map { "the area of the map" } else { "as --area says" };
-        format!("load: over {}, {of}\n", text::area(self.area))
-    }
-
-    /// A mean pressure as it was given (N).
-    pub(crate) fn force(&self, mean_pressure: f64) -> f64 {
-        mean_pressure * self.area
-    }
-}
-
-/// Refuses a load that is not greater than 0.
-pub(crate) fn positive(what: &str, value: f64, unit: &str, hint: &str) -> Result<(), Failure> {
-    if value > 0.0 {
-        return Ok(());
-    }
-    let message = format!("{what} {value} {unit} must be greater than 0; give a {what} {hint}");
-    Err(Failure::refused("bad_load", message))
-}
-
-/// Indices from the lightest load to the heaviest.
-pub(crate) fn rising(loads: &[Load]) -> Vec<usize> {
-    let weight = |load: &Load| match *load {
-        Load::MeanGap(gap) => -gap,
-        Load::MeanPressure(load) | Load::Approach(load) => load,
-        _ => 0.0,
-    };
-    let mut order: Vec<usize> = (0..loads.len()).collect();
-    order.sort_by(|&i, &j| weight(&loads[i]).total_cmp(&weight(&loads[j])));
-    order
-}
-
-/// "2 MPa", "gap 30 nm".
-pub(crate) fn shown(load: Load) -> String {
-    match load {
-        Load::MeanPressure(p) => text::pressure(p),
-        Load::MeanGap(g) => format!("gap {}", text::length(g)),
-        other => format!("{other:?}"),
-    }
+/// What carries the load.
+pub(crate) fn carried(spread: &Spread) -> String {
+    let of = if spread.is_of_map { "the area of the map" } else { "as --area says" };
+    format!("load: over {}, {of}\n", text::area(spread.area))
 }

@@ -5,6 +5,7 @@
 mod against;
 mod args;
 mod batch;
+mod cells;
 mod cleaning;
 mod compare;
 mod compare_many;
@@ -30,19 +31,16 @@ mod planned;
 mod profile_stats;
 mod profiles;
 mod progress;
-mod quantity;
 mod roughness;
 mod rows;
-mod scene;
 mod shell;
 mod solve;
 mod stats;
 mod synth;
 mod text;
-mod units;
 mod validate;
-mod work;
 
+use answers::{quantity, units};
 use args::Common;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use outcome::{Failure, Reply};
@@ -98,7 +96,7 @@ fn main() -> ExitCode {
     let cli = match parsed {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() => {
-            return outcome::finish(Err(Failure::usage(&error)), wants_json);
+            return outcome::finish(Err(outcome::usage(&error)), wants_json);
         }
         Err(help) => {
             outcome::show(&help.to_string());

@@ -322,7 +322,7 @@ fn reply(
     for note in notes {
         let _ = writeln!(text, "{note}"); // a String takes everything
     }
-    text += &spread.map_or_else(String::new, Spread::line);
+    text += &spread.map_or_else(String::new, loads::carried);
     let point = |(q, a): (&Question, &Answer)| {
         let mut point = point(*q, a);
         if let Some(spread) = spread {

@@ -2,6 +2,7 @@
 //! stands how to give it.
 
 use crate::outcome::Failure;
+use answers::Incomplete;
 use std::path::Path;
 use surface_io::{Ambiguity, FillError, Layout, Need, ReadError};
 
@@ -24,6 +25,32 @@ pub(crate) fn unfilled(path: &Path, error: &FillError) -> Failure {
         _ => options(&error.needs()),
     };
     Failure::in_file(path, error).adding(&way_out)
+}
+
+/// The refusal of a measurement, with the options that would let it be answered.
+pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
+    let refused = |kind: &str, message: String| {
+        Failure::refused(kind, format!("{}: {message}", path.display()))
+    };
+    match error {
+        Incomplete::Line(_) => refused(
+            "profile",
+            format!(
+                "{error}, and no profile, which is one row (`rough-contact info` still reads it)"
+            ),
+        ),
+        Incomplete::Spikes(spikes) => refused(
+            "missing",
+            format!(
+                "--outliers made {spikes} {} missing points, and --fill refuse keeps none; add --fill \
+                 harmonic or --fill nearest, or raise the threshold",
+                if *spikes == 1 { "spike" } else { "spikes" }
+            ),
+        ),
+        Incomplete::Cleaning(e) => Failure::in_file(path, e),
+        Incomplete::Clean(e) => Failure::in_file(path, e),
+        Incomplete::Fill(e) => unfilled(path, e),
+    }
 }
 
 /// How a text was read that could mean something else, and the option that settles it.

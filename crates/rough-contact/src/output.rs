@@ -1,6 +1,6 @@
 //! Files the command writes: never over an existing one unless --force.
 
-use crate::outcome::Failure;
+use crate::outcome::{self, Failure};
 use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -17,13 +17,13 @@ impl Folder {
             for name in names {
                 let file = path.join(name);
                 if file.symlink_metadata().is_ok() {
-                    return Err(Failure::exists(&file));
+                    return Err(outcome::exists(&file));
                 }
             }
         }
-        fs::create_dir_all(path).map_err(|e| Failure::unwritable(path, &e))?;
+        fs::create_dir_all(path).map_err(|e| outcome::unwritable(path, &e))?;
         let probe = path.join(".rough-contact-probe");
-        File::create(&probe).map_err(|e| Failure::unwritable(path, &e))?;
+        File::create(&probe).map_err(|e| outcome::unwritable(path, &e))?;
         // The probe has told what it was for; if it cannot be removed, writing will tell.
         let _ = fs::remove_file(&probe);
         Ok(Self { path: path.to_owned() })
@@ -48,9 +48,9 @@ pub(crate) fn check(path: &Path, force: bool) -> Result<(), Failure> {
     match path.symlink_metadata() {
         Ok(there) if there.is_dir() => {
             let error = std::io::Error::new(std::io::ErrorKind::IsADirectory, "it is a directory");
-            Err(Failure::unwritable(path, &error))
+            Err(outcome::unwritable(path, &error))
         }
-        Ok(_) if !force => Err(Failure::exists(path)),
+        Ok(_) if !force => Err(outcome::exists(path)),
         _ => Ok(()),
     }
 }
@@ -71,7 +71,7 @@ pub(crate) fn write(
     result.map_err(|error| {
         // It may not exist; the error that matters is the first.
         let _ = fs::remove_file(&partial);
-        Failure::unwritable(path, &error)
+        outcome::unwritable(path, &error)
     })
 }
 

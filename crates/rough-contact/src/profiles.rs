@@ -2,7 +2,7 @@
 
 use crate::needs;
 use crate::outcome::Failure;
-use crate::{cleaning, text};
+use crate::text;
 use compare::{Cleaning, Unevenness};
 use contact_types::HeightMap;
 use std::path::Path;
@@ -46,7 +46,8 @@ impl Traces {
             cleaning.check(even.grid()).map_err(|e| Failure::in_file(path, &e))?;
             // Points between two measured ones are in no step.
             let step = how.is_none().then(|| height_step(even.heights())).flatten();
-            let (even, cleaned) = cleaning::apply(path, even, before)?;
+            let (even, cleaned) =
+                answers::clean(even, before).map_err(|e| needs::unmade(path, &e))?;
             missing += even.missing();
             let map = even.fill(fill).map_err(|e| needs::unfilled(path, &e))?;
             let trace = Trace::new(map.grid().pixel()[1], map.into_heights())

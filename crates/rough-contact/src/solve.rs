@@ -3,33 +3,29 @@
 use crate::against::{self, Against};
 use crate::args::{self, Bodies, Common};
 use crate::batch::{self, PerFile};
+use crate::cells::cells;
 use crate::conduction::Conduction;
 use crate::fields::{Fields, Sink};
 use crate::files::folder_name;
 use crate::hardness;
 use crate::input::{Complete, Input, Measured};
-use crate::intervals::{Errors, Finest, Refined, under};
-use crate::loads::{Loads, Spread, rising, shown};
+use crate::intervals::Intervals;
+use crate::loads::{Loads, carried, shown};
 use crate::outcome::{Failure, Reply};
 use crate::planned;
 use crate::profiles::Traces;
 use crate::progress::Progress;
 use crate::rows::{How, Shown};
-use crate::scene;
 use crate::text::{self, Columns};
-use crate::work::{Point, Work};
+use answers::{Answer, Question, Subject, Watch};
 use clap::Args;
-use compare::Hardness;
-use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::Request;
-use compare::{
-    EdgesName, Level, Method, NotRefined, PairOrigin, Precision, Solved, Spikes, Surrounded,
-    TwiceFiner, on_given,
-};
-use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};
-use serde_json::json;
-use std::borrow::Cow;
+use compare::{EdgesName, Level, Method, PairOrigin, Precision};
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::{Boundary, Iteration, Load, Solution};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use surface_stats::clean::Record;
 
 #[derive(Args, Clone, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "one for each flag of the command")]
@@ -91,9 +87,6 @@ pub(crate) struct Solve {
     #[command(flatten)]
     input: Input,
 }
-
-/// Most points of a map that is solved on a twice finer grid without being asked: 1024 x 1024.
-const MOST_UNASKED: usize = 1 << 20;
 
 /// What a profile is taken for.
 const PLANE_STRAIN: &str = "plane strain: the trace is the cross-section of parallel ridges that are \
@@ -175,115 +168,94 @@ impl PerFile for Solve {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
         let (complete, pair) = self.section()?;
-        let mut maps = Sink::prepare(&self.fields, count, repeats, common.force)?;
-        let Complete { map: surface, cleaned, height_step, missing, .. } = complete;
-        let spread = self.loads.forces.spread([surface.grid().area()])?;
-        let loads = self.loads.each(spread.as_ref());
-        let mut solved = Solved {
-            // Of two bodies each says its own.
-            missing: if pair.is_some() { 0 } else { missing },
-            pair: pair.as_ref(),
-            points: surface.grid().len(),
+        let maps = Sink::prepare(&self.fields, count, repeats, common.force)?;
+        let Complete { map, cleaned, height_step, missing, .. } = complete;
+        let spread = self.loads.forces.spread([map.grid().area()])?;
+        let question = Question {
+            loads: self.loads.each(spread.as_ref()),
+            spread,
+            modulus,
+            bodies: self.bodies.listed(),
+            level: self.level,
+            boundary,
+            edges: self.edges,
+            plane_strain: self.plane_strain,
+            method: self.method,
+            precision: self.precision,
+            tolerance: self.tolerance,
+            accuracy: self.accuracy,
+            refine: self.refine,
+            certify: self.certify,
+            stiffness: self.stiffness,
+            hardness: self.hardness,
+            conduction: self.conduction.asked(),
+            distributions: self.distributions,
+            keep_gap: self.fields.needs_gap(),
+            threads: common.threads(),
+        };
+        let subject = Subject {
+            path: &self.input.file,
+            map,
+            missing,
             fill: self.input.reading.fill.name(),
             cleaned: &cleaned,
-            ..Solved::default()
+            height_step,
+            pair: pair.as_ref(),
         };
-        let largest = surface.heights().iter().fold(0.0, |most: f64, h| most.max(h.abs()));
-        let spikes = Spikes::of(&surface); // before levelling, as they are removed
-        let surface = match self.level {
-            Level::None => surface,
-            form => surface_stats::level(&surface, form)
-                .map_err(|e| Failure::in_file(&self.input.file, &e))?,
+        let progress = Progress::new(common.quiet, question.loads.len());
+        let mut terminal = Terminal { progress, maps, needs_heights: self.fields.needs_heights() };
+        let answer = question.solve(subject, &mut terminal)?;
+        drop(terminal);
+        let intervals = Intervals::of(&answer.points);
+        let refinable = intervals.refinable.is_some() && answer.can_be_refined;
+        let notes = match answer.plan {
+            None => intervals.notes(!self.refine && answer.can_be_refined),
+            Some(_) => String::new(),
         };
-        solved.scene = scene::of(&surface, modulus, self.plane_strain)
-            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-        solved.scene.spacing = largest * f64::EPSILON;
-        if let Some(maps) = maps.as_mut().filter(|_| self.fields.needs_heights()) {
-            maps.surface = Some(surface.clone());
-        }
-        let mut work = Work::new(maps, loads.len(), self.method.to_string(), surface.grid());
-        work.spikes = spikes;
-        work.distributions = self.distributions.then_some(repeats);
-        solved.spikes = work.spikes.clone();
-        let known = Map::with_step(&surface, height_step)
-            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-        let given = surface.grid();
-        let part = (self.edges == EdgesName::Mirrored).then(|| surface.clone());
-        let surface = Surrounded::new(Cow::Owned(surface), self.edges)
-            .map_err(|e| Failure::in_file(&self.input.file, &e))?
-            .into_map();
-        let can_be_refined = TwiceFiner::is_possible(surface.grid());
-        let mut progress = Progress::new(common.quiet, loads.len());
-        if let Some(request) = self.accuracy {
-            let asked = planned::Asked {
-                surface: &surface,
-                known: &known,
-                boundary,
-                modulus,
-                request,
-                method: self.method,
-                certified: self.certify,
-                fields: self.fields.needs_gap() || self.distributions,
-                threads: common.threads(),
-            };
-            let outcome = asked.solve(&loads, &mut work, &mut progress)?;
-            drop(progress);
-            let refinable = work.intervals.refinable.is_some() && can_be_refined;
-            solved.loads = work.found();
-            solved.scene.pressed = work.pressed();
-            solved.spike_share = work.spike_share;
-            solved.plan = Some(&outcome);
-            let mut reply = self.reply(work, modulus.pascals(), "", &solved, spread.as_ref());
+        let plan = answer.plan.clone();
+        let mut reply = self.reply(answer, &notes, &question, (&cleaned, pair.as_ref()));
+        if let Some(outcome) = plan {
             planned::state(&outcome, refinable, &mut reply);
-            return Ok(reply);
         }
-        let builder = Solver::builder()
-            .method(self.method)
-            .boundary(boundary)
-            .precision(self.precision)
-            .tolerance(self.tolerance)
-            .threads(common.threads())
-            .hardness(self.hardness.unwrap_or(f64::INFINITY));
-        let mut solver = builder
-            .clone()
-            .certified(self.certify)
-            // The budget of errors looks at the pressure.
-            .maps(if self.fields.needs_gap() || self.distributions {
-                Maps::PressureAndGap
-            } else {
-                Maps::Pressure
-            })
-            .build(surface.grid(), modulus)
-            .map_err(|e| Failure::from_error(&e))?;
-        let finer = Finest { builder: builder.maps(Maps::None), boundary, modulus, made: None };
-        // What lies between the points is looked at where each load touches.
-        let mut errors = Errors { known, whole: surface, part, finer };
-        // Rising load, each solution the start of the next.
-        for index in rising(&loads) {
-            let load = loads[index];
-            progress.working_on(&shown(load));
-            let result = solver.solve_observed(&errors.whole, load, |now| {
-                progress.iterating(|| text::iterating(&shown(load), now.number, now.residual));
-            });
-            let result = on_given(result, given);
-            let (budget, refined) = self.budget(load, &result, &mut solver, &mut errors);
-            work.take(index, load, &result, budget.as_ref(), refined);
-            if let Some(Point { json, cells }) =
-                work.points[index].as_mut().filter(|_| result.is_ok())
-            {
-                self.conduction.add(json, cells, &mut solver, given.area())?;
-            }
-            progress.step(&shown(load));
+        Ok(reply)
+    }
+}
+
+/// Progress, and where the maps go.
+struct Terminal {
+    progress: Progress,
+    maps: Option<Sink>,
+    needs_heights: bool,
+}
+
+impl Watch for Terminal {
+    fn levelled(&mut self, map: &HeightMap) {
+        if let Some(maps) = self.maps.as_mut().filter(|_| self.needs_heights) {
+            maps.surface = Some(map.clone());
         }
-        drop(progress);
-        let notes = work.intervals.notes(!self.refine && can_be_refined);
-        solved.loads = work.found();
-        // With a hardness no pressure is beyond it: nothing is left to warn of.
-        if self.hardness.is_none() {
-            solved.scene.pressed = work.pressed();
-        }
-        solved.spike_share = work.spike_share;
-        Ok(self.reply(work, modulus.pascals(), &notes, &solved, spread.as_ref()))
+    }
+
+    fn begin(&mut self, grid: Grid, loads: usize) {
+        self.progress.restart(loads);
+        let [ny, nx] = grid.shape();
+        self.progress.working_on(&format!("{ny} × {nx} points"));
+    }
+
+    fn working_on(&mut self, load: Load) {
+        self.progress.working_on(&shown(load));
+    }
+
+    fn iterated(&mut self, _: usize, load: Load, now: &Iteration<'_>) -> ControlFlow<()> {
+        self.progress.iterating(|| text::iterating(&shown(load), now.number, now.residual));
+        ControlFlow::Continue(())
+    }
+
+    fn keep(&mut self, index: usize, grid: Grid, solution: &mut Solution) -> Result<(), Failure> {
+        self.maps.as_ref().map_or(Ok(()), |maps| maps.write(index, grid, solution))
+    }
+
+    fn done(&mut self, load: Load) {
+        self.progress.step(&shown(load));
     }
 }
 
@@ -341,64 +313,14 @@ impl Solve {
         }
     }
 
-    /// The errors of a solution: with its stiffness, and with what a twice finer grid says of it, if
-    /// those were asked for.
-    fn budget(
-        &self,
-        load: Load,
-        result: &Result<Solution, SolverError>,
-        solver: &mut Solver,
-        errors: &mut Errors,
-    ) -> (Option<Budget>, Option<Result<Refined, NotRefined>>) {
-        let solution = match result {
-            Ok(solution) => solution,
-            Err(error) => {
-                let why = |s: &Solution| Err(NoAreaInterval::of_end(s.diagnostics.end));
-                let budget =
-                    error.solution().map(|s| Budget::of(s, &errors.known).with_grid(why(s), 0.0));
-                return (budget, None);
-            }
-        };
-        let mut budget = Budget::of(solution, &errors.known);
-        let given = errors.part.as_ref().unwrap_or(&errors.whole);
-        let repeats = errors.known.repeats && self.boundary != "free";
-        let modulus = solver.modulus();
-        if let Some(found) = Between::of(given, repeats, &solution.pressure, modulus) {
-            budget = budget.between(&found);
-        }
-        let surface = &errors.whole;
-        if self.stiffness {
-            // Loads beside one that was solved are no reason to fail: without them there is no
-            // number.
-            let pressure = solution.state.mean_pressure;
-            if let Ok(Some(near)) = Stiffness::near(solver, surface, &errors.known, pressure) {
-                let line = grid::Line::of(solution);
-                budget = budget.with_stiffness(&near, &errors.known, line);
-            }
-        }
-        let budget = under(load, &budget, solution);
-        // Where the points do not fix what touches, the answer itself may be wrong by factors, and on a
-        // pattern of like cells the points along the contact lines come in together: a finer grid is solved unasked if it is no more than a few million points.
-        let decides = matches!(budget.area.grid, Err(NoAreaInterval::BetweenPoints { .. }))
-            || errors.known.is_regular();
-        let unasked = decides && surface.grid().len() <= MOST_UNASKED;
-        if !((self.refine || unasked) && TwiceFiner::is_wanted(&budget, &errors.known)) {
-            return (Some(budget), None);
-        }
-        let refined = errors.finer.solve(load, surface, &errors.known, &budget);
-        let budget = refined.as_ref().map_or(budget, |r| budget.refined(&r.found));
-        (Some(budget), Some(refined))
-    }
-
     fn reply(
         &self,
-        work: Work,
-        modulus: f64,
+        answer: Answer,
         notes: &str,
-        solved: &Solved<'_>,
-        spread: Option<&Spread>,
+        question: &Question,
+        (cleaned, pair): (&[Record], Option<&PairOrigin>),
     ) -> Reply {
-        let findings = solved.findings();
+        let spread = question.spread.as_ref();
         let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
         headings.push("mean pressure");
         if self.loads.is_by_gap() {
@@ -419,61 +341,32 @@ impl Solve {
         if self.stiffness {
             headings.push("stiffness");
         }
-        let yields = self.hardness.map(|pascals| Hardness {
-            pascals,
-            modulus,
-            gradient: solved.scene.gradient,
-        });
-        if yields.is_some() {
+        if answer.hardness.is_some() {
             headings.extend(hardness::HEADINGS);
         }
         headings.extend(self.conduction.headings());
         let mut columns = Columns::new(&headings);
-        let mut points = Vec::new();
-        for mut point in work.points.into_iter().flatten() {
-            if let Some(spread) = spread {
-                let force = point.json["mean_pressure"].as_f64().map(|p| spread.force(p));
-                point.cells.insert(0, force.map_or_else(|| "–".to_owned(), text::force));
-                point.json["load"] = json!(force);
+        for point in &answer.points {
+            let mut cells = cells(point);
+            if spread.is_some() {
+                cells.insert(0, point.force.map_or_else(|| "–".to_owned(), text::force));
             }
-            if yields.is_some() {
-                hardness::complete(&mut point.json);
-            }
-            columns.row(point.cells);
-            points.push(point.json);
+            columns.row(cells);
         }
-        let mut json = json!({
-            "shape": work.grid.shape(),
-            "pixel": work.grid.pixel(),
-            "level": self.level.name(),
-            "boundary": self.boundary,
-            "edges": self.edges.name(),
-            "plane_strain": self.plane_strain,
-            "method": work.method,
-            "precision": self.precision.name(),
-            "modulus": modulus,
-            "tolerance": self.tolerance,
-            "load_area": spread.map(|s| s.area),
-            "bodies": report::bodies_json(solved.pair, &self.bodies.listed()),
-            "pair": against::json(solved.pair),
-            "points": points,
-            "cleaning": report::cleaning_json(solved.cleaned),
-            "findings": report::findings_json(&findings),
-        });
         let mut notes = notes.to_owned();
-        if let Some(yields) = yields {
-            json["hardness"] = hardness::json(yields);
-            let solved = json["points"].as_array().into_iter().flatten();
+        if let Some(given) = answer.hardness {
+            let solved = answer.json["points"].as_array().into_iter().flatten();
             let solved = solved.filter(|p| !p["area_fraction"].is_null());
             let highest = solved.filter_map(|p| p["mean_pressure"].as_f64()).fold(0.0, f64::max);
-            notes += &hardness::lines(yields, highest);
+            notes += &hardness::lines(given, highest);
         }
         let text =
-            text::cleaning(solved.cleaned) + &text::findings(&findings) + &columns.to_string();
-        let text = text + &spread.map_or_else(String::new, Spread::line);
-        let text = text + &against::lines(solved.pair, Some((modulus, self.bodies.listed())));
+            text::cleaning(cleaned) + &text::findings(&answer.findings) + &columns.to_string();
+        let text = text + &spread.map_or_else(String::new, carried);
+        let text =
+            text + &against::lines(pair, Some((question.modulus.pascals(), self.bodies.listed())));
         let text = text + &text::level(self.level) + self.conduction.line();
         let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
-        Reply { text: text + &notes, json, trouble: work.trouble }
+        Reply { text: text + &notes, json: answer.json, trouble: answer.trouble }
     }
 }

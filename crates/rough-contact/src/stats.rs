@@ -5,17 +5,16 @@ use crate::args::{self, Common};
 use crate::batch::{self, PerFile};
 use crate::files::expand;
 use crate::input::{Complete, Input, Measured};
-use crate::iso::Iso;
+use crate::iso;
 use crate::outcome::{Failure, Reply};
 use crate::profile_stats;
 use crate::roughness::Edges;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns, Table};
 use clap::Args;
-use compare::{Level, Spikes};
-use serde_json::json;
+use compare::Level;
 use std::path::Path;
-use surface_stats::{ByDistance, StatsOptions, SurfaceStatistics, by_distance, level};
+use surface_stats::{ByDistance, StatsOptions, SurfaceStatistics};
 
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Stats {
@@ -110,33 +109,20 @@ impl PerFile for Stats {
             .with_edges(self.boundary.rule())
             .with_missing(missing)
             .with_height_step(height_step);
-        let s = SurfaceStatistics::of(&map, &options)
-            .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-        let mut findings = compare::measured(&s, &Spikes::of(&map));
-        findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
-        findings.sort_by_key(|f| f.weight);
-        let mut json = report::statistics_json(&s);
-        json["findings"] = report::findings_json(&findings);
-        json["cleaning"] = report::cleaning_json(&cleaned);
-        json["pair"] = against::json(pair.as_ref());
-        let mut text =
-            text::cleaning(&cleaned) + &text::all_findings(&findings) + &self.describe(&s);
+        let subject =
+            answers::Measured { path: &self.input.file, cleaned: &cleaned, pair: pair.as_ref() };
+        let found = answers::statistics(&map, &options, subject, self.iso, self.scales)?;
+        let mut text = text::cleaning(&cleaned)
+            + &text::all_findings(&found.findings)
+            + &self.describe(&found.statistics);
         text += &against::lines(pair.as_ref(), None);
-        if self.iso {
-            let iso = level(&map, options.level)
-                .and_then(|map| Iso::of(&map, options.edges))
-                .map_err(|e| Failure::in_file(&self.input.file, &e))?;
-            text = format!("{text}\nISO 25178-2\n{}", iso.describe());
-            json["iso25178"] = iso.json();
+        if let Some(iso) = &found.iso {
+            text = format!("{text}\nISO 25178-2\n{}", iso::describe(iso));
         }
-        if self.scales {
-            let levelled =
-                level(&map, options.level).map_err(|e| Failure::in_file(&self.input.file, &e))?;
-            let [along_x, along_y] = by_distance(&levelled);
-            text = format!("{text}\nalong x\n{}\nalong y\n{}", scales(&along_x), scales(&along_y));
-            json["scales"] = json!({ "x": along_x, "y": along_y });
+        if let Some([along_x, along_y]) = &found.scales {
+            text = format!("{text}\nalong x\n{}\nalong y\n{}", scales(along_x), scales(along_y));
         }
-        Ok(Reply::new(text, json))
+        Ok(Reply::new(text, found.json))
     }
 }
 

@@ -31,7 +31,7 @@ pub enum Form {
 
 /// What was found.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FormParameters {
     /// Nothing but the degree is worth naming.
     Polynomial {

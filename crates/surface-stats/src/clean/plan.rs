@@ -30,7 +30,7 @@ pub enum Step {
 
 /// One step, as done. [`fmt::Display`] writes one line for a report.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Record {
     /// Rows put in line.
     Rows {

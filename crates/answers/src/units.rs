@@ -2,7 +2,7 @@
 
 /// What kind of quantity an option takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Dimension {
+pub enum Dimension {
     /// A pure number, written without a unit; a percentage is one too.
     Number,
     /// Metres.
@@ -115,7 +115,7 @@ const MEANT: &[(Dimension, &str, &str)] = &[
 
 impl Dimension {
     /// What people call it.
-    pub(crate) fn kind(self) -> &'static str {
+    pub fn kind(self) -> &'static str {
         match self {
             Self::Number => "a pure number",
             Self::Length => "length",
@@ -129,7 +129,7 @@ impl Dimension {
     }
 
     /// Units to offer.
-    pub(crate) fn units(self) -> &'static str {
+    pub fn units(self) -> &'static str {
         match self {
             Self::Number => "no unit, or %",
             Self::Length => "m, mm, um, nm, A, inch or mil",
@@ -143,7 +143,7 @@ impl Dimension {
     }
 
     /// One spelling that works.
-    pub(crate) fn example(self) -> &'static str {
+    pub fn example(self) -> &'static str {
         match self {
             Self::Number => "for example 0.8",
             Self::Length => "for example 1.5um",
@@ -157,7 +157,7 @@ impl Dimension {
     }
 
     /// Factor and power of ten of a unit; `None` if it is not a unit of this dimension.
-    pub(crate) fn scale(self, unit: &str) -> Option<(f64, i32)> {
+    pub fn scale(self, unit: &str) -> Option<(f64, i32)> {
         let find = |table: &[Unit], unit: &str| {
             table.iter().find(|(name, _, _)| *name == unit).map(|&(_, f, e)| (f, e))
         };
@@ -185,7 +185,7 @@ impl Dimension {
 
     /// The unit with these letters in other cases, if there is one: of `MPa` and `mPa` the one
     /// whose first letter is as it was typed. Of a mass the weight.
-    pub(crate) fn near(self, unit: &str) -> Option<&'static str> {
+    pub fn near(self, unit: &str) -> Option<&'static str> {
         let table = match self {
             Self::Length => LENGTHS,
             Self::Pressure => PRESSURES,
@@ -203,7 +203,7 @@ impl Dimension {
 }
 
 /// A unit in one spelling: `µm²` is `um^2`.
-pub(crate) fn plain(unit: &str) -> String {
+pub fn plain(unit: &str) -> String {
     let mut out = String::new();
     for c in unit.chars().filter(|c| !c.is_whitespace()) {
         match c {

@@ -10,7 +10,7 @@ use contact_accuracy::round_to_digits;
 /// Why a text is not the quantity asked for. The message says how to write it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub(crate) enum QuantityError {
+pub enum QuantityError {
     /// The text does not begin with a number.
     #[error("'{text}' is not a number; write {example}")]
     NotANumber {
@@ -105,7 +105,7 @@ const MAX_POINTS: usize = 100_000;
 ///
 /// # Errors
 /// [`QuantityError`], whose message says how to write it.
-pub(crate) fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     let text = text.trim();
     let (number, unit) = text.split_at(number_length(text));
     if number.is_empty() {
@@ -149,7 +149,7 @@ pub(crate) fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityErr
 ///
 /// # Errors
 /// [`QuantityError`], whose message says how to write it.
-pub(crate) fn parse_list(text: &str, dimension: Dimension) -> Result<Vec<f64>, QuantityError> {
+pub fn parse_list(text: &str, dimension: Dimension) -> Result<Vec<f64>, QuantityError> {
     let mut values = Vec::new();
     for item in text.split(',') {
         match item.split_once("..") {
@@ -168,7 +168,7 @@ pub(crate) fn parse_list(text: &str, dimension: Dimension) -> Result<Vec<f64>, Q
 ///
 /// # Errors
 /// [`QuantityError::UnknownUnit`].
-pub(crate) fn parse_length_unit(text: &str) -> Result<f64, QuantityError> {
+pub fn parse_length_unit(text: &str) -> Result<f64, QuantityError> {
     let unit = plain(text);
     let dimension = Dimension::Length;
     match dimension.scale(&unit) {

@@ -7,7 +7,10 @@ use surface_stats::profile::{Trace, moments};
 use surface_stats::{DirectionalMoments, Edges, HeightStatistics, StatsError};
 
 /// The scene of a map, or of the section of ridges.
-pub(crate) fn of(
+///
+/// # Errors
+/// [`StatsError`] of a map that is too small.
+pub fn of(
     map: &HeightMap,
     modulus: ContactModulus,
     plane_strain: bool,

@@ -1,0 +1,105 @@
+//! Why there is no complete answer.
+
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Why there is no complete answer: one word for scripts, and a message that says what, the value, the
+/// limit, the way out.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct Failure {
+    kind: String,
+    message: String,
+    status: u8,
+}
+
+impl Failure {
+    /// Input that cannot be answered: exit status 2 of the command.
+    pub fn refused(kind: &str, message: impl Into<String>) -> Self {
+        Self { kind: kind.to_owned(), message: message.into(), status: 2 }
+    }
+
+    /// Work that was started but not finished: exit status 1.
+    pub fn incomplete(kind: &str, message: impl Into<String>) -> Self {
+        Self { kind: kind.to_owned(), message: message.into(), status: 1 }
+    }
+
+    /// A refusal by one of the libraries. Its kind is the name of the error's variant.
+    pub fn from_error<E: std::error::Error>(error: &E) -> Self {
+        Self::refused(&variant(error), error.to_string())
+    }
+
+    /// The same with the name of the file in front; an empty path is no file.
+    pub fn in_file<E: std::error::Error>(path: &Path, error: &E) -> Self {
+        let message = error.to_string();
+        let shown = path.display().to_string();
+        let message =
+            if message.contains(&shown) { message } else { format!("{shown}: {message}") };
+        Self::refused(&variant(error), message)
+    }
+
+    /// The same with the way out behind it; nothing if there is none.
+    #[must_use]
+    pub fn adding(mut self, way_out: &str) -> Self {
+        if !way_out.is_empty() {
+            self.message = format!("{}; {way_out}", self.message);
+        }
+        self
+    }
+
+    /// Both: the messages one after the other, the graver exit status.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        let kind = if other.status > self.status { other.kind } else { self.kind };
+        let message = format!("{}\n{}", self.message, other.message);
+        Self { kind, message, status: self.status.max(other.status) }
+    }
+
+    /// For scripts.
+    pub fn json(&self) -> Value {
+        json!({ "kind": self.kind, "message": self.message })
+    }
+
+    /// The whole of it, as [`Failure::of_json`] reads it.
+    pub fn json_with_status(&self) -> Value {
+        json!({ "kind": self.kind, "message": self.message, "status": self.status })
+    }
+
+    /// What was written by [`Failure::json_with_status`].
+    pub fn of_json(value: &Value) -> Option<Self> {
+        Some(Self {
+            kind: value.get("kind")?.as_str()?.to_owned(),
+            message: value.get("message")?.as_str()?.to_owned(),
+            status: value.get("status")?.as_u64()?.try_into().ok()?,
+        })
+    }
+
+    /// One word for the kind of trouble.
+    pub fn kind(&self) -> &str {
+        &self.kind
+    }
+
+    /// What, the value, the limit, the way out.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// Exit status of the command: 1, something was not finished; 2, refused.
+    pub fn status(&self) -> u8 {
+        self.status
+    }
+}
+
+/// The name of an enum's variant in snake case, from its `Debug` form: one word for the kind of
+/// trouble, for scripts.
+pub fn variant(error: &impl std::fmt::Debug) -> String {
+    let debug = format!("{error:?}");
+    let mut name = String::new();
+    for c in debug.chars().take_while(|c| c.is_alphanumeric()) {
+        if c.is_uppercase() && !name.is_empty() {
+            name.push('_');
+        }
+        name.extend(c.to_lowercase());
+    }
+    name
+}

@@ -1,0 +1,42 @@
+//! What is said of a contact that yields, beside its numbers.
+
+use crate::shown;
+use compare::Hardness;
+use fft_bem_solver::Solution;
+use serde_json::{Value, json};
+
+/// Why the hardness is likely a slip.
+pub fn doubt(given: Hardness) -> Option<String> {
+    let [low, high] = given.doubt()?;
+    Some(format!(
+        "solids with this contact modulus have a hardness of about {} to {}: is the unit right?",
+        shown::pressure(low),
+        shown::pressure(high)
+    ))
+}
+
+/// What stands beside the points.
+pub(crate) fn object(given: Hardness) -> Value {
+    json!({
+        "pascals": given.pascals,
+        "modulus_gradient_over_hardness": given.over_elastic(),
+        "warning": doubt(given),
+    })
+}
+
+/// Adds what has yielded to a point.
+pub(crate) fn add(point: &mut Value, solution: &Solution) {
+    let Some(yielded) = solution.diagnostics.yielded else { return };
+    if let Value::Object(keys) = point {
+        keys.extend(report::yield_keys(Some(yielded), solution.state.area_fraction));
+    }
+}
+
+/// The same keys, absent, in a point that was refused.
+pub(crate) fn complete(point: &mut Value) {
+    for key in report::YIELD_KEYS {
+        if point.get(key).is_none() {
+            point[key] = Value::Null;
+        }
+    }
+}

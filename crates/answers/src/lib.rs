@@ -1,0 +1,34 @@
+#![doc = include_str!("../README.md")]
+
+pub mod bodies;
+mod complete;
+mod conduction;
+mod failure;
+mod finer;
+mod hardness;
+mod info;
+mod iso;
+pub mod loads;
+mod planned;
+mod point;
+pub mod quantity;
+pub mod scene;
+pub mod shown;
+mod solve;
+mod statistics;
+pub mod units;
+mod watch;
+mod work;
+
+pub use complete::{Complete, Incomplete, clean, complete};
+pub use conduction::{Conducted, Conduction};
+pub use failure::{Failure, variant};
+pub use finer::Refined;
+pub use hardness::doubt as hardness_doubt;
+pub use info::info;
+pub use iso::Iso;
+pub use planned::unmet;
+pub use point::Point;
+pub use solve::{Answer, Question, Subject};
+pub use statistics::{Measured, Statistics, statistics};
+pub use watch::Watch;

@@ -1,0 +1,107 @@
+//! One load that was solved for, as an object.
+
+use crate::conduction::Conducted;
+use crate::failure::variant;
+use crate::finer::Refined;
+use crate::hardness;
+use compare::budget::Budget;
+use fft_bem_solver::{End, Load, Solution, SolverError};
+use serde_json::{Value, json};
+
+/// A load that was solved for.
+#[derive(Debug)]
+pub struct Point {
+    /// What was prescribed.
+    pub load: Load,
+    /// The object that scripts see; once all loads are answered it is part of theirs.
+    pub(crate) json: Value,
+    /// Its mean pressure as a force (N), if forces were asked for.
+    pub force: Option<f64>,
+    /// The solution without its maps; none of a load that was refused.
+    pub solution: Option<Solution>,
+    /// The errors of its numbers.
+    pub budget: Option<Budget>,
+    /// What a twice finer grid says of it.
+    pub refined: Option<Refined>,
+    /// What it conducts, if that was asked for.
+    pub conducted: Option<Conducted>,
+    /// True if it was solved to the tolerance.
+    pub converged: bool,
+}
+
+impl Point {
+    /// Of a load, with what was found of it.
+    pub(crate) fn new(
+        load: Load,
+        found: Option<(&Solution, &Budget)>,
+        error: Option<&SolverError>,
+        refined: Option<Refined>,
+    ) -> Self {
+        let mut json = object(load, found, error);
+        json["refined"] = json!(refined.as_ref().map(Refined::json));
+        Self {
+            load,
+            json,
+            force: None,
+            solution: None,
+            budget: found.map(|(_, budget)| *budget),
+            refined,
+            conducted: None,
+            converged: error.is_none() && found.is_some(),
+        }
+    }
+}
+
+fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverError>) -> Value {
+    let error_json = error.map(|e| json!({ "kind": variant(e), "message": e.to_string() }));
+    let Some((solution, budget)) = found else {
+        let asked = if let Load::MeanPressure(p) = load { Some(p) } else { None };
+        let mut json = json!({
+                "mean_pressure": asked, "area_fraction": null, "area_fraction_corrected": null,
+                "mean_gap": if let Load::MeanGap(g) = load { Some(g) } else { None },
+                "approach": null, "max_pressure": null, "real_pressure": null,
+                "converged": false, "stopped_at_rounding": false, "iterations": null,
+                "transforms": null, "seconds": null,
+                "residuals": null, "duality_gap": null, "error": error_json,
+        });
+        with_keys(&mut json, None);
+        return json;
+    };
+    let (state, d) = (&solution.state, &solution.diagnostics);
+    let real = state.real_pressure();
+    let mut json = json!({
+        "mean_pressure": state.mean_pressure,
+        "area_fraction": state.area_fraction,
+        "area_fraction_corrected": d.area_fraction_corrected,
+        "mean_gap": state.mean_gap,
+        "approach": solution.approach,
+        "max_pressure": d.max_pressure,
+        "real_pressure": real,
+        "converged": error.is_none(),
+        "stopped_at_rounding": d.end == End::Rounding,
+        "iterations": d.iterations,
+        "transforms": d.transforms,
+        "seconds": d.seconds,
+        "residuals": {
+            "preconditioned": d.residuals.preconditioned,
+            "complementarity": d.residuals.complementarity,
+            "penetration": d.residuals.penetration,
+        },
+        "duality_gap": d.duality_gap,
+        "energy_bound": d.energy_bound,
+        "contact_pixels": d.contact_pixels,
+        "contact_perimeter": d.contact_perimeter,
+        "exact": d.exact,
+        "error": error_json,
+    });
+    with_keys(&mut json, Some(budget));
+    hardness::add(&mut json, solution);
+    json
+}
+
+/// Adds the keys of the budget, all `null` without one.
+fn with_keys(point: &mut Value, budget: Option<&Budget>) {
+    if let Value::Object(keys) = point {
+        keys.extend(report::budget_keys(budget));
+    }
+}

@@ -1,0 +1,154 @@
+//! What is collected while loads are solved: one point each, and what went wrong.
+
+use crate::failure::{Failure, variant};
+use crate::finer::Refined;
+use crate::loads::shown;
+use crate::point::Point;
+use crate::watch::Watch;
+use compare::budget::{Budget, NoAreaInterval};
+use compare::{Distributions, Ended, NotRefined, Pressed, Spikes, spot_list};
+use contact_types::Grid;
+use fft_bem_solver::{Load, Solution, SolverError};
+use serde_json::json;
+
+/// What is collected while the loads are solved. Fields go to who watches and are dropped.
+pub(crate) struct Work {
+    /// Distributions are wanted: whether a spot at one edge goes on at the other.
+    pub(crate) distributions: Option<bool>,
+    pub(crate) trouble: Option<Failure>,
+    pub(crate) method: String,
+    pub(crate) points: Vec<Option<Point>>,
+    pub(crate) grid: Grid,
+    /// What presses at each load that converged.
+    pressed: Vec<Option<Pressed>>,
+    /// The grid of the map as given.
+    given: Grid,
+    /// Spikes of the map as given, and the largest share of the load they carry on it.
+    pub(crate) spikes: Spikes,
+    pub(crate) spike_share: Option<f64>,
+    /// How each load ended, and why its area has no bar.
+    found: Vec<Option<(Ended, Option<NoAreaInterval>)>>,
+}
+
+impl Work {
+    /// Nothing yet, of so many loads.
+    pub(crate) fn new(loads: usize, method: String, grid: Grid) -> Self {
+        Self {
+            distributions: None,
+            trouble: None,
+            method,
+            points: (0..loads).map(|_| None).collect(),
+            grid,
+            given: grid,
+            spikes: Spikes::default(),
+            spike_share: None,
+            pressed: vec![None; loads],
+            found: vec![None; loads],
+        }
+    }
+
+    /// Of each load taken: how it ended, and why its area has no bar, if it has none.
+    pub(crate) fn found(&self) -> Vec<(Ended, Option<NoAreaInterval>)> {
+        self.found.iter().copied().flatten().collect()
+    }
+
+    /// What presses at each load that converged, by rising load.
+    pub(crate) fn pressed(&self) -> Vec<Pressed> {
+        let mut all: Vec<Pressed> = self.pressed.iter().copied().flatten().collect();
+        all.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
+        all
+    }
+
+    /// Forgets what was taken: the loads are solved again, on `grid`.
+    pub(crate) fn begin(&mut self, grid: Grid) {
+        self.points.iter_mut().for_each(|point| *point = None);
+        self.found.iter_mut().for_each(|found| *found = None);
+        self.pressed.iter_mut().for_each(|pressed| *pressed = None);
+        self.trouble = None;
+        self.grid = grid;
+    }
+
+    /// A load by its place in the list, with the errors of its numbers; its maps go to `watch`.
+    pub(crate) fn take(
+        &mut self,
+        index: usize,
+        load: Load,
+        result: Result<Solution, SolverError>,
+        budget: Option<&Budget>,
+        refined: Option<Result<Refined, NotRefined>>,
+        watch: &mut dyn Watch,
+    ) {
+        let (solution, error) = match &result {
+            Ok(solution) => (Some(solution), None),
+            Err(error) => (error.solution(), Some(error)),
+        };
+        let refined = match refined {
+            Some(Err(why)) => {
+                let message = format!("{}: {why}", shown(load));
+                self.report(Failure::incomplete("not_refined", message));
+                None
+            }
+            Some(Ok(refined)) => Some(refined),
+            None => None,
+        };
+        let mut point = Point::new(load, solution.zip(budget), error, refined);
+        if let (Some(repeats), Some(solution)) = (self.distributions, solution) {
+            let spots = spot_list(&solution.pressure, self.grid, repeats);
+            let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
+            point.json["distributions"] = json!(found);
+        }
+        let bare = budget.and_then(|b| b.area.comparison_half_width().err());
+        let ended = match error {
+            None => Ended::Converged,
+            Some(SolverError::Rounding(_)) => Ended::AtRounding,
+            Some(_) => Ended::Short,
+        };
+        self.found[index] = Some((ended, bare));
+        if let (Ok(solution), Some(budget)) = (&result, budget) {
+            self.pressed[index] = pressed(solution, budget);
+            let share = self.spikes.share(self.given.len(), &solution.pressure);
+            self.spike_share = share.into_iter().chain(self.spike_share).reduce(f64::max);
+        }
+        if let Some(error) = error {
+            let message = format!("{}: {error}", shown(load));
+            self.report(match error {
+                SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
+                SolverError::Rounding(_) => Failure::incomplete("stopped_at_rounding", message),
+                _ => Failure::refused(&variant(error), message),
+            });
+        }
+        let solution = result.map_or_else(iterate, Some);
+        if let Some(mut solution) = solution {
+            self.method = solution.diagnostics.method.to_string();
+            if let Err(failure) = watch.keep(index, self.grid, &mut solution) {
+                self.report(failure);
+            }
+            (solution.pressure, solution.gap) = (Vec::new(), Vec::new());
+            point.solution = Some(solution);
+        }
+        self.points[index] = Some(point);
+    }
+
+    fn report(&mut self, failure: Failure) {
+        self.trouble = Some(match self.trouble.take() {
+            None => failure,
+            Some(earlier) => earlier.and(failure),
+        });
+    }
+}
+
+/// What presses at a load.
+fn pressed(solution: &Solution, budget: &Budget) -> Option<Pressed> {
+    let mean = budget.real_pressure()?.value();
+    Some(Pressed::of(solution.state.mean_pressure, mean, solution.diagnostics.max_pressure))
+}
+
+/// The iterate that an error carries.
+fn iterate(error: SolverError) -> Option<Solution> {
+    match error {
+        SolverError::NotConverged(reached)
+        | SolverError::Rounding(reached)
+        | SolverError::Stopped(reached) => Some(*reached),
+        _ => None,
+    }
+}

@@ -1,0 +1,103 @@
+"""Real area of contact between rough surfaces: the deterministic solution with its error bars, and closed forms.
+
+Quantities go in as text or with a unit, ``'110 GPa'`` or ``110 * rc.GPa``, and come out as floats in SI units.
+
+>>> import rough_contact as rc
+>>> s = rc.synth((128, 128), pixel='1um', hurst=0.8, rolloff='32um', cutoff='8um', rms_gradient=0.1, seed=1)
+>>> curve = rc.solve(s, modulus='110 GPa', pressure='10MPa,100MPa')
+>>> len(curve)
+2
+"""
+
+from ._bodies import Body, contact_modulus
+from ._errors import (
+    AccuracyNotMet,
+    ContactWarning,
+    Error,
+    InternalError,
+    Interrupted,
+    MissingPoints,
+    ModelError,
+    NotConverged,
+    NotRefined,
+    ReadError,
+    SettingError,
+    SurfaceError,
+    UnitError,
+)
+from ._findings import Finding
+from ._progress import Progress
+from ._results import LoadCurve, Point
+from ._rough_contact import __version__
+from ._solve import solve
+from ._statistics import Statistics
+from ._surface import Surface, info, read, synth
+from ._threads import default_threads
+from ._units import (
+    GPa,
+    J_per_m2,
+    MPa,
+    N,
+    Pa,
+    Q,
+    Quantity,
+    Unit,
+    W_per_m_K,
+    bar,
+    kN,
+    kPa,
+    m,
+    mm,
+    mN,
+    nm,
+    ohm_m,
+    um,
+)
+
+__all__ = [
+    "AccuracyNotMet",
+    "Body",
+    "ContactWarning",
+    "Error",
+    "Finding",
+    "GPa",
+    "InternalError",
+    "Interrupted",
+    "J_per_m2",
+    "LoadCurve",
+    "MPa",
+    "MissingPoints",
+    "ModelError",
+    "N",
+    "NotConverged",
+    "NotRefined",
+    "Pa",
+    "Point",
+    "Progress",
+    "Q",
+    "Quantity",
+    "ReadError",
+    "SettingError",
+    "Statistics",
+    "Surface",
+    "SurfaceError",
+    "Unit",
+    "UnitError",
+    "W_per_m_K",
+    "__version__",
+    "bar",
+    "contact_modulus",
+    "default_threads",
+    "info",
+    "kN",
+    "kPa",
+    "m",
+    "mN",
+    "mm",
+    "nm",
+    "ohm_m",
+    "read",
+    "solve",
+    "synth",
+    "um",
+]

@@ -1,0 +1,93 @@
+"""Elastic bodies."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Union
+
+from . import _rough_contact as _rust
+from . import _units
+from ._errors import SettingError, sorted_as
+from ._units import Q
+
+__all__ = ["Bodies", "Body", "contact_modulus"]
+
+
+@dataclass(frozen=True, init=False)
+class Body:
+    """An elastic body.
+
+    Parameters
+    ----------
+    young : quantity
+        Young's modulus.
+    poisson : float
+        Poisson's ratio, above -1 and at most 0.5.
+    hardness : quantity, optional
+        Highest pressure it bears before it yields; `solve` takes it where it is given.
+    name : str, optional
+        What it is.
+
+    Attributes
+    ----------
+    young, hardness : float
+        In pascals.
+    """
+
+    young: float
+    poisson: float
+    hardness: float | None
+    name: str
+
+    def __init__(self, *, young: Q, poisson: float, hardness: Q | None = None, name: str = "") -> None:
+        values = {
+            "young": _units.scalar(young, "pressure", "young"),
+            "poisson": _units.number(poisson, "poisson"),
+            "hardness": None if hardness is None else _units.scalar(hardness, "pressure", "hardness"),
+            "name": name,
+        }
+        for key, value in values.items():
+            object.__setattr__(self, key, value)
+        contact_modulus(self)  # refuses constants out of their domain
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _body, (self.young, self.poisson, self.hardness, self.name)
+
+
+Bodies = Union[Body, Sequence[Body]]
+
+
+def _body(young: float, poisson: float, hardness: float | None, name: str) -> Body:
+    own = None if hardness is None else hardness * _units.Pa
+    return Body(young=young * _units.Pa, poisson=poisson, hardness=own, name=name)
+
+
+def listed(bodies: Bodies) -> list[Body]:
+    """One body or two."""
+    all_ = [bodies] if isinstance(bodies, Body) else list(bodies)
+    if not 1 <= len(all_) <= 2 or not all(isinstance(b, Body) for b in all_):
+        raise TypeError("bodies takes one rc.Body, against a rigid one, or a pair")
+    return all_
+
+
+def elastic(bodies: Bodies) -> list[dict[str, float]]:
+    """What the crates need of them."""
+    return [{"young": b.young, "poisson": b.poisson} for b in listed(bodies)]
+
+
+def contact_modulus(first: Body, second: Body | None = None) -> float:
+    """Contact modulus E* (Pa): 1/E* is the sum of (1 - nu^2)/E; without `second` the other body is rigid."""
+    bodies = [first] if second is None else [first, second]
+    with sorted_as(SettingError):
+        return _rust.modulus(json.dumps(elastic(bodies)))
+
+
+def given(modulus: Q | None, bodies: Bodies | None) -> dict[str, Any]:
+    """Either of the two, as the crates take it."""
+    if (modulus is None) == (bodies is None):
+        raise TypeError("give exactly one of modulus, such as modulus='110 GPa', and bodies")
+    if bodies is not None:
+        return {"modulus": None, "bodies": elastic(bodies)}
+    return {"modulus": _units.scalar(modulus, "pressure", "modulus"), "bodies": []}

@@ -1,0 +1,392 @@
+"""What the solver found: loads on one map."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, fields
+from html import escape
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._findings import Finding, findings_html
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["LoadCurve", "Point"]
+
+Interval = tuple[float, float]
+
+
+def _n(unit: str = "") -> Any:
+    return field(default=None, metadata={"unit": unit})
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Point:
+    """One load: the keys of a point of ``rough-contact solve --json``. SI units; None where there is no number."""
+
+    mean_pressure: float | None = _n("Pa")
+    area_fraction: float | None = _n("1")
+    area_fraction_corrected: float | None = _n("1")
+    area_interval: Interval | None = _n("1")
+    area_prediction_interval: Interval | None = _n("1")
+    area_interval_reason: Any = _n()
+    mean_gap: float | None = _n("m")
+    mean_gap_interval: Interval | None = _n("m")
+    mean_gap_prediction_interval: Interval | None = _n("m")
+    mean_pressure_interval: Interval | None = _n("Pa")
+    mean_pressure_prediction_interval: Interval | None = _n("Pa")
+    real_pressure: float | None = _n("Pa")
+    real_pressure_corrected: float | None = _n("Pa")
+    real_pressure_interval: Interval | None = _n("Pa")
+    real_pressure_prediction_interval: Interval | None = _n("Pa")
+    max_pressure: float | None = _n("Pa")
+    approach: float | None = _n("m")
+    load: float | None = _n("N")
+    stiffness: float | None = _n("Pa/m")
+    stiffness_interval: Interval | None = _n("Pa/m")
+    stiffness_prediction_interval: Interval | None = _n("Pa/m")
+    electrical_conductance: float | None = _n("S/m2")
+    electrical_conductance_of_map: float | None = _n("S")
+    thermal_conductance: float | None = _n("W/m2/K")
+    thermal_conductance_of_map: float | None = _n("W/K")
+    contact_set: str | None = _n()
+    conduction: dict[str, Any] | None = _n()
+    saturated_fraction: float | None = _n("1")
+    plastic_load_fraction: float | None = _n("1")
+    elastic_area_fraction: float | None = _n("1")
+    contact_pixels: int | None = _n("1")
+    contact_perimeter: float | None = _n("1")
+    converged: bool = field(default=False, metadata={"unit": ""})
+    stopped_at_rounding: bool = field(default=False, metadata={"unit": ""})
+    iterations: int | None = _n("1")
+    transforms: float | None = _n("1")
+    seconds: float | None = _n("s")
+    residuals: dict[str, float] | None = _n()
+    duality_gap: float | None = _n("1")
+    energy_bound: Any = _n()
+    exact: Any = _n()
+    budget: dict[str, Any] | None = _n()
+    refined: dict[str, Any] | None = _n()
+    distributions: dict[str, Any] | None = _n()
+    error: dict[str, str] | None = _n()
+    #: Pressure (Pa) of every point, shape (ny, nx), if maps were kept.
+    pressure: NDArray[np.float64] | None = field(default=None, metadata={"unit": "Pa"})
+    #: Gap (m) of every point, shape (ny, nx), if maps were kept; its zero is the pressure-weighted mean in contact.
+    gap: NDArray[np.float64] | None = field(default=None, metadata={"unit": "m"})
+
+    @classmethod
+    def _of(
+        cls,
+        json: dict[str, Any],
+        pressure: NDArray[np.float64] | None = None,
+        gap: NDArray[np.float64] | None = None,
+    ) -> Point:
+        known = {f.name for f in fields(cls)}
+        values = {k: tuple(v) if isinstance(v, list) else v for k, v in json.items() if k in known}
+        return cls(**values, pressure=pressure, gap=gap)
+
+    @classmethod
+    def units(cls) -> dict[str, str]:
+        """The unit of every number; ``'1'`` for pure ones."""
+        return {f.name: f.metadata["unit"] for f in fields(cls) if f.metadata["unit"]}
+
+    def __repr__(self) -> str:
+        if self.area_fraction is None:
+            why = self.error["message"] if self.error else "no answer"
+            return f"Point({pressure(self.mean_pressure)}: {why})"
+        shown = [pressure(self.mean_pressure), f"area {percent(self.area_fraction_corrected, self.area_interval)}"]
+        if self.mean_gap is not None:
+            shown.append(f"mean gap {self.mean_gap:.4g} m")
+        return f"Point({', '.join(shown)}{'' if self.converged else ', not converged'})"
+
+
+#: Which interval belongs to which number.
+_INTERVALS = {
+    "area_fraction_corrected": "area",
+    "mean_gap": "mean_gap",
+    "mean_pressure": "mean_pressure",
+    "real_pressure_corrected": "real_pressure",
+    "stiffness": "stiffness",
+}
+
+_SCALARS = [f.name for f in fields(Point) if f.metadata["unit"] and "interval" not in f.name and f.name not in ("pressure", "gap")]
+_PAIRS = [f.name for f in fields(Point) if f.name.endswith("_interval")]
+
+
+def _vector(points: Sequence[dict[str, Any]], key: str) -> NDArray[np.float64]:
+    values = [p.get(key) for p in points]
+    made = np.array([np.nan if v is None else v for v in values], dtype=np.float64)
+    made.setflags(write=False)
+    return made
+
+
+def _pairs(points: Sequence[dict[str, Any]], key: str) -> NDArray[np.float64]:
+    values = [p.get(key) or (np.nan, np.nan) for p in points]
+    made = np.array(values, dtype=np.float64).reshape(len(points), 2)
+    made.setflags(write=False)
+    return made
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class LoadCurve:
+    """The deterministic solution of one map at its loads, in the order asked: what ``rough-contact solve`` answers.
+
+    Numbers are vectors of one entry for each load under the keys of the JSON, SI units, NaN where there is none;
+    intervals have shape (n, 2). ``curve[i]`` is a `Point`, ``curve[a:b]`` a shorter curve.
+    """
+
+    json: dict[str, Any] = field(repr=False)
+    maps: dict[int, tuple[NDArray[np.float64] | None, NDArray[np.float64] | None]] = field(repr=False)
+
+    mean_pressure: NDArray[np.float64] = field(init=False)
+    area_fraction: NDArray[np.float64] = field(init=False)
+    area_fraction_corrected: NDArray[np.float64] = field(init=False)
+    area_interval: NDArray[np.float64] = field(init=False)
+    area_prediction_interval: NDArray[np.float64] = field(init=False)
+    mean_gap: NDArray[np.float64] = field(init=False)
+    mean_gap_interval: NDArray[np.float64] = field(init=False)
+    mean_gap_prediction_interval: NDArray[np.float64] = field(init=False)
+    mean_pressure_interval: NDArray[np.float64] = field(init=False)
+    mean_pressure_prediction_interval: NDArray[np.float64] = field(init=False)
+    real_pressure: NDArray[np.float64] = field(init=False)
+    real_pressure_corrected: NDArray[np.float64] = field(init=False)
+    real_pressure_interval: NDArray[np.float64] = field(init=False)
+    real_pressure_prediction_interval: NDArray[np.float64] = field(init=False)
+    max_pressure: NDArray[np.float64] = field(init=False)
+    approach: NDArray[np.float64] = field(init=False)
+    load: NDArray[np.float64] = field(init=False)
+    stiffness: NDArray[np.float64] = field(init=False)
+    stiffness_interval: NDArray[np.float64] = field(init=False)
+    stiffness_prediction_interval: NDArray[np.float64] = field(init=False)
+    electrical_conductance: NDArray[np.float64] = field(init=False)
+    electrical_conductance_of_map: NDArray[np.float64] = field(init=False)
+    thermal_conductance: NDArray[np.float64] = field(init=False)
+    thermal_conductance_of_map: NDArray[np.float64] = field(init=False)
+    saturated_fraction: NDArray[np.float64] = field(init=False)
+    plastic_load_fraction: NDArray[np.float64] = field(init=False)
+    elastic_area_fraction: NDArray[np.float64] = field(init=False)
+    contact_pixels: NDArray[np.float64] = field(init=False)
+    contact_perimeter: NDArray[np.float64] = field(init=False)
+    iterations: NDArray[np.float64] = field(init=False)
+    transforms: NDArray[np.float64] = field(init=False)
+    seconds: NDArray[np.float64] = field(init=False)
+    duality_gap: NDArray[np.float64] = field(init=False)
+    converged: NDArray[np.bool_] = field(init=False)
+    findings: tuple[Finding, ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        points = self.json["points"]
+        for name in _SCALARS:
+            object.__setattr__(self, name, _vector(points, name))
+        for name in _PAIRS:
+            object.__setattr__(self, name, _pairs(points, name))
+        converged = np.array([p["converged"] for p in points], dtype=np.bool_)
+        converged.setflags(write=False)
+        object.__setattr__(self, "converged", converged)
+        object.__setattr__(self, "findings", tuple(Finding._of(f) for f in self.json["findings"]))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return LoadCurve._restored, (self.json, self.maps)
+
+    @classmethod
+    def _restored(cls, json: dict[str, Any], maps: dict[int, Any]) -> LoadCurve:
+        for kept in maps.values():
+            for array in kept:
+                if array is not None:
+                    array.setflags(write=False)
+        return cls(json, maps)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns that were solved."""
+        ny, nx = self.json["shape"]
+        return ny, nx
+
+    @property
+    def pixel(self) -> tuple[float, float]:
+        """Distance of the points that were solved (dy, dx) in metres."""
+        dy, dx = self.json["pixel"]
+        return dy, dx
+
+    @property
+    def accuracy(self) -> dict[str, Any] | None:
+        """What was chosen for the accuracy asked for, and whether it is met."""
+        return self.json.get("accuracy")
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """How it was solved: the keys of the JSON beside the points."""
+        left_out = ("points", "findings", "cleaning", "accuracy", "shape", "pixel")
+        return {k: copy.deepcopy(v) for k, v in self.json.items() if k not in left_out}
+
+    def __len__(self) -> int:
+        return len(self.json["points"])
+
+    @overload
+    def __getitem__(self, index: int) -> Point: ...
+    @overload
+    def __getitem__(self, index: slice) -> LoadCurve: ...
+    def __getitem__(self, index: int | slice) -> Point | LoadCurve:
+        if isinstance(index, slice):
+            places = range(len(self))[index]
+            points = [self.json["points"][i] for i in places]
+            maps = {new: self.maps[old] for new, old in enumerate(places) if old in self.maps}
+            return LoadCurve({**self.json, "points": points}, maps)
+        place = range(len(self))[index]
+        return Point._of(self.json["points"][place], *self.maps.get(place, (None, None)))
+
+    def __iter__(self) -> Iterator[Point]:
+        return (self[i] for i in range(len(self)))
+
+    def _map(self, index: int, which: int, name: str) -> NDArray[np.float64]:
+        place = range(len(self))[index]
+        found = self.maps.get(place, (None, None))[which]
+        if found is None:
+            raise LookupError(f"the {name} of load {place} was not kept; solve with maps=True")
+        return found
+
+    def pressure(self, index: int) -> NDArray[np.float64]:
+        """Pressure (Pa) of every point at a load, shape (ny, nx), read-only."""
+        return self._map(index, 0, "pressure")
+
+    def gap(self, index: int) -> NDArray[np.float64]:
+        """Gap (m) of every point at a load, shape (ny, nx), read-only."""
+        return self._map(index, 1, "gap")
+
+    def bars(self, name: str = "area_fraction_corrected", *, prediction: bool = False) -> NDArray[np.float64]:
+        """Half widths below and above, shape (2, n), for `errorbar`; NaN where there is no interval.
+
+        Parameters
+        ----------
+        name : str
+            A number that has intervals.
+        prediction : bool
+            The interval for another map of the same surface, rather than for this one.
+        """
+        if name not in _INTERVALS:
+            raise KeyError(f"{name!r} has no interval; {', '.join(_INTERVALS)} have one")
+        kind = "prediction_interval" if prediction else "interval"
+        low, high = getattr(self, f"{_INTERVALS[name]}_{kind}").T
+        value = getattr(self, name)
+        # The value may stand at an end of its interval, but for rounding.
+        made: NDArray[np.float64] = np.maximum([value - low, high - value], 0.0)
+        return made
+
+    @classmethod
+    def units(cls) -> dict[str, str]:
+        """The unit of every number; ``'1'`` for pure ones."""
+        return Point.units()
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object of ``rough-contact solve --json``."""
+        return copy.deepcopy(self.json)
+
+    def records(self) -> list[dict[str, Any]]:
+        """A flat dict for each load: intervals as ``_low`` and ``_high``, nested keys with a dot."""
+        return [flat(point) for point in self.json["points"]]
+
+    def to_pandas(self) -> Any:
+        """A `pandas.DataFrame` of one line for each load, units in ``attrs['units']``."""
+        import pandas
+
+        frame = pandas.DataFrame(self.records())
+        frame.attrs["units"] = self.units()
+        return frame
+
+    def to_xarray(self) -> Any:
+        """An `xarray.Dataset` over the loads, with the maps that were kept."""
+        import xarray
+
+        units = self.units()
+        data: dict[str, Any] = {n: ("point", getattr(self, n), {"units": units[n]}) for n in _SCALARS}
+        ny, nx = self.shape
+        for which, name in enumerate(("pressure", "gap")):
+            kept = [self.maps.get(i, (None, None))[which] for i in range(len(self))]
+            if any(k is not None for k in kept):
+                empty = np.full((ny, nx), np.nan)
+                stack = np.stack([empty if k is None else k for k in kept])
+                data[name] = (("point", "y", "x"), stack, {"units": units[name]})
+        coords = {"y": np.arange(ny) * self.pixel[0], "x": np.arange(nx) * self.pixel[1]}
+        return xarray.Dataset(data, coords if "pressure" in data else None)
+
+    def plot(
+        self,
+        ax: Axes | None = None,
+        *,
+        y: str = "area_fraction_corrected",
+        bars: bool = True,
+        unit: str = "MPa",
+        **errorbar: Any,
+    ) -> Axes:
+        """A number over the mean pressure on matplotlib axes, with its bars."""
+        from .plotting import curve
+
+        return curve(self, ax, y, bars, unit, **errorbar)
+
+    def __repr__(self) -> str:
+        ny, nx = self.shape
+        lines = [f"LoadCurve({len(self)} loads on {ny} x {nx} points, {self.json['method']})"]
+        lines += [f"  {finding}" for finding in self.findings if finding.weight == "check"]
+        lines += [f"  {repr(point)[6:-1]}" for point in self]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        head = ("mean pressure", "area", "mean gap", "real pressure", "residual", "time")
+        rows = []
+        for p in self:
+            if p.area_fraction is None:
+                why = escape(p.error["message"]) if p.error else "no answer"
+                rows.append(f"<tr><td>{pressure(p.mean_pressure)}</td><td colspan=5>{why}</td></tr>")
+                continue
+            residual = p.residuals["preconditioned"] if p.residuals else float("nan")
+            cells = (
+                pressure(p.mean_pressure),
+                percent(p.area_fraction_corrected, p.area_interval) + ("" if p.converged else " (not converged)"),
+                "–" if p.mean_gap is None else f"{p.mean_gap * 1e9:.4g} nm",
+                pressure(p.real_pressure_corrected),
+                f"{residual:.1e}",
+                f"{p.seconds or 0:.2g} s",
+            )
+            rows.append("<tr>" + "".join(f"<td style='text-align:right'>{escape(c)}</td>" for c in cells) + "</tr>")
+        heads = "".join(f"<th>{h}</th>" for h in head)
+        return f"{findings_html(self.findings)}<table><tr>{heads}</tr>{''.join(rows)}</table>"
+
+
+def flat(value: dict[str, Any], above: str = "") -> dict[str, Any]:
+    """One level of keys."""
+    found: dict[str, Any] = {}
+    for key, item in value.items():
+        name = f"{above}{key}"
+        if key.endswith("interval") or isinstance(item, list) and len(item) == 2:
+            low, high = item or (None, None)
+            found[f"{name}_low"], found[f"{name}_high"] = low, high
+        elif isinstance(item, dict):
+            found.update(flat(item, f"{name}."))
+        else:
+            found[name] = item
+    return found
+
+
+def pressure(pascals: float | None) -> str:
+    """A pressure as people read it."""
+    if pascals is None:
+        return "–"
+    for scale, unit in ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")):
+        if abs(pascals) >= 0.9995 * scale:
+            return f"{pascals / scale:.4g} {unit}"
+    return f"{pascals:.4g} Pa"
+
+
+def percent(value: float | None, interval: Interval | None) -> str:
+    """A fraction with its bar."""
+    if value is None:
+        return "–"
+    if interval is None:
+        return f"{100 * value:.3g} % (no ±)"
+    half = max(value - interval[0], interval[1] - value)
+    return f"{100 * value:.3g} % ± {100 * half:.2g} %"

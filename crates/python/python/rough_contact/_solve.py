@@ -1,0 +1,218 @@
+"""The deterministic solution."""
+
+from __future__ import annotations
+
+import json
+import warnings
+from typing import Any, Literal
+
+from . import _bodies, _progress, _units
+from . import _rough_contact as _rust
+from ._bodies import Bodies
+from ._errors import ContactWarning, Interrupted, NotConverged, SettingError, made, sorted_as
+from ._progress import ProgressArgument
+from ._results import LoadCurve
+from ._surface import Surface, check
+from ._threads import count
+from ._units import Q
+
+__all__ = ["solve"]
+
+Level = Literal["none", "mean", "plane", "quadratic"]
+Method = Literal["auto", "chord", "polonsky-keer", "stanley-kato"]
+
+
+def solve(
+    surface: Surface,
+    *,
+    modulus: Q | None = None,
+    bodies: Bodies | None = None,
+    pressure: Q | None = None,
+    gap: Q | None = None,
+    load: Q | None = None,
+    area: Q | None = None,
+    level: Level = "plane",
+    boundary: Literal["periodic", "free"] = "periodic",
+    edges: Literal["periodic", "mirrored"] = "periodic",
+    method: Method = "auto",
+    precision: Literal["f64", "f32"] | None = None,
+    tolerance: float | None = None,
+    accuracy: float | str | None = None,
+    refine: bool = False,
+    certify: bool = False,
+    stiffness: bool = False,
+    hardness: Q | None = None,
+    resistivity: Q | None = None,
+    conductivity: Q | None = None,
+    distributions: bool = False,
+    maps: bool | Literal["pressure"] = False,
+    threads: int | None = None,
+    progress: ProgressArgument = None,
+    on_failure: Literal["raise", "keep"] = "raise",
+) -> LoadCurve:
+    """Solves the contact of a rough surface at one load or many.
+
+    Parameters
+    ----------
+    surface : Surface
+        The map; one body against a rigid flat, or both elastic.
+    modulus : quantity
+        Contact modulus E*; or `bodies`.
+    bodies : Body or (Body, Body)
+        What E* is made of.
+    pressure, gap, load : quantity or list
+        Exactly one: nominal pressures, mean gaps, or forces on `area` (that of the map by default).
+    level : {'plane', 'none', 'mean', 'quadratic'}
+        Form that is taken off first.
+    boundary : {'periodic', 'free'}
+        What lies beyond the edges: the map again, or nothing.
+    edges : {'periodic', 'mirrored'}
+        Of a periodic map: the map again, or its mirror images (four times the points).
+    method, precision, tolerance
+        How to solve; ``'f64'`` and 1e-4 by default.
+    accuracy : float or str, optional
+        Error of the area to stay within, as ``'3%'``: grid, precision and tolerance are chosen for it.
+    refine, certify, stiffness, distributions : bool
+        As the options of the command.
+    hardness : quantity, optional
+        Highest pressure that the softer body bears.
+    resistivity, conductivity : quantity, optional
+        Of both bodies, or a pair: what the contact conducts.
+    maps : bool or 'pressure'
+        Whether pressure and gap of every point are kept.
+    threads : int, optional
+        `default_threads` by default. Results do not depend on it.
+    progress : bool or callable, optional
+        True shows a bar; a callable gets a `Progress`, on this thread, and ends the call by raising.
+    on_failure : {'raise', 'keep'}
+        What to do if a load has no complete answer: raise with ``.result``, or return it as it is.
+
+    Returns
+    -------
+    LoadCurve
+        With an error interval for each number that has one, and what may change a conclusion.
+
+    Raises
+    ------
+    NotConverged, AccuracyNotMet, NotRefined
+        With what was found in ``.result``.
+    Interrupted
+        Ctrl-C; the loads that were done are in ``.partial``.
+
+    Notes
+    -----
+    Warns with a `ContactWarning` if a finding may change a conclusion. The method is described in the book,
+    https://github.com/rough-contact/rough-contact, and by Polonsky and Keer, doi:10.1016/S0043-1648(99)00113-1.
+
+    Examples
+    --------
+    >>> import rough_contact as rc
+    >>> s = rc.synth((128, 128), pixel='1um', hurst=0.8, rolloff='32um', cutoff='8um', rms_gradient=0.1, seed=1)
+    >>> curve = rc.solve(s, modulus='110 GPa', pressure='100MPa,300MPa', hardness='20 GPa')
+    >>> curve.area_fraction_corrected.shape
+    (2,)
+    """
+    if not isinstance(surface, Surface):
+        raise TypeError(f"surface takes an rc.Surface, not {type(surface).__name__}; see rc.Surface.of")
+    check("level", level, ("none", "mean", "plane", "quadratic"))
+    check("boundary", boundary, ("periodic", "free"))
+    check("edges", edges, ("periodic", "mirrored"))
+    check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))
+    check("precision", precision, (None, "f64", "f32"))
+    check("maps", maps, (False, True, "pressure"))
+    check("on_failure", on_failure, ("raise", "keep"))
+    conduction = resistivity is not None or conductivity is not None
+    _refuse(
+        ("accuracy", accuracy is not None, "tolerance", tolerance is not None),
+        ("accuracy", accuracy is not None, "precision", precision is not None),
+        ("accuracy", accuracy is not None, "refine", refine),
+        ("accuracy", accuracy is not None, "stiffness", stiffness),
+        ("accuracy", accuracy is not None, "hardness", hardness is not None),
+        ("accuracy", accuracy is not None, "edges='mirrored'", edges == "mirrored"),
+        ("stiffness", stiffness, "hardness", hardness is not None),
+        ("resistivity or conductivity", conduction, "accuracy", accuracy is not None),
+        ("resistivity or conductivity", conduction, "stiffness", stiffness),
+        ("edges='mirrored'", edges == "mirrored", "boundary='free'", boundary == "free"),
+        ("gap", gap is not None, "boundary='free'", boundary == "free"),
+    )
+    used = count(threads)
+    request: dict[str, Any] = {
+        **_bodies.given(modulus, bodies),
+        "loads": _loads(pressure, gap, load),
+        "area": None if area is None else _units.scalar(area, "area", "area"),
+        "level": level,
+        "boundary": boundary,
+        "edges": edges,
+        "method": method,
+        "precision": precision or "f64",
+        "tolerance": 1e-4 if tolerance is None else _units.number(tolerance, "tolerance"),
+        "accuracy": _accuracy(accuracy),
+        "refine": bool(refine),
+        "certify": bool(certify),
+        "stiffness": bool(stiffness),
+        "hardness": _hardness(hardness),
+        "resistivity": None if resistivity is None else _units.pair(resistivity, "resistivity", "resistivity"),
+        "conductivity": None if conductivity is None else _units.pair(conductivity, "conductivity", "conductivity"),
+        "distributions": bool(distributions),
+        "maps": {False: "none", True: "all", "pressure": "pressure"}[maps],
+        "threads": used,
+    }
+    if area is not None and load is None:
+        raise TypeError("area is the area that load presses on, and no load is given")
+    with sorted_as(SettingError):
+        text, kept, trouble, stopped_by = _rust.solve(
+            surface._heights, surface._facts, json.dumps(request), _progress.listener(progress)
+        )
+    if stopped_by is not None and not text:
+        if isinstance(stopped_by, KeyboardInterrupt):
+            raise Interrupted("no load was done") from stopped_by
+        raise stopped_by
+    curve = LoadCurve(json.loads(text), {index: (p, g) for index, p, g in kept})
+    if stopped_by is not None:
+        if isinstance(stopped_by, KeyboardInterrupt):
+            raise Interrupted(f"{len(curve)} of {len(request['loads'][1])} loads were done", curve) from stopped_by
+        raise stopped_by
+    for finding in curve.findings:
+        if finding.weight == "check":
+            warnings.warn(f"{finding.claim} {finding.text}".strip(), ContactWarning, stacklevel=2)
+    if trouble is not None and on_failure == "raise":
+        raise made(*trouble, NotConverged if _some(curve) else SettingError, curve)
+    return curve
+
+
+def _some(curve: LoadCurve) -> bool:
+    return any(point["area_fraction"] is not None for point in curve.json["points"])
+
+
+def _refuse(*pairs: tuple[str, bool, str, bool]) -> None:
+    for first, is_first, second, is_second in pairs:
+        if is_first and is_second:
+            raise SettingError(f"{first} cannot be combined with {second}; leave one of them out", "combination")
+
+
+def _loads(pressure: Q | None, gap: Q | None, load: Q | None) -> tuple[str, list[float]]:
+    given = [(n, v) for n, v in (("pressure", pressure), ("gap", gap), ("load", load)) if v is not None]
+    if len(given) != 1:
+        raise TypeError("give exactly one of pressure, gap and load")
+    name, value = given[0]
+    kind = {"pressure": "pressure", "gap": "length", "load": "force"}[name]
+    values = _units.several(value, kind, name)
+    bad = [v for v in values if not v > 0]
+    if bad:
+        raise SettingError(f"{name} = {bad[0]} must be greater than 0", "bad_load")
+    return name, values
+
+
+def _accuracy(accuracy: float | str | None) -> str | None:
+    if accuracy is None or isinstance(accuracy, str):
+        return accuracy
+    return f"{100 * _units.number(accuracy, 'accuracy'):.12g}%"
+
+
+def _hardness(hardness: Q | None) -> float | None:
+    if hardness is None:
+        return None
+    value = _units.scalar(hardness, "pressure", "hardness")
+    if not 0 < value < float("inf"):
+        raise SettingError(f"hardness = {value} Pa: a hardness is a pressure above 0 Pa", "hardness")
+    return value

@@ -1,0 +1,119 @@
+"""Roughness statistics."""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass, field, fields
+from html import escape
+from typing import Any
+
+from ._findings import Finding, findings_html
+
+__all__ = ["Statistics"]
+
+
+def _number(unit: str) -> Any:
+    return field(metadata={"unit": unit})
+
+
+@dataclass(frozen=True, repr=False)
+class Statistics:
+    """Roughness statistics of a map: the keys of ``rough-contact stats --json``. SI units.
+
+    What a map does not have is None. `units` gives the unit of every number.
+    """
+
+    shape: tuple[int, int]
+    pixel: tuple[float, float] = _number("m")
+    level: str = _number("")
+    boundary: str = _number("")
+    missing: int = _number("1")
+    rms_height: float = _number("m")
+    mean_abs_height: float = _number("m")
+    skewness: float | None = _number("1")
+    kurtosis: float | None = _number("1")
+    peak_height: float = _number("m")
+    pit_depth: float = _number("m")
+    rms_gradient: float = _number("1")
+    m0: float = _number("m2")
+    m2: float = _number("1")
+    m4: float = _number("m-2")
+    m2_x: float = _number("1")
+    m2_y: float = _number("1")
+    m4_x: float = _number("m-2")
+    m4_y: float = _number("m-2")
+    m0_spectral: float = _number("m2")
+    m2_spectral: float = _number("1")
+    m4_spectral: float = _number("m-2")
+    bandwidth: float | None = _number("1")
+    anisotropy: float | None = _number("1")
+    asperities: dict[str, float] | None = _number("")
+    summits: dict[str, Any] = _number("")
+    hurst: float | None = _number("1")
+    dimension: float | None = _number("1")
+    roughness: float | None = _number("m")
+    fractal_range: tuple[float, float] | None = _number("m")
+    rolloff: float | None = _number("m")
+    cutoff: float | None = _number("m")
+    reliable_wavelength: float | None = _number("m")
+    max_amplitude_ratio: float = _number("1")
+    record_length: float = _number("m")
+    height_step: float | None = _number("m")
+    noise_rms: float | None = _number("m")
+    warnings: tuple[dict[str, Any], ...] = _number("")
+    findings: tuple[Finding, ...] = _number("")
+    cleaning: tuple[dict[str, Any], ...] = _number("")
+    #: Areal parameters of ISO 25178-2 by their symbols (SI units, Std in degrees), if they were asked for.
+    iso25178: dict[str, float | None] | None = _number("")
+    #: Slope, curvature and autocorrelation by distance along x and y, if they were asked for.
+    scales: dict[str, list[dict[str, float | None]]] | None = _number("")
+    json: dict[str, Any] = field(repr=False, compare=False, default_factory=dict)
+
+    @classmethod
+    def _of(cls, json: dict[str, Any]) -> Statistics:
+        values: dict[str, Any] = {}
+        for f in fields(cls):
+            value = json.get(f.name)
+            if f.name in ("shape", "pixel", "fractal_range", "warnings", "cleaning"):
+                value = None if value is None else tuple(value)
+            elif f.name == "findings":
+                value = tuple(Finding._of(x) for x in json["findings"])
+            elif f.name == "json":
+                value = json
+            values[f.name] = value
+        return cls(**values)
+
+    @classmethod
+    def units(cls) -> dict[str, str]:
+        """The unit of every number; ``'1'`` for pure ones."""
+        return {f.name: f.metadata["unit"] for f in fields(cls) if f.metadata.get("unit")}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object of ``rough-contact stats --json``."""
+        return copy.deepcopy(self.json)
+
+    def to_pandas(self) -> Any:
+        """A `pandas.Series` of the plain numbers, units in ``attrs``."""
+        import pandas
+
+        series = pandas.Series({name: getattr(self, name) for name in self.units() if name != "pixel"}, dtype=object)
+        series = series[[isinstance(x, (int, float)) for x in series]].astype(float)
+        series.attrs["units"] = self.units()
+        return series
+
+    def __repr__(self) -> str:
+        ny, nx = self.shape
+        open_ = sum(f.weight != "passed" for f in self.findings)
+        return (
+            f"Statistics({ny} x {nx} points, rms height {self.rms_height:.4g} m, "
+            f"rms gradient {self.rms_gradient:.4g}, {open_} findings)"
+        )
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td>{name}</td><td style='text-align:right'>{getattr(self, name):.5g}</td>"
+            f"<td>{escape(unit) if unit != '1' else ''}</td></tr>"
+            for name, unit in self.units().items()
+            if isinstance(getattr(self, name), (int, float))
+        )
+        return f"{findings_html(self.findings)}<table>{rows}</table>"

@@ -1,0 +1,507 @@
+"""Surfaces: heights with what is known of them."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Literal, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _rough_contact as _rust
+from . import _units
+from ._errors import ReadError, SettingError, SurfaceError, UnitError, sorted_as
+from ._foreign import heights_of
+from ._statistics import Statistics
+from ._threads import count
+from ._units import Q
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["Fill", "Surface", "info", "read", "synth"]
+
+Fill = Literal["refuse", "harmonic", "nearest"]
+Level = Literal["none", "mean", "plane", "quadratic"]
+PathLike = Union[str, "os.PathLike[str]"]
+
+
+class Surface:
+    """The heights of a rough surface: complete, in metres, rows first.
+
+    Parameters
+    ----------
+    heights : array_like, shape (ny, nx)
+        Heights, positive out of the material: a real array with `height_unit`, or a quantity without. Masked points
+        and NaN are missing. Axis 0 is y, axis 1 is x.
+    pixel : quantity
+        Distance of neighbouring points, ``'1 um'``, or a pair ``(dy, dx)``.
+    height_unit : str, optional
+        Unit of `heights` if they are bare numbers, such as ``'um'``.
+    fill : {'refuse', 'harmonic', 'nearest'}
+        What to do with missing points.
+    name : str, optional
+        What messages and reports call it.
+    repeats : bool, optional
+        Whether the map is one cell of a surface that repeats; by default its edges tell.
+
+    Examples
+    --------
+    >>> import numpy as np, rough_contact as rc
+    >>> x = np.arange(64) * 1e-6
+    >>> waves = 1e-7 * np.cos(2 * np.pi * x / 64e-6)[:, None] * np.cos(2 * np.pi * x / 64e-6)
+    >>> rc.Surface(waves, pixel='1 um', height_unit='m')
+    Surface(64 x 64 points, 1.00 um apart, rms height 50.0 nm)
+    """
+
+    __slots__ = ("_facts", "_heights", "_said")
+
+    _heights: NDArray[np.float64]
+    _facts: str
+    _said: dict[str, Any]
+
+    def __init__(
+        self,
+        heights: Any,
+        *,
+        pixel: Q,
+        height_unit: str | None = None,
+        fill: Fill = "refuse",
+        name: str = "",
+        repeats: bool | None = None,
+    ) -> None:
+        values = _metres(heights, height_unit)
+        given = {
+            "name": name or "heights",
+            "note": f"an array of {values.shape[0]} x {values.shape[1]} heights handed over by a Python program",
+            "pixel": _units.pixel(pixel),
+            "fill": fill,
+            "repeats": repeats,
+        }
+        with sorted_as(SurfaceError):
+            made = _rust.given(values, json.dumps(given), count(None))
+        self._set(*made)
+
+    def _set(self, heights: NDArray[np.float64], facts: str, said: str) -> None:
+        object.__setattr__(self, "_heights", heights)
+        object.__setattr__(self, "_facts", facts)
+        object.__setattr__(self, "_said", json.loads(said))
+
+    @classmethod
+    def _made(cls, heights: NDArray[np.float64], facts: str, said: str) -> Surface:
+        heights.setflags(write=False)
+        surface = cls.__new__(cls)
+        surface._set(heights, facts, said)
+        return surface
+
+    @classmethod
+    def of(
+        cls,
+        obj: Any,
+        *,
+        height_unit: str | None = None,
+        pixel: Q | None = None,
+        fill: Fill = "refuse",
+        name: str = "",
+    ) -> Surface:
+        """A surface of SurfaceTopography or surfalize, or an `xarray.DataArray`.
+
+        What the object does not say is asked for. SurfaceTopography keeps x first: its heights are transposed.
+        """
+        if isinstance(obj, Surface):
+            return obj
+        found = heights_of(obj)
+        unit = height_unit or found.unit
+        if unit is None:
+            raise UnitError(f"{type(obj).__name__} has no unit; give height_unit='um'", "unit")
+        return cls(
+            found.heights,
+            pixel=found.pixel_in(unit) if pixel is None else pixel,
+            height_unit=unit,
+            fill=fill,
+            name=name or found.name,
+            repeats=found.repeats,
+        )
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"a Surface does not change: {name} cannot be set")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"a Surface does not change: {name} cannot be deleted")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Surface._made, (self._heights, self._facts, json.dumps(self._said))
+
+    @property
+    def heights(self) -> NDArray[np.float64]:
+        """Heights in metres, shape (ny, nx), read-only; `.copy()` to change them."""
+        return self._heights
+
+    @property
+    def pixel(self) -> tuple[float, float]:
+        """Distance of neighbouring points (dy, dx) in metres."""
+        dy, dx = self._said["pixel"]
+        return dy, dx
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns (ny, nx)."""
+        ny, nx = self._heights.shape
+        return ny, nx
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Extent (y, x) in metres: points times their distance."""
+        return self.shape[0] * self.pixel[0], self.shape[1] * self.pixel[1]
+
+    @property
+    def name(self) -> str:
+        """What messages and reports call it."""
+        return str(self._said["name"])
+
+    @property
+    def missing(self) -> int:
+        """Points that were filled."""
+        return int(self._said["missing"])
+
+    @property
+    def height_step(self) -> float | None:
+        """Step in which the heights came, if they have one (m)."""
+        step = self._said["height_step"]
+        return None if step is None else float(step)
+
+    @property
+    def cleaning(self) -> list[dict[str, Any]]:
+        """What each step of cleaning did, as in the JSON."""
+        return list(self._said["cleaning"])
+
+    @property
+    def metadata(self) -> Mapping[str, str]:
+        """What the file says of itself; empty without one."""
+        return MappingProxyType(dict(self._said.get("metadata") or {}))
+
+    @property
+    def channel(self) -> str | None:
+        """Name of the channel that was read."""
+        return self._said.get("channel")
+
+    @property
+    def ambiguity(self) -> str | None:
+        """How a text was read that could mean something else."""
+        return self._said.get("ambiguity")
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        array: NDArray[Any] = np.asarray(self._heights, dtype=dtype)
+        return array.copy() if copy and array is self._heights else array
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Surface):
+            return NotImplemented
+        return self.pixel == other.pixel and np.array_equal(self._heights, other._heights)
+
+    def __hash__(self) -> int:
+        return hash((self.pixel, self._heights.tobytes()))
+
+    def __repr__(self) -> str:
+        ny, nx = self.shape
+        dy, dx = self.pixel
+        apart = length(dx) if dy == dx else f"{length(dy)} x {length(dx)}"
+        name = f"{self.name!r}: " if self.name != "heights" else ""
+        filled = f", {self.missing} filled" if self.missing else ""
+        rms = length(float(np.std(self._heights)))
+        return f"Surface({name}{ny} x {nx} points, {apart} apart, rms height {rms}{filled})"
+
+    def statistics(
+        self,
+        *,
+        level: Level = "plane",
+        boundary: Literal["open", "periodic"] = "open",
+        iso: bool = False,
+        scales: bool = False,
+    ) -> Statistics:
+        """Roughness statistics: what ``rough-contact stats`` answers.
+
+        Parameters
+        ----------
+        level : {'none', 'mean', 'plane', 'quadratic'}
+            Form that is taken off first.
+        boundary : {'open', 'periodic'}
+            What lies beyond the edges where slopes are taken.
+        iso : bool
+            The areal parameters of ISO 25178-2 too: ``.iso25178['Sdr']``.
+        scales : bool
+            Slope, curvature and autocorrelation by distance too.
+        """
+        request = {"level": level, "boundary": boundary, "iso": iso, "scales": scales}
+        check("level", level, ("none", "mean", "plane", "quadratic"))
+        check("boundary", boundary, ("open", "periodic"))
+        with sorted_as(SurfaceError):
+            text = _rust.statistics(self._heights, self._facts, json.dumps(request), count(None))
+        return Statistics._of(json.loads(text))
+
+    def levelled(self, form: Level = "plane") -> Surface:
+        """A new surface with a form taken off by least squares."""
+        check("form", form, ("none", "mean", "plane", "quadratic"))
+        with sorted_as(SurfaceError):
+            return Surface._made(*_rust.reshape(self._heights, self._facts, form, count(None)))
+
+    def cropped(self, y0: int, x0: int, ny: int, nx: int) -> Surface:
+        """A new surface of ny x nx points from row y0, column x0."""
+        rows, columns = self.shape
+        if min(y0, x0) < 0 or min(ny, nx) < 2 or y0 + ny > rows or x0 + nx > columns:
+            raise SurfaceError(
+                f"{ny} x {nx} points from row {y0}, column {x0} are no part of {rows} x {columns}", "crop"
+            )
+        part = np.ascontiguousarray(self._heights[y0 : y0 + ny, x0 : x0 + nx])
+        dy, dx = self.pixel
+        return Surface(part * _units.m, pixel=[dy * _units.m, dx * _units.m], name=self.name)
+
+    def write(self, path: PathLike, *, overwrite: bool = False) -> None:
+        """Writes the heights; the ending chooses the format: .x3p, .npy, .sdf, .txt or .vti.
+
+        Raises
+        ------
+        FileExistsError
+            If the file exists, unless `overwrite`.
+        """
+        ending = os.path.splitext(os.fspath(path))[1].lstrip(".").lower()
+        ending = {"asc": "txt"}.get(ending, ending)
+        with sorted_as(SettingError):
+            content = _rust.encode(self._heights, self._facts, ending, f"rough_contact: {self.name}")
+        with open(path, "wb" if overwrite else "xb") as file:
+            file.write(bytes(content))
+
+    def to_xarray(self) -> Any:
+        """An `xarray.DataArray` of the heights with coordinates in metres."""
+        import xarray
+
+        dy, dx = self.pixel
+        coords = {"y": np.arange(self.shape[0]) * dy, "x": np.arange(self.shape[1]) * dx}
+        made = xarray.DataArray(self._heights, coords, ("y", "x"), name="height", attrs={"units": "m"})
+        for axis in ("y", "x"):
+            made[axis].attrs["units"] = "m"
+        return made
+
+    def plot(self, ax: Axes | None = None, *, unit: str = "um", **imshow: Any) -> Axes:
+        """A map of the heights on matplotlib axes."""
+        from .plotting import heights
+
+        return heights(self, ax, unit, **imshow)
+
+
+def read(
+    path: PathLike,
+    *,
+    channel: str | None = None,
+    pixel: Q | None = None,
+    lateral_unit: str | None = None,
+    height_unit: str | None = None,
+    override_height_unit: str | None = None,
+    layout: Literal["matrix", "list"] | None = None,
+    crop: tuple[int, int, int, int] | None = None,
+    align_rows: bool = False,
+    outliers: float | None = None,
+    form: str | None = None,
+    s_filter: Q | None = None,
+    l_filter: Q | None = None,
+    fill: Fill = "refuse",
+) -> Surface:
+    """Reads a surface file of any of the known formats, recognised by its content.
+
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    channel : str, optional
+        Name of the channel, a part of it, or ``'#2'``; the topography by default.
+    pixel : quantity, optional
+        Distance of neighbouring points if the file does not say, ``'1 um'`` or a pair ``(dy, dx)``.
+    lateral_unit, height_unit : str, optional
+        Units the file does not give, such as ``'um'``.
+    override_height_unit : str, optional
+        Unit of the heights, whatever the file says.
+    layout : {'matrix', 'list'}, optional
+        What the columns of a text file are.
+    crop : (y0, x0, ny, nx), optional
+        The part to read.
+    align_rows : bool
+        Put rows in line that stand at heights of their own.
+    outliers : float, optional
+        Points more than so many robust standard deviations from their neighbours become missing; 8 is usual.
+    form : str, optional
+        Form to take off: 'plane', 'quadratic', 'polynomial:N', 'sphere', 'cylinder'.
+    s_filter, l_filter : quantity, optional
+        Cut-offs of Gaussian filters (ISO 16610-61): shorter, longer waves are taken off.
+    fill : {'refuse', 'harmonic', 'nearest'}
+        What to do with missing points. The order of all this is that of the parameters, as in the command.
+
+    Raises
+    ------
+    ReadError
+        The file cannot be read, or leaves something open; the message says what to give.
+    MissingPoints
+        Points are missing, and none are filled.
+    """
+    check("fill", fill, ("refuse", "harmonic", "nearest"))
+    cleaning: dict[str, Any] = {
+        "align_rows": align_rows,
+        "outliers": None if outliers is None else _units.number(outliers, "outliers"),
+        "form": form,
+        "s_filter": None if s_filter is None else _units.scalar(s_filter, "length", "s_filter"),
+        "l_filter": None if l_filter is None else _units.scalar(l_filter, "length", "l_filter"),
+    }
+    request = _reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
+    request.update(fill=fill, cleaning=cleaning)
+    file = os.fspath(path)
+    with sorted_as(ReadError):
+        return Surface._made(*_rust.read(file, json.dumps(request), count(None)))
+
+
+def info(
+    path: PathLike,
+    *,
+    channel: str | None = None,
+    pixel: Q | None = None,
+    lateral_unit: str | None = None,
+    height_unit: str | None = None,
+    override_height_unit: str | None = None,
+    layout: Literal["matrix", "list"] | None = None,
+    crop: tuple[int, int, int, int] | None = None,
+) -> dict[str, Any]:
+    """What a surface file holds, as ``rough-contact info`` says it: format, shape, pixel, missing points, channels."""
+    request = _reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
+    with sorted_as(ReadError):
+        found: dict[str, Any] = json.loads(_rust.info(os.fspath(path), json.dumps(request)))
+    return found
+
+
+def synth(
+    shape: tuple[int, int],
+    *,
+    pixel: Q,
+    hurst: float,
+    rolloff: Q,
+    cutoff: Q,
+    rms_height: Q | None = None,
+    rms_gradient: float | None = None,
+    seed: int,
+    quantise: Q | None = None,
+    name: str = "",
+) -> Surface:
+    """A random self-affine surface: the same seed gives the same surface everywhere.
+
+    Parameters
+    ----------
+    shape : (int, int)
+        Rows and columns.
+    pixel : quantity
+        Distance of neighbouring points.
+    hurst : float
+        Hurst exponent, above 0 and at most 1.
+    rolloff, cutoff : quantity
+        Wavelength above which the spectrum is flat; shortest wavelength.
+    rms_height : quantity
+        Rms height to scale to; or `rms_gradient`, a number.
+    seed : int
+        Seed of the random phases.
+    quantise : quantity, optional
+        Step to which the heights are rounded.
+
+    Examples
+    --------
+    >>> import rough_contact as rc
+    >>> rc.synth((64, 48), pixel='1um', hurst=0.8, rolloff='20um', cutoff='4um', rms_height='0.4um', seed=7)
+    Surface('synth 7': 64 x 48 points, 1.00 um apart, rms height 400 nm)
+    """
+    if (rms_height is None) == (rms_gradient is None):
+        raise TypeError("give exactly one of rms_height and rms_gradient")
+    ny, nx = shape
+    recipe = {
+        "name": name or f"synth {int(seed)}",
+        "shape": [int(ny), int(nx)],
+        "pixel": _units.pixel(pixel),
+        "hurst": _units.number(hurst, "hurst"),
+        "rolloff": _units.scalar(rolloff, "length", "rolloff"),
+        "cutoff": _units.scalar(cutoff, "length", "cutoff"),
+        "rms_height": None if rms_height is None else _units.scalar(rms_height, "length", "rms_height"),
+        "rms_gradient": None if rms_gradient is None else _units.number(rms_gradient, "rms_gradient"),
+        "seed": int(seed),
+        "quantise": None if quantise is None else _units.scalar(quantise, "length", "quantise"),
+    }
+    with sorted_as(SettingError):
+        return Surface._made(*_rust.synth(json.dumps(recipe), count(None)))
+
+
+def _reading(
+    channel: str | None,
+    pixel: Q | None,
+    lateral_unit: str | None,
+    height_unit: str | None,
+    override_height_unit: str | None,
+    layout: str | None,
+    crop: tuple[int, int, int, int] | None,
+) -> dict[str, Any]:
+    def unit(text: str | None) -> float | None:
+        return None if text is None else _units.factor(text)
+
+    if height_unit is not None and override_height_unit is not None:
+        raise TypeError("give one of height_unit and override_height_unit")
+    if layout is not None:
+        check("layout", layout, ("matrix", "list"))
+    return {
+        "channel": channel,
+        "pixel": None if pixel is None else _units.pixel(pixel),
+        "lateral_unit": unit(lateral_unit),
+        "height_unit": unit(height_unit),
+        "override_height_unit": unit(override_height_unit),
+        "layout": layout,
+        "crop": None if crop is None else [int(n) for n in crop],
+        "fill": "refuse",
+    }
+
+
+def _metres(heights: ArrayLike | Q, unit: str | None) -> NDArray[np.float64]:
+    """Heights as a C-ordered array of doubles in metres, NaN where they are missing."""
+    scale = 1.0
+    if isinstance(heights, np.ma.MaskedArray) and not hasattr(heights, "m_as"):
+        # Read without its mask a missing point would be a height.
+        heights = heights.astype(np.float64).filled(np.nan)
+    if unit is not None:
+        values = np.asarray(heights)
+        scale = _units.factor(unit)
+    else:
+        bare = isinstance(heights, (np.ndarray, list, tuple)) and not hasattr(heights, "to_value")
+        if bare and not hasattr(heights, "m_as"):
+            raise UnitError("heights have no unit; write height_unit='um', or heights * rc.um", "unit")
+        values = np.asarray(_units.array(heights, "length", "heights"))
+    if values.dtype == bool or not (
+        np.issubdtype(values.dtype, np.integer) or np.issubdtype(values.dtype, np.floating)
+    ):
+        raise TypeError(f"heights take real numbers, not {values.dtype}")
+    if values.ndim != 2:
+        raise SurfaceError(f"heights have {values.ndim} dimensions; a map has 2, rows and columns", "shape")
+    metres = values.astype(np.float64)
+    if scale != 1.0:
+        # 1 nm is 1e-9 only rounded; division by an exact power of ten rounds once.
+        down = 1.0 / scale
+        metres = metres / round(down) if down > 1.0 and abs(round(down) * scale - 1) < 1e-15 else metres * scale
+    return np.ascontiguousarray(metres)
+
+
+def check(name: str, value: object, known: tuple[str, ...]) -> None:
+    """Refuses a choice that is none."""
+    if value not in known:
+        raise SettingError(f"{name} = {value!r} is none of {', '.join(map(repr, known))}", "setting")
+
+
+def length(metres: float) -> str:
+    """A length as people read it."""
+    for scale, unit in ((1.0, "m"), (1e-3, "mm"), (1e-6, "um"), (1e-9, "nm")):
+        if abs(metres) >= 0.9995 * scale or unit == "nm":
+            shown = metres / scale
+            places = max(0, 2 - int(np.floor(np.log10(abs(shown))))) if shown else 0
+            return f"{shown:.{min(places, 4)}f} {unit}"
+    return f"{metres:g} m"

@@ -1,0 +1,54 @@
+//! What Python imports.
+
+use pyo3::prelude::pymodule;
+
+/// Private: use the package `rough_contact`.
+#[pymodule]
+mod _rough_contact {
+    use answers::quantity::{parse as one, parse_list as several};
+    use answers::units::Dimension;
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use crate::failure::Refused;
+    #[pymodule_export]
+    use crate::solve::solve;
+    #[pymodule_export]
+    use crate::statistics::statistics;
+    #[pymodule_export]
+    use crate::surface::{encode, given, info, read, reshape, synth};
+
+    /// Quantities as people type them, in SI units: one, or a list of them and of ranges.
+    #[pyfunction]
+    fn parse(text: &str, dimension: &str, many: bool) -> PyResult<Vec<f64>> {
+        let dimension = match dimension {
+            "number" => Dimension::Number,
+            "length" => Dimension::Length,
+            "area" => Dimension::Area,
+            "per_area" => Dimension::PerArea,
+            "pressure" => Dimension::Pressure,
+            "force" => Dimension::Force,
+            "resistivity" => Dimension::Resistivity,
+            "conductivity" => Dimension::Conductivity,
+            other => return Err(crate::failure::bug(&format!("no dimension {other}"))),
+        };
+        let found =
+            if many { several(text, dimension) } else { one(text, dimension).map(|v| vec![v]) };
+        let refused = |e| crate::failure::raise(&answers::Failure::refused("unit", format!("{e}")));
+        found.map_err(|e: answers::quantity::QuantityError| refused(e))
+    }
+
+    /// Contact modulus (Pa) of one elastic body against a rigid one, or of two.
+    #[pyfunction]
+    fn modulus(bodies: &str) -> PyResult<f64> {
+        let bodies: Vec<compare::Body> =
+            serde_json::from_str(bodies).map_err(|e| crate::failure::bug(&e))?;
+        let found = answers::bodies::contact_modulus(&bodies);
+        found.map(|m| m.pascals()).map_err(|e| crate::failure::raise(&e))
+    }
+
+    #[pymodule_init]
+    fn init(m: &Bound<'_, PyModule>) -> PyResult<()> {
+        m.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

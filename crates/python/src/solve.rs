@@ -1,0 +1,196 @@
+//! The deterministic solution.
+
+use crate::failure::{bug, raise};
+use crate::surface::{array, surface_of};
+use crate::watched::{News, Outcome, Reporter, watched};
+use answers::{Conduction, Failure, Question, Subject, Watch, bodies};
+use compare::plan::Request as Accuracy;
+use compare::{Body, EdgesName, Iteration, Level, Load, Method, Precision, Solution};
+use contact_types::Grid;
+use fft_bem_solver::Boundary;
+use numpy::{PyArray2, PyReadonlyArray2};
+use pyo3::prelude::*;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+
+/// What to look at where a load over an area is no pressure.
+const CHECK: &str = "check the units of load and area";
+
+/// What Python asks. SI units.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Request {
+    modulus: Option<f64>,
+    bodies: Vec<Body>,
+    /// `pressure`, `gap` or `load`, with its values.
+    loads: (String, Vec<f64>),
+    area: Option<f64>,
+    level: Level,
+    boundary: Boundary,
+    edges: EdgesName,
+    method: Method,
+    precision: Precision,
+    tolerance: f64,
+    accuracy: Option<String>,
+    refine: bool,
+    certify: bool,
+    stiffness: bool,
+    hardness: Option<f64>,
+    resistivity: Option<[f64; 2]>,
+    conductivity: Option<[f64; 2]>,
+    distributions: bool,
+    /// `none`, `pressure` or `all`.
+    maps: String,
+    threads: usize,
+}
+
+impl Request {
+    fn question(&self, area: f64) -> Result<Question, Failure> {
+        let modulus = match self.modulus {
+            Some(pascals) => bodies::of_modulus(pascals)?,
+            None => bodies::contact_modulus(&self.bodies)?,
+        };
+        let accuracy = self.accuracy.as_deref().map(Accuracy::parse).transpose();
+        let accuracy = accuracy.map_err(|e| Failure::refused("setting", e.to_string()))?;
+        let (kind, values) = &self.loads;
+        let mut spread = None;
+        let loads = match kind.as_str() {
+            "gap" => values.iter().map(|&g| Load::MeanGap(g)).collect(),
+            "load" => {
+                let spread =
+                    spread.insert(answers::loads::Spread::of(values, self.area, area, CHECK)?);
+                spread.pressures.iter().map(|&p| Load::MeanPressure(p)).collect()
+            }
+            _ => values.iter().map(|&p| Load::MeanPressure(p)).collect(),
+        };
+        Ok(Question {
+            loads,
+            spread,
+            modulus,
+            bodies: self.bodies.clone(),
+            level: self.level,
+            boundary: self.boundary,
+            edges: self.edges,
+            plane_strain: false,
+            method: self.method,
+            precision: self.precision,
+            tolerance: self.tolerance,
+            accuracy,
+            refine: self.refine,
+            certify: self.certify,
+            stiffness: self.stiffness,
+            hardness: self.hardness,
+            conduction: Conduction {
+                resistivities: self.resistivity,
+                conductivities: self.conductivity,
+            },
+            distributions: self.distributions,
+            keep_gap: self.maps == "all",
+            threads: self.threads,
+        })
+    }
+}
+
+/// Keeps the maps that are wanted, and tells.
+struct Kept<'a> {
+    maps: &'a str,
+    loads: usize,
+    reporter: &'a Reporter,
+    /// Grid, pressure, gap by the place of the load.
+    found: BTreeMap<usize, (Grid, Vec<f64>, Vec<f64>)>,
+    name: &'a str,
+    last: Option<(f64, f64)>,
+}
+
+impl Watch for Kept<'_> {
+    fn begin(&mut self, _: Grid, _: usize) {
+        self.found.clear();
+    }
+
+    fn iterated(&mut self, index: usize, _: Load, now: &Iteration<'_>) -> ControlFlow<()> {
+        self.reporter.tell_at_times(|| News {
+            surface: self.name.to_owned(),
+            ..News::iteration(index, self.loads, now)
+        });
+        if self.reporter.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn keep(&mut self, index: usize, grid: Grid, solution: &mut Solution) -> Result<(), Failure> {
+        self.last = Some((solution.state.mean_pressure, solution.state.area_fraction));
+        if self.maps != "none" {
+            let pressure = std::mem::take(&mut solution.pressure);
+            let gap =
+                if self.maps == "all" { std::mem::take(&mut solution.gap) } else { Vec::new() };
+            self.found.insert(index, (grid, pressure, gap));
+        }
+        Ok(())
+    }
+
+    fn done(&mut self, _: Load) {
+        let last = self.last.take();
+        self.reporter.tell(News {
+            stage: "load",
+            surface: self.name.to_owned(),
+            count: self.loads,
+            mean_pressure: last.map(|l| l.0),
+            area_fraction: last.map(|l| l.1),
+            ..News::default()
+        });
+    }
+}
+
+type Map<'py> = Option<Bound<'py, PyArray2<f64>>>;
+
+/// JSON of the answer; pressure and gap by the place of the load, if they were kept; what went wrong, as kind and
+/// message; whether an accuracy was missed; the exception that stopped it.
+type Solved<'py> =
+    (String, Vec<(usize, Map<'py>, Map<'py>)>, Option<(String, String)>, Option<Py<PyAny>>);
+
+/// What `rough-contact solve` answers.
+#[pyfunction]
+pub(crate) fn solve<'py>(
+    py: Python<'py>,
+    heights: PyReadonlyArray2<'py, f64>,
+    facts: &str,
+    request: &str,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Solved<'py>> {
+    let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let (surface, facts) = surface_of(&heights, facts)?;
+    let question = request.question(surface.heights.grid().area()).map_err(|e| raise(&e))?;
+    let Outcome { value, stopped_by } = watched(py, request.threads, progress, move |reporter| {
+        let mut kept = Kept {
+            maps: &request.maps,
+            loads: question.loads.len(),
+            reporter,
+            found: BTreeMap::new(),
+            name: &facts.name,
+            last: None,
+        };
+        let subject = Subject {
+            path: facts.path(),
+            map: surface.heights,
+            missing: facts.missing,
+            fill: &facts.fill,
+            cleaned: &facts.cleaned,
+            height_step: facts.height_step,
+            pair: surface.origin.pair(),
+        };
+        question.solve(subject, &mut kept).map(|answer| (answer, kept.found))
+    })?;
+    let stopped_by = stopped_by.map(|e| e.into_value(py).into_any());
+    let Some(value) = value else { return Ok((String::new(), Vec::new(), None, stopped_by)) };
+    let (answer, found) = value.map_err(|e| raise(&e))?;
+    let mut maps = Vec::with_capacity(found.len());
+    for (index, (grid, pressure, gap)) in found {
+        let of = |values: Vec<f64>| -> PyResult<Map<'py>> {
+            (values.len() == grid.len()).then(|| array(py, grid.shape(), values)).transpose()
+        };
+        maps.push((index, of(pressure)?, of(gap)?));
+    }
+    let unmet = answer.plan.as_ref().and_then(|plan| answers::unmet("", plan, ""));
+    let trouble = answer.trouble.into_iter().chain(unmet).reduce(Failure::and);
+    let trouble = trouble.map(|t| (t.kind().to_owned(), t.message().to_owned()));
+    Ok((answer.json.to_string(), maps, trouble, stopped_by))
+}

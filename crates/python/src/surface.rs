@@ -1,0 +1,417 @@
+//! Surfaces: arrays with what is known of them.
+
+use crate::failure::{bug, raise};
+use crate::watched::quietly;
+use answers::{Complete, Failure, Incomplete};
+use compare::{Cleaning, FileOrigin, GivenOrigin, Level, Origin, Recipe, Surface};
+use contact_types::{Grid, HeightMap};
+use numpy::ndarray::Array2;
+use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pyo3::exceptions::PyOSError;
+use pyo3::prelude::*;
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+use std::io::Cursor;
+use std::path::Path;
+use surface_io::{Fill, FillError, HeightUnit, Layout, Measurement, ReadError, ReadOptions, write};
+use surface_stats::clean::Record;
+
+/// What is known of heights, beside them. Python keeps it as text and gives it back; TOML, because it has infinities.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct Facts {
+    pub(crate) name: String,
+    pub(crate) pixel: [f64; 2],
+    pub(crate) missing: usize,
+    pub(crate) fill: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) height_step: Option<f64>,
+    pub(crate) origin: Origin,
+    #[serde(default)]
+    pub(crate) cleaned: Vec<Record>,
+}
+
+impl Facts {
+    pub(crate) fn of_text(text: &str) -> PyResult<Self> {
+        let mut facts: Self = toml::from_str(text).map_err(|e| bug(&e))?;
+        if let Origin::File(file) = &mut facts.origin {
+            // A run file does without these; a surface knows them.
+            file.cleaned.clone_from(&facts.cleaned);
+            file.height_step = facts.height_step;
+        }
+        Ok(facts)
+    }
+
+    fn text(&self) -> PyResult<String> {
+        toml::to_string(self).map_err(|e| bug(&e))
+    }
+
+    /// What stands in front of a message: the file, if there is one.
+    pub(crate) fn path(&self) -> &Path {
+        match &self.origin {
+            Origin::File(file) => Path::new(&file.path),
+            _ => Path::new(&self.name),
+        }
+    }
+}
+
+/// The heights of an array.
+pub(crate) fn map_of(heights: &PyReadonlyArray2<'_, f64>, facts: &Facts) -> PyResult<HeightMap> {
+    let array = heights.as_array();
+    let refused = |e| raise(&Failure::from_error(&e));
+    let grid = Grid::new([array.nrows(), array.ncols()], facts.pixel).map_err(refused)?;
+    HeightMap::new(grid, array.iter().copied().collect()).map_err(refused)
+}
+
+/// A surface of the study.
+pub(crate) fn surface_of(
+    heights: &PyReadonlyArray2<'_, f64>,
+    facts: &str,
+) -> PyResult<(Surface, Facts)> {
+    let facts = Facts::of_text(facts)?;
+    let heights = map_of(heights, &facts)?;
+    let surface = Surface { name: facts.name.clone(), origin: facts.origin.clone(), heights };
+    Ok((surface, facts))
+}
+
+/// Rows and columns that cannot be written to.
+pub(crate) fn array<'py>(
+    py: Python<'py>,
+    shape: [usize; 2],
+    values: Vec<f64>,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let array = Array2::from_shape_vec(shape, values).map_err(|e| bug(&e))?;
+    let array = PyArray2::from_owned_array(py, array);
+    array.clone().try_readwrite().map_err(|e| bug(&e))?.make_nonwriteable();
+    Ok(array)
+}
+
+/// Heights, what is known of them, and what Python shows of that.
+type Made<'py> = (Bound<'py, PyArray2<f64>>, String, String);
+
+fn made<'py>(
+    py: Python<'py>,
+    map: HeightMap,
+    facts: &Facts,
+    said: &serde_json::Value,
+) -> PyResult<Made<'py>> {
+    let shape = map.grid().shape();
+    let mut shown = json!({
+        "name": facts.name, "pixel": facts.pixel, "missing": facts.missing, "fill": facts.fill,
+        "height_step": facts.height_step, "cleaning": report::cleaning_json(&facts.cleaned),
+    });
+    if let (Some(shown), Some(said)) = (shown.as_object_mut(), said.as_object()) {
+        shown.extend(said.clone());
+    }
+    Ok((array(py, shape, map.into_heights())?, facts.text()?, shown.to_string()))
+}
+
+/// What is said of a file.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct Reading {
+    channel: Option<String>,
+    pixel: Option<[f64; 2]>,
+    lateral_unit: Option<f64>,
+    height_unit: Option<f64>,
+    override_height_unit: Option<f64>,
+    layout: Option<String>,
+    crop: Option<[usize; 4]>,
+    fill: String,
+    cleaning: Cleaning,
+}
+
+impl Reading {
+    fn options(&self) -> Result<ReadOptions, Failure> {
+        let mut options = ReadOptions::default();
+        options.channel.clone_from(&self.channel);
+        options.pixel = self.pixel;
+        options.lateral_unit = self.lateral_unit;
+        options.height_unit = match self.override_height_unit {
+            Some(metres) => Some(HeightUnit::Always(metres)),
+            None => self.height_unit.map(HeightUnit::IfSilent),
+        };
+        if let Some(name) = &self.layout {
+            let unknown = || Failure::refused("setting", format!("layout {name:?} is none"));
+            options.layout = Some(Layout::of_name(name).ok_or_else(unknown)?);
+        }
+        Ok(options)
+    }
+
+    fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
+        let measurement = surface_io::read(path, &self.options()?).map_err(Unread::File)?;
+        match self.crop {
+            None => Ok(measurement),
+            Some(crop) => measurement.crop(crop).map_err(Unread::File),
+        }
+    }
+}
+
+/// Why a file gives no surface.
+enum Unread {
+    File(ReadError),
+    Other(Failure),
+}
+
+impl From<Failure> for Unread {
+    fn from(failure: Failure) -> Self {
+        Self::Other(failure)
+    }
+}
+
+impl Unread {
+    /// The exception, with the arguments of `read` that help.
+    fn raise(&self, path: &Path) -> PyErr {
+        match self {
+            // The error of the system keeps its number, and so its class.
+            Self::File(ReadError::Io { source, .. }) if source.raw_os_error().is_some() => {
+                PyOSError::new_err((
+                    source.raw_os_error(),
+                    source.to_string(),
+                    path.display().to_string(),
+                ))
+            }
+            Self::File(error) => {
+                let way_out = needs(&error.needs());
+                raise(&Failure::in_file(path, error).adding(&way_out))
+            }
+            Self::Other(failure) => raise(failure),
+        }
+    }
+}
+
+fn needs(needs: &[surface_io::Need]) -> String {
+    use surface_io::Need;
+    let argument = |need: &Need| match need {
+        Need::PixelSize => "give pixel='1um'",
+        Need::LateralUnit => "give lateral_unit='um'",
+        Need::HeightUnit => "give height_unit='um'",
+        Need::Channel => "choose one with channel=",
+        Need::Layout(Layout::Matrix) => "if they are heights, give layout='matrix'",
+        Need::Layout(Layout::List) => "if they are coordinates, give layout='list'",
+        Need::Fill => {
+            "fill them with fill='harmonic' or fill='nearest', or cut out a part with crop="
+        }
+        _ => "",
+    };
+    let all: Vec<&str> = needs.iter().map(argument).filter(|text| !text.is_empty()).collect();
+    all.join(" and ")
+}
+
+fn rule(name: &str) -> Result<Fill, Failure> {
+    Ok(match name {
+        "" | "refuse" => Fill::Refuse,
+        "harmonic" => Fill::Harmonic,
+        "nearest" => Fill::Nearest,
+        other => {
+            let message = format!("fill = {other:?} is none of 'refuse', 'harmonic', 'nearest'");
+            return Err(Failure::refused("setting", message));
+        }
+    })
+}
+
+/// Why a measurement gives no map, with the arguments that help.
+fn unmade(path: &Path, error: &Incomplete) -> Failure {
+    let way_out = match error {
+        Incomplete::Line(_) => "profiles are answered by the command so far".to_owned(),
+        Incomplete::Spikes(_) => "give fill='harmonic', or a higher threshold".to_owned(),
+        Incomplete::Fill(FillError::NotConverged { .. }) => "give fill='nearest'".to_owned(),
+        Incomplete::Fill(e) => needs(&e.needs()),
+        _ => String::new(),
+    };
+    let found = error.failure();
+    let kind = if let Incomplete::Fill(FillError::Missing { .. }) = error {
+        "missing"
+    } else {
+        found.kind()
+    };
+    Failure::refused(kind, format!("{}: {}", path.display(), found.message())).adding(&way_out)
+}
+
+fn filled(path: &Path, measurement: Measurement, how: &Reading) -> Result<Complete, Failure> {
+    answers::complete(measurement, how.cleaning, rule(&how.fill)?).map_err(|e| unmade(path, &e))
+}
+
+/// Reads a file: crop, cleaning, fill, in this order.
+#[pyfunction]
+pub(crate) fn read<'py>(
+    py: Python<'py>,
+    path: &str,
+    request: &str,
+    threads: usize,
+) -> PyResult<Made<'py>> {
+    let how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let at = Path::new(path);
+    let (asked, file) = (how.clone(), path.to_owned());
+    let found = quietly(py, threads, move || {
+        let (how, path, at) = (asked, &file, Path::new(&file));
+        let measurement = how.measurement(at)?;
+        let said = answers::info(&measurement);
+        if measurement.is_profile() {
+            let message = format!(
+                "{path}: this is a profile, and a surface has no deterministic answer from one line of it; \
+                 the command answers for profiles"
+            );
+            return Err(Unread::Other(Failure::refused("profile", message)));
+        }
+        let complete = filled(at, measurement, &how)?;
+        Ok((complete, said))
+    })?;
+    let (complete, said) = found.map_err(|e| e.raise(at))?;
+    let Complete { map, missing, cleaned, height_step, format } = complete;
+    let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();
+    let fill = if how.fill.is_empty() { "refuse".to_owned() } else { how.fill };
+    let origin = Origin::File(FileOrigin {
+        path: path.to_owned(),
+        // Made when a run file needs it: most surfaces never do.
+        sha256: String::new(),
+        format,
+        channel: how.channel,
+        pixel: how.pixel,
+        lateral_unit: how.lateral_unit,
+        height_unit: how.height_unit,
+        override_height_unit: how.override_height_unit,
+        layout: how.layout,
+        crop: how.crop,
+        fill: fill.clone(),
+        missing,
+        cleaning: how.cleaning,
+        cleaned: cleaned.clone(),
+        height_step,
+    });
+    let pixel = map.grid().pixel();
+    let facts = Facts { name, pixel, missing, fill, height_step, origin, cleaned };
+    let said = json!({
+        "format": said["format"], "channel": said["channel"], "channels": said["channels"],
+        "metadata": said["metadata"], "ambiguity": said["ambiguity"],
+    });
+    made(py, map, &facts, &said)
+}
+
+/// What a file holds, as `rough-contact info` says it.
+#[pyfunction]
+pub(crate) fn info(py: Python<'_>, path: &str, request: &str) -> PyResult<String> {
+    let how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let at = Path::new(path);
+    let file = path.to_owned();
+    let found = quietly(py, 1, move || {
+        how.measurement(Path::new(&file)).map(|m| answers::info(&m).to_string())
+    })?;
+    found.map_err(|e| e.raise(at))
+}
+
+/// Heights of an array (m), NaN where a point is missing.
+#[pyfunction]
+pub(crate) fn given<'py>(
+    py: Python<'py>,
+    heights: PyReadonlyArray2<'py, f64>,
+    request: &str,
+    threads: usize,
+) -> PyResult<Made<'py>> {
+    #[derive(Deserialize)]
+    struct Given {
+        name: String,
+        note: String,
+        pixel: [f64; 2],
+        fill: String,
+        repeats: Option<bool>,
+    }
+    let given: Given = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let shape = [heights.as_array().nrows(), heights.as_array().ncols()];
+    let values: Vec<f64> = heights.as_array().iter().copied().collect();
+    let how = Reading {
+        pixel: Some(given.pixel),
+        height_unit: Some(1.0),
+        fill: given.fill.clone(),
+        ..Reading::default()
+    };
+    let name = given.name.clone();
+    let found = quietly(py, threads, move || {
+        // The one way to a map with holes filled goes through a measurement.
+        let mut file = Vec::new();
+        write::npy_array(&mut file, shape, &values)
+            .map_err(|e| Failure::refused("surface", e.to_string()))?;
+        let options = how.options()?;
+        let measurement = surface_io::read_bytes(&file, &options).map_err(Unread::File)?;
+        Ok(filled(Path::new(&name), measurement, &how)?)
+    })?;
+    let Complete { map, missing, height_step, .. } =
+        found.map_err(|e: Unread| e.raise(Path::new(&given.name)))?;
+    let mut origin = GivenOrigin::of(&map, given.note);
+    (origin.missing, origin.height_step, origin.repeats) = (missing, height_step, given.repeats);
+    let facts = Facts {
+        name: given.name,
+        pixel: given.pixel,
+        missing,
+        fill: given.fill,
+        height_step,
+        origin: Origin::Given(origin),
+        cleaned: Vec::new(),
+    };
+    made(py, map, &facts, &json!({}))
+}
+
+/// A random self-affine surface.
+#[pyfunction]
+pub(crate) fn synth<'py>(py: Python<'py>, recipe: &str, threads: usize) -> PyResult<Made<'py>> {
+    let recipe: Recipe = serde_json::from_str(recipe).map_err(|e| bug(&e))?;
+    let surface = quietly(py, threads, move || recipe.make())?;
+    let Surface { name, origin, heights } = surface.map_err(|e| raise(&Failure::from_error(&e)))?;
+    let facts = Facts {
+        name,
+        pixel: heights.grid().pixel(),
+        missing: 0,
+        fill: "refuse".to_owned(),
+        height_step: None,
+        origin,
+        cleaned: Vec::new(),
+    };
+    made(py, heights, &facts, &json!({}))
+}
+
+/// The surface with a form taken off, or cleaned: heights of another origin.
+#[pyfunction]
+pub(crate) fn reshape<'py>(
+    py: Python<'py>,
+    heights: PyReadonlyArray2<'py, f64>,
+    facts: &str,
+    level: &str,
+    threads: usize,
+) -> PyResult<Made<'py>> {
+    let (surface, mut facts) = surface_of(&heights, facts)?;
+    let unknown = || raise(&Failure::refused("setting", format!("level = {level:?} is no form")));
+    let form = Level::ALL.iter().find(|l| l.name() == level).copied().ok_or_else(unknown)?;
+    let map = quietly(py, threads, move || surface_stats::level(&surface.heights, form))?;
+    let map = map.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
+    let note = format!("{} with its {level} taken off", facts.name);
+    let mut origin = GivenOrigin::of(&map, note);
+    (origin.missing, origin.height_step) = (facts.missing, facts.height_step);
+    facts.origin = Origin::Given(origin);
+    made(py, map, &facts, &json!({}))
+}
+
+/// The bytes of a file of this format.
+#[pyfunction]
+pub(crate) fn encode(
+    heights: PyReadonlyArray2<'_, f64>,
+    facts: &str,
+    format: &str,
+    comment: &str,
+) -> PyResult<Vec<u8>> {
+    let (surface, _) = surface_of(&heights, facts)?;
+    let map = &surface.heights;
+    let mut out = Cursor::new(Vec::new());
+    match format {
+        "npy" => write::npy(&mut out, map),
+        "x3p" => write::x3p(&mut out, map, comment),
+        "sdf" => write::sdf(&mut out, map),
+        "txt" => write::text(&mut out, map),
+        "vti" => write::vti(&mut out, map.grid(), &[("height", map.heights())]),
+        other => {
+            let message =
+                format!("the ending {other:?} is no format that is written; use .x3p, .npy, .sdf, .txt or .vti");
+            return Err(raise(&Failure::refused("setting", message)));
+        }
+    }
+    .map_err(|e| raise(&Failure::refused("setting", e.to_string())))?;
+    Ok(out.into_inner())
+}

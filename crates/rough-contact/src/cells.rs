@@ -1,0 +1,46 @@
+//! A load that was solved for, as a row of the table.
+
+use crate::conduction;
+use crate::loads::shown;
+use crate::text;
+use answers::Point;
+use compare::budget::{Given, RealPressure};
+use fft_bem_solver::Yielded;
+
+/// The cells of its row.
+pub(crate) fn cells(point: &Point) -> Vec<String> {
+    let (Some(solution), Some(budget)) = (&point.solution, &point.budget) else {
+        return vec![shown(point.load), "refused".to_owned()];
+    };
+    let (state, d) = (&solution.state, &solution.diagnostics);
+    let mean = budget.real_pressure().map(RealPressure::value);
+    let area = &budget.area;
+    let mut cells = vec![text::pressure(state.mean_pressure)];
+    if budget.given == Given::Gap {
+        let load = budget.mean_pressure;
+        let half = load.comparison_half_width().ok();
+        cells.push(text::relative(half, load.value, text::pressure));
+    }
+    cells.extend([
+        text::percent(state.area_fraction),
+        text::percent(d.area_fraction_corrected),
+        text::relative(area.comparison_half_width().ok(), area.value, |most| {
+            text::percent(most.min(1.0))
+        }),
+        text::relative(area.prediction_half_width(), area.value, |most| {
+            text::percent(most.min(1.0))
+        }),
+        state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
+        mean.map_or_else(|| "–".to_owned(), text::pressure),
+        text::highest(d.max_pressure, mean),
+        text::number(d.transforms),
+        format!("{:.1e}", d.residuals.preconditioned),
+        text::seconds(d.seconds),
+    ]);
+    cells.extend(budget.stiffness.map(|k| text::stiffness(k.value)));
+    if let Some(Yielded { area_fraction, load_share, .. }) = d.yielded {
+        cells.extend([area_fraction, load_share].map(text::percent));
+    }
+    cells.extend(point.conducted.iter().flat_map(conduction::cells));
+    cells
+}
