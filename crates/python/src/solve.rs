@@ -149,6 +149,7 @@ type Solved<'py> =
 
 /// What `rough-contact solve` answers.
 #[pyfunction]
+#[pyo3(signature = (heights, facts, request, progress=None))]
 pub(crate) fn solve<'py>(
     py: Python<'py>,
     heights: PyReadonlyArray2<'py, f64>,

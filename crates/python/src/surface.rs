@@ -9,6 +9,7 @@ use numpy::ndarray::Array2;
 use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use std::io::Cursor;
@@ -391,12 +392,13 @@ pub(crate) fn reshape<'py>(
 
 /// The bytes of a file of this format.
 #[pyfunction]
-pub(crate) fn encode(
-    heights: PyReadonlyArray2<'_, f64>,
+pub(crate) fn encode<'py>(
+    py: Python<'py>,
+    heights: PyReadonlyArray2<'py, f64>,
     facts: &str,
     format: &str,
     comment: &str,
-) -> PyResult<Vec<u8>> {
+) -> PyResult<Bound<'py, PyBytes>> {
     let (surface, _) = surface_of(&heights, facts)?;
     let map = &surface.heights;
     let mut out = Cursor::new(Vec::new());
@@ -413,5 +415,5 @@ pub(crate) fn encode(
         }
     }
     .map_err(|e| raise(&Failure::refused("setting", e.to_string())))?;
-    Ok(out.into_inner())
+    Ok(PyBytes::new(py, &out.into_inner()))
 }

@@ -67,7 +67,8 @@ def _surfalize(obj: Any) -> Foreign:
 def _xarray(obj: Any) -> Foreign:
     if len(obj.dims) != 2:
         raise SurfaceError(f"the array has {len(obj.dims)} dimensions; a map has 2", "shape")
-    steps, units = [], []
+    steps: list[float] = []
+    units: list[str | None] = []
     for dim in obj.dims:
         if dim not in obj.coords:
             steps = []

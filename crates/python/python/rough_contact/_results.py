@@ -87,7 +87,9 @@ class Point:
         gap: NDArray[np.float64] | None = None,
     ) -> Point:
         known = {f.name for f in fields(cls)}
-        values = {k: tuple(v) if isinstance(v, list) else v for k, v in json.items() if k in known}
+        values: dict[str, Any] = {
+            k: tuple(v) if isinstance(v, list) else v for k, v in json.items() if k in known
+        }
         return cls(**values, pressure=pressure, gap=gap)
 
     @classmethod

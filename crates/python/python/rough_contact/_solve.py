@@ -176,7 +176,8 @@ def solve(
         if finding.weight == "check":
             warnings.warn(f"{finding.claim} {finding.text}".strip(), ContactWarning, stacklevel=2)
     if trouble is not None and on_failure == "raise":
-        raise made(*trouble, NotConverged if _some(curve) else SettingError, curve)
+        kind, message = trouble
+        raise made(kind, message, NotConverged if _some(curve) else SettingError, curve)
     return curve
 
 

@@ -272,7 +272,7 @@ class Surface:
         with sorted_as(SettingError):
             content = _rust.encode(self._heights, self._facts, ending, f"rough_contact: {self.name}")
         with open(path, "wb" if overwrite else "xb") as file:
-            file.write(bytes(content))
+            file.write(content)
 
     def to_xarray(self) -> Any:
         """An `xarray.DataArray` of the heights with coordinates in metres."""
@@ -468,7 +468,7 @@ def _metres(heights: ArrayLike | Q, unit: str | None) -> NDArray[np.float64]:
     scale = 1.0
     if isinstance(heights, np.ma.MaskedArray) and not hasattr(heights, "m_as"):
         # Read without its mask a missing point would be a height.
-        heights = heights.astype(np.float64).filled(np.nan)
+        heights = np.ma.filled(np.ma.asarray(heights, dtype=np.float64), np.nan)
     if unit is not None:
         values = np.asarray(heights)
         scale = _units.factor(unit)
@@ -491,7 +491,7 @@ def _metres(heights: ArrayLike | Q, unit: str | None) -> NDArray[np.float64]:
     return np.ascontiguousarray(metres)
 
 
-def check(name: str, value: object, known: tuple[str, ...]) -> None:
+def check(name: str, value: object, known: tuple[object, ...]) -> None:
     """Refuses a choice that is none."""
     if value not in known:
         raise SettingError(f"{name} = {value!r} is none of {', '.join(map(repr, known))}", "setting")

@@ -186,7 +186,8 @@ def _si(value: Any, dimension: str, name: str, many: bool) -> Any:
         return np.asarray(value, dtype=float) * factor(str(units), dimension)
     if many and isinstance(value, Iterable) and not isinstance(value, np.ndarray):
         items = [_si(item, dimension, name, many) for item in value]
-        return np.concatenate([np.atleast_1d(np.asarray(i, dtype=float)) for i in items] or [[]])
+        arrays = [np.atleast_1d(np.asarray(item, dtype=float)) for item in items]
+        return np.concatenate(arrays) if arrays else np.empty(0)
     raise _bare(name, value, dimension)
 
 

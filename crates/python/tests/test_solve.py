@@ -1,0 +1,266 @@
+"""The solver against exact solutions, and what a call may do besides."""
+
+import json
+import multiprocessing
+import os
+import pickle
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+from scipy import special
+
+import rough_contact as rc
+
+E = 110e9  # Pa
+
+
+def sphere(n, radius, pixel):
+    x = (np.arange(n) - n / 2 + 0.5) * pixel
+    return rc.Surface(-(x[:, None] ** 2 + x**2) / (2 * radius), pixel=pixel * rc.m, height_unit="m")
+
+
+def test_hertz():
+    """p0 = 2 E* a/(pi R), a^3 = 3 F R/(4 E*): Johnson (1985) Contact Mechanics, section 4.2."""
+    force, radius = 1.0, 1e-3
+    a = (3 * force * radius / (4 * E)) ** (1 / 3)
+    errors = []
+    for n in (32, 64, 128):
+        pixel = 1.6 * 2 * a / n
+        s = sphere(n, radius, pixel)
+        found = rc.solve(s, modulus=E * rc.Pa, load=force * rc.N, boundary="free", level="none", tolerance=1e-8)
+        area = found.area_fraction_corrected[0] * s.size[0] * s.size[1]
+        assert abs(area / (np.pi * a**2) - 1) < pixel / a  # half a pixel along the rim
+        errors.append([found.max_pressure[0] * np.pi * radius / (2 * E * a) - 1, found.approach[0] * radius / a**2 - 1])
+    order = np.log2(np.abs(np.array(errors[:-1]) / errors[1:]))
+    assert ((order > 1.8) & (order < 2.2)).all(), order
+
+
+def test_a_wave_pressed_flat():
+    """Full contact of a wave of amplitude A: p* = pi E* A/L, Westergaard (1939); u = p/(pi E* / L)."""
+    n, length, amplitude = 64, 64e-6, 1e-8
+    x = np.arange(n) * 1e-6
+    s = rc.Surface(np.tile(amplitude * np.cos(2 * np.pi * x / length), (n, 1)), pixel="1um", height_unit="m")
+    full = np.pi * E * amplitude / length
+    mean = 2 * full
+    found = rc.solve(s, modulus=E * rc.Pa, pressure=mean * rc.Pa, level="none", maps=True, tolerance=1e-10)
+    assert found.area_fraction[0] == 1.0
+    exact = mean + full * np.cos(2 * np.pi * x / length)
+    np.testing.assert_allclose(found.pressure(0), np.tile(exact, (n, 1)), rtol=1e-8)
+    # Part of it: A_r/A = 2/pi asin sqrt(p/p*).
+    part = rc.solve(s, modulus=E * rc.Pa, pressure=0.5 * full * rc.Pa, level="none", tolerance=1e-8)
+    assert part.area_fraction_corrected[0] == pytest.approx(2 / np.pi * np.arcsin(np.sqrt(0.5)), abs=1 / n)
+
+
+def test_light_contact_is_near_persson(rough):
+    """erf(sqrt(2) p/(E* g)): Persson (2001), doi:10.1063/1.1388626, which is some ten per cent low."""
+    s = rc.synth((512, 512), pixel="1um", hurst=0.8, rolloff="128um", cutoff="16um", rms_gradient=0.1, seed=3)
+    found = rc.solve(s, modulus="110 GPa", pressure=np.array([0.3, 1.0]) * rc.GPa)
+    persson = special.erf(np.sqrt(2) * found.mean_pressure / (E * s.statistics().rms_gradient))
+    ratio = found.area_fraction_corrected / persson
+    assert ((1.0 < ratio) & (ratio < 1.4)).all(), ratio
+
+
+def test_invariants(rough):
+    curve = rc.solve(rough, modulus="110 GPa", pressure="1GPa,10MPa,100MPa", maps=True)
+    assert curve.mean_pressure.tolist() == [1e9, 1e7, 1e8]  # the order asked
+    for i, point in enumerate(curve):
+        p, g = curve.pressure(i), curve.gap(i)
+        assert p.shape == rough.shape and p.dtype == np.float64
+        assert p.mean() == pytest.approx(point.mean_pressure, rel=1e-12)
+        assert (p >= 0).all() and np.count_nonzero(p) == point.contact_pixels
+        assert p.max() == point.max_pressure
+        assert np.abs(g[p > 0]).max() < 1e-3 * rough.heights.std()
+        assert not p.flags.writeable and not g.flags.writeable
+        with pytest.raises(ValueError):
+            p[0, 0] = 1.0
+
+
+def test_rows_and_columns_stay_apart():
+    """A wave along x alone: pressure differs along columns only."""
+    x = np.arange(48) * 2e-6
+    s = rc.Surface(np.tile(1e-8 * np.cos(2 * np.pi * x / 96e-6), (16, 1)), pixel=["1um", "2um"], height_unit="m")
+    assert s.pixel == (1e-6, 2e-6) and s.size == (16e-6, 96e-6)
+    found = rc.solve(s, modulus="1 GPa", pressure="100 kPa", level="none", maps=True)
+    p = found.pressure(0)
+    assert np.ptp(p, axis=0).max() < 1e-6 * p.max() < np.ptp(p)
+
+
+def test_threads_do_not_matter(rough):
+    one, three = (rc.solve(rough, modulus="110 GPa", pressure="100MPa", threads=n).to_dict() for n in (1, 3))
+    for answer in (one, three):
+        answer["points"][0]["seconds"] = None
+    assert one == three
+
+
+def test_the_lock_is_released(rough):
+    """Another Python thread goes on while the solver works."""
+    big = rc.synth((512, 512), pixel="1um", hurst=0.8, rolloff="100um", cutoff="4um", rms_height="0.4um", seed=7)
+    counted, stop = [0], threading.Event()
+
+    def count():
+        while not stop.is_set():
+            counted[0] += 1
+            time.sleep(0.001)
+
+    other = threading.Thread(target=count)
+    other.start()
+    try:
+        rc.solve(big, modulus="110 GPa", pressure="1MPa..1GPa:8")
+    finally:
+        stop.set()
+        other.join()
+    assert counted[0] > 20
+
+
+def test_progress_is_told_on_this_thread_and_may_stop(rough):
+    seen, here = [], threading.get_ident()
+
+    def tell(news):
+        assert threading.get_ident() == here
+        seen.append(news)
+
+    rc.solve(rough, modulus="110 GPa", pressure="1MPa..1GPa:4", progress=tell)
+    done = [news for news in seen if news.stage == "load"]
+    assert len(done) == 4 and done[0].mean_pressure == 1e6 and done[0].count == 4
+
+    class Enough(Exception):
+        pass
+
+    def enough(news):
+        raise Enough
+
+    with pytest.raises(Enough):
+        rc.solve(rough, modulus="110 GPa", pressure="1MPa..1GPa:4", progress=enough)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of Unix")
+@pytest.mark.parametrize("loads", [0, 1])
+def test_ctrl_c(loads):
+    """Stops soon, and what was done is not lost."""
+    big = rc.synth((1024, 1024), pixel="1um", hurst=0.8, rolloff="100um", cutoff="4um", rms_height="0.4um", seed=7)
+    asked = []
+
+    def interrupt():
+        asked.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    def after_a_load(news):
+        if news.stage == "load" and not asked:
+            interrupt()
+
+    timer = threading.Timer(0.05, interrupt)
+    if not loads:
+        timer.start()
+    with pytest.raises(KeyboardInterrupt) as caught:
+        rc.solve(big, modulus="110 GPa", pressure="1MPa..10GPa:64", progress=after_a_load if loads else None)
+    assert isinstance(caught.value, rc.Interrupted)
+    if loads:
+        assert 1 <= len(caught.value.partial) < 64
+        assert caught.value.partial.converged.all()
+    # A second on a machine of one's own; others may work here too.
+    assert time.monotonic() - asked[0] < 5
+
+
+def _child(queue, surface):
+    queue.put(rc.solve(surface, modulus="110 GPa", pressure="100MPa").area_fraction[0])
+
+
+@pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="no fork here")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_forked_child_solves(rough):
+    before = rc.solve(rough, modulus="110 GPa", pressure="100MPa").area_fraction[0]
+    rough.statistics()
+    context = multiprocessing.get_context("fork")
+    queue = context.Queue()
+    child = context.Process(target=_child, args=(queue, rough))
+    child.start()
+    try:
+        assert queue.get(timeout=60) == before
+    finally:
+        child.kill()
+
+
+def test_failures_keep_what_was_found(rough):
+    with pytest.raises(rc.NotConverged) as caught:
+        rc.solve(rough, modulus="110 GPa", pressure="100MPa,1GPa", tolerance=1e-15)
+    kept = caught.value.result
+    assert len(kept) == 2 and not kept.converged.all() and (kept.area_fraction > 0).all()
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert str(again) == str(caught.value) and again.kind == caught.value.kind
+    assert again.result.to_dict() == kept.to_dict()
+    with pytest.raises(rc.AccuracyNotMet) as caught:
+        rc.solve(rough, modulus="110 GPa", pressure="100MPa", accuracy="0.01%")
+    assert caught.value.result.accuracy is not None
+    mixed = rc.solve(rough, modulus="110 GPa", pressure="100MPa,30GPa", hardness="20GPa", on_failure="keep")
+    assert mixed.converged.tolist() == [True, False] and np.isnan(mixed.area_fraction[1])
+    assert "above the hardness" in repr(mixed[1])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error"),
+    [
+        ({"modulus": 110e9, "pressure": "1MPa"}, rc.UnitError),
+        ({"modulus": "110um", "pressure": "1MPa"}, rc.UnitError),
+        ({"modulus": "110GPa", "pressure": [1e6]}, rc.UnitError),
+        ({"modulus": "110GPa", "pressure": "0Pa"}, rc.SettingError),
+        ({"modulus": "110GPa", "pressure": "1MPa", "gap": "1um"}, TypeError),
+        ({"modulus": "110GPa"}, TypeError),
+        ({"pressure": "1MPa"}, TypeError),
+        ({"modulus": "-1GPa", "pressure": "1MPa"}, rc.SettingError),
+        ({"modulus": "110GPa", "pressure": "1MPa", "tolerance": 2.0}, rc.SettingError),
+        ({"modulus": "110GPa", "pressure": "1MPa", "tolerance": "1um"}, rc.UnitError),
+        ({"modulus": "110GPa", "pressure": "1MPa", "method": "magic"}, rc.SettingError),
+        ({"modulus": "110GPa", "pressure": "1MPa", "accuracy": 0.05, "refine": True}, rc.SettingError),
+        ({"modulus": "110GPa", "gap": "1um", "boundary": "free"}, rc.SettingError),
+        ({"modulus": "110GPa", "pressure": "1MPa", "threads": 0}, rc.SettingError),
+        ({"modulus": "110GPa", "pressure": "1MPa", "nonsense": 1}, TypeError),
+    ],
+)
+def test_refusals(rough, arguments, error):
+    with pytest.raises(error):
+        rc.solve(rough, **arguments)
+
+
+def test_a_finding_of_weight_is_a_warning(rough):
+    with pytest.warns(rc.ContactWarning, match="No usual solid bears"):
+        curve = rc.solve(rough, modulus="110 GPa", pressure="1GPa")
+    assert any(f.weight == "check" for f in curve.findings)
+
+
+def test_results(rough):
+    curve = rc.solve(rough, modulus="110 GPa", pressure="100MPa..1GPa:3,1MPa", maps="pressure")
+    again = pickle.loads(pickle.dumps(curve))
+    assert again.to_dict() == curve.to_dict() and (again.pressure(1) == curve.pressure(1)).all()
+    assert not again.pressure(1).flags.writeable
+    with pytest.raises(AttributeError):
+        curve.mean_pressure = 0
+    with pytest.raises(LookupError, match="maps=True"):
+        curve.gap(0)
+    with pytest.raises(IndexError):
+        curve[4]
+    assert curve[-1].mean_pressure == 1e6 and curve[-1].area_interval is None
+    part = curve[1:3]
+    assert len(part) == 2 and (part.pressure(0) == curve.pressure(1)).all()
+    bars = curve.bars()
+    assert bars.shape == (2, 4) and (bars[:, :3] > 0).all() and np.isnan(bars[:, 3]).all()
+    low, high = curve.area_interval[0]
+    assert curve.area_fraction_corrected[0] - bars[0, 0] == pytest.approx(low, rel=1e-12)
+    assert curve.area_fraction_corrected[0] + bars[1, 0] == pytest.approx(high, rel=1e-12)
+    assert (curve.bars(prediction=True)[:, :3] > bars[:, :3]).all()
+    assert json.loads(json.dumps(curve.to_dict())) == curve.to_dict()
+    assert "<table>" in curve._repr_html_() and "100 MPa" in repr(curve)
+
+
+def test_tables(rough):
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    curve = rc.solve(rough, modulus="110 GPa", pressure="100MPa,1GPa", maps=True)
+    frame = curve.to_pandas()
+    assert isinstance(frame, pandas.DataFrame) and frame.attrs["units"]["mean_pressure"] == "Pa"
+    assert frame.area_interval_low.tolist() == curve.area_interval[:, 0].tolist()
+    assert frame["residuals.preconditioned"].max() < 1e-4
+    data = curve.to_xarray()
+    assert isinstance(data, xarray.Dataset) and data.pressure.dims == ("point", "y", "x")
+    assert float(data.pressure[0].mean()) == pytest.approx(1e8)
