@@ -83,4 +83,4 @@ pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
 pub use surroundings::{Surrounded, on_given};
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};
-pub use yielding::{BULK_YIELD, Hardness, elastic_holds};
+pub use yielding::{BULK_YIELD, Hardness, elastic_holds, elastic_limit};

@@ -42,6 +42,15 @@ impl Hardness {
     }
 }
 
+/// `E* g` (Pa): for a hardness of at least that the area of elastic contact is right to 2 %. `None` for bodies
+/// that do not yield in a contact (rubbers), for a flat map, and where a hardness was given.
+pub fn elastic_limit(surface: &SurfaceComparison) -> Option<f64> {
+    let modulus = surface.inputs.modulus.pascals();
+    let limit = modulus * surface.inputs.rms_gradient();
+    let asks = surface.inputs.hardness.is_none() && typical_hardness(modulus).is_some();
+    (asks && limit > 0.0 && limit.is_finite()).then_some(limit)
+}
+
 /// Of the loads that both solutions have; `None` where the elastic area is right to 2 %.
 pub(crate) fn excess(
     yielding: &[DeterministicPoint],

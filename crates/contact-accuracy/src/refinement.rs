@@ -53,13 +53,15 @@ impl TwiceFiner {
     /// Whether a twice finer grid gives the area of this budget a bar: it has none for want of
     /// resolution.
     pub fn helps(budget: &Budget) -> bool {
-        matches!(
-            budget.area.grid,
-            Err(NoAreaInterval::Unresolved { .. }
-                | NoAreaInterval::Stepped { .. }
-                | NoAreaInterval::SpotsTooSmall { .. }
-                | NoAreaInterval::BetweenPoints { .. })
-        )
+        // How often that bar holds was not counted where the contact yields.
+        !budget.yields
+            && matches!(
+                budget.area.grid,
+                Err(NoAreaInterval::Unresolved { .. }
+                    | NoAreaInterval::Stepped { .. }
+                    | NoAreaInterval::SpotsTooSmall { .. }
+                    | NoAreaInterval::BetweenPoints { .. })
+            )
     }
 
     /// Whether one is solved unasked where it can be: it [`helps`](Self::helps), or `map` is a pattern of

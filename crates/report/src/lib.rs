@@ -58,4 +58,5 @@ pub use words::loads::loads_line;
 pub use words::pair::pair_lines;
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};
 pub use words::profile::profile_headline;
+pub use words::yielding::elastic_line;
 pub use yield_json::{YIELD_KEYS, yield_keys};

@@ -383,6 +383,9 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     out.push_str(&text::loads(&comparison.settings));
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
+        if let Some(line) = report::elastic_line(surface) {
+            let _ = writeln!(out, "{line}");
+        }
         let made_of = (comparison.settings.modulus, comparison.settings.bodies.clone());
         out.push_str(&against::lines(surface.origin.pair(), Some(made_of)));
         out.push_str(&text::cleaning(surface.origin.cleaned()));

@@ -28,7 +28,7 @@ fn points(answer: &Value) -> &[Value] {
 }
 
 #[test]
-fn what_has_yielded_carries_the_hardness_and_has_no_elastic_bar() {
+fn what_has_yielded_carries_the_hardness_and_has_no_sample() {
     let folder = folder();
     surface(folder.path());
     let loads = "--pressure 20MPa,100MPa,500MPa --tolerance 1e-6";
@@ -50,9 +50,13 @@ fn what_has_yielded_carries_the_hardness_and_has_no_elastic_bar() {
         assert!((saturated + rest - area).abs() < 1e-12, "{point}");
         assert!(area >= load / hard && number(&point["max_pressure"]) <= hard);
         assert!(area >= number(&elastic["area_fraction"]), "{point}");
-        // The bar of elastic contact was not counted for it, and is not shown.
-        assert!(point["area_interval"].is_null() && point["mean_gap_interval"].is_null());
-        assert!(point["area_interval_reason"].as_str().unwrap().contains("yielded"), "{point}");
+        // How it scatters from map to map was not studied, and a few waves have no bar but of a finer grid.
+        assert!(
+            point["area_prediction_interval"].is_null() && point["refined"].is_null(),
+            "{point}"
+        );
+        assert!(point["area_interval"].is_null(), "{point}");
+        assert!(point["area_interval_reason"].is_string(), "{point}");
         assert!(elastic.get("saturated_fraction").is_none());
     }
     let ratio = number(&answer["hardness"]["modulus_gradient_over_hardness"]);

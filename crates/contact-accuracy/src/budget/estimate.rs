@@ -93,6 +93,9 @@ pub struct Budget {
     pub stiffness: Option<Estimate>,
     /// What the solution says of other maps of the surface, where it can tell.
     pub sampled: Option<sample::Sampled>,
+    /// Whether part of the contact has yielded: its bars from the grid are wider ([`grid::YIELDING`]), and
+    /// nothing is known of other maps of the surface.
+    pub yields: bool,
     /// Why the grid of this solution has no bar of its own, if it has none; one from a finer grid
     /// may stand with the numbers all the same.
     pub own: Result<(), NoAreaInterval>,
@@ -105,18 +108,22 @@ impl Budget {
         let found = &solution.diagnostics;
         let area = found.area_fraction_corrected;
         let iteration = iteration_half_width(found);
+        let goes_on = found.boundary == Boundary::Periodic;
+        let yields = found.yielded.is_some_and(|y| y.area_fraction > 0.0);
+        let [wide, wide_gap, _] = if yields { grid::YIELDING } else { [1.0; 3] };
         let gate = if found.contact_pixels == 0 {
             Err(NoAreaInterval::Empty)
-        } else if found.yielded.is_some_and(|y| y.area_fraction > 0.0) {
-            // Nobody has counted how often the bar of elastic contact holds for it.
-            Err(NoAreaInterval::NotStudied("contact that has yielded"))
+        } else if yields && !goes_on {
+            Err(NoAreaInterval::NotStudied("an isolated contact that has yielded"))
+        } else if yields && map.is_regular() {
+            Err(NoAreaInterval::NotStudied("a pattern of like cells that has yielded"))
         } else {
-            map.accuracy.grid_half_width(solution)
+            map.accuracy.grid_half_width(solution).map(|half| wide * half)
         };
         let line = grid::Line::of(solution);
-        // An isolated contact is no sample of a surface that goes on.
-        let goes_on = found.boundary == Boundary::Periodic;
-        let blocks = goes_on
+        // An isolated contact is no sample of a surface that goes on; how those of one that yields scatter
+        // was not studied.
+        let blocks = (goes_on && !yields)
             .then(|| sample::blocks(&solution.pressure, map.accuracy.grid(), sample::PARTS))
             .flatten();
         let sampled = blocks.map(|blocks| sample::Sampled {
@@ -132,7 +139,8 @@ impl Budget {
             value: gap.max(0.0), // rounding may leave it just below at full contact
             grid: if goes_on {
                 gate.map(|_| {
-                    grid::gap_half_width(map, line).max(grid::gap_of_open_places(map, line, gap))
+                    let open = grid::gap_of_open_places(map, line, gap);
+                    wide_gap * grid::gap_half_width(map, line).max(open)
                 })
             } else {
                 Err(NoAreaInterval::NotStudied("the gap of an isolated contact"))
@@ -153,6 +161,7 @@ impl Budget {
             },
             mean_gap: solution.state.mean_gap.map(gap),
             stiffness: None,
+            yields,
             sampled,
             own: gate.map(|_| ()),
         }

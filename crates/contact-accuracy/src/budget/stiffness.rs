@@ -110,7 +110,8 @@ impl Budget {
     #[must_use]
     pub fn with_stiffness(mut self, found: &Stiffness, map: &Map, line: grid::Line) -> Self {
         let k = found.value;
-        let relative = grid::stiffness_half_width(map, line) + DIFFERENCE;
+        let wide = if self.yields { grid::YIELDING[2] } else { 1.0 };
+        let relative = wide * grid::stiffness_half_width(map, line) + DIFFERENCE;
         self.stiffness = Some(Estimate {
             value: k,
             grid: self.own.map(|()| k * relative),

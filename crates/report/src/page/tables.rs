@@ -13,7 +13,8 @@ use crate::sources::DETERMINISTIC;
 use crate::words;
 use compare::survey::Experience;
 use compare::{
-    Applies, DeterministicAnswer, ModelComparison, SurfaceComparison, elastic_holds, is_steep,
+    Applies, DeterministicAnswer, Estimate, ModelComparison, SurfaceComparison, elastic_holds,
+    elastic_limit, is_steep,
 };
 use contact_types::{ContactState, ModelError};
 
@@ -54,7 +55,7 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             } else {
                 String::new()
             };
-            let half = a.budget.mean_gap.and_then(|g| g.prediction_half_width());
+            let half = a.budget.mean_gap.and_then(half_width);
             let value = match half {
                 Some(half) => quantity_plus_minus(gap, half, METRES),
                 None => quantity(gap, METRES, 3),
@@ -67,7 +68,7 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
         }
         if let Some(k) = a.budget.stiffness {
             let micro = 1e-6; // Pa per metre -> Pa per micrometre
-            let value = match k.prediction_half_width() {
+            let value = match half_width(k) {
                 Some(half) => quantity_plus_minus(k.value * micro, half * micro, PASCALS),
                 None => quantity(k.value * micro, PASCALS, 3),
             };
@@ -103,6 +104,14 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             format!("of {}", fixed(surface.solved_map().grid().len() as f64, 0)),
         ));
     }
+    rows.extend(elastic_limit(surface).map(|limit| {
+        (
+            "Hardness that stays elastic".into(),
+            format!("{} or more", quantity(limit, PASCALS, 2)),
+            "<i>E</i>* <i>g</i>: then this area is right to 2\u{202F}%; for softer bodies give --hardness"
+                .into(),
+        )
+    }));
     let (force, product) = load_words(surface);
     rows.push(("Load on this area".into(), force, product));
     let body: String = rows
@@ -117,6 +126,11 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
     format!(
         "<table class=\"key\"><caption>Key numbers at {p}</caption><tbody>\n{body}</tbody></table>\n"
     )
+}
+
+/// With the finite sample where this map can tell, else of grid and iteration.
+fn half_width(number: Estimate) -> Option<f64> {
+    number.prediction_half_width().or_else(|| number.comparison_half_width().ok())
 }
 
 /// The highest pressure; with a hardness what has yielded, and what elastic bodies would do.

@@ -1,7 +1,7 @@
 //! Sentences on bodies that yield: claim and text.
 
-use crate::numbers::{PASCALS, chosen, percent, quantity, signed_percent, significant};
-use compare::{BULK_YIELD, SurfaceComparison, Yielding};
+use crate::numbers::{PASCALS, SPACE, chosen, percent, quantity, signed_percent, significant};
+use compare::{BULK_YIELD, SurfaceComparison, Yielding, elastic_limit};
 
 /// What a pressure that is held to a hardness leaves out.
 pub(crate) const LEFT_OUT: &str =
@@ -59,6 +59,15 @@ pub(crate) fn bulk(highest: f64, hardness: f64) -> [String; 2] {
             percent(BULK_YIELD)
         ),
     ]
+}
+
+/// For which bodies the elastic area holds, in plain text; `None` where a hardness was given, or has no
+/// meaning.
+pub fn elastic_line(surface: &SurfaceComparison) -> Option<String> {
+    let limit = quantity(elastic_limit(surface)?, PASCALS, 2).replace(SPACE, " ");
+    Some(format!(
+        "elastic area right to 2 % for a hardness of {limit} or more (E* g); softer bodies: --hardness"
+    ))
 }
 
 /// ", 43 % of that at the hardness"; empty where nothing is.
