@@ -13,8 +13,8 @@ use crate::work::Work;
 use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::{Outcome, Request};
 use compare::{
-    Body, EdgesName, Finding, Hardness, Level, Method, NotRefined, PairOrigin, Precision, Solved, Spikes,
-    Surrounded, TwiceFiner, on_given,
+    Body, EdgesName, Finding, Hardness, Level, Method, NotRefined, PairOrigin, Precision, Solved,
+    Spikes, Surrounded, TwiceFiner, on_given,
 };
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};
@@ -221,8 +221,7 @@ impl Question {
             gradient: solved.scene.gradient,
         });
         let trouble = work.trouble.take();
-        let (json, points) =
-            self.object(work, &findings, plan.as_ref(), hardness, (cleaned, pair));
+        let (json, points) = self.object(work, &findings, plan.as_ref(), hardness, (cleaned, pair));
         Ok(Answer { json, points, findings, plan, hardness, can_be_refined, trouble, is_stopped })
     }
 

@@ -7,5 +7,6 @@ mod failure;
 mod module;
 mod solve;
 mod statistics;
+mod study;
 mod surface;
 mod watched;

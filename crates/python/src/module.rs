@@ -16,7 +16,9 @@ mod _rough_contact {
     #[pymodule_export]
     use crate::statistics::statistics;
     #[pymodule_export]
-    use crate::surface::{encode, given, info, read, reshape, synth};
+    use crate::study::{default_pressures, models, study};
+    #[pymodule_export]
+    use crate::surface::{boundary, encode, given, info, read, reshape, synth};
 
     /// Quantities as people type them, in SI units: one, or a list of them and of ranges.
     #[pyfunction]

@@ -15,6 +15,7 @@ use serde_json::json;
 use std::io::Cursor;
 use std::path::Path;
 use surface_io::{Fill, FillError, HeightUnit, Layout, Measurement, ReadError, ReadOptions, write};
+use surface_stats::Edges;
 use surface_stats::clean::Record;
 
 /// What is known of heights, beside them. Python keeps it as text and gives it back; TOML, because it has infinities.
@@ -369,7 +370,14 @@ pub(crate) fn synth<'py>(py: Python<'py>, recipe: &str, threads: usize) -> PyRes
     made(py, heights, &facts, &json!({}))
 }
 
-/// The surface with a form taken off, or cleaned: heights of another origin.
+/// What a study assumes beyond the edges of a surface: `open`, or `periodic` if it was made so.
+#[pyfunction]
+pub(crate) fn boundary(facts: &str) -> PyResult<&'static str> {
+    let edges = Facts::of_text(facts)?.origin.edges();
+    Ok(if edges == Edges::Periodic { "periodic" } else { "open" })
+}
+
+/// The surface with a form taken off: heights of another origin.
 #[pyfunction]
 pub(crate) fn reshape<'py>(
     py: Python<'py>,

@@ -10,10 +10,10 @@ use crate::input::Reading;
 use crate::loads::Forces;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
-use crate::planned;
 use crate::progress::Progress;
 use crate::shell::quoted;
 use crate::text::{self, Columns};
+pub(crate) use answers::not_met;
 use clap::Args;
 use compare::plan::Request;
 use compare::{
@@ -343,37 +343,6 @@ fn write(
     folder.write("pressure.svg", |out| report::write_pressure_svg(comparison, out))?;
     let text = run_file.to_toml().map_err(|e| Failure::incomplete("output", e.to_string()))?;
     folder.write("run.toml", |out| out.write_all(text.as_bytes()))
-}
-
-fn not_converged(comparison: &Comparison) -> Option<Failure> {
-    let mut lines = Vec::new();
-    for surface in &comparison.surfaces {
-        for point in &surface.deterministic {
-            if let Some(trouble) = &point.trouble {
-                let pressure = text::pressure(point.mean_pressure);
-                lines.push(format!("{}, {pressure}: {trouble}", surface.name));
-            }
-        }
-    }
-    (!lines.is_empty()).then(|| Failure::incomplete("not_converged", lines.join("\n")))
-}
-
-/// Surfaces without a study, loads that did not converge, and surfaces whose plan misses the accuracy
-/// asked for.
-pub(crate) fn not_met(comparison: &Comparison) -> Option<Failure> {
-    let unmet = comparison
-        .surfaces
-        .iter()
-        .filter_map(|surface| planned::unmet(&surface.name, surface.plan.as_ref()?, ""));
-    let refused = comparison.refused.iter().map(|r| {
-        let message = if r.reason.contains(&r.name) {
-            r.reason.clone()
-        } else {
-            format!("{}: {}", r.name, r.reason)
-        };
-        Failure::incomplete("files_failed", format!("no answer: {message}"))
-    });
-    refused.chain(not_converged(comparison)).chain(unmet).reduce(Failure::and)
 }
 
 /// A short table per surface, and where the report is.

@@ -3,14 +3,8 @@
 use crate::outcome::Reply;
 use compare::{Theory, built_in};
 use contact_types::Citation;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::fmt::Write as _;
-
-pub(crate) fn citation(c: &Citation) -> Value {
-    json!({
-        "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi,
-    })
-}
 
 pub(crate) fn cited(c: &Citation) -> String {
     if c.doi.is_empty() {
@@ -34,15 +28,9 @@ pub(crate) fn list() -> Reply {
             "{}: {}\n  {} ({}) {}. {}.{doi}\n  inputs: {}\n  domain: {}\n  options: {options}{separation}\n",
             card.name, card.title, c.authors, c.year, c.title, c.journal, card.needs, card.domain,
         );
-        models.push(json!({
-            "name": card.name,
-            "title": card.title,
-            "citation": citation(c),
-            "inputs": card.needs,
-            "domain": card.domain,
-            "options": crate::roughness::options_of(&card.name),
-            "separation": card.has_separation,
-        }));
+        let mut object = answers::models::card(card);
+        object["options"] = json!(crate::roughness::options_of(&card.name));
+        models.push(object);
     }
     Reply::new(text, json!({ "models": models }))
 }

@@ -26,11 +26,13 @@ from ._errors import (
     UnitError,
 )
 from ._findings import Finding
+from ._models import Citation, ContactModel, Inputs, ModelInfo, models
 from ._progress import Progress
 from ._results import LoadCurve, Point
 from ._rough_contact import __version__
 from ._solve import solve
 from ._statistics import Statistics
+from ._study import AreaError, Comparison, ModelComparison, SurfaceComparison, compare
 from ._surface import Surface, info, read, synth
 from ._threads import default_threads
 from ._units import (
@@ -56,18 +58,25 @@ from ._units import (
 
 __all__ = [
     "AccuracyNotMet",
+    "AreaError",
     "Body",
+    "Citation",
+    "Comparison",
+    "ContactModel",
     "ContactWarning",
     "Error",
     "Finding",
     "GPa",
+    "Inputs",
     "InternalError",
     "Interrupted",
     "J_per_m2",
     "LoadCurve",
     "MPa",
     "MissingPoints",
+    "ModelComparison",
     "ModelError",
+    "ModelInfo",
     "N",
     "NotConverged",
     "NotRefined",
@@ -80,12 +89,14 @@ __all__ = [
     "SettingError",
     "Statistics",
     "Surface",
+    "SurfaceComparison",
     "SurfaceError",
     "Unit",
     "UnitError",
     "W_per_m_K",
     "__version__",
     "bar",
+    "compare",
     "contact_modulus",
     "default_threads",
     "info",
@@ -94,6 +105,7 @@ __all__ = [
     "m",
     "mN",
     "mm",
+    "models",
     "nm",
     "ohm_m",
     "read",

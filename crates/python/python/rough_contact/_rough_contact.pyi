@@ -9,6 +9,25 @@ from numpy.typing import NDArray
 _Heights: TypeAlias = NDArray[np.float64]
 _Made: TypeAlias = tuple[_Heights, str, str]
 
+__all__ = [
+    "Refused",
+    "__version__",
+    "boundary",
+    "default_pressures",
+    "encode",
+    "given",
+    "info",
+    "models",
+    "modulus",
+    "parse",
+    "read",
+    "reshape",
+    "solve",
+    "statistics",
+    "study",
+    "synth",
+]
+
 __version__: str
 
 class Refused(Exception): ...
@@ -33,3 +52,13 @@ def solve(
     tuple[str, str] | None,
     BaseException | None,
 ]: ...
+def boundary(facts: str) -> str: ...
+def models() -> str: ...
+def default_pressures(modulus: float, rms_gradient: float) -> list[float]: ...
+def study(
+    surfaces: list[tuple[_Heights, str, str]],
+    settings: str,
+    own: str,
+    hashes: list[str],
+    progress: Callable[[dict[str, Any]], object] | None = None,
+) -> tuple[dict[str, str], tuple[str, str] | None, BaseException | None]: ...

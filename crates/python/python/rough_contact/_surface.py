@@ -357,7 +357,8 @@ def read(
     request.update(fill=fill, cleaning=cleaning)
     file = os.fspath(path)
     with sorted_as(ReadError):
-        return Surface._made(*_rust.read(file, json.dumps(request), count(None)))
+        heights, facts, said = _rust.read(file, json.dumps(request), count(None))
+    return Surface._made(heights, facts, json.dumps({**json.loads(said), "path": file}))
 
 
 def info(

@@ -1,0 +1,37 @@
+//! What is incomplete about a study.
+
+use crate::failure::Failure;
+use crate::planned::unmet;
+use crate::shown;
+use compare::Comparison;
+
+fn not_converged(comparison: &Comparison) -> Option<Failure> {
+    let mut lines = Vec::new();
+    for surface in &comparison.surfaces {
+        for point in &surface.deterministic {
+            if let Some(trouble) = &point.trouble {
+                let pressure = shown::pressure(point.mean_pressure);
+                lines.push(format!("{}, {pressure}: {trouble}", surface.name));
+            }
+        }
+    }
+    (!lines.is_empty()).then(|| Failure::incomplete("not_converged", lines.join("\n")))
+}
+
+/// Surfaces without a study, loads that did not converge, and surfaces whose plan misses the accuracy
+/// asked for.
+pub fn not_met(comparison: &Comparison) -> Option<Failure> {
+    let unmet = comparison
+        .surfaces
+        .iter()
+        .filter_map(|surface| unmet(&surface.name, surface.plan.as_ref()?, ""));
+    let refused = comparison.refused.iter().map(|r| {
+        let message = if r.reason.contains(&r.name) {
+            r.reason.clone()
+        } else {
+            format!("{}: {}", r.name, r.reason)
+        };
+        Failure::incomplete("files_failed", format!("no answer: {message}"))
+    });
+    refused.chain(not_converged(comparison)).chain(unmet).reduce(Failure::and)
+}

@@ -1,0 +1,420 @@
+"""The study: every model beside the deterministic solution."""
+
+from __future__ import annotations
+
+import copy
+import hashlib
+import json
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from html import escape
+from typing import Any, Literal, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _bodies, _progress, _units
+from . import _rough_contact as _rust
+from ._bodies import Bodies
+from ._errors import Interrupted, NotConverged, SettingError, made, sorted_as
+from ._findings import Finding, findings_html
+from ._models import Citation, ContactModel, Inputs, curve, models
+from ._progress import ProgressArgument
+from ._results import flat, percent, pressure
+from ._statistics import Statistics
+from ._surface import Surface, check
+from ._threads import count
+from ._units import Q
+
+__all__ = ["AreaError", "Comparison", "ModelComparison", "SurfaceComparison", "compare"]
+
+Surfaces = Union[Surface, Sequence[Surface], Mapping[str, Surface]]
+
+
+@dataclass(frozen=True)
+class AreaError:
+    """Errors of the area against the deterministic solution, relative; None where there is no answer."""
+
+    headline: float | None
+    mean_absolute: float | None
+    worst: float | None
+    signed: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class ModelComparison:
+    """A model on one surface, as in ``results.json``."""
+
+    name: str
+    json: dict[str, Any]
+
+    @property
+    def title(self) -> str:
+        """Its name in full."""
+        known = {info.name: info.title for info in models()}
+        return known.get(self.name, self.name)
+
+    @property
+    def citation(self) -> Citation:
+        """Where it was published."""
+        return Citation(**self.json["citation"])
+
+    @property
+    def applicable(self) -> bool:
+        """Whether it answers on this surface at all."""
+        return bool(self.json["applicable"])
+
+    @property
+    def verdict(self) -> str:
+        """Whether it applies, in one word."""
+        return str(self.json["verdict"])
+
+    @property
+    def reason(self) -> str | None:
+        """Why it does not apply, or with what caution."""
+        reason: str | None = self.json["reason"]
+        return reason
+
+    @property
+    def seconds(self) -> float | None:
+        """Time for one load."""
+        seconds: float | None = self.json["seconds"]
+        return seconds
+
+    @property
+    def points(self) -> list[dict[str, Any]]:
+        """An answer for each load, or its error."""
+        return copy.deepcopy(self.json["points"]) if self.json["points"] else []
+
+    @property
+    def area_fraction(self) -> NDArray[np.float64]:
+        """Area fraction at each load; NaN where there is no answer."""
+        values = [point.get("area_fraction") for point in self.points]
+        return np.array([np.nan if v is None else v for v in values], dtype=np.float64)
+
+    @cached_property
+    def area_error(self) -> AreaError:
+        """Its errors against the deterministic solution."""
+        found = self.json["area_error"] or {}
+        signed = [np.nan if e is None else e for e in found.get("signed") or []]
+        return AreaError(
+            found.get("headline"),
+            found.get("mean_absolute"),
+            found.get("worst"),
+            np.array(signed, dtype=np.float64),
+        )
+
+
+@dataclass(frozen=True)
+class SurfaceComparison:
+    """One surface of a study."""
+
+    name: str
+    json: dict[str, Any]
+
+    @property
+    def statistics(self) -> Statistics:
+        """Its roughness, as the models got it."""
+        return Statistics._of({**self.json["statistics"], "findings": self.json["findings"], "cleaning": self.json["cleaning"]})
+
+    @property
+    def deterministic(self) -> list[dict[str, Any]]:
+        """The deterministic solution at each load, as in the JSON."""
+        return copy.deepcopy(self.json["deterministic"]["points"])
+
+    @property
+    def models(self) -> dict[str, ModelComparison]:
+        """The models by name."""
+        return {model["model"]: ModelComparison(model["model"], model) for model in self.json["models"]}
+
+    @property
+    def headline_pressure(self) -> float:
+        """Nominal pressure (Pa) that the headline is for."""
+        return float(self.json["headline_pressure"])
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What may change a conclusion, worst first."""
+        return tuple(Finding._of(finding) for finding in self.json["findings"])
+
+    def cheapest(self, within: float = 0.10) -> ModelComparison | None:
+        """The cheapest model whose mean absolute error of the area is at most `within`; None if there is none."""
+        fitting = [
+            m for m in self.models.values()
+            if m.area_error.mean_absolute is not None and m.area_error.mean_absolute <= within and m.seconds is not None
+        ]
+        return min(fitting, key=lambda m: m.seconds or 0.0, default=None)
+
+
+@dataclass(frozen=True, repr=False)
+class Comparison:
+    """A study: every surface solved, and the models beside it; ``study['ground']`` is one surface.
+
+    Attributes
+    ----------
+    files : dict
+        The documents by their names: ``results.json``, ``report.html``, ``curves.csv``, ``area.svg``,
+        ``pressure.svg``, ``run.toml``.
+    """
+
+    files: dict[str, str]
+
+    @cached_property
+    def json(self) -> dict[str, Any]:
+        """The object of ``results.json``."""
+        found: dict[str, Any] = json.loads(self.files["results.json"])
+        return found
+
+    @property
+    def surfaces(self) -> dict[str, SurfaceComparison]:
+        """The surfaces by name."""
+        return {s["name"]: SurfaceComparison(s["name"], s) for s in self.json["surfaces"]}
+
+    @property
+    def refused(self) -> dict[str, str]:
+        """Surfaces without an answer, and why."""
+        return {r["name"]: r["reason"] for r in self.json["refused"]}
+
+    @property
+    def html(self) -> str:
+        """The report: one page that needs nothing else."""
+        return self.files["report.html"]
+
+    def __getitem__(self, name: str) -> SurfaceComparison:
+        return self.surfaces[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.surfaces)
+
+    def __len__(self) -> int:
+        return len(self.json["surfaces"])
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object of ``results.json``."""
+        return copy.deepcopy(self.json)
+
+    def records(self) -> list[dict[str, Any]]:
+        """A flat dict for each surface, model and load; ``area_error`` is signed."""
+        rows = []
+        for name, surface in self.surfaces.items():
+            for model in surface.models.values():
+                head = {"surface": name, "model": model.name}
+                errors = model.area_error.signed.tolist()
+                rows += [{**head, **flat(p), "area_error": e} for p, e in zip(model.points, errors)]
+        return rows
+
+    def to_pandas(self) -> Any:
+        """A `pandas.DataFrame` of one line for each surface, model and load."""
+        import pandas
+
+        frame = pandas.DataFrame(self.records())
+        frame.attrs["units"] = {"mean_pressure": "Pa", "area_fraction": "1", "area_error": "1", "mean_gap": "m"}
+        return frame
+
+    def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes the documents into a folder, which is made.
+
+        Raises
+        ------
+        FileExistsError
+            If one of the files exists, unless `overwrite`; nothing is written then.
+        """
+        os.makedirs(folder, exist_ok=True)
+        paths = {os.path.join(folder, name): text for name, text in self.files.items()}
+        for path in paths:
+            if os.path.lexists(path) and not overwrite:
+                raise FileExistsError(f"{path} exists; give overwrite=True or another folder")
+        for path, text in paths.items():
+            with open(path, "w", encoding="utf-8", newline="") as file:
+                file.write(text)
+
+    def _lines(self) -> list[tuple[str, list[tuple[str, str, str]]]]:
+        found = []
+        for name, surface in self.surfaces.items():
+            rows = []
+            for model in surface.models.values():
+                mean = model.area_error.mean_absolute
+                rows.append((model.title, "–" if mean is None else f"{100 * mean:.3g} %", model.verdict))
+            points = surface.json["deterministic"]["points"]
+            at = [p for p in points if p["mean_pressure"] == surface.headline_pressure]
+            interval = at[0]["area_interval"] if at else None
+            area = percent(at[0]["area_fraction_corrected"], interval) if at else "–"
+            found.append((f"{name}: area {area} at {pressure(surface.headline_pressure)}", rows))
+        return found
+
+    def __repr__(self) -> str:
+        lines = [f"Comparison({len(self)} surfaces)"]
+        for head, rows in self._lines():
+            lines.append(f"  {head}")
+            lines += [f"    {title}: mean |area error| {mean}, {verdict}" for title, mean, verdict in rows]
+        lines += [f"  {name}: no answer: {why}" for name, why in self.refused.items()]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        parts = []
+        for (head, rows), surface in zip(self._lines(), self.surfaces.values()):
+            cells = "".join(
+                f"<tr><td>{escape(t)}</td><td style='text-align:right'>{m}</td><td>{escape(v)}</td></tr>" for t, m, v in rows
+            )
+            table = f"<table><tr><th>model</th><th>mean |area error|</th><th>applies</th></tr>{cells}</table>"
+            parts.append(f"<p><b>{escape(head)}</b></p>{findings_html(surface.findings[:3])}{table}")
+        parts += [f"<p>{escape(name)}: no answer: {escape(why)}</p>" for name, why in self.refused.items()]
+        return "".join(parts)
+
+
+def compare(
+    surfaces: Surfaces,
+    *,
+    modulus: Q | None = None,
+    bodies: Bodies | None = None,
+    pressure: Q | None = None,
+    headline: Q | None = None,
+    models: Sequence[str | ContactModel] | None = None,
+    level: Literal["none", "mean", "plane", "quadratic"] = "plane",
+    edges: Literal["periodic", "mirrored"] = "periodic",
+    hardness: Q | None = None,
+    precision: Literal["f64", "f32"] = "f64",
+    tolerance: float = 1e-4,
+    accuracy: float | str | None = None,
+    fractal_range: Q | None = None,
+    threads: int | None = None,
+    progress: ProgressArgument = None,
+    on_failure: Literal["raise", "keep"] = "raise",
+) -> Comparison:
+    """Which model on my surface? Every model beside the deterministic solution: ``rough-contact compare``.
+
+    Parameters
+    ----------
+    surfaces : Surface, sequence or mapping
+        The keys of a mapping name the surfaces.
+    modulus : quantity
+        Contact modulus E*; or `bodies`.
+    pressure : quantity or list, optional
+        Nominal pressures; by default those at which 0.1 % to about half of each surface touches.
+    headline : quantity, optional
+        The pressure of headline and contact map, one of `pressure`.
+    models : list, optional
+        Names of built-in models and models of one's own (`ContactModel`); every built-in one by default. Those of one's
+        own are called once for each surface, with all loads, on this thread, before the solver.
+    level, edges, hardness, precision, tolerance, accuracy, fractal_range
+        As the options of the command.
+    on_failure : {'raise', 'keep'}
+        What to do if a load or a surface has no answer, or a model of one's own raises: raise, with the study in
+        ``.result`` where there is one, or keep it as a reason.
+
+    Examples
+    --------
+    >>> import rough_contact as rc
+    >>> s = rc.synth((128, 128), pixel='1um', hurst=0.8, rolloff='32um', cutoff='8um', rms_gradient=0.1, seed=1)
+    >>> study = rc.compare(s, modulus='110 GPa', pressure='100MPa,1GPa', models=['persson', 'gw'])
+    >>> sorted(study['synth 1'].models)
+    ['gw', 'persson']
+    """
+    check("level", level, ("none", "mean", "plane", "quadratic"))
+    check("edges", edges, ("periodic", "mirrored"))
+    check("precision", precision, ("f64", "f32"))
+    check("on_failure", on_failure, ("raise", "keep"))
+    named = _named(surfaces)
+    made_of = _bodies.given(modulus, bodies)
+    e_star = made_of["modulus"] or _bodies.contact_modulus(*_bodies.listed(bodies or []))
+    pressures = None if pressure is None else sorted(set(_units.several(pressure, "pressure", "pressure")))
+    settings: dict[str, Any] = {
+        "modulus": e_star,
+        "bodies": made_of["bodies"],
+        "level": level,
+        "edges": edges,
+        "method": "auto",
+        "precision": precision,
+        "tolerance": _units.number(tolerance, "tolerance"),
+        "threads": count(threads),
+    }
+    if pressures is not None:
+        settings["pressures"] = pressures
+    if headline is not None:
+        settings["headline"] = _units.scalar(headline, "pressure", "headline")
+    if hardness is not None:
+        settings["hardness"] = _units.scalar(hardness, "pressure", "hardness")
+    if accuracy is not None:
+        settings["accuracy"] = _units.number(accuracy, "accuracy")
+    if fractal_range is not None:
+        settings["fractal_range"] = _units.several(fractal_range, "length", "fractal_range")
+    own: list[ContactModel] = []
+    if models is not None:
+        own = [model for model in models if not isinstance(model, str)]
+        for model in own:
+            if not isinstance(model, ContactModel):
+                raise TypeError(f"{model!r} is no model: it needs a name and area_fraction(pressure, inputs)")
+        settings["models"] = [m if isinstance(m, str) else m.name for m in models]
+    curves = [_own(model, named, e_star, pressures, level, on_failure) for model in own]
+    with sorted_as(SettingError):
+        files, trouble, stopped_by = _rust.study(
+            [(s._heights, s._facts, name) for name, s in named.items()],
+            json.dumps(settings),
+            json.dumps(curves),
+            [_hash(s) for s in named.values()],
+            _progress.listener(progress),
+        )
+    if stopped_by is not None:
+        if isinstance(stopped_by, KeyboardInterrupt):
+            raise Interrupted("the study was stopped; nothing of it is kept") from stopped_by
+        raise stopped_by
+    study = Comparison(files)
+    if trouble is not None and on_failure == "raise":
+        kind, message = trouble
+        raise made(kind, message, NotConverged, study)
+    return study
+
+
+def _named(surfaces: Surfaces) -> dict[str, Surface]:
+    """The surfaces under names that tell them apart."""
+    if isinstance(surfaces, Mapping):
+        named = dict(surfaces)
+    else:
+        named = {}
+        for surface in [surfaces] if isinstance(surfaces, Surface) else surfaces:
+            if not isinstance(surface, Surface):
+                raise TypeError(f"surfaces takes rc.Surface, not {type(surface).__name__}")
+            name, k = surface.name, 1
+            while name in named:
+                k += 1
+                name = f"{surface.name} ({k})"
+            named[name] = surface
+    if not named:
+        raise TypeError("a study needs at least one surface")
+    return named
+
+
+def _own(
+    model: ContactModel,
+    named: Mapping[str, Surface],
+    modulus: float,
+    pressures: list[float] | None,
+    level: Literal["none", "mean", "plane", "quadratic"],
+    on_failure: str,
+) -> dict[str, Any]:
+    """The curves of a model of one's own on all surfaces."""
+    curves: dict[str, Any] = {}
+    for name, surface in named.items():
+        edges: Any = _rust.boundary(surface._facts)
+        statistics = surface.statistics(level=level, boundary=edges)
+        asked = pressures or _rust.default_pressures(modulus, statistics.rms_gradient)
+        try:
+            curves[name] = curve(model, asked, Inputs._of(modulus, statistics))
+        except Exception as error:
+            if on_failure == "raise":
+                raise
+            curves[name] = {"Err": f"{type(error).__name__}: {error}"}
+    title = getattr(model, "title", model.name)
+    citation = getattr(model, "citation", "a model given in Python")
+    return {"name": model.name, "title": str(title), "citation": str(citation), "curves": curves}
+
+
+def _hash(surface: Surface) -> str:
+    """SHA-256 of the file a surface was read from, for the run file; empty without one."""
+    path = surface._said.get("path")
+    if not path or not os.path.isfile(path):
+        return ""
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()

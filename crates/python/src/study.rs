@@ -1,0 +1,223 @@
+//! The study: every model beside the deterministic solution, as a report.
+
+use crate::failure::{bug, raise};
+use crate::surface::surface_of;
+use crate::watched::{News, Outcome, watched};
+use answers::Failure;
+use compare::{
+    BuildError, Card, Citation, Comparison, ContactModel, CurvePoint, Inputs, Origin, Progress,
+    Registry, RunFile, RunSurface, Settings, StudyError, Surface, Tabulated, Theory,
+};
+use numpy::PyReadonlyArray2;
+use pyo3::prelude::*;
+use report::{Provenance, ReportError};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+
+/// A model that Python computed: a curve for each surface, or why there is none.
+#[derive(Deserialize)]
+struct Own {
+    name: String,
+    title: String,
+    citation: String,
+    /// By the name of the surface.
+    curves: BTreeMap<String, Result<Vec<CurvePoint>, String>>,
+}
+
+/// The same as a theory of the study.
+struct Given {
+    card: Card,
+    curves: BTreeMap<String, Result<Tabulated, String>>,
+}
+
+impl Given {
+    fn of(own: Own) -> Result<Self, Failure> {
+        let citation = Citation {
+            authors: own.title.clone().into(),
+            year: 0,
+            title: own.citation.into(),
+            journal: "".into(),
+            doi: "".into(),
+        };
+        let card = Card::new(own.name, own.title, citation);
+        let mut curves = BTreeMap::new();
+        for (surface, curve) in own.curves {
+            let curve = match curve {
+                Ok(points) => Ok(Tabulated::new(card.clone(), points).map_err(|e| {
+                    Failure::refused("model", format!("{} on {surface}: {e}", card.name))
+                })?),
+                Err(why) => Err(why),
+            };
+            curves.insert(surface, curve);
+        }
+        Ok(Self { card, curves })
+    }
+}
+
+impl Theory for Given {
+    fn card(&self) -> &Card {
+        &self.card
+    }
+
+    fn build(&self, inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
+        let needs = |what: String| BuildError::missing(self.card.title.clone(), what);
+        let surface = inputs.surface.clone().unwrap_or_default();
+        match self.curves.get(&surface) {
+            Some(Ok(curve)) => curve.build(inputs),
+            Some(Err(why)) => Err(needs(why.clone())),
+            None => Err(needs(format!("a curve of {surface}"))),
+        }
+    }
+}
+
+/// Every built-in model that a study asks, as JSON.
+#[pyfunction]
+pub(crate) fn models() -> String {
+    let all = compare::built_in().iter().map(|theory| answers::models::card(theory.card()));
+    serde_json::Value::Array(all.collect()).to_string()
+}
+
+/// Nominal pressures (Pa) for a surface nobody chose loads for.
+#[pyfunction]
+pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {
+    compare::default_pressures(modulus, rms_gradient)
+}
+
+/// Files by name; what went wrong, as kind and message; the exception that stopped it.
+type Studied = (BTreeMap<String, String>, Option<(String, String)>, Option<Py<PyAny>>);
+
+/// What `rough-contact compare` answers: its files. `hashes` are those of the files of the surfaces.
+#[pyfunction]
+#[pyo3(signature = (surfaces, settings, own, hashes, progress=None))]
+pub(crate) fn study(
+    py: Python<'_>,
+    surfaces: Vec<(PyReadonlyArray2<'_, f64>, String, String)>,
+    settings: &str,
+    own: &str,
+    hashes: Vec<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Studied> {
+    let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
+    let own: Vec<Own> = serde_json::from_str(own).map_err(|e| bug(&e))?;
+    let mut given = Vec::with_capacity(surfaces.len());
+    for ((heights, facts, name), hash) in surfaces.iter().zip(hashes) {
+        let (mut surface, _) = surface_of(heights, facts)?;
+        surface.name.clone_from(name);
+        if let Origin::File(file) = &mut surface.origin {
+            file.sha256 = hash;
+        }
+        given.push(surface);
+    }
+    let mut registry = Registry::built_in();
+    for own in own {
+        let theory = Given::of(own).map_err(|e| raise(&e))?;
+        let refused = |e| raise(&Failure::refused("model", format!("{e}")));
+        registry = registry.with(theory).map_err(|e: compare::NotRegistered| refused(e))?;
+    }
+    let threads = settings.threads;
+    let Outcome { value, stopped_by } = watched(py, threads, progress, move |reporter| {
+        let mut told = (String::new(), 0, 0.0);
+        let mut listen = move |news: Progress<'_>| {
+            match news {
+                Progress::Surface { name, loads, .. } => {
+                    told = (name.to_owned(), loads, 0.0);
+                    reporter.tell(News {
+                        stage: "surface",
+                        surface: told.0.clone(),
+                        count: loads,
+                        ..News::default()
+                    });
+                }
+                Progress::Iterated { index, number, residual, tolerance, .. } => {
+                    reporter.tell_at_times(|| News {
+                        stage: "iteration",
+                        surface: told.0.clone(),
+                        index,
+                        count: told.1,
+                        iteration: number,
+                        residual,
+                        tolerance,
+                        ..News::default()
+                    });
+                }
+                Progress::Solved { index, mean_pressure, area_fraction } => {
+                    reporter.tell(News {
+                        stage: "solved",
+                        surface: told.0.clone(),
+                        index,
+                        count: told.1,
+                        mean_pressure: Some(mean_pressure),
+                        area_fraction,
+                        ..News::default()
+                    });
+                }
+                Progress::Models => {
+                    reporter.tell(News {
+                        stage: "models",
+                        surface: told.0.clone(),
+                        count: told.1,
+                        ..News::default()
+                    });
+                }
+                _ => {}
+            }
+            if reporter.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let listed: Vec<RunSurface> = given
+            .iter()
+            .map(|s| RunSurface { name: s.name.clone(), origin: s.origin.clone() })
+            .collect();
+        run(given, settings, &registry, listed, &mut listen)
+    })?;
+    let stopped_by = stopped_by.map(|e| e.into_value(py).into_any());
+    match value {
+        Some(Ok((files, trouble))) if stopped_by.is_none() => {
+            let trouble = trouble.map(|t| (t.kind().to_owned(), t.message().to_owned()));
+            Ok((files, trouble, None))
+        }
+        Some(Err(failure)) if stopped_by.is_none() => Err(raise(&failure)),
+        _ => Ok((BTreeMap::new(), None, stopped_by)),
+    }
+}
+
+type Files = BTreeMap<String, String>;
+
+fn run(
+    surfaces: Vec<Surface>,
+    settings: Settings,
+    registry: &Registry,
+    listed: Vec<RunSurface>,
+    listen: &mut compare::Listener<'_>,
+) -> Result<(Files, Option<Failure>), Failure> {
+    let failed = |e: StudyError| Failure::from_error(&e);
+    let run_file = RunFile {
+        program: env!("CARGO_PKG_VERSION").to_owned(),
+        settings: settings.clone(),
+        surfaces: listed,
+    };
+    let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
+    found.solve_coarser(listen).map_err(failed)?;
+    found.look_closer(listen).map_err(failed)?;
+    let made = Provenance::here("rough-contact compare --from run.toml --out again");
+    let mut files = Files::new();
+    let mut add = |name: &str, content: Vec<u8>| {
+        files.insert(name.to_owned(), String::from_utf8_lossy(&content).into_owned());
+    };
+    let unwritten = |e: &dyn std::fmt::Display| Failure::refused("internal", e.to_string());
+    let document = |write: &dyn Fn(&mut Vec<u8>) -> Result<(), ReportError>| {
+        let mut out = Vec::new();
+        write(&mut out).map(|()| out).map_err(|e| unwritten(&e))
+    };
+    let drawing = |write: &dyn Fn(&mut Vec<u8>) -> std::io::Result<()>| {
+        let mut out = Vec::new();
+        write(&mut out).map(|()| out).map_err(|e| unwritten(&e))
+    };
+    add("results.json", document(&|out| report::write_json(&found, &made, out))?);
+    add("report.html", document(&|out| report::write_html(&found, &made, out))?);
+    add("curves.csv", drawing(&|out| report::write_csv(&found, out))?);
+    add("area.svg", drawing(&|out| report::write_area_svg(&found, out))?);
+    add("pressure.svg", drawing(&|out| report::write_pressure_svg(&found, out))?);
+    add("run.toml", run_file.to_toml().map_err(|e| unwritten(&e))?.into_bytes());
+    Ok((files, answers::not_met(&found)))
+}
