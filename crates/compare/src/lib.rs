@@ -8,6 +8,8 @@ mod ask;
 mod cleaning;
 mod closer;
 mod coarser;
+mod conducted;
+mod conduction;
 mod curve;
 mod describe;
 mod distribution;
@@ -41,6 +43,7 @@ mod yielding;
 pub use ask::{at_pressure, at_separation};
 pub use cleaning::{Cleaning, CleaningError};
 pub use coarser::COARSER;
+pub use conducted::{Conduction, Octave};
 pub use contact_accuracy::{
     Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
 };

@@ -172,6 +172,18 @@ pub enum StudyError {
          contact; give a tolerance, or leave the hardness out"
     )]
     PlannedYielding,
+    /// A resistivity or conductivity that is none.
+    #[error("{value} is no resistivity or conductivity: it must not be negative")]
+    BadConductor {
+        /// The value.
+        value: f64,
+    },
+    /// A conductance with an accuracy, or of profiles.
+    #[error(
+        "what a contact conducts is found on maps with a tolerance: its error was not studied with a planned \
+         accuracy, and of profiles no contact is solved; leave resistivities and conductivities out"
+    )]
+    NoConductance,
     /// A hardness with profiles, whose contact is not solved.
     #[error(
         "a hardness is for maps: of profiles no contact is solved, in which anything could yield; leave it out"

@@ -1,5 +1,6 @@
 //! What a study finds, as plain data.
 
+use crate::conducted::Conduction;
 use crate::finding::Ended;
 use crate::first_contact::FirstContact;
 use crate::inputs::Inputs;
@@ -74,6 +75,8 @@ pub struct SurfaceComparison {
     pub coarser: Vec<Coarser>,
     /// A closer look at the headline, see [`Comparison::look_closer`]; `None` unless asked for.
     pub closer: Option<Closer>,
+    /// What the contact conducts, if resistivities or conductivities were given.
+    pub conduction: Option<Conduction>,
     /// What was chosen for the accuracy asked for, if one was.
     pub plan: Option<Outcome>,
     /// The heights on the grid that was solved, if it is not the given one.

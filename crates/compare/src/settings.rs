@@ -15,6 +15,12 @@ pub struct Settings {
     /// that yield there. Absent: elastic bodies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hardness: Option<f64>,
+    /// Electrical resistivity of both bodies (Ω m): what the contact conducts is found too.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub resistivities: Option<[f64; 2]>,
+    /// Thermal conductivity of both bodies (W/m/K): the same for heat.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub conductivities: Option<[f64; 2]>,
     /// The elastic bodies it is made of, if they are known: one against a rigid flat, or two.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<Body>,
@@ -63,6 +69,8 @@ impl Default for Settings {
         Self {
             modulus: STEEL_ON_STEEL,
             hardness: None,
+            resistivities: None,
+            conductivities: None,
             bodies: Vec::new(),
             pressures: None,
             load_area: None,
@@ -81,6 +89,11 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Whether the conductance of contacts is asked for.
+    pub fn conducts(&self) -> bool {
+        self.resistivities.is_some() || self.conductivities.is_some()
+    }
+
     /// Poisson's ratio of the bodies, the mean of two \[-\]; 0.3 if they are not known.
     pub fn poisson(&self) -> f64 {
         poisson(&self.bodies)

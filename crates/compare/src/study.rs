@@ -1,6 +1,7 @@
 //! The study itself: statistics, the deterministic curve, every model over the loads.
 
 use crate::ask::timed;
+use crate::conducted::Conduction;
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
 use crate::inputs::Inputs;
@@ -17,7 +18,8 @@ use crate::theory::{BuildError, Theory};
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
 use crate::{EdgesName, Registry, Settings, Spikes, Surface, Surrounded, default_pressures};
-use contact_accuracy::budget::Between;
+use contact_accuracy::budget::grid::Line;
+use contact_accuracy::budget::{Between, Map, Stiffness};
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_accuracy::round_to_digits;
 use contact_types::{ContactModulus, ContactState, HeightMap, ModelError};
@@ -76,6 +78,13 @@ impl Comparison {
 }
 
 fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
+    let given = settings.resistivities.iter().chain(&settings.conductivities).flatten();
+    if let Some(&value) = given.clone().find(|v| v.is_nan() || **v < 0.0) {
+        return Err(StudyError::BadConductor { value });
+    }
+    if settings.conducts() && settings.accuracy.is_some() {
+        return Err(StudyError::NoConductance);
+    }
     match (settings.accuracy, settings.hardness) {
         (_, Some(value)) if !(value > 0.0 && value.is_finite()) => {
             Err(StudyError::BadHardness { value })
@@ -147,12 +156,12 @@ fn compare(
         let built = builder.build(whole.map().grid(), modulus);
         built.map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })
     };
-    let task = Solve { whole: &whole, map: &map, repeats: known.repeats, modulus };
+    let task = Solve { whole: &whole, map: &map, known: &known, modulus };
     let plan = match settings.accuracy {
         None => {
             let mut solver = built(builder(settings))?;
             for (i, &p) in pressures.iter().enumerate() {
-                task.load(&mut solver, (i, p), &mut curve, &mut tell)?;
+                task.load(&mut solver, (i, p), settings.conducts(), &mut curve, &mut tell)?;
                 tell(curve.news(i))?;
             }
             None
@@ -194,7 +203,7 @@ fn compare(
                 beside.points.push(point.clone());
                 continue;
             }
-            task.load(&mut solver, (i, point.mean_pressure), &mut beside, &mut tell)?;
+            task.load(&mut solver, (i, point.mean_pressure), false, &mut beside, &mut tell)?;
         }
         elastic_points = beside.points;
     }
@@ -225,7 +234,7 @@ fn compare(
         .asked_models(registry)
         .map(|theory| ask(theory, &inputs, loads, &judged, alike.as_ref()))
         .collect();
-    Ok(SurfaceComparison {
+    let mut found = SurfaceComparison {
         spikes,
         name,
         origin,
@@ -241,6 +250,7 @@ fn compare(
         refined_seconds,
         coarser: Vec::new(),
         closer: None,
+        conduction: None,
         plan,
         solved,
         headline,
@@ -248,7 +258,9 @@ fn compare(
         first_contact: first,
         spots,
         models,
-    })
+    };
+    found.conduction = Conduction::of(&found, settings);
+    Ok(found)
 }
 
 fn refused_plan(error: PlanError, name: &str) -> StudyError {
@@ -287,16 +299,17 @@ pub(crate) fn named(load: f64, value: f64) -> bool {
 struct Solve<'a> {
     whole: &'a Surrounded<'a>,
     map: &'a HeightMap,
-    repeats: bool,
+    known: &'a Map,
     modulus: ContactModulus,
 }
 
 impl Solve<'_> {
-    /// Solves for a load and puts it on the curve.
+    /// Solves for a load and puts it on the curve; with the stiffness of its contact set, if it `conducts`.
     fn load(
         &self,
         solver: &mut Solver,
         (index, pressure): (usize, f64),
+        conducts: bool,
         curve: &mut Curve,
         tell: &mut (dyn FnMut(Progress<'_>) -> Result<(), StudyError> + Send),
     ) -> Result<(), StudyError> {
@@ -310,8 +323,19 @@ impl Solve<'_> {
             return Err(StudyError::Stopped);
         }
         let found = result.as_ref().map_or(&[][..], |s| &s.pressure);
-        let between = Between::of(self.map, self.repeats, found, self.modulus);
+        let between = Between::of(self.map, self.known.repeats, found, self.modulus);
+        let set = match &result {
+            Ok(solution) if conducts => {
+                let found = Stiffness::of_set(solver, solution).ok().flatten();
+                found.map(|found| (found, Line::of(solution)))
+            }
+            _ => None,
+        };
         curve.take(pressure, result, between.as_ref());
+        let answer = curve.points.last_mut().and_then(|point| point.answer.as_mut());
+        if let (Some((found, line)), Some(answer)) = (set, answer) {
+            answer.budget = answer.budget.with_stiffness(&found, self.known, line);
+        }
         Ok(())
     }
 }

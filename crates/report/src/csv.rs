@@ -1,6 +1,7 @@
 //! `curves.csv`: every number the figures over the load draw, units in the header.
 
 use crate::lines::Lines;
+use crate::words::conduction::{conductance, kinds};
 use compare::{Comparison, SurfaceComparison};
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -25,6 +26,13 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
     let yields = comparison.settings.hardness.is_some();
     if yields {
         header.push_str(YIELDING);
+    }
+    let conducts = comparison.surfaces.iter().find_map(|s| s.conduction.as_ref());
+    if let Some(found) = conducts {
+        header.push_str(",stiffness [Pa/m]");
+        for kind in kinds(found) {
+            let _ = write!(header, ",{}_conductance [{}]", kind.name, kind.plain_unit);
+        }
     }
     let asked = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
     let models: Vec<&str> = asked.iter().map(|m| m.card.name.as_ref()).collect();
@@ -81,6 +89,11 @@ fn write_surface(
                 elastic,
                 real(elastic),
             ]);
+        }
+        if let Some(found) = &surface.conduction {
+            let stiffness = found.stiffness[i];
+            cells.push(stiffness);
+            cells.extend(kinds(found).into_iter().map(|kind| Some(conductance(kind, stiffness?))));
         }
         for model in models {
             let line = lines.models.iter().find(|l| l.name == *model);

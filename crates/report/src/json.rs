@@ -113,6 +113,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "accuracy": s.plan.as_ref().map(accuracy),
             "points": s.deterministic.iter().map(point).collect::<Vec<_>>(),
         },
+        "conduction": crate::conduction_json::conduction(s),
         "elastic_limit": compare::elastic_limit(s),
         "elastic": settings.hardness.map(|_| json!({
             "points": s.elastic.iter().map(point).collect::<Vec<_>>(),

@@ -6,6 +6,7 @@
 )]
 
 mod budget_json;
+mod conduction_json;
 mod csv;
 mod digest;
 pub mod draw;

@@ -12,6 +12,17 @@ pub(crate) const DETERMINISTIC: Citation = Citation {
     doi: Cow::Borrowed("10.1115/1.2833523"),
 };
 
+/// Conductance from stiffness.
+pub(crate) const CONDUCTANCE: Citation = Citation {
+    authors: Cow::Borrowed("Barber"),
+    year: 2003,
+    title: Cow::Borrowed(
+        "Bounds on the electrical resistance between contacting elastic rough bodies",
+    ),
+    journal: Cow::Borrowed("Proc. R. Soc. A 459, 53"),
+    doi: Cow::Borrowed(""),
+};
+
 /// The correction of counted areas.
 pub(crate) const AREA_CORRECTION: Citation = Citation {
     authors: Cow::Borrowed("Yastrebov, Anciaux & Molinari"),

@@ -4,6 +4,7 @@ use crate::against::{self, Against};
 use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
 use crate::compare_profiles;
+use crate::conduction::StudyConduction;
 use crate::given::{Given, One, from_file, from_recipe, repeat};
 use crate::hardness;
 use crate::input::Reading;
@@ -71,6 +72,8 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "H", value_parser = args::pressure, allow_hyphen_values = true)]
     #[arg(conflicts_with = "accuracy")]
     hardness: Option<f64>,
+    #[command(flatten)]
+    conduction: StudyConduction,
     /// Floating-point type of the solver's iteration
     #[arg(long, value_parser = args::precision(), default_value = "f64")]
     precision: Precision,
@@ -85,7 +88,7 @@ pub(crate) struct Compare {
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
-        "headline", "models", "hardness", "level", "fractal_range", "edges", "method",
+        "headline", "models", "hardness", "resistivity", "conductivity", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
@@ -169,9 +172,12 @@ impl Compare {
             None if self.files.is_empty() => (STEEL_ON_STEEL, vec![STEEL; 2]),
             None => (self.bodies.required()?.pascals(), Vec::new()),
         };
+        let [resistivities, conductivities] = self.conduction.given();
         Ok(Settings {
             modulus,
             hardness: self.hardness,
+            resistivities,
+            conductivities,
             bodies,
             pressures: self.pressure.as_ref().map(|List(pressures)| pressures.clone()),
             headline: self.headline,
@@ -319,6 +325,7 @@ fn study(
     };
     let incomplete = |name, e: compare::StudyError| Failure::incomplete(name, e.to_string());
     comparison.solve_coarser(&mut watch).map_err(|e| incomplete("coarser_grids", e))?;
+    comparison.remove_octaves(&mut watch).map_err(|e| incomplete("octaves", e))?;
     comparison.look_closer(&mut watch).map_err(|e| incomplete("closer_look", e))?;
     drop(progress);
     Ok(comparison)

@@ -24,6 +24,26 @@ pub(crate) struct Conduction {
     conductivity: Option<Pair>,
 }
 
+/// The same of a study.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(crate) struct StudyConduction {
+    /// Resistivity of both bodies, or of each, as 22nohm.m,70nohm.m: the study says what the contact conducts
+    #[arg(long, value_name = "RHO[,RHO]", value_parser = resistivities, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "accuracy")]
+    resistivity: Option<Pair>,
+    /// Thermal conductivity of both bodies, or of each, as 400W/m/K,50W/m/K: the same for heat
+    #[arg(long, value_name = "K[,K]", value_parser = conductivities, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "accuracy")]
+    conductivity: Option<Pair>,
+}
+
+impl StudyConduction {
+    /// Resistivities and conductivities, where they were given.
+    pub(crate) fn given(self) -> [Option<[f64; 2]>; 2] {
+        [self.resistivity, self.conductivity].map(|pair| pair.map(|Pair(values)| values))
+    }
+}
+
 fn resistivities(text: &str) -> Result<Pair, QuantityError> {
     pair(text, Dimension::Resistivity)
 }

@@ -167,6 +167,9 @@ impl ProfileComparison {
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
         check_pressures(&settings)?;
         check_models(&settings, registry)?;
+        if settings.conducts() {
+            return Err(StudyError::NoConductance);
+        }
         if settings.hardness.is_some() {
             return Err(StudyError::YieldingProfiles);
         }

@@ -1,5 +1,6 @@
 //! The figures of a study.
 
+pub(crate) mod conduction;
 pub(crate) mod cost;
 pub(crate) mod curves;
 pub(crate) mod distributions;

@@ -6,7 +6,7 @@ use crate::error::ReportError;
 use crate::lines::Lines;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, fixed};
 use crate::page::context::Page;
-use crate::page::{distributions, how_made, overview, sections, slider};
+use crate::page::{conduction, distributions, how_made, overview, sections, slider};
 use crate::provenance::Provenance;
 use crate::words;
 use compare::{Comparison, SurfaceComparison};
@@ -108,6 +108,7 @@ fn surface_sections(
     out.push_str(&sections::models(page, surface));
     out.push_str(&sections::where_it_touches(page, surface, &id)?);
     out.push_str(&distributions::section(page, surface, &id));
+    out.push_str(&conduction::section(page, surface, &id));
     out.push_str(&sections::the_surface(page, surface, &id)?);
     out.push_str(&sections::accuracy(page, surface));
     out.push_str(&slider::data(surface));

@@ -1,6 +1,7 @@
 //! The page `report.html`, section by section.
 
 pub(crate) mod budget;
+pub(crate) mod conduction;
 pub(crate) mod context;
 pub(crate) mod distributions;
 pub(crate) mod how_made;

@@ -75,7 +75,7 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             rows.push((
                 "Contact stiffness".into(),
                 format!("{value}/µm"),
-                if surface.inputs.hardness.is_some() {
+                if surface.inputs.hardness.is_some() || surface.conduction.is_some() {
                     "of the contact set, as it would unload; not the slope of the loading curve"
                 } else {
                     "−d<i>p</i>/d(mean gap), from two loads beside this one"

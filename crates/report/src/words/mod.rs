@@ -2,6 +2,7 @@
 
 mod answer;
 pub(crate) mod coarser;
+pub(crate) mod conduction;
 mod date;
 pub(crate) mod edges;
 pub(crate) mod finding;

@@ -73,8 +73,13 @@ pub fn hostile() -> &'static Comparison {
 pub fn yielding() -> &'static Comparison {
     static YIELDING: OnceLock<Comparison> = OnceLock::new();
     YIELDING.get_or_init(|| {
-        let settings = Settings { hardness: Some(5e9), ..Settings::default() };
+        let settings = Settings {
+            hardness: Some(5e9),
+            conductivities: Some([400.0, 50.0]),
+            ..Settings::default()
+        };
         let mut study = run(small(&["ground"]), settings);
+        study.remove_octaves(&mut |_| ControlFlow::Continue(())).unwrap();
         study.look_closer(&mut |_| ControlFlow::Continue(())).unwrap();
         study
     })

@@ -1,0 +1,138 @@
+//! How the conductance of a contact is found, over the loads and without its shortest waves.
+//!
+//! By Barber's analogy the conductance of a contact is its stiffness times a number that only the
+//! materials know, `2/(E* (ρ1 + ρ2))` or `2/(E* (1/k1 + 1/k2))`: one stiffness serves both, and a
+//! correlation of the field is drawn as the stiffness it stands for.
+
+use crate::conducted::{Conduction, Octave};
+use crate::progress::Watch;
+use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
+use crate::settings::Settings;
+use crate::solver_of::builder;
+use crate::{Listener, StudyError, Surrounded};
+use asperity_models::thermal_conductance::RoughJoint;
+use contact_accuracy::regrid;
+use contact_types::{ContactModulus, HeightMap};
+use fft_bem_solver::Load;
+use std::borrow::Cow;
+use std::f64::consts::PI;
+use std::time::Instant;
+
+/// Points along the shorter side that the shortest wave left must fit, twice.
+const FEWEST_POINTS: usize = 16;
+/// Most octaves taken off.
+const MOST_OCTAVES: usize = 4;
+/// Roll-off over the shortest wave left, at least: with less there is no roughness left to be asked.
+const LEAST_BAND: f64 = 4.0;
+/// Conductance over stiffness of half spaces in series, each with this resistance (Ω m, or m K/W).
+fn over_stiffness(modulus: f64, [a, b]: [f64; 2]) -> f64 {
+    // No resistance at all, or no end of it, are limits that are allowed.
+    2.0 / (modulus * (a + b))
+}
+
+impl Conduction {
+    /// From the solutions at the loads; `None` if nothing was asked.
+    pub(crate) fn of(surface: &SurfaceComparison, settings: &Settings) -> Option<Self> {
+        if !settings.conducts() {
+            return None;
+        }
+        let modulus = surface.inputs.modulus.pascals();
+        // Mean absolute slope of the profiles of an isotropic Gaussian surface.
+        let slope = surface.inputs.rms_gradient() / PI.sqrt();
+        let joint = RoughJoint::new(1.0, slope, surface.statistics.rms_height).ok();
+        let correlation = |of: &dyn Fn(&RoughJoint, f64) -> Option<f64>| -> Vec<Option<f64>> {
+            let one = |pressure: f64| Some(modulus * of(joint.as_ref()?, pressure)?);
+            surface.deterministic.iter().map(|p| one(p.mean_pressure)).collect()
+        };
+        Some(Self {
+            electrical: settings.resistivities.map(|rho| over_stiffness(modulus, rho)),
+            thermal: settings.conductivities.map(|k| over_stiffness(modulus, k.map(|k| 1.0 / k))),
+            stiffness: surface
+                .deterministic
+                .iter()
+                .map(|p| stiffness(p.answer.as_ref().filter(|a| a.converged)?))
+                .collect(),
+            mikic: correlation(&|joint, p| joint.elastic(p, modulus).ok()),
+            yovanovich: settings.hardness.map_or_else(Vec::new, |hardness| {
+                correlation(&|joint, p| joint.plastic(p, hardness).ok())
+            }),
+            octaves: Vec::new(),
+            seconds: 0.0,
+        })
+    }
+}
+
+/// Stiffness of the contact set of an answer (Pa/m).
+fn stiffness(answer: &DeterministicAnswer) -> Option<f64> {
+    if answer.contact_pixels == 0 {
+        return Some(0.0);
+    }
+    let is_full = answer.area_fraction >= 1.0;
+    answer.budget.stiffness.map(|k| k.value).or(is_full.then_some(f64::INFINITY))
+}
+
+impl Comparison {
+    /// Solves the headline load of every surface whose conductance was asked for on its waves without the
+    /// shortest octave, then without the next: what of area and conductance is a property of the shortest wave
+    /// that was measured. Up to four solutions each. The listener is told of every iteration.
+    ///
+    /// # Errors
+    /// [`StudyError::Stopped`] if the listener breaks; [`StudyError::Material`] if the modulus of the
+    /// settings is none, which a finished study rules out.
+    pub fn remove_octaves(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
+        let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
+        for surface in &mut self.surfaces {
+            let start = Instant::now();
+            let mut watch = Watch::new(progress, surface.headline);
+            let octaves = octaves(surface, &self.settings, modulus, &mut watch);
+            watch.go_on()?;
+            if let Some(conduction) = &mut surface.conduction {
+                conduction.octaves = octaves;
+                conduction.seconds = start.elapsed().as_secs_f64();
+            }
+        }
+        Ok(())
+    }
+}
+
+fn octaves(
+    surface: &SurfaceComparison,
+    settings: &Settings,
+    modulus: ContactModulus,
+    watch: &mut Watch<'_, '_>,
+) -> Vec<Octave> {
+    let at_headline =
+        surface.conduction.as_ref().and_then(|c| *c.stiffness.get(surface.headline)?);
+    let whole = at_headline.filter(|k| *k > 0.0 && k.is_finite()).zip(surface.headline_answer());
+    let Some((stiffness, answer)) = whole else { return Vec::new() };
+    let grid = surface.surface.grid();
+    let [dy, dx] = grid.pixel();
+    let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
+    let mut found = vec![Octave { shortest, area: answer.area_fraction_corrected, stiffness }];
+    let mut solve = |map: &HeightMap| -> Option<[f64; 2]> {
+        let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
+        let mut solver = builder(settings).build(whole.map().grid(), modulus).ok()?;
+        let load = Load::MeanPressure(surface.headline_pressure());
+        let solution = whole.solve_observed(&mut solver, load, |now| watch.iteration(now)).ok()?;
+        let set = solver.contact_stiffness().ok()?;
+        Some([solution.diagnostics.area_fraction_corrected, set.per_area])
+    };
+    let mut cut = shortest;
+    let longest = surface.statistics.rolloff.unwrap_or(f64::INFINITY) / LEAST_BAND;
+    for _ in 0..MOST_OCTAVES {
+        cut *= 2.0;
+        let [ny, nx] = grid.size().map(|side| (2.0 * side / cut).round() as usize);
+        // The fit of the spectrum places cut-off and roll-off to a few per cent.
+        if ny.min(nx) < FEWEST_POINTS || cut > 1.1 * longest {
+            break;
+        }
+        let smooth = regrid(&surface.surface, [ny, nx], surface.map.repeats)
+            .and_then(|coarse| regrid(&coarse, grid.shape(), surface.map.repeats));
+        let Some([area, stiffness]) = smooth.ok().and_then(|map| solve(&map)) else { break };
+        if !(area > 0.0 && stiffness > 0.0 && stiffness.is_finite()) {
+            break;
+        }
+        found.push(Octave { shortest: cut, area, stiffness });
+    }
+    found
+}

@@ -1,0 +1,147 @@
+//! What the contact conducts: over the load, and without the shortest waves.
+
+use crate::draw::axes::{Axis, Frame};
+use crate::draw::labels::{EndLabel, draw_end_labels};
+use crate::draw::palette::{
+    BGT, Colour, DETERMINISTIC, DETERMINISTIC_LOOK, GW, INK2, Look, Marker, PERSSON,
+};
+use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
+use crate::figures::curves::log_limits;
+use crate::numbers::{METRES, PASCALS, significant, times, unit_for};
+use compare::Octave;
+
+const LEFT: f64 = 52.0;
+const RIGHT: f64 = COLUMN - 78.0;
+const TOP: f64 = 12.0;
+const BOTTOM: f64 = 226.0;
+const HEIGHT: f64 = 262.0;
+
+/// One line over the loads.
+pub(crate) struct Line<'a> {
+    pub(crate) label: &'a str,
+    pub(crate) values: Vec<Option<f64>>,
+}
+
+/// Conductance per area over the load: the deterministic one, and correlations of the field.
+pub(crate) fn over_load(
+    pressures: &[f64],
+    deterministic: &[Option<f64>],
+    correlations: &[Line<'_>],
+    unit_name: &str,
+    key: &str,
+) -> Figure {
+    let middle = (pressures[0] * pressures[pressures.len() - 1]).sqrt();
+    let unit = unit_for(middle, PASCALS);
+    let drawn = |v: &Option<f64>| v.filter(|v| *v > 0.0 && v.is_finite());
+    let reference: Vec<Option<f64>> = deterministic.iter().map(drawn).collect();
+    let others: Vec<Vec<Option<f64>>> =
+        correlations.iter().map(|line| line.values.iter().map(drawn).collect()).collect();
+    let (first, last) = (pressures[0], pressures[pressures.len() - 1]);
+    let ends = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
+    let frame = Frame {
+        x: Axis::log(ends.map(|p| p / unit.scale), [LEFT, RIGHT]),
+        y: Axis::log(log_limits(&reference, &others, f64::INFINITY), [BOTTOM, TOP]),
+        x_title: format!("Nominal pressure ({})", unit.name),
+        y_title: format!("Contact conductance ({unit_name})"),
+    };
+    let mut canvas = Canvas::default();
+    frame.draw(&mut canvas);
+    let mut labels = Vec::new();
+    let looks = [
+        Look::model(BGT, "6 2.5", Marker::TriangleUp, 1),
+        Look::model(GW, "2 2", Marker::Square, 2),
+    ];
+    for ((line, values), look) in correlations.iter().zip(&others).zip(looks) {
+        draw(&mut canvas, &frame, (pressures, unit.scale), values, look);
+        labels.extend(end(&frame, values, line.label, look.colour, false));
+    }
+    draw(&mut canvas, &frame, (pressures, unit.scale), &reference, DETERMINISTIC_LOOK);
+    labels.extend(end(&frame, &reference, "Deterministic", DETERMINISTIC, true));
+    draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
+    let range = crate::lines::range_words(&reference, &format!(" {unit_name}"));
+    Figure {
+        key: key.into(),
+        title: "Contact conductance against nominal pressure".into(),
+        description: format!("Log-log plot. Deterministic conductance: {range}."),
+        size: [COLUMN, HEIGHT],
+        canvas,
+    }
+}
+
+/// Area and conductance over those of the whole map, by the shortest wave left.
+pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
+    let [longest, shortest] = [octaves[octaves.len() - 1].shortest, octaves[0].shortest];
+    let unit = unit_for((longest * shortest).sqrt(), METRES);
+    let first = octaves[0];
+    let area: Vec<f64> = octaves.iter().map(|o| o.area / first.area).collect();
+    let conductance: Vec<f64> = octaves.iter().map(|o| o.stiffness / first.stiffness).collect();
+    let all = || area.iter().chain(&conductance).copied();
+    let (lo, hi) = (all().fold(1.0, f64::min), all().fold(1.0, f64::max));
+    let frame = Frame {
+        x: Axis::log([shortest / 1.1 / unit.scale, longest * 1.1 / unit.scale], [LEFT, RIGHT]),
+        y: Axis::log([(lo / 1.1).min(0.8), (hi * 1.1).max(1.25)], [BOTTOM, TOP]),
+        x_title: format!("Shortest wave of the map ({})", unit.name),
+        y_title: "Over that of the whole map".into(),
+    };
+    let mut canvas = Canvas::default();
+    frame.draw(&mut canvas);
+    canvas.line([LEFT, frame.y.at(1.0)], [RIGHT, frame.y.at(1.0)], Stroke::solid(INK2, 0.6));
+    let waves: Vec<f64> = octaves.iter().map(|o| o.shortest).collect();
+    let mut labels = Vec::new();
+    for (label, values, look) in [
+        ("Area", &area, Look::model(PERSSON, "6 2.5", Marker::Square, 0)),
+        ("Conductance", &conductance, DETERMINISTIC_LOOK),
+    ] {
+        let values: Vec<Option<f64>> = values.iter().map(|v| Some(*v)).collect();
+        let every = Look { marker_offset: 0, ..look };
+        draw(&mut canvas, &frame, (&waves, unit.scale), &values, every);
+        labels.extend(end(&frame, &values, label, look.colour, label == "Conductance"));
+    }
+    draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
+    let last = octaves.len() - 1;
+    Figure {
+        key: key.into(),
+        title: "Area and conductance without the shortest waves".into(),
+        description: format!(
+            "From the whole map to waves of at least {} {}: area times {}, conductance times {}.",
+            significant(longest / unit.scale, 2),
+            unit.name,
+            times(area[last]),
+            significant(conductance[last], 3)
+        ),
+        size: [COLUMN, HEIGHT],
+        canvas,
+    }
+}
+
+/// A line with a marker at every value.
+fn draw(
+    canvas: &mut Canvas,
+    frame: &Frame,
+    (x, scale): (&[f64], f64),
+    values: &[Option<f64>],
+    look: Look,
+) {
+    let points: Vec<[f64; 2]> = x
+        .iter()
+        .zip(values)
+        .filter_map(|(x, v)| Some(frame.at([x / scale, (*v)?])))
+        .filter(|[_, y]| (TOP..=BOTTOM).contains(y))
+        .collect();
+    let stroke = Stroke { colour: look.colour, width: look.width, dash: look.dash };
+    canvas.polyline(&points, stroke);
+    for point in points {
+        canvas.marker(point, 2.4, look);
+    }
+}
+
+fn end(
+    frame: &Frame,
+    values: &[Option<f64>],
+    label: &str,
+    colour: Colour,
+    bold: bool,
+) -> Option<EndLabel> {
+    let last = values.iter().flatten().last()?;
+    Some(EndLabel { y: frame.y.at(*last).clamp(TOP, BOTTOM), text: label.into(), colour, bold })
+}
