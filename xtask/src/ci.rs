@@ -5,7 +5,17 @@ use crate::shell::{self, TaskResult, cargo, shown};
 use std::process::Command;
 use std::time::Instant;
 
-fn run_all(slow: bool) -> TaskResult {
+/// What runs, besides what every change must pass.
+#[derive(Clone, Copy, PartialEq)]
+enum Also {
+    Nothing,
+    /// Tests that take minutes.
+    Slow,
+    /// What needs more than the Rust toolchain: Python and the package index.
+    All,
+}
+
+fn run_all(also: Also) -> TaskResult {
     let mut steps = vec![
         step(&["fmt", "--all", "--check"]),
         step(&["xtask", "tidy"]),
@@ -17,7 +27,10 @@ fn run_all(slow: bool) -> TaskResult {
         check("docs"),
         check("costs"),
     ];
-    if slow {
+    if also == Also::All {
+        steps.push(Command::new(shell::root().join(".ci/python")));
+    }
+    if also == Also::Slow {
         steps.push(check("extremes"));
         steps.push(step(&["xtask", "figures", "--check"]));
         steps.push(step(&["test", "--workspace", "--locked", "--", "--ignored"]));
@@ -74,8 +87,9 @@ fn documentation() -> Command {
 
 pub(crate) fn run(args: &[String]) -> TaskResult {
     match args {
-        [] => run_all(false),
-        [flag] if flag == "--slow" => run_all(true),
-        other => Err(format!("unknown arguments {other:?}; the only one is --slow")),
+        [] => run_all(Also::Nothing),
+        [flag] if flag == "--slow" => run_all(Also::Slow),
+        [flag] if flag == "--all" => run_all(Also::All),
+        other => Err(format!("unknown arguments {other:?}; there are --slow and --all")),
     }
 }

@@ -21,8 +21,12 @@ struct Own {
     name: String,
     title: String,
     citation: String,
+    /// The year in which it was given.
+    year: u16,
     /// By the name of the surface.
     curves: BTreeMap<String, Result<Vec<CurvePoint>, String>>,
+    /// Seconds that Python took for a load, by the name of the surface.
+    seconds: BTreeMap<String, f64>,
 }
 
 /// The same as a theory of the study.
@@ -35,9 +39,9 @@ impl Given {
     fn of(own: Own) -> Result<Self, Failure> {
         let citation = Citation {
             authors: own.title.clone().into(),
-            year: 0,
+            year: own.year,
             title: own.citation.into(),
-            journal: "".into(),
+            journal: "given in Python".into(),
             doi: "".into(),
         };
         let card = Card::new(own.name, own.title, citation);
@@ -110,7 +114,9 @@ pub(crate) fn study(
         given.push(surface);
     }
     let mut registry = Registry::built_in();
+    let mut times = Times::new();
     for own in own {
+        times.insert(own.name.clone(), own.seconds.clone());
         let theory = Given::of(own).map_err(|e| raise(&e))?;
         let refused = |e| raise(&Failure::refused("model", format!("{e}")));
         registry = registry.with(theory).map_err(|e: compare::NotRegistered| refused(e))?;
@@ -168,7 +174,7 @@ pub(crate) fn study(
             .iter()
             .map(|s| RunSurface { name: s.name.clone(), origin: s.origin.clone() })
             .collect();
-        run(given, settings, &registry, listed, &mut listen)
+        run(given, settings, &registry, (listed, &times), &mut listen)
     })?;
     let stopped_by = stopped_by.map(|e| e.into_value(py).into_any());
     match value {
@@ -183,11 +189,14 @@ pub(crate) fn study(
 
 type Files = BTreeMap<String, String>;
 
+/// Seconds for a load, by model and surface.
+type Times = BTreeMap<String, BTreeMap<String, f64>>;
+
 fn run(
     surfaces: Vec<Surface>,
     settings: Settings,
     registry: &Registry,
-    listed: Vec<RunSurface>,
+    (listed, times): (Vec<RunSurface>, &Times),
     listen: &mut compare::Listener<'_>,
 ) -> Result<(Files, Option<Failure>), Failure> {
     let failed = |e: StudyError| Failure::from_error(&e);
@@ -199,6 +208,15 @@ fn run(
     let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
     found.solve_coarser(listen).map_err(failed)?;
     found.look_closer(listen).map_err(failed)?;
+    for surface in &mut found.surfaces {
+        for model in &mut surface.models {
+            let seconds = times.get(model.card.name.as_ref()).and_then(|t| t.get(&surface.name));
+            if let (Ok(curve), Some(seconds)) = (&mut model.outcome, seconds) {
+                // What was timed is a look into a table; the model itself took this.
+                curve.seconds = *seconds;
+            }
+        }
+    }
     let made = Provenance::here("rough-contact compare --from run.toml --out again");
     let mut files = Files::new();
     let mut add = |name: &str, content: Vec<u8>| {

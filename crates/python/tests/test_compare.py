@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import time
 from dataclasses import dataclass
 
 import numpy as np
@@ -63,6 +64,14 @@ def test_a_model_of_ones_own_is_the_built_in_one(rough):
     solved = np.array([p["area_fraction_corrected"] for p in points])
     np.testing.assert_allclose(models["mine"].area_fraction / solved - 1, models["mine"].area_error.signed, rtol=1e-9)
     assert "mine" in study.html and "after Persson" in study.html
+    # Its time is that of Python, not that of looking its answers up.
+    class Slow(Mine):
+        def area_fraction(self, pressure, inputs):
+            time.sleep(0.04)
+            return super().area_fraction(pressure, inputs)
+
+    slow = rc.compare(rough, modulus="110 GPa", pressure="100MPa..1GPa:4", models=[Slow()])
+    assert slow["synth 7"].models["mine"].seconds >= 0.01
 
 
 def test_a_model_is_asked_once_for_each_surface(rough):

@@ -138,8 +138,11 @@ def test_progress_is_told_on_this_thread_and_may_stop(rough):
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of Unix")
 @pytest.mark.parametrize("loads", [0, 1])
-def test_ctrl_c(loads):
+def test_ctrl_c(loads, request):
     """Stops soon, and what was done is not lost."""
+    # A shell lets what runs in the background ignore the signal.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    request.addfinalizer(lambda: signal.signal(signal.SIGINT, before))
     big = rc.synth((1024, 1024), pixel="1um", hurst=0.8, rolloff="100um", cutoff="4um", rms_height="0.4um", seed=7)
     asked = []
 

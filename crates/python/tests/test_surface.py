@@ -61,7 +61,7 @@ def test_masked_points_are_missing():
         ({"heights": ramp() * 1j, "pixel": "1um", "height_unit": "nm"}, TypeError),
         ({"heights": ramp() > 3, "pixel": "1um", "height_unit": "nm"}, TypeError),
         ({"heights": np.full((5, 7), "a"), "pixel": "1um", "height_unit": "nm"}, TypeError),
-        ({"heights": ramp() * np.inf, "pixel": "1um", "height_unit": "nm"}, rc.SurfaceError),
+        ({"heights": np.full((5, 7), np.inf), "pixel": "1um", "height_unit": "nm"}, rc.SurfaceError),
     ],
 )
 def test_refused_arrays(arguments, error):

@@ -6,6 +6,7 @@ import copy
 import hashlib
 import json
 import os
+import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -43,12 +44,17 @@ class AreaError:
     signed: NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ModelComparison:
     """A model on one surface, as in ``results.json``."""
 
     name: str
     json: dict[str, Any]
+
+    def __repr__(self) -> str:
+        mean = self.area_error.mean_absolute
+        error = "no answer" if mean is None else f"mean |area error| {100 * mean:.3g} %"
+        return f"ModelComparison({self.name!r}, {error}, applies: {self.verdict})"
 
     @property
     def title(self) -> str:
@@ -107,12 +113,15 @@ class ModelComparison:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class SurfaceComparison:
     """One surface of a study."""
 
     name: str
     json: dict[str, Any]
+
+    def __repr__(self) -> str:
+        return f"SurfaceComparison({self.name!r}, {len(self.deterministic)} loads, {len(self.models)} models)"
 
     @property
     def statistics(self) -> Statistics:
@@ -396,19 +405,29 @@ def _own(
 ) -> dict[str, Any]:
     """The curves of a model of one's own on all surfaces."""
     curves: dict[str, Any] = {}
+    seconds: dict[str, float] = {}
     for name, surface in named.items():
         edges: Any = _rust.boundary(surface._facts)
         statistics = surface.statistics(level=level, boundary=edges)
         asked = pressures or _rust.default_pressures(modulus, statistics.rms_gradient)
+        start = time.perf_counter()
         try:
             curves[name] = curve(model, asked, Inputs._of(modulus, statistics))
+            seconds[name] = (time.perf_counter() - start) / len(asked)
         except Exception as error:
             if on_failure == "raise":
                 raise
             curves[name] = {"Err": f"{type(error).__name__}: {error}"}
     title = getattr(model, "title", model.name)
     citation = getattr(model, "citation", "a model given in Python")
-    return {"name": model.name, "title": str(title), "citation": str(citation), "curves": curves}
+    return {
+        "name": model.name,
+        "title": str(title),
+        "citation": str(citation),
+        "year": time.localtime().tm_year,
+        "curves": curves,
+        "seconds": seconds,
+    }
 
 
 def _hash(surface: Surface) -> str:
