@@ -1,10 +1,11 @@
 //! Families of maps that took no part.
 
+use crate::second;
 use std::f64::consts::TAU;
 use studies::maps::{Draw, Heights, gradient, mix, softmin, triangle};
 
 /// Their names.
-pub(crate) const JUDGED: [&str; 20] = [
+pub(crate) const JUDGED: [&str; 32] = [
     "self-affine",
     "log-normal",
     "oblique lay",
@@ -25,6 +26,18 @@ pub(crate) const JUDGED: [&str; 20] = [
     "debris",
     "rounded down",
     "cut out",
+    "coined",
+    "diamonds, worn",
+    "etched grains",
+    "laser dots",
+    "printed bars",
+    "peened",
+    "filled valleys",
+    "milled arcs",
+    "woven",
+    "cracked",
+    "part of a pattern",
+    "smooth, fine",
 ];
 
 /// Heights of a map of a family, in any unit.
@@ -227,6 +240,6 @@ pub(crate) fn heights(family: &str, d: &Draw) -> Heights {
             let whole = d.field_on(m, d.lin(0, 0.4, 0.9), cutoff, rolloff, 1.0, 0)?;
             (0..n * n).map(|i| whole[i / n * m + i % n]).collect()
         }
-        _ => return Err(format!("no family {family}").into()),
+        _ => return second::heights(family, d),
     })
 }

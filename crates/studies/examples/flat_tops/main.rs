@@ -13,6 +13,7 @@ mod fresh;
 mod judged;
 mod measure;
 mod page;
+mod second;
 mod tuning;
 
 use clap::Parser;
