@@ -118,7 +118,6 @@ impl TwiceFiner {
     /// # Errors
     /// [`NotRefined`].
     pub fn solve(&mut self, load: Load, budget: &Budget) -> Result<Finer, NotRefined> {
-        let is_doubted = matches!(budget.own, Err(NoAreaInterval::BetweenPoints { .. }));
         let Self { known, grid, solver, map, continued, surface, modulus, .. } = self;
         let solution = solver.solve_again(load)?;
         let mut finer = Finer::of(&solution, known, *grid);
@@ -134,7 +133,7 @@ impl TwiceFiner {
                 finer.stiffness = Some([near.value, near.value * left]);
             }
         }
-        if is_doubted {
+        if budget.doubted {
             let finer_map = match surface {
                 Some(surface) => surface,
                 none => none.insert(regrid(map, grid.shape(), *continued)?),

@@ -37,6 +37,8 @@ pub struct Between {
     /// of two points it carries E* (pi/2) / pixel times its height (Johnson 1985, section 13.2). 0
     /// where something is open.
     pub lifted: f64,
+    /// Share of the map that touches so lightly that such a wave would take it off (-).
+    pub light: f64,
 }
 
 /// Difference of the polynomials through eight and through four points, halfway: weights of the
@@ -63,7 +65,7 @@ impl Between {
         // Squares and their number, at the contact and at its line.
         let (mut all, mut line) = ([0.0; 2], [0.0; 2]);
         // The largest share of the pressure that a difference may take off where both touch.
-        let mut lifted = 0.0f64;
+        let (mut lifted, mut light) = (0.0f64, 0.0);
         // Of the whole map, less what lies between two points that touch.
         let mut open = sum_over(surface, repeats);
         let lift = 0.5 * PI * modulus.pascals() / dy.min(dx);
@@ -73,7 +75,9 @@ impl Between {
             all = [all[0] + square, all[1] + 1.0];
             if least > 0.0 {
                 open -= difference;
-                lifted = lifted.max(lift * difference.abs() / least);
+                let share = lift * difference.abs() / least;
+                lifted = lifted.max(share);
+                light += f64::from(u8::from(share > 1.0));
             } else {
                 line = [line[0] + square, line[1] + 1.0];
             }
@@ -102,8 +106,9 @@ impl Between {
         let [height, at_line] = [all, line].map(|[sum, count]| (sum / f64::max(count, 1.0)).sqrt());
         let deformed = load / touching / modulus.pascals() * dy.min(dx);
         let lifted = if line[1] > 0.0 { 0.0 } else { lifted };
-        let open = open / (2.0 * surface.grid().len() as f64);
-        Some(Self { height, at_line, open, deformed, lifted })
+        let midpoints = 2.0 * surface.grid().len() as f64;
+        let (open, light) = (open / midpoints, light / midpoints);
+        Some(Self { height, at_line, open, deformed, lifted, light })
     }
 
     /// The same of a `solution` on another `grid` of the same area: what the given points say at its

@@ -96,6 +96,10 @@ pub struct Budget {
     /// Whether part of the contact has yielded: its bars from the grid are wider ([`grid::YIELDING`]), and
     /// nothing is known of other maps of the surface.
     pub yields: bool,
+    /// Half width of the area that points in light contact leave, where it is known what lies between the points.
+    pub light: f64,
+    /// Whether what lies between the points decides the answer, whatever else leaves it without a bar of its own.
+    pub doubted: bool,
     /// Why the grid of this solution has no bar of its own, if it has none; one from a finer grid
     /// may stand with the numbers all the same.
     pub own: Result<(), NoAreaInterval>,
@@ -163,6 +167,8 @@ impl Budget {
             stiffness: None,
             yields,
             sampled,
+            light: 0.0,
+            doubted: false,
             own: gate.map(|_| ()),
         }
     }
@@ -175,8 +181,11 @@ impl Budget {
             if let Some(gap) = &mut self.mean_gap {
                 gap.grid = gap.grid.map(|half| half.max(grid::gap_between(found)));
             }
+            self.light = grid::area_of_light_contact(found.light, self.area.value);
+            self.area.grid = self.area.grid.map(|half| half.hypot(self.light));
             return self;
         }
+        self.doubted = true;
         let none = NoAreaInterval::BetweenPoints { doubt: found.doubt() };
         self.own = self.own.and(Err(none));
         let of = |estimate: &mut Estimate| estimate.grid = estimate.grid.and(Err(none));

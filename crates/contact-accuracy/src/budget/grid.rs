@@ -26,6 +26,8 @@ const OPEN_GAP: f64 = 0.33;
 const OPEN_GAP_AT_SEAM: f64 = 2.2;
 /// What all waves beyond eight points in line differ from a cubic by, over what those eight do.
 const TAIL: f64 = 2.0;
+/// Half width of the area over the share of points in light contact.
+const LIGHT: f64 = 1.5;
 /// Open share of the surface below which the error of the stiffness is counted against it.
 const OPEN: f64 = 0.6;
 
@@ -90,6 +92,12 @@ pub fn stiffness_half_width(map: &Map, line: Line) -> f64 {
     let part = if map.repeats { STIFFNESS } else { STIFFNESS_AT_SEAM };
     let open = (OPEN / (1.0 - line.area).max(OPEN * 1e-9)).max(1.0);
     part * line.share() * open * map.accuracy.widened(line.edges)
+}
+
+/// Half width of the area that points in light contact leave, where `area` touches: those that what lies between the
+/// points could take off. At light load the bar of the contact line covers them.
+pub fn area_of_light_contact(light: f64, area: f64) -> f64 {
+    LIGHT * light * area * area
 }
 
 /// What a solution on twice as many points along each side says of the one on the given grid.

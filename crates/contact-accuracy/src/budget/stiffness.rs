@@ -111,7 +111,9 @@ impl Budget {
     pub fn with_stiffness(mut self, found: &Stiffness, map: &Map, line: grid::Line) -> Self {
         let k = found.value;
         let wide = if self.yields { grid::YIELDING[2] } else { 1.0 };
-        let relative = wide * grid::stiffness_half_width(map, line) + DIFFERENCE;
+        // Near full contact it follows the places that are open.
+        let light = self.light / (1.0 - self.area.value).max(f64::MIN_POSITIVE);
+        let relative = (wide * grid::stiffness_half_width(map, line)).hypot(light) + DIFFERENCE;
         self.stiffness = Some(Estimate {
             value: k,
             grid: self.own.map(|()| k * relative),
