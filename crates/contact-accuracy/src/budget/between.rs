@@ -247,7 +247,7 @@ mod tests {
         let map = HeightMap::from_fn(grid, rough).unwrap();
         for (repeats, lowest) in [(true, 0.0), (false, 0.0), (false, 0.9), (false, -3.0)] {
             let pressure: Vec<f64> = map.heights().iter().map(|z| (z - lowest).max(0.0)).collect();
-            let (mut open, mut squares, mut count) = (0.0, 0.0, 0.0);
+            let (mut open, mut squares, mut count, mut light) = (0.0, 0.0, 0.0, 0.0);
             for (i, &p) in pressure.iter().enumerate() {
                 let (iy, ix) = (i / 24, i % 24);
                 let right = difference(|k| map.at(iy, inside(ix, k, 24, repeats)));
@@ -258,6 +258,8 @@ mod tests {
                 ];
                 for (difference, other) in there {
                     open += if p.min(other) > 0.0 { 0.0 } else { difference };
+                    let lifts = 0.5 * PI * difference.abs() > p.min(other) && p.min(other) > 0.0;
+                    light += if lifts { 1.0 } else { 0.0 };
                     if p.max(other) > 0.0 {
                         (squares, count) = (squares + difference * difference, count + 1.0);
                     }
@@ -266,6 +268,8 @@ mod tests {
             let found = Between::of(&map, repeats, &pressure, modulus()).unwrap();
             assert!((found.open - open / (2.0 * 19.0 * 24.0)).abs() < 1e-14, "{found:?}");
             assert!((found.height - f64::sqrt(squares / count)).abs() < 1e-13, "{found:?}");
+            assert!((found.light - light / (2.0 * 19.0 * 24.0)).abs() < 1e-12, "{found:?} {light}");
+            assert!(light > 0.0 || lowest.abs() > 0.5);
         }
     }
 
