@@ -3,7 +3,7 @@
 use crate::finding::{Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Weight, Yielding};
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
-use crate::yielding::{BULK_YIELD, Hardness};
+use crate::yielding::{BULK_YIELD, hardness_of};
 use crate::{EdgesName, Independence, Origin, PairFound, PairOrigin, Spikes};
 use contact_accuracy::edge_study::EdgeStudy;
 use contact_accuracy::plan::Outcome;
@@ -70,10 +70,8 @@ pub fn measured(s: &SurfaceStatistics, spikes: &Spikes) -> Vec<Finding> {
 
 /// What a hardness does to the headline, and whether it can be one.
 fn hardness(surface: &SurfaceComparison) -> Vec<Finding> {
-    let Some(pascals) = surface.inputs.hardness else { return Vec::new() };
-    let modulus = surface.inputs.modulus.pascals();
-    let gradient = surface.inputs.moments.map(|m| m.rms_gradient());
-    let given = Hardness { pascals, modulus, gradient };
+    let Some(given) = hardness_of(surface) else { return Vec::new() };
+    let pascals = given.pascals;
     let mut found = Vec::new();
     found.extend(given.doubt().map(|usual| check(Fact::OddHardness { hardness: pascals, usual })));
     let solved = surface.deterministic.iter().filter(|p| p.answer.is_some());

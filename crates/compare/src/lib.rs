@@ -86,4 +86,6 @@ pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
 pub use surroundings::{Surrounded, on_given};
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};
-pub use yielding::{BULK_YIELD, Hardness, elastic_holds, elastic_limit};
+pub use yielding::{
+    BULK_YIELD, Hardness, PlasticityIndices, elastic_holds, elastic_limit, hardness_of,
+};

@@ -3,8 +3,10 @@
 use crate::reason::Excess;
 use crate::result::{DeterministicPoint, SurfaceComparison};
 use crate::scene::typical_hardness;
-use contact_types::ContactModulus;
+use asperity_models::thermal_conductance::summit_plasticity_index;
+use contact_types::{AsperityStatistics, ContactModulus};
 use serde::Serialize;
+use std::f64::consts::PI;
 
 /// By how much a hardness may leave the range of solids before it is called a mistake.
 const NONSENSE: f64 = 10.0;
@@ -33,6 +35,20 @@ impl Hardness {
         self.gradient.map(|g| self.modulus * g / self.pascals)
     }
 
+    /// The plasticity indices of the field, for a Gaussian surface; `asperities` are its summits, if it has any.
+    pub fn indices(&self, asperities: Option<AsperityStatistics>) -> PlasticityIndices {
+        let Self { pascals, modulus, gradient } = *self;
+        // The mean absolute profile slope of a Gaussian surface is g/√π.
+        let slope = gradient.map(|g| g / PI.sqrt());
+        PlasticityIndices {
+            modulus_gradient_over_hardness: self.over_elastic(),
+            greenwood_williamson: asperities.and_then(|a| {
+                summit_plasticity_index(modulus, pascals, a.height_std, a.radius).ok()
+            }),
+            mikic: slope.map(|slope| modulus * slope / pascals),
+        }
+    }
+
     /// The hardness of solids of this modulus, `[low, high]` (Pa), if this one is so far from it that the
     /// unit may be wrong.
     pub fn doubt(&self) -> Option<[f64; 2]> {
@@ -40,6 +56,26 @@ impl Hardness {
         let is_far = self.pascals < low / NONSENSE || self.pascals > high * NONSENSE;
         is_far.then_some([low, high])
     }
+}
+
+/// How far elastic bodies are from what they bear: three numbers of one meaning \[-\].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PlasticityIndices {
+    /// `E* g / H`: up to 1 the area of elastic contact is right to 2 %, whatever the load.
+    pub modulus_gradient_over_hardness: Option<f64>,
+    /// Greenwood and Williamson's `(E*/H) √(σ_s/R)`.
+    pub greenwood_williamson: Option<f64>,
+    /// Mikic's `E* m_a / H` with the mean absolute slope m_a = g/√π of a Gaussian surface.
+    pub mikic: Option<f64>,
+}
+
+/// The hardness of a study beside its surface, if one was given.
+pub fn hardness_of(surface: &SurfaceComparison) -> Option<Hardness> {
+    let pascals = surface.inputs.hardness?;
+    let modulus = surface.inputs.modulus.pascals();
+    let gradient = surface.inputs.moments.map(|m| m.rms_gradient());
+    Some(Hardness { pascals, modulus, gradient })
 }
 
 /// `E* g` (Pa): for a hardness of at least that the area of elastic contact is right to 2 %. `None` for bodies

@@ -3,8 +3,10 @@
 use crate::outcome::Failure;
 use crate::text;
 use answers::hardness_doubt;
-use compare::{BULK_YIELD, Hardness};
+use compare::{BULK_YIELD, Hardness, typical_hardness};
+use serde_json::{Value, json};
 use std::fmt::Write as _;
+use surface_stats::SurfaceStatistics;
 
 /// Headings of the table.
 pub(crate) const HEADINGS: [&str; 2] = ["area at H", "load at H"];
@@ -46,4 +48,53 @@ pub(crate) fn lines(given: Hardness, highest: f64) -> String {
         );
     }
     out + "one hardness at every scale; nothing hardens or piles up; loading only, no friction\n"
+}
+
+/// Whether the contact of heights with these statistics will yield: text and object. Nothing is solved for.
+pub(crate) fn forecast(
+    modulus: f64,
+    hardness: Option<f64>,
+    s: &SurfaceStatistics,
+) -> (String, Value) {
+    let limit = modulus * s.rms_gradient;
+    let yields = typical_hardness(modulus).is_some();
+    let mut object = json!({
+        "modulus": modulus,
+        "hardness": hardness,
+        "elastic_limit": (yields && limit > 0.0).then_some(limit),
+    });
+    let Some(pascals) = hardness else {
+        let text = if yields {
+            format!(
+                "E* g = {}: for a hardness of that or more the area of elastic contact is right to 2 %\n",
+                text::pressure(limit)
+            )
+        } else {
+            "solids of this contact modulus do not yield in a contact\n".to_owned()
+        };
+        return (text, object);
+    };
+    let given = Hardness { pascals, modulus, gradient: Some(s.rms_gradient) };
+    let found = given.indices(s.asperities);
+    object["modulus_gradient_over_hardness"] = json!(found.modulus_gradient_over_hardness);
+    object["greenwood_williamson"] = json!(found.greenwood_williamson);
+    object["mikic"] = json!(found.mikic);
+    object["warning"] = json!(hardness_doubt(given));
+    let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), text::number);
+    let verdict = if found.modulus_gradient_over_hardness.is_some_and(|r| r <= 1.0) {
+        "the area of elastic contact is right to 2 % at any load"
+    } else {
+        "the contact yields: solve and compare take --hardness"
+    };
+    let mut text = format!(
+        "E* g/H = {}: {verdict}\nplasticity indices: Greenwood–Williamson {}, Mikic {}\n",
+        number(found.modulus_gradient_over_hardness),
+        number(found.greenwood_williamson),
+        number(found.mikic)
+    );
+    if let Some(doubt) = hardness_doubt(given) {
+        // A String takes everything.
+        let _ = writeln!(text, "check the hardness: {doubt}");
+    }
+    (text, object)
 }

@@ -1,9 +1,10 @@
 //! `rough-contact stats`: roughness statistics, each with its unit.
 
 use crate::against::{self, Against};
-use crate::args::{self, Common};
+use crate::args::{self, Bodies, Common};
 use crate::batch::{self, PerFile};
 use crate::files::expand;
+use crate::hardness;
 use crate::input::{Complete, Input, Measured};
 use crate::iso;
 use crate::outcome::{Failure, Reply};
@@ -31,8 +32,14 @@ pub(crate) struct Stats {
     #[arg(long)]
     scales: bool,
     /// Take the traces of all files for one sample of one surface: profiles of equal length and spacing
-    #[arg(long, conflicts_with_all = ["out", "resume", "against", "iso", "scales"])]
+    #[arg(long, conflicts_with_all = ["out", "resume", "against", "iso", "scales", "modulus", "young"])]
     pool: bool,
+    #[command(flatten)]
+    bodies: Bodies,
+    /// Hardness of the softer body, as 2GPa, with a modulus: will the contact of these heights yield?
+    #[arg(long, value_name = "H", value_parser = args::pressure, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "pool")]
+    hardness: Option<f64>,
     #[command(flatten)]
     against: Against,
     #[command(flatten)]
@@ -91,12 +98,17 @@ impl PerFile for Stats {
     }
 
     fn answer(&self, _: &Common) -> Result<Reply, Failure> {
+        let asked = self.asked()?; // refused before any work
         let (complete, pair) = if self.against.given()?.is_some() {
             let pair = self.against.complete(&self.input.file, self.input.how(), self.level)?;
             (pair.0, Some(pair.1))
         } else {
             match self.input.measured()? {
                 Measured::Surface(complete) => (complete, None),
+                Measured::Profile(_) if asked.is_some() => {
+                    let message = "modulus and hardness are for maps; of a profile leave them out";
+                    return Err(Failure::refused("profile", message));
+                }
                 Measured::Profile(traces) => {
                     let degree = self.level.degree().unwrap_or(0);
                     return profile_stats::run(&self.input.file, &traces, degree);
@@ -122,7 +134,13 @@ impl PerFile for Stats {
         if let Some([along_x, along_y]) = &found.scales {
             text = format!("{text}\nalong x\n{}\nalong y\n{}", scales(along_x), scales(along_y));
         }
-        Ok(Reply::new(text, found.json))
+        let mut json = found.json;
+        if let Some((modulus, hardness)) = asked {
+            let (said, object) = hardness::forecast(modulus, hardness, &found.statistics);
+            text += &said;
+            json["plasticity"] = object;
+        }
+        Ok(Reply::new(text, json))
     }
 }
 
@@ -142,6 +160,17 @@ fn scales(list: &[ByDistance]) -> Columns {
 }
 
 impl Stats {
+    /// Modulus and hardness of the bodies, if they were given (Pa).
+    fn asked(&self) -> Result<Option<(f64, Option<f64>)>, Failure> {
+        hardness::check(self.hardness)?;
+        let modulus = match (self.bodies.given()?, self.hardness) {
+            (None, None) => return Ok(None),
+            (None, Some(_)) => self.bodies.required()?,
+            (Some(modulus), _) => modulus,
+        };
+        Ok(Some((modulus.pascals(), self.hardness)))
+    }
+
     fn describe(&self, s: &SurfaceStatistics) -> String {
         let absent = || "–".to_owned();
         let length = |x: Option<f64>| x.map_or_else(absent, text::length);

@@ -145,3 +145,33 @@ fn theories_of_yield_answer_typed_in_numbers() {
     let line = format!("model gw {moments} --modulus 1GPa --pressure 1MPa --hardness 1GPa");
     refused(dir.path(), &line, 2, &["--hardness is no input of gw"]);
 }
+
+/// `stats` says before any solution whether a contact will yield: E* g/H, (E*/H) √(σs/R), E* g/(√π H).
+#[test]
+fn statistics_with_a_hardness_say_go_or_no_go() {
+    let dir = folder();
+    surface(dir.path());
+    let of = |rest: &str| rough_contact(dir.path(), &format!("stats a.x3p {rest}"));
+    for (hardness, said) in [(3e9, "the contact yields"), (60e9, "right to 2 %")] {
+        let line = format!("--modulus 110GPa --hardness {hardness}Pa");
+        assert!(of(&line).out.contains(said), "{}", of(&line).out);
+        let found = of(&format!("{line} --json")).answered();
+        let (indices, asperities) = (&found["plasticity"], &found["asperities"]);
+        let strength = 110e9 / hardness;
+        let gradient = number(&found["rms_gradient"]);
+        let steep = (number(&asperities["height_std"]) / number(&asperities["radius"])).sqrt();
+        for (key, exact) in [
+            ("modulus_gradient_over_hardness", strength * gradient),
+            ("mikic", strength * gradient / std::f64::consts::PI.sqrt()),
+            ("greenwood_williamson", strength * steep),
+        ] {
+            assert!((number(&indices[key]) / exact - 1.0).abs() < 1e-12, "{key}: {indices}");
+        }
+    }
+    let limit = of("--modulus 110GPa --json").answered();
+    let exact = 110e9 * number(&limit["rms_gradient"]);
+    assert!((number(&limit["plasticity"]["elastic_limit"]) / exact - 1.0).abs() < 1e-12);
+    assert!(of("--modulus 2MPa").out.contains("do not yield"));
+    assert!(of("--json").answered().get("plasticity").is_none());
+    refused(dir.path(), "stats a.x3p --hardness 3GPa", 2, &["modulus"]);
+}

@@ -14,7 +14,7 @@ use crate::words;
 use compare::survey::Experience;
 use compare::{
     Applies, DeterministicAnswer, Estimate, ModelComparison, SurfaceComparison, elastic_holds,
-    elastic_limit, is_steep,
+    elastic_limit, hardness_of, is_steep,
 };
 use contact_types::{ContactState, ModelError};
 
@@ -152,6 +152,19 @@ fn yield_rows(
             quantity(yielded.mean_flattening, METRES, 2)
         ),
     )];
+    let indices = hardness_of(surface).map(|h| h.indices(surface.inputs.asperities()));
+    rows.extend(indices.and_then(|found| {
+        let two = |value: Option<f64>| value.map_or("–".into(), |v| significant(v, 2));
+        Some((
+            "<i>E</i>* <i>g</i> / <i>H</i>".into(),
+            significant(found.modulus_gradient_over_hardness?, 2),
+            format!(
+                "elastic up to 1; plasticity indices of Greenwood–Williamson {}, Mikic {}",
+                two(found.greenwood_williamson),
+                two(found.mikic)
+            ),
+        ))
+    }));
     let elastic = surface.elastic.get(surface.headline).and_then(|p| p.answer.as_ref());
     rows.extend(elastic.map(|elastic| {
         (
