@@ -46,6 +46,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
             "contact-types",
             "surface-io",
             "surface-stats",
+            "multiscale-models",
             "fft-bem-solver",
             "contact-compare",
             "contact-report",

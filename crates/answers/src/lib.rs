@@ -9,6 +9,7 @@ mod hardness;
 mod info;
 mod iso;
 pub mod loads;
+pub mod model;
 pub mod models;
 mod planned;
 mod point;

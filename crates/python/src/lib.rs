@@ -4,6 +4,7 @@
 //! lock of the interpreter, which is let go while they work, and the thread that looks out for Ctrl-C.
 
 mod failure;
+mod model;
 mod module;
 mod solve;
 mod statistics;

@@ -12,6 +12,8 @@ mod _rough_contact {
     #[pymodule_export]
     use crate::failure::Refused;
     #[pymodule_export]
+    use crate::model::model;
+    #[pymodule_export]
     use crate::solve::solve;
     #[pymodule_export]
     use crate::statistics::statistics;

@@ -6,20 +6,19 @@ use crate::cleaning::CleaningOptions;
 use crate::input::{Measured, Reading};
 use crate::loads::{self, Spread};
 use crate::model_list::{self, cited};
-use crate::outcome::{Failure, Reply, variant};
+use crate::outcome::{Failure, Reply};
 use crate::profile_stats;
 use crate::profiles::{self, Traces};
 use crate::roughness::Source;
 use crate::text::{self, Columns};
-use answers::models::citation;
+use answers::model::{self, Question, Unasked};
 use clap::Args;
-use compare::{BuildError, Card, Inputs, Pressed, Scene, Spikes, Theory, built_in};
-use contact_accuracy::round_to_digits;
-use contact_types::{Caveat, ContactModulus, ContactState, ModelError};
-use serde_json::{Value, json};
+use compare::{Card, Inputs, Spikes, Theory};
+use contact_types::{ContactModulus, ContactState, ModelError};
+use serde_json::json;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use surface_stats::clean::{RowOffsets, row_offsets};
+use surface_stats::clean::row_offsets;
 use surface_stats::profile::ProfileStatistics;
 
 #[derive(Args)]
@@ -58,15 +57,7 @@ pub(crate) struct Model {
     cleaning: CleaningOptions,
 }
 
-/// What is asked of the model.
-#[derive(Clone, Copy)]
-enum Question {
-    Pressure(f64),
-    Separation(f64),
-}
-
 type Answer = Result<ContactState, ModelError>;
-type Ask<'a> = Box<dyn Fn(&Question) -> Answer + 'a>;
 
 impl Model {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
@@ -109,7 +100,7 @@ impl Model {
         let (questions, spread) = self.questions(inputs.nominal_area)?;
         let answers = answer(theory, &inputs, &questions)?;
         let mut reply = reply(card, &inputs, &questions, &answers, spread.as_ref());
-        let mut findings = scene(&inputs, &answers, rows).findings();
+        let mut findings = model::scene(&inputs, &answers, rows).findings();
         findings.extend(compare::spiky(&spikes, None));
         findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
         findings.sort_by_key(|f| f.weight);
@@ -150,7 +141,7 @@ impl Model {
         let answers = answer(theory, &inputs, &questions)?;
         let mut reply = reply(theory.card(), &inputs, &questions, &answers, spread.as_ref());
         let origin = self.reading.origin(path, traces, String::new());
-        let scene = scene(&inputs, &answers, None);
+        let scene = model::scene(&inputs, &answers, None);
         let found = compare::profile_findings(&statistics, traces.uneven, &origin, &scene);
         let first = text::cleaning(&traces.cleaned)
             + &profiles::uneven_line(traces.uneven)
@@ -219,81 +210,22 @@ impl Model {
     }
 }
 
-/// What is asked of elasticity, with the answers by rising load.
-fn scene(inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> Scene {
-    let pressed = |state: &ContactState| {
-        let mean = state.real_pressure()?;
-        Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
-    };
-    let mut pressed: Vec<Pressed> = answers.iter().flatten().filter_map(pressed).collect();
-    pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
-    let moments = inputs.moments;
-    Scene {
-        rows,
-        spacing: 0.0,
-        modulus: inputs.modulus.pascals(),
-        gradient: moments.map(|m| m.rms_gradient()),
-        rms_height: moments.map(|m| m.m0.sqrt()),
-        radius: inputs.asperities().map(|a| a.radius),
-        pressed,
-    }
-}
-
 /// One answer per question. A model that cannot be made refuses every question.
 fn answer(
     theory: &dyn Theory,
     inputs: &Inputs,
     questions: &[Question],
 ) -> Result<Vec<Answer>, Failure> {
-    let title = theory.card().title.as_ref();
-    let ask: Ask<'_> = match questions.first() {
-        Some(Question::Separation(_)) => {
-            let Some(model) = theory.build_separation(inputs) else {
-                let able: Vec<&str> = built_in()
-                    .iter()
-                    .map(Theory::card)
-                    .filter(|card| card.has_separation)
-                    .map(|card| card.name.as_ref())
-                    .collect();
-                let message = format!(
-                    "{} has no separation; give --pressure, or one of {}",
-                    theory.card().name,
-                    able.join(", ")
-                );
-                return Err(Failure::refused("usage", message));
-            };
-            match model {
-                Ok(model) => {
-                    Box::new(move |q| compare::at_separation(title, model.as_ref(), q.value()))
-                }
-                Err(error) => refuse_all(theory.card(), error)?,
+    model::answers(theory, inputs, questions).map_err(|unasked| {
+        let message = match &unasked {
+            Unasked::NoSeparation { .. } => return unasked.failure("give --pressure"),
+            Unasked::Missing(error) => {
+                let way_out = crate::roughness::options_of(&theory.card().name).join(", or ");
+                format!("{error}; give a surface FILE, or {way_out}")
             }
-        }
-        _ => match theory.build(inputs) {
-            Ok(model) => Box::new(move |q| compare::at_pressure(title, model.as_ref(), q.value())),
-            Err(error) => refuse_all(theory.card(), error)?,
-        },
-    };
-    Ok(questions.iter().map(ask).collect())
-}
-
-fn refuse_all(card: &Card, error: BuildError) -> Result<Ask<'static>, Failure> {
-    match error {
-        BuildError::Model(error) => Ok(Box::new(move |_| Err(error.clone()))),
-        BuildError::Missing { .. } => {
-            let way_out = crate::roughness::options_of(&card.name).join(", or ");
-            let message = format!("{error}; give a surface FILE, or {way_out}");
-            Err(Failure::refused("missing_input", message))
-        }
-    }
-}
-
-impl Question {
-    fn value(&self) -> f64 {
-        match *self {
-            Self::Pressure(value) | Self::Separation(value) => value,
-        }
-    }
+        };
+        Failure::refused("missing_input", message)
+    })
 }
 
 fn reply(
@@ -315,7 +247,7 @@ fn reply(
         let note = match answer {
             Ok(state) => state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) if Some(error) == told => None,
-            Err(error) => Some(format!("refused: {}", short(error))),
+            Err(error) => Some(format!("refused: {}", model::short(error))),
         };
         notes.extend(note.filter(|note| !notes.contains(note)));
     }
@@ -324,45 +256,9 @@ fn reply(
         let _ = writeln!(text, "{note}"); // a String takes everything
     }
     text += &spread.map_or_else(String::new, loads::carried);
-    let point = |(q, a): (&Question, &Answer)| {
-        let mut point = point(*q, a);
-        if let Some(spread) = spread {
-            point["load"] = json!(spread.force(q.value()));
-        }
-        point
-    };
-    let points: Vec<Value> = questions.iter().zip(answers).map(point).collect();
-    let json = json!({
-        "model": card.name,
-        "citation": citation(&card.citation),
-        "modulus": inputs.modulus.pascals(),
-        "inputs": crate::roughness::object(inputs),
-        "load_area": spread.map(|s| s.area),
-        "points": points,
-    });
-    let trouble = told.map(failure);
+    let json = model::object(card, inputs, questions, answers, spread);
+    let trouble = told.map(model::failure);
     Reply { text, json, trouble }
-}
-
-/// The same with six digits of the value, unless they would move it into the domain.
-fn short(error: &ModelError) -> ModelError {
-    let mut short = error.clone();
-    if let ModelError::OutsideDomain { value, domain, .. } = &mut short {
-        let rounded = round_to_digits(*value, 6);
-        if !domain.contains(&rounded) {
-            *value = rounded;
-        }
-    }
-    short
-}
-
-/// A refusal by the theory, or an iteration that did not end.
-fn failure(error: &ModelError) -> Failure {
-    let error = &short(error);
-    match error {
-        ModelError::NotConverged { .. } => Failure::incomplete("not_converged", error.to_string()),
-        _ => Failure::from_error(error),
-    }
 }
 
 fn cells(question: Question, answer: &Answer) -> Vec<String> {
@@ -382,86 +278,5 @@ fn cells(question: Question, answer: &Answer) -> Vec<String> {
         (Err(_), Question::Separation(d)) => {
             vec![absent(), "refused".to_owned(), absent(), text::length(d), absent()]
         }
-    }
-}
-
-fn point(question: Question, answer: &Answer) -> Value {
-    match answer {
-        Ok(state) => json!({
-            "mean_pressure": state.mean_pressure,
-            "area_fraction": state.area_fraction,
-            "real_pressure": state.real_pressure(),
-            "separation": state.separation,
-            "mean_gap": state.mean_gap,
-            "caveat": state.caveat.as_ref().map(caveat),
-            "error": null,
-        }),
-        Err(error) => {
-            let (pressure, separation) = match question {
-                Question::Pressure(p) => (Some(p), None),
-                Question::Separation(d) => (None, Some(d)),
-            };
-            json!({
-                "mean_pressure": pressure,
-                "area_fraction": null,
-                "real_pressure": null,
-                "separation": separation,
-                "mean_gap": null,
-                "caveat": null,
-                "error": refusal(error),
-            })
-        }
-    }
-}
-
-fn caveat(caveat: &Caveat) -> Value {
-    let (quantity, value, limit) = match caveat {
-        Caveat::Saturated { quantity } | Caveat::Underflow { quantity } => {
-            (quantity.as_ref(), None, None)
-        }
-        Caveat::BeyondModel { quantity, value, limit, .. } => {
-            (quantity.as_ref(), Some(*value), Some(*limit))
-        }
-        _ => ("", None, None),
-    };
-    json!({
-        "kind": variant(caveat), "quantity": quantity, "value": value, "limit": limit,
-        "message": caveat.to_string(),
-    })
-}
-
-fn refusal(error: &ModelError) -> Value {
-    let (quantity, value, domain) = match error {
-        ModelError::InvalidInput { quantity, value, .. } => (quantity.as_ref(), Some(*value), None),
-        ModelError::OutsideDomain { quantity, value, domain, .. } => {
-            // The largest double stands for no bound.
-            let bound = |end: f64| (end.abs() < f64::MAX).then_some(end);
-            (quantity.as_ref(), Some(*value), Some([bound(*domain.start()), bound(*domain.end())]))
-        }
-        ModelError::NotConverged { residual, .. } => ("residual", Some(*residual), None),
-        _ => ("", None, None),
-    };
-    json!({
-        "kind": variant(error), "quantity": quantity, "value": value, "domain": domain,
-        "message": short(error).to_string(),
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_refusal_has_six_digits_and_stays_true() {
-        let error = |value: f64| ModelError::OutsideDomain {
-            model: "M".into(),
-            quantity: "D".into(),
-            value,
-            domain: 1.0..=1.5,
-            reason: "it diverges".into(),
-        };
-        let text = short(&error(1.623_456_789_012_345)).to_string();
-        assert!(text.starts_with("M: D = 1.62346 is outside"), "{text}");
-        assert!(short(&error(1.500_000_000_1)).to_string().contains("1.5000000001"));
     }
 }

@@ -4,22 +4,14 @@ use crate::args::{self, List};
 use crate::input::Complete;
 use crate::outcome::Failure;
 use clap::{Args, ValueEnum};
+use compare::Inputs;
 use compare::Level;
-use compare::{Inputs, MomentSource};
 use contact_types::{
-    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, ModelError,
-    SpectralMoments,
+    AsperityStatistics, ContactModulus, FractalParameters, ModelError, SpectralMoments,
 };
-use multiscale_models::{MapSlopes, SelfAffineSpectrum, SphereLevel};
-use serde_json::{Value, json};
+use multiscale_models::{SelfAffineSpectrum, SphereLevel};
 use std::f64::consts::TAU;
 use std::path::Path;
-use surface_stats::fractal::PowerLaw;
-use surface_stats::spectrum::{Axis, amplitudes, radial};
-use surface_stats::{
-    DirectionalMoments, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
-    slope_curve,
-};
 
 /// Roughness typed in.
 #[derive(Args)]
@@ -288,48 +280,15 @@ impl Source {
         path: &Path,
         surface: Complete,
     ) -> Result<Inputs, Failure> {
-        let refused = |e: StatsError| Failure::in_file(path, &e);
-        let form = self.level();
+        let given = Inputs {
+            gamma: self.gamma,
+            critical_area: self.critical_area,
+            hardness: self.hardness,
+            ..Inputs::new(modulus)
+        };
         let edges = self.boundary.unwrap_or(Edges::Open).rule();
-        let Complete { map: heights, missing, .. } = surface;
-        let mut inputs = Inputs::new(modulus);
-        inputs.gamma = self.gamma;
-        inputs.critical_area = self.critical_area;
-        inputs.hardness = self.hardness;
-        inputs.nominal_area = Some(heights.grid().area());
-        let map = level(&heights, form).map_err(refused)?;
-        // Every model has the moments that a study gives it; only Persson's mean gap needs more.
-        let rms = HeightStatistics::of(&map).rms_height;
-        let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
-        inputs.source = MomentSource::FiniteDifferences;
-        inputs.moments = Some(differences.isotropic(rms * rms));
-        if model == "majumdar-bhushan" {
-            let options =
-                StatsOptions::default().with_level(form).with_edges(edges).with_missing(missing);
-            let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
-            let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
-            inputs.dimension = fractal.map(|(dimension, _)| dimension);
-            inputs.fractal = fractal.and_then(|(_, parameters)| parameters);
-            return Ok(inputs);
-        }
-        drop(heights);
-        match model {
-            "equation" => {
-                let seen = HeightStatistics::of(&map).kurtosis.zip(differences.anisotropy());
-                let slopes =
-                    slope_curve(&map, edges).zip(seen).map(|(curve, (kurtosis, ratio))| {
-                        MapSlopes::new(curve, ratio.sqrt(), kurtosis)
-                    });
-                let refused = |e: ModelError| Failure::from_error(&e);
-                inputs.slopes = slopes.transpose().map_err(refused)?;
-            }
-            "persson" => inputs.spectrum = Some(radial(&map).map_err(refused)?),
-            "stacked" | "multiscale" => {
-                inputs.amplitudes = Some(amplitudes(&map, Axis::X).map_err(refused)?);
-            }
-            _ => {}
-        }
-        Ok(inputs)
+        let Complete { map, missing, .. } = surface;
+        answers::model::measured(model, given, path, map, missing, (self.level(), edges))
     }
 
     /// An option that the model does not use is a mistake, not a wish.
@@ -408,29 +367,4 @@ fn incomplete(set: &str, options: &[(&str, Option<f64>)]) -> Failure {
         named(false).join(" ")
     );
     Failure::refused("missing_input", message)
-}
-
-/// What the model was given, for the JSON.
-pub(crate) fn object(inputs: &Inputs) -> Value {
-    let moments = inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 }));
-    let asperities = inputs.asperities.map(|a| {
-        json!({
-            "density": a.density, "radius": a.radius,
-            "height_std": a.height_std, "mean_offset": a.mean_offset,
-        })
-    });
-    let amplitudes = inputs.amplitudes.as_ref();
-    json!({
-        "moments": moments,
-        "source": inputs.moments.map(|_| inputs.source.name()),
-        "asperities": asperities,
-        "max_amplitude_ratio":
-            inputs.max_amplitude_ratio.or(amplitudes.map(AmplitudeSpectrum::max_amplitude_ratio)),
-        "record_length": amplitudes.map(AmplitudeSpectrum::record_length),
-        "dimension": inputs.fractal.map(|f| f.dimension).or(inputs.dimension),
-        "roughness": inputs.fractal.map(|f| f.roughness),
-        "nominal_area": inputs.nominal_area,
-        "critical_area": inputs.critical_area,
-        "hardness": inputs.hardness,
-    })
 }

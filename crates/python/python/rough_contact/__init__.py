@@ -10,6 +10,7 @@ Quantities go in as text or with a unit, ``'110 GPa'`` or ``110 * rc.GPa``, and 
 """
 
 from ._bodies import Body, contact_modulus
+from ._closed import Asperities, Fractal, ModelCurve, Moments, SelfAffine, model
 from ._errors import (
     AccuracyNotMet,
     ContactWarning,
@@ -59,6 +60,7 @@ from ._units import (
 __all__ = [
     "AccuracyNotMet",
     "AreaError",
+    "Asperities",
     "Body",
     "Citation",
     "Comparison",
@@ -66,6 +68,7 @@ __all__ = [
     "ContactWarning",
     "Error",
     "Finding",
+    "Fractal",
     "GPa",
     "Inputs",
     "InternalError",
@@ -75,8 +78,10 @@ __all__ = [
     "MPa",
     "MissingPoints",
     "ModelComparison",
+    "ModelCurve",
     "ModelError",
     "ModelInfo",
+    "Moments",
     "N",
     "NotConverged",
     "NotRefined",
@@ -86,6 +91,7 @@ __all__ = [
     "Q",
     "Quantity",
     "ReadError",
+    "SelfAffine",
     "SettingError",
     "Statistics",
     "Surface",
@@ -105,6 +111,7 @@ __all__ = [
     "m",
     "mN",
     "mm",
+    "model",
     "models",
     "nm",
     "ohm_m",

@@ -17,6 +17,7 @@ __all__ = [
     "encode",
     "given",
     "info",
+    "model",
     "models",
     "modulus",
     "parse",
@@ -62,3 +63,6 @@ def study(
     hashes: list[str],
     progress: Callable[[dict[str, Any]], object] | None = None,
 ) -> tuple[dict[str, str], tuple[str, str] | None, BaseException | None]: ...
+def model(
+    request: str, surface: tuple[_Heights, str] | None, threads: int
+) -> tuple[str, tuple[str, str] | None]: ...

@@ -1,0 +1,326 @@
+//! Closed-form models asked: what `rough-contact model` answers.
+
+use crate::failure::{Failure, variant};
+use crate::loads::Spread;
+use crate::models::citation;
+use compare::{BuildError, Card, Inputs, Level, MomentSource, Pressed, Scene, Theory, built_in};
+use contact_accuracy::round_to_digits;
+use contact_types::{AmplitudeSpectrum, Caveat, ContactState, HeightMap, ModelError};
+use multiscale_models::MapSlopes;
+use serde_json::{Value, json};
+use std::path::Path;
+use surface_stats::clean::RowOffsets;
+use surface_stats::fractal::PowerLaw;
+use surface_stats::spectrum::{Axis, amplitudes, radial};
+use surface_stats::{
+    DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
+    slope_curve,
+};
+
+/// What is asked of the model.
+#[derive(Clone, Copy, Debug)]
+pub enum Question {
+    /// Nominal pressure (Pa).
+    Pressure(f64),
+    /// Distance of the undeformed planes (m).
+    Separation(f64),
+}
+
+/// Why a theory cannot be asked at all.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum Unasked {
+    /// It answers at no separation.
+    #[error("{model} has no separation")]
+    NoSeparation {
+        /// Its name.
+        model: String,
+    },
+    /// An input it needs is absent.
+    #[error(transparent)]
+    Missing(BuildError),
+}
+
+impl Unasked {
+    /// As a refusal, with the way out.
+    pub fn failure(&self, way_out: &str) -> Failure {
+        match self {
+            Self::NoSeparation { .. } => {
+                let cards = built_in().iter().map(Theory::card);
+                let able: Vec<&str> =
+                    cards.filter(|c| c.has_separation).map(|c| c.name.as_ref()).collect();
+                let message = format!("{self}; {way_out}, or one of {}", able.join(", "));
+                Failure::refused("usage", message)
+            }
+            Self::Missing(_) => Failure::refused("missing_input", format!("{self}; {way_out}")),
+        }
+    }
+}
+
+/// What a theory says to one question.
+pub type Answer = Result<ContactState, ModelError>;
+type Ask<'a> = Box<dyn Fn(&Question) -> Answer + 'a>;
+
+impl Question {
+    /// Pa or m.
+    pub fn value(&self) -> f64 {
+        match *self {
+            Self::Pressure(value) | Self::Separation(value) => value,
+        }
+    }
+}
+
+/// One answer per question. A model that cannot be made refuses every question.
+///
+/// # Errors
+/// [`Unasked`].
+pub fn answers(
+    theory: &dyn Theory,
+    inputs: &Inputs,
+    questions: &[Question],
+) -> Result<Vec<Answer>, Unasked> {
+    let card = theory.card();
+    let title = card.title.as_ref();
+    let ask: Ask<'_> = match questions.first() {
+        Some(Question::Separation(_)) => match theory.build_separation(inputs) {
+            None => return Err(Unasked::NoSeparation { model: card.name.to_string() }),
+            Some(Ok(model)) => {
+                Box::new(move |q| compare::at_separation(title, model.as_ref(), q.value()))
+            }
+            Some(Err(error)) => refuse_all(error)?,
+        },
+        _ => match theory.build(inputs) {
+            Ok(model) => Box::new(move |q| compare::at_pressure(title, model.as_ref(), q.value())),
+            Err(error) => refuse_all(error)?,
+        },
+    };
+    Ok(questions.iter().map(ask).collect())
+}
+
+fn refuse_all(error: BuildError) -> Result<Ask<'static>, Unasked> {
+    match error {
+        BuildError::Model(error) => Ok(Box::new(move |_| Err(error.clone()))),
+        missing @ BuildError::Missing { .. } => Err(Unasked::Missing(missing)),
+    }
+}
+
+/// What is asked of elasticity, with the answers by rising load.
+pub fn scene(inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> Scene {
+    let pressed = |state: &ContactState| {
+        let mean = state.real_pressure()?;
+        Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
+    };
+    let mut pressed: Vec<Pressed> = answers.iter().flatten().filter_map(pressed).collect();
+    pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
+    let moments = inputs.moments;
+    Scene {
+        rows,
+        spacing: 0.0,
+        modulus: inputs.modulus.pascals(),
+        gradient: moments.map(|m| m.rms_gradient()),
+        rms_height: moments.map(|m| m.m0.sqrt()),
+        radius: inputs.asperities().map(|a| a.radius),
+        pressed,
+    }
+}
+
+/// What a model needs of a measured surface before it is levelled, and nothing else, added to what no map says.
+///
+/// # Errors
+/// [`Failure`] of a map without statistics.
+pub fn measured(
+    model: &str,
+    given: Inputs,
+    path: &Path,
+    heights: HeightMap,
+    missing: usize,
+    (form, edges): (Level, Edges),
+) -> Result<Inputs, Failure> {
+    let mut inputs = given;
+    let refused = |e: StatsError| Failure::in_file(path, &e);
+    inputs.nominal_area = Some(heights.grid().area());
+    let map = level(&heights, form).map_err(refused)?;
+    // Every model has the moments that a study gives it; only Persson's mean gap needs more.
+    let rms = HeightStatistics::of(&map).rms_height;
+    let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
+    inputs.source = MomentSource::FiniteDifferences;
+    inputs.moments = Some(differences.isotropic(rms * rms));
+    if model == "majumdar-bhushan" {
+        let options =
+            StatsOptions::default().with_level(form).with_edges(edges).with_missing(missing);
+        let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
+        let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
+        inputs.dimension = fractal.map(|(dimension, _)| dimension);
+        inputs.fractal = fractal.and_then(|(_, parameters)| parameters);
+        return Ok(inputs);
+    }
+    drop(heights);
+    match model {
+        "equation" => {
+            let seen = HeightStatistics::of(&map).kurtosis.zip(differences.anisotropy());
+            let slopes = slope_curve(&map, edges)
+                .zip(seen)
+                .map(|(curve, (kurtosis, ratio))| MapSlopes::new(curve, ratio.sqrt(), kurtosis));
+            let refused = |e: ModelError| Failure::from_error(&e);
+            inputs.slopes = slopes.transpose().map_err(refused)?;
+        }
+        "persson" => inputs.spectrum = Some(radial(&map).map_err(refused)?),
+        "stacked" | "multiscale" => {
+            inputs.amplitudes = Some(amplitudes(&map, Axis::X).map_err(refused)?);
+        }
+        _ => {}
+    }
+    Ok(inputs)
+}
+
+/// The object that scripts see.
+pub fn object(
+    card: &Card,
+    inputs: &Inputs,
+    questions: &[Question],
+    answers: &[Answer],
+    spread: Option<&Spread>,
+) -> Value {
+    let point = |(q, a): (&Question, &Answer)| {
+        let mut point = point(*q, a);
+        if let Some(spread) = spread {
+            point["load"] = json!(spread.force(q.value()));
+        }
+        point
+    };
+    let points: Vec<Value> = questions.iter().zip(answers).map(point).collect();
+    json!({
+        "model": card.name,
+        "citation": citation(&card.citation),
+        "modulus": inputs.modulus.pascals(),
+        "inputs": given(inputs),
+        "load_area": spread.map(|s| s.area),
+        "points": points,
+    })
+}
+
+/// The same with six digits of the value, unless they would move it into the domain.
+pub fn short(error: &ModelError) -> ModelError {
+    let mut short = error.clone();
+    if let ModelError::OutsideDomain { value, domain, .. } = &mut short {
+        let rounded = round_to_digits(*value, 6);
+        if !domain.contains(&rounded) {
+            *value = rounded;
+        }
+    }
+    short
+}
+
+/// A refusal by the theory, or an iteration that did not end.
+pub fn failure(error: &ModelError) -> Failure {
+    let error = &short(error);
+    match error {
+        ModelError::NotConverged { .. } => Failure::incomplete("not_converged", error.to_string()),
+        _ => Failure::from_error(error),
+    }
+}
+
+fn point(question: Question, answer: &Answer) -> Value {
+    match answer {
+        Ok(state) => json!({
+            "mean_pressure": state.mean_pressure,
+            "area_fraction": state.area_fraction,
+            "real_pressure": state.real_pressure(),
+            "separation": state.separation,
+            "mean_gap": state.mean_gap,
+            "caveat": state.caveat.as_ref().map(caveat),
+            "error": null,
+        }),
+        Err(error) => {
+            let (pressure, separation) = match question {
+                Question::Pressure(p) => (Some(p), None),
+                Question::Separation(d) => (None, Some(d)),
+            };
+            json!({
+                "mean_pressure": pressure,
+                "area_fraction": null,
+                "real_pressure": null,
+                "separation": separation,
+                "mean_gap": null,
+                "caveat": null,
+                "error": refusal(error),
+            })
+        }
+    }
+}
+
+fn caveat(caveat: &Caveat) -> Value {
+    let (quantity, value, limit) = match caveat {
+        Caveat::Saturated { quantity } | Caveat::Underflow { quantity } => {
+            (quantity.as_ref(), None, None)
+        }
+        Caveat::BeyondModel { quantity, value, limit, .. } => {
+            (quantity.as_ref(), Some(*value), Some(*limit))
+        }
+        _ => ("", None, None),
+    };
+    json!({
+        "kind": variant(caveat), "quantity": quantity, "value": value, "limit": limit,
+        "message": caveat.to_string(),
+    })
+}
+
+fn refusal(error: &ModelError) -> Value {
+    let (quantity, value, domain) = match error {
+        ModelError::InvalidInput { quantity, value, .. } => (quantity.as_ref(), Some(*value), None),
+        ModelError::OutsideDomain { quantity, value, domain, .. } => {
+            // The largest double stands for no bound.
+            let bound = |end: f64| (end.abs() < f64::MAX).then_some(end);
+            (quantity.as_ref(), Some(*value), Some([bound(*domain.start()), bound(*domain.end())]))
+        }
+        ModelError::NotConverged { residual, .. } => ("residual", Some(*residual), None),
+        _ => ("", None, None),
+    };
+    json!({
+        "kind": variant(error), "quantity": quantity, "value": value, "domain": domain,
+        "message": short(error).to_string(),
+    })
+}
+
+/// What the model was given, for the JSON.
+fn given(inputs: &Inputs) -> Value {
+    let moments = inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 }));
+    let asperities = inputs.asperities.map(|a| {
+        json!({
+            "density": a.density, "radius": a.radius,
+            "height_std": a.height_std, "mean_offset": a.mean_offset,
+        })
+    });
+    let amplitudes = inputs.amplitudes.as_ref();
+    json!({
+        "moments": moments,
+        "source": inputs.moments.map(|_| inputs.source.name()),
+        "asperities": asperities,
+        "max_amplitude_ratio":
+            inputs.max_amplitude_ratio.or(amplitudes.map(AmplitudeSpectrum::max_amplitude_ratio)),
+        "record_length": amplitudes.map(AmplitudeSpectrum::record_length),
+        "dimension": inputs.fractal.map(|f| f.dimension).or(inputs.dimension),
+        "roughness": inputs.fractal.map(|f| f.roughness),
+        "nominal_area": inputs.nominal_area,
+        "critical_area": inputs.critical_area,
+        "hardness": inputs.hardness,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_has_six_digits_and_stays_true() {
+        let error = |value: f64| ModelError::OutsideDomain {
+            model: "M".into(),
+            quantity: "D".into(),
+            value,
+            domain: 1.0..=1.5,
+            reason: "it diverges".into(),
+        };
+        let text = short(&error(1.623_456_789_012_345)).to_string();
+        assert!(text.starts_with("M: D = 1.62346 is outside"), "{text}");
+        assert!(short(&error(1.500_000_000_1)).to_string().contains("1.5000000001"));
+    }
+}

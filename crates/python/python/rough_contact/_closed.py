@@ -1,0 +1,268 @@
+"""One closed form, from a surface or from numbers."""
+
+from __future__ import annotations
+
+import copy
+import json
+from dataclasses import dataclass, field
+from html import escape
+from typing import Any, Literal, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _bodies, _units
+from . import _rough_contact as _rust
+from ._bodies import Bodies
+from ._errors import ModelError, SettingError, made, sorted_as
+from ._findings import Finding, findings_html
+from ._models import Citation
+from ._results import flat, pressure as shown
+from ._surface import Surface, check
+from ._threads import count
+from ._units import Q
+
+__all__ = ["Asperities", "Fractal", "ModelCurve", "Moments", "SelfAffine", "model"]
+
+
+class _Roughness:
+    """Numbers typed in; SI floats as attributes."""
+
+    _key = ""
+    _fields: dict[str, str] = {}
+
+    def _set(self, **values: Q | float | None) -> None:
+        for name, value in values.items():
+            kind = self._fields[name]
+            if value is None:
+                found = None
+            elif kind == "number":
+                found = _units.number(value, name)
+            else:
+                found = _units.scalar(value, kind, name)
+            object.__setattr__(self, name, found)
+
+    def _given(self) -> dict[str, dict[str, float | None]]:
+        return {self._key: {name: getattr(self, name) for name in self._fields}}
+
+
+@dataclass(frozen=True, init=False)
+class Moments(_Roughness):
+    """Spectral moments of profiles (Nayak, 1971): mean square height (an area), slope (a number), second derivative (per area)."""
+
+    m0: float
+    m2: float
+    m4: float
+    _key = "moments"
+    _fields = {"m0": "area", "m2": "number", "m4": "per_area"}
+
+    def __init__(self, *, m0: Q, m2: float, m4: Q) -> None:
+        self._set(m0=m0, m2=m2, m4=m4)
+
+
+@dataclass(frozen=True, init=False)
+class Asperities(_Roughness):
+    """Asperities: number per area, radius, standard deviation of their heights, mean height above the mean plane."""
+
+    density: float
+    radius: float
+    height_std: float
+    mean_offset: float
+    _key = "asperities"
+    _fields = {"density": "per_area", "radius": "length", "height_std": "length", "mean_offset": "length"}
+
+    def __init__(self, *, density: Q, radius: Q, height_std: Q, mean_offset: Q = "0m") -> None:
+        self._set(density=density, radius=radius, height_std=height_std, mean_offset=mean_offset)
+
+
+@dataclass(frozen=True, init=False)
+class SelfAffine(_Roughness):
+    """A self-affine spectrum: Hurst exponent, longest and shortest wavelength, mean square height."""
+
+    hurst: float
+    rolloff: float
+    cutoff: float
+    m0: float
+    _key = "self_affine"
+    _fields = {"hurst": "number", "rolloff": "length", "cutoff": "length", "m0": "area"}
+
+    def __init__(self, *, hurst: float, rolloff: Q, cutoff: Q, m0: Q) -> None:
+        self._set(hurst=hurst, rolloff=rolloff, cutoff=cutoff, m0=m0)
+
+
+@dataclass(frozen=True, init=False)
+class Fractal(_Roughness):
+    """A fractal profile: dimension between 1 and 2, roughness G, nominal area, area below which spots are not counted."""
+
+    dimension: float
+    roughness: float
+    area: float
+    critical_area: float | None
+    _key = "fractal"
+    _fields = {"dimension": "number", "roughness": "length", "area": "area", "critical_area": "area"}
+
+    def __init__(self, *, dimension: float, roughness: Q, area: Q, critical_area: Q | None = None) -> None:
+        self._set(dimension=dimension, roughness=roughness, area=area, critical_area=critical_area)
+
+
+Source = Union[Surface, Moments, Asperities, SelfAffine, Fractal]
+
+_NUMBERS = ("mean_pressure", "area_fraction", "real_pressure", "separation", "mean_gap")
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ModelCurve:
+    """What a closed form answers: the keys of ``rough-contact model --json`` as vectors, SI units, NaN without answer."""
+
+    json: dict[str, Any] = field(repr=False)
+
+    mean_pressure: NDArray[np.float64] = field(init=False)
+    area_fraction: NDArray[np.float64] = field(init=False)
+    real_pressure: NDArray[np.float64] = field(init=False)
+    separation: NDArray[np.float64] = field(init=False)
+    mean_gap: NDArray[np.float64] = field(init=False)
+
+    def __post_init__(self) -> None:
+        for name in _NUMBERS:
+            values = [point[name] for point in self.json["points"]]
+            vector = np.array([np.nan if v is None else v for v in values], dtype=np.float64)
+            vector.setflags(write=False)
+            object.__setattr__(self, name, vector)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return ModelCurve, (self.json,)
+
+    def __len__(self) -> int:
+        return len(self.json["points"])
+
+    @property
+    def name(self) -> str:
+        """Name of the model."""
+        return str(self.json["model"])
+
+    @property
+    def citation(self) -> Citation:
+        """Where it was published."""
+        return Citation(**self.json["citation"])
+
+    @property
+    def inputs(self) -> dict[str, Any]:
+        """What it was given."""
+        return copy.deepcopy(self.json["inputs"])
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What may change a conclusion, worst first."""
+        return tuple(Finding._of(finding) for finding in self.json["findings"])
+
+    @property
+    def caveats(self) -> list[str | None]:
+        """Of each answer, what strains an assumption."""
+        return [point["caveat"] and point["caveat"]["message"] for point in self.json["points"]]
+
+    @property
+    def errors(self) -> list[ModelError | None]:
+        """Of each question without an answer, why."""
+        found = [point["error"] for point in self.json["points"]]
+        return [e and ModelError(e["message"], e["kind"]) for e in found]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object of ``rough-contact model --json``."""
+        return copy.deepcopy(self.json)
+
+    def records(self) -> list[dict[str, Any]]:
+        """A flat dict for each question."""
+        return [flat(point) for point in self.json["points"]]
+
+    def to_pandas(self) -> Any:
+        """A `pandas.DataFrame` of one line for each question."""
+        import pandas
+
+        return pandas.DataFrame(self.records())
+
+    def _rows(self) -> list[str]:
+        rows = []
+        for point, error, caveat in zip(self.json["points"], self.errors, self.caveats):
+            area = point["area_fraction"]
+            what = str(error) if area is None else f"area {100 * area:.4g} %" + (f" (caution: {caveat})" if caveat else "")
+            rows.append(f"{shown(point['mean_pressure'])}: {what}")
+        return rows
+
+    def __repr__(self) -> str:
+        c = self.citation
+        head = f"ModelCurve({self.name!r}, {c.authors} {c.year}, doi:{c.doi})"
+        checks = [f"  {finding}" for finding in self.findings if finding.weight == "check"]
+        return "\n".join([head, *checks, *(f"  {row}" for row in self._rows())])
+
+    def _repr_html_(self) -> str:
+        rows = "".join(f"<tr><td>{escape(row)}</td></tr>" for row in self._rows())
+        return f"{findings_html(self.findings)}<table>{rows}</table>"
+
+
+def model(
+    name: str,
+    source: Source,
+    *,
+    modulus: Q | None = None,
+    bodies: Bodies | None = None,
+    pressure: Q | None = None,
+    separation: Q | None = None,
+    hardness: Q | None = None,
+    level: Literal["none", "mean", "plane", "quadratic"] = "plane",
+) -> ModelCurve:
+    """A closed form at pressures or separations: what ``rough-contact model`` answers.
+
+    Parameters
+    ----------
+    name : str
+        Which model; `models` lists them.
+    source : Surface, Moments, Asperities, SelfAffine or Fractal
+        The roughness.
+    modulus : quantity
+        Contact modulus E*; or `bodies`.
+    pressure, separation : quantity or list
+        Nominal pressures, or distances of the undeformed planes; exactly one.
+    hardness : quantity, optional
+        Of the softer body, for models of bodies that yield.
+    level : {'plane', 'none', 'mean', 'quadratic'}
+        Form that is taken off a surface first.
+
+    Raises
+    ------
+    ModelError
+        The formula has no meaning at any of the questions; where it has at some, see ``.errors``.
+
+    Examples
+    --------
+    >>> import rough_contact as rc
+    >>> moments = rc.Moments(m0='0.36um^2', m2=0.006, m4='4e9m^-2')
+    >>> found = rc.model('gw', moments, modulus='110 GPa', pressure='10MPa,100MPa')
+    >>> print(found.citation.doi, found.area_fraction.round(5))
+    10.1098/rspa.1966.0242 [0.00121 0.01076]
+    """
+    check("level", level, ("none", "mean", "plane", "quadratic"))
+    if (pressure is None) == (separation is None):
+        raise TypeError("give exactly one of pressure and separation")
+    surface, roughness = None, None
+    if isinstance(source, Surface):
+        surface = (source._heights, source._facts)
+    elif isinstance(source, _Roughness):
+        roughness = source._given()
+    else:
+        raise TypeError(f"source takes a surface or roughness typed in, not {type(source).__name__}")
+    request = {
+        "name": name,
+        **_bodies.given(modulus, bodies),
+        "hardness": None if hardness is None else _units.scalar(hardness, "pressure", "hardness"),
+        "pressures": None if pressure is None else _units.several(pressure, "pressure", "pressure"),
+        "separations": None if separation is None else _units.several(separation, "length", "separation"),
+        "level": level,
+        "roughness": roughness,
+    }
+    with sorted_as(SettingError):
+        text, trouble = _rust.model(json.dumps(request), surface, count(None))
+    curve = ModelCurve(json.loads(text))
+    if trouble is not None and np.isnan(curve.area_fraction).all():
+        kind, message = trouble
+        raise made(kind, message, ModelError, curve)
+    return curve

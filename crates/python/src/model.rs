@@ -1,0 +1,135 @@
+//! One closed form, asked.
+
+use crate::failure::{bug, raise};
+use crate::surface::surface_of;
+use crate::watched::quietly;
+use answers::model::{Question, answers as asked, failure, measured, object, scene};
+use answers::{Failure, bodies};
+use compare::{Body, Inputs, Level, SpectralMoments, Spikes};
+use contact_types::{AsperityStatistics, FractalParameters};
+use multiscale_models::SelfAffineSpectrum;
+use numpy::PyReadonlyArray2;
+use pyo3::prelude::*;
+use serde::Deserialize;
+use serde_json::json;
+use surface_stats::Edges;
+use surface_stats::clean::row_offsets;
+
+/// What Python asks. SI units; `roughness` is left out where a surface is given.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Request {
+    name: String,
+    modulus: Option<f64>,
+    bodies: Vec<Body>,
+    hardness: Option<f64>,
+    pressures: Option<Vec<f64>>,
+    separations: Option<Vec<f64>>,
+    level: Level,
+    roughness: Option<Roughness>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Roughness {
+    Moments { m0: f64, m2: f64, m4: f64 },
+    Asperities { density: f64, radius: f64, height_std: f64, mean_offset: f64 },
+    SelfAffine { hurst: f64, rolloff: f64, cutoff: f64, m0: f64 },
+    Fractal { dimension: f64, roughness: f64, area: f64, critical_area: Option<f64> },
+}
+
+impl Roughness {
+    fn add(&self, model: &str, inputs: &mut Inputs) -> Result<(), Failure> {
+        match *self {
+            Self::Moments { m0, m2, m4 } => {
+                inputs.moments = Some(SpectralMoments { m0, m2, m4 });
+            }
+            Self::Asperities { density, radius, height_std, mean_offset } => {
+                let given = AsperityStatistics { density, radius, height_std, mean_offset };
+                inputs.asperities = Some(given);
+            }
+            Self::SelfAffine { hurst, rolloff, cutoff, m0 } => {
+                let refused = |e| Failure::from_error(&e);
+                let spectrum = SelfAffineSpectrum::from_wavelengths(hurst, rolloff, cutoff, m0)
+                    .map_err(refused)?;
+                inputs.self_affine = Some(spectrum);
+                inputs.moments = Some(spectrum.moments());
+                if matches!(model, "stacked" | "multiscale") {
+                    let amplitudes = spectrum.profile_amplitudes(rolloff).map_err(refused)?;
+                    inputs.amplitudes = Some(amplitudes);
+                }
+            }
+            Self::Fractal { dimension, roughness, area, critical_area } => {
+                inputs.fractal = Some(FractalParameters { dimension, roughness });
+                inputs.nominal_area = Some(area);
+                inputs.critical_area = critical_area;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What `rough-contact model` answers, as JSON, and the first refusal, as kind and message.
+#[pyfunction]
+#[pyo3(signature = (request, surface, threads))]
+pub(crate) fn model(
+    py: Python<'_>,
+    request: &str,
+    surface: Option<(PyReadonlyArray2<'_, f64>, String)>,
+    threads: usize,
+) -> PyResult<(String, Option<(String, String)>)> {
+    let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let surface = surface.map(|(heights, facts)| surface_of(&heights, &facts)).transpose()?;
+    let found = quietly(py, threads, move || answer(&request, surface))?;
+    found.map_err(|e| raise(&e))
+}
+
+type Answered = (String, Option<(String, String)>);
+
+fn answer(
+    request: &Request,
+    surface: Option<(compare::Surface, crate::surface::Facts)>,
+) -> Result<Answered, Failure> {
+    let theory = compare::find(&request.name).ok_or_else(|| {
+        let all: Vec<&str> = compare::built_in().iter().map(|t| t.card().name.as_ref()).collect();
+        let message = format!("there is no model {:?}; there are {}", request.name, all.join(", "));
+        Failure::refused("setting", message)
+    })?;
+    let modulus = match request.modulus {
+        Some(pascals) => bodies::of_modulus(pascals)?,
+        None => bodies::contact_modulus(&request.bodies)?,
+    };
+    let mut inputs = Inputs { hardness: request.hardness, ..Inputs::new(modulus) };
+    let (mut rows, mut spikes, mut cleaned, mut level) = (None, Spikes::default(), None, None);
+    if let Some((surface, facts)) = surface {
+        spikes = Spikes::of(&surface.heights);
+        rows = row_offsets(surface.heights.grid(), surface.heights.heights()).ok();
+        let how = (request.level, Edges::Open);
+        let (path, map) = (facts.path(), surface.heights);
+        inputs = measured(&request.name, inputs, path, map, facts.missing, how)?;
+        cleaned = Some(facts.cleaned);
+        level = Some(request.level.name());
+    }
+    if let Some(roughness) = &request.roughness {
+        roughness.add(&request.name, &mut inputs)?;
+    }
+    inputs.poisson = compare::poisson(&request.bodies);
+    let pressures = request.pressures.iter().flatten().map(|&p| Question::Pressure(p));
+    let separations = request.separations.iter().flatten().map(|&d| Question::Separation(d));
+    let questions: Vec<Question> = pressures.chain(separations).collect();
+    let way_out = "give pressure, or what the model needs: rc.Moments, rc.Asperities, rc.SelfAffine, \
+                   rc.Fractal or a surface; rc.models() lists the inputs";
+    let found = asked(theory, &inputs, &questions).map_err(|e| e.failure(way_out))?;
+    let mut json = object(theory.card(), &inputs, &questions, &found, None);
+    let mut findings = scene(&inputs, &found, rows).findings();
+    findings.extend(compare::spiky(&spikes, None));
+    findings.sort_by_key(|f| f.weight);
+    json["findings"] = report::findings_json(&findings);
+    json["level"] = json!(level);
+    json["cleaning"] = report::cleaning_json(&cleaned.unwrap_or_default());
+    json["pair"] = serde_json::Value::Null;
+    json["bodies"] = report::bodies_json(None, &request.bodies);
+    let trouble = found.iter().find_map(|answer| answer.as_ref().err()).map(failure);
+    let trouble = trouble.map(|t| (t.kind().to_owned(), t.message().to_owned()));
+    Ok((json.to_string(), trouble))
+}

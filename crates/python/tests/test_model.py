@@ -1,0 +1,102 @@
+"""Closed forms: the numbers of the command, and their own integrals."""
+
+import pickle
+
+import numpy as np
+import pytest
+from scipy import integrate, optimize
+
+import rough_contact as rc
+
+MOMENTS = ["--m0", "0.36um^2", "--m2", "0.006", "--m4", "4e9m^-2"]
+TYPED = {
+    "moments": (["gw", *MOMENTS], "gw", lambda: rc.Moments(m0="0.36um^2", m2=0.006, m4="4e9m^-2")),
+    "bgt": (["bgt", *MOMENTS], "bgt", lambda: rc.Moments(m0="0.36um^2", m2=0.006, m4="4e9m^-2")),
+    "asperities": (
+        ["gw", "--asperity-density", "3e10m^-2", "--asperity-radius", "5um", "--asperity-height-std", "0.3um"],
+        "gw",
+        lambda: rc.Asperities(density="3e10m^-2", radius=5 * rc.um, height_std="0.3um"),
+    ),
+    "self-affine": (
+        ["persson", "--hurst", "0.8", "--rolloff", "20um", "--cutoff", "1um", "--m0", "0.1um^2"],
+        "persson",
+        lambda: rc.SelfAffine(hurst=0.8, rolloff="20um", cutoff="1um", m0="0.1um^2"),
+    ),
+    "stacked": (
+        ["stacked", "--hurst", "0.8", "--rolloff", "20um", "--cutoff", "1um", "--m0", "0.1um^2"],
+        "stacked",
+        lambda: rc.SelfAffine(hurst=0.8, rolloff="20um", cutoff="1um", m0="0.1um^2"),
+    ),
+    "fractal": (
+        ["majumdar-bhushan", "--dimension", "1.3", "--roughness", "0.1nm", "--area", "1mm^2"],
+        "majumdar-bhushan",
+        lambda: rc.Fractal(dimension=1.3, roughness="0.1nm", area="1mm^2"),
+    ),
+}
+
+
+@pytest.mark.parametrize("case", TYPED)
+def test_typed(command, case):
+    words, name, source = TYPED[case]
+    theirs = command("model", *words, "--modulus", "110GPa", "--pressure", "1MPa..100MPa:5")
+    theirs.pop("error", None)
+    assert rc.model(name, source(), modulus="110 GPa", pressure="1MPa..100MPa:5").to_dict() == theirs
+
+
+@pytest.mark.parametrize("name", ["gw", "bgt", "greenwood-elliptical", "persson", "equation", "stacked", "multiscale"])
+def test_of_a_surface(command, file, name):
+    theirs = command("model", name, file, "--modulus", "110GPa", "--pressure", "1MPa,100MPa,1GPa")
+    theirs.pop("error", None)
+    ours = rc.model(name, rc.read(file), modulus="110 GPa", pressure="1MPa,100MPa,1GPa")
+    assert ours.to_dict() == theirs
+
+
+def test_greenwood_williamson_against_its_integrals():
+    """p = 4/3 E* eta sqrt(R) int (z-d)^(3/2) phi dz, A = pi eta R int (z-d) phi dz: doi:10.1098/rspa.1966.0242."""
+    eta, radius, s, e_star = 3e10, 5e-6, 0.3e-6, 110e9
+    d = np.array([0.3e-6, 0.6e-6, 0.9e-6])
+    found = rc.model("gw", rc.Asperities(density=f"{eta}m^-2", radius=radius * rc.m, height_std=s * rc.m),
+                     modulus=e_star * rc.Pa, separation=d * rc.m)
+
+    def moment(x, n):
+        t = x / s
+        phi = lambda u: (u - t) ** n * np.exp(-u * u / 2) / np.sqrt(2 * np.pi)  # noqa: E731
+        return s**n * integrate.quad(phi, t, t + 20, epsabs=0, epsrel=1e-12)[0]
+
+    p = [4 / 3 * e_star * eta * np.sqrt(radius) * moment(x, 1.5) for x in d]
+    area = [np.pi * eta * radius * moment(x, 1) for x in d]
+    np.testing.assert_allclose(found.mean_pressure, p, rtol=1e-10)
+    np.testing.assert_allclose(found.area_fraction, area, rtol=1e-10)
+    # And back: the pressures lead to the same separations.
+    back = rc.model("gw", rc.Asperities(density=f"{eta}m^-2", radius=radius * rc.m, height_std=s * rc.m),
+                    modulus=e_star * rc.Pa, pressure=found.mean_pressure * rc.Pa)
+    np.testing.assert_allclose(back.separation, d, rtol=1e-9)
+    root = optimize.brentq(lambda x: 4 / 3 * e_star * eta * np.sqrt(radius) * moment(x, 1.5) - p[1], 0, 2e-6)
+    assert root == pytest.approx(d[1], rel=1e-9)
+
+
+def test_refusals():
+    moments = rc.Moments(m0="0.36um^2", m2=0.006, m4="4e9m^-2")
+    ask = {"modulus": "110 GPa", "pressure": "1MPa"}
+    with pytest.raises(rc.UnitError):
+        rc.Moments(m0=0.36e-12, m2=0.006, m4="4e9m^-2")
+    with pytest.raises(rc.SettingError, match="persson"):
+        rc.model("nobody", moments, **ask)
+    with pytest.raises(rc.SettingError, match="SelfAffine"):
+        rc.model("stacked", moments, **ask)
+    with pytest.raises(rc.SettingError, match="gw"):
+        rc.model("persson", moments, modulus="110 GPa", separation="1um")
+    with pytest.raises(rc.ModelError) as caught:
+        rc.model("majumdar-bhushan", rc.Fractal(dimension=1.6, roughness="0.1nm", area="1mm^2"), **ask)
+    assert "1.6" in str(caught.value) and caught.value.result.errors[0] is not None
+    with pytest.raises(TypeError):
+        rc.model("gw", 3, **ask)
+    with pytest.raises(TypeError):
+        rc.model("gw", moments, modulus="110 GPa")
+    # More than the whole surface at the second load: that one has no answer.
+    some = rc.model("gw", moments, modulus="110 GPa", pressure="1MPa,1TPa")
+    assert np.isnan(some.area_fraction).tolist() == [False, True] and some.errors[0] is None
+    assert "more than the whole surface" in str(some.errors[1])
+    again = pickle.loads(pickle.dumps(some))
+    assert again.to_dict() == some.to_dict() and "Greenwood" in repr(some)
+    assert pickle.loads(pickle.dumps(moments)) == moments
