@@ -284,6 +284,8 @@ def compare(
     level: Literal["none", "mean", "plane", "quadratic"] = "plane",
     edges: Literal["periodic", "mirrored"] = "periodic",
     hardness: Q | None = None,
+    resistivity: Q | None = None,
+    conductivity: Q | None = None,
     precision: Literal["f64", "f32"] = "f64",
     tolerance: float = 1e-4,
     accuracy: float | str | None = None,
@@ -307,7 +309,7 @@ def compare(
     models : list, optional
         Names of built-in models and models of one's own (`ContactModel`); every built-in one by default. Those of one's
         own are called once for each surface, with all loads, on this thread, before the solver.
-    level, edges, hardness, precision, tolerance, accuracy, fractal_range
+    level, edges, hardness, resistivity, conductivity, precision, tolerance, accuracy, fractal_range
         As the options of the command.
     on_failure : {'raise', 'keep'}
         What to do if a load or a surface has no answer, or a model of one's own raises: raise, with the study in
@@ -345,6 +347,10 @@ def compare(
         settings["headline"] = _units.scalar(headline, "pressure", "headline")
     if hardness is not None:
         settings["hardness"] = _units.scalar(hardness, "pressure", "hardness")
+    if resistivity is not None:
+        settings["resistivities"] = _units.pair(resistivity, "resistivity", "resistivity")
+    if conductivity is not None:
+        settings["conductivities"] = _units.pair(conductivity, "conductivity", "conductivity")
     if accuracy is not None:
         settings["accuracy"] = _units.number(accuracy, "accuracy")
     if fractal_range is not None:
