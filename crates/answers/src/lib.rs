@@ -34,5 +34,5 @@ pub use planned::unmet;
 pub use point::Point;
 pub use solve::{Answer, Question, Subject};
 pub use statistics::{Measured, Statistics, statistics};
-pub use study::not_met;
+pub use study::{look_around, not_met};
 pub use watch::Watch;

@@ -1,9 +1,23 @@
-//! What is incomplete about a study.
+//! What a study answers beyond its loads, and what is incomplete about it.
 
 use crate::failure::Failure;
 use crate::planned::unmet;
 use crate::shown;
-use compare::Comparison;
+use compare::{Comparison, Listener, StudyError};
+
+/// What is computed once the loads are: coarser grids, the shortest octaves taken off, a closer look at the headline.
+///
+/// # Errors
+/// [`Failure`] of what was not finished.
+pub fn look_around(
+    comparison: &mut Comparison,
+    listener: &mut Listener<'_>,
+) -> Result<(), Failure> {
+    let incomplete = |name, e: StudyError| Failure::incomplete(name, e.to_string());
+    comparison.solve_coarser(listener).map_err(|e| incomplete("coarser_grids", e))?;
+    comparison.remove_octaves(listener).map_err(|e| incomplete("octaves", e))?;
+    comparison.look_closer(listener).map_err(|e| incomplete("closer_look", e))
+}
 
 fn not_converged(comparison: &Comparison) -> Option<Failure> {
     let mut lines = Vec::new();

@@ -206,8 +206,7 @@ fn run(
         surfaces: listed,
     };
     let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
-    found.solve_coarser(listen).map_err(failed)?;
-    found.look_closer(listen).map_err(failed)?;
+    answers::look_around(&mut found, listen)?;
     for surface in &mut found.surfaces {
         for model in &mut surface.models {
             let seconds = times.get(model.card.name.as_ref()).and_then(|t| t.get(&surface.name));

@@ -47,6 +47,25 @@ def test_the_same_results_as_the_command(command, file, tmp_path):
         study.write(tmp_path / "b")
 
 
+@pytest.mark.parametrize(
+    ("words", "arguments"),
+    [
+        (["--hardness", "20GPa"], {"hardness": "20 GPa"}),
+        (
+            ["--resistivity", "22nohm.m,70nohm.m", "--conductivity", "400W/m/K"],
+            {"resistivity": [22e-9 * rc.ohm_m, 70e-9 * rc.ohm_m], "conductivity": 400 * rc.W_per_m_K},
+        ),
+        (["--edges", "mirrored", "--level", "mean"], {"edges": "mirrored", "level": "mean"}),
+    ],
+)
+def test_options_are_those_of_the_command(command, file, tmp_path, words, arguments):
+    ask = ["--modulus", "110GPa", "--pressure", "100MPa,1GPa", "--models", "persson", *words]
+    theirs = command("compare", file, *ask, "--out", tmp_path / "a")
+    theirs.pop("error", None)
+    study = rc.compare(rc.read(file), modulus="110 GPa", pressure="100MPa,1GPa", models=["persson"], **arguments)
+    assert timeless(study.to_dict()) == timeless(theirs)
+
+
 def test_loads_are_chosen_as_the_command_does(command, file, tmp_path):
     theirs = command("compare", file, "--modulus", "110GPa", "--models", "persson", "--out", tmp_path / "a")
     study = rc.compare(rc.read(file), modulus="110 GPa", models=["persson"], on_failure="keep")

@@ -323,10 +323,7 @@ fn study(
         }
         ControlFlow::Continue(())
     };
-    let incomplete = |name, e: compare::StudyError| Failure::incomplete(name, e.to_string());
-    comparison.solve_coarser(&mut watch).map_err(|e| incomplete("coarser_grids", e))?;
-    comparison.remove_octaves(&mut watch).map_err(|e| incomplete("octaves", e))?;
-    comparison.look_closer(&mut watch).map_err(|e| incomplete("closer_look", e))?;
+    answers::look_around(&mut comparison, &mut watch)?;
     drop(progress);
     Ok(comparison)
 }

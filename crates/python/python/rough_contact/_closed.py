@@ -238,7 +238,7 @@ def model(
     >>> moments = rc.Moments(m0='0.36um^2', m2=0.006, m4='4e9m^-2')
     >>> found = rc.model('gw', moments, modulus='110 GPa', pressure='10MPa,100MPa')
     >>> print(found.citation.doi, found.area_fraction.round(5))
-    10.1098/rspa.1966.0242 [0.00121 0.01076]
+    10.1098/rspa.1966.0242 [0.00121 0.01078]
     """
     check("level", level, ("none", "mean", "plane", "quadratic"))
     if (pressure is None) == (separation is None):
