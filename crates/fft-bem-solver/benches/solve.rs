@@ -72,5 +72,30 @@ fn load_curve(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, solves, load_curve);
+/// Bodies that yield beside elastic ones, and the stiffness of the contact set, which is its conductance:
+/// every id says the FFT pairs, too. The rms gradient and the modulus are 1.
+fn yields(c: &mut Criterion) {
+    let mut group = c.benchmark_group("yield/f64");
+    group.sample_size(10);
+    let (n, load) = (256, 0.05);
+    let map = surface(n);
+    group.throughput(Throughput::Elements((n * n) as u64));
+    for hardness in [f64::INFINITY, 1.0, 0.5, 0.25] {
+        let builder = Solver::builder().tolerance(1e-4).hardness(hardness);
+        let mut solver = builder.build(map.grid(), unit_modulus()).expect("sound settings");
+        let mut run = || {
+            solver.forget();
+            solver.solve(black_box(&map), Load::MeanPressure(load)).expect("converges")
+        };
+        let pairs = run().diagnostics.transforms;
+        let id = BenchmarkId::new(format!("solve,H={hardness},pairs={pairs:.1}"), n);
+        group.bench_function(id, |b| b.iter(&mut run));
+        let pairs = solver.contact_stiffness().expect("a contact").transforms;
+        let id = BenchmarkId::new(format!("stiffness,H={hardness},pairs={pairs:.1}"), n);
+        group.bench_function(id, |b| b.iter(|| black_box(solver.contact_stiffness())));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, solves, load_curve, yields);
 criterion_main!(benches);
