@@ -10,6 +10,7 @@
 mod families;
 mod fresh;
 mod judged;
+mod later;
 mod measure;
 mod page;
 mod tuning;

@@ -31,8 +31,8 @@ pub(crate) fn write(table: &Path, folder: &Path, families: Families) -> Result<(
     let mut page = String::new();
     let titles = [
         "Families that took no part",
-        "Families that were judged first, before two things were changed",
-        "Families that the constants were fixed on",
+        "Families that were judged before, and are now among those that the constants were fixed on",
+        "Families that the constants were fixed on from the start",
     ];
     for (place, title) in titles.into_iter().enumerate() {
         let of = |row: &&Row| families.place(&row.family) == place;
