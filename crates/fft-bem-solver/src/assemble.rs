@@ -5,7 +5,7 @@ use crate::methods::{Elastic, Hardness};
 use crate::problem::Problem;
 use crate::{
     BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, Yielded,
-    certificate, fields,
+    certificate, fields, solution::coarse,
 };
 use contact_types::{ContactState, Grid};
 use grid_fft::parallel::prelude::*;
@@ -128,8 +128,26 @@ impl<T: Real> Engine<T> {
         };
         let approach = self.state.level * units.height;
         let grid = problem.given;
-        Solution { grid, state, approach, pressure: pressure_map, gap: gap_map, diagnostics }
+        let coarse_gap = means(grid, |i| if p[i] > T::zero() { 0.0 } else { gap(i).max(0.0) });
+        let (pressure, gap) = (pressure_map, gap_map);
+        Solution { grid, state, approach, pressure, gap, coarse_gap, diagnostics }
     }
+}
+
+/// Means over the blocks of the [coarse grid](Solution::coarse_grid).
+fn means(grid: Grid, value: impl Fn(usize) -> f64 + Sync) -> Vec<f64> {
+    let ([ny, nx], [by, bx]) = (grid.shape(), coarse(grid).shape());
+    let pixels = |block: usize, blocks: usize, n: usize| {
+        (block * n).div_ceil(blocks)..((block + 1) * n).div_ceil(blocks)
+    };
+    let mut means = vec![0.0; by * bx];
+    means.par_iter_mut().enumerate().for_each(|(block, mean)| {
+        let (rows, columns) = (pixels(block / bx, by, ny), pixels(block % bx, bx, nx));
+        let count = rows.len() * columns.len();
+        let row = |iy: usize| columns.clone().map(|ix| value(iy * nx + ix)).sum::<f64>();
+        *mean = rows.map(row).sum::<f64>() / count as f64;
+    });
+    means
 }
 
 /// Edges between a pixel in contact and a neighbour (of four) that is not. Across the edge of the

@@ -23,8 +23,28 @@ pub struct Solution {
     /// [hardness](crate::SolverBuilder::hardness), minus the depth by which the surface was flattened. Empty if
     /// [`Maps`](crate::Maps) says so.
     pub gap: Vec<f64>,
+    /// Mean gap of the blocks of the map (m), row-major, on [`coarse_grid`](Self::coarse_grid); in contact it
+    /// counts as 0. There whatever maps are.
+    pub coarse_gap: Vec<f64>,
     /// How the answer was found and how accurate it is.
     pub diagnostics: Diagnostics,
+}
+
+/// Most blocks along a side of [`Solution::coarse_grid`].
+const BLOCKS: usize = 32;
+
+impl Solution {
+    /// The grid of [`coarse_gap`](Self::coarse_gap): at most 32 blocks along each side.
+    pub fn coarse_grid(&self) -> Grid {
+        coarse(self.grid)
+    }
+}
+
+pub(crate) fn coarse(grid: Grid) -> Grid {
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
+    let [by, bx] = [ny, nx].map(|n| n.min(BLOCKS));
+    let pixel = [dy * ny as f64 / by as f64, dx * nx as f64 / bx as f64];
+    Grid::new([by, bx], pixel).unwrap_or(grid) // only where a side of the map is no number
 }
 
 impl std::fmt::Debug for Solution {

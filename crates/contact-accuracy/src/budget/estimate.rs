@@ -135,7 +135,12 @@ impl Budget {
             area,
             fall: fall_over_gap(solution),
             height: map.height_scatter,
-            marks: map.marks,
+            gradient: map.gradient_scatter,
+            gap: sample::gap_scatter(solution),
+            highest: solution
+                .state
+                .mean_gap
+                .map_or(0.0, |gap| if gap > 0.0 { map.highest / gap } else { 0.0 }),
             repeats: map.repeats,
         });
         let relative = sampled.map(|s| s.area_half_width());

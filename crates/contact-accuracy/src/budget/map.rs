@@ -20,8 +20,10 @@ pub struct Map {
     pub rms_height: f64,
     /// Relative standard error of the rms height over maps of the same surface.
     pub height_scatter: f64,
-    /// The same of the rms gradient, made by marks that run across the map; 0 where there are none.
-    pub marks: f64,
+    /// The same of the rms gradient.
+    pub gradient_scatter: f64,
+    /// What the summits of its highest blocks differ by (m); see [`sample::highest`].
+    pub highest: f64,
     /// How well its slopes repeat at another place \[-\]; see [`PowerSpectrum::slopes_repeat`].
     pub regular: f64,
 }
@@ -70,13 +72,14 @@ impl Map {
         step: Option<f64>,
         repeats: bool,
     ) -> Self {
-        let [height_scatter, marks] = sample::height_and_marks(surface, power);
+        let [height_scatter, gradient_scatter] = sample::height_and_gradient(surface, power);
         Self {
             accuracy: AreaAccuracy::of_waves(surface.grid(), power, step),
             repeats,
             rms_height: power.moments().0.rms_height(),
             height_scatter,
-            marks,
+            gradient_scatter,
+            highest: sample::highest(surface, sample::PARTS),
             regular: power.slopes_repeat(),
         }
     }

@@ -42,7 +42,7 @@ mod fall;
 mod given_gap;
 pub mod grid;
 pub mod iteration;
-mod lines;
+mod long_waves;
 mod map;
 mod no_interval;
 pub mod sample;

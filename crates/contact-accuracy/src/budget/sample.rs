@@ -9,22 +9,25 @@
 //! freedom. Waves longer than a block, which move whole blocks up and down, change their loads and
 //! drop out; a plain scatter of block areas would count them.
 //!
-//! *Gap and stiffness* follow the longest waves, which no part of a map samples: they scatter with
-//! the rms height. The variance of the mean of `h²` over a map is the power of `h²` at long waves,
-//! and is found in two ways, of which the larger counts. If the amplitudes of the waves are
-//! independent and normal it is `sum S²`, S the power of each wave of the plane: the relative
-//! scatter of the rms height is then `½ sqrt(sum S²) / sum S`. If they are not, where a surface is
-//! rougher in some places than in others, it is still what the longest waves of `h²` itself show.
-//! Waves of height longer than the map are in none of these: on a map that does not repeat, which is a
-//! part of a larger surface, more is added for them. Marks that run across a map, such as scratches, scatter more
-//! than both ways say (`lines.rs`).
+//! *Gap and stiffness* follow the rms height and the longest waves, which no part of a map samples. The
+//! variance of the mean of `h²` over a map is the power of `h²` at long waves, and is found in three ways, of which the
+//! largest counts. If the amplitudes of the waves are independent and normal it is `sum S²`, S the power of
+//! each wave of the plane: the relative scatter of the rms height is then `½ sqrt(sum S²) / sum S`. If they are
+//! not, where a surface is rougher in some places than in others, it is still what the longest waves of `h²`
+//! itself show, and where marks run across the map what stands out of them (`long_waves.rs`). The scatter of the rms
+//! gradient, which the area follows, is found alike. Waves of height longer than the map are in none of these: on
+//! a map that does not repeat, which is a part of a larger surface, more is added for them.
+//!
+//! At high load what is left of the gap lies in a few places, and its mean scatters as their number does: as the
+//! long waves of the gap itself say. At light load a few summits carry everything, and the flat rests where the next
+//! map has others: higher or lower by what the highest differ by.
 //!
 //! Where few blocks carry the load, Student's quantile widens what they say of the area, and near full
 //! contact the gap follows the rms height with more than the first power.
 
-use super::lines::scatter_by_lines;
+use super::long_waves::LongWaves;
 use contact_types::{Grid, HeightMap};
-use std::f64::consts::TAU;
+use fft_bem_solver::Solution;
 use surface_stats::spectrum::PowerSpectrum;
 
 /// Blocks along each side.
@@ -37,18 +40,21 @@ const AREA: [f64; 3] = [3.0, 0.5, 1.5];
 const GAP: [f64; 2] = [3.4, 4.2];
 /// The same of the stiffness: of the area that carries, and of the heights it closes over.
 const STIFFNESS: [f64; 3] = [4.2, 3.0, 3.6];
-/// The same of the area over that of the rms gradient by marks across the map.
-const MARKS: f64 = 4.5;
+/// The same of the area over that of the rms gradient.
+const GRADIENT: f64 = 4.0;
+/// The same of gap and stiffness over that of the mean gap by its own long waves: two, and a quarter more because
+/// an open place is the deeper the wider it is.
+const PLACES: f64 = 2.5;
+/// The same of area and gap over what the highest blocks differ by, where one carries everything.
+const HIGHEST: [f64; 2] = [2.5, 4.0];
 /// Standard error of the area of one block, where one carries everything.
 const ONE_BLOCK: f64 = 0.3;
-/// 95 % half width of the gap, where one block carries everything.
-const ONE_BLOCK_GAP: f64 = 0.5;
 /// Over √(1 − A²), the part of the scatter of the area that is left near full contact, at most all of it.
 const FULL: f64 = 8.0;
 /// Fall of the gap per e-fold load over the gap, with 1 for the height itself, up to which the gap follows the
 /// rms height with the first power.
 const LIGHT: f64 = 1.7;
-/// Most of that fall that counts.
+/// Most of that fall, and of the differences of the highest blocks, over a gap that counts.
 const STEEPEST: f64 = 20.0;
 
 /// What one solution on one map says of other maps of the same surface. Half widths are relative
@@ -67,8 +73,12 @@ pub struct Sampled {
     pub fall: f64,
     /// Relative standard error of the rms height.
     pub height: f64,
-    /// The same of the rms gradient by marks across the map; 0 where there are none.
-    pub marks: f64,
+    /// The same of the rms gradient.
+    pub gradient: f64,
+    /// The same of the mean gap by its long waves.
+    pub gap: f64,
+    /// What the highest blocks differ by, over the mean gap \[-\].
+    pub highest: f64,
     /// Whether the map repeats. If not it is a part of a larger surface, whose longest waves it
     /// does not hold.
     pub repeats: bool,
@@ -78,23 +88,39 @@ impl Sampled {
     /// Of the area.
     pub fn area_half_width(&self) -> f64 {
         let height = AREA[1 + usize::from(!self.repeats)] * doubted(self.height);
-        // Near full contact the area hardly follows the slopes any more.
-        let marks = MARKS * self.marks * (1.0 - self.area * self.area).max(0.0).sqrt();
+        // Near full contact the area hardly follows the slopes any more, nor the summits.
+        let open = (1.0 - self.area * self.area).max(0.0).sqrt();
+        let blocks = (AREA[0] * self.blocks()).hypot(height);
+        let parts = blocks.hypot(open * HIGHEST[0] * self.summits());
         // It ends at full contact, where it cannot vary.
-        let left = (FULL * (1.0 - self.area * self.area).max(0.0).sqrt()).min(1.0);
-        left * upper((AREA[0] * self.blocks()).hypot(height).hypot(marks))
+        (FULL * open).min(1.0) * upper(parts.max(open * GRADIENT * self.gradient))
     }
 
     /// Of the stiffness.
     pub fn stiffness_half_width(&self) -> f64 {
         let height = STIFFNESS[1 + usize::from(!self.repeats)] * doubted(self.height);
-        upper((STIFFNESS[0] * self.blocks()).hypot(height * self.closing()))
+        let parts = (STIFFNESS[0] * self.blocks()).hypot(height * self.closing());
+        upper(parts.max(self.places()))
     }
 
     /// Of the mean gap.
     pub fn gap_half_width(&self) -> f64 {
         let height = GAP[usize::from(!self.repeats)] * doubted(self.height);
-        upper((height * self.closing()).hypot(ONE_BLOCK_GAP / self.blocks.carrying))
+        let heights = (height * self.closing()).max(self.places());
+        upper(heights.hypot(HIGHEST[1] * self.summits()))
+    }
+
+    /// What the places left open say of the mean gap. `g = 1/√N` means `N` of equal volume, known to `N/2`
+    /// degrees of freedom as their sum is; of one it says no less than one does.
+    fn places(&self) -> f64 {
+        let freedom = (0.5 / (self.gap * self.gap)).max(1.0);
+        PLACES * self.gap * students(freedom)
+    }
+
+    /// What the highest blocks differ by, over the gap, as far as few of them carry: none is left where all do.
+    fn summits(&self) -> f64 {
+        let all = (PARTS * PARTS) as f64;
+        self.highest.min(STEEPEST) * (1.0 / self.blocks.carrying - 1.0 / all).max(0.0)
     }
 
     /// Standard error of the area by blocks, widened for how few of them carry the load.
@@ -174,63 +200,66 @@ pub fn blocks(pressure: &[f64], grid: Grid, parts: usize) -> Option<Blocks> {
     Some(Blocks { scatter: (residual / n).sqrt() / mean[1], carrying })
 }
 
-/// Relative standard errors of the rms height over maps of the same surface, and of the rms gradient
-/// by marks across it; `power` is the spectrum of `surface`, under a window if its edges do not match.
-pub fn height_and_marks(surface: &HeightMap, power: &PowerSpectrum) -> [f64; 2] {
-    let [height, marks] = scatter_by_lines(surface);
-    [scatter_by_waves(power).max(scatter_by_squares(surface)).max(height), marks]
+/// Relative standard errors of the rms height and the rms gradient over maps of the same surface; `power` is
+/// the spectrum of `surface`, under a window if its edges do not match.
+pub fn height_and_gradient(surface: &HeightMap, power: &PowerSpectrum) -> [f64; 2] {
+    let ([ny, nx], [dy, dx]) = (surface.grid().shape(), surface.grid().pixel());
+    let mean = surface.mean();
+    let heights = LongWaves::of(surface.grid(), |iy, ix| (surface.at(iy, ix) - mean).powi(2));
+    // The last line has its neighbour before it; a profile has none.
+    let beside = |i: usize, n: usize| if i + 1 < n { i + 1 } else { i.saturating_sub(1) };
+    let slopes = LongWaves::of(surface.grid(), |iy, ix| {
+        let here = surface.at(iy, ix);
+        let along_y = (surface.at(beside(iy, ny), ix) - here) / dy;
+        let along_x = (surface.at(iy, beside(ix, nx)) - here) / dx;
+        along_y * along_y + along_x * along_x
+    });
+    // Marks are seen by their slopes.
+    let marks = slopes.scatter_by_marks();
+    let marks = [if marks > 0.0 { heights.scatter_by_marks() } else { 0.0 }, marks];
+    let waves =
+        [scatter_by_waves(power, |_| 1.0), scatter_by_waves(power, |[qy, qx]| qy * qy + qx * qx)];
+    // A root scatters by half of what is under it.
+    let found = |k: usize, by: &LongWaves| waves[k].max(0.5 * by.scatter().max(marks[k]));
+    [found(0, &heights), found(1, &slopes)]
 }
 
-/// The same from the waves of the map, taken as independent and normal.
-fn scatter_by_waves(power: &PowerSpectrum) -> f64 {
+/// The same of the mean square of the waves of the map times `weight`, taken as independent and normal.
+fn scatter_by_waves(power: &PowerSpectrum, weight: impl Fn([f64; 2]) -> f64) -> f64 {
     let (mut sum, mut squares) = (0.0, 0.0);
-    power.for_each(|_, weight, variance| {
-        sum += weight * variance;
-        squares += weight * variance * variance;
+    power.for_each(|q, count, variance| {
+        let part = weight(q) * variance;
+        sum += count * part;
+        squares += count * part * part;
     });
     if sum > 0.0 { 0.5 * squares.sqrt() / sum } else { 0.0 }
 }
 
-/// Waves that stand for the long end of the spectrum of `h²`: periods over the map along y and x.
-/// It is flat there, so that edges which do not match need no window.
-const LONGEST: [[i32; 2]; 6] = [[0, 1], [0, 2], [1, 0], [2, 0], [1, 1], [-1, 1]];
+/// Relative standard error of the mean gap of `solution` over maps of the same surface, by its long waves.
+pub fn gap_scatter(solution: &Solution) -> f64 {
+    let grid = solution.coarse_grid();
+    let nx = grid.shape()[1];
+    let waves = LongWaves::of(grid, |iy, ix| solution.coarse_gap[iy * nx + ix]);
+    waves.scatter().max(waves.scatter_by_marks())
+}
 
-/// The same from the mean power of the longest waves of the squared heights.
-fn scatter_by_squares(surface: &HeightMap) -> f64 {
+/// Mean height of the highest eighth of the summits of `parts` by `parts` blocks over the next (m): how much higher
+/// or lower those of another map may be (Pickands 1975 on the excess over a threshold).
+pub fn highest(surface: &HeightMap, parts: usize) -> f64 {
     let [ny, nx] = surface.grid().shape();
-    let n = surface.grid().len() as f64;
-    let mean = surface.mean();
-    let square = |h: &f64| (h - mean) * (h - mean);
-    let mean_square = surface.heights().iter().map(square).sum::<f64>() / n;
-    // A profile has no waves across.
-    let fits = |[ky, kx]: &[i32; 2]| (*ky == 0 || ny > 4) && (*kx == 0 || nx > 4);
-    let longest: Vec<[i32; 2]> = LONGEST.into_iter().filter(fits).collect();
-    if mean_square <= 0.0 || longest.is_empty() {
+    if ny.min(nx) < parts || parts < 3 {
         return 0.0;
     }
-    let turns = |k: i32, n: usize| -> Vec<(f64, f64)> {
-        (0..n).map(|i| (f64::from(k) * TAU * i as f64 / n as f64).sin_cos()).collect()
-    };
-    let turns_along = [0, 1, 2].map(|kx| turns(kx, nx));
-    // Sums of (h² - <h²>) exp(i q x) over the map.
-    let mut sums = vec![[0.0; 2]; longest.len()];
+    let mut summits = vec![f64::NEG_INFINITY; parts * parts];
     for (iy, row) in surface.heights().chunks_exact(nx).enumerate() {
-        let along = [0, 1, 2].map(|kx: usize| {
-            let terms = row.iter().zip(&turns_along[kx]);
-            terms.fold([0.0; 2], |[re, im], (h, (sin, cos))| {
-                let y = square(h) - mean_square;
-                [re + y * cos, im + y * sin]
-            })
-        });
-        for (sum, [ky, kx]) in sums.iter_mut().zip(&longest) {
-            let (sin, cos) = (f64::from(*ky) * TAU * iy as f64 / ny as f64).sin_cos();
-            let [re, im] = along[*kx as usize];
-            sum[0] += re * cos - im * sin;
-            sum[1] += re * sin + im * cos;
+        for (ix, h) in row.iter().enumerate() {
+            let summit = &mut summits[iy * parts / ny * parts + ix * parts / nx];
+            *summit = summit.max(*h);
         }
     }
-    let power: f64 = sums.iter().map(|[re, im]| re * re + im * im).sum();
-    0.5 * (power / sums.len() as f64).sqrt() / (n * mean_square)
+    summits.sort_by(|a, b| b.total_cmp(a));
+    let few = summits.len() / 8;
+    summits[..few].iter().map(|h| h - summits[few]).sum::<f64>() / few as f64
 }
 
 #[cfg(test)]
@@ -239,6 +268,12 @@ mod tests {
     use contact_types::HeightMap;
     use std::f64::consts::TAU;
     use surface_stats::spectrum::Window;
+
+    fn scatter_by_squares(map: &HeightMap) -> f64 {
+        let mean = map.mean();
+        let square = |iy: usize, ix: usize| (map.at(iy, ix) - mean).powi(2);
+        0.5 * LongWaves::of(map.grid(), square).scatter()
+    }
 
     /// Areas in proportion to the loads of the blocks leave no residual; one block with too much
     /// area leaves the residual of a line through four points, by hand.
@@ -268,6 +303,43 @@ mod tests {
         assert_eq!(blocks(&[1.0; 63], grid, 2), None);
     }
 
+    /// A groove across half the places: one of the six longest waves, (1 - i)/π of the share at each odd period,
+    /// says how the mean scatters; a gap that is alike everywhere says nothing. The solver keeps means of blocks
+    /// of its gap.
+    #[test]
+    fn gaps_in_one_place_scatter_and_even_ones_do_not() {
+        use contact_types::ContactModulus;
+        use fft_bem_solver::{Load, Solver};
+        let grid = Grid::new([64, 64], [1.0, 1.0]).unwrap();
+        let fine = |x: f64| 0.01 * (TAU * x / 4.0).cos();
+        let solve = |map: &HeightMap| {
+            let modulus = ContactModulus::from_pascals(1.0).unwrap();
+            let mut solver = Solver::builder().build(grid, modulus).unwrap();
+            solver.solve(map, Load::MeanPressure(1e-4)).unwrap()
+        };
+        let even = solve(&HeightMap::from_fn(grid, |_, x| fine(x)).unwrap());
+        assert!(gap_scatter(&even) < 1e-3, "{}", gap_scatter(&even));
+        let deep = |x: f64| if x < 32.0 { fine(x) } else { fine(x) - 100.0 };
+        let half = solve(&HeightMap::from_fn(grid, |_, x| deep(x)).unwrap());
+        // |F(1)|²/F(0)² = 1/(32 sin(π/64))² of an array of 64 points, of which one half is filled.
+        let expected = (1.0 / (32.0 * (TAU / 64.0 / 2.0).sin()).powi(2) / 6.0).sqrt();
+        let found = gap_scatter(&half);
+        assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
+        let block = |i: usize| [0, 1, 64, 65].map(|k| half.gap[i + k].max(0.0)).iter().sum::<f64>();
+        assert!((half.coarse_gap[0] - block(0) / 4.0).abs() < 1e-12);
+        assert!((half.coarse_gap[31] - block(62) / 4.0).abs() < 1e-9);
+    }
+
+    /// 64 blocks whose summits are 0, 1, ... 63: the highest eight are 59.5 - 55 above the next in the mean.
+    #[test]
+    fn highest_summits_by_hand() {
+        let grid = Grid::new([16, 16], [1.0, 1.0]).unwrap();
+        let summit = |iy: usize, ix: usize| (iy / 2 * 8 + ix / 2) as f64 - ((iy + ix) % 2) as f64;
+        let map = HeightMap::new(grid, (0..256).map(|i| summit(i / 16, i % 16)).collect()).unwrap();
+        assert!((highest(&map, 8) - 4.5).abs() < 1e-12);
+        assert!(highest(&map, 32).abs() < 1e-12);
+    }
+
     /// Student's quantile at 97.5 % is 2.228 for 10 degrees of freedom and 2.776 for 4.
     #[test]
     fn few_waves_widen_like_students_quantile() {
@@ -287,7 +359,8 @@ mod tests {
         let wave = |k: f64, x: f64| (TAU * k * x / 64.0 + k * k).cos();
         let map =
             HeightMap::from_fn(grid, |_, x| (3..12).map(|k| wave(f64::from(k), x)).sum()).unwrap();
-        let height = scatter_by_waves(&PowerSpectrum::of(&map, Window::None).unwrap());
+        let power = PowerSpectrum::of(&map, Window::None).unwrap();
+        let height = scatter_by_waves(&power, |_| 1.0);
         assert!((height - 0.5 / 18f64.sqrt()).abs() < 1e-9, "{height}");
     }
 
@@ -306,7 +379,7 @@ mod tests {
         let expected = 0.5 * (amplitude * amplitude / 4.0 / 6.0).sqrt() / 2.5;
         assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
         let power = PowerSpectrum::of(&map, Window::None).unwrap();
-        assert!(height_and_marks(&map, &power)[0] >= found);
+        assert!(height_and_gradient(&map, &power)[0] >= found);
     }
 
     /// Of Gaussian maps both ways say the same, but for the chance in six waves.
@@ -326,7 +399,7 @@ mod tests {
             };
             let map = recipe.generate().unwrap();
             let power = PowerSpectrum::of(&map, Window::None).unwrap();
-            sums[0] += scatter_by_waves(&power).powi(2);
+            sums[0] += scatter_by_waves(&power, |_| 1.0).powi(2);
             sums[1] += scatter_by_squares(&map).powi(2);
         }
         // 20 maps of 6 waves with two degrees of freedom each: 9 % standard error.

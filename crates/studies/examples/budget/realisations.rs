@@ -1,7 +1,7 @@
 //! Realisations of families of surfaces, and what one of them says of the others.
 
 use crate::families::{FAMILIES, GRADIENT};
-use compare::budget::sample::{PARTS, blocks, height_and_marks};
+use compare::budget::sample::{PARTS, blocks, height_and_gradient};
 use contact_types::ContactModulus;
 use fft_bem_solver::{Load, Solver};
 use std::error::Error;
@@ -24,7 +24,7 @@ pub(crate) fn realisation(family: usize, seed: usize) -> Result<String, Box<dyn 
     let map = FAMILIES[family].generate(family, seed)?;
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let mut solver = Solver::builder().tolerance(1e-5).threads(1).build(map.grid(), modulus)?;
-    let [height, _] = height_and_marks(&map, &PowerSpectrum::of(&map, Window::None)?);
+    let [height, _] = height_and_gradient(&map, &PowerSpectrum::of(&map, Window::None)?);
     let mut rows = String::new();
     for load in LOADS {
         let pressure = load * MODULUS * GRADIENT;

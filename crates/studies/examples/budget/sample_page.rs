@@ -100,12 +100,14 @@ fn coverage(table: &Table, place: usize) -> [Coverage; 3] {
 /// Relative half width that one map states of the others.
 fn half_width(table: &Table, row: usize, name: &str) -> f64 {
     let (blocks, height) = (table.get(row, "blocks"), table.get(row, "height"));
-    // The table holds neither how many blocks carry the load nor marks: at its loads most do, and its
-    // maps have none.
+    // The table holds the parts that are larger on surfaces as kind as these; what the others add where they
+    // are not is in the study of unkind ones.
     let carrying = (sample::PARTS * sample::PARTS) as f64;
     let blocks = sample::Blocks { scatter: blocks, carrying };
     let area = table.get(row, "area");
-    let told = sample::Sampled { blocks, area, fall: 0.0, height, marks: 0.0, repeats: true };
+    let [fall, gradient, gap, highest] = [0.0; 4];
+    let repeats = true;
+    let told = sample::Sampled { blocks, area, fall, height, gradient, gap, highest, repeats };
     match name {
         "area" => told.area_half_width(),
         "gap" => told.gap_half_width(),
