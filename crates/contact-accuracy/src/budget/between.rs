@@ -17,7 +17,7 @@ use fft_bem_solver::Solution;
 use std::f64::consts::PI;
 
 /// Doubt above which the bar of the grid is not known to hold.
-pub const MOST_DOUBT: f64 = 0.07;
+pub const MOST_DOUBT: f64 = 0.05;
 
 /// How much the interpolants differ at the contact of one solution.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -96,8 +96,8 @@ pub struct Budget {
     /// Whether part of the contact has yielded: its bars from the grid are wider ([`grid::YIELDING`]), and
     /// nothing is known of other maps of the surface.
     pub yields: bool,
-    /// Half width of the area that points in light contact leave, where it is known what lies between the points.
-    pub light: f64,
+    /// Half width of the area that ways to interpolate leave, where that is known and small.
+    pub between: f64,
     /// Whether what lies between the points decides the answer, whatever else leaves it without a bar of its own.
     pub doubted: bool,
     /// Why the grid of this solution has no bar of its own, if it has none; one from a finer grid
@@ -149,7 +149,8 @@ impl Budget {
             grid: if goes_on {
                 gate.map(|_| {
                     let open = grid::gap_of_open_places(map, line, gap);
-                    wide_gap * grid::gap_half_width(map, line).max(open)
+                    let few = sampled.map_or(1.0, |s| grid::of_few_spots(s.blocks.carrying));
+                    wide_gap * (few * grid::gap_half_width(map, line)).max(open)
                 })
             } else {
                 Err(NoAreaInterval::NotStudied("the gap of an isolated contact"))
@@ -172,7 +173,7 @@ impl Budget {
             stiffness: None,
             yields,
             sampled,
-            light: 0.0,
+            between: 0.0,
             doubted: false,
             own: gate.map(|_| ()),
         }
@@ -186,8 +187,8 @@ impl Budget {
             if let Some(gap) = &mut self.mean_gap {
                 gap.grid = gap.grid.map(|half| half.max(grid::gap_between(found)));
             }
-            self.light = grid::area_of_light_contact(found.light, self.area.value);
-            self.area.grid = self.area.grid.map(|half| half.hypot(self.light));
+            self.between = grid::area_between(found, self.area.value);
+            self.area.grid = self.area.grid.map(|half| half.hypot(self.between));
             return self;
         }
         self.doubted = true;

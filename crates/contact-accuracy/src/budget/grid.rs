@@ -28,6 +28,11 @@ const OPEN_GAP_AT_SEAM: f64 = 2.2;
 const TAIL: f64 = 2.0;
 /// Half width of the area over the share of points in light contact.
 const LIGHT: f64 = 1.5;
+/// The same over the square of the doubt inside the contact.
+const SHARP: f64 = 7.0;
+/// By how much the parts of gap and stiffness from the grid are wider, over the root of the blocks that carry the load: the peaks of few
+/// spots stand beside the points by chance, those of many in the mean.
+const FEW: f64 = 1.5;
 /// Open share of the surface below which the error of the stiffness is counted against it.
 const OPEN: f64 = 0.6;
 
@@ -63,6 +68,11 @@ impl Line {
     }
 }
 
+/// By how much the half widths of mean gap and stiffness widen where so many blocks carry the load.
+pub fn of_few_spots(carrying: f64) -> f64 {
+    1.0 + FEW / carrying.sqrt()
+}
+
 /// Half width of the mean gap (m) at this contact line. Where its edges run alike, on a lay or a
 /// regular pattern, it widens as that of the area does.
 pub fn gap_half_width(map: &Map, line: Line) -> f64 {
@@ -94,10 +104,12 @@ pub fn stiffness_half_width(map: &Map, line: Line) -> f64 {
     part * line.share() * open * map.accuracy.widened(line.edges)
 }
 
-/// Half width of the area that points in light contact leave, where `area` touches: those that what lies between the
-/// points could take off. At light load the bar of the contact line covers them.
-pub fn area_of_light_contact(light: f64, area: f64) -> f64 {
-    LIGHT * light * area * area
+/// Half width of the area that ways to interpolate leave where the doubt is small and much touches: points in light
+/// contact that what lies between the points could take off, and slits beside sharp crests that the points do not show. At
+/// light load the bar of the contact line covers both.
+pub fn area_between(found: &Between, area: f64) -> f64 {
+    let crests = SHARP * (found.height / found.deformed).powi(2);
+    (LIGHT * found.light).hypot(crests) * area * area
 }
 
 /// What a solution on twice as many points along each side says of the one on the given grid.

@@ -112,8 +112,10 @@ impl Budget {
         let k = found.value;
         let wide = if self.yields { grid::YIELDING[2] } else { 1.0 };
         // Near full contact it follows the places that are open.
-        let light = self.light / (1.0 - self.area.value).max(f64::MIN_POSITIVE);
-        let relative = (wide * grid::stiffness_half_width(map, line)).hypot(light) + DIFFERENCE;
+        let open = self.between / (1.0 - self.area.value).max(f64::MIN_POSITIVE);
+        let few = self.sampled.map_or(1.0, |s| grid::of_few_spots(s.blocks.carrying));
+        let relative =
+            (few * wide * grid::stiffness_half_width(map, line)).hypot(open) + DIFFERENCE;
         self.stiffness = Some(Estimate {
             value: k,
             grid: self.own.map(|()| k * relative),

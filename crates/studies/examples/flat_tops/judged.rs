@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use studies::maps::{Draw, Heights, gradient, mix, softmin, triangle};
 
 /// Their names.
-pub(crate) const JUDGED: [&str; 32] = [
+pub(crate) const JUDGED: [&str; 42] = [
     "self-affine",
     "log-normal",
     "oblique lay",
@@ -38,6 +38,16 @@ pub(crate) const JUDGED: [&str; 32] = [
     "cracked",
     "part of a pattern",
     "smooth, fine",
+    "sealed pores",
+    "puddles",
+    "ridges on a flat",
+    "grit on a flat",
+    "cut at both ends",
+    "etched channels",
+    "wiped coating",
+    "tiles",
+    "cusp ridges",
+    "smooth, long",
 ];
 
 /// Heights of a map of a family, in any unit.

@@ -14,6 +14,7 @@ mod judged;
 mod measure;
 mod page;
 mod second;
+mod third;
 mod tuning;
 
 use clap::Parser;

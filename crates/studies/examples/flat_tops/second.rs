@@ -1,6 +1,7 @@
 //! Families that were written down after the rule for patterns of like cells and for what is left of the
 //! doubt on the finer grid, and judged by it; the rule for points that are pressed lightly came of one of them.
 
+use crate::third;
 use std::f64::consts::TAU;
 use studies::maps::{Draw, Heights, mix, softmin, triangle};
 
@@ -121,6 +122,6 @@ pub(crate) fn heights(family: &str, d: &Draw) -> Heights {
             mix(&a, &fine, |a, f| a + 3.0 * rough * f)
         }
         "smooth, fine" => d.field(d.lin(3, 0.3, 0.9), d.log(1, 4.0, 9.0), side / 5.0, 1.0, 19)?,
-        _ => return Err(format!("no family {family}").into()),
+        _ => return third::heights(family, d),
     })
 }
