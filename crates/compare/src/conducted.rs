@@ -22,7 +22,7 @@ pub struct Conduction {
     /// Cooper, Mikic and Yovanovich's for bodies that yield, if a hardness was given.
     pub yovanovich: Vec<Option<f64>>,
     /// The headline load on the map without its shortest octaves, the whole map first; empty unless asked
-    /// for, see [`Comparison::remove_octaves`].
+    /// for, see [`Comparison::remove_octaves`](crate::Comparison::remove_octaves).
     pub octaves: Vec<Octave>,
     /// Wall-clock time of the octaves (s).
     pub seconds: f64,
