@@ -1,7 +1,7 @@
 //! From a scaled state to the solution in SI units with its diagnostics.
 
 use crate::engine::{Engine, Run};
-use crate::methods::{Elastic, Hardness};
+use crate::methods::{Top, under};
 use crate::problem::Problem;
 use crate::{
     BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, Yielded,
@@ -13,7 +13,9 @@ use grid_fft::parallel::prelude::*;
 impl<T: Real> Engine<T> {
     pub(crate) fn solution(&mut self, problem: &Problem<T>, run: &Run, load: Load) -> Solution {
         let mut transforms = run.outcome.transforms;
-        let ceiling = self.settings.hardness / problem.units.pressure;
+        let ceilings = self.ceilings();
+        let ceiling = self.top(problem, &ceilings);
+        let hardness_map = self.hardness_map.clone();
         let energy_bound = match run.exact {
             _ if !self.settings.certified => None,
             Some(_) => Some(0.0),
@@ -22,12 +24,9 @@ impl<T: Real> Engine<T> {
                 let mut scratch = vec![T::zero(); state.pressure.len()];
                 let (u, h, level) = (&state.displacement, &problem.heights, T::of(state.level));
                 let gap = |i: usize| u[i] - h[i] - level;
-                let error = if ceiling.is_finite() {
-                    let top = Hardness(T::of(ceiling));
+                let error = under!(ceiling, top => {
                     certificate::energy_error(top, state, gap, &mut scratch, operator)
-                } else {
-                    certificate::energy_error(Elastic, state, gap, &mut scratch, operator)
-                };
+                });
                 transforms += error.transforms;
                 error.relative.is_finite().then_some(error.relative)
             }
@@ -35,10 +34,11 @@ impl<T: Real> Engine<T> {
         let (units, settings, state) = (problem.units, self.settings, &self.state);
         let (p, u, h, level) =
             (&state.pressure, &state.displacement, &problem.heights, state.level);
-        let is_full = |i: usize| p[i] >= T::of(ceiling);
+        let is_full = |i: usize| p[i] >= ceiling.at(i);
+        let hardness = |i: usize| hardness_map.as_ref().map_or(settings.hardness, |map| map[i]);
         // To the last digit, whatever the units of the iteration are.
         let pressure =
-            |i: usize| if is_full(i) { settings.hardness } else { p[i].wide() * units.pressure };
+            |i: usize| if is_full(i) { hardness(i) } else { p[i].wide() * units.pressure };
         let gap = |i: usize| (u[i].wide() - h[i].wide() - level) * units.height;
         // Under a free boundary nothing fixes the displacement but the load: in contact, what the iteration
         // leaves may be large beside the heights, and is no gap.
@@ -50,21 +50,25 @@ impl<T: Real> Engine<T> {
         let load_sum = fields::sum_of(pixels, pressure);
         let lowest = fields::least_of(pixels, |i| if is_full(i) { 0.0 } else { gap(i) });
         let contact_pixels = fields::contact_count(p);
-        let [perimeter, sharp] = edges(problem.grid, p, T::of(ceiling), settings.boundary);
+        let [perimeter, sharp] = edges(problem.grid, p, ceiling, settings.boundary);
         let (contact_perimeter, cut) = (perimeter as f64 / n, (perimeter - sharp) as f64 / n);
         let yielded = ceiling.is_finite().then(|| {
             let full = fields::sum_of(pixels, |i| if is_full(i) { 1.0 } else { 0.0 });
+            let borne = fields::sum_of(pixels, |i| if is_full(i) { hardness(i) } else { 0.0 });
             let depth = |i: usize| if is_full(i) { (-gap(i)).max(0.0) } else { 0.0 };
             Yielded {
                 hardness: settings.hardness,
                 area_fraction: full / n,
-                load_share: if load_sum > 0.0 { full * settings.hardness / load_sum } else { 0.0 },
+                load_share: if load_sum > 0.0 { borne / load_sum } else { 0.0 },
                 mean_flattening: fields::sum_of(pixels, depth) / n,
             }
         });
         let area_fraction = contact_pixels as f64 / n;
         // No pressure exceeds the hardness: whatever the line, it takes this area to carry the load.
-        let least = (load_sum / n / settings.hardness).min(area_fraction);
+        let hardest = hardness_map
+            .as_ref()
+            .map_or(settings.hardness, |map| map.iter().copied().fold(0.0, f64::max));
+        let least = (load_sum / n / hardest).min(area_fraction);
         let off = |i: usize| if is_full(i) { gap(i).max(0.0) } else { gap(i).abs() };
         let complementarity = fields::sum_of(pixels, |i| pressure(i) * off(i));
         let work = fields::dot(p, u) / n;
@@ -80,7 +84,7 @@ impl<T: Real> Engine<T> {
             penetration: (-lowest / units.height).max(0.0),
         };
         let duality_gap = if ceiling.is_finite() {
-            let room = |i: usize| settings.hardness - pressure(i);
+            let room = |i: usize| hardness(i) - pressure(i);
             let term = |i: usize| pressure(i) * gap(i).max(0.0) + room(i) * (-gap(i)).max(0.0);
             fields::sum_of(pixels, term) / n
         } else {
@@ -105,7 +109,7 @@ impl<T: Real> Engine<T> {
             contact_perimeter,
             area_fraction_corrected: (area_fraction - BOUNDARY_CORRECTION * cut).max(least),
             yielded,
-            max_pressure: (fields::max(p) * units.pressure).max(0.0).min(settings.hardness),
+            max_pressure: (fields::max(p) * units.pressure).max(0.0).min(hardest),
             elastic_energy: 0.5 * work * units.pressure * units.height,
         };
         let mean_pressure = match load {
@@ -154,24 +158,30 @@ fn means(grid: Grid, value: impl Fn(usize) -> f64 + Sync) -> Vec<f64> {
 /// map the neighbour is the opposite pixel; with a free boundary there is none, and no edge: the
 /// body ends there, so that the contact line cuts no pixel. And of these, the edges of pixels at the
 /// ceiling: the pressure drops from there at once, whatever the pixel.
-fn edges<T: Real>(grid: Grid, pressure: &[T], ceiling: T, boundary: Boundary) -> [usize; 2] {
+fn edges<T: Real>(
+    grid: Grid,
+    pressure: &[T],
+    ceiling: Top<'_, T>,
+    boundary: Boundary,
+) -> [usize; 2] {
     let [ny, nx] = grid.shape();
-    let edge = |a: T, b: T| {
-        let is_edge = (a > T::zero()) != (b > T::zero());
-        [usize::from(is_edge), usize::from(is_edge && (a >= ceiling || b >= ceiling))]
+    let is_full = |i: usize| pressure[i] >= ceiling.at(i);
+    let edge = |a: usize, b: usize| {
+        let is_edge = (pressure[a] > T::zero()) != (pressure[b] > T::zero());
+        [usize::from(is_edge), usize::from(is_edge && (is_full(a) || is_full(b)))]
     };
     let wraps = boundary == Boundary::Periodic;
-    let row = |iy: usize| &pressure[iy * nx..(iy + 1) * nx];
     let mut counts = vec![[0_usize; 2]; ny];
     counts.par_iter_mut().enumerate().for_each(|(iy, count)| {
-        let here = row(iy);
+        let first = iy * nx;
         let mut add = |[all, sharp]: [usize; 2]| *count = [count[0] + all, count[1] + sharp];
-        here.windows(2).for_each(|w| add(edge(w[0], w[1])));
+        (first + 1..first + nx).for_each(|i| add(edge(i - 1, i)));
         if wraps {
-            add(edge(here[0], here[nx - 1]));
+            add(edge(first, first + nx - 1));
         }
         if iy + 1 < ny || wraps {
-            here.iter().zip(row((iy + 1) % ny)).for_each(|(a, b)| add(edge(*a, *b)));
+            let below = (iy + 1) % ny * nx;
+            (0..nx).for_each(|ix| add(edge(first + ix, below + ix)));
         }
     });
     counts.iter().fold([0; 2], |[a, b], [x, y]| [a + x, b + y])
@@ -191,9 +201,9 @@ mod tests {
             0.0, 0.0, 0.0, 0.0, //
             1.0, 0.0, 0.0, 0.0,
         ];
-        let none = f64::INFINITY;
+        let none = Top::NONE;
         assert_eq!(edges(grid, &pressure, none, Boundary::Periodic), [12 - 4, 0]);
         assert_eq!(edges(grid, &pressure, none, Boundary::Free), [12 - 2 - 5, 0]);
-        assert_eq!(edges(grid, &pressure, 1.0, Boundary::Periodic), [12 - 4; 2]);
+        assert_eq!(edges(grid, &pressure, Top::Same(1.0), Boundary::Periodic), [12 - 4; 2]);
     }
 }

@@ -1,6 +1,8 @@
 //! From a surface and a load in SI units to a solution, through the scaled problem.
 
-use crate::methods::{self, Compliance, ContactMethod, Outcome, Start, State, Step, Target, Task};
+use crate::methods::{
+    self, Compliance, ContactMethod, Outcome, Start, State, Step, Target, Task, Top,
+};
 use crate::observer::Observe;
 use crate::problem::Problem;
 use crate::{
@@ -21,7 +23,7 @@ pub(crate) struct Settings {
     pub(crate) max_iterations: Option<usize>,
     pub(crate) certified: bool,
     pub(crate) maps: Maps,
-    /// Pa; infinite for elastic bodies.
+    /// Pa; infinite for elastic bodies, the mean of a map.
     pub(crate) hardness: f64,
     pub(crate) modulus: ContactModulus,
 }
@@ -34,6 +36,10 @@ pub(crate) struct Engine<T> {
     operator: Box<dyn Compliance<T>>,
     pub(crate) state: State<T>,
     problem: Option<Arc<Problem<T>>>,
+    /// Hardness of each pixel (Pa), if it is not the same everywhere.
+    pub(crate) hardness_map: Option<Arc<[f64]>>,
+    /// The same in units of the problem.
+    ceilings: Arc<[T]>,
     /// Mean pressure that closes every gap of the problem, once it is known.
     closing_load: Option<f64>,
     /// Mean pressure below which the method does not expect that, once it was asked.
@@ -49,7 +55,11 @@ pub(crate) struct Run {
 }
 
 impl<T: Real> Engine<T> {
-    pub(crate) fn new(settings: Settings, scaled: Grid) -> Result<Self, SolverError> {
+    pub(crate) fn new(
+        settings: Settings,
+        scaled: Grid,
+        hardness_map: Option<Arc<[f64]>>,
+    ) -> Result<Self, SolverError> {
         let (method, iteration) = methods::build(settings.method, scaled, settings.boundary)?;
         let operator = methods::operator(scaled, settings.boundary);
         Ok(Self {
@@ -59,6 +69,8 @@ impl<T: Real> Engine<T> {
             operator,
             state: State::new(scaled.len()),
             problem: None,
+            hardness_map,
+            ceilings: Arc::new([]),
             closing_load: None,
             suspected_closing_load: None,
             is_warm: false,
@@ -83,7 +95,11 @@ impl<T: Real> Engine<T> {
         self.closing_load = None;
         self.suspected_closing_load = None;
         self.problem = None;
-        self.problem = Some(Arc::new(Problem::new(surface, self.scaled, self.settings.modulus)?));
+        let problem = Problem::new(surface, self.scaled, self.settings.modulus)?;
+        if let Some(map) = &self.hardness_map {
+            self.ceilings = map.iter().map(|h| T::of(h / problem.units.pressure)).collect();
+        }
+        self.problem = Some(Arc::new(problem));
         Ok(())
     }
 
@@ -104,7 +120,8 @@ impl<T: Real> Engine<T> {
         observer: &mut Observe<'_>,
         clock: Instant,
     ) -> Result<Solution, SolverError> {
-        let ceiling = self.settings.hardness / problem.units.pressure;
+        let ceilings = self.ceilings.clone();
+        let ceiling = self.top(problem, &ceilings);
         let prescribed = self.prescribed(problem, load, ceiling)?;
         let start = if self.is_warm { Start::Warm } else { Start::Cold };
         self.is_warm = false; // until this solve has left a useful state behind
@@ -127,12 +144,23 @@ impl<T: Real> Engine<T> {
         }
     }
 
+    /// The highest pressure, in units of the problem.
+    pub(crate) fn top<'a>(&self, problem: &Problem<T>, ceilings: &'a [T]) -> Top<'a, T> {
+        let mean = self.settings.hardness / problem.units.pressure;
+        if ceilings.is_empty() { Top::Same(mean) } else { Top::Map(ceilings, mean) }
+    }
+
+    /// What each pixel bears, in units of the problem; empty where it is the same everywhere.
+    pub(crate) fn ceilings(&self) -> Arc<[T]> {
+        self.ceilings.clone()
+    }
+
     /// Checks the load and says what it means for this problem.
     fn prescribed(
         &self,
         problem: &Problem<T>,
         load: Load,
-        ceiling: f64,
+        ceiling: Top<'_, T>,
     ) -> Result<Prescribed, SolverError> {
         let (quantity, value, unit) = match load {
             Load::MeanPressure(p) => ("mean pressure", p, "Pa"),
@@ -201,6 +229,12 @@ impl<T: Real> Engine<T> {
             return Ok(Prescribed::Apart(level));
         }
         if is_periodic && yields && level >= 1.0 {
+            if self.hardness_map.is_some() {
+                return bad(
+                    "it would take the flat deeper than the lowest point, and with a map of hardness \
+                            nobody knows where all yields; prescribe the mean pressure instead",
+                );
+            }
             return Ok(Prescribed::Yielded); // deeper than the lowest point
         }
         if is_periodic && !yields && level >= most {
@@ -227,11 +261,12 @@ impl<T: Real> Engine<T> {
     }
 
     /// Everything at the ceiling. The flat is where the lowest point still touches it.
-    fn yielded(&mut self, problem: &Problem<T>, ceiling: f64, clock: Instant) -> Run {
+    fn yielded(&mut self, problem: &Problem<T>, ceiling: Top<'_, T>, clock: Instant) -> Run {
         let State { pressure, displacement, level } = &mut self.state;
-        pressure.fill(T::of(ceiling));
+        fields::write(pressure, |i, _| ceiling.at(i));
         let mut spent = 0.0;
-        if self.settings.boundary == Boundary::Periodic {
+        let is_even = self.hardness_map.is_none();
+        if self.settings.boundary == Boundary::Periodic && is_even {
             displacement.fill(T::zero());
         } else {
             self.operator.apply(pressure, displacement);
@@ -245,7 +280,7 @@ impl<T: Real> Engine<T> {
     fn target(
         &mut self,
         problem: &Problem<T>,
-        ceiling: f64,
+        ceiling: Top<'_, T>,
         target: Target,
         start: Start,
         observer: &mut Observe<'_>,
@@ -302,13 +337,14 @@ impl<T: Real> Engine<T> {
         &mut self,
         problem: &Problem<T>,
         load: f64,
-        ceiling: f64,
+        ceiling: Top<'_, T>,
         start: &mut Start,
     ) -> (Option<&'static str>, f64) {
         let mut spent = 0.0;
         let (operator, state) = (self.operator.as_mut(), &mut self.state);
-        let may_be_single = load * problem.heights.len() as f64 <= ceiling;
-        let summit = special_cases::lonely_summit(problem, load).filter(|_| may_be_single);
+        let total = load * problem.heights.len() as f64;
+        let bears = |summit: &usize| total <= ceiling.at(*summit).wide();
+        let summit = special_cases::lonely_summit(problem, load).filter(bears);
         if let Some(summit) = summit {
             spent += 1.0;
             if special_cases::single_pixel(problem, summit, load, operator, state) {
@@ -319,7 +355,9 @@ impl<T: Real> Engine<T> {
         if self.settings.boundary != Boundary::Periodic {
             return (None, spent);
         }
-        if problem.is_flat() {
+        let bears = |i: usize| load <= ceiling.at(i).wide();
+        let n = problem.heights.len();
+        if problem.is_flat() && (self.hardness_map.is_none() || (0..n).all(bears)) {
             state.pressure.fill(T::of(load));
             state.displacement.fill(T::zero());
             state.level = 0.0;
@@ -343,8 +381,9 @@ impl<T: Real> Engine<T> {
             spent += 1.0;
             self.closing_load = special_cases::flattening_pressure(problem, operator, &mut field);
             let mut closes = self.closing_load.is_some_and(|least| load >= least);
-            if ceiling.is_finite() {
-                closes &= fields::max(&field) + load <= ceiling;
+            if ceiling.is_finite() && closes {
+                let over = |i: usize| field[i].wide() + load - ceiling.at(i).wide();
+                closes = fields::largest_of(field.len(), over) <= 0.0;
             }
             if closes || *start == Start::Cold {
                 state.pressure = field;

@@ -11,6 +11,8 @@ pub(crate) struct Needs {
     pub(crate) precision: Precision,
     pub(crate) certified: bool,
     pub(crate) maps: Maps,
+    /// Whether each pixel has a hardness of its own.
+    pub(crate) ceilings: bool,
 }
 
 impl Needs {
@@ -26,8 +28,10 @@ impl Needs {
             Maps::Pressure => 8.0,
             Maps::PressureAndGap => 16.0,
         };
+        // As given, and as the iteration has it.
+        let ceilings = if self.ceilings { 8.0 + t } else { 0.0 };
         let (heights, iterate) = (t, 2.0 * t);
-        let solving = heights + iterate + self.method(t) + self.half_space(t);
+        let solving = ceilings + heights + iterate + self.method(t) + self.half_space(t);
         let answering = maps + if self.certified { t } else { 0.0 };
         // The coefficients of the free half space are transformed on a doubled grid in f64.
         let building = match self.boundary {

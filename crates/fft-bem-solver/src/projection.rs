@@ -1,5 +1,6 @@
 //! The nearest pressure that is nowhere negative and carries the load.
 
+use crate::methods::Ceiling;
 use crate::{Real, fields};
 
 /// Replaces `field` by `max(field + c, 0)` with the `c` that gives it the mean `load`: its
@@ -33,9 +34,13 @@ pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
 ///
 /// The load carried rises with `c`, piecewise linearly: Newton's method, and bisection where it would leave
 /// the bracket.
-pub(crate) fn between<T: Real>(field: &mut [T], load: f64, ceiling: f64) {
+pub(crate) fn between<T: Real, C: Ceiling<T>>(field: &mut [T], load: f64, ceiling: C) {
     let total = load * field.len() as f64;
-    let (mut low, mut high) = (-fields::max(field), ceiling - fields::min(field));
+    let n = field.len();
+    let top = |i: usize| ceiling.at(i).wide();
+    let most = fields::largest_of(n, top);
+    let mut low = -fields::max(field);
+    let mut high = fields::largest_of(n, |i| top(i) - field[i].wide());
     let mut shift = low.max(0.0).min(high);
     for _ in 0..MOST_STEPS {
         let [carried, free] = carried_between(field, shift, ceiling);
@@ -50,12 +55,12 @@ pub(crate) fn between<T: Real>(field: &mut [T], load: f64, ceiling: f64) {
         }
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         // On one piece the step is exact; where nothing is free, a jump is all there is.
-        if (next - shift).abs() <= f64::EPSILON * (shift.abs() + f64::EPSILON * ceiling) {
+        if (next - shift).abs() <= f64::EPSILON * (shift.abs() + f64::EPSILON * most) {
             break;
         }
         shift = next;
     }
-    fields::write(field, |_, p| T::of((p.wide() + shift).clamp(0.0, ceiling)));
+    fields::write(field, |i, p| T::of((p.wide() + shift).clamp(0.0, top(i))));
     scale_below(field, total, ceiling, 1.0); // rounding
 }
 
@@ -63,29 +68,38 @@ pub(crate) fn between<T: Real>(field: &mut [T], load: f64, ceiling: f64) {
 const MOST_STEPS: usize = 200;
 
 /// What `field + shift`, cut to the bounds, carries, and on how many nodes between them.
-fn carried_between<T: Real>(field: &[T], shift: f64, ceiling: f64) -> [f64; 2] {
-    let carried = |i: usize| (field[i].wide() + shift).clamp(0.0, ceiling);
+fn carried_between<T: Real, C: Ceiling<T>>(field: &[T], shift: f64, ceiling: C) -> [f64; 2] {
+    let carried = |i: usize| (field[i].wide() + shift).clamp(0.0, ceiling.at(i).wide());
     let is_free = |i: usize| {
         let p = field[i].wide() + shift;
-        if p > 0.0 && p < ceiling { 1.0 } else { 0.0 }
+        if p > 0.0 && p < ceiling.at(i).wide() { 1.0 } else { 0.0 }
     };
     [fields::sum_of(field.len(), carried), fields::sum_of(field.len(), is_free)]
 }
 
 /// Multiplies the nodes below `ceiling` by the factor that lets all carry `total`; those that would come above
 /// it stay there. False, and nothing done, if no factor within `most` of 1 does.
-pub(crate) fn scale_below<T: Real>(field: &mut [T], total: f64, ceiling: f64, most: f64) -> bool {
+pub(crate) fn scale_below<T: Real, C: Ceiling<T>>(
+    field: &mut [T],
+    total: f64,
+    ceiling: C,
+    most: f64,
+) -> bool {
     let n = field.len();
+    let top = |i: usize| ceiling.at(i).wide();
     let mut factor = 1.0;
     for _ in 0..MOST_STEPS {
-        let is_full = |p: f64| p >= ceiling || factor * p >= ceiling;
-        let full = fields::sum_of(n, |i| if is_full(field[i].wide()) { 1.0 } else { 0.0 });
-        let free =
-            fields::sum_of(n, |i| if is_full(field[i].wide()) { 0.0 } else { field[i].wide() });
-        let next = (total - full * ceiling) / free;
+        let is_full = |i: usize| {
+            let p = field[i].wide();
+            p >= top(i) || factor * p >= top(i)
+        };
+        let full = fields::sum_of(n, |i| if is_full(i) { top(i) } else { 0.0 });
+        let free = fields::sum_of(n, |i| if is_full(i) { 0.0 } else { field[i].wide() });
+        let next = (total - full) / free;
         if !(next >= 1.0 - most && next <= 1.0 + most) {
             // Nothing to scale, and nothing lacks.
-            return free <= 0.0 && (total - full * ceiling).abs() <= 1e-9 * ceiling;
+            let most = fields::largest_of(n, top);
+            return free <= 0.0 && (total - full).abs() <= 1e-9 * most;
         }
         let is_same = (next - factor).abs() <= f64::EPSILON;
         factor = next;
@@ -93,9 +107,9 @@ pub(crate) fn scale_below<T: Real>(field: &mut [T], total: f64, ceiling: f64, mo
             break;
         }
     }
-    fields::write(field, |_, p| {
+    fields::write(field, |i, p| {
         let scaled = p.wide() * factor;
-        if p.wide() >= ceiling || scaled >= ceiling { T::of(ceiling) } else { T::of(scaled) }
+        if p.wide() >= top(i) || scaled >= top(i) { ceiling.at(i) } else { T::of(scaled) }
     });
     true
 }
@@ -103,6 +117,7 @@ pub(crate) fn scale_below<T: Real>(field: &mut [T], total: f64, ceiling: f64, mo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::methods::Hardness;
     use proptest::prelude::*;
 
     proptest! {
@@ -136,7 +151,7 @@ mod tests {
         ) {
             let mut projected = field.clone();
             let load = part * ceiling;
-            between(&mut projected, load, ceiling);
+            between(&mut projected, load, Hardness(ceiling));
             let n = field.len() as f64;
             let mean = projected.iter().sum::<f64>() / n;
             prop_assert!((mean - load).abs() <= 1e-12 * ceiling, "{mean} and {load}");

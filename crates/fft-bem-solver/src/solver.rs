@@ -10,6 +10,7 @@ use crate::{
     mixed_problem, problem,
 };
 use contact_types::{ContactModulus, Grid, HeightMap};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Settings of a [`Solver`], each with a default.
@@ -24,6 +25,7 @@ pub struct SolverBuilder {
     certified: bool,
     maps: Maps,
     hardness: f64,
+    hardness_map: Option<Arc<[f64]>>,
 }
 
 impl Default for SolverBuilder {
@@ -38,6 +40,7 @@ impl Default for SolverBuilder {
             certified: false,
             maps: Maps::default(),
             hardness: f64::INFINITY,
+            hardness_map: None,
         }
     }
 }
@@ -113,11 +116,26 @@ impl SolverBuilder {
     /// indentation, about 2.8 times the yield stress. Infinite means elastic bodies, the default.
     ///
     /// The contact is then that of `0 <= p <= H`: where the pressure is H, the surface is flattened
-    /// by as much as the gap of the [`Solution`] is negative. H is the same everywhere and constant;
-    /// no material piles up beside what is flattened; loading only. Only with [`Method::Chord`].
+    /// by as much as the gap of the [`Solution`] is negative. H is the same everywhere (else see
+    /// [`hardness_map`](Self::hardness_map)) and constant; no material piles up beside what is flattened; loading only. Only with [`Method::Chord`].
     #[must_use]
     pub fn hardness(mut self, pascals: f64) -> Self {
         self.hardness = pascals;
+        self.hardness_map = None;
+        self
+    }
+
+    /// [`hardness`](Self::hardness) of each pixel (Pa), row by row: two materials side by side, islands of a
+    /// coating. Every one of them finite: for a part that stays elastic, one well above its pressures. The
+    /// contact bears no more than their mean.
+    #[must_use]
+    pub fn hardness_map(mut self, pascals: &[f64]) -> Self {
+        let lowest = pascals.iter().copied().fold(f64::INFINITY, f64::min);
+        let highest = pascals.iter().copied().fold(0.0, f64::max);
+        // A sum of equal numbers, divided, is not always that number.
+        let mean = pascals.iter().sum::<f64>() / pascals.len() as f64;
+        self.hardness = if highest <= lowest { lowest } else { mean };
+        self.hardness_map = Some(pascals.into());
         self
     }
 
@@ -129,7 +147,8 @@ impl SolverBuilder {
 
     fn needs(&self) -> Needs {
         let Self { method, boundary, precision, certified, maps, .. } = *self;
-        Needs { method, boundary, precision, certified, maps }
+        let ceilings = self.hardness_map.is_some();
+        Needs { method, boundary, precision, certified, maps, ceilings }
     }
 
     /// Checks the settings, plans the transforms and allocates: iterations allocate nothing.
@@ -152,9 +171,26 @@ impl SolverBuilder {
             let threads = self.threads.unwrap_or(1) as f64;
             return bad("threads", threads, "enable the feature `parallel` or use 1 thread");
         }
+        if let Some(map) = &self.hardness_map {
+            if map.len() != grid.len() {
+                let n = map.len() as f64;
+                return bad(
+                    "hardness_map",
+                    n,
+                    "it must have one number for each pixel of the grid",
+                );
+            }
+            if let Some(h) = map.iter().find(|h| !(**h > 0.0 && h.is_finite())) {
+                return bad("hardness_map", *h, "each must be a pressure above 0 Pa, and finite");
+            }
+        }
         if self.hardness.is_nan() || self.hardness <= 0.0 {
             return bad("hardness", self.hardness, "it must be a pressure above 0 Pa, or infinite");
         }
+        // The same everywhere is one number, which needs no array.
+        let lowest = |map: &Arc<[f64]>| map.iter().copied().fold(f64::INFINITY, f64::min);
+        let varies = |map: &Arc<[f64]>| lowest(map) < self.hardness;
+        let hardness_map = self.hardness_map.clone().filter(varies);
         if self.hardness.is_finite() && !matches!(self.method, Method::Auto | Method::Chord) {
             return Err(SolverError::Combination {
                 first: "a hardness",
@@ -179,8 +215,12 @@ impl SolverBuilder {
         let pool = Pool::new(self.threads)?;
         let engine = pool.run(|| {
             Ok::<_, SolverError>(match self.precision {
-                Precision::Double => Work::Double(Box::new(Engine::new(settings, scaled)?)),
-                Precision::Single => Work::Single(Box::new(Engine::new(settings, scaled)?)),
+                Precision::Double => {
+                    Work::Double(Box::new(Engine::new(settings, scaled, hardness_map)?))
+                }
+                Precision::Single => {
+                    Work::Single(Box::new(Engine::new(settings, scaled, hardness_map)?))
+                }
             })
         })??;
         Ok(Solver { grid, modulus, engine, pool })
@@ -228,7 +268,7 @@ impl Solver {
         self.modulus
     }
 
-    /// Highest pressure that the bodies bear (Pa); infinite for elastic ones.
+    /// Highest pressure that the bodies bear (Pa), the mean of a map; infinite for elastic ones.
     pub fn hardness(&self) -> f64 {
         match &self.engine {
             Work::Double(engine) => engine.settings.hardness,

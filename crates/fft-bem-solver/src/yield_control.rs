@@ -6,7 +6,7 @@
 //! out; the level rises with it, the open gap falls. A secant, kept inside a bracket.
 
 use crate::methods::{
-    Compliance, ContactMethod, Outcome, RISE, Start, State, Step, Target, Task, Watch,
+    Compliance, ContactMethod, Outcome, RISE, Start, State, Step, Target, Task, Top, Watch,
 };
 use crate::problem::Problem;
 use crate::{End, Real, certificate, fields};
@@ -17,10 +17,10 @@ const MOST_LOADS: usize = 60;
 const FARTHEST: f64 = 2.0;
 
 /// Mean gap: what overlaps at the ceiling is flattened and no gap.
-fn open_gap<T: Real>(state: &State<T>, heights: &[T], level: f64, ceiling: T) -> f64 {
+fn open_gap<T: Real>(state: &State<T>, heights: &[T], level: f64, top: Top<'_, T>) -> f64 {
     let (p, u) = (&state.pressure, &state.displacement);
     let open = |i: usize| (u[i] - heights[i]).wide() - level;
-    let gap = |i: usize| if p[i] >= ceiling { 0.0 } else { open(i) };
+    let gap = |i: usize| if p[i] >= top.at(i) { 0.0 } else { open(i) };
     fields::sum_of(u.len(), gap) / u.len() as f64
 }
 
@@ -29,7 +29,7 @@ fn progress<T: Real>(task: &Task<'_, T>, state: &State<T>) -> [f64; 2] {
     let Problem { heights, .. } = task.problem;
     let level = certificate::level(state, heights, task.ceiling);
     match task.target {
-        Target::OpenGap(gap, _) => [-open_gap(state, heights, level, T::of(task.ceiling)), -gap],
+        Target::OpenGap(gap, _) => [-open_gap(state, heights, level, task.ceiling), -gap],
         Target::Level(target, _) => [level, target],
         Target::Pressure(_) => [0.0; 2], // which needs no control
     }
@@ -45,7 +45,7 @@ pub(crate) fn solve<T: Real>(
     state: &mut State<T>,
     watch: &mut Watch<'_, T>,
 ) -> Outcome {
-    let h = task.ceiling;
+    let h = task.ceiling.mean();
     let load_of = |y: f64| h / (1.0 + (-y).exp());
     let y_of = |load: f64| (load / (h - load)).ln();
     let first = match start {

@@ -20,6 +20,7 @@
 //! - A method that does not control the level itself (`controls_level`) is driven by
 //!   [`control`](crate::control): a secant in the logarithm of the load.
 
+use super::ceiling::Top;
 use super::compliance::Compliance;
 use crate::problem::Problem;
 use crate::{End, Fallbacks, Real};
@@ -43,8 +44,8 @@ pub(crate) enum Target {
 pub(crate) struct Task<'a, T> {
     pub(crate) problem: &'a Problem<T>,
     pub(crate) target: Target,
-    /// Highest pressure, in scaled units; infinite for elastic bodies.
-    pub(crate) ceiling: f64,
+    /// Highest pressure, in scaled units.
+    pub(crate) ceiling: Top<'a, T>,
     /// Relative rms pressure error to reach.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,

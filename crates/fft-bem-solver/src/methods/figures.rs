@@ -6,7 +6,7 @@
 //! writes `docs/src/figures/chord-fields.png`; an ordinary test holds the committed file to what would
 //! be drawn now.
 
-use super::ceiling::Elastic;
+use super::ceiling::{Elastic, Top};
 use super::chord::{Chord, Kind, Known, Run};
 use super::contract::{ContactMethod, Start, State, Target, Task};
 use crate::HalfSpace;
@@ -74,13 +74,8 @@ fn picture() -> Vec<u8> {
     chord.force = Some(Kind::Chord); // the step after the first: with guesses little is left to see
     let mut state = State::new(N * N);
     let target = Target::Pressure(load);
-    let task = Task {
-        problem: &problem,
-        target,
-        ceiling: f64::INFINITY,
-        tolerance: 1e-9,
-        max_iterations: 1,
-    };
+    let task =
+        Task { problem: &problem, target, ceiling: Top::NONE, tolerance: 1e-9, max_iterations: 1 };
     let mut watch = |_: &super::contract::Step<'_, f64>| ControlFlow::Continue(());
     chord.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
 

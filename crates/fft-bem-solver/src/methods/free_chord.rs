@@ -7,11 +7,12 @@
 //! transform. Where the map is much longer than wide, its `S` is made from the kernel of the free half
 //! space itself.
 
+use super::ceiling::{Ceiling, Top, under};
 use super::chord::Chord;
 use super::compliance::Compliance;
 use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::problem::Problem;
-use crate::{Boundary, End, Real, SolverError, fields};
+use crate::{Boundary, End, Real, SolverError, fields, projection};
 use contact_types::Grid;
 
 /// Height of the pixels around the map; those of the map lie between -1 and 0.
@@ -123,16 +124,29 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
         let mut transforms = 0.0;
         // Nor may what stood near the ceiling be scaled beyond it.
         let factor = load * state.pressure.len() as f64 / fields::sum(&state.pressure);
-        let is_beyond = factor * fields::max(&state.pressure) > task.ceiling;
+        let is_beyond = under!(task.ceiling, top => top.is_passed(factor, &state.pressure));
         if start == Start::Cold || is_beyond {
             state.pressure.fill(T::of(load));
+            under!(task.ceiling, top => if top.is_passed(1.0, &state.pressure) {
+                projection::between(&mut state.pressure, load, top);
+            });
             operator.apply(&state.pressure, &mut state.displacement);
             transforms += 1.0;
         }
         let around = T::of(1.5 * fields::max(&state.displacement).max(0.0));
         embed(map, &state.pressure, T::zero(), stride, &mut self.state.pressure);
         embed(map, &state.displacement, around, stride, &mut self.state.displacement);
-        let task = Task { problem: &self.problem, target, ..*task };
+        // Beside the map nothing is pressed, whatever it bears.
+        let mut bears = Vec::new();
+        let ceiling = match task.ceiling {
+            Top::Same(top) => Top::Same(top),
+            Top::Map(top, mean) => {
+                bears.resize(self.state.pressure.len(), T::zero());
+                embed(map, top, T::of(mean), stride, &mut bears);
+                Top::Map(&bears, mean)
+            }
+        };
+        let task = Task { problem: &self.problem, target, ceiling, ..*task };
         let mut shown = |step: &Step<'_, T>| {
             cut(map, &step.state.pressure, stride, &mut state.pressure);
             cut(map, &step.state.displacement, stride, &mut state.displacement);

@@ -40,7 +40,7 @@ mod sweep;
 mod thin_pixels;
 mod transfer;
 
-pub(crate) use ceiling::{Ceiling, Elastic, Hardness};
+pub(crate) use ceiling::{Ceiling, Elastic, Hardness, HardnessMap, Top, under};
 pub(crate) use choice::{build, operator};
 pub(crate) use compliance::Compliance;
 pub(crate) use contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};

@@ -4,7 +4,7 @@
 //! Polonsky & Keer (1999), *Wear* 231, 206–219, doi:10.1016/S0043-1648(99)00113-1, section 3.
 
 use super::begin::{begin, mean_gap_in_contact_to_zero};
-use super::ceiling::Elastic;
+use super::ceiling::{Elastic, Top};
 use super::compliance::Compliance;
 use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
 use super::passes;
@@ -126,7 +126,7 @@ impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
         if end == End::Exhausted && residual <= task.tolerance {
             end = End::Converged;
         }
-        state.level = certificate::level(state, heights, f64::INFINITY);
+        state.level = certificate::level(state, heights, Top::NONE);
         Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
     }
 }

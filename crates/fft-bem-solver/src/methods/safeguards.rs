@@ -1,5 +1,6 @@
 //! Tests that force each safeguard of the chord iteration.
 
+use super::ceiling::Top;
 use super::chord::{Chord, Kind};
 use super::contract::{ContactMethod, Outcome, Start, State, Target, Task};
 use super::polonsky_keer::PolonskyKeer;
@@ -30,6 +31,7 @@ fn run(
     let mut half_space = HalfSpace::new(problem.grid, modulus);
     let mut state = State::new(problem.grid.len());
     let target = Target::Pressure(load);
+    let ceiling = Top::Same(ceiling);
     let task = Task { problem, target, ceiling, tolerance, max_iterations: 20_000 };
     let mut watch = |_: &super::contract::Step<'_, f64>| ControlFlow::Continue(());
     let outcome = method.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);

@@ -13,7 +13,7 @@
 //! Stanley & Kato (1997), *J. Tribol.* 119, 481–485, doi:10.1115/1.2833523.
 
 use super::begin::{begin, mean_gap_in_contact_to_zero};
-use super::ceiling::Elastic;
+use super::ceiling::{Elastic, Top};
 use super::compliance::Compliance;
 use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
 use crate::certificate::{self, Patience};
@@ -109,7 +109,7 @@ impl<T: Real> ContactMethod<T> for StanleyKato<T> {
             transforms += check.transforms;
             residual = certificate::CAUTION * check.relative;
         }
-        state.level = certificate::level(state, heights, f64::INFINITY);
+        state.level = certificate::level(state, heights, Top::NONE);
         Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
     }
 }

@@ -186,8 +186,9 @@ impl Sweep {
                             if !nodes.iter().fold(false, |any, m| any | is_off(*m)) {
                                 return; // as most lines, but in a first step
                             }
-                            for ((l, m), p) in line.iter_mut().zip(nodes).zip(&trial[first..]) {
-                                let top = if fills(*m) { ceiling.value() } else { T::zero() };
+                            let fields = line.iter_mut().zip(nodes).zip(&trial[first..]);
+                            for (i, ((l, m), p)) in fields.enumerate() {
+                                let top = if fills(*m) { ceiling.at(first + i) } else { T::zero() };
                                 let load = if is_off(*m) { (*p - top).narrow() } else { 0.0 };
                                 *l += factor * load;
                             }
@@ -225,8 +226,10 @@ impl Sweep {
             .zip(level.value.par_chunks_mut(rows * mx))
             .zip(level.weight.par_chunks_mut(rows * mx))
             .zip(nodes.par_chunks_mut(fine).zip(trial.par_chunks(fine)))
-            .for_each(|(cells, (nodes, trial))| {
+            .enumerate()
+            .for_each(|(task, (cells, (nodes, trial)))| {
                 let (((((found, smallest), added), beyond), value), weight) = cells;
+                let bounds = Bounds { ceiling: bounds.ceiling.after(task * fine), ..bounds };
                 *found = (0.0, 0);
                 vectorised!({
                     if has_more {
@@ -380,8 +383,8 @@ impl Cell {
             field[*place] = field[*place].or(Node::Dropped, drops);
         }
         if C::IS_FINITE {
-            let top = bounds.ceiling.value();
             for k in 0..4 {
+                let top = bounds.ceiling.at(places[k]);
                 let fills = on[k] & bounds.fills & (p[k] > top.wide());
                 field[places[k]] = field[places[k]].or(Node::Full, fills);
                 load[k] += if fills { p[k] - top.wide() } else { 0.0 };
@@ -390,9 +393,8 @@ impl Cell {
                 rest[k] = if on[k] & !drops[k] { nearer } else { f32::INFINITY };
             }
         }
-        let count = |flags: [bool; 4]| flags.iter().map(|f| usize::from(*f)).sum::<usize>();
         let least = |x: f32, y: f32| if x < y { x } else { y };
-        let (all, dropped) = (count(on), count(drops));
+        let [all, dropped] = [on, drops].map(|f| f.iter().map(|f| usize::from(*f)).sum::<usize>());
         let [a, b, c, d] = load.map(|load| load as f32);
         Self {
             loads: [[a, b], [c, d]],

@@ -29,7 +29,7 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
         if nodes[i].is_in() && p[i] <= T::zero() && z[i] > 0.0 {
             nodes[i] = Node::Gap;
         }
-        if C::IS_FINITE && nodes[i].is_in() && ceiling.is_reached(p[i]) && z[i] < 0.0 {
+        if C::IS_FINITE && nodes[i].is_in() && ceiling.is_reached(i, p[i]) && z[i] < 0.0 {
             nodes[i] = Node::Full;
         }
     }
@@ -79,8 +79,7 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
     for i in 0..n {
         direction[i] = p[i] - length * t[i];
     }
-    let is_above = || C::IS_FINITE && fields::max(direction) > ceiling.value().wide();
-    if fields::min(direction) < 0.0 || is_above() {
+    if fields::min(direction) < 0.0 || ceiling.is_passed(1.0, direction) {
         project(ceiling, direction, load);
         operator.apply(direction, u);
         std::mem::swap(p, direction);

@@ -35,7 +35,7 @@ use super::memory::{Kind, Known};
 use super::pairs::Base;
 use super::run::Run;
 use super::work::Work;
-use crate::methods::ceiling::{Ceiling, Elastic, Hardness};
+use crate::methods::ceiling::{Ceiling, Top, under};
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{ContactMethod, Outcome, Start, State, Step, Task, Watch};
 use crate::methods::extrapolation::Earlier;
@@ -86,11 +86,7 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
         state: &mut State<T>,
         watch: &mut Watch<'_, T>,
     ) -> Outcome {
-        if task.ceiling.is_finite() {
-            self.iterate(Hardness(T::of(task.ceiling)), task, operator, start, state, watch)
-        } else {
-            self.iterate(Elastic, task, operator, start, state, watch)
-        }
+        under!(task.ceiling, ceiling => self.iterate(ceiling, task, operator, start, state, watch))
     }
 
     fn extrapolate(&mut self, is_on: bool) {
@@ -167,8 +163,8 @@ impl<T: Real> Chord<T> {
         let residual = run.memory.residual.max(run.level_error());
         let yielding = C::IS_FINITE.then(|| run.level_of_iterate());
         let Run { transforms, fallbacks, .. } = run;
-        state.level = yielding
-            .unwrap_or_else(|| certificate::level(state, &task.problem.heights, f64::INFINITY));
+        state.level =
+            yielding.unwrap_or_else(|| certificate::level(state, &task.problem.heights, Top::NONE));
         Outcome { end, iterations: iteration, transforms, residual, fallbacks }
     }
 }

@@ -66,11 +66,17 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
         self.load * self.heights.len() as f64
     }
 
-    /// Begins with the constant pressure; its displacement is zero on a periodic half space.
+    /// Begins with the constant pressure, cut to the ceiling; that of a constant one is zero on a periodic half
+    /// space.
     pub(super) fn begin_constant(&mut self) {
         let state = &mut *self.iterate;
         passes::fill(self.load, &mut state.pressure);
-        if self.operator.boundary() == Boundary::Periodic {
+        // Where the ceiling varies, the load may be above it in places.
+        let is_cut = self.ceiling.is_passed(1.0, &state.pressure);
+        if is_cut {
+            project(self.ceiling, &mut state.pressure, self.load);
+        }
+        if self.operator.boundary() == Boundary::Periodic && !is_cut {
             passes::fill(0.0, &mut state.displacement);
         } else {
             self.operator.apply(&state.pressure, &mut state.displacement);
@@ -87,7 +93,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
         let present = mean(&self.iterate.pressure);
         if C::IS_FINITE {
             let factor = self.load / present;
-            if factor * fields::max(&self.iterate.pressure) > self.ceiling.value().wide() {
+            if self.ceiling.is_passed(factor, &self.iterate.pressure) {
                 self.work.pairs.lead_from(factor, self.iterate);
                 return self.begin_constant();
             }
@@ -124,7 +130,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
 /// The nearest pressure within the bounds that carries the load.
 pub(super) fn project<T: Real, C: Ceiling<T>>(ceiling: C, field: &mut [T], load: f64) {
     if C::IS_FINITE {
-        projection::between(field, load, ceiling.value().wide());
+        projection::between(field, load, ceiling);
     } else {
         projection::onto_admissible(field, load);
     }

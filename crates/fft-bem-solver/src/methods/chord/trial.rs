@@ -108,22 +108,22 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// others, if that is a small matter. Else the contact set is too small or too large to carry it, and the
     /// nodes that come next, those with the least gap in the base or the least overlap, join or leave it.
     fn give_load_below_ceiling(&mut self, level: f64) {
-        let (load, total, ceiling) = (self.load, self.total(), self.ceiling.value());
+        let (load, total, ceiling) = (self.load, self.total(), self.ceiling);
         let heights = self.heights;
         let (trial, u) = self.work.pairs.trial_and_displacement(self.iterate);
-        if projection::scale_below(trial, total, ceiling.wide(), sweep::ROUGH) {
+        if projection::scale_below(trial, total, ceiling, sweep::ROUGH) {
             return;
         }
         let (stiffness, level) = (T::of(STIFFNESS), T::of(level));
         fields::write(trial, |i, p| {
             let step = stiffness * (u[i] - heights[i] - level);
-            match (p > T::zero(), p < ceiling) {
+            match (p > T::zero(), p < ceiling.at(i)) {
                 (true, true) => p,
                 (false, _) => T::zero() - step.larger(T::zero()),
                 (_, false) => p + (T::zero() - step).larger(T::zero()),
             }
         });
-        projection::between(trial, load, ceiling.wide());
+        projection::between(trial, load, ceiling);
     }
 
     /// `trial = p - alpha g`, projected on the pressures that are positive and carry the load.

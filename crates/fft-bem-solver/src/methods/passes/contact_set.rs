@@ -38,12 +38,14 @@ pub(crate) fn level_under<T: Real, C: Ceiling<T>>(
             .par_iter_mut()
             .zip(p.par_chunks(TASK))
             .zip(u.par_chunks(TASK).zip(h.par_chunks(TASK)))
-            .for_each(|((partial, p), (u, h))| {
+            .enumerate()
+            .for_each(|(task, ((partial, p), (u, h)))| {
+                let ceiling = ceiling.after(task * TASK);
                 vectorised!(_vectors => {
                     let (mut sum, mut count, mut full, mut its_sum) = (0.0, 0.0, 0.0, 0.0);
-                    for ((p, u), h) in p.iter().zip(u).zip(h) {
+                    for (i, ((p, u), h)) in p.iter().zip(u).zip(h).enumerate() {
                         let rise = (*u - *h).wide();
-                        let (is_loaded, is_full) = (*p > T::zero(), ceiling.is_reached(*p));
+                        let (is_loaded, is_full) = (*p > T::zero(), ceiling.is_reached(i, *p));
                         let counts = match level {
                             Some(level) if !is_loaded => rise < level,
                             Some(level) if is_full => rise > level,
@@ -182,9 +184,10 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
                 let carries = *p > self.release * T::of(f64::from(g.max(0.0)));
                 *m = Node::of(carries | (*g < 0.0));
             }
+            let ceiling = self.ceiling.after(first);
             if C::IS_FINITE {
-                for ((m, p), g) in nodes.iter_mut().zip(p).zip(&*g) {
-                    let room = self.ceiling.value() - *p;
+                for (i, ((m, p), g)) in nodes.iter_mut().zip(p).zip(&*g).enumerate() {
+                    let room = ceiling.at(i) - *p;
                     let yields = room <= self.release * T::of(f64::from((-g).max(0.0)));
                     *m = m.or(Node::Full, yields & (*g <= 0.0));
                 }
@@ -204,8 +207,8 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
             }
             released += nodes.iter().map(|m| u32::from(*m == Node::Released)).sum::<u32>();
             if C::IS_FINITE {
-                let top = self.ceiling.value();
-                for (m, p) in nodes.iter_mut().zip(p) {
+                for (i, (m, p)) in nodes.iter_mut().zip(p).enumerate() {
+                    let top = ceiling.at(i);
                     *m = m.or(Node::Filled, m.is_full() & ((*p < top) | (*p > top)));
                 }
                 released += nodes.iter().map(|m| u32::from(*m == Node::Filled)).sum::<u32>();

@@ -79,7 +79,7 @@ pub(crate) fn inner_products<T: Real, C: Ceiling<T>>(
         let (mut last, mut its_gap) = (rest(q), [0.0; LANES]);
         let fields = fields.map(rest);
         let fields = fields.each_ref().map(|x| &x[..]);
-        let vectors = Fallback::new();
+        let (vectors, ceiling) = (Fallback::new(), ceiling.after(whole));
         let more =
             products_by_fours(vectors, ceiling, fields, levels, &mut last, scale, &mut its_gap);
         sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
@@ -122,7 +122,7 @@ fn products_by_fours<S: Simd, T: Real, C: Ceiling<T>>(
         let (was, is) = (T::widened(p).simd_gt(zero), T::widened(trial).simd_gt(zero));
         dropped += is.select(zero, was.select(one, zero));
         if C::IS_FINITE {
-            let top = f64x4::splat(vectors, ceiling.value().wide());
+            let top = ceiling.four(vectors, i);
             let (was, is) = (T::widened(p).simd_ge(top), T::widened(trial).simd_ge(top));
             dropped += was.select(zero, is.select(one, zero));
         }
@@ -141,15 +141,17 @@ pub(crate) fn reach<T: Real, C: Ceiling<T>>(
 ) -> f64 {
     let used = p.len().div_ceil(TASK);
     let pieces = p.par_chunks(TASK).zip(trial.par_chunks(TASK));
-    partial[..used].par_iter_mut().zip(pieces).for_each(|(partial, (p, q))| {
+    partial[..used].par_iter_mut().zip(pieces).enumerate().for_each(|(task, (partial, (p, q)))| {
+        let ceiling = ceiling.after(task * TASK);
         let (mut largest, mut loss) = (Largest::default(), [0.0; TILE]);
         vectorised!({
-            for (p, q) in p.chunks(TILE).zip(q.chunks(TILE)) {
-                for ((loss, p), q) in loss.iter_mut().zip(p).zip(q) {
+            for (k, (p, q)) in p.chunks(TILE).zip(q.chunks(TILE)).enumerate() {
+                let ceiling = ceiling.after(k * TILE);
+                for (i, ((loss, p), q)) in loss.iter_mut().zip(p).zip(q).enumerate() {
                     let (p, q) = (p.wide(), q.wide());
                     *loss = if q < p { (p - q) / p } else { 0.0 };
                     if C::IS_FINITE && q > p {
-                        *loss = (q - p) / (ceiling.value().wide() - p);
+                        *loss = (q - p) / (ceiling.at(i).wide() - p);
                     }
                 }
                 largest.take(&loss[..p.len()]);

@@ -40,7 +40,7 @@ pub(crate) fn combine<T: Real, C: Ceiling<T>>(
             let (from, n) = (task * TASK, b.len());
             let [p, u, h, q, v] = [p, u, h, trial, response].map(|x| &x[from..][..n]);
             let fits = vectorised!(vectors => {
-                let fits = step_pressure(ceiling, p, q, [b1, b2], is_plane, b);
+                let fits = step_pressure(ceiling.after(from), p, q, [b1, b2], is_plane, b);
                 step_linearly(u, v, [b1, b2], is_plane, w);
                 *partial = contact_sums(vectors, b, w, h);
                 fits
@@ -75,14 +75,14 @@ fn step_pressure<T: Real, C: Ceiling<T>>(
 ) -> bool {
     step_linearly(p, trial, b, is_plane, before);
     let mut misfits = 0_u32;
-    for (x, q) in before.iter_mut().zip(trial) {
+    for (i, (x, q)) in before.iter_mut().zip(trial).enumerate() {
         let misfit = (*x < T::zero()) | ((*q <= T::zero()) & (*x > T::zero()));
         misfits += u32::from(misfit);
         if C::IS_FINITE {
-            let top = ceiling.value();
+            let top = ceiling.at(i);
             misfits += u32::from((*x > top) | ((*q >= top) & (*x < top)));
         }
-        *x = ceiling.clip(*x);
+        *x = ceiling.clip(i, *x);
     }
     misfits == 0
 }

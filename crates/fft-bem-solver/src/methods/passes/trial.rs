@@ -62,7 +62,7 @@ pub(crate) fn trial<T: Real, C: Ceiling<T>>(
                         let row = task * rows + j * height;
                         let place = [row, nx];
                         step_rows(x, ceiling, p, y, length, nodes, Some(first), place, trial, &mut sums);
-                        smallest_below(ceiling, t, nodes, trial, smallest);
+                        smallest_below(ceiling.after(row * nx), t, nodes, trial, smallest);
                     }
                     totals(sums)
                 });
@@ -118,6 +118,7 @@ fn step_rows<S: Simd, T: Real, C: Ceiling<T>>(
                 level.transfer.add_down_transposed(row, ix, &level.value, z);
             }
             t.copy_from_slice(&p[row * nx + ix..][..n]);
+            let ceiling = ceiling.after(row * nx + ix);
             step_tile(vectors, ceiling, z, tau, &nodes[ix..][..n], t, sums);
         }
     }
@@ -141,9 +142,9 @@ fn step_tile<S: Simd, T: Real, C: Ceiling<T>>(
         *off = if m.is_in() { 0.0 } else { 1.0 };
     }
     if C::IS_FINITE {
-        let (top, mut lacking) = (ceiling.value(), 0.0);
-        for ((off, m), p) in off.iter_mut().zip(nodes).zip(&*trial) {
-            let lacks = if m.is_full() { (top - *p).wide() } else { 0.0 };
+        let mut lacking = 0.0;
+        for (i, ((off, m), p)) in off.iter_mut().zip(nodes).zip(&*trial).enumerate() {
+            let lacks = if m.is_full() { (ceiling.at(i) - *p).wide() } else { 0.0 };
             *off = if m.is_full() { 0.0 } else { *off };
             lacking += lacks * lacks;
         }
@@ -196,10 +197,11 @@ fn smallest_below<T: Real, C: Ceiling<T>>(
         let line = &mut line[..TILE.min(nx - ix)];
         line.fill(f32::INFINITY);
         for from in [ix, last + ix] {
-            for ((x, p), m) in line.iter_mut().zip(&trial[from..]).zip(&nodes[from..]) {
+            let fields = line.iter_mut().zip(&trial[from..]).zip(&nodes[from..]);
+            for (i, ((x, p), m)) in fields.enumerate() {
                 let mut here = p.narrow();
                 if C::IS_FINITE {
-                    here = least(here, (ceiling.value() - *p).narrow());
+                    here = least(here, (ceiling.at(from + i) - *p).narrow());
                 }
                 *x = least(*x, if m.is_in() { here } else { f32::INFINITY });
             }
@@ -248,11 +250,12 @@ pub(crate) fn end_trial<T: Real, C: Ceiling<T>>(
                         more[..t.len()].copy_from_slice(&added[k * TILE..][..t.len()]);
                     }
                 }
-                for ((t, m), a) in t.iter_mut().zip(nodes).zip(&more) {
-                    let kept = ceiling.clip(*t + T::of(f64::from(*a)));
+                let ceiling = ceiling.after((first_row + i) * nx + k * TILE);
+                for (i, ((t, m), a)) in t.iter_mut().zip(nodes).zip(&more).enumerate() {
+                    let kept = ceiling.clip(i, *t + T::of(f64::from(*a)));
                     *t = if m.is_in() { kept } else { T::zero() };
                     if C::IS_FINITE && m.is_full() {
-                        *t = ceiling.value();
+                        *t = ceiling.at(i);
                     }
                 }
                 for i in (0..t.len() - t.len() % LANES).step_by(LANES) {
