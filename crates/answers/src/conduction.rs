@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use contact_types::ContactModulus;
-use fft_bem_solver::{Conductors, SetStiffness, Solver};
+use fft_bem_solver::{Conductors, SetStiffness};
 use serde_json::{Value, json};
 
 /// What is asked of the conduction: numbers of both bodies.
@@ -35,14 +35,13 @@ impl Conduction {
     pub(crate) fn add(
         &self,
         point: &mut Value,
-        solver: &mut Solver,
+        set: &SetStiffness,
+        modulus: ContactModulus,
         area: f64,
     ) -> Result<Option<Conducted>, Failure> {
         if !self.is_asked() {
             return Ok(None);
         }
-        let modulus = solver.modulus();
-        let set = solver.contact_stiffness().map_err(|e| Failure::from_error(&e))?;
         point["stiffness"] = finite(set.per_area);
         point["contact_set"] = json!(match set.per_area {
             k if k <= 0.0 => "none",
@@ -53,14 +52,20 @@ impl Conduction {
             "residual": set.residual, "transforms": set.transforms, "iterations": set.iterations,
         });
         let of = |pair: Option<[f64; 2]>, kind: fn([f64; 2]) -> Conductors| {
-            pair.map(|values| conductance(&set, modulus, kind(values))).transpose()
+            pair.map(|values| conductance(set, modulus, kind(values))).transpose()
         };
         let electrical = of(self.resistivities, Conductors::Resistivities)?;
         let thermal = of(self.conductivities, Conductors::Conductivities)?;
         for (key, found) in [("electrical", electrical), ("thermal", thermal)] {
             let Some(found) = found else { continue };
             point[format!("{key}_conductance")] = finite(found);
-            point[format!("{key}_conductance_interval")] = Value::Null;
+            // A conductance is the stiffness times what only the materials know: so are its ends.
+            for interval in ["interval", "prediction_interval"] {
+                let ends = ends(&point[format!("stiffness_{interval}")]);
+                let scaled = ends.map(|ends| ends.map(|k| k * found / set.per_area));
+                point[format!("{key}_conductance_{interval}")] =
+                    json!(scaled.filter(|ends| ends.iter().all(|x| x.is_finite())));
+            }
             point[format!("{key}_conductance_of_map")] = finite(found * area);
         }
         Ok(Some(Conducted { stiffness: set.per_area, electrical, thermal }))
@@ -73,6 +78,11 @@ fn conductance(
     conductors: Conductors,
 ) -> Result<f64, Failure> {
     set.conductance(modulus, conductors).map_err(|e| Failure::from_error(&e))
+}
+
+/// Both ends of an interval.
+fn ends(interval: &Value) -> Option<[f64; 2]> {
+    Some([interval.get(0)?.as_f64()?, interval.get(1)?.as_f64()?])
 }
 
 /// A number of JSON, which has no infinity: `contact_set` says what `null` is.

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod adhesion;
 pub mod bodies;
 mod complete;
 mod conduction;

@@ -1,5 +1,6 @@
 //! The deterministic solution of one map at many loads: what `rough-contact solve` answers.
 
+use crate::adhesion;
 use crate::conduction::Conduction;
 use crate::failure::Failure;
 use crate::finer::{Errors, Finest, Refined, under};
@@ -13,14 +14,15 @@ use crate::work::Work;
 use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
 use compare::plan::{Outcome, Request};
 use compare::{
-    Body, EdgesName, Finding, Hardness, Level, Method, NotRefined, PairOrigin, Precision, Solved,
-    Spikes, Surrounded, TwiceFiner, on_given,
+    Adhesion, Body, EdgesName, Finding, Hardness, Level, MaterialUse, Method, NotRefined,
+    PairOrigin, Precision, Solved, Spikes, Surrounded, TwiceFiner, WorkOfAdhesion, on_given,
 };
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Boundary, Load, Maps, Solution, Solver, SolverError};
+use fft_bem_solver::{Boundary, Load, Maps, SetStiffness, Solution, Solver, SolverError};
 use serde_json::{Value, json};
 use std::borrow::Cow;
 use std::path::Path;
+use std::time::Instant;
 use surface_stats::StatsError;
 use surface_stats::clean::Record;
 
@@ -62,6 +64,10 @@ pub struct Question {
     pub hardness: Option<f64>,
     /// What the contact conducts.
     pub conduction: Conduction,
+    /// Whether the bodies stick.
+    pub adhesion: Option<WorkOfAdhesion>,
+    /// Materials whose numbers are among these.
+    pub materials: Vec<MaterialUse>,
     /// Distributions of pressure, gap and spots.
     pub distributions: bool,
     /// Whether the gap is kept too; the pressure always is.
@@ -139,6 +145,7 @@ impl Question {
         solved.scene = scene::of(&surface, self.modulus, self.plane_strain).map_err(refused)?;
         solved.scene.spacing = largest * f64::EPSILON;
         watch.levelled(&surface);
+        let sticking = self.adhesion.map(|given| (given, surface.clone()));
         let mut work = Work::new(self.loads.len(), self.method.to_string(), surface.grid());
         work.spikes = spikes;
         let repeats = self.boundary == Boundary::Periodic && self.edges == EdgesName::Periodic;
@@ -197,12 +204,19 @@ impl Question {
                     break;
                 }
                 let result = on_given(result, given);
-                let (budget, refined) = self.budget(load, &result, &mut solver, &mut errors);
+                let is_asked = self.stiffness || self.conduction.is_asked();
+                let clock = Instant::now();
+                let set = (is_asked && result.is_ok()).then(|| solver.contact_stiffness());
+                let set = set.transpose().map_err(|e| Failure::from_error(&e))?;
+                let seconds = clock.elapsed().as_secs_f64();
+                let set = set.as_ref().map(|set| (set, seconds));
+                let (budget, refined) = self.budget(load, &result, set, &mut solver, &mut errors);
                 let is_solved = result.is_ok();
                 work.take(index, load, result, budget.as_ref(), refined, watch);
-                if let Some(point) = work.points[index].as_mut().filter(|_| is_solved) {
-                    point.conducted =
-                        self.conduction.add(&mut point.json, &mut solver, given.area())?;
+                let point = work.points[index].as_mut().filter(|_| is_solved);
+                if let Some((point, (set, _))) = point.zip(set) {
+                    let (modulus, area) = (self.modulus, given.area());
+                    point.conducted = self.conduction.add(&mut point.json, set, modulus, area)?;
                 }
                 watch.done(load);
             }
@@ -213,6 +227,11 @@ impl Question {
             solved.scene.pressed = work.pressed();
         }
         solved.spike_share = work.spike_share;
+        if let Some((given, map)) = &sticking {
+            let contacts = work.contacts();
+            let found = adhesion::of_map(*given, map, self.modulus, &contacts).map_err(refused)?;
+            solved.adhesion = Some(found);
+        }
         solved.plan = plan.as_ref();
         let findings = solved.findings();
         let hardness = self.hardness.map(|pascals| Hardness {
@@ -221,7 +240,8 @@ impl Question {
             gradient: solved.scene.gradient,
         });
         let trouble = work.trouble.take();
-        let (json, points) = self.object(work, &findings, plan.as_ref(), hardness, (cleaned, pair));
+        let found = (hardness, solved.adhesion);
+        let (json, points) = self.object(work, &findings, plan.as_ref(), found, (cleaned, pair));
         Ok(Answer { json, points, findings, plan, hardness, can_be_refined, trouble, is_stopped })
     }
 
@@ -231,6 +251,7 @@ impl Question {
         &self,
         load: Load,
         result: &Result<Solution, SolverError>,
+        set: Option<(&SetStiffness, f64)>,
         solver: &mut Solver,
         errors: &mut Errors,
     ) -> (Option<Budget>, Option<Result<Refined, NotRefined>>) {
@@ -251,14 +272,10 @@ impl Question {
             budget = budget.between(&found);
         }
         let surface = &errors.whole;
-        if self.stiffness {
-            // Loads beside one that was solved are no reason to fail: without them there is no
-            // number.
-            let pressure = solution.state.mean_pressure;
-            if let Ok(Some(near)) = Stiffness::near(solver, surface, &errors.known, pressure) {
-                let line = grid::Line::of(solution);
-                budget = budget.with_stiffness(&near, &errors.known, line);
-            }
+        if let Some((set, seconds)) = set
+            && let Some(found) = Stiffness::of(set, solution, seconds)
+        {
+            budget = budget.with_stiffness(&found, &errors.known, grid::Line::of(solution));
         }
         let budget = under(load, &budget, solution);
         // Where the points do not fix what touches, the answer itself may be wrong by factors, and on a
@@ -281,7 +298,7 @@ impl Question {
         work: Work,
         findings: &[Finding],
         plan: Option<&Outcome>,
-        hardness: Option<Hardness>,
+        (hardness, adhesion): (Option<Hardness>, Option<Adhesion>),
         (cleaned, pair): (&[Record], Option<&PairOrigin>),
     ) -> (Value, Vec<Point>) {
         let (mut points, mut objects) = (Vec::new(), Vec::new());
@@ -317,6 +334,12 @@ impl Question {
         });
         if let Some(hardness) = hardness {
             json["hardness"] = hardness::object(hardness);
+        }
+        if let Some(adhesion) = adhesion {
+            json["adhesion"] = json!(adhesion);
+        }
+        if !self.materials.is_empty() {
+            json["materials"] = report::materials_json(&self.materials);
         }
         if let Some(plan) = plan {
             json["accuracy"] = report::accuracy_json(plan);

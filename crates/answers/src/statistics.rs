@@ -1,9 +1,10 @@
 //! Roughness statistics of one map: what `rough-contact stats` answers.
 
+use crate::adhesion;
 use crate::failure::Failure;
 use crate::iso::Iso;
-use compare::{Finding, PairOrigin, Spikes};
-use contact_types::HeightMap;
+use compare::{Finding, Level, PairOrigin, Spikes, WorkOfAdhesion};
+use contact_types::{ContactModulus, HeightMap};
 use serde_json::{Value, json};
 use std::path::Path;
 use surface_stats::clean::Record;
@@ -33,6 +34,30 @@ pub struct Statistics {
     pub iso: Option<Iso>,
     /// Slope, curvature and autocorrelation along x and y by distance, if they were asked for.
     pub scales: Option<[Vec<ByDistance>; 2]>,
+}
+
+impl Statistics {
+    /// Adds whether bodies with these heights stick, where no load is known.
+    ///
+    /// # Errors
+    /// [`Failure`] of a map that is too small.
+    pub fn stick(
+        &mut self,
+        given: WorkOfAdhesion,
+        map: &HeightMap,
+        form: Level,
+        modulus: ContactModulus,
+        path: &Path,
+    ) -> Result<(), Failure> {
+        let refused = |e: StatsError| Failure::in_file(path, &e);
+        let map = level(map, form).map_err(refused)?;
+        let found = adhesion::of_map(given, &map, modulus, &[]).map_err(refused)?;
+        self.findings.push(compare::sticking(found));
+        self.findings.sort_by_key(|f| f.weight);
+        self.json["findings"] = report::findings_json(&self.findings);
+        self.json["adhesion"] = json!(found);
+        Ok(())
+    }
 }
 
 /// The statistics of a map before it is levelled.

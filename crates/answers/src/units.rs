@@ -19,6 +19,8 @@ pub enum Dimension {
     Resistivity,
     /// Watts per metre and kelvin.
     Conductivity,
+    /// Joules per square metre.
+    Adhesion,
 }
 
 /// A unit: its name, and a factor and a power of ten that make it one of SI.
@@ -102,6 +104,16 @@ const CONDUCTIVITIES: &[Unit] = &[
     ("W/cm/K", 1.0, 2),
 ];
 
+/// Units of a work of adhesion.
+const ADHESIONS: &[Unit] = &[
+    ("J/m^2", 1.0, 0),
+    ("mJ/m^2", 1.0, -3),
+    ("uJ/m^2", 1.0, -6),
+    ("N/m", 1.0, 0),
+    ("mN/m", 1.0, -3),
+    ("erg/cm^2", 1.0, -3),
+];
+
 /// What people write who mean a unit of the table: kilograms and pounds are masses.
 const MEANT: &[(Dimension, &str, &str)] = &[
     (Dimension::Force, "kg", "kgf"),
@@ -125,6 +137,7 @@ impl Dimension {
             Self::Force => "force",
             Self::Resistivity => "resistivity",
             Self::Conductivity => "thermal conductivity",
+            Self::Adhesion => "work of adhesion",
         }
     }
 
@@ -139,6 +152,7 @@ impl Dimension {
             Self::Force => "N, kN, mN, uN, nN, kgf or lbf",
             Self::Resistivity => "ohm.m, uohm.m, nohm.m or uohm.cm",
             Self::Conductivity => "W/m/K",
+            Self::Adhesion => "J/m^2, mJ/m^2 or mN/m",
         }
     }
 
@@ -153,6 +167,7 @@ impl Dimension {
             Self::Force => "for example 10N",
             Self::Resistivity => "for example 22nohm.m",
             Self::Conductivity => "for example 50W/m/K",
+            Self::Adhesion => "for example 50mJ/m^2",
         }
     }
 
@@ -180,6 +195,7 @@ impl Dimension {
             Self::Force => find(FORCES, unit),
             Self::Resistivity => find(RESISTIVITIES, &unit.replace(['.', '*', '-'], "")),
             Self::Conductivity => find(CONDUCTIVITIES, &unit.replace(['.', '*', '(', ')'], "")),
+            Self::Adhesion => find(ADHESIONS, unit),
         }
     }
 

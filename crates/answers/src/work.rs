@@ -52,6 +52,17 @@ impl Work {
         self.found.iter().copied().flatten().collect()
     }
 
+    /// Mean pressure and area fraction of each load that converged.
+    pub(crate) fn contacts(&self) -> Vec<[f64; 2]> {
+        let solved = self.points.iter().flatten().filter(|p| p.converged);
+        let contact = |p: &Point| {
+            let solution = p.solution.as_ref()?;
+            let area = solution.diagnostics.area_fraction_corrected;
+            Some([solution.state.mean_pressure, area])
+        };
+        solved.filter_map(contact).collect()
+    }
+
     /// What presses at each load that converged, by rising load.
     pub(crate) fn pressed(&self) -> Vec<Pressed> {
         let mut all: Vec<Pressed> = self.pressed.iter().copied().flatten().collect();

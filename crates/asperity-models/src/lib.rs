@@ -12,10 +12,11 @@
 //! flat above the *mean plane of the surface*, not above the mean summit.
 //!
 //! [`ChangEtsionBogy`] are spheres of Greenwood and Williamson that yield; [`thermal_conductance`] has the
-//! correlations of contact conductance and the plasticity indices.
+//! correlations of contact conductance and the plasticity indices, [`adhesion`] the numbers that say whether bodies stick.
 //!
 //! [`nayak`] has the density of summit heights itself.
 
+pub mod adhesion;
 mod bgt;
 mod chang_etsion_bogy;
 mod gauss_legendre;

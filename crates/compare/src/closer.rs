@@ -70,11 +70,8 @@ fn certify(
     let found = whole.solve_observed(&mut solver, load, |now| watch.iteration(now));
     let Ok(solution) = found else { return };
     // With its conductance the stiffness was found already.
-    let near = if settings.conducts() {
-        Ok(None)
-    } else {
-        Stiffness::near(&mut solver, whole.map(), &map, pressure)
-    };
+    let near =
+        if settings.conducts() { Ok(None) } else { Stiffness::of_set(&mut solver, &solution) };
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
     let Some(answer) = answer else { return };
     answer.energy_bound = solution.diagnostics.energy_bound;

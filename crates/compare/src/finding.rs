@@ -1,6 +1,7 @@
 //! What may change a conclusion, or was tested and is fine: as numbers. `report` has the words.
 
 use crate::EdgesName;
+use crate::adhesion::Adhesion;
 use crate::profile::fact::ProfileFact;
 use contact_accuracy::edge_study::EdgeExperience;
 use contact_accuracy::plan::Outcome;
@@ -98,7 +99,8 @@ impl Finding {
             Fact::Yield(_)
             | Fact::Yielding(_)
             | Fact::OddHardness { .. }
-            | Fact::BulkYield { .. } => Subject::Material,
+            | Fact::BulkYield { .. }
+            | Fact::Adhesion(_) => Subject::Material,
             Fact::NotConverged { .. } | Fact::AtRounding { .. } => Subject::Solution,
             Fact::PlanUnmet(_) => Subject::Plan,
             Fact::FinerGrid { .. } | Fact::NoBar { .. } => Subject::Grid,
@@ -150,6 +152,8 @@ pub enum Fact {
         /// H (Pa).
         hardness: f64,
     },
+    /// Whether the bodies stick, with a work of adhesion that was given.
+    Adhesion(Box<Adhesion>),
     /// Slopes that small-slope elasticity does not cover.
     Steep(Steep),
     /// Loads without a converged solution.

@@ -1,5 +1,6 @@
 //! What may change a conclusion: decided here once, for page, terminal and files alike.
 
+use crate::adhesion::Adhesion;
 use crate::finding::{Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Weight, Yielding};
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
@@ -30,6 +31,7 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let unsolved = ends.iter().filter(|end| **end != Ended::Converged).count();
     let mut found = scene(surface).findings();
     found.extend(hardness(surface));
+    found.extend(surface.adhesion.map(sticking));
     let share = surface.spikes.share(surface.surface.grid().len(), &surface.pressure);
     found.extend(spiky(&surface.spikes, share));
     found.extend(unsolved_loads(&ends));
@@ -51,6 +53,12 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     found.extend(passed(surface));
     found.sort_by_key(|f| f.weight);
     found
+}
+
+/// Whether the bodies stick: good to know if that is negligible, a thing to look at if not.
+pub fn sticking(adhesion: Adhesion) -> Finding {
+    let weight = if adhesion.negligible { Weight::Note } else { Weight::Check };
+    Finding { weight, fact: Fact::Adhesion(Box::new(adhesion)) }
 }
 
 /// What the statistics of a map alone say, worst first; `spikes` are its own.
@@ -141,6 +149,8 @@ pub struct Solved<'a> {
     pub cleaned: &'a [Record],
     /// The two bodies, if it is a pair; they say themselves what was filled and cleaned.
     pub pair: Option<&'a PairOrigin>,
+    /// Whether they stick, if a work of adhesion was given.
+    pub adhesion: Option<Adhesion>,
 }
 
 impl Solved<'_> {
@@ -148,6 +158,7 @@ impl Solved<'_> {
     pub fn findings(&self) -> Vec<Finding> {
         let of = self.loads.len();
         let mut found = self.scene.findings();
+        found.extend(self.adhesion.map(sticking));
         found.extend(spiky(&self.spikes, self.spike_share));
         found.extend(unsolved_loads(&self.loads.iter().map(|l| l.0).collect::<Vec<_>>()));
         found.extend(self.plan.and_then(unmet));

@@ -4,6 +4,7 @@
 //! Nothing here opens a file, prints, draws or words anything: the crate `contact-report` makes
 //! documents out of these results.
 
+mod adhesion;
 mod ask;
 mod cleaning;
 mod closer;
@@ -17,6 +18,7 @@ mod finding;
 mod findings;
 mod first_contact;
 mod inputs;
+mod materials;
 mod profile;
 mod progress;
 mod reason;
@@ -40,6 +42,7 @@ mod theory;
 mod verdict;
 mod yielding;
 
+pub use adhesion::{Adhesion, NEGLIGIBLE_ATTRACTION, NO_PULL_OFF, Rough, WorkOfAdhesion};
 pub use ask::{at_pressure, at_separation};
 pub use cleaning::{Cleaning, CleaningError};
 pub use coarser::COARSER;
@@ -58,9 +61,12 @@ pub use fft_bem_solver::{
 pub use finding::{
     Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield, Yielding,
 };
-pub use findings::{Solved, findings, measured, of_pair, seam, spiky};
+pub use findings::{Solved, findings, measured, of_pair, seam, spiky, sticking};
 pub use first_contact::FirstContact;
 pub use inputs::{Inputs, MomentSource};
+pub use materials::{
+    Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
+};
 pub use profile::{
     ProfileComparison, ProfileFact, ProfileModel, ProfileSurface, Unevenness, area_interval,
     profile_findings, profile_inputs,

@@ -189,6 +189,12 @@ pub enum StudyError {
         "a hardness is for maps: of profiles no contact is solved, in which anything could yield; leave it out"
     )]
     YieldingProfiles,
+    /// A work of adhesion with profiles.
+    #[error(
+        "whether bodies stick is said of maps, whose slopes and curvatures are known in all directions; of a profile \
+         leave the work of adhesion out"
+    )]
+    NoAdhesion,
     /// The observer asked to stop.
     #[error("stopped")]
     Stopped,

@@ -1,5 +1,6 @@
 //! What a study finds, as plain data.
 
+use crate::adhesion::Adhesion;
 use crate::conducted::Conduction;
 use crate::finding::Ended;
 use crate::first_contact::FirstContact;
@@ -77,6 +78,8 @@ pub struct SurfaceComparison {
     pub closer: Option<Closer>,
     /// What the contact conducts, if resistivities or conductivities were given.
     pub conduction: Option<Conduction>,
+    /// Whether the bodies stick, if a work of adhesion was given.
+    pub adhesion: Option<Adhesion>,
     /// What was chosen for the accuracy asked for, if one was.
     pub plan: Option<Outcome>,
     /// The heights on the grid that was solved, if it is not the given one.

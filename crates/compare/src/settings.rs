@@ -1,6 +1,6 @@
 //! Everything a user can choose about a study.
 
-use crate::{Card, Registry, Theory};
+use crate::{Card, MaterialUse, Registry, Theory, WorkOfAdhesion};
 use fft_bem_solver::{Method, Precision};
 use serde::{Deserialize, Serialize};
 use surface_stats::Level;
@@ -21,6 +21,12 @@ pub struct Settings {
     /// Thermal conductivity of both bodies (W/m/K): the same for heat.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub conductivities: Option<[f64; 2]>,
+    /// Work of adhesion: whether the bodies stick is said, by formulas.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub adhesion: Option<WorkOfAdhesion>,
+    /// Materials of the [table](crate::materials()) whose numbers are among these.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub materials: Vec<MaterialUse>,
     /// The elastic bodies it is made of, if they are known: one against a rigid flat, or two.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<Body>,
@@ -71,6 +77,8 @@ impl Default for Settings {
             hardness: None,
             resistivities: None,
             conductivities: None,
+            adhesion: None,
+            materials: Vec::new(),
             bodies: Vec::new(),
             pressures: None,
             load_area: None,

@@ -17,7 +17,9 @@ use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
-use crate::{EdgesName, Registry, Settings, Spikes, Surface, Surrounded, default_pressures};
+use crate::{
+    Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, Surrounded, default_pressures,
+};
 use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Between, Map, Stiffness};
 use contact_accuracy::plan::{self, PlanError, Request, Task};
@@ -251,6 +253,7 @@ fn compare(
         coarser: Vec::new(),
         closer: None,
         conduction: None,
+        adhesion: None,
         plan,
         solved,
         headline,
@@ -260,7 +263,36 @@ fn compare(
         models,
     };
     found.conduction = Conduction::of(&found, settings);
+    found.adhesion = sticking(&found, settings);
     Ok(found)
+}
+
+/// Whether the bodies stick at the loads that were solved, if a work of adhesion was given.
+fn sticking(found: &SurfaceComparison, settings: &Settings) -> Option<Adhesion> {
+    let given = settings.adhesion?;
+    let moments = found.inputs.moments;
+    let rough = Rough {
+        modulus: found.inputs.modulus.pascals(),
+        gradient: found.inputs.rms_gradient(),
+        m4: moments.map_or(0.0, |m| m.m4),
+        asperities: found.inputs.asperities(),
+        shortest: found.statistics.cutoff,
+    };
+    let contacts: Vec<[f64; 2]> = found
+        .deterministic
+        .iter()
+        .filter_map(|p| {
+            let answer = p.answer.as_ref().filter(|a| a.converged)?;
+            Some([p.mean_pressure, answer.area_fraction_corrected])
+        })
+        .collect();
+    let own = found
+        .inputs
+        .spectrum
+        .is_none()
+        .then(|| surface_stats::spectrum::radial(&found.surface).ok());
+    let spectrum = found.inputs.spectrum.as_ref().or(own.as_ref().and_then(Option::as_ref));
+    Some(Adhesion::of(given, &rough, spectrum, &contacts))
 }
 
 fn refused_plan(error: PlanError, name: &str) -> StudyError {

@@ -112,7 +112,7 @@ impl TwiceFiner {
     }
 
     /// Solves for a load, the next one from where this one ended: for all that `budget`, of the given
-    /// grid, has without a bar of its own. With its stiffness two more loads are solved beside it;
+    /// grid, has without a bar of its own. With its stiffness that of the contact set there too;
     /// where what lies between the points decides, the monotone surface through them as well.
     ///
     /// # Errors
@@ -122,12 +122,7 @@ impl TwiceFiner {
         let solution = solver.solve_again(load)?;
         let mut finer = Finer::of(&solution, known, *grid);
         if budget.stiffness.is_some() {
-            let near = if solver.hardness().is_finite() {
-                Stiffness::of_set(solver, &solution)?
-            } else {
-                let mut solve = |load| solver.solve_again(load);
-                Stiffness::around(&mut solve, known, finer.pressure)?
-            };
+            let near = Stiffness::of_set(solver, &solution)?;
             if let Some(near) = near {
                 let left = stiffness_half_width(&known.on(*grid), Line::of(&solution));
                 finer.stiffness = Some([near.value, near.value * left]);

@@ -31,7 +31,7 @@ fn answer(map: &HeightMap, load: f64, tolerance: f64) -> Budget {
     let mut solver = Solver::builder().tolerance(tolerance).build(map.grid(), modulus).unwrap();
     let pressure = load * 1e8;
     let solution = solver.solve(map, Load::MeanPressure(pressure)).unwrap();
-    let near = Stiffness::near(&mut solver, map, &known, pressure).unwrap().unwrap();
+    let near = Stiffness::near(&mut solver, map, pressure).unwrap().unwrap();
     Budget::of(&solution, &known).with_stiffness(&near, &known, grid::Line::of(&solution))
 }
 

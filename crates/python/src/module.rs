@@ -34,6 +34,7 @@ mod _rough_contact {
             "force" => Dimension::Force,
             "resistivity" => Dimension::Resistivity,
             "conductivity" => Dimension::Conductivity,
+            "energy_per_area" => Dimension::Adhesion,
             other => return Err(crate::failure::bug(&format!("no dimension {other}"))),
         };
         let found =
@@ -49,6 +50,21 @@ mod _rough_contact {
             serde_json::from_str(bodies).map_err(|e| crate::failure::bug(&e))?;
         let found = answers::bodies::contact_modulus(&bodies);
         found.map(|m| m.pascals()).map_err(|e| crate::failure::raise(&e))
+    }
+
+    /// A material of the table, or the names of all, as JSON.
+    #[pyfunction]
+    fn material(name: Option<&str>) -> PyResult<String> {
+        let Some(name) = name else {
+            let names: Vec<&str> = compare::materials().iter().map(|m| m.name).collect();
+            return Ok(serde_json::json!(names).to_string());
+        };
+        let found = compare::material(name).map_err(|unknown| {
+            let message =
+                format!("{name} is not in the table; near it: {}", unknown.near.join(", "));
+            crate::failure::raise(&answers::Failure::refused("material", message))
+        })?;
+        Ok(report::material_json(found, &compare::Property::ALL).to_string())
     }
 
     #[pymodule_init]

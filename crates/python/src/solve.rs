@@ -5,7 +5,9 @@ use crate::surface::{array, surface_of};
 use crate::watched::{News, Outcome, Reporter, watched};
 use answers::{Conduction, Failure, Question, Subject, Watch, bodies};
 use compare::plan::Request as Accuracy;
-use compare::{Body, EdgesName, Iteration, Level, Load, Method, Precision, Solution};
+use compare::{
+    Body, EdgesName, Iteration, Level, Load, Method, Precision, Solution, WorkOfAdhesion,
+};
 use contact_types::Grid;
 use fft_bem_solver::Boundary;
 use numpy::{PyArray2, PyReadonlyArray2};
@@ -39,6 +41,7 @@ struct Request {
     hardness: Option<f64>,
     resistivity: Option<[f64; 2]>,
     conductivity: Option<[f64; 2]>,
+    adhesion: Option<WorkOfAdhesion>,
     distributions: bool,
     /// `none`, `pressure` or `all`.
     maps: String,
@@ -85,6 +88,8 @@ impl Request {
                 resistivities: self.resistivity,
                 conductivities: self.conductivity,
             },
+            adhesion: self.adhesion,
+            materials: Vec::new(),
             distributions: self.distributions,
             keep_gap: self.maps == "all",
             threads: self.threads,

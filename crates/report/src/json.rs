@@ -37,6 +37,7 @@ pub fn comparison(comparison: &Comparison, provenance: &Provenance) -> Value {
         "surfaces": comparison.surfaces.iter().map(|s| surface(s, comparison)).collect::<Vec<_>>(),
         "refused": comparison.refused,
         "settings": comparison.settings,
+        "materials": crate::words::materials::materials_json(&comparison.settings.materials),
         "versions": { "rough-contact": provenance.version, "platform": provenance.platform },
         "seconds": comparison.seconds,
     })
@@ -116,6 +117,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "conduction": crate::conduction_json::conduction(s),
         "plasticity": compare::hardness_of(s).map(|h| h.indices(s.inputs.asperities())),
         "elastic_limit": compare::elastic_limit(s),
+        "adhesion": s.adhesion,
         "elastic": settings.hardness.map(|_| json!({
             "points": s.elastic.iter().map(point).collect::<Vec<_>>(),
         })),

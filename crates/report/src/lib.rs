@@ -56,6 +56,7 @@ pub use table_csv::write as write_table_csv;
 pub use words::finding::{Worded, finding, warning};
 pub use words::headline_line;
 pub use words::loads::loads_line;
+pub use words::materials::{material_in_full, material_json, material_line, materials_json};
 pub use words::pair::pair_lines;
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};
 pub use words::profile::profile_headline;

@@ -1,14 +1,13 @@
 //! Options that several commands share.
 
+pub(crate) use crate::bodies::Bodies;
 use crate::outcome::Failure;
 use crate::quantity::{self, QuantityError};
 use crate::units::Dimension;
-use answers::bodies;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use compare::built_in;
-use compare::{Body, EdgesName, Flip, Level, Method, Precision};
-use contact_types::ContactModulus;
+use compare::{EdgesName, Flip, Level, Method, Precision};
 use surface_io::Layout;
 
 /// Options of every command.
@@ -43,62 +42,17 @@ fn threads(text: &str) -> Result<usize, String> {
     }
 }
 
-/// The elastic constants.
-#[derive(Args, Clone, Debug)]
-pub(crate) struct Bodies {
-    /// Contact modulus E*, 1/E* = sum of (1 - nu^2)/E over both bodies
-    #[arg(long, value_name = "E", value_parser = pressure, allow_hyphen_values = true)]
-    #[arg(conflicts_with_all = ["young", "poisson"])]
-    pub(crate) modulus: Option<f64>,
-    /// Young's modulus, instead of --modulus; twice for two elastic bodies
-    #[arg(long, value_name = "E", value_parser = pressure, allow_hyphen_values = true)]
-    pub(crate) young: Vec<f64>,
-    /// Poisson's ratio to each --young
-    #[arg(long, value_name = "NU", value_parser = number, allow_hyphen_values = true)]
-    pub(crate) poisson: Vec<f64>,
-}
-
-impl Bodies {
-    /// E*, if any of its options was given.
-    pub(crate) fn given(&self) -> Result<Option<ContactModulus>, Failure> {
-        match (self.modulus, self.young.len(), self.poisson.len()) {
-            (None, 0, 0) => Ok(None),
-            (Some(pascals), ..) => bodies::of_modulus(pascals).map(Some),
-            (None, 1, 1) | (None, 2, 2) => bodies::contact_modulus(&self.listed()).map(Some),
-            (None, young, poisson) => {
-                let message = format!(
-                    "--young given {young} times and --poisson {poisson} times; give both once \
-                     (the other body is rigid) or both twice"
-                );
-                Err(Failure::refused("usage", message))
-            }
-        }
-    }
-
-    /// The elastic bodies as they were given; none with --modulus.
-    pub(crate) fn listed(&self) -> Vec<Body> {
-        let pairs = self.young.iter().zip(&self.poisson);
-        pairs.map(|(&young, &poisson)| Body { young, poisson }).collect()
-    }
-
-    /// E*; an error if it was not given.
-    pub(crate) fn required(&self) -> Result<ContactModulus, Failure> {
-        self.given()?.ok_or_else(|| {
-            Failure::refused(
-                "usage",
-                "the contact modulus is missing; give --modulus E*, for example --modulus 110GPa, \
-                 or --young 210GPa --poisson 0.3, twice for two elastic bodies",
-            )
-        })
-    }
-}
-
 /// A list of quantities as one argument, so that clap shows it as one value.
 #[derive(Clone, Debug)]
 pub(crate) struct List(pub(crate) Vec<f64>);
 
 pub(crate) fn pressure(text: &str) -> Result<f64, QuantityError> {
     quantity::parse(text, Dimension::Pressure)
+}
+
+/// A hardness, or `elastic` for bodies that do not yield, as infinity.
+pub(crate) fn hardness(text: &str) -> Result<f64, QuantityError> {
+    if text.trim().eq_ignore_ascii_case("elastic") { Ok(f64::INFINITY) } else { pressure(text) }
 }
 
 pub(crate) fn length(text: &str) -> Result<f64, QuantityError> {

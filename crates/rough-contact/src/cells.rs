@@ -37,10 +37,12 @@ pub(crate) fn cells(point: &Point) -> Vec<String> {
         format!("{:.1e}", d.residuals.preconditioned),
         text::seconds(d.seconds),
     ]);
-    cells.extend(budget.stiffness.map(|k| text::stiffness(k.value)));
+    let own = budget.stiffness.filter(|_| point.conducted.is_none());
+    cells.extend(own.map(|k| text::stiffness(k.value)));
     if let Some(Yielded { area_fraction, load_share, .. }) = d.yielded {
         cells.extend([area_fraction, load_share].map(text::percent));
     }
-    cells.extend(point.conducted.iter().flat_map(conduction::cells));
+    let conducted = point.conducted.iter();
+    cells.extend(conducted.flat_map(|found| conduction::cells(found, budget.stiffness)));
     cells
 }

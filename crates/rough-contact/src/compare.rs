@@ -1,18 +1,19 @@
 //! `rough-contact compare`: the study and its report.
 
+use crate::adhesion::Adhesion;
 use crate::against::{self, Against};
 use crate::args::{self, Bodies, Common, List};
 use crate::cleaning::CleaningOptions;
 use crate::compare_profiles;
-use crate::conduction::StudyConduction;
+use crate::conduction::Conduction;
 use crate::given::{Given, One, from_file, from_recipe, repeat};
-use crate::hardness;
 use crate::input::Reading;
 use crate::loads::Forces;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::progress::Progress;
 use crate::shell::quoted;
+use crate::solve::PLANNED_YIELD;
 use crate::text::{self, Columns};
 pub(crate) use answers::not_met;
 use clap::Args;
@@ -68,12 +69,13 @@ pub(crate) struct Compare {
     #[arg(long, value_parser = args::method(), default_value = "auto")]
     method: Method,
     /// Highest pressure that the softer body bears, as 2GPa: the study is of the contact that yields there,
-    /// with the elastic one beside
-    #[arg(long, value_name = "H", value_parser = args::pressure, allow_hyphen_values = true)]
-    #[arg(conflicts_with = "accuracy")]
+    /// with the elastic one beside; `elastic` to leave out that of --material
+    #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
     hardness: Option<f64>,
     #[command(flatten)]
-    conduction: StudyConduction,
+    conduction: Conduction,
+    #[command(flatten)]
+    adhesion: Adhesion,
     /// Floating-point type of the solver's iteration
     #[arg(long, value_parser = args::precision(), default_value = "f64")]
     precision: Precision,
@@ -89,7 +91,7 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
         "headline", "models", "hardness", "resistivity", "conductivity", "level", "fractal_range", "edges", "method",
-        "precision", "tolerance", "accuracy", "modulus", "young", "channel", "pixel",
+        "precision", "tolerance", "accuracy", "modulus", "young", "material", "work_of_adhesion", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
@@ -166,18 +168,23 @@ impl Compare {
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
         args::refuse_mirrored(self.edges, self.accuracy.is_some(), false)?;
         self.forces.given()?; // refused before any work
-        hardness::check(self.hardness)?;
+        let hardness = self.bodies.hardness(self.hardness)?;
+        if hardness.is_some() && self.accuracy.is_some() {
+            return Err(Failure::refused("combination", PLANNED_YIELD));
+        }
         let (modulus, bodies) = match self.bodies.given()? {
             Some(modulus) => (modulus.pascals(), self.bodies.listed()),
             None if self.files.is_empty() => (STEEL_ON_STEEL, vec![STEEL; 2]),
             None => (self.bodies.required()?.pascals(), Vec::new()),
         };
-        let [resistivities, conductivities] = self.conduction.given();
+        let conduction = self.conduction.asked(&self.bodies)?;
         Ok(Settings {
             modulus,
-            hardness: self.hardness,
-            resistivities,
-            conductivities,
+            hardness,
+            resistivities: conduction.resistivities,
+            conductivities: conduction.conductivities,
+            adhesion: self.adhesion.asked()?,
+            materials: self.bodies.used(self.hardness, &self.conduction.of_table())?,
             bodies,
             pressures: self.pressure.as_ref().map(|List(pressures)| pressures.clone()),
             headline: self.headline,
@@ -354,6 +361,7 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     let mut out = text::level(comparison.settings.level);
     out.push_str(text::MOMENTS);
     out.push_str(&text::loads(&comparison.settings));
+    out.push_str(&text::materials(&comparison.settings.materials));
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
         if let Some(line) = report::elastic_line(surface) {

@@ -14,10 +14,11 @@ pub(crate) const HEADINGS: [&str; 2] = ["area at H", "load at H"];
 /// A hardness that no pressure is held to is refused before anything is read.
 pub(crate) fn check(hardness: Option<f64>) -> Result<(), Failure> {
     match hardness {
-        Some(h) if !(h > 0.0 && h.is_finite()) => {
+        // Infinite is what `elastic` stands for.
+        Some(h) if h.is_nan() || h <= 0.0 => {
             let message = format!(
                 "--hardness {h} Pa: a hardness is a pressure above 0 Pa, for example 2GPa; leave it \
-                 out for elastic contact"
+                 out for elastic contact, or give --hardness elastic with --material"
             );
             Err(Failure::refused("hardness", message))
         }

@@ -2,9 +2,11 @@
 //! numbers, and exit status 0 (all answers given), 1 (something did not converge or could not
 //! be written) or 2 (refused).
 
+mod adhesion;
 mod against;
 mod args;
 mod batch;
+mod bodies;
 mod cells;
 mod cleaning;
 mod compare;
@@ -22,6 +24,7 @@ mod input;
 mod intervals;
 mod iso;
 mod loads;
+mod materials;
 mod model;
 mod model_list;
 mod needs;
@@ -83,6 +86,8 @@ enum Command {
     Synth(synth::Synth),
     /// The heights of a file, cleaned and levelled as asked, in another format
     Convert(convert::Convert),
+    /// The table of materials that --material takes names of
+    Materials(materials::Materials),
     /// The solver against exact solutions, on this machine
     Validate(validate::Validate),
 }
@@ -120,6 +125,7 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::Compare(compare) => compare_many::run(compare, common),
         Command::Convert(convert) => convert.run(common),
         Command::Synth(synth) => synth.run(common),
+        Command::Materials(materials) => materials.run(),
         Command::Validate(validate) => validate.run(common),
     }
 }

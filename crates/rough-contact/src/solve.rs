@@ -1,10 +1,11 @@
 //! `rough-contact solve`: the deterministic solution.
 
+use crate::adhesion::Adhesion;
 use crate::against::{self, Against};
 use crate::args::{self, Bodies, Common};
 use crate::batch::{self, PerFile};
 use crate::cells::cells;
-use crate::conduction::Conduction;
+use crate::conduction::{self, Conduction};
 use crate::fields::{Fields, Sink};
 use crate::files::folder_name;
 use crate::hardness;
@@ -65,15 +66,17 @@ pub(crate) struct Solve {
     /// Prove how wrong each answer may be, for one more FFT pair: energy_bound in the JSON
     #[arg(long)]
     certify: bool,
-    /// Contact stiffness too, -dp/d(mean gap), from two more solutions beside each load
+    /// Contact stiffness too, of the contact set of each load
     #[arg(long, conflicts_with = "accuracy")]
     stiffness: bool,
-    /// Highest pressure that the softer body bears, as 2GPa: metals yield there, and the area grows
-    #[arg(long, value_name = "H", value_parser = args::pressure, allow_hyphen_values = true)]
-    #[arg(conflicts_with_all = ["accuracy", "stiffness"])]
+    /// Highest pressure that the softer body bears, as 2GPa: metals yield there, and the area grows;
+    /// `elastic` to leave out that of --material
+    #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
     hardness: Option<f64>,
     #[command(flatten)]
     conduction: Conduction,
+    #[command(flatten)]
+    adhesion: Adhesion,
     /// Take a profile for the cross-section of ridges that are infinitely long: plane strain
     #[arg(long)]
     plane_strain: bool,
@@ -97,6 +100,10 @@ of the trace differ in height, --edges mirrored takes the jump between them out.
 /// Why heights and displacements are not written on a chosen grid.
 const CHOSEN_GRID: &str = "--fields heights and displacement are on the grid of the file, and --accuracy chooses \
                            a grid of its own; leave them out, or give --tolerance";
+
+/// Why nothing is planned for bodies that yield.
+pub(crate) const PLANNED_YIELD: &str = "--accuracy was studied on elastic bodies, and these have a hardness; give --tolerance, or \
+                             --hardness elastic for bodies that do not yield";
 
 /// Why an isolated contact is not solved for its gap.
 const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mean gap of an isolated \
@@ -153,7 +160,12 @@ impl PerFile for Solve {
 
     fn answer(&self, common: &Common) -> Result<Reply, Failure> {
         let modulus = self.bodies.required()?;
-        hardness::check(self.hardness)?;
+        let hardness = self.bodies.hardness(self.hardness)?;
+        if hardness.is_some() && self.accuracy.is_some() {
+            return Err(Failure::refused("combination", PLANNED_YIELD));
+        }
+        let conduction = self.conduction.asked(&self.bodies)?;
+        let adhesion = self.adhesion.asked()?;
         let count = self.loads.count()?;
         let boundary = match self.boundary.as_str() {
             "free" if self.loads.is_by_gap() => {
@@ -187,8 +199,10 @@ impl PerFile for Solve {
             refine: self.refine,
             certify: self.certify,
             stiffness: self.stiffness,
-            hardness: self.hardness,
-            conduction: self.conduction.asked(),
+            hardness,
+            conduction,
+            adhesion,
+            materials: self.bodies.used(self.hardness, &self.conduction.of_table())?,
             distributions: self.distributions,
             keep_gap: self.fields.needs_gap(),
             threads: common.threads(),
@@ -269,6 +283,12 @@ impl Solve {
         self.alone().map(|complete| (complete, None))
     }
 
+    /// Whether more than the solution is asked, which only maps answer.
+    fn asks_set(&self) -> Result<bool, Failure> {
+        let conducts = self.conduction.asked(&self.bodies)?.is_asked();
+        Ok(self.stiffness || conducts || self.adhesion.asked()?.is_some())
+    }
+
     fn alone(&self) -> Result<Complete, Failure> {
         let path = &self.input.file;
         let refused = |message: &str| {
@@ -298,11 +318,11 @@ impl Solve {
                  not: leave it out",
             ),
             (Measured::Profile(_), true)
-                if self.accuracy.is_some() || self.refine || self.stiffness =>
+                if self.accuracy.is_some() || self.refine || self.asks_set()? =>
             {
                 refused(
-                    "--accuracy, --refine and --stiffness rest on studies of maps; give --tolerance with \
-                     --plane-strain",
+                    "--accuracy, --refine, --stiffness, --resistivity, --conductivity and --work-of-adhesion \
+                     are for maps; give --tolerance with --plane-strain",
                 )
             }
             (Measured::Profile(traces), true) => {
@@ -338,13 +358,13 @@ impl Solve {
             "residual",
             "time",
         ]);
-        if self.stiffness {
+        if self.stiffness && !question.conduction.is_asked() {
             headings.push("stiffness");
         }
         if answer.hardness.is_some() {
             headings.extend(hardness::HEADINGS);
         }
-        headings.extend(self.conduction.headings());
+        headings.extend(conduction::headings(&question.conduction));
         let mut columns = Columns::new(&headings);
         for point in &answer.points {
             let mut cells = cells(point);
@@ -365,7 +385,8 @@ impl Solve {
         let text = text + &spread.map_or_else(String::new, carried);
         let text =
             text + &against::lines(pair, Some((question.modulus.pascals(), self.bodies.listed())));
-        let text = text + &text::level(self.level) + self.conduction.line();
+        let text = text + &text::level(self.level) + conduction::line(&question.conduction);
+        let text = text + &text::materials(&question.materials);
         let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
         Reply { text: text + &notes, json: answer.json, trouble: answer.trouble }
     }

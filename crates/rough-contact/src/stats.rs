@@ -1,5 +1,6 @@
 //! `rough-contact stats`: roughness statistics, each with its unit.
 
+use crate::adhesion::Adhesion;
 use crate::against::{self, Against};
 use crate::args::{self, Bodies, Common};
 use crate::batch::{self, PerFile};
@@ -13,7 +14,8 @@ use crate::roughness::Edges;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns, Table};
 use clap::Args;
-use compare::Level;
+use compare::{Level, MaterialUse, WorkOfAdhesion};
+use contact_types::ContactModulus;
 use std::path::Path;
 use surface_stats::{ByDistance, StatsOptions, SurfaceStatistics};
 
@@ -32,18 +34,28 @@ pub(crate) struct Stats {
     #[arg(long)]
     scales: bool,
     /// Take the traces of all files for one sample of one surface: profiles of equal length and spacing
-    #[arg(long, conflicts_with_all = ["out", "resume", "against", "iso", "scales", "modulus", "young"])]
+    #[arg(long, conflicts_with_all = ["out", "resume", "against", "iso", "scales", "modulus", "young", "material", "work_of_adhesion"])]
     pool: bool,
     #[command(flatten)]
     bodies: Bodies,
     /// Hardness of the softer body, as 2GPa, with a modulus: will the contact of these heights yield?
-    #[arg(long, value_name = "H", value_parser = args::pressure, allow_hyphen_values = true)]
+    #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
     #[arg(conflicts_with = "pool")]
     hardness: Option<f64>,
+    #[command(flatten)]
+    adhesion: Adhesion,
     #[command(flatten)]
     against: Against,
     #[command(flatten)]
     input: Input,
+}
+
+/// What the heights are asked of the bodies.
+struct Asked {
+    modulus: ContactModulus,
+    hardness: Option<f64>,
+    adhesion: Option<WorkOfAdhesion>,
+    materials: Vec<MaterialUse>,
 }
 
 impl Stats {
@@ -123,7 +135,10 @@ impl PerFile for Stats {
             .with_height_step(height_step);
         let subject =
             answers::Measured { path: &self.input.file, cleaned: &cleaned, pair: pair.as_ref() };
-        let found = answers::statistics(&map, &options, subject, self.iso, self.scales)?;
+        let mut found = answers::statistics(&map, &options, subject, self.iso, self.scales)?;
+        if let Some(Asked { modulus, adhesion: Some(given), .. }) = &asked {
+            found.stick(*given, &map, self.level, *modulus, &self.input.file)?;
+        }
         let mut text = text::cleaning(&cleaned)
             + &text::all_findings(&found.findings)
             + &self.describe(&found.statistics);
@@ -135,10 +150,13 @@ impl PerFile for Stats {
             text = format!("{text}\nalong x\n{}\nalong y\n{}", scales(along_x), scales(along_y));
         }
         let mut json = found.json;
-        if let Some((modulus, hardness)) = asked {
-            let (said, object) = hardness::forecast(modulus, hardness, &found.statistics);
-            text += &said;
+        if let Some(Asked { modulus, hardness, materials, .. }) = asked {
+            let (said, object) = hardness::forecast(modulus.pascals(), hardness, &found.statistics);
+            text += &(said + &text::materials(&materials));
             json["plasticity"] = object;
+            if !materials.is_empty() {
+                json["materials"] = report::materials_json(&materials);
+            }
         }
         Ok(Reply::new(text, json))
     }
@@ -160,15 +178,17 @@ fn scales(list: &[ByDistance]) -> Columns {
 }
 
 impl Stats {
-    /// Modulus and hardness of the bodies, if they were given (Pa).
-    fn asked(&self) -> Result<Option<(f64, Option<f64>)>, Failure> {
-        hardness::check(self.hardness)?;
-        let modulus = match (self.bodies.given()?, self.hardness) {
-            (None, None) => return Ok(None),
-            (None, Some(_)) => self.bodies.required()?,
-            (Some(modulus), _) => modulus,
+    /// The bodies, if anything was given of them.
+    fn asked(&self) -> Result<Option<Asked>, Failure> {
+        let hardness = self.bodies.hardness(self.hardness)?;
+        let adhesion = self.adhesion.asked()?;
+        let modulus = match self.bodies.given()? {
+            None if self.hardness.is_none() && adhesion.is_none() => return Ok(None),
+            None => self.bodies.required()?,
+            Some(modulus) => modulus,
         };
-        Ok(Some((modulus.pascals(), self.hardness)))
+        let materials = self.bodies.used(self.hardness, &[])?;
+        Ok(Some(Asked { modulus, hardness, adhesion, materials }))
     }
 
     fn describe(&self, s: &SurfaceStatistics) -> String {

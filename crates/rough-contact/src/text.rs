@@ -1,7 +1,7 @@
 //! Numbers and tables as people read them on a terminal.
 
 pub(crate) use answers::shown::*;
-use compare::{Finding, Level, Settings, Weight};
+use compare::{Fact, Finding, Level, MaterialUse, Settings, Weight};
 use std::fmt;
 use surface_stats::clean::Record;
 
@@ -54,11 +54,21 @@ const MOST: usize = 3;
 /// The worst findings, one line each, and how many more there are.
 pub(crate) fn findings(found: &[Finding]) -> String {
     let open: Vec<&Finding> = found.iter().filter(|f| f.weight != Weight::Passed).collect();
-    let text = open.iter().take(MOST).map(|f| finding_line(f)).collect::<Vec<_>>().concat();
-    match open.len().saturating_sub(MOST) {
+    // A verdict that was asked for is given, however long the list is.
+    let asked = |f: &&&Finding| matches!(f.fact, Fact::Adhesion(_));
+    let shown: Vec<&&Finding> =
+        open.iter().take(MOST).chain(open.iter().skip(MOST).filter(asked)).collect();
+    let text = shown.iter().map(|f| finding_line(f)).collect::<Vec<_>>().concat();
+    match open.len() - shown.len() {
         0 => text,
         more => format!("{text}and {more} more: --json has all findings\n"),
     }
+}
+
+/// The materials whose numbers were taken from the table, with condition and source.
+pub(crate) fn materials(used: &[MaterialUse]) -> String {
+    let line = |used: &MaterialUse| report::material_line(used).replace('\u{202F}', " ") + "\n";
+    used.iter().map(line).collect()
 }
 
 /// All findings, one line each.

@@ -170,6 +170,9 @@ impl ProfileComparison {
         if settings.conducts() {
             return Err(StudyError::NoConductance);
         }
+        if settings.adhesion.is_some() {
+            return Err(StudyError::NoAdhesion);
+        }
         if settings.hardness.is_some() {
             return Err(StudyError::YieldingProfiles);
         }

@@ -1,26 +1,20 @@
-//! Contact stiffness, -dp/d(mean gap): from two more solutions, of a contact that may yield from its set.
+//! Contact stiffness: of the contact set, by its mixed problem. Of elastic contact that is -dp/d(mean gap); of bodies with a
+//! hardness it is not, for what has yielded takes no more load.
 
 use super::area::iteration_half_width;
 use super::estimate::{Budget, Estimate};
+use super::grid;
 use super::map::Map;
 use super::no_interval::NoAreaInterval;
-use super::{grid, iteration};
 use contact_types::HeightMap;
-use fft_bem_solver::{Load, Solution, Solver, SolverError};
+use fft_bem_solver::{Load, SetStiffness, Solution, Solver, SolverError};
 use std::time::Instant;
-
-/// Factor between the load and the two loads beside it.
-const STEP: f64 = 1.01;
-
-/// Relative error of a difference over a factor of 1.01² in load: a third of ln(1.01)² times the
-/// curvature of ln p against the gap, of order one.
-const DIFFERENCE: f64 = 1e-4;
 
 /// What is known of the stiffness at a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Stiffness {
-    /// -dp/d(mean gap) (Pa/m).
+    /// Of the set (Pa/m).
     pub value: f64,
     /// Relative half width left by stopping the iterations; the reason if it is not known.
     pub iteration: Result<f64, NoAreaInterval>,
@@ -31,27 +25,17 @@ pub struct Stiffness {
 }
 
 impl Stiffness {
-    /// Solves at 1/1.01 and at 1.01 of `mean_pressure` (Pa), starting from the solution that
-    /// `solver` holds. Over so short a way ln p is a straight line of the gap:
-    /// `k = p ln(p2/p1) / (gap1 - gap2)`. `None` if the gap has no mean, does not close by more than
-    /// the iteration leaves of it, or is closed: in full contact the stiffness is infinite.
-    ///
-    /// Of bodies with a hardness the slope of the curve is not the stiffness, for what has yielded takes
-    /// no more load: there the load itself is solved, and its contact set is asked.
+    /// Solves at `mean_pressure` (Pa), from the solution that `solver` holds, and asks the contact set.
     ///
     /// # Errors
     /// [`SolverError`].
     pub fn near(
         solver: &mut Solver,
         surface: &HeightMap,
-        map: &Map,
         mean_pressure: f64,
     ) -> Result<Option<Self>, SolverError> {
-        if solver.hardness().is_finite() {
-            let solution = solver.solve(surface, Load::MeanPressure(mean_pressure))?;
-            return Self::of_set(solver, &solution);
-        }
-        Self::around(&mut |load| solver.solve(surface, load), map, mean_pressure)
+        let solution = solver.solve(surface, Load::MeanPressure(mean_pressure))?;
+        Self::of_set(solver, &solution)
     }
 
     /// Of the contact set of `solution`, which `solver` holds: its mixed problem. `None` without contact and
@@ -62,46 +46,19 @@ impl Stiffness {
     pub fn of_set(solver: &mut Solver, solution: &Solution) -> Result<Option<Self>, SolverError> {
         let start = Instant::now();
         let set = solver.contact_stiffness()?;
+        Ok(Self::of(&set, solution, start.elapsed().as_secs_f64()))
+    }
+
+    /// Of a set that was asked, of this solution, in so many seconds.
+    pub fn of(set: &SetStiffness, solution: &Solution, seconds: f64) -> Option<Self> {
         let found = &solution.diagnostics;
         let area = found.area_fraction_corrected;
         if !(set.per_area > 0.0 && set.per_area.is_finite() && area > 0.0) {
-            return Ok(None);
+            return None;
         }
         // The set is that of an iterate: the stiffness moves no more than its area does.
         let iteration = iteration_half_width(found).map(|half| half / area + set.residual);
-        let (transforms, seconds) = (set.transforms, start.elapsed().as_secs_f64());
-        Ok(Some(Self { value: set.per_area, iteration, transforms, seconds }))
-    }
-
-    /// The same of a surface that `solve` knows.
-    ///
-    /// # Errors
-    /// [`SolverError`].
-    pub fn around(
-        solve: &mut dyn FnMut(Load) -> Result<Solution, SolverError>,
-        map: &Map,
-        mean_pressure: f64,
-    ) -> Result<Option<Self>, SolverError> {
-        let less = solve(Load::MeanPressure(mean_pressure / STEP))?;
-        let more = solve(Load::MeanPressure(mean_pressure * STEP))?;
-        let (Some(wide), Some(narrow)) = (less.state.mean_gap, more.state.mean_gap) else {
-            return Ok(None);
-        };
-        let closed = wide - narrow;
-        let (a, b) = (&less.diagnostics, &more.diagnostics);
-        let [left_a, left_b] = [a, b].map(|d| iteration::gap_half_width(map, d));
-        let is_closed = b.contact_pixels > 0 && b.contact_perimeter <= 0.0;
-        if is_closed || closed <= left_a + left_b {
-            return Ok(None);
-        }
-        let iteration = iteration_half_width(a).and(iteration_half_width(b));
-        let iteration = iteration.map(|_| (left_a + left_b) / closed);
-        Ok(Some(Self {
-            value: 2.0 * STEP.ln() * mean_pressure / closed,
-            iteration,
-            transforms: a.transforms + b.transforms,
-            seconds: a.seconds + b.seconds,
-        }))
+        Some(Self { value: set.per_area, iteration, transforms: set.transforms, seconds })
     }
 }
 
@@ -114,8 +71,7 @@ impl Budget {
         // Near full contact it follows the places that are open.
         let open = self.between / (1.0 - self.area.value).max(f64::MIN_POSITIVE);
         let few = self.sampled.map_or(1.0, |s| grid::of_few_spots(s.blocks.carrying));
-        let relative =
-            (few * wide * grid::stiffness_half_width(map, line)).hypot(open) + DIFFERENCE;
+        let relative = (few * wide * grid::stiffness_half_width(map, line)).hypot(open);
         self.stiffness = Some(Estimate {
             value: k,
             grid: self.own.map(|()| k * relative),

@@ -9,7 +9,7 @@ Quantities go in as text or with a unit, ``'110 GPa'`` or ``110 * rc.GPa``, and 
 2
 """
 
-from ._bodies import Body, contact_modulus
+from ._bodies import Body, contact_modulus, material, materials
 from ._closed import Asperities, Fractal, ModelCurve, Moments, SelfAffine, model
 from ._errors import (
     AccuracyNotMet,
@@ -110,6 +110,8 @@ __all__ = [
     "kPa",
     "m",
     "mN",
+    "material",
+    "materials",
     "mm",
     "model",
     "models",

@@ -12,7 +12,7 @@ from . import _units
 from ._errors import SettingError, sorted_as
 from ._units import Q
 
-__all__ = ["Bodies", "Body", "contact_modulus"]
+__all__ = ["Bodies", "Body", "contact_modulus", "material", "materials"]
 
 
 @dataclass(frozen=True, init=False)
@@ -91,3 +91,56 @@ def given(modulus: Q | None, bodies: Bodies | None) -> dict[str, Any]:
     if bodies is not None:
         return {"modulus": None, "bodies": elastic(bodies)}
     return {"modulus": _units.scalar(modulus, "pressure", "modulus"), "bodies": []}
+
+
+def materials() -> list[str]:
+    """Names of the materials of the table, as the command ``rough-contact materials`` shows it."""
+    return list(json.loads(_rust.material(None)))
+
+
+def material(name: str) -> Body:
+    """A material of the table as a `Body`: typical values at room temperature, in one condition.
+
+    Parameters
+    ----------
+    name : str
+        As ``'copper'``; one that is not there lists those near it.
+
+    Returns
+    -------
+    Body
+        With the hardness, where the table has one; its name holds the condition.
+
+    Raises
+    ------
+    SettingError
+        An unknown name, or a material whose Poisson's ratio has no source: give `Body` your own numbers.
+
+    Examples
+    --------
+    >>> import rough_contact as rc
+    >>> copper = rc.material('copper')
+    >>> copper.young, copper.poisson
+    (117000000000.0, 0.34)
+    """
+    with sorted_as(SettingError):
+        found = json.loads(_rust.material(name))
+    numbers = {key: None if listed is None else listed["value"] for key, listed in found["numbers"].items()}
+    if numbers["poisson"] is None:
+        raise SettingError(f"{name}: the table has no Poisson's ratio that a source could be named for; give rc.Body", "material")
+    return _body(numbers["young"], numbers["poisson"], numbers["hardness"], f"{found['title']}, {found['condition']}")
+
+
+def adhesion(work: Q | None, reach: Q | None) -> dict[str, float] | None:
+    """A work of adhesion, as the crates take it."""
+    if work is None:
+        if reach is not None:
+            raise TypeError("attraction_range is that of a work_of_adhesion, and none is given")
+        return None
+    found = {
+        "work": _units.scalar(work, "energy_per_area", "work_of_adhesion"),
+        "range": 0.3e-9 if reach is None else _units.scalar(reach, "length", "attraction_range"),
+    }
+    if not (found["work"] >= 0 and found["range"] > 0):
+        raise SettingError("work_of_adhesion takes 0 or more, attraction_range a distance above 0", "work_of_adhesion")
+    return found

@@ -44,6 +44,8 @@ def solve(
     hardness: Q | None = None,
     resistivity: Q | None = None,
     conductivity: Q | None = None,
+    work_of_adhesion: Q | None = None,
+    attraction_range: Q | None = None,
     distributions: bool = False,
     maps: bool | Literal["pressure"] = False,
     threads: int | None = None,
@@ -78,6 +80,8 @@ def solve(
         Highest pressure that the softer body bears.
     resistivity, conductivity : quantity, optional
         Of both bodies, or a pair: what the contact conducts.
+    work_of_adhesion, attraction_range : quantity, optional
+        Whether the bodies stick is said, by formulas: a finding, and ``json['adhesion']``.
     maps : bool or 'pressure'
         Whether pressure and gap of every point are kept.
     threads : int, optional
@@ -129,9 +133,7 @@ def solve(
         ("accuracy", accuracy is not None, "stiffness", stiffness),
         ("accuracy", accuracy is not None, "hardness", hardness is not None),
         ("accuracy", accuracy is not None, "edges='mirrored'", edges == "mirrored"),
-        ("stiffness", stiffness, "hardness", hardness is not None),
         ("resistivity or conductivity", conduction, "accuracy", accuracy is not None),
-        ("resistivity or conductivity", conduction, "stiffness", stiffness),
         ("edges='mirrored'", edges == "mirrored", "boundary='free'", boundary == "free"),
         ("gap", gap is not None, "boundary='free'", boundary == "free"),
     )
@@ -153,6 +155,7 @@ def solve(
         "hardness": _hardness(hardness),
         "resistivity": None if resistivity is None else _units.pair(resistivity, "resistivity", "resistivity"),
         "conductivity": None if conductivity is None else _units.pair(conductivity, "conductivity", "conductivity"),
+        "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
         "distributions": bool(distributions),
         "maps": {False: "none", True: "all", "pressure": "pressure"}[maps],
         "threads": used,

@@ -286,6 +286,8 @@ def compare(
     hardness: Q | None = None,
     resistivity: Q | None = None,
     conductivity: Q | None = None,
+    work_of_adhesion: Q | None = None,
+    attraction_range: Q | None = None,
     precision: Literal["f64", "f32"] = "f64",
     tolerance: float = 1e-4,
     accuracy: float | str | None = None,
@@ -310,6 +312,8 @@ def compare(
         Names of built-in models and models of one's own (`ContactModel`); every built-in one by default. Those of one's
         own are called once for each surface, with all loads, on this thread, before the solver.
     level, edges, hardness, resistivity, conductivity, precision, tolerance, accuracy, fractal_range
+        As the options of the command.
+    work_of_adhesion, attraction_range : quantity, optional
         As the options of the command.
     on_failure : {'raise', 'keep'}
         What to do if a load or a surface has no answer, or a model of one's own raises: raise, with the study in
@@ -351,6 +355,9 @@ def compare(
         settings["resistivities"] = _units.pair(resistivity, "resistivity", "resistivity")
     if conductivity is not None:
         settings["conductivities"] = _units.pair(conductivity, "conductivity", "conductivity")
+    adhesion = _bodies.adhesion(work_of_adhesion, attraction_range)
+    if adhesion is not None:
+        settings["adhesion"] = adhesion
     if accuracy is not None:
         settings["accuracy"] = _units.number(accuracy, "accuracy")
     if fractal_range is not None:

@@ -57,6 +57,7 @@ _EXAMPLE = {
     "force": ("10 N", "N"),
     "resistivity": ("22 nohm.m", "ohm_m"),
     "conductivity": ("50 W/m/K", "W_per_m_K"),
+    "energy_per_area": ("50 mJ/m^2", "J_per_m2"),
 }
 
 

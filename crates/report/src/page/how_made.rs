@@ -6,6 +6,7 @@ use crate::page::context::Page;
 use crate::page::phrases::{levelled, tolerance_words};
 use crate::words::edges::treatment;
 use crate::words::loads::loads_words;
+use crate::words::materials::material_line;
 use crate::words::pair::{bodies, lying, moments};
 use crate::words::plan as plan_words;
 use compare::{Body, FileOrigin, Origin, Recipe, Settings};
@@ -72,7 +73,7 @@ pub(crate) fn section(page: &Page<'_>) -> String {
             escape(&bodies(names, &settings.bodies, settings.modulus))
         },
     );
-    rows.push(("Material".into(), material));
+    rows.push(("Material".into(), material + &materials_words(settings)));
     rows.extend(hardness_words(settings).map(|words| ("Hardness".to_owned(), words)));
     rows.extend(loads_words(settings).map(|words| ("Loads".to_owned(), words)));
     for surface in &page.comparison.surfaces {
@@ -93,6 +94,12 @@ pub(crate) fn section(page: &Page<'_>) -> String {
          results in <code>results.json</code>, every setting in <code>run.toml</code>.</p>\n",
         escape(&made.repeat)
     )
+}
+
+/// The materials of the table, a line for each.
+pub(crate) fn materials_words(settings: &Settings) -> String {
+    let line = |used| format!("<br>\n{}", escape(&material_line(used)));
+    settings.materials.iter().map(line).collect()
 }
 
 /// The hardness, and what else a theory of yield was given.

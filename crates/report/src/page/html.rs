@@ -135,9 +135,7 @@ fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
             format!(" · {}", words::date(page.provenance.unix_time)),
         )
     };
-    let hardness = surface.inputs.hardness;
-    let hardness =
-        hardness.map_or(String::new(), |h| format!(" · <i>H</i> = {}", chosen(h, PASCALS)));
+    let hardness = hardness_in_head(surface.inputs.hardness);
     let line = format!(
         "<p class=\"file\">{before}{} × {}{SPACE}{}, {nx} × {ny} points · <i>E</i>* = \
          {}{hardness}{after}</p>\n",
@@ -155,6 +153,11 @@ fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
     format!("<header>{line}{first}<p>{}</p></header>\n", words::recommendation(surface))
 }
 
+/// " · H = 2 GPa"; nothing of elastic bodies.
+pub(crate) fn hardness_in_head(hardness: Option<f64>) -> String {
+    hardness.map_or_else(String::new, |h| format!(" · <i>H</i> = {}", chosen(h, PASCALS)))
+}
+
 /// The list of sources, numbered as cited.
 pub(crate) fn references(sources: &[Citation]) -> String {
     let items: String = sources
@@ -163,13 +166,14 @@ pub(crate) fn references(sources: &[Citation]) -> String {
         .map(|(i, c)| {
             let doi =
                 if c.doi.is_empty() { String::new() } else { format!(", doi:{}", escape(&c.doi)) };
+            // A model of a user's own may have none.
+            let year = if c.year > 0 { format!(" ({})", c.year) } else { String::new() };
             format!(
-                "<li id=\"r{}\">{}, {}, {} ({}){doi}.</li>\n",
+                "<li id=\"r{}\">{}, {}, {}{year}{doi}.</li>\n",
                 i + 1,
                 escape(&c.authors),
                 escape(&c.title),
                 escape(&c.journal),
-                c.year
             )
         })
         .collect();

@@ -9,8 +9,8 @@ use crate::numbers::{
     AREAS, METRES, PASCALS, SPACE, Unit, chosen, duration, percent, quantity, signed_percent,
     significant, unit_for,
 };
-use crate::page::how_made::{bodies_words, hardness_words};
-use crate::page::html::document;
+use crate::page::how_made::{bodies_words, hardness_words, materials_words};
+use crate::page::html::{document, hardness_in_head};
 use crate::page::sections::figure;
 use crate::page::tables::swatch;
 use crate::provenance::Provenance;
@@ -84,9 +84,10 @@ pub fn write(
     let count = summary.maps.len();
     let all = count + summary.failed.len();
     let mut body = format!(
-        "<header><p class=\"file\">rough-contact report · {all} files · <i>E</i>* = {} · {}</p>\n\
+        "<header><p class=\"file\">rough-contact report · {all} files · <i>E</i>* = {}{} · {}</p>\n\
          <h1>{}</h1>\n<p>{}</p></header>\n",
         chosen(summary.settings.modulus, PASCALS),
+        hardness_in_head(summary.settings.hardness),
         words::date(provenance.unix_time),
         headline(summary),
         standing(summary)
@@ -441,7 +442,7 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
     };
     format!(
         "<h2>How this was made</h2>\n<dl><dt>Program</dt><dd>rough-contact {}, {}, {} threads, {}</dd>\n\
-         <dt>Material</dt><dd><i>E</i>* = {}, {}{}</dd>\n<dt>Surface</dt><dd>level: {}; edges: \
+         <dt>Material</dt><dd><i>E</i>* = {}, {}{}{}</dd>\n<dt>Surface</dt><dd>level: {}; edges: \
          {}</dd>\n<dt>Solver</dt><dd>{solver}; area corrected for the contact line</dd></dl>\n<p>Made \
          with</p><pre>{}</pre>\n<p class=\"why\">One row for each file is in <code>table.csv</code>, complete \
          results in <code>results.json</code>. <code>compare</code> with one of the files alone writes its \
@@ -453,6 +454,7 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
         chosen(settings.modulus, PASCALS),
         bodies_words(&settings.bodies),
         hardness_words(settings).map_or(String::new(), |words| format!("; {words}")),
+        materials_words(settings),
         settings.level.name(),
         settings.edges.name(),
         escape(&provenance.repeat)

@@ -75,10 +75,10 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             rows.push((
                 "Contact stiffness".into(),
                 format!("{value}/µm"),
-                if surface.inputs.hardness.is_some() || surface.conduction.is_some() {
+                if surface.inputs.hardness.is_some() {
                     "of the contact set, as it would unload; not the slope of the loading curve"
                 } else {
-                    "−d<i>p</i>/d(mean gap), from two loads beside this one"
+                    "−d<i>p</i>/d(mean gap), of the contact set"
                 }
                 .into(),
             ));
@@ -108,7 +108,8 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
         (
             "Hardness that stays elastic".into(),
             format!("{} or more", quantity(limit, PASCALS, 2)),
-            "<i>E</i>* <i>g</i>: then this area is right to 2\u{202F}%; for softer bodies give --hardness"
+            "<i>E</i>* <i>g</i>: then this area is right to 2\u{202F}%; for softer bodies give \
+             <code class=\"option\">--hardness</code>"
                 .into(),
         )
     }));

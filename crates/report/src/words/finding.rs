@@ -1,6 +1,7 @@
 //! Findings in words: plain text, the same on the page, on the terminal and in files.
 
 use crate::numbers::{METRES, PASCALS, SPACE, fixed, percent, quantity, significant};
+use crate::words::adhesion;
 use crate::words::edges::seam_effect;
 use crate::words::pair;
 use crate::words::plan;
@@ -34,6 +35,7 @@ pub fn finding(finding: &Finding) -> Worded {
         Fact::Yielding(found) => of_two(yielding::headline(found)),
         Fact::OddHardness { hardness, usual } => of_two(yielding::odd(*hardness, *usual)),
         Fact::BulkYield { highest, hardness } => of_two(yielding::bulk(*highest, *hardness)),
+        Fact::Adhesion(found) => of_two(adhesion::verdict(found)),
         Fact::Steep(found) => steep(found),
         Fact::Spikes { count, largest, share } => spikes(*count, *largest, *share),
         Fact::NotConverged { loads, of } => worded(

@@ -1,5 +1,6 @@
 //! Sentences: what was decided below, in words.
 
+pub(crate) mod adhesion;
 mod answer;
 pub(crate) mod coarser;
 pub(crate) mod conduction;
@@ -7,6 +8,7 @@ mod date;
 pub(crate) mod edges;
 pub(crate) mod finding;
 pub(crate) mod loads;
+pub(crate) mod materials;
 pub(crate) mod pair;
 pub(crate) mod plan;
 pub(crate) mod profile;

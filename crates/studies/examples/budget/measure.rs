@@ -3,7 +3,7 @@
 
 use crate::ensemble;
 use crate::fresh;
-use compare::budget::{Map, Stiffness};
+use compare::budget::Stiffness;
 use contact_accuracy::round_to_digits;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Solution, Solver};
@@ -108,7 +108,6 @@ pub(crate) fn surface(index: usize, surface: &dyn Surface) -> Result<String, Box
     let step = height_step(map.heights()).map_or(0.0, |q| q / (gradient * dy.min(dx)));
     let seen = [resolution(Window::None)?, resolution(Window::Hann)?, step];
     let fixed = surface.spectrum().into_iter().chain(seen);
-    let known = Map::of(&map)?;
     let loads = surface.loads();
     let pressures = loads.map(|x| x * MODULUS * gradient);
     let mut grids = Vec::new();
@@ -123,7 +122,7 @@ pub(crate) fn surface(index: usize, surface: &dyn Surface) -> Result<String, Box
             [a.count, a.edges, a.gap, a.stiffness]
         });
         let numbers = fixed.clone().chain([loads[k]]).chain(answers);
-        let early = early(&map, &known, modulus, pressure, rms)?;
+        let early = early(&map, modulus, pressure, rms)?;
         for value in numbers.chain(early) {
             let _ = write!(rows, ",{}", round_to_digits(value, 6));
         }
@@ -159,7 +158,6 @@ fn answers(
 /// what is left of it at the last tolerance.
 fn early(
     map: &HeightMap,
-    known: &Map,
     modulus: ContactModulus,
     pressure: f64,
     rms: f64,
@@ -177,8 +175,7 @@ fn early(
             d.energy_bound.ok_or("no energy bound")?,
         ]);
         if tolerance <= DEFAULT {
-            let found =
-                Stiffness::near(&mut solver, map, known, pressure)?.ok_or("no stiffness")?;
+            let found = Stiffness::near(&mut solver, map, pressure)?.ok_or("no stiffness")?;
             let left = found.iteration.map_err(|why| format!("{why:?}"))?;
             list.extend([found.value * rms / modulus.pascals(), left]);
         }

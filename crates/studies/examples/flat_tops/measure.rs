@@ -105,7 +105,7 @@ fn stated(map: &HeightMap, known: &Map, loads: &[f64]) -> Result<Vec<Budget>, Bo
         if let Some(between) = Between::of(map, known.repeats, &solution.pressure, modulus()?) {
             budget = budget.between(&between);
         }
-        if let Some(near) = Stiffness::near(&mut solver, map, known, pressure(*load))? {
+        if let Some(near) = Stiffness::near(&mut solver, map, pressure(*load))? {
             budget = budget.with_stiffness(&near, known, Line::of(&solution));
         }
         if TwiceFiner::is_wanted(&budget, known) {
@@ -118,12 +118,11 @@ fn stated(map: &HeightMap, known: &Map, loads: &[f64]) -> Result<Vec<Budget>, Bo
 
 /// Area, gap and stiffness, NaN where there is none.
 fn truth(fine: &HeightMap, loads: &[f64]) -> Result<Vec<[f64; 3]>, Box<dyn Error>> {
-    let known = Map::of(fine)?;
     let mut solver = Solver::builder().tolerance(1e-5).threads(1).build(fine.grid(), modulus()?)?;
     let mut list = Vec::new();
     for load in loads {
         let found = solver.solve(fine, Load::MeanPressure(pressure(*load)))?;
-        let near = Stiffness::near(&mut solver, fine, &known, pressure(*load))?;
+        let near = Stiffness::near(&mut solver, fine, pressure(*load))?;
         list.push([
             found.diagnostics.area_fraction_corrected,
             found.state.mean_gap.unwrap_or(f64::NAN),

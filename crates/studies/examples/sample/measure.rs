@@ -41,7 +41,7 @@ pub(crate) fn family(family: &str, maps: usize) -> Result<String, Box<dyn Error>
             let pressure = load * MODULUS * gradient;
             let solution = solver.solve(&map, Load::MeanPressure(pressure))?;
             let mut budget = Budget::of(&solution, &known);
-            if let Some(near) = Stiffness::near(&mut solver, &map, &known, pressure)? {
+            if let Some(near) = Stiffness::near(&mut solver, &map, pressure)? {
                 budget = budget.with_stiffness(&near, &known, Line::of(&solution));
             }
             let _ = write!(rows, "\"{family}\",{seed},{load},{}", u8::from(known.repeats));

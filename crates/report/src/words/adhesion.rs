@@ -1,0 +1,61 @@
+//! Whether the bodies stick, in words: claim and text.
+
+use crate::numbers::{METRES, PASCALS, chosen, length, percent, quantity, significant};
+use compare::{Adhesion, NO_PULL_OFF};
+
+pub(crate) fn verdict(found: &Adhesion) -> [String; 2] {
+    let claim = if found.negligible {
+        "Adhesion is negligible.".to_owned()
+    } else {
+        "Adhesion is not negligible: this program does not model it.".to_owned()
+    };
+    if found.given.work <= 0.0 {
+        return [claim, "The work of adhesion is 0.".to_owned()];
+    }
+    let joules = |w: f64| {
+        if w.abs() < 1.0 {
+            format!("{} mJ/m²", significant(1e3 * w, 2))
+        } else {
+            format!("{} J/m²", significant(w, 2))
+        }
+    };
+    let mut parts = vec![match found.fuller_tabor {
+        Some(theta) => format!(
+            "Fuller and Tabor’s parameter is {} (pull-off below about {NO_PULL_OFF:.0}; 1975)",
+            significant(theta, 2)
+        ),
+        None => "Fuller and Tabor’s parameter cannot be said without summits".to_owned(),
+    }];
+    if let Some(criterion) = found.pastewka_robbins {
+        parts.push(format!(
+            "Pastewka and Robbins’s {} (light contact sticks below {}; 2014, disputed)",
+            significant(criterion, 2),
+            significant(found.sticky, 3)
+        ));
+    }
+    if let Some((left, energy)) = found.effective_work.zip(found.full_contact_energy) {
+        let what = if left > 0.0 { "could hold" } else { "does not hold" };
+        parts.push(format!(
+            "full contact takes {} and {what} by itself (Persson and Tosatti 2001)",
+            joules(energy)
+        ));
+    }
+    if let Some(share) = found.attraction {
+        let at = found.at.map_or_else(
+            || "of a light load".to_owned(),
+            |p| format!("of the load of {}", chosen(p, PASCALS)),
+        );
+        parts.push(format!("the attraction is {} {at} (5\u{202F}% is little)", percent(share)));
+    }
+    let shortest = found
+        .shortest
+        .map_or_else(String::new, |wave| format!(", the shortest wave being {}", length(wave)));
+    let text = format!(
+        "With {} over {}: {}. All of it depends on the shortest waves measured (rms gradient {}{shortest}).",
+        joules(found.given.work),
+        quantity(found.given.range, METRES, 2),
+        parts.join("; "),
+        significant(found.gradient, 2)
+    );
+    [claim, text]
+}
