@@ -3,18 +3,19 @@
 use crate::failure::{Failure, variant};
 use crate::loads::Spread;
 use crate::models::citation;
-use compare::{BuildError, Card, Inputs, Level, MomentSource, Pressed, Scene, Theory, built_in};
+use compare::{
+    BuildError, Card, Inputs, Level, MomentSource, Pressed, Scene, Theory, built_in, map_curves,
+};
 use contact_accuracy::round_to_digits;
 use contact_types::{AmplitudeSpectrum, Caveat, ContactState, HeightMap, ModelError};
-use multiscale_models::MapSlopes;
 use serde_json::{Value, json};
 use std::path::Path;
 use surface_stats::clean::RowOffsets;
 use surface_stats::fractal::PowerLaw;
 use surface_stats::spectrum::{Axis, amplitudes, radial};
 use surface_stats::{
-    DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
-    slope_curve,
+    ContactCurves, DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError,
+    StatsOptions, level,
 };
 
 /// What is asked of the model.
@@ -156,12 +157,11 @@ pub fn measured(
     drop(heights);
     match model {
         "equation" => {
-            let seen = HeightStatistics::of(&map).kurtosis.zip(differences.anisotropy());
-            let slopes = slope_curve(&map, edges)
-                .zip(seen)
-                .map(|(curve, (kurtosis, ratio))| MapSlopes::new(curve, ratio.sqrt(), kurtosis));
+            let curves = ContactCurves::of(&map, edges)
+                .zip(differences.anisotropy())
+                .map(|(curves, ratio)| map_curves(&curves, ratio));
             let refused = |e: ModelError| Failure::from_error(&e);
-            inputs.slopes = slopes.transpose().map_err(refused)?;
+            inputs.curves = curves.transpose().map_err(refused)?;
         }
         "persson" => inputs.spectrum = Some(radial(&map).map_err(refused)?),
         "stacked" | "multiscale" => {

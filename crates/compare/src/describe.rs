@@ -6,12 +6,13 @@ use crate::theory::Assumes;
 use crate::{Origin, Registry, Settings};
 use contact_accuracy::budget::Map;
 
+use crate::inputs::map_curves;
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
-use multiscale_models::MapSlopes;
+use multiscale_models::MapCurves;
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
 use surface_stats::{
-    Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats, slope_curve,
+    ContactCurves, Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats,
 };
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
@@ -48,9 +49,9 @@ pub(crate) fn model_inputs(
     let has_use = settings
         .asked_models(registry)
         .any(|t| matches!(t.card().assumes, Assumes::Amplitudes | Assumes::Unstated));
-    let by_slopes = settings.asked_models(registry).any(|t| t.card().name == "equation");
+    let by_curves = settings.asked_models(registry).any(|t| t.card().name == "equation");
     Inputs {
-        slopes: by_slopes.then(|| slopes(map, statistics)).flatten(),
+        curves: by_curves.then(|| curves(map, statistics)).flatten(),
         moments: Some(statistics.moments()).filter(|m| m.m2 > 0.0 && m.m4 > 0.0),
         source: MomentSource::FiniteDifferences,
         amplitudes: Some(amplitudes).filter(|_| has_use),
@@ -64,9 +65,8 @@ pub(crate) fn model_inputs(
 }
 
 /// What the fitted equation takes of a map; `None` for a flat one.
-fn slopes(map: &HeightMap, statistics: &SurfaceStatistics) -> Option<MapSlopes> {
-    let ratio = statistics.anisotropy?.sqrt();
-    MapSlopes::new(slope_curve(map, statistics.edges)?, ratio, statistics.kurtosis?).ok()
+fn curves(map: &HeightMap, statistics: &SurfaceStatistics) -> Option<MapCurves> {
+    map_curves(&ContactCurves::of(map, statistics.edges)?, statistics.anisotropy?).ok()
 }
 
 /// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann

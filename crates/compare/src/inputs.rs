@@ -1,11 +1,12 @@
 //! Everything a model may be made from.
 
 use contact_types::{
-    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, RoughnessSpectrum,
-    SpectralMoments, Wave,
+    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, ModelError,
+    RoughnessSpectrum, SpectralMoments, Wave,
 };
-use multiscale_models::{MapSlopes, SelfAffineSpectrum, SphereLevel};
+use multiscale_models::{MapCurves, SelfAffineSpectrum, SphereLevel};
 use serde::Serialize;
+use surface_stats::ContactCurves;
 
 /// Everything a model may be made from. What a case does not have stays `None`.
 #[derive(Debug, Clone, Serialize)]
@@ -24,9 +25,9 @@ pub struct Inputs {
     pub source: MomentSource,
     /// Asperities, if they were given rather than derived from the moments.
     pub asperities: Option<AsperityStatistics>,
-    /// Slopes of the highest parts of a map; only the fitted equation needs them.
+    /// Curves over the highest parts of a map; only the fitted equation needs them.
     #[serde(skip)]
-    pub slopes: Option<MapSlopes>,
+    pub curves: Option<MapCurves>,
     /// Radial spectrum; only Persson's mean gap needs it.
     pub spectrum: Option<RoughnessSpectrum>,
     /// A continuous spectrum, in place of a radial one.
@@ -80,7 +81,7 @@ impl Inputs {
             moments: None,
             source: MomentSource::Given,
             asperities: None,
-            slopes: None,
+            curves: None,
             spectrum: None,
             self_affine: None,
             gamma: None,
@@ -118,4 +119,14 @@ impl Inputs {
     pub fn asperities(&self) -> Option<AsperityStatistics> {
         self.asperities.or_else(|| AsperityStatistics::from_moments(self.moments?).ok())
     }
+}
+
+/// What the fitted equation takes of a map, from its curves and the ratio of its mean square slopes across and
+/// along the lay.
+///
+/// # Errors
+/// As [`MapCurves::new`].
+pub fn map_curves(curves: &ContactCurves, anisotropy: f64) -> Result<MapCurves, ModelError> {
+    let ContactCurves { slope, evenness, pressure, flattened, .. } = *curves;
+    MapCurves::new(slope, evenness, pressure, flattened, anisotropy.sqrt())
 }

@@ -38,8 +38,8 @@ pub use contact_types::{
 
 pub use archard::{Archard, SphereLevel};
 pub use equation::{
-    Equation, INTERVAL_TERMS, MAP_TERMS, MapEquation, MapSlopes, NUMBER_TERMS, SLOPE_KNOTS,
-    map_terms, number_terms,
+    CURVE_KNOTS, Equation, INTERVAL_TERMS, MAP_TERMS, MapCurves, MapEquation, NUMBER_TERMS,
+    SHARE_KNOTS, map_terms, number_terms,
 };
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::{MajumdarBhushan, critical_area};

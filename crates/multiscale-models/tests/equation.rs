@@ -1,8 +1,8 @@
 //! The fitted equation: limits, monotony, inverse, and the surfaces it was fitted on.
 
 use multiscale_models::{
-    ContactModel, ContactModulus, Equation, MapEquation, MapSlopes, ModelError, SLOPE_KNOTS,
-    SpectralMoments,
+    CURVE_KNOTS, ContactModel, ContactModulus, Equation, MapCurves, MapEquation, ModelError,
+    SHARE_KNOTS, SpectralMoments,
 };
 use std::f64::consts::PI;
 
@@ -15,17 +15,27 @@ fn one() -> ContactModulus {
     ContactModulus::from_pascals(1.0).expect("a modulus")
 }
 
-/// Slope curves from gentle to cliffs, by a fixed sequence.
-fn slopes(i: usize) -> MapSlopes {
-    let mut highest = [1.0; SLOPE_KNOTS];
+/// Curves from gentle to cliffs, by a fixed sequence.
+fn curves(i: usize) -> MapCurves {
     let mut state = i as u64 + 1;
-    for k in 1..SLOPE_KNOTS {
+    let mut next = || {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        let t = (state >> 33) as f64 / (1u64 << 31) as f64;
+        (state >> 33) as f64 / (1u64 << 31) as f64
+    };
+    let mut slope = [1.0; CURVE_KNOTS];
+    for k in 1..CURVE_KNOTS {
         // What the highest half as much has of the square can be all of it, or nothing.
-        highest[k] = (highest[k - 1] * (0.3 + 0.95 * t)).clamp(0.01, 3.0);
+        slope[k] = (slope[k - 1] * (0.3 + 0.95 * next())).clamp(0.01, 3.0);
     }
-    MapSlopes::new(highest, 1.0 + (i % 7) as f64, 2.0 + (i % 5) as f64).expect("slopes")
+    let evenness = [(); CURVE_KNOTS].map(|()| 0.05 + 0.95 * next());
+    let pressure = [(); CURVE_KNOTS].map(|()| 4.0 * next() - 1.5);
+    // Quantiles rise, by steps of any size.
+    let mut below = 0.0;
+    let flattened = [(); SHARE_KNOTS].map(|()| {
+        below += 0.2 * next().powi(3);
+        below
+    });
+    MapCurves::new(slope, evenness, pressure, flattened, 1.0 + (i % 7) as f64).expect("curves")
 }
 
 /// Loads over ten decades.
@@ -51,7 +61,7 @@ fn area_rises_strictly_and_pressure_follows_from_it() {
         let law = Equation::from_moments(moments(bandwidth), one()).unwrap();
         rises(&|x| law.area_fraction(x).unwrap(), &|a| law.pressure_at_area(a).unwrap());
         for i in 0..40 {
-            let law = MapEquation::new(moments(bandwidth), &slopes(i), one()).unwrap();
+            let law = MapEquation::new(moments(bandwidth), &curves(i), one()).unwrap();
             rises(&|x| law.area_fraction(x).unwrap(), &|a| law.pressure_at_area(a).unwrap());
         }
     }
@@ -60,7 +70,7 @@ fn area_rises_strictly_and_pressure_follows_from_it() {
 #[test]
 fn limits_are_right() {
     let numbers = Equation::from_moments(moments(10.0), one()).unwrap();
-    let map = MapEquation::new(moments(10.0), &MapSlopes::plain(), one()).unwrap();
+    let map = MapEquation::new(moments(10.0), &MapCurves::gaussian(0.5), one()).unwrap();
     for law in [&numbers as &dyn ContactModel, &map] {
         let area = |x: f64| law.at_pressure(x).unwrap().area_fraction;
         assert!(area(0.0) <= 0.0);
@@ -90,7 +100,8 @@ fn a_caveat_outside_the_range() {
     }
 }
 
-/// Rows of `fixtures/equation-fit.csv` lie in the interval as often as it says.
+/// Rows of `fixtures/equation-fit.csv` lie in the interval: oftener than 97 in 100, which it was made to hold of
+/// families left out of the fit, and not always.
 #[test]
 fn the_interval_holds_the_surfaces_it_was_made_from() {
     let table = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/equation-fit.csv");
@@ -98,16 +109,20 @@ fn the_interval_holds_the_surfaces_it_was_made_from() {
     let (mut held, mut all) = (0, 0);
     for line in text.lines().filter(|l| !l.starts_with('#')).skip(1) {
         let v: Vec<f64> = line.split(',').skip(1).map(|c| c.parse().unwrap()).collect();
-        let highest = <[f64; SLOPE_KNOTS]>::try_from(&v[10..10 + SLOPE_KNOTS]).unwrap();
-        let law =
-            MapEquation::new(moments(v[4]), &MapSlopes::new(highest, v[5], v[8]).unwrap(), one());
+        let (fixed, rest) = v.split_at(10);
+        let (slope, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
+        let (evenness, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
+        let (pressure, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
+        let (flattened, loads) = rest.split_first_chunk::<SHARE_KNOTS>().unwrap();
+        let curves = MapCurves::new(*slope, *evenness, *pressure, *flattened, fixed[5]).unwrap();
+        let law = MapEquation::new(moments(fixed[4]), &curves, one());
         let law = law.unwrap();
-        for load in v[10 + SLOPE_KNOTS..].chunks_exact(4).filter(|l| l[1] < 0.995) {
+        for load in loads.chunks_exact(4).filter(|l| l[1] < 0.995) {
             let [low, high] = law.interval(law.area_fraction(load[0]).unwrap());
             held += usize::from(low <= load[1] && load[1] <= high);
             all += 1;
         }
     }
     let share = f64::from(held as u32) / f64::from(all as u32);
-    assert!(all > 2500 && (0.93..0.98).contains(&share), "{held} of {all}");
+    assert!(all > 3900 && (0.97..0.999).contains(&share), "{held} of {all}");
 }

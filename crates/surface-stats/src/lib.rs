@@ -6,6 +6,7 @@
 
 mod by_distance;
 pub mod clean;
+mod contact_curves;
 mod differences;
 mod error;
 pub mod fractal;
@@ -21,7 +22,6 @@ pub mod profile;
 pub mod sampling;
 mod scale;
 mod seam;
-mod slopes;
 mod spectral_scales;
 pub mod spectrum;
 mod statistics;
@@ -36,13 +36,13 @@ pub use contact_types::{
 };
 
 pub use by_distance::{ByDistance, by_distance};
+pub use contact_curves::{CURVE_LEVELS, CURVE_SHARES, ContactCurves};
 pub use differences::{DirectionalMoments, Edges};
 pub use error::StatsError;
 pub use heights::HeightStatistics;
 pub use level::{Level, level};
 pub use options::StatsOptions;
 pub use seam::{MOST_SEAM_JUMP, repeats, seam_jump};
-pub use slopes::{SLOPE_LEVELS, slope_curve};
 pub use spectral_scales::SpectralScales;
 pub use statistics::{Spectra, SurfaceStatistics};
 pub use steps::height_step;

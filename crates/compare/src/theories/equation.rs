@@ -11,7 +11,7 @@ pub(super) fn theory() -> Row {
         name: "equation",
         label: "Equation",
         title: "The equation (fitted)",
-        needs: "m0, m2, m4; from a map also the slope of its highest part",
+        needs: "m0, m2, m4; from a map also how steep its highest part is",
         domain: "any area from 0.1 %; off by about 5 % on Gaussian maps, up to 20 % on others; measured maps with spikes or unresolved waves: unknown",
         from_map: true,
         yields: false,
@@ -22,8 +22,8 @@ pub(super) fn theory() -> Row {
 
 fn build(inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
     let moments = moments(inputs, "The equation")?;
-    Ok(match &inputs.slopes {
-        Some(slopes) => Box::new(MapEquation::new(moments, slopes, inputs.modulus)?),
+    Ok(match &inputs.curves {
+        Some(curves) => Box::new(MapEquation::new(moments, curves, inputs.modulus)?),
         None => Box::new(Equation::from_moments(moments, inputs.modulus)?),
     })
 }

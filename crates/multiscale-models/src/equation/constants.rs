@@ -6,18 +6,18 @@ pub const NUMBER_TERMS: usize = 5;
 pub const MAP_TERMS: usize = 13;
 
 /// Of the law for numbers, in the order of [`number_terms`](super::number_terms).
-pub(super) const NUMBERS: [f64; NUMBER_TERMS] = [0.403, -0.656, 0.352, -0.028, 0.027];
+pub(super) const NUMBERS: [f64; NUMBER_TERMS] = [0.401, -0.651, 0.346, -0.027, 0.027];
 
 /// Of the law for a map, in the order of [`map_terms`](super::map_terms).
-pub(super) const MAP: [f64; MAP_TERMS] = [
-    0.444, -0.635, 0.264, -0.04, 0.04, -1.037, 0.638, 0.057, -0.012, -0.142, -0.176, -0.392, 0.761,
-];
+pub(super) const MAP: [f64; MAP_TERMS] =
+    [0.38, -0.499, 0.122, -0.041, 0.062, -1.091, 1.233, -1.369, 1.766, -1.541, 0.095, 0.04, -0.058];
 
 /// Of the half width of the interval for numbers, in the order of [`numbers_spread`](super::interval).
-pub(super) const NUMBERS_SPREAD: [f64; super::INTERVAL_TERMS] = [0.05, 0.247, 0.0, 0.0, 0.0, 0.0];
+pub(super) const NUMBERS_SPREAD: [f64; super::INTERVAL_TERMS] =
+    [0.05, 0.247, 0.0, 0.0, 0.0, 0.0, 0.0];
 /// Of that for a map.
 pub(super) const MAP_SPREAD: [f64; super::INTERVAL_TERMS] =
-    [0.062, 0.024, 0.023, 0.062, 0.108, 0.079];
+    [0.045, 0.055, 0.0, 0.377, 0.985, 0.041, 0.11];
 
 /// Bandwidths the laws were fitted on, with some room \[-\].
 pub(super) const BANDWIDTH: [f64; 2] = [1.5, 150.0];

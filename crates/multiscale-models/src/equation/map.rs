@@ -1,8 +1,8 @@
-//! The law for a map: the slope of the part that touches decides.
+//! The law for a map: how steep the part that touches is decides.
 
 use super::constants::{BANDWIDTH_USED, MAP, MAP_SPREAD, MAP_TERMS};
 use super::numbers::{MODEL, caveat, citation};
-use super::{MapSlopes, interval};
+use super::{MapCurves, interval};
 use crate::special::{erf, erf_inv};
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, ModelError, SpectralMoments, require,
@@ -23,22 +23,28 @@ const STEEPEST: f64 = 0.9;
 /// A=\operatorname{erf} u,\qquad \frac{p}{E^*g}=\frac{u}{\sqrt2}\,e^{-w(A)},
 /// ```
 ///
-/// where w is a sum of [`map_terms`] of the area itself: the slope `s` of the highest part of the map,
-/// twice as much as touches under light load, that of the lower part, the bandwidth, the ratio of
-/// slopes across and along the lay, and the kurtosis of the heights. w is taken at 65 values of u once per map and is linear in `ln u`
-/// between them, nowhere steeper than 0.9; so area and pressure follow from each other without
-/// iteration, and both rise strictly.
+/// where w is a sum of [`map_terms`] of the area itself: how steep the highest part of the map is and how
+/// evenly, twice as much as touches under light load; under which pressure as much would lie flat if all were
+/// pressed flat; the bandwidth, and the ratio of slopes across and along the lay. w is taken at 65 values of u once
+/// per map and is linear in `ln u` between them, nowhere steeper than 0.9; so area and pressure follow from each other
+/// without iteration, and both rise strictly.
 ///
 /// ```
 /// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
-/// use multiscale_models::{MapEquation, MapSlopes};
+/// use multiscale_models::{MapCurves, MapEquation};
 /// let moments = SpectralMoments { m0: 1e-12, m2: 0.02, m4: 4e9 };
 /// let modulus = ContactModulus::from_pascals(110e9)?;
 /// // Worn: the highest parts have a third of the slope of all.
-/// let mut highest = [0.33; 23];
-/// highest[..3].copy_from_slice(&[1.0, 0.7, 0.45]);
-/// let worn = MapEquation::new(moments, &MapSlopes::new(highest, 1.0, 3.0)?, modulus)?;
-/// let plain = MapEquation::new(moments, &MapSlopes::plain(), modulus)?;
+/// let mut slope = [0.33; 23];
+/// slope[..3].copy_from_slice(&[1.0, 0.7, 0.45]);
+/// let gaussian = [0.886; 23];
+/// // The same quantiles as a Gaussian surface, (k + 1/2)/20 of the map below each.
+/// let flat: [f64; 20] = std::array::from_fn(|k| {
+///     multiscale_models::special::erf_inv((k as f64 + 0.5) / 20.0) / 2f64.sqrt()
+/// });
+/// let worn = MapCurves::new(slope, gaussian, [0.2; 23], flat, 1.0)?;
+/// let worn = MapEquation::new(moments, &worn, modulus)?;
+/// let plain = MapEquation::new(moments, &MapCurves::gaussian(0.5), modulus)?;
 /// let area = |law: &MapEquation| law.at_pressure(50e6).map(|s| s.area_fraction);
 /// assert!(area(&worn)? > 2.0 * area(&plain)?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -60,11 +66,11 @@ pub struct MapEquation {
 }
 
 /// What the constants of the law for a map multiply, at the area `a` of the answer.
-pub fn map_terms(a: f64, slopes: &MapSlopes, log_bandwidth: f64) -> [f64; MAP_TERMS] {
+pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TERMS] {
     // Twice the area under light load, the area itself where much touches.
-    let s = slopes.log_slope((a * (1.0 + (1.0 - a).powi(16))).min(1.0));
-    let below = slopes.log_slope_below(a);
-    let r = slopes.log_ratio();
+    let part = (a * (1.0 + (1.0 - a).powi(16))).min(1.0);
+    let (s, even) = (curves.log_slope(part), curves.log_evenness(part));
+    let lay = curves.log_ratio().powi(2);
     [
         1.0,
         a,
@@ -73,12 +79,12 @@ pub fn map_terms(a: f64, slopes: &MapSlopes, log_bandwidth: f64) -> [f64; MAP_TE
         a * log_bandwidth,
         s,
         a * s,
-        r,
-        a * r,
-        r * s,
-        a * below,
-        a * a * below,
-        a * (1.0 - a) * slopes.log_kurtosis(),
+        even,
+        a * even,
+        a * curves.log_flattened(a),
+        curves.pressure(part),
+        lay,
+        a * lay,
     ]
 }
 
@@ -86,22 +92,22 @@ pub fn map_terms(a: f64, slopes: &MapSlopes, log_bandwidth: f64) -> [f64; MAP_TE
 pub(super) fn spread_terms(
     a: f64,
     terms: &[f64; MAP_TERMS],
-    slopes: &MapSlopes,
+    curves: &MapCurves,
 ) -> [f64; super::INTERVAL_TERMS] {
-    interval::terms(a, [terms[5], terms[7], terms[10], slopes.unlike()])
+    interval::terms(a, [terms[5], terms[7], terms[9], curves.log_ratio(), curves.unlike()])
 }
 
 impl MapEquation {
-    /// From the moments of a map and its slopes.
+    /// From the moments of a map and its curves.
     ///
     /// # Errors
     /// [`ModelError::InvalidInput`] if a moment is negative or not finite, or `m2` is 0.
     pub fn new(
         moments: SpectralMoments,
-        slopes: &MapSlopes,
+        curves: &MapCurves,
         modulus: ContactModulus,
     ) -> Result<Self, ModelError> {
-        Self::with_constants(moments, slopes, modulus, (&MAP, &MAP_SPREAD))
+        Self::with_constants(moments, curves, modulus, (&MAP, &MAP_SPREAD))
     }
 
     /// With other constants, of the law and of its interval: for those who fit.
@@ -110,7 +116,7 @@ impl MapEquation {
     /// As [`Self::new`].
     pub fn with_constants(
         moments: SpectralMoments,
-        slopes: &MapSlopes,
+        curves: &MapCurves,
         modulus: ContactModulus,
         (law, spread): (&[f64; MAP_TERMS], &[f64; super::INTERVAL_TERMS]),
     ) -> Result<Self, ModelError> {
@@ -124,7 +130,7 @@ impl MapEquation {
         for k in 0..KNOTS {
             let log_u = FIRST + STEP * k as f64;
             let a = erf(log_u.exp());
-            let terms = map_terms(a, slopes, log);
+            let terms = map_terms(a, curves, log);
             let mut w: f64 = terms.iter().zip(law).map(|(f, c)| f * c).sum();
             if let Some(last) = before {
                 w = w.min(last + STEEPEST * STEP);
@@ -132,7 +138,7 @@ impl MapEquation {
             before = Some(w);
             loads.push(log_u - 0.5 * LN_2 - w);
             halves
-                .push(spread_terms(a, &terms, slopes).iter().zip(spread).map(|(f, c)| f * c).sum());
+                .push(spread_terms(a, &terms, curves).iter().zip(spread).map(|(f, c)| f * c).sum());
         }
         Ok(Self { unit, gradient, bandwidth, loads, halves })
     }

@@ -113,7 +113,7 @@ impl Equation {
     /// Area fractions between which 95 of 100 isotropic Gaussian surfaces of these moments lie at a
     /// load where the law answers `area`, the chance of one sample included.
     pub fn interval(&self, area: f64) -> [f64; 2] {
-        let terms = interval::terms(area, [0.0; 4]);
+        let terms = interval::terms(area, [0.0; 5]);
         interval::around(area, terms.iter().zip(NUMBERS_SPREAD).map(|(f, c)| f * c).sum())
     }
 }

@@ -1,4 +1,4 @@
-//! The surfaces the equation is fitted on, and those it is judged on: of other seeds and, for half of
+//! The surfaces the equation is fitted on, and those it is judged on: of other seeds and, for nearly half of
 //! them, of families that took no part in the fit.
 
 use contact_types::HeightMap;
@@ -14,10 +14,11 @@ pub(crate) enum Part {
     Judge,
 }
 
-/// A family and how many of its maps are fitted and judged.
+/// A family and how many of its maps are fitted, were judged by the law before this one and are fitted since, are
+/// judged.
 pub(crate) struct Family {
     pub(crate) name: &'static str,
-    pub(crate) maps: [usize; 2],
+    pub(crate) maps: [usize; 3],
     make: fn(&Draw) -> Heights,
 }
 
@@ -28,44 +29,58 @@ pub(crate) struct Case {
     pub(crate) draw: Draw,
 }
 
-const fn family(name: &'static str, maps: [usize; 2], make: fn(&Draw) -> Heights) -> Family {
+const fn family(name: &'static str, maps: [usize; 3], make: fn(&Draw) -> Heights) -> Family {
     Family { name, maps, make }
 }
 
 /// All of them. A map keeps its numbers as long as its family keeps its place and its counts grow.
-pub(crate) static FAMILIES: [Family; 18] = [
-    family("gaussian", [64, 8], gaussian),
-    family("wide", [24, 8], wide),
-    family("lay", [40, 8], lay),
-    family("bent", [48, 8], bent),
-    family("worn", [40, 8], worn),
-    family("turned", [28, 8], turned),
-    family("patchy", [28, 8], patchy),
-    family("scratched", [28, 8], scratched),
-    family("stepped", [32, 8], stepped),
-    family("cross-hatched", [0, 8], cross_hatched),
-    family("plateau-honed", [0, 8], plateau_honed),
-    family("log-normal", [0, 8], log_normal),
-    family("pillars", [0, 8], pillars),
-    family("pitted", [0, 8], pitted),
-    family("partly-polished", [0, 8], partly_polished),
-    family("milled", [0, 8], milled),
-    family("two-levels", [0, 8], two_levels),
-    family("weibull", [0, 8], weibull),
+pub(crate) static FAMILIES: [Family; 30] = [
+    family("gaussian", [64, 8, 6], gaussian),
+    family("wide", [24, 8, 6], wide),
+    family("lay", [40, 8, 6], lay),
+    family("bent", [48, 8, 6], bent),
+    family("worn", [40, 8, 6], worn),
+    family("turned", [28, 8, 6], turned),
+    family("patchy", [28, 8, 6], patchy),
+    family("scratched", [28, 8, 6], scratched),
+    family("stepped", [32, 8, 6], stepped),
+    family("cross-hatched", [0, 8, 6], cross_hatched),
+    family("plateau-honed", [0, 8, 6], plateau_honed),
+    family("log-normal", [0, 8, 6], log_normal),
+    family("pillars", [0, 8, 6], pillars),
+    family("pitted", [0, 8, 6], pitted),
+    family("partly-polished", [0, 8, 6], partly_polished),
+    family("milled", [0, 8, 6], milled),
+    family("two-levels", [0, 8, 6], two_levels),
+    family("weibull", [0, 8, 6], weibull),
+    family("dimpled", [0, 0, 8], dimpled),
+    family("ball-bed", [0, 0, 8], ball_bed),
+    family("craters", [0, 0, 8], craters),
+    family("terraces", [0, 0, 8], terraces),
+    family("creased", [0, 0, 8], creased),
+    family("gritty", [0, 0, 8], gritty),
+    family("banded", [0, 0, 8], banded),
+    family("wavy", [0, 0, 8], wavy),
+    family("knurled", [0, 0, 8], knurled),
+    family("bent-lay", [0, 0, 8], bent_lay),
+    family("worn-wide", [0, 0, 8], worn_wide),
+    family("lapped-lay", [0, 0, 8], lapped_lay),
 ];
 
 /// The maps of a part, interleaved so that any first part of the list covers all families.
 pub(crate) fn cases(part: Part) -> Vec<Case> {
     let mut list = Vec::new();
-    let which = usize::from(part == Part::Judge);
-    for i in 0..FAMILIES.iter().map(|f| f.maps[which]).max().unwrap_or(0) {
-        for (place, family) in FAMILIES.iter().enumerate().filter(|(_, f)| i < f.maps[which]) {
-            // The judged maps go on where the sequence of the fitted ones is far away.
-            let at = 1 + i + which * 5000;
-            let t = [2, 3, 5, 7].map(|base| van_der_corput(at, base));
-            let n = if family.name == "wide" { 1024 } else { 512 };
-            let seed = (100_000 + 50_000 * which + 1000 * place + i) as u64;
-            list.push(Case { family, draw: Draw { n, seed, t } });
+    let sets = if part == Part::Judge { 2..3 } else { 0..2 };
+    for set in sets {
+        for i in 0..FAMILIES.iter().map(|f| f.maps[set]).max().unwrap_or(0) {
+            for (place, family) in FAMILIES.iter().enumerate().filter(|(_, f)| i < f.maps[set]) {
+                // Each set goes on where the sequence of the others is far away.
+                let at = 1 + i + set * 5000;
+                let t = [2, 3, 5, 7].map(|base| van_der_corput(at, base));
+                let n = if family.name.contains("wide") { 1024 } else { 512 };
+                let seed = (100_000 + 50_000 * set + 1000 * place + i) as u64;
+                list.push(Case { family, draw: Draw { n, seed, t } });
+            }
         }
     }
     list
@@ -240,6 +255,129 @@ fn weibull(d: &Draw) -> Heights {
         .iter()
         .map(|z| (-(1.0 - below(*z)).max(1e-9).ln()).powf(1.0 / shape))
         .collect())
+}
+
+/// Round dimples, as by laser, in rows on a rough ground.
+fn dimpled(d: &Draw) -> Heights {
+    let (n, count) = (d.n as f64, (4.0 + 8.0 * d.t[3]).round());
+    let (pitch, depth) = (n / count, 1.0 + 3.0 * ((5.7 * d.t[3]) % 1.0));
+    let holes = d.points(|y, x| {
+        let apart = |a: f64| (a / pitch).fract() - 0.5;
+        let r = apart(y).hypot(apart(x)) / 0.3;
+        depth * (r * r - 1.0).min(0.0)
+    });
+    Ok(mix(&rough(d, 1.0, 0)?, &holes, |z, h| 0.6 * z + h))
+}
+
+/// The tops of balls of several sizes thrown on a plane, the highest seen, with a fine roughness.
+fn ball_bed(d: &Draw) -> Heights {
+    let count = 60 + (200.0 * d.t[3]) as usize;
+    let (n, u) = (d.n as f64, d.uniform(3 * count, 5));
+    let size = 1.2 * n / (count as f64).sqrt();
+    let balls = d.points(|y, x| {
+        let top = |u: &[f64]| {
+            let r = size * (0.6 + 0.5 * u[2]);
+            let square = d.apart(y, u[0] * n).powi(2) + d.apart(x, u[1] * n).powi(2);
+            // A paraboloid, so that there are no walls.
+            r - square / r
+        };
+        u.chunks_exact(3).map(top).fold(0.0, f64::max)
+    });
+    let on_top = 0.02 * size * ((5.7 * d.t[3]) % 1.0);
+    Ok(mix(&balls, &fine(d, 1)?, |b, f| b + on_top * f))
+}
+
+/// Blasted: craters that overlap, with raised rims, on a rough ground.
+fn craters(d: &Draw) -> Heights {
+    let count = 40 + (120.0 * d.t[3]) as usize;
+    let (n, u) = (d.n as f64, d.uniform(3 * count, 6));
+    let pits = d.points(|y, x| {
+        let one = |u: &[f64]| {
+            let r = d.apart(y, u[0] * n).hypot(d.apart(x, u[1] * n)) / (6.0 + 20.0 * u[2]);
+            (r * r - 1.0) * (-r * r).exp()
+        };
+        u.chunks_exact(3).map(one).sum()
+    });
+    Ok(mix(&rough(d, 1.0, 0)?, &pits, |z, p| 0.4 * z + 1.5 * p))
+}
+
+/// Wide steps a few roughnesses high, as of a crystal, each softened over some points, roughness on all.
+fn terraces(d: &Draw) -> Heights {
+    let n = d.n as f64;
+    let coarse = d.field(0.9, n / 12.0, n / 3.0, 1.0, 0)?;
+    let (step, on_top) = (d.lin(3, 0.4, 1.2), 0.02 + 0.15 * ((5.7 * d.t[3]) % 1.0));
+    let stairs = |z: f64| {
+        let (whole, part) = ((z / step).floor(), (z / step).rem_euclid(1.0));
+        step * (whole + 0.5 + 0.5 * (10.0 * (part - 0.5)).tanh() / 5f64.tanh())
+    };
+    Ok(mix(&coarse, &fine(d, 1)?, |z, f| stairs(z) + on_top * f))
+}
+
+/// Folded at its mean plane, upwards or downwards: creases as crests or as valleys.
+fn creased(d: &Draw) -> Heights {
+    let sign = if d.t[3] < 0.5 { 1.0 } else { -1.0 };
+    let sharp = 0.05 + 0.2 * ((5.7 * d.t[3]) % 1.0);
+    Ok(rough(d, 1.0, 0)?.iter().map(|z| sign * z.hypot(sharp)).collect())
+}
+
+/// A finely rough ground with a few smooth grains.
+fn gritty(d: &Draw) -> Heights {
+    let count = 5 + (40.0 * d.t[3]) as usize;
+    let (n, u) = (d.n as f64, d.uniform(4 * count, 7));
+    let grains = d.points(|y, x| {
+        let one = |u: &[f64]| {
+            let r = d.apart(y, u[0] * n).hypot(d.apart(x, u[1] * n)) / (6.0 + 14.0 * u[2]);
+            (0.5 + 3.0 * u[3]) * (-r * r).exp()
+        };
+        u.chunks_exact(4).map(one).sum()
+    });
+    Ok(mix(&rough(d, 1.0, 0)?, &grains, |z, g| 0.4 * z + g))
+}
+
+/// Rough in a band, nearly smooth beside it, at the same mean height.
+fn banded(d: &Draw) -> Heights {
+    let (n, calm) = (d.n as f64, 0.1 + 0.4 * ((5.7 * d.t[3]) % 1.0));
+    let wide = d.lin(3, 0.1, 0.4) * n;
+    let share = d.points(|y, _| 1.0 / (1.0 + ((d.apart(y, 0.5 * n).abs() - wide) / 4.0).exp()));
+    Ok(mix(&rough(d, 1.0, 0)?, &share, |z, s| (calm + (1.0 - calm) * s) * z))
+}
+
+/// One long wave along each axis under the roughness.
+fn wavy(d: &Draw) -> Heights {
+    let (n, height) = (d.n as f64, d.lin(3, 0.5, 4.0));
+    let waves = d.points(|y, x| (TAU * x / n).cos() + 0.6 * (2.0 * TAU * y / n).cos());
+    Ok(mix(&rough(d, 1.0, 0)?, &waves, |z, w| z + height * w))
+}
+
+/// Pyramids of two trains of ridges across each other, rounded, with a fine roughness.
+fn knurled(d: &Draw) -> Heights {
+    let (n, count) = (d.n as f64, (5.0 + 10.0 * d.t[3]).round());
+    let ridges = d.points(|y, x| {
+        let [a, b] = [(x + y) * count / n, (x - y) * count / n];
+        softmin(triangle(a), triangle(b), 0.1)
+    });
+    let on_top = 0.03 + 0.2 * ((5.7 * d.t[3]) % 1.0);
+    Ok(mix(&ridges, &fine(d, 1)?, |r, f| r + on_top * f))
+}
+
+/// Bent heights on a lay.
+fn bent_lay(d: &Draw) -> Heights {
+    let (bend, stretch) = (d.lin(3, -0.6, 0.6), 2.0 + 4.0 * ((7.3 * d.t[3]) % 1.0));
+    Ok(rough(d, stretch, 0)?.iter().map(|z| (z.asinh() + bend).sinh()).collect())
+}
+
+/// A wide spectrum with its summits worn to a level.
+fn worn_wide(d: &Draw) -> Heights {
+    let level = d.lin(3, -0.5, 1.2);
+    let on_top = 0.1 * ((5.7 * d.t[3]) % 1.0);
+    Ok(mix(&wide(d)?, &fine(d, 1)?, |z, f| softmin(z, level, 0.15) + on_top * f))
+}
+
+/// Ground along a lay, then lapped: its ridges flat, with the lapping's own roughness.
+fn lapped_lay(d: &Draw) -> Heights {
+    let level = d.lin(3, -0.3, 1.0);
+    let stretch = 3.0 + 6.0 * ((7.3 * d.t[3]) % 1.0);
+    Ok(mix(&rough(d, stretch, 0)?, &fine(d, 1)?, |z, f| softmin(z, level, 0.2) + 0.08 * f))
 }
 
 /// Complementary error function to 1.2e-7 (Numerical Recipes, erfcc), enough to draw heights.

@@ -8,7 +8,8 @@ use std::error::Error;
 use std::fmt::Write as _;
 use surface_stats::spectrum::{PowerSpectrum, Window};
 use surface_stats::{
-    DirectionalMoments, Edges, HeightStatistics, SLOPE_LEVELS, height_step, slope_curve,
+    CURVE_LEVELS, CURVE_SHARES, ContactCurves, DirectionalMoments, Edges, HeightStatistics,
+    height_step,
 };
 
 const MODULUS: f64 = 1e11;
@@ -22,8 +23,12 @@ pub(crate) const LOADS: [f64; 9] = [0.0005, 0.0016, 0.005, 0.015, 0.045, 0.12, 0
 /// First line of the table.
 pub(crate) fn header() -> String {
     let mut line = String::from("family,seed,n,hurst,alpha,alpha_fd,ratio,step,skew,kurtosis,g_fd");
-    for k in 0..SLOPE_LEVELS {
-        let _ = write!(line, ",s{k}");
+    for (name, levels) in
+        [('s', CURVE_LEVELS), ('e', CURVE_LEVELS), ('q', CURVE_LEVELS), ('f', CURVE_SHARES)]
+    {
+        for k in 0..levels {
+            let _ = write!(line, ",{name}{k}");
+        }
     }
     for k in 0..LOADS.len() {
         let _ = write!(line, ",x{k},area{k},bar{k},gap{k}");
@@ -31,10 +36,13 @@ pub(crate) fn header() -> String {
     line
 }
 
-/// The line of one map.
-pub(crate) fn row(case: &Case) -> Result<String, Box<dyn Error>> {
+fn add(line: &mut String, value: f64) {
+    let _ = write!(line, ",{}", round_to_digits(value, 6));
+}
+
+/// What a map tells: the first part of its line.
+pub(crate) fn tells(case: &Case) -> Result<String, Box<dyn Error>> {
     let map = case.map()?;
-    let modulus = ContactModulus::from_pascals(MODULUS)?;
     let (moments, _) = PowerSpectrum::of(&map, Window::None)?.moments();
     let rms = moments.rms_height();
     let differences = DirectionalMoments::of(&map, Edges::Periodic)?;
@@ -42,7 +50,7 @@ pub(crate) fn row(case: &Case) -> Result<String, Box<dyn Error>> {
     let (gradient, by_points) = (moments.rms_gradient(), seen.rms_gradient());
     let [_, dx] = map.grid().pixel();
     let heights = HeightStatistics::of(&map);
-    let slopes = slope_curve(&map, Edges::Periodic).ok_or("a flat map")?;
+    let curves = ContactCurves::of(&map, Edges::Periodic).ok_or("a flat map")?;
     let fixed = [
         moments.bandwidth(),
         seen.bandwidth(),
@@ -59,20 +67,32 @@ pub(crate) fn row(case: &Case) -> Result<String, Box<dyn Error>> {
         case.draw.n,
         round_to_digits(case.draw.t[0], 4)
     );
-    let mut add = |value: f64| {
-        let _ = write!(line, ",{}", round_to_digits(value, 6));
-    };
-    fixed.into_iter().for_each(&mut add);
-    slopes.into_iter().for_each(&mut add);
+    let over = [curves.slope, curves.evenness, curves.pressure];
+    for value in fixed.into_iter().chain(over.into_iter().flatten()).chain(curves.flattened) {
+        add(&mut line, value);
+    }
+    Ok(line)
+}
+
+/// Its deterministic solutions: the rest of the line.
+pub(crate) fn solutions(case: &Case) -> Result<String, Box<dyn Error>> {
+    let map = case.map()?;
+    let modulus = ContactModulus::from_pascals(MODULUS)?;
+    let mean = map.mean();
+    let n = map.grid().len() as f64;
+    let rms = (map.heights().iter().map(|h| (h - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let gradient =
+        DirectionalMoments::of(&map, Edges::Periodic)?.isotropic(rms * rms).rms_gradient();
     let mut solver =
         Solver::builder().tolerance(TOLERANCE).threads(1).build(map.grid(), modulus)?;
+    let mut line = String::new();
     for x in LOADS {
-        let found = solver.solve(&map, Load::MeanPressure(x * MODULUS * by_points))?;
+        let found = solver.solve(&map, Load::MeanPressure(x * MODULUS * gradient))?;
         let d = &found.diagnostics;
-        add(x);
-        add(d.area_fraction_corrected);
-        add(LEFT_OVER * BOUNDARY_CORRECTION * d.contact_perimeter);
-        add(found.state.mean_gap.ok_or("no mean gap")? / rms);
+        add(&mut line, x);
+        add(&mut line, d.area_fraction_corrected);
+        add(&mut line, LEFT_OVER * BOUNDARY_CORRECTION * d.contact_perimeter);
+        add(&mut line, found.state.mean_gap.ok_or("no mean gap")? / rms);
     }
     Ok(line)
 }

@@ -44,12 +44,12 @@ pub(crate) fn write([fitted, judged]: [&Path; 2], folder: &Path) -> Result<(), B
 /// The fit gives what the crate has.
 fn same_constants(rows: &[Row]) -> Result<(), Box<dyn Error>> {
     let constants = fit::map(rows);
-    let half = fit::spread(&fit::misses(rows, &constants)?, 0.95);
+    let half = fit::spread(&fit::left_out(rows)?, fit::SHARE);
     let row = rows.first().ok_or("no rows")?;
     for row in [row, rows.last().unwrap_or(row)] {
-        let law = MapEquation::new(row.moments(), &row.slopes, one()?)?;
+        let law = MapEquation::new(row.moments(), &row.curves, one()?)?;
         let again =
-            MapEquation::with_constants(row.moments(), &row.slopes, one()?, (&constants, &half))?;
+            MapEquation::with_constants(row.moments(), &row.curves, one()?, (&constants, &half))?;
         for load in &row.loads {
             let [a, b] = [&law, &again].map(|l| l.area_fraction(load.x));
             if (a? / b? - 1.0).abs() > 1e-9 {
@@ -64,7 +64,7 @@ fn answers(rows: &[Row]) -> Result<Vec<Answer<'_>>, Box<dyn Error>> {
     let mut list = Vec::new();
     for row in rows {
         let numbers = Equation::from_moments(row.moments(), one()?)?;
-        let law = MapEquation::new(row.moments(), &row.slopes, one()?)?;
+        let law = MapEquation::new(row.moments(), &row.curves, one()?)?;
         let inputs = Inputs { moments: Some(row.moments()), ..Inputs::new(one()?) };
         let others = OTHERS.map(|name| {
             built_in().iter().find(|t| t.card().name == name).and_then(|t| t.build(&inputs).ok())
@@ -196,10 +196,10 @@ fn classes(answers: &[Answer<'_>]) -> String {
 fn terms(fitted: &[Row], judged: &[Row]) -> Result<String, Box<dyn Error>> {
     let groups: [(&str, &[usize]); 7] = [
         ("all 13", &[]),
-        ("without the kurtosis", &[12]),
-        ("nor the lower part", &[10, 11, 12]),
-        ("nor the product of lay and slope", &[9, 10, 11, 12]),
-        ("nor the lay", &[7, 8, 9, 10, 11, 12]),
+        ("without the pressure of the highest part", &[10]),
+        ("nor the lay", &[10, 11, 12]),
+        ("nor the flattened part", &[9, 10, 11, 12]),
+        ("nor the evenness of slopes", &[7, 8, 9, 10, 11, 12]),
         ("nor the bandwidth", &[3, 4, 7, 8, 9, 10, 11, 12]),
         ("nor the slope of the highest part", &[3, 4, 5, 6, 7, 8, 9, 10, 11, 12]),
     ];

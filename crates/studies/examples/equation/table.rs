@@ -2,11 +2,11 @@
 
 use crate::measure::{LOADS, header};
 use contact_types::{ContactModulus, SpectralMoments};
-use multiscale_models::MapSlopes;
+use multiscale_models::MapCurves;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
-use surface_stats::SLOPE_LEVELS;
+use surface_stats::{CURVE_LEVELS, CURVE_SHARES};
 
 /// One map.
 #[derive(Debug, Clone)]
@@ -17,7 +17,7 @@ pub(crate) struct Row {
     /// Ratio of rms slopes across and along the lay.
     pub(crate) ratio: f64,
     pub(crate) skewness: f64,
-    pub(crate) slopes: MapSlopes,
+    pub(crate) curves: MapCurves,
     pub(crate) loads: Vec<Load>,
 }
 
@@ -36,8 +36,11 @@ impl Row {
         let cells: Vec<&str> = line.split(',').collect();
         let numbers: Option<Vec<f64>> = cells[1..].iter().map(|c| c.parse().ok()).collect();
         let numbers = numbers?;
-        let (fixed, loads) = numbers.split_at_checked(10 + SLOPE_LEVELS)?;
-        let highest = <[f64; SLOPE_LEVELS]>::try_from(&fixed[10..]).ok()?;
+        let (fixed, rest) = numbers.split_at_checked(10)?;
+        let (slope, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
+        let (evenness, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
+        let (pressure, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
+        let (flattened, loads) = rest.split_first_chunk::<CURVE_SHARES>()?;
         (loads.len() == 4 * LOADS.len()).then_some(())?;
         let load = |l: &[f64]| Load { x: l[0], area: l[1], bar: l[2] };
         Some(Self {
@@ -45,7 +48,7 @@ impl Row {
             bandwidth: fixed[4],
             ratio: fixed[5],
             skewness: fixed[7],
-            slopes: MapSlopes::new(highest, fixed[5], fixed[8]).ok()?,
+            curves: MapCurves::new(*slope, *evenness, *pressure, *flattened, fixed[5]).ok()?,
             loads: loads.chunks_exact(4).map(load).collect(),
         })
     }

@@ -1,0 +1,137 @@
+//! What a map tells the equation.
+
+use crate::special::erf_inv;
+use contact_types::{ModelError, require};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, TAU};
+
+const MODEL: &str = "equation";
+
+/// Levels of the curves over the highest part: parts `2^(-k/2)` of the map.
+pub const CURVE_KNOTS: usize = 23;
+/// Shares of the map at which the size of the full-contact pressure is given: (k + ½)/20.
+pub const SHARE_KNOTS: usize = 20;
+/// Values below this part of their unit count as it: cliffs and flats have no logarithm.
+const LEAST: f64 = 0.01;
+
+/// Curves over the highest parts of a map, the distribution of its full-contact pressure, and the ratio of
+/// slopes across and along its lay (`surface_stats::ContactCurves`, `DirectionalMoments`).
+#[derive(Debug, Clone, PartialEq)]
+pub struct MapCurves {
+    /// `ln s` at the parts `2^(-k/2)`.
+    slope: [f64; CURVE_KNOTS],
+    /// `ln` of mean over rms gradient, less that of an isotropic Gaussian surface.
+    evenness: [f64; CURVE_KNOTS],
+    pressure: [f64; CURVE_KNOTS],
+    /// `ln` of the quantiles over those of a Gaussian surface.
+    flattened: [f64; SHARE_KNOTS],
+    log_ratio: f64,
+}
+
+impl MapCurves {
+    /// From, over the highest `2^(-k/2)` of the map, k = 0 to 22: the rms gradient over that of all, the mean over
+    /// the rms gradient, the mean full-contact pressure over E\* g; the quantiles of its size at the shares
+    /// (k + ½)/20; and the ratio of the rms slopes across and along the lay, 1 for none. All without units.
+    ///
+    /// Parts without any slope count as a hundredth, ratios above 10 as 10, pressures beyond 5 E\* g as 5.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] for a slope or a quantile that is negative, a ratio that is not positive,
+    /// anything that is not finite.
+    pub fn new(
+        slope: [f64; CURVE_KNOTS],
+        evenness: [f64; CURVE_KNOTS],
+        pressure: [f64; CURVE_KNOTS],
+        flattened: [f64; SHARE_KNOTS],
+        ratio: f64,
+    ) -> Result<Self, ModelError> {
+        let even = 0.5 * FRAC_PI_4.ln();
+        let mut curves = Self::gaussian(0.0);
+        for k in 0..CURVE_KNOTS {
+            curves.slope[k] = log("slope of the highest part", slope[k])?;
+            curves.evenness[k] = log("evenness of the highest part", evenness[k])? - even;
+            let here = require::finite(MODEL, "pressure of the highest part", pressure[k])?;
+            curves.pressure[k] = here.clamp(-5.0, 5.0);
+        }
+        for (k, of) in curves.flattened.iter_mut().enumerate() {
+            let usual = FRAC_1_SQRT_2 * erf_inv(share(k));
+            *of = log("full-contact pressure", flattened[k] / usual)?;
+        }
+        let ratio =
+            if ratio > 10.0 { 10.0 } else { require::positive(MODEL, "ratio of slopes", ratio)? };
+        curves.log_ratio = ratio.max(1.0 / ratio).ln();
+        Ok(curves)
+    }
+
+    /// An isotropic Gaussian surface without end, with this correlation of height and full-contact pressure,
+    /// m₁/(m₀ m₂)^½ of the moments of its profile: about 0.8 to 0.3 for bandwidths from 2 to 100.
+    pub fn gaussian(correlation: f64) -> Self {
+        // Mean of the highest part t of a normal distribution: its density at the level, over t.
+        let over = |t: f64| {
+            let z = std::f64::consts::SQRT_2 * erf_inv(1.0 - 2.0 * t);
+            (-0.5 * z * z).exp() / TAU.sqrt() / t
+        };
+        let pressure = std::array::from_fn(|k| {
+            let t = 0.5f64.powf(0.5 * k as f64);
+            if k == 0 { 0.0 } else { 0.5 * correlation * over(t) }
+        });
+        Self {
+            slope: [0.0; CURVE_KNOTS],
+            evenness: [0.0; CURVE_KNOTS],
+            pressure,
+            flattened: [0.0; SHARE_KNOTS],
+            log_ratio: 0.0,
+        }
+    }
+
+    /// `ln s` over the highest `part`.
+    pub(super) fn log_slope(&self, part: f64) -> f64 {
+        over(&self.slope, part)
+    }
+
+    /// `ln` of the mean over the rms gradient there.
+    pub(super) fn log_evenness(&self, part: f64) -> f64 {
+        over(&self.evenness, part)
+    }
+
+    /// Mean full-contact pressure over E\* g there.
+    pub(super) fn pressure(&self, part: f64) -> f64 {
+        over(&self.pressure, part)
+    }
+
+    /// `ln` of the full-contact pressure that `part` of the map stays below, over that of a Gaussian surface:
+    /// linear between the shares, constant beyond.
+    pub(super) fn log_flattened(&self, part: f64) -> f64 {
+        let place = (SHARE_KNOTS as f64 * part - 0.5).clamp(0.0, (SHARE_KNOTS - 1) as f64);
+        between(&self.flattened, place)
+    }
+
+    /// How unlike the highest parts are to the whole: the rms of `ln s` down to 1/32 of the map.
+    pub(super) fn unlike(&self) -> f64 {
+        const DOWN_TO: usize = 10;
+        (self.slope[1..=DOWN_TO].iter().map(|l| l * l).sum::<f64>() / DOWN_TO as f64).sqrt()
+    }
+
+    /// Logarithm of the ratio of slopes.
+    pub(super) fn log_ratio(&self) -> f64 {
+        self.log_ratio
+    }
+}
+
+fn share(k: usize) -> f64 {
+    (k as f64 + 0.5) / SHARE_KNOTS as f64
+}
+
+fn log(what: &'static str, value: f64) -> Result<f64, ModelError> {
+    Ok(require::not_negative(MODEL, what, value)?.max(LEAST).ln())
+}
+
+/// Linear in the logarithm of the part between the knots, constant below the last.
+fn over(curve: &[f64; CURVE_KNOTS], part: f64) -> f64 {
+    between(curve, (-2.0 * part.log2()).clamp(0.0, (CURVE_KNOTS - 1) as f64))
+}
+
+fn between(values: &[f64], place: f64) -> f64 {
+    let k = (place as usize).min(values.len() - 2);
+    let t = place - k as f64;
+    values[k] * (1.0 - t) + values[k + 1] * t
+}

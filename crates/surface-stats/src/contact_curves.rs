@@ -1,0 +1,169 @@
+//! What a map tells of the part of it that touches: how steep its highest part is, and how much of it lies flat
+//! under which pressure.
+
+use crate::Edges;
+use contact_types::HeightMap;
+use grid_fft::GridFft;
+
+/// Levels of the curves over the highest part.
+pub const CURVE_LEVELS: usize = 23;
+/// Shares of the map of [`ContactCurves::flattened`].
+pub const CURVE_SHARES: usize = 20;
+
+/// Curves over the highest parts `2^(-k/2)` of a map, k = 0 to 22, from all of it to the highest 1/2048; and
+/// the distribution of the pressure that presses all of it flat. All without units.
+///
+/// The square of the gradient at a point is the mean over its neighbours along each axis, by single
+/// differences; g² is its mean over the map. The full-contact pressure is E\* |q| h(q)/2 for each wave of
+/// the map as it repeats (Johnson, *Contact Mechanics*, 1985, section 13.2), of mean 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct ContactCurves {
+    /// Rms gradient of the part over that of the map: 1 at all levels for a Gaussian surface without end, below 1
+    /// where summits are smoother than flanks and valleys.
+    pub slope: [f64; CURVE_LEVELS],
+    /// Mean gradient over rms gradient, both of the part: (π/4)^½ for an isotropic Gaussian surface, less where
+    /// flat places lie between steep ones.
+    pub evenness: [f64; CURVE_LEVELS],
+    /// Mean full-contact pressure of the part over E\* g.
+    pub pressure: [f64; CURVE_LEVELS],
+    /// Quantiles of the size of the full-contact pressure over E\* g, at the shares (k + ½)/20 of the map.
+    pub flattened: [f64; CURVE_SHARES],
+}
+
+/// A point: height from the top in steps of the range over 2^32, square of the slope, full-contact pressure.
+type Point = (u32, f32, f32);
+
+impl ContactCurves {
+    /// Of a map; `None` for a flat one. Two transforms and two sorts.
+    ///
+    /// ```
+    /// use surface_stats::{ContactCurves, Edges, Grid, HeightMap};
+    /// // A ramp that ends in a plateau: the highest half has no slope.
+    /// let heights: Vec<f64> = (0..4096).map(|i| ((i % 64) as f64).min(31.5)).collect();
+    /// let map = HeightMap::new(Grid::new([64, 64], [1.0, 1.0])?, heights)?;
+    /// let curves = ContactCurves::of(&map, Edges::Open).unwrap();
+    /// assert!(curves.slope[0] == 1.0 && curves.slope[4] < 0.2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of(map: &HeightMap, edges: Edges) -> Option<Self> {
+        let (low, high) = map.range();
+        let span = high - low;
+        if span <= 0.0 {
+            return None;
+        }
+        // Heights over their range, lengths over the shorter side of a pixel: numbers about 1, whatever the units.
+        let [dy, dx] = map.grid().pixel();
+        let short = dy.min(dx);
+        let pressures = full_contact(map, short, span);
+        let mut points = points(map, edges, [dy / short, dx / short], high, span, &pressures);
+        points.sort_unstable_by_key(|p| p.0);
+        let means = over_highest(&points);
+        let mean = means[0][0];
+        if mean <= 0.0 {
+            return None;
+        }
+        let gradient = mean.sqrt();
+        Some(Self {
+            slope: means.map(|m| (m[0] / mean).sqrt()),
+            evenness: means.map(|m| if m[0] > 0.0 { m[1] / m[0].sqrt() } else { 1.0 }),
+            pressure: means.map(|m| m[2] / gradient),
+            flattened: quantiles(pressures).map(|q| q / gradient),
+        })
+    }
+}
+
+/// Full-contact pressure over E\* at each point, heights over `span` and lengths over `short`.
+fn full_contact(map: &HeightMap, short: f64, span: f64) -> Vec<f64> {
+    let mean = map.mean();
+    let mut field: Vec<f64> = map.heights().iter().map(|h| (h - mean) / span).collect();
+    let mut fft = GridFft::new(map.grid().shape());
+    let mut waves = fft.new_spectrum();
+    fft.forward(&field, &mut waves);
+    let nq = fft.spectrum_shape()[1];
+    for (i, wave) in waves.iter_mut().enumerate() {
+        *wave *= 0.5 * short * map.grid().wavenumber(i / nq, i % nq);
+    }
+    fft.inverse(&mut waves, &mut field);
+    field
+}
+
+fn points(
+    map: &HeightMap,
+    edges: Edges,
+    distance: [f64; 2],
+    high: f64,
+    span: f64,
+    pressures: &[f64],
+) -> Vec<Point> {
+    let [ny, nx] = map.grid().shape();
+    let mut points = Vec::with_capacity(ny * nx);
+    for iy in 0..ny {
+        for ix in 0..nx {
+            let here = map.at(iy, ix);
+            let y = beside(iy, ny, edges).map(|i| i.map(|i| (map.at(i, ix) - here) / span));
+            let x = beside(ix, nx, edges).map(|i| i.map(|i| (map.at(iy, i) - here) / span));
+            let square = mean_square(y, distance[0]) + mean_square(x, distance[1]);
+            let down = (high - here) / span * f64::from(u32::MAX);
+            points.push((down as u32, square as f32, pressures[iy * nx + ix] as f32));
+        }
+    }
+    points
+}
+
+/// Means of squared slope, slope and pressure over the highest parts of sorted points.
+fn over_highest(points: &[Point]) -> [[f64; 3]; CURVE_LEVELS] {
+    let n = points.len() as f64;
+    let counts: [usize; CURVE_LEVELS] =
+        std::array::from_fn(|k| ((n * 0.5f64.powf(0.5 * k as f64)).round() as usize).max(1));
+    let mut means = [[0.0; 3]; CURVE_LEVELS];
+    let (mut sums, mut done, mut k) = ([0.0; 3], 0, CURVE_LEVELS);
+    // Of points of one height, as on a plateau, each part takes its share of their mean.
+    for level in points.chunk_by(|a, b| a.0 == b.0) {
+        let mut here = [0.0; 3];
+        for &(_, square, pressure) in level {
+            let square = f64::from(square);
+            for (sum, value) in here.iter_mut().zip([square, square.sqrt(), f64::from(pressure)]) {
+                *sum += value;
+            }
+        }
+        while k > 0 && counts[k - 1] <= done + level.len() {
+            k -= 1;
+            let share = (counts[k] - done) as f64 / level.len() as f64;
+            means[k] = std::array::from_fn(|i| (sums[i] + here[i] * share) / counts[k] as f64);
+        }
+        sums = std::array::from_fn(|i| sums[i] + here[i]);
+        done += level.len();
+    }
+    means
+}
+
+/// Quantiles of the sizes at the shares (k + ½)/20.
+fn quantiles(mut values: Vec<f64>) -> [f64; CURVE_SHARES] {
+    values.iter_mut().for_each(|v| *v = v.abs());
+    values.sort_unstable_by(f64::total_cmp);
+    let last = values.len() - 1;
+    std::array::from_fn(|k| {
+        let place = (k as f64 + 0.5) / CURVE_SHARES as f64 * last as f64;
+        let (i, t) = (place as usize, place.fract());
+        values[i] * (1.0 - t) + values[(i + 1).min(last)] * t
+    })
+}
+
+/// The places before and after one of `n`, where there are any.
+fn beside(i: usize, n: usize, edges: Edges) -> [Option<usize>; 2] {
+    match edges {
+        Edges::Periodic => [Some((i + n - 1) % n), Some((i + 1) % n)],
+        Edges::Open => [i.checked_sub(1), Some(i + 1).filter(|i| *i < n)],
+    }
+}
+
+/// Mean of the squared slopes to neighbours at a distance.
+fn mean_square(rises: [Option<f64>; 2], distance: f64) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for rise in rises.into_iter().flatten() {
+        sum += (rise / distance).powi(2);
+        count += 1.0;
+    }
+    if count > 0.0 { sum / count } else { 0.0 }
+}
