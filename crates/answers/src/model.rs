@@ -58,7 +58,16 @@ impl Unasked {
 }
 
 /// What a theory says to one question.
-pub type Answer = Result<ContactState, ModelError>;
+#[derive(Clone, Debug)]
+pub struct Said {
+    /// The contact it answers.
+    pub state: ContactState,
+    /// Between which the area lies for 95 of 100 surfaces, if the theory knows its own error.
+    pub area_interval: Option<[f64; 2]>,
+}
+
+/// That, or why it says nothing.
+pub type Answer = Result<Said, ModelError>;
 type Ask<'a> = Box<dyn Fn(&Question) -> Answer + 'a>;
 
 impl Question {
@@ -84,13 +93,19 @@ pub fn answers(
     let ask: Ask<'_> = match questions.first() {
         Some(Question::Separation(_)) => match theory.build_separation(inputs) {
             None => return Err(Unasked::NoSeparation { model: card.name.to_string() }),
-            Some(Ok(model)) => {
-                Box::new(move |q| compare::at_separation(title, model.as_ref(), q.value()))
-            }
+            Some(Ok(model)) => Box::new(move |q| {
+                let state = compare::at_separation(title, model.as_ref(), q.value())?;
+                let area_interval = model.area_interval(state.area_fraction);
+                Ok(Said { state, area_interval })
+            }),
             Some(Err(error)) => refuse_all(error)?,
         },
         _ => match theory.build(inputs) {
-            Ok(model) => Box::new(move |q| compare::at_pressure(title, model.as_ref(), q.value())),
+            Ok(model) => Box::new(move |q| {
+                let state = compare::at_pressure(title, model.as_ref(), q.value())?;
+                let area_interval = model.area_interval(state.area_fraction);
+                Ok(Said { state, area_interval })
+            }),
             Err(error) => refuse_all(error)?,
         },
     };
@@ -110,7 +125,8 @@ pub fn scene(inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> S
         let mean = state.real_pressure()?;
         Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
     };
-    let mut pressed: Vec<Pressed> = answers.iter().flatten().filter_map(pressed).collect();
+    let mut pressed: Vec<Pressed> =
+        answers.iter().flatten().filter_map(|said| pressed(&said.state)).collect();
     pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
     let moments = inputs.moments;
     Scene {
@@ -221,9 +237,10 @@ pub fn failure(error: &ModelError) -> Failure {
 
 fn point(question: Question, answer: &Answer) -> Value {
     match answer {
-        Ok(state) => json!({
+        Ok(Said { state, area_interval }) => json!({
             "mean_pressure": state.mean_pressure,
             "area_fraction": state.area_fraction,
+            "area_interval": area_interval,
             "real_pressure": state.real_pressure(),
             "separation": state.separation,
             "mean_gap": state.mean_gap,
@@ -238,6 +255,7 @@ fn point(question: Question, answer: &Answer) -> Value {
             json!({
                 "mean_pressure": pressure,
                 "area_fraction": null,
+                "area_interval": null,
                 "real_pressure": null,
                 "separation": separation,
                 "mean_gap": null,

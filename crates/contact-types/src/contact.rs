@@ -135,6 +135,13 @@ pub trait ContactModel: Send + Sync {
     /// [`ModelError`] if the pressure is negative or not finite, or the theory has no meaning
     /// there.
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError>;
+
+    /// Area fractions between which the real area lies for 95 of 100 surfaces where the model answers
+    /// `area_fraction`; `None` for a model that does not know its own error.
+    fn area_interval(&self, area_fraction: f64) -> Option<[f64; 2]> {
+        let _ = area_fraction;
+        None
+    }
 }
 
 /// A model whose natural variable is the separation of the mean planes.

@@ -11,10 +11,10 @@ use crate::profile_stats;
 use crate::profiles::{self, Traces};
 use crate::roughness::Source;
 use crate::text::{self, Columns};
-use answers::model::{self, Question, Unasked};
+use answers::model::{self, Answer, Question, Said, Unasked};
 use clap::Args;
 use compare::{Card, Inputs, Spikes, Theory};
-use contact_types::{ContactModulus, ContactState, ModelError};
+use contact_types::ContactModulus;
 use serde_json::json;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -56,8 +56,6 @@ pub(crate) struct Model {
     #[command(flatten)]
     cleaning: CleaningOptions,
 }
-
-type Answer = Result<ContactState, ModelError>;
 
 impl Model {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
@@ -236,16 +234,20 @@ fn reply(
     spread: Option<&Spread>,
 ) -> Reply {
     let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
-    headings.extend(["mean pressure", "area", "real pressure", "separation", "mean gap"]);
+    // A theory that knows its own error says it.
+    let has_bar = answers.iter().flatten().any(|said| said.area_interval.is_some());
+    headings.extend(["mean pressure", "area"]);
+    headings.extend(has_bar.then_some("for 95 of 100"));
+    headings.extend(["real pressure", "separation", "mean gap"]);
     let mut columns = Columns::new(&headings);
     let mut notes: Vec<String> = Vec::new();
     // The first refusal is said on standard error.
     let told = answers.iter().find_map(|answer| answer.as_ref().err());
     for (question, answer) in questions.iter().zip(answers) {
         let force = spread.map(|s| text::force(s.force(question.value())));
-        columns.row(force.into_iter().chain(cells(*question, answer)));
+        columns.row(force.into_iter().chain(cells(*question, answer, has_bar)));
         let note = match answer {
-            Ok(state) => state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
+            Ok(said) => said.state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) if Some(error) == told => None,
             Err(error) => Some(format!("refused: {}", model::short(error))),
         };
@@ -261,22 +263,29 @@ fn reply(
     Reply { text, json, trouble }
 }
 
-fn cells(question: Question, answer: &Answer) -> Vec<String> {
+fn cells(question: Question, answer: &Answer, has_bar: bool) -> Vec<String> {
     let absent = || "–".to_owned();
     let length = |x: Option<f64>| x.map_or_else(absent, text::length);
-    match (answer, question) {
-        (Ok(state), _) => vec![
-            text::pressure(state.mean_pressure),
-            text::percent(state.area_fraction),
-            state.real_pressure().map_or_else(absent, text::pressure),
-            length(state.separation),
-            length(state.mean_gap),
-        ],
+    let (bar, mut cells) = match (answer, question) {
+        (Ok(Said { state, area_interval }), _) => (
+            area_interval.map(|[a, b]| format!("{} to {}", text::percent(a), text::percent(b))),
+            vec![
+                text::pressure(state.mean_pressure),
+                text::percent(state.area_fraction),
+                state.real_pressure().map_or_else(absent, text::pressure),
+                length(state.separation),
+                length(state.mean_gap),
+            ],
+        ),
         (Err(_), Question::Pressure(p)) => {
-            vec![text::pressure(p), "refused".to_owned(), absent(), absent(), absent()]
+            (None, vec![text::pressure(p), "refused".to_owned(), absent(), absent(), absent()])
         }
         (Err(_), Question::Separation(d)) => {
-            vec![absent(), "refused".to_owned(), absent(), text::length(d), absent()]
+            (None, vec![absent(), "refused".to_owned(), absent(), text::length(d), absent()])
         }
+    };
+    if has_bar {
+        cells.insert(2, bar.unwrap_or_else(absent));
     }
+    cells
 }

@@ -163,4 +163,8 @@ impl ContactModel for Equation {
         let caveat = caveat(area_fraction, self.gradient, self.bandwidth, mean_pressure);
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
     }
+
+    fn area_interval(&self, area_fraction: f64) -> Option<[f64; 2]> {
+        Some(self.interval(area_fraction))
+    }
 }
