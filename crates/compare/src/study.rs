@@ -396,7 +396,7 @@ fn ask(
             points.iter().zip(loads).map(|(m, d)| error(m, d)).collect()
         };
         let (errors, elastic_errors) = (against(deterministic), against(beside));
-        Ok(ModelCurve { points, seconds, errors, elastic_errors })
+        Ok(ModelCurve { errors, elastic_errors, ..ModelCurve::of(model.as_ref(), points, seconds) })
     });
     // Whether a theory of elastic bodies has what it assumes, elastic bodies tell.
     let loads = if beside.is_empty() { deterministic } else { beside };

@@ -200,6 +200,7 @@ mod tests {
             seconds: 0.0,
             errors: vec![None],
             elastic_errors: Vec::new(),
+            area_intervals: Vec::new(),
         };
         (curve, [load])
     }

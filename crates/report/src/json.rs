@@ -207,7 +207,8 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
         "seconds": curve.map(|c| c.seconds),
         "area_error": curve.map(|c| area_error(c, surface)),
         "points": curve.map_or(Vec::new(), |c| {
-            c.points.iter().zip(&surface.deterministic).map(|(r, p)| answer(p.mean_pressure, r)).collect()
+            let points = c.points.iter().zip(&surface.deterministic).enumerate();
+            points.map(|(k, (r, p))| answer(p.mean_pressure, r, c.area_intervals.get(k).copied().flatten())).collect()
         }),
     })
 }
@@ -228,11 +229,16 @@ fn area_error(curve: &ModelCurve, surface: &SurfaceComparison) -> Value {
     })
 }
 
-fn answer(mean_pressure: f64, result: &Result<ContactState, ModelError>) -> Value {
+fn answer(
+    mean_pressure: f64,
+    result: &Result<ContactState, ModelError>,
+    interval: Option<[f64; 2]>,
+) -> Value {
     match result {
         Ok(s) => json!({
             "mean_pressure": mean_pressure,
             "area_fraction": s.area_fraction,
+            "area_interval": interval,
             "real_pressure": s.real_pressure(),
             "separation": s.separation,
             "mean_gap": s.mean_gap,

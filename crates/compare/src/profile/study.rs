@@ -276,8 +276,7 @@ fn ask(
         {
             return Err(BuildError::Model(first.clone()));
         }
-        let errors = vec![None; points.len()];
-        Ok(ModelCurve { errors, points, seconds, elastic_errors: Vec::new() })
+        Ok(ModelCurve::of(model.as_ref(), points, seconds))
     });
     let intervals = match &outcome {
         Ok(curve) => loads

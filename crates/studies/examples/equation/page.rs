@@ -21,6 +21,8 @@ struct Answer<'a> {
     numbers: f64,
     map: f64,
     is_held: [bool; 2],
+    /// Half width of the interval of the law for a map, in the logarithm.
+    half: f64,
     others: [Option<f64>; OTHERS.len()],
 }
 
@@ -78,6 +80,7 @@ fn answers(rows: &[Row]) -> Result<Vec<Answer<'_>>, Box<dyn Error>> {
                 numbers: a / load.area - 1.0,
                 map: b / load.area - 1.0,
                 is_held: [holds(numbers.interval(a)), holds(law.interval(b))],
+                half: (b / law.interval(b)[0]).ln(),
                 others: std::array::from_fn(|i| {
                     let state = others[i].as_ref()?.at_pressure(load.x).ok()?;
                     Some(state.area_fraction / load.area - 1.0)
@@ -86,6 +89,12 @@ fn answers(rows: &[Row]) -> Result<Vec<Answer<'_>>, Box<dyn Error>> {
         }
     }
     Ok(list)
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// Median and 95 % of the absolute errors, in per cent.
@@ -120,8 +129,9 @@ fn persson(a: &Answer<'_>) -> Option<f64> {
 fn families(answers: &[Answer<'_>]) -> String {
     let mut page = String::from(
         "Per cent: 95 % of the cases are within (median). Held: share of the cases inside the \
-         law's own interval.\n\n| family | maps | Persson | for numbers | for a map | held |\n\
-         |---|---|---|---|---|---|\n",
+         law's own interval; ±: its median half width.\n\n\
+         | family | maps | Persson | for numbers | for a map | held | ± |\n\
+         |---|---|---|---|---|---|---|\n",
     );
     for name in names(answers) {
         let own: Vec<&Answer<'_>> = answers.iter().filter(|a| a.row.family == name).collect();
@@ -129,11 +139,12 @@ fn families(answers: &[Answer<'_>]) -> String {
         let held = own.iter().filter(|a| a.is_held[1]).count() as f64 / own.len() as f64;
         let _ = writeln!(
             page,
-            "| {name} | {maps} | {} | {} | {} | {:.0} % |",
+            "| {name} | {maps} | {} | {} | {} | {:.0} % | {:.0} |",
             seen(own.iter().filter_map(|a| persson(a))),
             seen(own.iter().map(|a| a.numbers)),
             seen(own.iter().map(|a| a.map)),
-            100.0 * held
+            100.0 * held,
+            100.0 * median(own.iter().map(|a| a.half))
         );
     }
     let of = |f: &dyn Fn(&Answer<'_>) -> bool| seen(answers.iter().filter(|a| f(a)).map(|a| a.map));
