@@ -175,7 +175,7 @@ pub fn measured(
         "equation" => {
             let curves = ContactCurves::of(&map, edges)
                 .zip(differences.anisotropy())
-                .map(|(curves, ratio)| map_curves(&curves, ratio));
+                .map(|(curves, ratio)| map_curves(&curves, edges, ratio));
             let refused = |e: ModelError| Failure::from_error(&e);
             inputs.curves = curves.transpose().map_err(refused)?;
         }

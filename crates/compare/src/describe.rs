@@ -66,7 +66,8 @@ pub(crate) fn model_inputs(
 
 /// What the fitted equation takes of a map; `None` for a flat one.
 fn curves(map: &HeightMap, statistics: &SurfaceStatistics) -> Option<MapCurves> {
-    map_curves(&ContactCurves::of(map, statistics.edges)?, statistics.anisotropy?).ok()
+    let curves = ContactCurves::of(map, statistics.edges)?;
+    map_curves(&curves, statistics.edges, statistics.anisotropy?).ok()
 }
 
 /// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann

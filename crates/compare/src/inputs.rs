@@ -6,7 +6,7 @@ use contact_types::{
 };
 use multiscale_models::{MapCurves, SelfAffineSpectrum, SphereLevel};
 use serde::Serialize;
-use surface_stats::ContactCurves;
+use surface_stats::{ContactCurves, Edges};
 
 /// Everything a model may be made from. What a case does not have stays `None`.
 #[derive(Debug, Clone, Serialize)]
@@ -121,12 +121,20 @@ impl Inputs {
     }
 }
 
-/// What the fitted equation takes of a map, from its curves and the ratio of its mean square slopes across and
-/// along the lay.
+/// What the fitted equation takes of a map, from its curves, whether it repeats, and the ratio of its mean square
+/// slopes across and along the lay.
 ///
 /// # Errors
 /// As [`MapCurves::new`].
-pub fn map_curves(curves: &ContactCurves, anisotropy: f64) -> Result<MapCurves, ModelError> {
+pub fn map_curves(
+    curves: &ContactCurves,
+    edges: Edges,
+    anisotropy: f64,
+) -> Result<MapCurves, ModelError> {
     let ContactCurves { slope, evenness, pressure, flattened, .. } = *curves;
-    MapCurves::new(slope, evenness, pressure, flattened, anisotropy.sqrt())
+    let curves = MapCurves::new(slope, evenness, pressure, flattened, anisotropy.sqrt())?;
+    Ok(match edges {
+        Edges::Periodic => curves,
+        Edges::Open => curves.measured(),
+    })
 }

@@ -140,13 +140,12 @@ fn over_highest(points: &[Point]) -> [[f64; 3]; CURVE_LEVELS] {
 
 /// Quantiles of the sizes at the shares (k + ½)/20.
 fn quantiles(mut values: Vec<f64>) -> [f64; CURVE_SHARES] {
-    values.iter_mut().for_each(|v| *v = v.abs());
-    values.sort_unstable_by(f64::total_cmp);
+    values.sort_unstable_by(|a, b| a.abs().total_cmp(&b.abs()));
     let last = values.len() - 1;
     std::array::from_fn(|k| {
         let place = (k as f64 + 0.5) / CURVE_SHARES as f64 * last as f64;
         let (i, t) = (place as usize, place.fract());
-        values[i] * (1.0 - t) + values[(i + 1).min(last)] * t
+        values[i].abs() * (1.0 - t) + values[(i + 1).min(last)].abs() * t
     })
 }
 

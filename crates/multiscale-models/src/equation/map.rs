@@ -137,8 +137,9 @@ impl MapEquation {
             }
             before = Some(w);
             loads.push(log_u - 0.5 * LN_2 - w);
-            halves
-                .push(spread_terms(a, &terms, curves).iter().zip(spread).map(|(f, c)| f * c).sum());
+            let half: f64 =
+                spread_terms(a, &terms, curves).iter().zip(spread).map(|(f, c)| f * c).sum();
+            halves.push(half * curves.wider());
         }
         Ok(Self { unit, gradient, bandwidth, loads, halves })
     }
