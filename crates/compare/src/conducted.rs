@@ -17,6 +17,9 @@ pub struct Conduction {
     /// Stiffness of the contact set at each load (Pa/m): 0 without contact, infinite in full contact. `None`
     /// without a converged solution.
     pub stiffness: Vec<Option<f64>>,
+    /// Stiffness of theories of elastic contact at each load (Pa/m), -dp/d(separation): by the same factors their
+    /// conductance. `None` where they have no answer.
+    pub theories: Vec<TheoryStiffness>,
     /// Mikic's correlation for elastic bodies, as a stiffness (Pa/m); `None` outside its domain.
     pub mikic: Vec<Option<f64>>,
     /// Cooper, Mikic and Yovanovich's for bodies that yield, if a hardness was given.
@@ -26,6 +29,18 @@ pub struct Conduction {
     pub octaves: Vec<Octave>,
     /// Wall-clock time of the octaves (s).
     pub seconds: f64,
+}
+
+/// Stiffness of a theory over the loads.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct TheoryStiffness {
+    /// Its key in the registry.
+    pub name: String,
+    /// What figures call it.
+    pub label: String,
+    /// At each load (Pa/m).
+    pub stiffness: Vec<Option<f64>>,
 }
 
 /// The headline load on the waves of the map that are longer than one.
@@ -74,6 +89,7 @@ mod tests {
             electrical: None,
             thermal: None,
             stiffness: Vec::new(),
+            theories: Vec::new(),
             mikic: Vec::new(),
             yovanovich: Vec::new(),
             octaves: octaves.iter().map(octave).collect(),

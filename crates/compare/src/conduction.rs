@@ -4,15 +4,17 @@
 //! materials know, `2/(E* (ρ1 + ρ2))` or `2/(E* (1/k1 + 1/k2))`: one stiffness serves both, and a
 //! correlation of the field is drawn as the stiffness it stands for.
 
-use crate::conducted::{Conduction, Octave};
+use crate::ask::at_pressure;
+use crate::conducted::{Conduction, Octave, TheoryStiffness};
 use crate::progress::Watch;
+use crate::registry::find;
 use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
 use crate::solver_of::builder;
-use crate::{Listener, StudyError, Surrounded};
+use crate::{Inputs, Listener, StudyError, Surrounded};
 use asperity_models::thermal_conductance::RoughJoint;
 use contact_accuracy::regrid;
-use contact_types::{ContactModulus, HeightMap};
+use contact_types::{ContactModel, ContactModulus, HeightMap};
 use fft_bem_solver::Load;
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -52,6 +54,7 @@ impl Conduction {
                 .iter()
                 .map(|p| stiffness(p.answer.as_ref().filter(|a| a.converged)?))
                 .collect(),
+            theories: theories(surface),
             mikic: correlation(&|joint, p| joint.elastic(p, modulus).ok()),
             yovanovich: settings.hardness.map_or_else(Vec::new, |hardness| {
                 correlation(&|joint, p| joint.plastic(p, hardness).ok())
@@ -60,6 +63,39 @@ impl Conduction {
             seconds: 0.0,
         })
     }
+}
+
+/// Theories of elastic contact that have a separation.
+const THEORIES: [&str; 3] = ["gw", "bgt", "persson"];
+
+/// Relative change of the load over which the slope of a theory is taken; its square is the error.
+const SLOPE: f64 = 1e-3;
+
+/// Stiffness of theories at the loads.
+fn theories(surface: &SurfaceComparison) -> Vec<TheoryStiffness> {
+    // Persson's gap asks for the spectrum.
+    let own = || surface_stats::spectrum::radial(&surface.surface).ok();
+    let spectrum = surface.inputs.spectrum.clone().or_else(own);
+    let inputs = Inputs { spectrum, ..surface.inputs.clone() };
+    let of = |name: &str| {
+        let theory = find(name)?;
+        let model = theory.build(&inputs).ok()?;
+        let loads = surface.deterministic.iter();
+        let stiffness = loads.map(|p| slope(name, &*model, p.mean_pressure)).collect();
+        let (name, label) = (name.to_owned(), theory.card().label.to_string());
+        Some(TheoryStiffness { name, label, stiffness })
+    };
+    THEORIES.into_iter().filter_map(of).collect()
+}
+
+/// `-dp/d(separation)`, or of the mean gap, of a model at a mean pressure (Pa/m).
+fn slope(name: &str, model: &dyn ContactModel, pressure: f64) -> Option<f64> {
+    let separation = |p: f64| {
+        let state = at_pressure(name, model, p).ok()?;
+        state.separation.or(state.mean_gap) // Persson's is that of the deformed bodies
+    };
+    let closed = separation(pressure * (1.0 - SLOPE))? - separation(pressure * (1.0 + SLOPE))?;
+    (closed > 0.0).then(|| 2.0 * SLOPE * pressure / closed)
 }
 
 /// Stiffness of the contact set of an answer (Pa/m).
@@ -135,4 +171,29 @@ fn octaves(
         found.push(Octave { shortest: cut, area, stiffness });
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use contact_types::{AsperityStatistics, SpectralMoments};
+    use gw_closed_form::GreenwoodWilliamson;
+
+    /// The slope of Greenwood and Williamson's load is the stiffness that their closed form has.
+    #[test]
+    fn the_slope_of_a_theory_is_its_stiffness() {
+        let modulus = ContactModulus::from_pascals(1e11).expect("a modulus");
+        let moments = SpectralMoments { m0: 1e-14, m2: 1e-3, m4: 1e9 };
+        let inputs = Inputs { moments: Some(moments), ..Inputs::new(modulus) };
+        let theory = find("gw").expect("a theory").build(&inputs).expect("a model");
+        let asperities = AsperityStatistics::from_moments(moments).expect("summits");
+        let exact = GreenwoodWilliamson::new(asperities, modulus).expect("a model");
+        for pressure in [1e4, 1e6, 1e8] {
+            let state = at_pressure("gw", &*theory, pressure).expect("an answer");
+            let known =
+                exact.stiffness(state.separation.expect("a separation")).expect("stiffness");
+            let found = slope("gw", &*theory, pressure).expect("a slope");
+            assert!((found / known - 1.0).abs() < 1e-5, "{pressure}: {found} and {known}");
+        }
+    }
 }

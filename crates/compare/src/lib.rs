@@ -46,7 +46,7 @@ pub use adhesion::{Adhesion, NEGLIGIBLE_ATTRACTION, NO_PULL_OFF, Rough, WorkOfAd
 pub use ask::{at_pressure, at_separation};
 pub use cleaning::{Cleaning, CleaningError};
 pub use coarser::COARSER;
-pub use conducted::{Conduction, Octave};
+pub use conducted::{Conduction, Octave, TheoryStiffness};
 pub use contact_accuracy::{
     Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
 };

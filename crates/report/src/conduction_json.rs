@@ -33,6 +33,9 @@ pub(crate) fn conduction(surface: &SurfaceComparison) -> Value {
         .collect();
     json!({
         "points": points,
+        "theories": found.theories.iter().map(|theory| json!({
+            "model": theory.name, "points": line(&theory.stiffness),
+        })).collect::<Vec<_>>(),
         "mikic": line(&found.mikic),
         "cooper_mikic_yovanovich": (!found.yovanovich.is_empty()).then(|| line(&found.yovanovich)),
         "octaves": found.octaves.iter().map(|o| {

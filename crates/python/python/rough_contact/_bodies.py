@@ -125,10 +125,10 @@ def material(name: str) -> Body:
     """
     with sorted_as(SettingError):
         found = json.loads(_rust.material(name))
-    numbers = {key: None if listed is None else listed["value"] for key, listed in found["numbers"].items()}
-    if numbers["poisson"] is None:
+    numbers = {key: listed["value"] for key, listed in found["numbers"].items() if listed is not None}
+    if "poisson" not in numbers:
         raise SettingError(f"{name}: the table has no Poisson's ratio that a source could be named for; give rc.Body", "material")
-    return _body(numbers["young"], numbers["poisson"], numbers["hardness"], f"{found['title']}, {found['condition']}")
+    return _body(numbers["young"], numbers["poisson"], numbers.get("hardness"), f"{found['title']}, {found['condition']}")
 
 
 def adhesion(work: Q | None, reach: Q | None) -> dict[str, float] | None:

@@ -3,7 +3,7 @@
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::labels::{EndLabel, draw_end_labels};
 use crate::draw::palette::{
-    BGT, Colour, DETERMINISTIC, DETERMINISTIC_LOOK, GW, INK2, Look, Marker, PERSSON,
+    Colour, DETERMINISTIC, DETERMINISTIC_LOOK, INK2, Look, Marker, PERSSON,
 };
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
 use crate::figures::curves::log_limits;
@@ -19,14 +19,15 @@ const HEIGHT: f64 = 262.0;
 /// One line over the loads.
 pub(crate) struct Line<'a> {
     pub(crate) label: &'a str,
+    pub(crate) look: Look,
     pub(crate) values: Vec<Option<f64>>,
 }
 
-/// Conductance per area over the load: the deterministic one, and correlations of the field.
+/// Conductance per area over the load: the deterministic one, theories, and correlations of the field.
 pub(crate) fn over_load(
     pressures: &[f64],
     deterministic: &[Option<f64>],
-    correlations: &[Line<'_>],
+    lines: &[Line<'_>],
     unit_name: &str,
     key: &str,
 ) -> Figure {
@@ -35,7 +36,7 @@ pub(crate) fn over_load(
     let drawn = |v: &Option<f64>| v.filter(|v| *v > 0.0 && v.is_finite());
     let reference: Vec<Option<f64>> = deterministic.iter().map(drawn).collect();
     let others: Vec<Vec<Option<f64>>> =
-        correlations.iter().map(|line| line.values.iter().map(drawn).collect()).collect();
+        lines.iter().map(|line| line.values.iter().map(drawn).collect()).collect();
     let (first, last) = (pressures[0], pressures[pressures.len() - 1]);
     let ends = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
     let frame = Frame {
@@ -47,13 +48,9 @@ pub(crate) fn over_load(
     let mut canvas = Canvas::default();
     frame.draw(&mut canvas);
     let mut labels = Vec::new();
-    let looks = [
-        Look::model(BGT, "6 2.5", Marker::TriangleUp, 1),
-        Look::model(GW, "2 2", Marker::Square, 2),
-    ];
-    for ((line, values), look) in correlations.iter().zip(&others).zip(looks) {
-        draw(&mut canvas, &frame, (pressures, unit.scale), values, look);
-        labels.extend(end(&frame, values, line.label, look.colour, false));
+    for (line, values) in lines.iter().zip(&others) {
+        draw(&mut canvas, &frame, (pressures, unit.scale), values, line.look);
+        labels.extend(end(&frame, values, line.label, line.look.colour, false));
     }
     draw(&mut canvas, &frame, (pressures, unit.scale), &reference, DETERMINISTIC_LOOK);
     labels.extend(end(&frame, &reference, "Deterministic", DETERMINISTIC, true));

@@ -1,6 +1,7 @@
 //! "What it conducts": where resistivities or conductivities were given.
 
 use crate::figures::conduction::{self as figures, Line};
+use crate::looks::look;
 use crate::numbers::{PASCALS, chosen, relative_bar};
 use crate::page::context::Page;
 use crate::page::sections::figure;
@@ -56,10 +57,18 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
         let of = |values: &[Option<f64>]| -> Vec<Option<f64>> {
             values.iter().map(|k| k.map(|k| conductance(kind, k))).collect()
         };
-        let mut lines = vec![Line { label: "Mikic, elastic", values: of(&found.mikic) }];
+        let theories = found.theories.iter().map(|theory| Line {
+            label: &theory.label,
+            look: look(&theory.name, 0),
+            values: of(&theory.stiffness),
+        });
+        let mut lines: Vec<Line<'_>> = theories.collect();
+        // Correlations are no models of the study: in the looks of strangers.
+        let mikic = Line { label: "Mikic", look: look("", 1), values: of(&found.mikic) };
+        lines.push(mikic);
         let yields = !found.yovanovich.is_empty();
         if yields {
-            lines.push(Line { label: "CMY, plastic", values: of(&found.yovanovich) });
+            lines.push(Line { label: "CMY", look: look("", 0), values: of(&found.yovanovich) });
         }
         let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
         let deterministic = of(&found.stiffness);
@@ -74,10 +83,11 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
             &svg.inline(),
             &format!(
                 "<b>Fig. {n}. {} conductance of the contact</b> per nominal area. Dots: of the contact set of \
-                 each solution. Dashed: Mikic’s correlation for elastic bodies{}, with the rms height σ of the map and the mean \
-                 absolute slope <i>g</i>/√π of a Gaussian one; Mikic’s ends where half the surface is cut.",
+                 each solution. Coloured: stiffness of theories of elastic contact, by the same factor. Grey: Mikic’s correlation \
+                 for elastic bodies{}, with the rms height σ of the map and the mean absolute slope <i>g</i>/√π of a \
+                 Gaussian one; Mikic’s ends where half the surface is cut.",
                 capital(kind.name),
-                if yields { ", and Cooper, Mikic and Yovanovich’s for bodies that yield" } else { "" }
+                if yields { " and Cooper, Mikic and Yovanovich’s (CMY) for bodies that yield" } else { "" }
             ),
         ));
     }
