@@ -265,10 +265,10 @@ pub struct Pressed {
 }
 
 impl Pressed {
-    /// A mean above the highest pressure is the line correction of an area of a few points: what
-    /// the points themselves bear is below.
+    /// A mean above the highest pressure of a point is that of contacts smaller than the points: none of them
+    /// resolves the highest pressure, which is then not known.
     pub fn of(nominal: f64, mean: f64, highest: f64) -> Self {
-        Self { nominal, mean: mean.min(highest), highest: Some(highest) }
+        Self { nominal, mean, highest: (highest >= mean).then_some(highest) }
     }
 }
 
