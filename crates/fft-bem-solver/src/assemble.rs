@@ -3,6 +3,8 @@
 use crate::engine::{Engine, Run};
 use crate::methods::{Top, under};
 use crate::problem::Problem;
+use crate::simd::vectorised;
+use crate::tally::{Fields, tally};
 use crate::{
     BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, Yielded,
     certificate, fields, solution::coarse,
@@ -40,56 +42,56 @@ impl<T: Real> Engine<T> {
         let pressure =
             |i: usize| if is_full(i) { hardness(i) } else { p[i].wide() * units.pressure };
         let gap = |i: usize| (u[i].wide() - h[i].wide() - level) * units.height;
-        // Under a free boundary nothing fixes the displacement but the load: in contact, what the iteration
-        // leaves may be large beside the heights, and is no gap.
-        let is_free = settings.boundary == Boundary::Free;
-        // At the ceiling an overlap is what was flattened: no gap.
-        let closed = |i: usize| (is_free && p[i] > T::zero()) || is_full(i);
-        let counted = |i: usize| if closed(i) { 0.0 } else { gap(i) };
         let (pixels, n) = (p.len(), p.len() as f64);
-        let load_sum = fields::sum_of(pixels, pressure);
-        let lowest = fields::least_of(pixels, |i| if is_full(i) { 0.0 } else { gap(i) });
-        let contact_pixels = fields::contact_count(p);
+        let grid = problem.given;
+        let blocks = coarse(grid).shape();
+        let mut coarse_gap = vec![0.0; blocks[0] * blocks[1]];
+        let fields = Fields { pressure: p, displacement: u, heights: h, level };
+        let (shape, boundary) = (grid.shape(), settings.boundary);
+        let found = under!(ceiling, top => {
+            tally(top, fields, boundary, shape, blocks, &mut coarse_gap)
+        });
+        for gap in &mut coarse_gap {
+            *gap *= units.height;
+        }
+        let borne = match (found.full > 0.0, &hardness_map) {
+            (false, _) => 0.0,
+            (true, None) => found.full * settings.hardness,
+            (true, Some(_)) => found.borne * units.pressure,
+        };
+        let load_sum = found.load * units.pressure + borne;
         let [perimeter, sharp] = edges(problem.grid, p, ceiling, settings.boundary);
         let (contact_perimeter, cut) = (perimeter as f64 / n, (perimeter - sharp) as f64 / n);
-        let yielded = ceiling.is_finite().then(|| {
-            let full = fields::sum_of(pixels, |i| if is_full(i) { 1.0 } else { 0.0 });
-            let borne = fields::sum_of(pixels, |i| if is_full(i) { hardness(i) } else { 0.0 });
-            let depth = |i: usize| if is_full(i) { (-gap(i)).max(0.0) } else { 0.0 };
-            Yielded {
-                hardness: settings.hardness,
-                area_fraction: full / n,
-                load_share: if load_sum > 0.0 { borne / load_sum } else { 0.0 },
-                mean_flattening: fields::sum_of(pixels, depth) / n,
-            }
+        let yielded = ceiling.is_finite().then(|| Yielded {
+            hardness: settings.hardness,
+            area_fraction: found.full / n,
+            load_share: if load_sum > 0.0 { borne / load_sum } else { 0.0 },
+            mean_flattening: found.depth * units.height / n,
         });
-        let area_fraction = contact_pixels as f64 / n;
+        let area_fraction = found.contact / n;
         // No pressure exceeds the hardness: whatever the line, it takes this area to carry the load.
         let hardest = hardness_map
             .as_ref()
             .map_or(settings.hardness, |map| map.iter().copied().fold(0.0, f64::max));
         let least = (load_sum / n / hardest).min(area_fraction);
-        let off = |i: usize| if is_full(i) { gap(i).max(0.0) } else { gap(i).abs() };
-        let complementarity = fields::sum_of(pixels, |i| pressure(i) * off(i));
-        let work = fields::dot(p, u) / n;
-        let highest = fields::largest_of(pixels, |i| u[i].wide().abs());
-        let gap_rounding = problem.rounding + T::EPSILON * (highest + 1.0) * units.height;
+        let work = found.work / n;
+        let gap_rounding = problem.rounding + T::EPSILON * (found.highest + 1.0) * units.height;
         let residuals = Residuals {
             preconditioned: run.outcome.residual,
             complementarity: if load_sum > 0.0 {
-                complementarity / load_sum / units.height
+                found.complementarity * units.pressure / load_sum
             } else {
                 0.0
             },
-            penetration: (-lowest / units.height).max(0.0),
+            penetration: (-found.lowest).max(0.0),
         };
-        let duality_gap = if ceiling.is_finite() {
-            let room = |i: usize| hardness(i) - pressure(i);
-            let term = |i: usize| pressure(i) * gap(i).max(0.0) + room(i) * (-gap(i)).max(0.0);
-            fields::sum_of(pixels, term) / n
+        let duality = if ceiling.is_finite() {
+            found.duality
         } else {
-            fields::sum_of(pixels, |i| pressure(i) * (gap(i) - lowest)) / n
+            // The gap counted from its lowest point; rounding may leave less than nothing.
+            (found.duality - found.lowest * found.load).max(0.0)
         };
+        let duality_gap = duality * units.pressure * units.height / n;
         let diagnostics = Diagnostics {
             method: settings.method,
             boundary: settings.boundary,
@@ -105,11 +107,11 @@ impl<T: Real> Engine<T> {
             height_rounding: problem.rounding,
             gap_rounding,
             seconds: run.clock.elapsed().as_secs_f64(),
-            contact_pixels,
+            contact_pixels: found.contact as usize,
             contact_perimeter,
             area_fraction_corrected: (area_fraction - BOUNDARY_CORRECTION * cut).max(least),
             yielded,
-            max_pressure: (fields::max(p) * units.pressure).max(0.0).min(hardest),
+            max_pressure: (found.largest * units.pressure).max(0.0).min(hardest),
             elastic_energy: 0.5 * work * units.pressure * units.height,
         };
         let mean_pressure = match load {
@@ -127,31 +129,13 @@ impl<T: Real> Engine<T> {
             area_fraction,
             separation: Some(-(problem.mean_height + state.level) * units.height),
             // Near full contact what is left of the residual may outweigh the gap; bodies do not overlap.
-            mean_gap: Some((fields::sum_of(pixels, counted) / n).max(0.0)),
+            mean_gap: Some((found.open * units.height / n).max(0.0)),
             caveat: None,
         };
         let approach = self.state.level * units.height;
-        let grid = problem.given;
-        let coarse_gap = means(grid, |i| if p[i] > T::zero() { 0.0 } else { gap(i).max(0.0) });
         let (pressure, gap) = (pressure_map, gap_map);
         Solution { grid, state, approach, pressure, gap, coarse_gap, diagnostics }
     }
-}
-
-/// Means over the blocks of the [coarse grid](Solution::coarse_grid).
-fn means(grid: Grid, value: impl Fn(usize) -> f64 + Sync) -> Vec<f64> {
-    let ([ny, nx], [by, bx]) = (grid.shape(), coarse(grid).shape());
-    let pixels = |block: usize, blocks: usize, n: usize| {
-        (block * n).div_ceil(blocks)..((block + 1) * n).div_ceil(blocks)
-    };
-    let mut means = vec![0.0; by * bx];
-    means.par_iter_mut().enumerate().for_each(|(block, mean)| {
-        let (rows, columns) = (pixels(block / bx, by, ny), pixels(block % bx, bx, nx));
-        let count = rows.len() * columns.len();
-        let row = |iy: usize| columns.clone().map(|ix| value(iy * nx + ix)).sum::<f64>();
-        *mean = rows.map(row).sum::<f64>() / count as f64;
-    });
-    means
 }
 
 /// Edges between a pixel in contact and a neighbour (of four) that is not. Across the edge of the
@@ -165,23 +149,29 @@ fn edges<T: Real>(
     boundary: Boundary,
 ) -> [usize; 2] {
     let [ny, nx] = grid.shape();
+    let is_on = |p: &T| *p > T::zero();
     let is_full = |i: usize| pressure[i] >= ceiling.at(i);
-    let edge = |a: usize, b: usize| {
-        let is_edge = (pressure[a] > T::zero()) != (pressure[b] > T::zero());
-        [usize::from(is_edge), usize::from(is_edge && (is_full(a) || is_full(b)))]
-    };
+    let is_edge = |i: usize, j: usize| is_on(&pressure[i]) != is_on(&pressure[j]);
+    let is_sharp = |i: usize, j: usize| is_edge(i, j) && (is_full(i) || is_full(j));
     let wraps = boundary == Boundary::Periodic;
     let mut counts = vec![[0_usize; 2]; ny];
-    counts.par_iter_mut().enumerate().for_each(|(iy, count)| {
+    counts.par_iter_mut().enumerate().for_each(|(iy, [all, sharp])| {
         let first = iy * nx;
-        let mut add = |[all, sharp]: [usize; 2]| *count = [count[0] + all, count[1] + sharp];
-        (first + 1..first + nx).for_each(|i| add(edge(i - 1, i)));
-        if wraps {
-            add(edge(first, first + nx - 1));
-        }
-        if iy + 1 < ny || wraps {
-            let below = (iy + 1) % ny * nx;
-            (0..nx).for_each(|ix| add(edge(first + ix, below + ix)));
+        let last = first + nx - 1;
+        let below = (iy + 1 < ny || wraps).then_some((iy + 1) % ny * nx);
+        let row = &pressure[first..=last];
+        let edges = |a: &[T], b: &[T]| {
+            let one = |(a, b)| u32::from(is_on(a) != is_on(b));
+            vectorised!(a.iter().zip(b).map(one).sum::<u32>()) as usize
+        };
+        *all = edges(row, &row[1..]) + usize::from(wraps && is_edge(first, last));
+        *all += below.map_or(0, |below| edges(row, &pressure[below..]));
+        if ceiling.is_finite() {
+            *sharp = (first..last).filter(|i| is_sharp(*i, i + 1)).count();
+            *sharp += usize::from(wraps && is_sharp(first, last));
+            if let Some(below) = below {
+                *sharp += (0..nx).filter(|ix| is_sharp(first + ix, below + ix)).count();
+            }
         }
     });
     counts.iter().fold([0; 2], |[a, b], [x, y]| [a + x, b + y])

@@ -4,6 +4,7 @@ use crate::methods::{
     self, Compliance, ContactMethod, Outcome, Start, State, Step, Target, Task, Top,
 };
 use crate::observer::Observe;
+use crate::parts::part;
 use crate::problem::Problem;
 use crate::{
     Boundary, End, Iteration, Load, Maps, Method, Precision, Real, Solution, SolverError, control,
@@ -95,7 +96,8 @@ impl<T: Real> Engine<T> {
         self.closing_load = None;
         self.suspected_closing_load = None;
         self.problem = None;
-        let problem = Problem::new(surface, self.scaled, self.settings.modulus)?;
+        let new = || Problem::new(surface, self.scaled, self.settings.modulus);
+        let problem = part("heights", new)?;
         if let Some(map) = &self.hardness_map {
             self.ceilings = map.iter().map(|h| T::of(h / problem.units.pressure)).collect();
         }
@@ -134,7 +136,7 @@ impl<T: Real> Engine<T> {
             }
         };
         let end = found.outcome.end;
-        let solution = self.solution(problem, &found, load);
+        let solution = part("answer", || self.solution(problem, &found, load));
         self.is_warm = solution.diagnostics.contact_pixels > 0;
         match end {
             End::Converged => Ok(solution),
@@ -289,7 +291,10 @@ impl<T: Real> Engine<T> {
         let mut spent = 0.0;
         let mut start = start;
         if let Target::Pressure(load) = target {
-            match self.without_iterating(problem, load, ceiling, &mut start) {
+            let tried = part("exact answers", || {
+                self.without_iterating(problem, load, ceiling, &mut start)
+            });
+            match tried {
                 (Some(reason), pairs) => return exact(reason, pairs, clock),
                 (None, pairs) => spent += pairs,
             }

@@ -120,14 +120,35 @@ pub(crate) fn dot<T: Real>(a: &[T], b: &[T]) -> f64 {
     sum_of(a.len(), |i| a[i].wide() * b[i].wide())
 }
 
+/// Smallest and largest value; `+inf` and `-inf` for an empty field. NaN counts as none.
+pub(crate) fn range<T: Real>(a: &[T]) -> [f64; 2] {
+    let piece = |range: Range<usize>| {
+        let a = &a[range];
+        vectorised!(x => {
+            let mut least = f64x4::splat(x, f64::INFINITY);
+            let mut most = f64x4::splat(x, f64::NEG_INFINITY);
+            for i in (0..a.len() - a.len() % LANES).step_by(LANES) {
+                let a = T::widened(four(x, a, i));
+                least = a.simd_lt(least).select(a, least);
+                most = a.simd_gt(most).select(a, most);
+            }
+            let (_, rest) = a.as_chunks::<LANES>();
+            let rest = || rest.iter().map(|x| x.wide());
+            let least = least.iter().copied().chain(rest()).fold(f64::INFINITY, f64::min);
+            [least, most.iter().copied().chain(rest()).fold(f64::NEG_INFINITY, f64::max)]
+        })
+    };
+    by_blocks(0..a.len(), &piece, &|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+}
+
 /// Largest value; `-inf` for an empty field.
 pub(crate) fn max<T: Real>(a: &[T]) -> f64 {
-    -least_of(a.len(), |i| -a[i].wide())
+    range(a)[1]
 }
 
 /// Smallest value; `+inf` for an empty field.
 pub(crate) fn min<T: Real>(a: &[T]) -> f64 {
-    least_of(a.len(), |i| a[i].wide())
+    range(a)[0]
 }
 
 /// Number of pixels that carry pressure.

@@ -5,8 +5,11 @@
 //! a change of physical units changes nothing but rounding, and an offset of the heights costs no
 //! more digits than the heights themselves had lost.
 
+use crate::row_work::TASK;
+use crate::simd::vectorised;
 use crate::{Real, SolverError};
 use contact_types::{ContactModulus, Grid, HeightMap};
+use grid_fft::parallel::prelude::*;
 
 /// What one unit of the scaled problem is in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,7 +68,7 @@ impl<T: Real> Problem<T> {
         modulus: ContactModulus,
     ) -> Result<Self, SolverError> {
         let raw = surface.heights();
-        let (lowest, highest) = (crate::fields::min(raw), crate::fields::max(raw));
+        let [lowest, highest] = crate::fields::range(raw);
         let flat = lowest >= highest;
         let length = fine_pixel(surface.grid());
         let height = if flat { length } else { highest - lowest };
@@ -94,8 +97,13 @@ impl<T: Real> Problem<T> {
 
     /// Whether `surface` is the one this problem was made from.
     pub(crate) fn is_of(&self, surface: &HeightMap) -> bool {
-        let known = &self.heights;
-        surface.heights().iter().zip(known).all(|(h, k)| self.units.scaled::<T>(*h) == *k)
+        let differ = |(h, k): (&f64, &T)| u32::from(self.units.scaled::<T>(*h) != *k);
+        surface
+            .heights()
+            .par_chunks(TASK)
+            .zip(self.heights.par_chunks(TASK))
+            .map(|(raw, known)| vectorised!(raw.iter().zip(known).map(differ).sum::<u32>()))
+            .all(|others| others == 0)
     }
 
     pub(crate) fn is_flat(&self) -> bool {

@@ -60,12 +60,13 @@ impl CheapCompliance {
         Some(Self { shape, reach: stencil.reach, taps, axes, symbol })
     }
 
-    /// `u += K x`. `room` is as long as x, at least; what it holds is lost.
+    /// `u += K x`, or `u = base + K x`. `room` is as long as x, at least; what it holds is lost.
     pub(crate) fn add<T: Real>(
         &self,
         x: &[f32],
         stiffness: &mut Stiffness,
         room: &mut [f32],
+        base: Option<&[T]>,
         u: &mut [T],
     ) {
         let [my, mx] = stiffness.coarse_shape();
@@ -92,7 +93,11 @@ impl CheapCompliance {
         u.par_chunks_mut(rows * nx).enumerate().for_each(|(task, u)| {
             vectorised!({
                 for (r, u) in u.chunks_exact_mut(nx).enumerate() {
-                    self.add_row(x, between, task * rows + r, u);
+                    let i = task * rows + r;
+                    if let Some(base) = base {
+                        u.copy_from_slice(&base[i * nx..(i + 1) * nx]);
+                    }
+                    self.add_row(x, between, i, u);
                 }
             });
         });
@@ -167,7 +172,7 @@ mod tests {
         let mut stiffness = Stiffness::new(shape, pixel);
         let cheap = CheapCompliance::new(&stiffness, pixel).unwrap();
         let mut u = vec![0.0_f32; x.len()];
-        cheap.add(x, &mut stiffness, &mut vec![f32::NAN; x.len()], &mut u);
+        cheap.add(x, &mut stiffness, &mut vec![f32::NAN; x.len()], None, &mut u);
         let write = |kx: usize, column: &mut [f32]| {
             for (ky, s) in column.iter_mut().enumerate() {
                 let q = [0, 1].map(|a| TAU * [ky, kx][a] as f64 / shape[a] as f64 / pixel[a]);

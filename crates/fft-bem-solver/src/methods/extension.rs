@@ -357,6 +357,25 @@ impl Pyramid {
         Self { levels }
     }
 
+    /// Weights of the set of all nodes of the finest grid. Nothing is left for `E^T` to hand up: the values of the first
+    /// level are 0.
+    pub(crate) fn know_all(&mut self) {
+        let Some(first) = self.levels.first_mut() else { return };
+        let (t, capacity) = (first.transfer, first.capacity);
+        let share = |i: usize, a: usize| {
+            let lacks = t.halved[a] && 2 * i + 1 == t.fine[a];
+            if lacks { 0.5 } else { 1.0 }
+        };
+        let mx = t.coarse[1];
+        first.weight.par_chunks_mut(mx).enumerate().for_each(|(j, weight)| {
+            let rows = share(j, 0);
+            weight.fill(capacity.of(rows));
+            weight[mx - 1] = capacity.of(rows * share(mx - 1, 1));
+        });
+        first.value.fill(0.0);
+        self.reweigh_above();
+    }
+
     /// Pulls and pushes: from weights and values of the first level to the extended field on it.
     pub(crate) fn extend_above(&mut self) {
         for l in 1..self.levels.len() {

@@ -2,7 +2,10 @@
 
 use super::contract::State;
 use super::passes;
+use crate::row_work::{Partial, TASK, total};
+use crate::simd::vectorised;
 use crate::{Real, fields};
+use grid_fft::parallel::prelude::*;
 
 /// Farthest extrapolation, in steps of the last two loads.
 const FARTHEST: f64 = 4.0;
@@ -13,11 +16,14 @@ pub(crate) struct Earlier<T> {
     displacement: Vec<T>,
     /// Mean pressure; `None` while nothing is remembered.
     load: Option<f64>,
+    /// Sums over the pieces of a guess.
+    partial: Vec<Partial>,
 }
 
 impl<T: Real> Earlier<T> {
     pub(crate) fn new(n: usize) -> Self {
-        Self { pressure: vec![T::zero(); n], displacement: vec![T::zero(); n], load: None }
+        let partial = vec![Partial::default(); n.div_ceil(TASK)];
+        Self { pressure: vec![T::zero(); n], displacement: vec![T::zero(); n], load: None, partial }
     }
 
     pub(crate) fn forget(&mut self) {
@@ -38,26 +44,44 @@ impl<T: Real> Earlier<T> {
         let usable = steps.filter(|t| t.abs() <= FARTHEST);
         if let (Some(t), Some(earlier)) = (usable, self.load) {
             let factors = [load * (1.0 + t) / present, load * t / earlier];
-            continue_line(&last.pressure, &self.pressure, factors, pressure);
-            continue_line(&last.displacement, &self.displacement, factors, displacement);
-            for p in pressure.iter_mut() {
-                *p = p.larger(T::zero());
-            }
-            let scale = load * pressure.len() as f64 / fields::sum(pressure);
+            let line = Line { factors, least: 0.0 };
+            let carried =
+                line.follow(&last.pressure, &mut self.pressure, pressure, &mut self.partial);
+            let scale = load * pressure.len() as f64 / carried;
             passes::scale(scale, pressure);
-            passes::scale(scale, displacement);
+            let line = Line { factors: factors.map(|f| scale * f), least: f64::NEG_INFINITY };
+            let (from, earlier) = (&last.displacement, &mut self.displacement);
+            line.follow(from, earlier, displacement, &mut self.partial);
+        } else {
+            passes::copy(&last.pressure, &mut self.pressure);
+            passes::copy(&last.displacement, &mut self.displacement);
         }
-        self.pressure.copy_from_slice(&last.pressure);
-        self.displacement.copy_from_slice(&last.displacement);
         self.load = Some(present);
         usable.is_some()
     }
 }
 
-/// `out = f0 a - f1 b`.
-fn continue_line<T: Real>(a: &[T], b: &[T], factors: [f64; 2], out: &mut [T]) {
-    let [f0, f1] = factors.map(T::of);
-    for ((x, a), b) in out.iter_mut().zip(a).zip(b) {
-        *x = f0 * *a - f1 * *b;
+/// `f0 a - f1 b`, nowhere less than `least`.
+struct Line {
+    factors: [f64; 2],
+    least: f64,
+}
+
+impl Line {
+    /// Writes it, and a to b. Returns its sum.
+    fn follow<T: Real>(&self, a: &[T], b: &mut [T], out: &mut [T], partial: &mut [Partial]) -> f64 {
+        let ([f0, f1], least) = (self.factors.map(T::of), T::of(self.least));
+        let pieces = out.par_chunks_mut(TASK).zip(a.par_chunks(TASK)).zip(b.par_chunks_mut(TASK));
+        pieces.zip(partial.par_iter_mut()).for_each(|(((out, a), b), partial)| {
+            vectorised!({
+                for ((x, a), b) in out.iter_mut().zip(a).zip(b) {
+                    *x = (f0 * *a - f1 * *b).larger(least);
+                    *b = *a;
+                }
+            });
+            partial[0] = fields::sum(out);
+        });
+        let [sum] = total(partial);
+        sum
     }
 }

@@ -37,6 +37,7 @@ mod spline;
 mod stanley_kato;
 mod stiffness;
 mod sweep;
+mod tension;
 mod thin_pixels;
 mod transfer;
 

@@ -127,17 +127,22 @@ impl Stiffness {
         let size = coarse[0] * coarse[1];
         let (sy, sx) = (coarse[0] / 2 + 1, coarse[1] / 2 + 1);
         let mut symbol = vec![0.0; sy * sx];
+        // Phases per pixel of the finest grid.
+        let along = |count: usize, a: usize| -> Vec<Along> {
+            let phase = |k: usize| TAU * k as f64 / shape[a] as f64;
+            (0..count).map(|k| Along::new(phase(k), factor[a], radius[a])).collect()
+        };
+        let (along_y, along_x) = (along(sy, 0), along(sx, 1));
         for kx in 0..sx {
             for ky in 0..sy {
                 let q = wanted([ky, kx]);
                 symbol[kx * sy + ky] = if is_exact {
                     q
                 } else {
-                    // Phases per pixel of the finest grid.
-                    let phase =
-                        [TAU * ky as f64 / shape[0] as f64, TAU * kx as f64 / shape[1] as f64];
-                    let b = block_response(phase, factor).max(LEAST_RESPONSE);
-                    (q - stencil_symbol(&taps, radius, phase)) / (b * b)
+                    let both = [&along_y[ky], &along_x[kx]];
+                    let response: f64 = both.iter().flat_map(|axis| &axis.halvings).product();
+                    let b = response.max(LEAST_RESPONSE);
+                    (q - stencil_symbol(&taps, both)) / (b * b)
                 } as f32;
             }
         }
@@ -405,30 +410,36 @@ fn stencil(shape: [usize; 2], pixel: [f64; 2], radius: [usize; 2]) -> Taps {
     taps
 }
 
-/// Fourier symbol of the stencil for a wave of these phases per pixel.
-fn stencil_symbol(taps: &Taps, radius: [usize; 2], phase: [f64; 2]) -> f64 {
-    let both_sides = |d: usize| if d == 0 { 1.0 } else { 2.0 };
+/// What the taps and the cells are to a wave, along one axis.
+struct Along {
+    /// `cos(d phase)`, twice where a tap has a mirror image, for each distance d.
+    waves: Vec<f64>,
+    /// How much of the wave the mean over a cell leaves: a cosine for each halving.
+    halvings: Vec<f64>,
+}
+
+impl Along {
+    /// For a wave of this phase per pixel, cells of `factor` pixels and taps up to `radius`.
+    fn new(phase: f64, factor: usize, radius: usize) -> Self {
+        debug_assert!(phase.abs() <= 1.001 * PI);
+        let both_sides = |d: usize| if d == 0 { 1.0 } else { 2.0 };
+        let halving = |j: u32| (0.5 * phase * f64::from(1 << j)).cos();
+        Self {
+            waves: (0..=radius).map(|d| both_sides(d) * (d as f64 * phase).cos()).collect(),
+            halvings: (0..factor.ilog2()).map(halving).collect(),
+        }
+    }
+}
+
+/// Fourier symbol of the stencil for a wave.
+fn stencil_symbol(taps: &Taps, [along_y, along_x]: [&Along; 2]) -> f64 {
     let mut sum = 0.0;
-    for (dy, row) in taps.iter().enumerate().take(radius[0] + 1) {
-        for (dx, tap) in row.iter().enumerate().take(radius[1] + 1) {
-            let waves = (dy as f64 * phase[0]).cos() * (dx as f64 * phase[1]).cos();
-            sum += tap * both_sides(dy) * both_sides(dx) * waves;
+    for (row, y) in taps.iter().zip(&along_y.waves) {
+        for (tap, x) in row.iter().zip(&along_x.waves) {
+            sum += tap * (y * x);
         }
     }
     sum
-}
-
-/// How much of a wave the mean over a coarse cell leaves: a product of cosines, one for each
-/// halving.
-fn block_response(phase: [f64; 2], factor: [usize; 2]) -> f64 {
-    let mut response = 1.0;
-    for axis in 0..2 {
-        for j in 0..factor[axis].ilog2() {
-            response *= (0.5 * phase[axis] * f64::from(1 << j)).cos();
-        }
-    }
-    debug_assert!(phase.iter().all(|p| p.abs() <= 1.001 * PI));
-    response
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@
 use super::ceiling::Ceiling;
 use super::extension::{Level, Pyramid};
 use super::node::Node;
-use super::transfer::Transfer;
+use super::tension::{Added, Bounds, Handed, Rows};
 use crate::Real;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -29,8 +29,6 @@ pub(crate) const NEGLIGIBLE: f64 = 1e-3;
 pub(crate) const LITTLE: f64 = 0.1;
 /// Largest change of the load that nodes below the ceiling are given by a factor.
 pub(crate) const ROUGH: f64 = 0.1;
-/// Cells or nodes that are looked at in one go. Most blocks hold nothing to do.
-const BLOCK: usize = 32;
 /// Fewest rows of cells that one task handles: each has two more to hand load to.
 const ROWS: usize = 16;
 
@@ -45,43 +43,6 @@ pub(crate) struct Sweep {
     beyond: Vec<f32>,
     /// For each task, the load handed up, and how many nodes it is from.
     found: Vec<(f64, usize)>,
-}
-
-/// What is added to the nodes below the cells of a row.
-#[derive(Clone, Copy)]
-pub(crate) enum Added<'a> {
-    /// The same to all.
-    Same(f32),
-    /// So much to those below each cell.
-    Cells(&'a [f32]),
-}
-
-impl Added<'_> {
-    /// To the nodes below cell `c`.
-    #[inline(always)]
-    fn at(self, c: usize) -> f32 {
-        match self {
-            Self::Same(a) => a,
-            Self::Cells(a) => a[c],
-        }
-    }
-
-    /// Of a block of cells, from `first` on, 1 for those below which a pressure is negative.
-    #[inline(always)]
-    fn tension_flags(self, first: usize, smallest: &[f32], has_ceiling: bool) -> [u8; BLOCK] {
-        // Towards the ceiling the same addition takes the other sign: one of the two bounds is passed.
-        let worst = |a: f32| if has_ceiling { -a.abs() } else { a };
-        let mut flags = [0; BLOCK];
-        let both = flags.iter_mut().zip(smallest);
-        match self {
-            Self::Same(a) => both.for_each(|(flag, s)| *flag = u8::from(s + worst(a) < 0.0)),
-            Self::Cells(a) => {
-                let all = both.zip(&a[first..]);
-                all.for_each(|((flag, s), a)| *flag = u8::from(s + worst(*a) < 0.0));
-            }
-        }
-        flags
-    }
 }
 
 impl Sweep {
@@ -189,8 +150,8 @@ impl Sweep {
                             let fields = line.iter_mut().zip(nodes).zip(&trial[first..]);
                             for (i, ((l, m), p)) in fields.enumerate() {
                                 let top = if fills(*m) { ceiling.at(first + i) } else { T::zero() };
-                                let load = if is_off(*m) { (*p - top).narrow() } else { 0.0 };
-                                *l += factor * load;
+                                let beyond = (*p - top).narrow(); // read anyway: no branch
+                                *l += factor * if is_off(*m) { beyond } else { 0.0 };
                             }
                         },
                     );
@@ -230,7 +191,6 @@ impl Sweep {
             .for_each(|(task, (cells, (nodes, trial)))| {
                 let (((((found, smallest), added), beyond), value), weight) = cells;
                 let bounds = Bounds { ceiling: bounds.ceiling.after(task * fine), ..bounds };
-                *found = (0.0, 0);
                 vectorised!({
                     if has_more {
                         if is_first {
@@ -240,23 +200,16 @@ impl Sweep {
                             *a += share * more;
                         }
                     }
-                    let mut handed = Handed { t: &t, value, beyond };
+                    let handed = Handed { t: &t, value, beyond };
+                    let mut rows =
+                        Rows { bounds, capacity, trial, nodes, weight, handed, found: (0.0, 0) };
                     let lines = smallest.chunks_exact_mut(mx).zip(added.chunks_exact(mx));
                     for (r, (smallest, added)) in lines.enumerate() {
                         let added =
                             if has_added { Added::Cells(added) } else { Added::Same(shift) };
-                        for_each_in_tension(smallest, added, C::IS_FINITE, |c, a, smallest| {
-                            let cell = Cell::drop_beyond(bounds, &t, [r, c], a, trial, nodes);
-                            if cell.dropped > 0 {
-                                handed.begin_with(found.1);
-                                handed.add(r, c, cell.loads);
-                            }
-                            found.0 += cell.excess;
-                            found.1 += cell.dropped;
-                            *smallest = cell.smallest;
-                            weight[r * mx + c] = capacity.of(cell.filled * t.node_share());
-                        });
+                        rows.drop_beyond(r, added, smallest);
                     }
+                    *found = rows.found;
                 });
             });
         self.found.iter().fold((0.0, 0), |(t, n), f| (t + f.0, n + f.1))
@@ -294,146 +247,6 @@ fn rows_per_task(level: &Level) -> usize {
 fn add(row: Option<&[f32]>, to: &mut [f32]) {
     for (to, x) in to.iter_mut().zip(row.unwrap_or(&[])) {
         *to += x;
-    }
-}
-
-/// The load that the nodes below some rows of cells hand to these rows and the one before and after.
-struct Handed<'a> {
-    t: &'a Transfer,
-    value: &'a mut [f32],
-    beyond: &'a mut [f32],
-}
-
-impl Handed<'_> {
-    /// Before the first node hands anything, everything is zero.
-    #[inline(always)]
-    fn begin_with(&mut self, nodes_before: usize) {
-        if nodes_before == 0 {
-            self.value.fill(0.0);
-            self.beyond.fill(0.0);
-        }
-    }
-
-    /// Adds the loads of the nodes below cell `(r, c)` with the transpose of the interpolation.
-    #[inline(always)]
-    fn add(&mut self, r: usize, c: usize, [upper, lower]: [[f32; 2]; 2]) {
-        let mx = self.t.coarse[1];
-        if !self.t.halved[0] {
-            return self.t.add_columns_transposed(c, upper, &mut self.value[r * mx..][..mx]);
-        }
-        let last = self.value.len() / mx - 1;
-        let (before, after) = self.beyond.split_at_mut(mx);
-        let above = if r == 0 { before } else { &mut self.value[(r - 1) * mx..][..mx] };
-        self.t.add_columns_transposed(c, upper.map(|x| 0.25 * x), above);
-        let below = if r == last { after } else { &mut self.value[(r + 1) * mx..][..mx] };
-        self.t.add_columns_transposed(c, lower.map(|x| 0.25 * x), below);
-        let both = [upper[0] + lower[0], upper[1] + lower[1]].map(|x| 0.75 * x);
-        self.t.add_columns_transposed(c, both, &mut self.value[r * mx..][..mx]);
-    }
-}
-
-/// Which nodes are dropped: those in tension, and those above the ceiling if it counts by now.
-#[derive(Clone, Copy)]
-struct Bounds<C> {
-    ceiling: C,
-    fills: bool,
-}
-
-/// What becomes of the nodes below a cell.
-struct Cell {
-    /// What the dropped ones would carry beyond their bound, signed and not.
-    loads: [[f32; 2]; 2],
-    excess: f64,
-    dropped: usize,
-    /// Smallest trial pressure of those that stay, and their number.
-    smallest: f32,
-    filled: f32,
-}
-
-impl Cell {
-    /// Drops the nodes that are beyond a bound with `added`. The cell is one of those above these fields.
-    #[inline(always)]
-    fn drop_beyond<T: Real, C: Ceiling<T>>(
-        bounds: Bounds<C>,
-        t: &Transfer,
-        [r, c]: [usize; 2],
-        added: f32,
-        trial: &[T],
-        field: &mut [Node],
-    ) -> Self {
-        let nx = t.fine[1];
-        let (rows, columns) = (t.rows_per_coarse_row(), if t.halved[1] { 2 } else { 1 });
-        let first = r * rows * nx + c * columns;
-        let has_right = columns == 2 && c * columns + 1 < nx;
-        let has_lower = rows == 2 && first + nx < field.len();
-        let (right, lower) = (usize::from(has_right), if has_lower { nx } else { 0 });
-        let places = [first, first + right, first + lower, first + lower + right];
-        let exists = [true, has_right, has_lower, has_lower & has_right];
-
-        let q = places.map(|place| trial[place]);
-        let p = q.map(|q| q.wide() + f64::from(added));
-        let (mut on, mut drops, mut load, mut rest) = ([false; 4], [false; 4], [0.0; 4], [0.0; 4]);
-        for k in 0..4 {
-            on[k] = exists[k] & (field[places[k]].is_in());
-            drops[k] = on[k] & (p[k] < 0.0);
-            load[k] = if drops[k] { p[k] } else { 0.0 };
-            rest[k] = if on[k] & !drops[k] { q[k].narrow() } else { f32::INFINITY };
-        }
-        for (place, drops) in places.iter().zip(drops) {
-            field[*place] = field[*place].or(Node::Dropped, drops);
-        }
-        if C::IS_FINITE {
-            for k in 0..4 {
-                let top = bounds.ceiling.at(places[k]);
-                let fills = on[k] & bounds.fills & (p[k] > top.wide());
-                field[places[k]] = field[places[k]].or(Node::Full, fills);
-                load[k] += if fills { p[k] - top.wide() } else { 0.0 };
-                drops[k] |= fills;
-                let nearer = q[k].narrow().min((top - q[k]).narrow());
-                rest[k] = if on[k] & !drops[k] { nearer } else { f32::INFINITY };
-            }
-        }
-        let least = |x: f32, y: f32| if x < y { x } else { y };
-        let [all, dropped] = [on, drops].map(|f| f.iter().map(|f| usize::from(*f)).sum::<usize>());
-        let [a, b, c, d] = load.map(|load| load as f32);
-        Self {
-            loads: [[a, b], [c, d]],
-            excess: load.iter().map(|load| load.abs()).sum(),
-            dropped,
-            smallest: least(least(rest[0], rest[1]), least(rest[2], rest[3])),
-            filled: (all - dropped) as f32,
-        }
-    }
-}
-
-/// Calls `found` with every cell of a row below which a pressure may be beyond a bound, what is added there
-/// and the smallest pressure.
-#[inline(always)]
-fn for_each_in_tension(
-    smallest: &mut [f32],
-    added: Added<'_>,
-    has_ceiling: bool,
-    mut found: impl FnMut(usize, f32, &mut f32),
-) {
-    for (k, block) in smallest.chunks_mut(BLOCK).enumerate() {
-        let first = k * BLOCK;
-        let flags = added.tension_flags(first, block, has_ceiling);
-        for_each_set(&flags, |c| found(first + c, added.at(first + c), &mut block[c]));
-    }
-}
-
-/// Calls `found` with the place of every flag that is 1 and not 0. Most blocks have none.
-#[inline(always)]
-fn for_each_set(flags: &[u8; BLOCK], mut found: impl FnMut(usize)) {
-    if *flags == [0; BLOCK] {
-        return;
-    }
-    for (k, flags) in flags.as_chunks::<8>().0.iter().enumerate() {
-        let mut bits = u64::from_le_bytes(*flags);
-        while bits != 0 {
-            found(8 * k + bits.trailing_zeros() as usize / 8);
-            bits &= bits - 1;
-        }
     }
 }
 

@@ -39,8 +39,10 @@ use crate::methods::ceiling::{Ceiling, Top, under};
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{ContactMethod, Outcome, Start, State, Step, Task, Watch};
 use crate::methods::extrapolation::Earlier;
+use crate::methods::node::Node;
 use crate::methods::passes::{self, ContactSet};
 use crate::methods::stiffness::Stiffness;
+use crate::parts::part;
 use crate::problem::Problem;
 use crate::{End, Real, certificate, fields};
 use contact_types::Grid;
@@ -98,15 +100,16 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
         true
     }
 
-    /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive, above `-0.1 P`.
+    /// Asks the cheap `S`: `p = P + S (h - mean h)` would be nearly positive, above `-0.1 P`. That is also the first
+    /// trial from the constant pressure, without what is swept: `S E g` is kept for it.
     fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
         let work = &mut self.work;
         work.pairs.base = Base::Iterate;
-        let heights = work.pairs.spare();
-        passes::narrow(&problem.heights, problem.mean_height, heights);
-        work.stiffness.apply(heights, &mut work.residual);
-        let least = fields::min(&work.residual);
-        (-least / 1.1, work.stiffness.cost)
+        let gap = work.pairs.spare();
+        passes::gap_of_constant(&problem.heights, problem.mean_height, gap);
+        work.stiffness.apply(gap, &mut work.residual);
+        work.holds_flattening = true;
+        (fields::max(&work.residual) / 1.1, work.stiffness.cost)
     }
 }
 
@@ -125,7 +128,7 @@ impl<T: Real> Chord<T> {
         let guesses = if C::IS_FINITE { 2 * guesses } else { guesses };
         let Self { work, earlier, force, .. } = self;
         let mut run = Run::new(ceiling, work, task, operator, start, *force, state);
-        run.begin(start, earlier.as_deref_mut());
+        part("start", || run.begin(start, earlier.as_deref_mut()));
         let mut proposal = run.first_proposal(start, guesses, task.tolerance);
         let mut iteration = 0;
         let end = loop {
@@ -163,8 +166,8 @@ impl<T: Real> Chord<T> {
         let residual = run.memory.residual.max(run.level_error());
         let yielding = C::IS_FINITE.then(|| run.level_of_iterate());
         let Run { transforms, fallbacks, .. } = run;
-        state.level =
-            yielding.unwrap_or_else(|| certificate::level(state, &task.problem.heights, Top::NONE));
+        let level = || certificate::level(state, &task.problem.heights, Top::NONE);
+        state.level = part("level of the answer", || yielding.unwrap_or_else(level));
         Outcome { end, iterations: iteration, transforms, residual, fallbacks }
     }
 }
@@ -202,8 +205,13 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// The first proposal. Before its trial costs a pair: the same without one, while there is much to
     /// gain.
     fn first_proposal(&mut self, start: Start, guesses: u8, tolerance: f64) -> Proposal {
-        // The contact of another load: the step will close much that it leaves open.
-        let mut proposal = self.propose(start == Start::Warm, tolerance);
+        let is_flattening = std::mem::take(&mut self.work.holds_flattening);
+        let mut proposal = if is_flattening && start == Start::Cold && self.control.is_none() {
+            self.propose_from_constant(tolerance)
+        } else {
+            // The contact of another load: the step will close much that it leaves open.
+            self.propose(start == Start::Warm, tolerance)
+        };
         for guess in 0..guesses {
             let residual = self.memory.residual;
             let is_lead = self.work.pairs.base == Base::Lead;
@@ -230,8 +238,23 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         } else if looks_ahead {
             set = self.look_ahead(level, release);
         }
-        self.precondition();
-        let estimate = self.make_trial(self.memory.tau, set);
+        part("S", || self.precondition());
+        self.proposed(level, set, tolerance)
+    }
+
+    /// The same from the constant pressure, where everything is in contact and `E` leaves all as it is, if
+    /// `S E g` is known.
+    fn propose_from_constant(&mut self, tolerance: f64) -> Proposal {
+        let work = &mut *self.work;
+        work.nodes.fill(Node::Contact);
+        work.pyramid.know_all();
+        let set = ContactSet { size: work.nodes.len(), has_released: false };
+        self.proposed(-self.mean_height, set, tolerance)
+    }
+
+    /// The trial that `S E g` leads to.
+    fn proposed(&mut self, level: f64, set: ContactSet, tolerance: f64) -> Proposal {
+        let estimate = part("trial", || self.make_trial(self.memory.tau, set));
         self.memory.residual = estimate.residual;
         if self.work.pairs.base == Base::Iterate && estimate.residual <= tolerance {
             self.memory.residual = self.credible(&estimate, level);
@@ -256,11 +279,11 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let products = loop {
             let trial = match kind {
                 Kind::Chord => {
-                    self.sweep_trial(proposal.set, self.memory.residual);
+                    part("sweep", || self.sweep_trial(proposal.set, self.memory.residual.min(1.0)));
                     // The first trial is likely to need more than a factor.
                     let is_first = !self.memory.has_before;
                     if is_first || C::IS_FINITE {
-                        self.end_trial(proposal.level).map(Trial::Ended)
+                        part("end", || self.end_trial(proposal.level)).map(Trial::Ended)
                     } else {
                         Some(Trial::Swept)
                     }
@@ -270,7 +293,8 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
                     Some(Trial::Ended(1.0))
                 }
             };
-            let products = trial.and_then(|trial| self.respond(trial, [level, proposal.level]));
+            let products = trial
+                .and_then(|trial| part("pair", || self.respond(trial, [level, proposal.level])));
             if let Some(products) = products
                 && (products.theta() > 0.0 || kind != Kind::Chord)
             {
@@ -282,6 +306,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             self.fallbacks.gradient_steps += 1;
         }
         self.work.pairs.base = Base::Iterate;
-        self.advance(kind, &products, proposal.level);
+        part("advance", || self.advance(kind, &products, proposal.level));
     }
 }

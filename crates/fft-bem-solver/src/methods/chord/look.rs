@@ -5,6 +5,7 @@ use super::run::Run;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::contract::State;
 use crate::methods::passes::{self, ContactSet, Gap};
+use crate::parts::part;
 use crate::{Real, fields};
 use std::f64::consts::FRAC_PI_2;
 
@@ -36,7 +37,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let measured = |partial| passes::level(p, u, self.heights, partial);
         let (level, excess) = match known {
             _ if C::IS_FINITE => (self.level_of_base(), None),
-            Known::Nothing => (measured(&mut self.work.partial), None),
+            Known::Nothing => (part("level", || measured(&mut self.work.partial)), None),
             Known::Level(level) => (level, None),
             Known::Gap { level, counted_from } => (level, Some(level - counted_from)),
         };
@@ -82,21 +83,25 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             Some(excess) => Gap::Known { excess },
             None => Gap::Of { u, h: self.heights, level },
         };
-        let found = passes::residual(
-            self.ceiling,
-            p,
-            gap,
-            release,
-            (when == When::Ahead).then_some(&*extended),
-            size,
-            &mut work.nodes,
-            &mut work.residual,
-            &mut work.pyramid,
-            &mut work.partial,
-        );
-        work.pyramid.extend_above();
-        let (pyramid, stiffness) = (&work.pyramid, &mut work.stiffness);
-        passes::push(&work.nodes, &work.residual, pyramid, size[1], stiffness, extended);
+        let found = part("contact set", || {
+            passes::residual(
+                self.ceiling,
+                p,
+                gap,
+                release,
+                (when == When::Ahead).then_some(&*extended),
+                size,
+                &mut work.nodes,
+                &mut work.residual,
+                &mut work.pyramid,
+                &mut work.partial,
+            )
+        });
+        part("extension", || {
+            work.pyramid.extend_above();
+            let (pyramid, stiffness) = (&work.pyramid, &mut work.stiffness);
+            passes::push(&work.nodes, &work.residual, pyramid, size[1], stiffness, extended);
+        });
         found
     }
 

@@ -136,13 +136,15 @@ impl<T: Real> Pairs<T> {
     }
 
     /// Makes the trial the lead: its displacement becomes that of the base, to which the caller adds what
-    /// the change of the pressure adds. Returns that displacement and the spare.
-    pub(super) fn lead(&mut self, iterate: &State<T>) -> (&mut [T], &mut [f32]) {
-        if self.base == Base::Iterate {
-            passes::copy(&iterate.displacement, &mut self.trial.displacement);
-        }
+    /// the change of the pressure adds. Returns the displacement of the base, unless it stands there already,
+    /// the place for that of the lead, and the spare.
+    pub(super) fn lead<'a>(
+        &'a mut self,
+        iterate: &'a State<T>,
+    ) -> (Option<&'a [T]>, &'a mut [T], &'a mut [f32]) {
+        let base = (self.base == Base::Iterate).then_some(&iterate.displacement[..]);
         self.base = Base::Lead;
-        (&mut self.trial.displacement, narrowed(&mut self.before.displacement))
+        (base, &mut self.trial.displacement, narrowed(&mut self.before.displacement))
     }
 
     /// Multiplies the pairs that the next step will use by the factor of the load: K is linear.

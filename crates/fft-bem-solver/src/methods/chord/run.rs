@@ -17,6 +17,7 @@ pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
     pub(crate) work: &'a mut Work<T>,
     pub(crate) operator: &'a mut dyn Compliance<T>,
     pub(crate) heights: &'a [T],
+    pub(super) mean_height: f64,
     pub(crate) iterate: &'a mut State<T>,
     /// Mean pressure.
     pub(crate) load: f64,
@@ -52,6 +53,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             work,
             operator,
             heights: &task.problem.heights,
+            mean_height: task.problem.mean_height,
             iterate,
             load,
             control,

@@ -51,11 +51,11 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// [`end_trial`](passes::end_trial) makes of it.
     ///
     /// The tension that is left is clipped, and the load that takes spread over the whole map. That is
-    /// an error of the softest wave, and must be small beside the present error, `residual`. The
+    /// an error of the softest wave, and must be small beside the present error, `residual`, at most 1. The
     /// softest wave of a slender map is as much softer than that of a square.
     pub(crate) fn sweep_trial(&mut self, set: ContactSet, residual: f64) {
         let (total, work) = (self.total(), &mut *self.work);
-        let negligible = sweep::NEGLIGIBLE * total * residual.min(1.0) / work.slenderness;
+        let negligible = sweep::NEGLIGIBLE * total * residual / work.slenderness;
         let (trial, smallest) = work.pairs.trial_and_spare();
         work.sweep.run(
             self.ceiling,

@@ -34,6 +34,9 @@ pub(crate) struct Work<T: Real> {
     pub(crate) sweep: Sweep,
     pub(crate) pairs: Pairs<T>,
     pub(super) partial: Vec<Partial>,
+    /// Whether the residual field holds `S E g` of a constant pressure on the surface at hand: the negative of
+    /// the pressure that flattens it.
+    pub(super) holds_flattening: bool,
     /// Once a first trial has been looked for.
     pub(super) cheap: Option<CheapCompliance>,
 }
@@ -59,6 +62,7 @@ impl<T: Real> Work<T> {
             pyramid,
             pairs: Pairs::new(n),
             partial: vec![Partial::default(); pieces],
+            holds_flattening: false,
             cheap: None,
         }
     }

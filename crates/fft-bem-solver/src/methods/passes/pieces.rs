@@ -3,6 +3,7 @@
 use crate::Real;
 use crate::methods::extension::Pyramid;
 use crate::row_work::{Partial, TASK, total};
+use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
 /// Rows of the finest grid that one task handles: whole rows of cells of the first level.
@@ -30,12 +31,14 @@ pub(crate) fn sums<T: Real>(
     total(partial)
 }
 
-/// A field less a constant, in single precision.
-pub(crate) fn narrow<T: Real>(field: &[T], constant: f64, out: &mut [f32]) {
-    out.par_chunks_mut(TASK).zip(field.par_chunks(TASK)).for_each(|(out, field)| {
-        for (x, f) in out.iter_mut().zip(field) {
-            *x = (f.wide() - constant) as f32;
-        }
+/// The gap under a constant pressure, whose displacement is zero.
+pub(crate) fn gap_of_constant<T: Real>(heights: &[T], mean: f64, gap: &mut [f32]) {
+    gap.par_chunks_mut(TASK).zip(heights.par_chunks(TASK)).for_each(|(gap, heights)| {
+        vectorised!({
+            for (g, h) in gap.iter_mut().zip(heights) {
+                *g = (mean - h.wide()) as f32;
+            }
+        });
     });
 }
 

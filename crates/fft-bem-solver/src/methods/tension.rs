@@ -1,0 +1,353 @@
+//! Nodes in tension, cell by cell: which of them are dropped, and what they hand up.
+//!
+//! Most blocks of cells hold none. Where there are few they are dealt with one cell at a time; where there are many, as in
+//! a first trial, a block at a time, in vectors.
+
+use super::ceiling::Ceiling;
+use super::extension::Capacity;
+use super::node::Node;
+use super::transfer::Transfer;
+use crate::Real;
+use crate::simd::LANES;
+
+/// Cells or nodes that are looked at in one go. Most blocks hold nothing to do.
+const BLOCK: usize = 32;
+/// Cells in tension from which on a block is dealt with as a whole.
+const MANY: u8 = 4;
+
+/// What is added to the nodes below the cells of a row.
+#[derive(Clone, Copy)]
+pub(crate) enum Added<'a> {
+    /// The same to all.
+    Same(f32),
+    /// So much to those below each cell.
+    Cells(&'a [f32]),
+}
+
+impl Added<'_> {
+    /// To the nodes below cell `c`.
+    #[inline(always)]
+    fn at(self, c: usize) -> f32 {
+        match self {
+            Self::Same(a) => a,
+            Self::Cells(a) => a[c],
+        }
+    }
+
+    /// Of a block of cells, from `first` on, 1 for those below which a pressure is negative.
+    #[inline(always)]
+    fn tension_flags(self, first: usize, smallest: &[f32], has_ceiling: bool) -> [u8; BLOCK] {
+        // Towards the ceiling the same addition takes the other sign: one of the two bounds is passed.
+        let worst = |a: f32| if has_ceiling { -a.abs() } else { a };
+        let mut flags = [0; BLOCK];
+        let both = flags.iter_mut().zip(smallest);
+        match self {
+            Self::Same(a) => both.for_each(|(flag, s)| *flag = u8::from(s + worst(a) < 0.0)),
+            Self::Cells(a) => {
+                let all = both.zip(&a[first..]);
+                all.for_each(|((flag, s), a)| *flag = u8::from(s + worst(*a) < 0.0));
+            }
+        }
+        flags
+    }
+}
+
+/// The load that the nodes below some rows of cells hand to these rows and the one before and after.
+pub(super) struct Handed<'a> {
+    pub(super) t: &'a Transfer,
+    pub(super) value: &'a mut [f32],
+    pub(super) beyond: &'a mut [f32],
+}
+
+impl Handed<'_> {
+    /// Before the first node hands anything, everything is zero.
+    #[inline(always)]
+    fn begin_with(&mut self, nodes_before: usize) {
+        if nodes_before == 0 {
+            self.value.fill(0.0);
+            self.beyond.fill(0.0);
+        }
+    }
+
+    /// Adds the loads of the nodes below cell `(r, c)` with the transpose of the interpolation.
+    #[inline(always)]
+    fn add(&mut self, r: usize, c: usize, [upper, lower]: [[f32; 2]; 2]) {
+        let mx = self.t.coarse[1];
+        if !self.t.halved[0] {
+            return self.t.add_columns_transposed(c, upper, &mut self.value[r * mx..][..mx]);
+        }
+        let last = self.value.len() / mx - 1;
+        let (before, after) = self.beyond.split_at_mut(mx);
+        let above = if r == 0 { before } else { &mut self.value[(r - 1) * mx..][..mx] };
+        self.t.add_columns_transposed(c, upper.map(|x| 0.25 * x), above);
+        let below = if r == last { after } else { &mut self.value[(r + 1) * mx..][..mx] };
+        self.t.add_columns_transposed(c, lower.map(|x| 0.25 * x), below);
+        let both = [upper[0] + lower[0], upper[1] + lower[1]].map(|x| 0.75 * x);
+        self.t.add_columns_transposed(c, both, &mut self.value[r * mx..][..mx]);
+    }
+
+    /// The same for a block of cells from `c` on, along both axes.
+    #[inline(always)]
+    fn add_block(&mut self, r: usize, c: usize, loads: &[[f32; 2 * BLOCK]; 2]) {
+        let mx = self.t.coarse[1];
+        let last = self.value.len() / mx - 1;
+        let (before, after) = self.beyond.split_at_mut(mx);
+        let above = if r == 0 { before } else { &mut self.value[(r - 1) * mx..][..mx] };
+        add_columns(0.25, c, &loads[0], above);
+        let below = if r == last { after } else { &mut self.value[(r + 1) * mx..][..mx] };
+        add_columns(0.25, c, &loads[1], below);
+        let mut both = loads[0];
+        both.iter_mut().zip(&loads[1]).for_each(|(sum, lower)| *sum += lower);
+        add_columns(0.75, c, &both, &mut self.value[r * mx..][..mx]);
+    }
+}
+
+/// Adds to a coarse row `factor` times what its cells from `c` on gather from the fine columns below: as
+/// [`Transfer::add_columns_transposed`], of halved columns.
+#[inline(always)]
+fn add_columns(factor: f32, c: usize, fine: &[f32; 2 * BLOCK], row: &mut [f32]) {
+    let left = if c == 0 { row.len() - 1 } else { c - 1 };
+    let right = if c + BLOCK == row.len() { 0 } else { c + BLOCK };
+    let (side, own) = (0.25 * factor, 0.75 * factor);
+    let mut line = [0.0; BLOCK + 2];
+    let pairs = fine.as_chunks::<2>().0;
+    for (x, pair) in line.iter_mut().zip(pairs) {
+        *x = side * pair[0];
+    }
+    for (x, pair) in line[1..].iter_mut().zip(pairs) {
+        *x += own * (pair[0] + pair[1]);
+    }
+    for (x, pair) in line[2..].iter_mut().zip(pairs) {
+        *x += side * pair[1];
+    }
+    row[left] += line[0];
+    for (x, more) in row[c..c + BLOCK].iter_mut().zip(&line[1..]) {
+        *x += more;
+    }
+    row[right] += line[BLOCK + 1];
+}
+
+/// Which nodes are dropped: those in tension, and those above the ceiling if it counts by now.
+#[derive(Clone, Copy)]
+pub(super) struct Bounds<C> {
+    pub(super) ceiling: C,
+    pub(super) fills: bool,
+}
+
+/// What becomes of the nodes below a cell.
+struct Cell {
+    /// What the dropped ones would carry beyond their bound, signed and not.
+    loads: [[f32; 2]; 2],
+    excess: f64,
+    dropped: usize,
+    /// Smallest trial pressure of those that stay, and their number.
+    smallest: f32,
+    filled: f32,
+}
+
+impl Cell {
+    /// Drops the nodes that are beyond a bound with `added`. The cell is one of those above these fields.
+    #[inline(always)]
+    fn drop_beyond<T: Real, C: Ceiling<T>>(
+        bounds: Bounds<C>,
+        t: &Transfer,
+        [r, c]: [usize; 2],
+        added: f32,
+        trial: &[T],
+        field: &mut [Node],
+    ) -> Self {
+        let nx = t.fine[1];
+        let (rows, columns) = (t.rows_per_coarse_row(), if t.halved[1] { 2 } else { 1 });
+        let first = r * rows * nx + c * columns;
+        let has_right = columns == 2 && c * columns + 1 < nx;
+        let has_lower = rows == 2 && first + nx < field.len();
+        let (right, lower) = (usize::from(has_right), if has_lower { nx } else { 0 });
+        let places = [first, first + right, first + lower, first + lower + right];
+        let exists = [true, has_right, has_lower, has_lower & has_right];
+
+        let q = places.map(|place| trial[place]);
+        let p = q.map(|q| q.wide() + f64::from(added));
+        let (mut on, mut drops, mut load, mut rest) = ([false; 4], [false; 4], [0.0; 4], [0.0; 4]);
+        for k in 0..4 {
+            on[k] = exists[k] & (field[places[k]].is_in());
+            drops[k] = on[k] & (p[k] < 0.0);
+            load[k] = if drops[k] { p[k] } else { 0.0 };
+            rest[k] = if on[k] & !drops[k] { q[k].narrow() } else { f32::INFINITY };
+        }
+        for (place, drops) in places.iter().zip(drops) {
+            field[*place] = field[*place].or(Node::Dropped, drops);
+        }
+        if C::IS_FINITE {
+            for k in 0..4 {
+                let top = bounds.ceiling.at(places[k]);
+                let fills = on[k] & bounds.fills & (p[k] > top.wide());
+                field[places[k]] = field[places[k]].or(Node::Full, fills);
+                load[k] += if fills { p[k] - top.wide() } else { 0.0 };
+                drops[k] |= fills;
+                let nearer = q[k].narrow().min((top - q[k]).narrow());
+                rest[k] = if on[k] & !drops[k] { nearer } else { f32::INFINITY };
+            }
+        }
+        let count = |flags: [bool; 4]| flags.iter().map(|f| usize::from(*f)).sum::<usize>();
+        let least = |x: f32, y: f32| if x < y { x } else { y };
+        let (all, dropped) = (count(on), count(drops));
+        let [a, b, c, d] = load.map(|load| load as f32);
+        Self {
+            loads: [[a, b], [c, d]],
+            excess: load.iter().map(|load| load.abs()).sum(),
+            dropped,
+            smallest: least(least(rest[0], rest[1]), least(rest[2], rest[3])),
+            filled: (all - dropped) as f32,
+        }
+    }
+}
+
+/// What becomes of the nodes below a block of cells, all of them at once.
+struct Block {
+    /// As of a [`Cell`], by rows of nodes.
+    loads: [[f32; 2 * BLOCK]; 2],
+    excess: f64,
+    dropped: usize,
+    smallest: [f32; BLOCK],
+    filled: [f32; BLOCK],
+}
+
+impl Block {
+    /// Drops the nodes in tension with `added` to the nodes below each cell. There are two rows of
+    /// nodes, and no ceiling.
+    #[inline(always)]
+    fn drop_in_tension<T: Real>(
+        added: &[f32; BLOCK],
+        trial: [&[T]; 2],
+        nodes: [&mut [Node]; 2],
+    ) -> Self {
+        let mut more = [0.0; 2 * BLOCK];
+        for (more, a) in more.as_chunks_mut::<2>().0.iter_mut().zip(added) {
+            *more = [*a; 2];
+        }
+        let mut loads = [[0.0; 2 * BLOCK]; 2];
+        let (mut rest, mut kept) = ([f32::INFINITY; 2 * BLOCK], [0.0; 2 * BLOCK]);
+        let mut dropped = 0_u32;
+        for ((trial, nodes), load) in trial.into_iter().zip(nodes).zip(&mut loads) {
+            for i in 0..2 * BLOCK {
+                let p = trial[i].wide() + f64::from(more[i]);
+                let is_in = nodes[i].is_in();
+                let (drops, stays) = (is_in & (p < 0.0), is_in & (p >= 0.0));
+                load[i] = if drops { p as f32 } else { 0.0 };
+                let here = if stays { trial[i].narrow() } else { f32::INFINITY };
+                rest[i] = if here < rest[i] { here } else { rest[i] };
+                kept[i] += f32::from(u8::from(stays));
+                nodes[i] = nodes[i].or(Node::Dropped, drops);
+                dropped += u32::from(drops);
+            }
+        }
+        let (mut smallest, mut filled) = ([0.0; BLOCK], [0.0; BLOCK]);
+        let pairs = rest.as_chunks::<2>().0.iter().zip(kept.as_chunks::<2>().0);
+        for ((s, f), (rest, kept)) in smallest.iter_mut().zip(&mut filled).zip(pairs) {
+            *s = if rest[1] < rest[0] { rest[1] } else { rest[0] };
+            *f = kept[0] + kept[1];
+        }
+        let mut lanes = [0.0; LANES];
+        for four in loads.as_flattened().as_chunks::<LANES>().0 {
+            for (sum, load) in lanes.iter_mut().zip(four) {
+                *sum -= f64::from(*load);
+            }
+        }
+        let excess = lanes.iter().sum();
+        Self { loads, excess, dropped: dropped as usize, smallest, filled }
+    }
+}
+
+/// Some rows of cells, with the rows of nodes below them.
+pub(super) struct Rows<'a, T, C> {
+    pub(super) bounds: Bounds<C>,
+    pub(super) capacity: Capacity,
+    pub(super) trial: &'a [T],
+    pub(super) nodes: &'a mut [Node],
+    pub(super) weight: &'a mut [f32],
+    pub(super) handed: Handed<'a>,
+    /// What was handed up so far, and of how many nodes.
+    pub(super) found: (f64, usize),
+}
+
+impl<T: Real, C: Ceiling<T>> Rows<'_, T, C> {
+    /// Takes the nodes below row `r` of the cells that are beyond a bound out of the contact, lowers the
+    /// weights and hands up what they would carry beyond it.
+    #[inline(always)]
+    pub(super) fn drop_beyond(&mut self, r: usize, added: Added<'_>, smallest: &mut [f32]) {
+        for (k, block) in smallest.chunks_mut(BLOCK).enumerate() {
+            let first = k * BLOCK;
+            let flags = added.tension_flags(first, block, C::IS_FINITE);
+            let count: u8 = flags.iter().sum();
+            if count >= MANY && self.has_whole(r, first, block.len()) {
+                self.drop_block(r, first, added, block);
+                continue;
+            }
+            for_each_set(&flags, |c| self.drop_cell([r, first + c], added, &mut block[c]));
+        }
+    }
+
+    /// Whether the block of cells from `first` on is one that [`Block`] can handle.
+    #[inline(always)]
+    fn has_whole(&self, r: usize, first: usize, cells: usize) -> bool {
+        let (t, end) = (self.handed.t, 2 * (first + BLOCK));
+        !C::IS_FINITE
+            && t.halved == [true, true]
+            && cells == BLOCK
+            && end <= t.fine[1]
+            && (2 * r + 1) * t.fine[1] + end <= self.nodes.len()
+    }
+
+    #[inline(always)]
+    fn drop_block(&mut self, r: usize, first: usize, added: Added<'_>, smallest: &mut [f32]) {
+        let t = self.handed.t;
+        let mut more = [0.0; BLOCK];
+        more.iter_mut().enumerate().for_each(|(c, more)| *more = added.at(first + c));
+        let upper = 2 * r * t.fine[1] + 2 * first;
+        let lower = upper + t.fine[1];
+        let trial = [upper, lower].map(|i| &self.trial[i..][..2 * BLOCK]);
+        let (above, below) = self.nodes.split_at_mut(lower);
+        let nodes = [&mut above[upper..][..2 * BLOCK], &mut below[..2 * BLOCK]];
+        let block = Block::drop_in_tension(&more, trial, nodes);
+        if block.dropped > 0 {
+            self.handed.begin_with(self.found.1);
+            self.handed.add_block(r, first, &block.loads);
+        }
+        self.found.0 += block.excess;
+        self.found.1 += block.dropped;
+        smallest.copy_from_slice(&block.smallest);
+        let weight = &mut self.weight[r * t.coarse[1] + first..][..BLOCK];
+        for (w, filled) in weight.iter_mut().zip(block.filled) {
+            *w = self.capacity.of(filled * t.node_share());
+        }
+    }
+
+    #[inline(always)]
+    fn drop_cell(&mut self, [r, c]: [usize; 2], added: Added<'_>, smallest: &mut f32) {
+        let t = self.handed.t;
+        let cell = Cell::drop_beyond(self.bounds, t, [r, c], added.at(c), self.trial, self.nodes);
+        if cell.dropped > 0 {
+            self.handed.begin_with(self.found.1);
+            self.handed.add(r, c, cell.loads);
+        }
+        self.found.0 += cell.excess;
+        self.found.1 += cell.dropped;
+        *smallest = cell.smallest;
+        self.weight[r * t.coarse[1] + c] = self.capacity.of(cell.filled * t.node_share());
+    }
+}
+
+/// Calls `found` with the place of every flag that is 1 and not 0. Most blocks have none.
+#[inline(always)]
+fn for_each_set(flags: &[u8; BLOCK], mut found: impl FnMut(usize)) {
+    if *flags == [0; BLOCK] {
+        return;
+    }
+    for (k, flags) in flags.as_chunks::<8>().0.iter().enumerate() {
+        let mut bits = u64::from_le_bytes(*flags);
+        while bits != 0 {
+            found(8 * k + bits.trailing_zeros() as usize / 8);
+            bits &= bits - 1;
+        }
+    }
+}
