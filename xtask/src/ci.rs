@@ -11,7 +11,7 @@ enum Also {
     Nothing,
     /// Tests that take minutes.
     Slow,
-    /// What needs more than the Rust toolchain: Python and the package index.
+    /// What needs more than the Rust toolchain: Python and the package index; Chromium and Node.
     All,
 }
 
@@ -29,6 +29,7 @@ fn run_all(also: Also) -> TaskResult {
     ];
     if also == Also::All {
         steps.push(Command::new(shell::root().join(".ci/python")));
+        steps.push(Command::new(shell::root().join(".ci/web")));
     }
     if also == Also::Slow {
         steps.push(check("extremes"));

@@ -53,6 +53,20 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         ],
         120,
     ),
+    // The page in a browser: the engine and what it shows.
+    (
+        "contact-web",
+        6,
+        &[
+            "contact-answers",
+            "contact-types",
+            "surface-io",
+            "surface-stats",
+            "contact-compare",
+            "contact-report",
+        ],
+        120,
+    ),
     (
         "rough-contact",
         6,

@@ -26,6 +26,7 @@ mod survey;
 mod tidy;
 mod tradeoff;
 mod validate;
+mod web;
 
 use std::process::ExitCode;
 
@@ -65,6 +66,7 @@ Usage: cargo xtask <task> [options]
   tidy                      layers, circles of files, citations, pages, file lengths,
                             dependency counts
   features                  every crate builds without and with each of its features
+  web                       the page that computes in a browser, one file: target/web/rough-contact.html
   strangers                 every published crate can be packaged, and its front-page example
                             compiles with that crate alone
   ci [--slow]               everything a change must pass, as the CI runs it
@@ -98,6 +100,7 @@ fn main() -> ExitCode {
         "kappa" => kappa::run(rest),
         "tradeoff" => tradeoff::run(rest),
         "tidy" => tidy::run(rest),
+        "web" => web::run(rest),
         "ci" => ci::run(rest),
         "help" | "--help" | "-h" => {
             println!("{USAGE}");

@@ -4,6 +4,7 @@ pub mod adhesion;
 pub mod bodies;
 mod complete;
 mod conduction;
+mod documents;
 mod failure;
 mod finer;
 mod hardness;
@@ -26,6 +27,7 @@ mod work;
 
 pub use complete::{Complete, Incomplete, clean, complete};
 pub use conduction::{Conducted, Conduction};
+pub use documents::{DOCUMENTS, documents};
 pub use failure::{Failure, variant};
 pub use finer::Refined;
 pub use hardness::doubt as hardness_doubt;

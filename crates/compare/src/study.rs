@@ -305,7 +305,7 @@ fn refused_plan(error: PlanError, name: &str) -> StudyError {
 }
 
 /// The pressures of a study on one surface, rising and distinct.
-pub(crate) fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) -> Vec<f64> {
+pub fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) -> Vec<f64> {
     let mut loads = settings.pressures.clone().unwrap_or_else(|| {
         let gradient = gradient_of_loads(rms_gradient, modulus, settings.hardness);
         default_pressures(modulus.pascals(), gradient)

@@ -6,11 +6,11 @@ use crate::SolverError;
 /// threads that rayon shares between all its users are never started: where they were, a forked child
 /// that asks for them waits for ever.
 pub(crate) struct Pool {
-    #[cfg(feature = "parallel")]
+    #[cfg(all(feature = "parallel", not(target_family = "wasm")))]
     own: std::sync::OnceLock<rayon::ThreadPool>,
 }
 
-#[cfg(feature = "parallel")]
+#[cfg(all(feature = "parallel", not(target_family = "wasm")))]
 impl Pool {
     /// So many threads. Without a number those of the pool that the caller is in; outside of any, as many
     /// as the machine runs at the same time.
@@ -43,9 +43,9 @@ impl Pool {
     }
 }
 
-#[cfg(not(feature = "parallel"))]
+#[cfg(any(not(feature = "parallel"), target_family = "wasm"))]
 impl Pool {
-    /// The thread of the caller.
+    /// The thread of the caller: WebAssembly has no other.
     pub(crate) fn new(_threads: Option<usize>) -> Result<Self, SolverError> {
         Ok(Self {})
     }

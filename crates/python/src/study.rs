@@ -10,7 +10,7 @@ use compare::{
 };
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
-use report::{Provenance, ReportError};
+use report::Provenance;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -217,24 +217,8 @@ fn run(
         }
     }
     let made = Provenance::here("rough-contact compare --from run.toml --out again");
-    let mut files = Files::new();
-    let mut add = |name: &str, content: Vec<u8>| {
-        files.insert(name.to_owned(), String::from_utf8_lossy(&content).into_owned());
-    };
-    let unwritten = |e: &dyn std::fmt::Display| Failure::refused("internal", e.to_string());
-    let document = |write: &dyn Fn(&mut Vec<u8>) -> Result<(), ReportError>| {
-        let mut out = Vec::new();
-        write(&mut out).map(|()| out).map_err(|e| unwritten(&e))
-    };
-    let drawing = |write: &dyn Fn(&mut Vec<u8>) -> std::io::Result<()>| {
-        let mut out = Vec::new();
-        write(&mut out).map(|()| out).map_err(|e| unwritten(&e))
-    };
-    add("results.json", document(&|out| report::write_json(&found, &made, out))?);
-    add("report.html", document(&|out| report::write_html(&found, &made, out))?);
-    add("curves.csv", drawing(&|out| report::write_csv(&found, out))?);
-    add("area.svg", drawing(&|out| report::write_area_svg(&found, out))?);
-    add("pressure.svg", drawing(&|out| report::write_pressure_svg(&found, out))?);
-    add("run.toml", run_file.to_toml().map_err(|e| unwritten(&e))?.into_bytes());
+    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
+    let documents = answers::documents(&found, &made, &run_file)?;
+    let files = documents.into_iter().map(|(name, bytes)| (name.to_owned(), text(bytes))).collect();
     Ok((files, answers::not_met(&found)))
 }

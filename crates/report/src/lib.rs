@@ -32,6 +32,7 @@ pub use budget_json::keys as budget_keys;
 pub use csv::{write as write_csv, write_spots as write_spots_csv};
 pub use digest::digest;
 pub use error::ReportError;
+pub use figures::maps::{heights as height_map, thumbnail};
 pub use figures::panels::{write_area_svg, write_pressure_svg};
 pub use figures::profiles::{
     write_area_svg as write_profile_area_svg, write_trace_svg as write_profile_trace_svg,
@@ -41,7 +42,7 @@ pub use json::{
     findings as findings_json, statistics as statistics_json, surface as surface_json,
     write as write_json,
 };
-pub use page::html::write as write_html;
+pub use page::html::{style, write as write_html};
 pub use page::profile::write as write_profile_html;
 pub use page::profile_tables::setting_words;
 pub use page::summary::{Summary, write as write_summary_html};

@@ -28,10 +28,6 @@ use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-/// What the folder receives.
-const OUTPUTS: [&str; 6] =
-    ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg", "run.toml"];
-
 /// Most files that have a section each; the pictures of more make a page of many megabytes.
 const MOST_SECTIONS: usize = 10;
 
@@ -139,7 +135,7 @@ impl Compare {
                 );
             }
         };
-        let names = OUTPUTS.map(str::to_owned);
+        let names = answers::DOCUMENTS.map(str::to_owned);
         let folder = Folder::prepare(&self.out, &names, common.force)?;
         let listed = surfaces.iter().map(|s| (s.name.clone(), s.origin.clone()));
         let run_file = run_file(&settings, listed);
@@ -341,19 +337,10 @@ fn write(
     provenance: &Provenance,
     run_file: &RunFile,
 ) -> Result<(), Failure> {
-    let io = |e: report::ReportError| match e {
-        report::ReportError::Io(e) => e,
-        other => std::io::Error::other(other),
-    };
-    folder
-        .write("report.html", |out| report::write_html(comparison, provenance, out).map_err(io))?;
-    folder
-        .write("results.json", |out| report::write_json(comparison, provenance, out).map_err(io))?;
-    folder.write("curves.csv", |out| report::write_csv(comparison, out))?;
-    folder.write("area.svg", |out| report::write_area_svg(comparison, out))?;
-    folder.write("pressure.svg", |out| report::write_pressure_svg(comparison, out))?;
-    let text = run_file.to_toml().map_err(|e| Failure::incomplete("output", e.to_string()))?;
-    folder.write("run.toml", |out| out.write_all(text.as_bytes()))
+    for (name, bytes) in answers::documents(comparison, provenance, run_file)? {
+        folder.write(name, |out| out.write_all(&bytes))?;
+    }
+    Ok(())
 }
 
 /// A short table per surface, and where the report is.

@@ -143,11 +143,18 @@ fn map_size([height, width]: [f64; 2]) -> [f64; 2] {
     [(width * scale).max(8.0), (height * scale).max(8.0)]
 }
 
-/// Heights of the whole map.
+/// A map as a picture of at most `limit` pixels along its longer side: heights by colour, lit from the upper left.
+pub fn thumbnail(heights: &[f64], grid: Grid, limit: usize) -> Picture {
+    let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
+    let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
+    height_picture(&small, shape).0
+}
+
+/// Heights (m) of the whole map, with a bar of colours and one of length.
 ///
 /// # Errors
 /// If the picture cannot be encoded.
-pub(crate) fn heights(
+pub fn heights(
     heights: &[f64],
     grid: Grid,
     limit: usize,

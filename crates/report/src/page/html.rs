@@ -69,13 +69,18 @@ pub(crate) fn document(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
          <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\
-         <meta name=\"color-scheme\" content=\"light dark\"><title>{}</title>\n<style>\n{}{STYLE}</style>\
+         <meta name=\"color-scheme\" content=\"light dark\"><title>{}</title>\n<style>\n{}</style>\
          </head>\n<body><main{}>\n{body}</main>\n{script}</body></html>\n",
         escape(title),
-        palette_css(),
+        style(),
         if several { " class=\"several\"" } else { "" }
     )?;
     Ok(())
+}
+
+/// The style sheet of every page: colours, light and dark, and type.
+pub fn style() -> String {
+    format!("{}{STYLE}", palette_css())
 }
 
 fn title(comparison: &Comparison) -> String {

@@ -1,0 +1,158 @@
+// From a file to a map: reading, units that it does not say, what the program doubts.
+'use strict';
+
+function take(file) {
+  if (!file) return;
+  if (engine.running) {
+    now.waiting = file;
+    $('asking-text').textContent = `Stop this and read ${shownName(file.name)}?`;
+    $('asking').hidden = false;
+    $('asking-yes').focus();
+    return;
+  }
+  Object.assign(now, { file, example: null, reading: {}, remedies: {}, plan: null, read: null, answer: null });
+  look();
+}
+
+// Reads the file with what is said and ticked so far.
+async function look() {
+  now.last = look;
+  const text = `Reading ${shownName(now.file.name)}, ${megabytes(now.file.size)}`;
+  const patience = setTimeout(() => {
+    $('reading-text').textContent = text;
+    $('reading').hidden = false;
+  }, 300);
+  $('doubts').classList.add('wait');
+  const answer = now.file.size > MOST_BYTES ? tooBig(now.file.size) : await engine.ask('inspect', request(), now.file);
+  clearTimeout(patience);
+  $('reading').hidden = true;
+  $('doubts').classList.remove('wait');
+  if (!answer) return;
+  if (answer.kind !== 'done') { now.read = null; fail(answer); return; }
+  if (answer.state === 'ask') showAsk(answer); else showRead(answer);
+}
+
+const MOST_BYTES = 512 * 1024 * 1024;
+function tooBig(size) {
+  return {
+    kind: 'error', heading: 'This file asks for more than a browser can give.',
+    text: `It has ${megabytes(size)}; here a file may have 512 MB. It was not read.`,
+    ways: ['The command rough-contact uses all memory of this machine and has no such limit.'],
+    detail: `limit: ${size} bytes`,
+  };
+}
+
+function megabytes(bytes) {
+  return bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toPrecision(3)} MB`;
+}
+
+function showRead(answer) {
+  const first = now.read === null;
+  now.read = answer;
+  now.plan = answer.plan;
+  $('read-file').textContent = answer.about;
+  headed($('h-read'), answer.heading);
+  showPictures(answer.pictures);
+  const rows = answer.facts.flatMap(([term, text]) => [part('dt', {}, term), part('dd', {}, text)]);
+  if (answer.channels.length > 1) {
+    const choice = part('select', { id: 'channel', onchange: e => { now.reading = { ...now.reading, channel: e.target.value }; look(); } },
+      ...answer.channels.map(c => part('option', { value: c.name, selected: c.chosen, disabled: !c.readable }, c.label)));
+    rows.push(part('dt', {}, part('label', { for: 'channel' }, 'Channel')), part('dd', {}, choice));
+  }
+  $('facts').replaceChildren(...rows);
+  $('numbers').replaceChildren(...answer.numbers.map(([name, value]) =>
+    part('tr', {}, part('th', { scope: 'row' }, name), part('td', { className: 'n' }, value))));
+  showDoubts(answer.doubts);
+  $('findings').replaceChildren(...answer.findings.map(finding => part('li', {}, tag(finding.weight), part('b', {}, finding.claim), ' ' + finding.text)));
+  $('h-read').dataset.ready = String((Number($('h-read').dataset.ready) || 0) + 1);
+  plan();
+  if (first) go('read');
+}
+
+function tag(weight) {
+  const words = { check: 'Check', note: 'Note', passed: 'Passed' };
+  return part('span', { className: 'tag ' + weight }, words[weight]);
+}
+
+// The pictures are drawn by the engine, from numbers alone.
+function showPictures(pictures) {
+  const wanted = now.picture ?? 1;
+  const choose = i => {
+    now.picture = i;
+    $('picture').innerHTML = pictures[i].svg;
+  };
+  $('pictures').replaceChildren($('pictures').querySelector('legend'), ...pictures.map((p, i) => part('label', {},
+    part('input', { type: 'radio', name: 'pic', checked: i === wanted, onchange: () => choose(i) }), p.name)));
+  choose(wanted);
+}
+
+function showDoubts(doubts) {
+  $('doubts-lead').textContent = doubts.length
+    ? 'Each remedy shows what it changes. Untick to keep the map as measured.' : 'Nothing that has a remedy.';
+  $('doubts').hidden = doubts.length === 0;
+  // A table that is read anew keeps the focus on the box that was ticked.
+  const focused = document.activeElement && document.activeElement.dataset.key;
+  const lines = list => (list || []).flatMap((text, i) => i ? [part('br'), text] : [text]);
+  $('doubts').tBodies[0].replaceChildren(...doubts.map(doubt => part('tr', {},
+    part('th', { scope: 'row' }, tag(doubt.tag), part('b', {}, doubt.claim), doubt.text),
+    part('td', { className: 'fix' }, remedy(doubt)),
+    part('td', { className: 'n', 'data-l': 'Without' }, ...lines(doubt.numbers && doubt.numbers[0])),
+    part('td', { className: 'n', 'data-l': 'With it' }, ...lines(doubt.numbers && doubt.numbers[1])))));
+  if (focused) { const again = document.querySelector(`[data-key="${focused}"]`); if (again) again.focus(); }
+}
+
+function remedy(doubt) {
+  if (doubt.key === 'fill') {
+    const choices = [['harmonic', 'Fill smoothly'], ['nearest', 'Fill with the nearest']];
+    return part('select', { 'aria-label': 'Missing points', 'data-key': 'fill', onchange: e => { now.remedies.fill = e.target.value; look(); } },
+      ...choices.map(([value, text]) => part('option', { value, selected: value === doubt.fill }, text)));
+  }
+  return part('label', {}, part('input', {
+    type: 'checkbox', checked: doubt.ticked, 'data-key': doubt.key,
+    onchange: e => { now.remedies[doubt.key] = e.target.checked; look(); },
+  }), doubt.label);
+}
+
+function showAsk(answer) {
+  now.asked = answer;
+  $('ask-file').textContent = answer.about;
+  headed($('h-ask'), answer.heading);
+  ['pixel', 'lateral_unit', 'height_unit'].forEach(key => { $('row-' + key).hidden = !answer.needs.includes(key); });
+  go('ask');
+  meaning();
+}
+
+// What is filled in, as the engine takes it.
+function units() {
+  const said = {}, needs = now.asked.needs;
+  if (needs.includes('pixel')) said.pixel = $('dx').value.trim() + $('dxu').value;
+  if (needs.includes('lateral_unit')) said.lateral_unit = $('lu').value;
+  if (needs.includes('height_unit')) said.height_unit = $('hu').value;
+  return said;
+}
+
+async function meaning() {
+  if (!now.asked) return;
+  const empty = now.asked.needs.includes('pixel') && !$('dx').value.trim();
+  const answer = empty ? null : await engine.ask('meaning', { reading: units(), raw: now.asked.raw });
+  const fine = answer && answer.kind === 'done';
+  $('dx').setAttribute('aria-invalid', String(Boolean(answer) && !fine));
+  $('use-units').disabled = !fine;
+  $('a-size').textContent = fine ? answer.size : '…';
+  $('a-h').textContent = fine ? answer.heights : '…';
+  $('a-g').textContent = fine ? answer.gradient : '…';
+  $('a-say').replaceChildren(...(fine ? [part('span', { className: 'tag ' + answer.tag, style: 'position:static' }, answer.tag === 'check' ? 'Check' : 'Passed'), ' ' + answer.text]
+    : [answer ? answer.text : 'A distance of points is needed, such as 0.5 µm.']));
+}
+
+function wireSurface() {
+  $('choose').onclick = () => $('file').click();
+  $('file').onchange = e => { take(e.target.files[0]); e.target.value = ''; };
+  addEventListener('dragover', e => { e.preventDefault(); $('drop').classList.add('over'); });
+  addEventListener('dragleave', e => { if (!e.relatedTarget) $('drop').classList.remove('over'); });
+  addEventListener('drop', e => { e.preventDefault(); $('drop').classList.remove('over'); take(e.dataTransfer.files[0]); });
+  $('asking-yes').onclick = () => { $('asking').hidden = true; stopRunning(); take(now.waiting); };
+  $('asking-no').onclick = () => { $('asking').hidden = true; now.waiting = null; $('h-run').focus(); };
+  ['dx', 'dxu', 'lu', 'hu'].forEach(id => { $(id).oninput = meaning; });
+  $('use-units').onclick = () => { now.reading = { ...now.reading, ...units() }; now.read = null; look(); };
+}

@@ -1,0 +1,27 @@
+//! The questions that the page asks.
+
+use crate::message::Messages;
+use crate::request::Request;
+use crate::trouble::Trouble;
+use crate::{inspect, plan, run, start};
+use answers::Failure;
+
+/// Answers one question about the bytes of a file: `start`, `inspect`, `meaning`, `plan` or `run`. The request is JSON.
+/// What is refused is a message as well.
+pub fn answer(question: &str, request: &str, file: &[u8], out: &mut Messages<'_>) {
+    let answered = serde_json::from_str::<Request>(request)
+        .map_err(|e| Trouble::Refused(Failure::refused("internal", e.to_string())))
+        .and_then(|request| match question {
+            "start" => start::answer(out),
+            "inspect" => inspect::answer(&request, file, out),
+            "meaning" => inspect::meaning(&request, out),
+            "plan" => plan::answer(&request, out),
+            "run" => run::answer(&request, file, out),
+            other => {
+                Err(Failure::refused("internal", format!("there is no question {other:?}")).into())
+            }
+        });
+    if let Err(trouble) = answered {
+        trouble.tell(out);
+    }
+}

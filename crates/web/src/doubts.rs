@@ -1,0 +1,158 @@
+//! What the program doubts about a measurement: a finding, a remedy to tick, its number before and after.
+
+use crate::inspect::{Roughness, levelled};
+use crate::numbers::{count, length};
+use crate::request::{Remedies, Request};
+use crate::surface::completed;
+use crate::trouble::Trouble;
+use answers::{Failure, shown};
+use compare::{Fact, SPIKE_THRESHOLD, Spikes};
+use report::numbers::significant;
+use serde_json::{Value, json};
+use surface_io::Measurement;
+use surface_stats::clean::{OutlierRule, find_outliers, row_offsets};
+use surface_stats::{MOST_SEAM_JUMP, SurfaceStatistics, Warning, seam_jump};
+
+/// A tilt is worth a word from this many times the roughness on.
+const TILTED: f64 = 1.0;
+
+/// A dome is one if less than this share of the rms height is left without it.
+const DOMED: f64 = 0.5;
+
+/// A row of the table.
+struct Doubt {
+    tag: &'static str,
+    claim: String,
+    text: String,
+    key: &'static str,
+    label: &'static str,
+    /// With the other remedies as they are, without this one and with it.
+    numbers: Option<[Value; 2]>,
+}
+
+impl Doubt {
+    fn json(self, remedies: &Remedies) -> Value {
+        let ticked = match self.key {
+            "spikes" => remedies.spikes,
+            "plane" => remedies.plane,
+            "dome" => remedies.dome,
+            "rows" => remedies.rows,
+            "mirror" => remedies.mirror,
+            _ => false,
+        };
+        json!({
+            "tag": self.tag, "claim": self.claim, "text": self.text, "key": self.key, "label": self.label,
+            "ticked": ticked, "fill": (self.key == "fill").then_some(&remedies.fill),
+            "numbers": self.numbers,
+        })
+    }
+}
+
+/// Doubts with a remedy, worst first.
+pub(crate) fn of(measured: &Measurement, request: &Request) -> Result<Vec<Value>, Trouble> {
+    let stats = |e| Trouble::Refused(Failure::from_error(&e));
+    let (grid, heights) = (measured.grid(), measured.heights());
+    let mut doubts = Vec::new();
+    let mut add = |tag, claim: String, text: &str, key, label, numbers| {
+        doubts.push(Doubt { tag, claim, text: text.to_owned(), key, label, numbers });
+    };
+    let spikes =
+        find_outliers(grid, heights, OutlierRule::beyond(SPIKE_THRESHOLD)).map_err(stats)?;
+    if !spikes.indices.is_empty() {
+        let numbers = both(measured, request, |r, on| r.spikes = on)?;
+        let claim = match spikes.indices.len() {
+            1 => "1 spike.".to_owned(),
+            n => format!("{} spikes.", count(n)),
+        };
+        let text = format!(
+            "Points more than {} off their neighbours, the farthest {}. Optics make such points, machining does not.",
+            length(spikes.limit),
+            length(spikes.largest)
+        );
+        add("check", claim, &text, "spikes", "Remove and fill", Some(numbers));
+    }
+    let (flat, domed) = (rms(measured, request, true, false)?, rms(measured, request, true, true)?);
+    let tilted = rms(measured, request, false, false)?;
+    if tilted > (1.0 + TILTED) * flat {
+        let text = format!(
+            "The plane in it is {} times the roughness. How the part lay in the instrument is no roughness.",
+            significant((tilted * tilted - flat * flat).sqrt() / flat, 2)
+        );
+        let numbers = both(measured, request, |r, on| r.plane = on)?;
+        add("check", "Tilt.".to_owned(), &text, "plane", "Take the plane off", Some(numbers));
+    }
+    if request.remedies.dome || domed < DOMED * flat {
+        let numbers = both(measured, request, |r, on| r.dome = on)?;
+        let text = "A dome or a saddle is left under the roughness. If it is machined, keep it; if the part is held flat, \
+                    take it off.";
+        add("note", "Form.".to_owned(), text, "dome", "Take the dome off", Some(numbers));
+    }
+    if measured.missing() > 0 {
+        let share = shown::percent(measured.missing() as f64 / heights.len() as f64);
+        let claim = format!("{} points are missing ({share}).", count(measured.missing()));
+        let text = "Heights stand there that nobody measured: a smooth surface through the rims, or the nearest point.";
+        add("note", claim, text, "fill", "Fill", None);
+    }
+    let rows = row_offsets(grid, heights).map_err(stats)?;
+    if request.remedies.rows || rows.rows_jump() {
+        let numbers = both(measured, request, |r, on| r.rows = on)?;
+        let claim = format!("Scan lines: rows jump by {} rms.", length(rows.jump));
+        let text = "Slopes across them are those of the scan, not of the surface.";
+        add("check", claim, text, "rows", "Put the rows in line", Some(numbers));
+    }
+    let map = completed(measured.clone(), request)?.map;
+    let jump = seam_jump(&levelled(&map, request.remedies.level())?);
+    if request.remedies.mirror || jump > MOST_SEAM_JUMP {
+        let text = "Repeated as it is, the map has a step there, and the solution presses on it. Mirrored it has none.";
+        let claim =
+            format!("Edges do not match: they jump {} times the inner step.", significant(jump, 2));
+        let cost = [json!(["as many points"]), json!(["4 times the points and the time"])];
+        add("note", claim, text, "mirror", "Mirror the map", Some(cost));
+    }
+    doubts.sort_by_key(|d| d.tag != "check");
+    Ok(doubts.into_iter().map(|d| d.json(&request.remedies)).collect())
+}
+
+/// The roughness with the remedies as ticked but this one off, and with it on.
+fn both(
+    measured: &Measurement,
+    request: &Request,
+    set: impl Fn(&mut Remedies, bool),
+) -> Result<[Value; 2], Trouble> {
+    let one = |on| -> Result<Value, Trouble> {
+        let mut asked = request.clone();
+        set(&mut asked.remedies, on);
+        let found = roughness(measured, &asked)?;
+        Ok(json!([
+            format!("Sq {}", length(found.height)),
+            format!("Sdq {}", significant(found.gradient, 3))
+        ]))
+    };
+    Ok([one(false)?, one(true)?])
+}
+
+fn roughness(measured: &Measurement, request: &Request) -> Result<Roughness, Trouble> {
+    let map = completed(measured.clone(), request)?.map;
+    Roughness::of(&levelled(&map, request.remedies.level())?)
+}
+
+/// Rms height (m) with these two as given and the other remedies as ticked.
+fn rms(measured: &Measurement, request: &Request, plane: bool, dome: bool) -> Result<f64, Trouble> {
+    let mut asked = request.clone();
+    (asked.remedies.plane, asked.remedies.dome) = (plane, dome);
+    Ok(roughness(measured, &asked)?.height)
+}
+
+/// What the statistics of a map say, but for what has a remedy above.
+pub(crate) fn beyond(statistics: &SurfaceStatistics) -> Value {
+    let found: Vec<_> = compare::measured(statistics, &Spikes::default())
+        .into_iter()
+        .filter(|f| !has_remedy(&f.fact))
+        .collect();
+    report::findings_json(&found)
+}
+
+fn has_remedy(fact: &Fact) -> bool {
+    use Warning::{EdgeJump, RowsJump, Tilted};
+    matches!(fact, Fact::Warned(Tilted { .. } | RowsJump { .. } | EdgeJump { .. }))
+}

@@ -1,0 +1,314 @@
+//! What a file holds: the map as measured and with its remedies, the facts, what the program doubts; or what it does
+//! not say.
+
+use crate::doubts;
+use crate::message::Messages;
+use crate::numbers::{count, length};
+use crate::request::Request;
+use crate::surface::measurement;
+use crate::trouble::Trouble;
+use answers::units::Dimension;
+use answers::{Failure, shown};
+use compare::{Level, Surface};
+use contact_types::{Grid, HeightMap};
+use report::numbers::significant;
+use serde_json::{Value, json};
+use surface_io::{Fill, HeightUnit, Measurement, Need, ReadError};
+use surface_stats::{
+    DirectionalMoments, Edges, HeightStatistics, StatsError, StatsOptions, SurfaceStatistics,
+};
+
+/// Most pixels of a picture along its longer side.
+const PICTURE: usize = 640;
+
+/// Gradients between which a surface is usual.
+const USUAL_GRADIENTS: [f64; 2] = [1e-4, 2.0];
+
+pub(crate) fn answer(
+    request: &Request,
+    file: &[u8],
+    out: &mut Messages<'_>,
+) -> Result<(), Trouble> {
+    if request.example.is_some() {
+        let surface = crate::surface::of(request, file)?;
+        let statistics = statistics(&surface, request.remedies.level())?;
+        let picture = picture(&levelled(&surface.heights, request.remedies.level())?, "made")?;
+        out.tell(
+            "done",
+            json!({ "state": "made", "plan": known(&statistics, &surface.heights), "svg": picture }),
+        );
+        return Ok(());
+    }
+    let measured = match measurement(request, file) {
+        Err(Trouble::Unread(ReadError::MissingScale { .. })) => {
+            out.tell("done", ask(request, file)?);
+            return Ok(());
+        }
+        other => other?,
+    };
+    out.tell("done", read(request, file, measured)?);
+    Ok(())
+}
+
+/// The state `read`.
+fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, Trouble> {
+    let facts = facts(&measured);
+    let channels: Vec<Value> = measured
+        .channels()
+        .iter()
+        .map(|c| {
+            let label = match (&c.unit, &c.fault) {
+                (_, Some(fault)) => format!("{}: {fault}", c.name),
+                (Some(unit), None) => format!("{} ({unit})", c.name),
+                (None, None) => c.name.clone(),
+            };
+            json!({
+                "name": c.name, "label": label, "chosen": c.name == measured.channel(),
+                "readable": c.is_height && c.fault.is_none() && c.shape[0] > 1,
+            })
+        })
+        .collect();
+    let about = format!("{} · {} · {}", request.name, measured.format().name(), bytes(file.len()));
+    let ambiguity = measured.ambiguity().map(|a| a.to_string());
+    let [ly, lx] = measured.grid().size();
+    // As measured: holes filled by their neighbours, so that there is something to see.
+    let raw = measured.clone().fill(Fill::Nearest).map_err(|e| Trouble::Incomplete(e.into()))?;
+    let before = picture(&raw, "before")?;
+    let doubts = doubts::of(&measured, request)?;
+    let surface = crate::surface::of_measurement(request, file, measured)?;
+    let statistics = statistics(&surface, request.remedies.level())?;
+    let map = surface.heights;
+    let after = picture(&levelled(&map, request.remedies.level())?, "after")?;
+    let found = doubts::beyond(&statistics);
+    let checks = doubts.iter().filter(|d| d["tag"] == "check").count();
+    let claim = match checks {
+        0 => "Nothing has to be cleaned.".to_owned(),
+        1 => "One thing should be cleaned first.".to_owned(),
+        2 => "Two things should be cleaned first.".to_owned(),
+        3 => "Three things should be cleaned first.".to_owned(),
+        n => format!("{n} things should be cleaned first."),
+    };
+    Ok(json!({
+        "state": "read", "about": about,
+        "heading": [
+            ["A height map of ", false], [format!("{} × {}", length(lx), length(ly)), true], [". ", false],
+            [claim, checks > 0],
+        ],
+        "facts": facts, "channels": channels, "ambiguity": ambiguity,
+        "pictures": [
+            { "name": "As measured", "svg": before },
+            { "name": "With the ticked remedies", "svg": after },
+        ],
+        "numbers": [
+            ["rms height Sq", length(statistics.rms_height)],
+            ["rms gradient Sdq", significant(statistics.rms_gradient, 3)],
+        ],
+        "doubts": doubts, "findings": found,
+        "plan": known(&statistics, &map),
+    }))
+}
+
+/// The statistics that the study will find.
+fn statistics(surface: &Surface, level: Level) -> Result<SurfaceStatistics, Trouble> {
+    let origin = &surface.origin;
+    let options = StatsOptions::default()
+        .with_level(level)
+        .with_edges(origin.edges())
+        .with_missing(origin.missing())
+        .with_height_step(origin.height_step());
+    SurfaceStatistics::of(&surface.heights, &options).map_err(|e| Failure::from_error(&e).into())
+}
+
+/// What a plan has to know.
+fn known(statistics: &SurfaceStatistics, map: &HeightMap) -> Value {
+    json!({
+        "gradient": statistics.moments().rms_gradient(), "points": map.grid().len() as f64,
+        "area": map.grid().area(),
+    })
+}
+
+fn facts(measured: &Measurement) -> Vec<[String; 2]> {
+    let [ny, nx] = measured.grid().shape();
+    let [dy, dx] = measured.grid().pixel();
+    let said = |given: bool| if given { "from the file" } else { "as you said" };
+    let own: Vec<_> = measured.channels().iter().filter(|c| c.name == measured.channel()).collect();
+    let pixel_in_file = own.first().is_some_and(|c| c.pixel.is_some());
+    let unit_in_file = own.first().is_some_and(|c| c.unit.is_some());
+    let mut facts = vec![
+        ["Points".to_owned(), format!("{ny} rows × {nx} columns")],
+        ["Pixel".to_owned(), format!("{} × {}, {}", length(dx), length(dy), said(pixel_in_file))],
+    ];
+    if let Some((low, high, _)) = measured.height_summary() {
+        let range = shown::length_range(low, high);
+        facts.push(["Heights".to_owned(), format!("{range}, unit {}", said(unit_in_file))]);
+    }
+    let missing = match measured.missing() {
+        0 => "none".to_owned(),
+        n => {
+            format!("{} ({})", count(n), shown::percent(n as f64 / measured.heights().len() as f64))
+        }
+    };
+    facts.push(["Missing points".to_owned(), missing]);
+    for (name, value) in measured.metadata().iter().take(6) {
+        facts.push([short(name, 40), short(value, 80)]);
+    }
+    facts
+}
+
+/// Text of a file, cut in the middle.
+fn short(text: &str, most: usize) -> String {
+    let all: Vec<char> = text.chars().filter(|c| !c.is_control()).collect();
+    if all.len() <= most {
+        return all.into_iter().collect();
+    }
+    let end = &all[all.len() - most / 2..];
+    all[..most / 2].iter().chain(&['…']).chain(end).collect()
+}
+
+fn bytes(count: usize) -> String {
+    match count as f64 {
+        n if n >= 1e6 => format!("{} MB", significant(n / 1e6, 3)),
+        n if n >= 1e3 => format!("{} kB", significant(n / 1e3, 3)),
+        n => format!("{n} bytes"),
+    }
+}
+
+fn picture(map: &HeightMap, key: &str) -> Result<String, Trouble> {
+    let mean = map.mean();
+    let heights: Vec<f64> = map.heights().iter().map(|h| h - mean).collect();
+    let figure = report::height_map(&heights, map.grid(), PICTURE, key)
+        .map_err(|e| Failure::from_error(&e))?;
+    Ok(figure.inline())
+}
+
+pub(crate) fn levelled(map: &HeightMap, level: Level) -> Result<HeightMap, Trouble> {
+    surface_stats::level(map, level).map_err(|e| Failure::from_error(&e).into())
+}
+
+/// The two numbers that say most.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Roughness {
+    /// Sq (m).
+    pub(crate) height: f64,
+    /// Sdq (-), as the statistics of the report.
+    pub(crate) gradient: f64,
+}
+
+impl Roughness {
+    pub(crate) fn of(map: &HeightMap) -> Result<Self, Trouble> {
+        let refused = |e: StatsError| Trouble::Refused(Failure::from_error(&e));
+        let slopes = DirectionalMoments::of(map, Edges::Open).map_err(refused)?;
+        Ok(Self {
+            height: HeightStatistics::of(map).rms_height,
+            gradient: (slopes.m2_x + slopes.m2_y).sqrt(),
+        })
+    }
+}
+
+/// The state `ask`: numbers as they stand in the file, and what the fields filled in so far would mean.
+fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
+    let mut options = request.reading.options()?;
+    let mut missing = Vec::new();
+    let raw = loop {
+        let needs = match surface_io::read_bytes(file, &options) {
+            Ok(raw) => break raw,
+            Err(ReadError::MissingScale { needs, .. })
+                if !needs.iter().any(|n| missing.contains(n)) =>
+            {
+                needs
+            }
+            Err(other) => return Err(Trouble::Unread(other)),
+        };
+        for need in &needs {
+            match need {
+                Need::PixelSize => options.pixel = Some([1.0; 2]),
+                Need::LateralUnit => options.lateral_unit = Some(1.0),
+                Need::HeightUnit => options.height_unit = Some(HeightUnit::IfSilent(1.0)),
+                _ => {}
+            }
+        }
+        missing.extend(needs);
+    };
+    if raw.is_profile() {
+        return Err(Trouble::Profile { points: raw.heights().len() });
+    }
+    let [ny, nx] = raw.grid().shape();
+    let (low, high, _) = raw.height_summary().unwrap_or_default();
+    let about = format!(
+        "{} · {} · {ny} × {nx} numbers, {low:e} to {high:e}",
+        request.name,
+        raw.format().name()
+    );
+    let name = |need: &Need| match need {
+        Need::PixelSize => "pixel size",
+        Need::LateralUnit => "unit of x and y",
+        _ => "height unit",
+    };
+    let said: Vec<&str> = missing.iter().map(name).collect();
+    let keys: Vec<&str> = missing
+        .iter()
+        .map(|need| match need {
+            Need::PixelSize => "pixel",
+            Need::LateralUnit => "lateral_unit",
+            _ => "height_unit",
+        })
+        .collect();
+    let pronoun = if said.len() > 1 { "What are they?" } else { "What is it?" };
+    Ok(json!({
+        "state": "ask", "about": about, "needs": keys,
+        "heading": [
+            ["The file says ", false], [format!("no {}", said.join(" and no ")), true],
+            [format!(". {pronoun}"), false],
+        ],
+        // The page scales these by what is filled in and asks `meaning` for the words.
+        "raw": {
+            "shape": [ny, nx], "pixel": raw.grid().pixel(), "range": high - low,
+            "gradient": raw_gradient(&raw)?,
+        },
+    }))
+}
+
+fn raw_gradient(raw: &Measurement) -> Result<f64, Trouble> {
+    let map = raw.clone().fill(Fill::Nearest).map_err(|e| Trouble::Incomplete(e.into()))?;
+    Ok(Roughness::of(&map)?.gradient)
+}
+
+/// What units that are filled in would mean: size, heights, gradient, and whether that is a surface.
+pub(crate) fn meaning(request: &Request, out: &mut Messages<'_>) -> Result<(), Trouble> {
+    let wrong = || Failure::refused("internal", "no raw numbers");
+    let raw = request.raw.as_ref().ok_or_else(wrong)?;
+    let reading = &request.reading;
+    let lateral = match (&reading.pixel, reading.lateral_unit()?) {
+        (Some(text), _) => crate::request::parse(text, Dimension::Length)?,
+        (None, Some(unit)) => unit,
+        (None, None) => 1.0,
+    };
+    if lateral <= 0.0 {
+        let message = "A distance above zero is needed, such as 0.5 µm.";
+        return Err(Failure::refused("usage", message).into());
+    }
+    let height = reading.height_unit()?.unwrap_or(1.0);
+    let pixel = raw.pixel.map(|p| p * lateral);
+    let grid = Grid::new(raw.shape, pixel).map_err(|e| Failure::from_error(&e))?;
+    let [ly, lx] = grid.size();
+    let gradient = raw.gradient * height / lateral;
+    let (tag, text) = match gradient {
+        g if g < USUAL_GRADIENTS[0] => (
+            "check",
+            "That would be flatter than any measured surface: is the height unit too small?",
+        ),
+        g if g > USUAL_GRADIENTS[1] => (
+            "check",
+            "That would be steeper than 60°: is the height unit too large or the distance too small?",
+        ),
+        _ => ("passed", "A gradient usual for a machined surface."),
+    };
+    out.tell(
+        "done",
+        json!({
+            "size": format!("{} × {}", length(lx), length(ly)), "heights": length(raw.range * height),
+            "gradient": significant(gradient, 2), "tag": tag, "text": text,
+        }),
+    );
+    Ok(())
+}

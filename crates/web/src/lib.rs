@@ -1,0 +1,18 @@
+#![doc = include_str!("../README.md")]
+
+mod answer;
+mod doubts;
+mod inspect;
+mod message;
+mod numbers;
+mod page;
+mod plan;
+mod request;
+mod run;
+mod start;
+mod surface;
+mod trouble;
+
+pub use answer::answer;
+pub use message::Messages;
+pub use page::page;

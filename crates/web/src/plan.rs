@@ -1,0 +1,65 @@
+//! What the bodies and loads come to, before they are computed.
+
+use crate::message::Messages;
+use crate::numbers::{count, pressure};
+use crate::request::{Facts, LoadBy, Request};
+use crate::trouble::Trouble;
+use answers::bodies;
+use compare::{EdgesName, loads_of_study};
+use serde_json::{Value, json};
+
+/// Memory of a study in WebAssembly (bytes per point), the map and its report included; the page says it as "about".
+/// Measured on 512² to 2048² points: see the book, `browser.md`.
+pub(crate) const BYTES_PER_POINT: f64 = 200.0;
+
+pub(crate) fn answer(request: &Request, out: &mut Messages<'_>) -> Result<(), Trouble> {
+    out.tell("done", of(request)?);
+    Ok(())
+}
+
+/// Modulus, loads and cost, as the page says them.
+pub(crate) fn of(request: &Request) -> Result<Value, Trouble> {
+    let facts = request.facts;
+    let settings = request.settings(facts.map_or(1.0, |f| f.area))?;
+    let modulus = bodies::of_modulus(settings.modulus)?;
+    let pressures = match (facts, &settings.pressures) {
+        (Some(facts), _) => Some(loads_of_study(&settings, modulus, facts.gradient)),
+        (None, given) => given.clone(),
+    };
+    let said = pressures.as_deref().map(|list| loads(list, request.load.by));
+    let cost = facts.map(|f| cost(f, settings.edges));
+    Ok(json!({
+        "modulus": format!("Together they act as one elastic body of contact modulus E* = {}.", pressure(settings.modulus)),
+        "e_star": pressure(settings.modulus),
+        "loads": said, "count": pressures.map(|list| list.len()), "cost": cost,
+    }))
+}
+
+fn loads(pressures: &[f64], by: LoadBy) -> String {
+    let low = pressures.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = pressures.iter().copied().fold(0.0, f64::max);
+    let (low, high) = (pressure(low), pressure(high));
+    let range = match pressures.len() {
+        1 => format!("One load: {low} over the nominal area."),
+        n => format!("{n} loads: {low} to {high} over the nominal area."),
+    };
+    match by {
+        LoadBy::Auto => format!("{range} From about 0.1 % to half of this surface touching."),
+        LoadBy::Pressure => format!("{range} Force over the whole map, not over the spots."),
+        LoadBy::Force => range,
+    }
+}
+
+fn cost(facts: Facts, edges: EdgesName) -> String {
+    let points = if edges == EdgesName::Mirrored { 4.0 * facts.points } else { facts.points };
+    let megabytes = points * BYTES_PER_POINT / 1e6;
+    let said =
+        if megabytes < 10.0 { "under 10".to_owned() } else { format!("about {}", two(megabytes)) };
+    format!("{} points, {said} MB of memory", count(points as usize))
+}
+
+/// To two digits.
+fn two(value: f64) -> f64 {
+    let unit = 10f64.powf(value.log10().floor() - 1.0);
+    (value / unit).round() * unit
+}

@@ -1,0 +1,272 @@
+//! What the page asks: the fields as people filled them in, numbers with their units as text.
+
+use answers::quantity;
+use answers::units::Dimension;
+use answers::{Failure, bodies};
+use compare::{Body, Cleaning, EdgesName, Level, SPIKE_THRESHOLD, STEEL, Settings};
+use serde::Deserialize;
+use surface_io::{Fill, HeightUnit, Layout, Limits, ReadOptions};
+use surface_stats::clean::Form;
+
+/// Everything that an answer depends on, besides the bytes of the file.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct Request {
+    /// Name of the file.
+    pub(crate) name: String,
+    /// Name of a built-in surface, instead of a file.
+    pub(crate) example: Option<String>,
+    pub(crate) reading: Reading,
+    pub(crate) remedies: Remedies,
+    /// The two bodies; empty: steel on steel.
+    pub(crate) bodies: Vec<BodyFields>,
+    /// Hardness of the softer body; empty: elastic.
+    pub(crate) hardness: String,
+    /// Electrical resistivity of the two bodies; both empty: not asked for.
+    pub(crate) resistivities: [String; 2],
+    pub(crate) load: LoadFields,
+    /// For a plan: rms gradient of the map, its points and its area (m²).
+    pub(crate) facts: Option<Facts>,
+    /// For the meaning of units: the numbers as they stand in the file.
+    pub(crate) raw: Option<Raw>,
+}
+
+/// A map without units.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Raw {
+    pub(crate) shape: [usize; 2],
+    pub(crate) pixel: [f64; 2],
+    pub(crate) range: f64,
+    pub(crate) gradient: f64,
+}
+
+/// What is said of a file that does not say it.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct Reading {
+    pub(crate) channel: Option<String>,
+    pub(crate) pixel: Option<String>,
+    pub(crate) lateral_unit: Option<String>,
+    pub(crate) height_unit: Option<String>,
+    pub(crate) layout: Option<String>,
+}
+
+/// Remedies that are ticked.
+#[derive(Debug, Clone, Deserialize, PartialEq)]
+#[serde(default, deny_unknown_fields)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a box to tick")]
+pub(crate) struct Remedies {
+    pub(crate) rows: bool,
+    pub(crate) spikes: bool,
+    pub(crate) plane: bool,
+    pub(crate) dome: bool,
+    pub(crate) mirror: bool,
+    /// `harmonic` or `nearest`, for missing points.
+    pub(crate) fill: String,
+}
+
+impl Default for Remedies {
+    fn default() -> Self {
+        Self {
+            rows: false,
+            spikes: true,
+            plane: true,
+            dome: false,
+            mirror: false,
+            fill: "harmonic".to_owned(),
+        }
+    }
+}
+
+/// One body as it was filled in.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct BodyFields {
+    /// Young's modulus, such as `210 GPa`; `∞` for a rigid body.
+    pub(crate) young: String,
+    pub(crate) poisson: String,
+}
+
+/// Loads as they were filled in.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct LoadFields {
+    pub(crate) by: LoadBy,
+    /// Pressures or forces, as the command takes them.
+    pub(crate) list: String,
+    /// Nominal area that forces press on; empty: that of the map.
+    pub(crate) area: String,
+}
+
+/// How loads are given.
+#[derive(Debug, Clone, Copy, Default, Deserialize, PartialEq)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum LoadBy {
+    /// Chosen from the surface.
+    #[default]
+    Auto,
+    Pressure,
+    Force,
+}
+
+/// What a plan has to know of a map that was read before.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Facts {
+    pub(crate) gradient: f64,
+    pub(crate) points: f64,
+    pub(crate) area: f64,
+}
+
+/// Most points of a map in a browser: 4096 x 4096, at [`crate::plan::BYTES_PER_POINT`] bytes each.
+const MOST_POINTS: u64 = 1 << 24;
+
+/// Largest file, and most that one member of it may unpack to (bytes).
+const MOST_BYTES: u64 = 512 << 20;
+
+/// A number as people type it: with a point or a comma.
+pub(crate) fn parse(text: &str, dimension: Dimension) -> Result<f64, Failure> {
+    quantity::parse(&text.trim().replace(',', "."), dimension).map_err(|e| Failure::from_error(&e))
+}
+
+/// The same of a field that may be empty.
+fn parse_some(text: &str, dimension: Dimension) -> Result<Option<f64>, Failure> {
+    if text.trim().is_empty() { Ok(None) } else { parse(text, dimension).map(Some) }
+}
+
+impl Reading {
+    pub(crate) fn pixel(&self) -> Result<Option<[f64; 2]>, Failure> {
+        let one = self.pixel.as_deref().map(|text| parse(text, Dimension::Length)).transpose()?;
+        Ok(one.map(|metres| [metres; 2]))
+    }
+
+    pub(crate) fn lateral_unit(&self) -> Result<Option<f64>, Failure> {
+        unit(self.lateral_unit.as_deref())
+    }
+
+    pub(crate) fn height_unit(&self) -> Result<Option<f64>, Failure> {
+        unit(self.height_unit.as_deref())
+    }
+
+    pub(crate) fn options(&self) -> Result<ReadOptions, Failure> {
+        let mut limits = Limits::default();
+        limits.points = MOST_POINTS;
+        limits.file_bytes = MOST_BYTES;
+        limits.unpacked_bytes = MOST_BYTES;
+        let mut options = ReadOptions::default().with_limits(limits);
+        options.channel.clone_from(&self.channel);
+        options.pixel = self.pixel()?;
+        options.lateral_unit = self.lateral_unit()?;
+        options.height_unit = self.height_unit()?.map(HeightUnit::IfSilent);
+        if let Some(name) = &self.layout {
+            let unknown = || Failure::refused("setting", format!("layout {name:?} is none"));
+            options.layout = Some(Layout::of_name(name).ok_or_else(unknown)?);
+        }
+        Ok(options)
+    }
+}
+
+fn unit(text: Option<&str>) -> Result<Option<f64>, Failure> {
+    text.map(quantity::parse_length_unit).transpose().map_err(|e| Failure::from_error(&e))
+}
+
+impl Remedies {
+    pub(crate) fn cleaning(&self) -> Cleaning {
+        Cleaning {
+            align_rows: self.rows,
+            outliers: self.spikes.then_some(SPIKE_THRESHOLD),
+            form: self.dome.then_some(Form::Polynomial(2)),
+            ..Cleaning::default()
+        }
+    }
+
+    pub(crate) fn fill(&self) -> Fill {
+        if self.rule() == "nearest" { Fill::Nearest } else { Fill::Harmonic }
+    }
+
+    /// The name of the rule, as a run file has it.
+    pub(crate) fn rule(&self) -> &'static str {
+        if self.fill == "nearest" { "nearest" } else { "harmonic" }
+    }
+
+    pub(crate) fn level(&self) -> Level {
+        if self.plane { Level::Plane } else { Level::Mean }
+    }
+
+    pub(crate) fn edges(&self) -> EdgesName {
+        if self.mirror { EdgesName::Mirrored } else { EdgesName::Periodic }
+    }
+}
+
+impl Request {
+    /// The elastic bodies among the two: steel on steel if nothing was filled in.
+    pub(crate) fn elastic(&self) -> Result<Vec<Body>, Failure> {
+        if self.bodies.is_empty() {
+            return Ok(vec![STEEL; 2]);
+        }
+        let mut listed = Vec::new();
+        for body in &self.bodies {
+            let is_rigid = body.young.trim_start().starts_with('∞');
+            if !is_rigid {
+                listed.push(Body {
+                    young: parse(&body.young, Dimension::Pressure)?,
+                    poisson: parse(&body.poisson, Dimension::Number)?,
+                });
+            }
+        }
+        if listed.is_empty() {
+            let message = "Two rigid bodies do not deform: give one of them a modulus.";
+            return Err(Failure::refused("material", message));
+        }
+        Ok(listed)
+    }
+
+    /// The pressures asked for, and the area that forces press on; `of_map` is that of the map (m²).
+    pub(crate) fn pressures(
+        &self,
+        of_map: f64,
+    ) -> Result<(Option<Vec<f64>>, Option<f64>), Failure> {
+        let list = |dimension| {
+            quantity::parse_list(&self.load.list, dimension).map_err(|e| Failure::from_error(&e))
+        };
+        Ok(match self.load.by {
+            LoadBy::Auto => (None, None),
+            LoadBy::Pressure => (Some(list(Dimension::Pressure)?), None),
+            LoadBy::Force => {
+                let area = parse_some(&self.load.area, Dimension::Area)?;
+                let forces = list(Dimension::Force)?;
+                let check = "look at the force and the area";
+                let spread = answers::loads::Spread::of(&forces, area, of_map, check)?;
+                (Some(spread.pressures), Some(spread.area))
+            }
+        })
+    }
+
+    /// Settings of the study on a map of this area (m²).
+    pub(crate) fn settings(&self, of_map: f64) -> Result<Settings, Failure> {
+        let listed = self.elastic()?;
+        let (pressures, load_area) = self.pressures(of_map)?;
+        let hardness = parse_some(&self.hardness, Dimension::Pressure)?;
+        if let Some(pascals) = hardness {
+            answers::loads::positive("hardness", pascals, "Pa", "that a body bears")?;
+        }
+        let resistivities = match &self.resistivities {
+            both if both.iter().all(|t| t.trim().is_empty()) => None,
+            [one, two] => {
+                Some([parse(one, Dimension::Resistivity)?, parse(two, Dimension::Resistivity)?])
+            }
+        };
+        Ok(Settings {
+            modulus: bodies::contact_modulus(&listed)?.pascals(),
+            bodies: listed,
+            hardness,
+            resistivities,
+            pressures,
+            load_area,
+            level: self.remedies.level(),
+            edges: self.remedies.edges(),
+            ..Settings::default()
+        })
+    }
+}

@@ -1,0 +1,101 @@
+//! The study and its documents, told while it works.
+
+use crate::message::Messages;
+use crate::numbers::pressure as shown_pressure;
+use crate::request::Request;
+use crate::surface;
+use crate::trouble::Trouble;
+use answers::{Failure, shown};
+use compare::{Comparison, Progress, Registry, RunFile, RunSurface};
+use report::Provenance;
+use serde_json::{Value, json};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// Iterations are told no more often than this.
+const EVERY: Duration = Duration::from_millis(200);
+
+/// What the report says of how to repeat it: the run file is among what the page saves.
+const REPEAT: &str = "rough-contact compare --from run.toml --out again";
+
+pub(crate) fn answer(
+    request: &Request,
+    file: &[u8],
+    out: &mut Messages<'_>,
+) -> Result<(), Trouble> {
+    let begun = Instant::now();
+    let surface = surface::of(request, file)?;
+    let settings = request.settings(surface.heights.grid().area())?;
+    let run_file = RunFile {
+        program: env!("CARGO_PKG_VERSION").to_owned(),
+        settings: settings.clone(),
+        surfaces: vec![RunSurface { name: surface.name.clone(), origin: surface.origin.clone() }],
+    };
+    out.tell("progress", json!({ "stage": "read", "seconds": begun.elapsed().as_secs_f64() }));
+    let (mut told, mut loads) = (Instant::now(), 0);
+    let mut found = {
+        let mut listen = |news: Progress<'_>| {
+            match news {
+                Progress::Surface { loads: of, .. } => {
+                    loads = of;
+                    out.tell("progress", json!({ "stage": "loads", "count": of }));
+                }
+                Progress::Iterated { index, number, residual, tolerance, .. }
+                    if told.elapsed() >= EVERY =>
+                {
+                    told = Instant::now();
+                    out.tell("progress", iterated(index, number, residual, tolerance));
+                }
+                Progress::Solved { index, mean_pressure, area_fraction } => {
+                    out.tell("progress", solved(index, loads, mean_pressure, area_fraction));
+                }
+                Progress::Models => out.tell("progress", json!({ "stage": "models" })),
+                _ => {}
+            }
+            if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        Comparison::run(vec![surface], settings, &Registry::built_in(), &mut listen)
+            .map_err(Trouble::Study)?
+    };
+    out.tell("progress", json!({ "stage": "accuracy" }));
+    answers::look_around(&mut found, &mut |news| {
+        if let Progress::Iterated { number, residual, tolerance, .. } = news
+            && told.elapsed() >= EVERY
+        {
+            told = Instant::now();
+            out.tell("progress", iterated(loads, number, residual, tolerance));
+        }
+        if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })?;
+    out.tell("progress", json!({ "stage": "report" }));
+    let documents = answers::documents(&found, &Provenance::here(REPEAT), &run_file)?;
+    let files: serde_json::Map<String, Value> = documents
+        .into_iter()
+        .map(|(name, bytes)| (name.to_owned(), String::from_utf8_lossy(&bytes).into()))
+        .collect();
+    let trouble = answers::not_met(&found).as_ref().map(Failure::json);
+    let headline = found.surfaces.first().and_then(report::headline_line);
+    out.tell(
+        "done",
+        json!({
+            "files": files, "trouble": trouble, "headline": headline,
+            "seconds": begun.elapsed().as_secs_f64(),
+        }),
+    );
+    Ok(())
+}
+
+fn iterated(index: usize, number: usize, residual: f64, tolerance: f64) -> Value {
+    // The residual falls exponentially: how far it has come is its logarithm.
+    let share = (residual.ln() / tolerance.ln()).clamp(0.0, 1.0);
+    let share = if residual.is_finite() { share } else { 0.0 };
+    json!({ "stage": "iteration", "index": index, "number": number, "share": share })
+}
+
+fn solved(index: usize, count: usize, pressure: f64, area: Option<f64>) -> Value {
+    let touches = area.map(shown::percent);
+    json!({
+        "stage": "load", "index": index, "count": count, "pressure": pressure, "area": area,
+        "at": shown_pressure(pressure), "touches": touches,
+    })
+}

@@ -1,0 +1,68 @@
+//! From the bytes of a file, or the name of a built-in surface, to a map.
+
+use crate::request::Request;
+use crate::trouble::Trouble;
+use answers::{Complete, Failure, complete};
+use compare::{FileOrigin, Origin, Recipe, Surface, built_in_recipes, sha256_hex};
+use surface_io::Measurement;
+
+/// The measurement in a file.
+pub(crate) fn measurement(request: &Request, file: &[u8]) -> Result<Measurement, Trouble> {
+    let options = request.reading.options()?;
+    let found = surface_io::read_bytes(file, &options).map_err(Trouble::Unread)?;
+    if found.is_profile() {
+        return Err(Trouble::Profile { points: found.heights().len() });
+    }
+    Ok(found)
+}
+
+/// A complete map with the remedies that are ticked.
+pub(crate) fn completed(measurement: Measurement, request: &Request) -> Result<Complete, Trouble> {
+    let remedies = &request.remedies;
+    complete(measurement, remedies.cleaning(), remedies.fill()).map_err(Trouble::Incomplete)
+}
+
+/// The surface of the study.
+pub(crate) fn of(request: &Request, file: &[u8]) -> Result<Surface, Trouble> {
+    if let Some(name) = &request.example {
+        return recipe(name)?.make().map_err(|e| Failure::from_error(&e).into());
+    }
+    of_measurement(request, file, measurement(request, file)?)
+}
+
+/// The surface of the study from what was read.
+pub(crate) fn of_measurement(
+    request: &Request,
+    file: &[u8],
+    measured: Measurement,
+) -> Result<Surface, Trouble> {
+    let Complete { map, missing, cleaned, height_step, format } = completed(measured, request)?;
+    let reading = &request.reading;
+    // A map that is whole needs no rule, and its run file says none.
+    let fill = if missing > 0 { request.remedies.rule() } else { "refuse" };
+    let origin = FileOrigin {
+        path: request.name.clone(),
+        sha256: sha256_hex(file),
+        format,
+        channel: reading.channel.clone(),
+        pixel: reading.pixel()?,
+        lateral_unit: reading.lateral_unit()?,
+        height_unit: reading.height_unit()?,
+        override_height_unit: None,
+        layout: reading.layout.clone(),
+        crop: None,
+        fill: fill.to_owned(),
+        missing,
+        cleaning: request.remedies.cleaning(),
+        cleaned,
+        height_step,
+    };
+    Ok(Surface { name: request.name.clone(), origin: Origin::File(origin), heights: map })
+}
+
+/// A built-in surface.
+pub(crate) fn recipe(name: &str) -> Result<Recipe, Failure> {
+    let all = built_in_recipes().map_err(|e| Failure::from_error(&e))?;
+    let unknown = || Failure::refused("setting", format!("no built-in surface is called {name:?}"));
+    all.into_iter().find(|r| r.name == name).ok_or_else(unknown)
+}

@@ -1,0 +1,129 @@
+//! Why there is no answer, in the words of the page: what happened, its effect, what to do, the line for a bug report.
+
+use crate::message::Messages;
+use answers::{Failure, Incomplete};
+use compare::StudyError;
+use serde_json::json;
+use surface_io::{FillError, ReadError};
+
+/// Why there is no answer.
+#[derive(Debug)]
+pub(crate) enum Trouble {
+    /// The file gives no measurement.
+    Unread(ReadError),
+    /// The measurement gives no complete map.
+    Incomplete(Incomplete),
+    /// It is one line of points.
+    Profile { points: usize },
+    /// The study did not end.
+    Study(StudyError),
+    /// Anything else that was refused.
+    Refused(Failure),
+}
+
+impl From<Failure> for Trouble {
+    fn from(failure: Failure) -> Self {
+        Self::Refused(failure)
+    }
+}
+
+/// One sentence, its effect, what to do.
+struct Words {
+    heading: &'static str,
+    text: String,
+    ways: Vec<&'static str>,
+}
+
+const COMMAND: &str =
+    "The command rough-contact uses all memory of this machine and has no such limit.";
+const AGAIN: &str = "Copy the file again, or export it again from the instrument.";
+
+impl Trouble {
+    fn failure(&self) -> Failure {
+        match self {
+            Self::Unread(e) => Failure::refused(e.kind(), e.to_string()),
+            Self::Incomplete(e) => e.failure(),
+            Self::Profile { points } => {
+                Failure::refused("profile", format!("a single line of {points} points"))
+            }
+            Self::Study(e) => Failure::from_error(e),
+            Self::Refused(failure) => failure.clone(),
+        }
+    }
+
+    fn words(&self) -> Words {
+        let words = |heading, text: &str, ways| Words { heading, text: text.to_owned(), ways };
+        match self {
+            Self::Unread(ReadError::Empty) => {
+                words("This file is empty.", "It has 0 bytes.", vec![AGAIN])
+            }
+            Self::Unread(ReadError::UnknownFormat { .. }) => words(
+                "This file is not a height map it can read.",
+                "Its content is none of the formats known here; the name does not matter.",
+                vec![
+                    "In the instrument’s software, export the heights as SUR, X3P or text.",
+                    "Some instruments save several files: choose the one with the heights.",
+                ],
+            ),
+            Self::Unread(ReadError::Limit { .. }) => words(
+                "This file asks for more than a browser can give.",
+                "It was refused before anything of that size was taken: here a map has at most 4096 × 4096 points, \
+                 and a file 512 MB.",
+                vec![
+                    COMMAND,
+                    "If the file is much smaller than that, it contradicts itself: export it again.",
+                ],
+            ),
+            Self::Unread(ReadError::Malformed { .. }) => words(
+                "The file contradicts itself; nothing was computed.",
+                "It may be cut short, or made to harm programs that believe it. Nothing of it was run or kept.",
+                vec![AGAIN],
+            ),
+            Self::Unread(_) => words("This file gives no surface.", "", vec![AGAIN]),
+            Self::Profile { .. } => words(
+                "This is a profile, not a surface.",
+                "Where two surfaces touch cannot be told from a line.",
+                vec![
+                    "Measure an area, or choose its file.",
+                    "The command rough-contact says what a profile does tell.",
+                ],
+            ),
+            Self::Incomplete(Incomplete::Fill(FillError::NothingValid { .. })) => {
+                words("Not one point of this map was measured.", "", vec!["Choose another file."])
+            }
+            Self::Incomplete(_) => {
+                words("The map cannot be made complete.", "", vec!["Change the remedies."])
+            }
+            Self::Study(_) => words(
+                "There is no answer for this surface.",
+                "",
+                vec!["Look at what the program doubts.", "Change the bodies or the loads."],
+            ),
+            Self::Refused(failure) if failure.kind() == "internal" => {
+                words("The page asked wrongly; that is a bug.", "", vec![])
+            }
+            Self::Refused(_) => {
+                words("That cannot be computed.", "", vec!["Change what was given."])
+            }
+        }
+    }
+
+    /// Tells it.
+    pub(crate) fn tell(&self, out: &mut Messages<'_>) {
+        let (failure, words) = (self.failure(), self.words());
+        let text = if words.text.is_empty() { capital(failure.message()) } else { words.text };
+        out.tell(
+            "error",
+            json!({
+                "heading": words.heading, "text": text, "ways": words.ways,
+                "detail": format!("{}: {}", failure.kind(), failure.message()), "failure": failure.json(),
+            }),
+        );
+    }
+}
+
+/// As a sentence begins.
+fn capital(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}
