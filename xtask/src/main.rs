@@ -66,7 +66,7 @@ Usage: cargo xtask <task> [options]
   tidy                      layers, circles of files, citations, pages, file lengths,
                             dependency counts
   features                  every crate builds without and with each of its features
-  web                       the page that computes in a browser, one file: target/web/rough-contact.html
+  web                       the page that computes in a browser, one file: target/page/rough-contact.html
   strangers                 every published crate can be packaged, and its front-page example
                             compiles with that crate alone
   ci [--slow]               everything a change must pass, as the CI runs it

@@ -23,7 +23,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let mut page = cargo();
     page.args(["run", "--quiet", "--locked", "--package", "contact-web", "--", "page"]);
     let text = output(page.arg(&module))?;
-    let folder = root().join("target/web");
+    let folder = root().join("target/page");
     let file = folder.join("rough-contact.html");
     std::fs::create_dir_all(&folder)
         .and_then(|()| std::fs::write(&file, &text))

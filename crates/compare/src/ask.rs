@@ -29,7 +29,7 @@ pub fn at_separation(
 }
 
 /// A model's answers at nominal pressures (Pa) and its seconds per load: the median of passes over all
-/// loads, as many as fit in 20 ms, at least three.
+/// loads, as many as fit in 20 ms, at least three; in WebAssembly their mean.
 pub(crate) fn timed(
     name: &str,
     model: &dyn ContactModel,
@@ -47,8 +47,12 @@ pub(crate) fn timed(
         answers = black_box(pass());
         passes.push(start.elapsed());
     }
+    let mean = begin.elapsed().as_secs_f64() / passes.len() as f64;
     passes.sort();
-    (answers, passes[passes.len() / 2].as_secs_f64() / loads)
+    // The clock of a browser ticks more slowly than a pass takes: many passes make it up.
+    let one =
+        if cfg!(target_family = "wasm") { mean } else { passes[passes.len() / 2].as_secs_f64() };
+    (answers, one / loads)
 }
 
 /// Theories that add up contacts know no upper end; a surface does.

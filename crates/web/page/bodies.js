@@ -6,17 +6,19 @@ function buildBodies(list) {
   materials = list;
   all('.body').forEach(field => {
     const b = field.dataset.b;
-    const row = (id, label, ...inputs) => part('div', { className: 'row' }, part('label', { for: id }, label), part('div', { className: 'in' }, ...inputs));
-    const pick = part('select', { id: 'm' + b }, ...list.map(m => part('option', {}, m.name)), part('option', {}, 'Own values'));
+    const row = (id, label, input, ...rest) => part('div', { className: 'row' }, part('label', { for: id }, label), part('div', { className: 'in' }, input, ...rest.filter(r => r.tagName !== 'SMALL')), ...rest.filter(r => r.tagName === 'SMALL'));
+    const pick = part('select', { id: 'm' + b }, ...list.map((m, i) => part('option', { value: i }, m.title)), part('option', { value: '' }, 'Own values'));
+    const said = part('small', { className: 'why', id: 's' + b });
     const text = (id, value) => part('input', { type: 'text', id, inputMode: 'decimal', value });
-    field.append(row('m' + b, 'Material', pick), row('e' + b, 'Young’s modulus E', text('e' + b, list[0].young), part('span', {}, 'GPa')),
+    field.append(row('m' + b, 'Material', pick, said), row('e' + b, 'Young’s modulus E', text('e' + b, list[0].young), part('span', {}, 'GPa')),
       row('n' + b, 'Poisson’s ratio ν', text('n' + b, list[0].poisson)));
     pick.onchange = () => {
-      const m = list.find(m => m.name === pick.value);
-      if (m) { $('e' + b).value = m.young; $('n' + b).value = m.poisson; } else $('e' + b).focus();
+      const m = list[pick.value];
+      said.textContent = m ? m.said : '';
+      if (pick.value !== '') { $('e' + b).value = m.young; $('n' + b).value = m.poisson; } else $('e' + b).focus();
       plan();
     };
-    ['e', 'n'].forEach(k => { $(k + b).oninput = () => { pick.value = 'Own values'; plan(); }; });
+    ['e', 'n'].forEach(k => { $(k + b).oninput = () => { pick.value = ''; said.textContent = ''; plan(); }; });
   });
   ['hard', 'res1', 'res2', 'p1', 'f1', 'f2'].forEach(id => { $(id).oninput = plan; });
   all('[name=ld]').forEach(radio => { radio.onchange = () => {
@@ -30,7 +32,7 @@ const unit = (text, name) => text.trim() ? text.trim() + ' ' + name : '';
 function asked() {
   const by = document.querySelector('[name=ld]:checked').value;
   return {
-    bodies: [1, 2].map(b => ({ young: $('e' + b).value.trim() === '∞' ? '∞' : unit($('e' + b).value, 'GPa'), poisson: $('n' + b).value })),
+    bodies: [1, 2].map(b => ({ material: materials[$('m' + b).value]?.name ?? '', young: $('e' + b).value.trim() === '∞' ? '∞' : unit($('e' + b).value, 'GPa'), poisson: $('n' + b).value })),
     hardness: unit($('hard').value, 'GPa'),
     resistivities: [unit($('res1').value, 'nohm m'), unit($('res2').value, 'nohm m')],
     load: { by, list: by === 'force' ? $('f1').value : by === 'pressure' ? $('p1').value : '', area: by === 'force' ? $('f2').value : '' },
@@ -49,8 +51,8 @@ async function plan() {
   $('est-cost').textContent = fine ? answer.cost || '' : '';
   $('compute').disabled = !fine;
   now.modulus = fine ? answer.e_star : '';
-  const names = [1, 2].map(b => $('m' + b).value.toLowerCase());
-  now.pair = names.includes('own values') ? `E* = ${now.modulus}` : names.join(' on ');
+  const names = [1, 2].map(b => materials[$('m' + b).value]?.title.toLowerCase());
+  now.pair = names.includes(undefined) ? `E* = ${now.modulus}` : names.join(' on ');
   $('compute-now').textContent = fine ? `Compute ${now.pair}, ${answer.count === 1 ? '1 load' : answer.count + ' loads'}` : 'Compute';
   $('compute-now').disabled = !fine;
   $('read-cost').textContent = fine && answer.cost ? `${answer.cost}. You can change everything afterwards.` : '';

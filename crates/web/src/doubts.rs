@@ -1,8 +1,8 @@
 //! What the program doubts about a measurement: a finding, a remedy to tick, its number before and after.
 
-use crate::inspect::{Roughness, levelled};
 use crate::numbers::{count, length};
 use crate::request::{Remedies, Request};
+use crate::roughness::{Roughness, levelled};
 use crate::surface::completed;
 use crate::trouble::Trouble;
 use answers::{Failure, shown};

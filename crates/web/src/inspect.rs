@@ -5,6 +5,7 @@ use crate::doubts;
 use crate::message::Messages;
 use crate::numbers::{count, length};
 use crate::request::Request;
+use crate::roughness::{Roughness, levelled};
 use crate::surface::measurement;
 use crate::trouble::Trouble;
 use answers::units::Dimension;
@@ -14,9 +15,7 @@ use contact_types::{Grid, HeightMap};
 use report::numbers::significant;
 use serde_json::{Value, json};
 use surface_io::{Fill, HeightUnit, Measurement, Need, ReadError};
-use surface_stats::{
-    DirectionalMoments, Edges, HeightStatistics, StatsError, StatsOptions, SurfaceStatistics,
-};
+use surface_stats::{StatsOptions, SurfaceStatistics};
 
 /// Most pixels of a picture along its longer side.
 const PICTURE: usize = 640;
@@ -179,30 +178,6 @@ fn picture(map: &HeightMap, key: &str) -> Result<String, Trouble> {
     let figure = report::height_map(&heights, map.grid(), PICTURE, key)
         .map_err(|e| Failure::from_error(&e))?;
     Ok(figure.inline())
-}
-
-pub(crate) fn levelled(map: &HeightMap, level: Level) -> Result<HeightMap, Trouble> {
-    surface_stats::level(map, level).map_err(|e| Failure::from_error(&e).into())
-}
-
-/// The two numbers that say most.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Roughness {
-    /// Sq (m).
-    pub(crate) height: f64,
-    /// Sdq (-), as the statistics of the report.
-    pub(crate) gradient: f64,
-}
-
-impl Roughness {
-    pub(crate) fn of(map: &HeightMap) -> Result<Self, Trouble> {
-        let refused = |e: StatsError| Trouble::Refused(Failure::from_error(&e));
-        let slopes = DirectionalMoments::of(map, Edges::Open).map_err(refused)?;
-        Ok(Self {
-            height: HeightStatistics::of(map).rms_height,
-            gradient: (slopes.m2_x + slopes.m2_y).sqrt(),
-        })
-    }
 }
 
 /// The state `ask`: numbers as they stand in the file, and what the fields filled in so far would mean.

@@ -8,6 +8,7 @@ mod numbers;
 mod page;
 mod plan;
 mod request;
+mod roughness;
 mod run;
 mod start;
 mod surface;

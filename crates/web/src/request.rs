@@ -3,7 +3,10 @@
 use answers::quantity;
 use answers::units::Dimension;
 use answers::{Failure, bodies};
-use compare::{Body, Cleaning, EdgesName, Level, SPIKE_THRESHOLD, STEEL, Settings};
+use compare::{
+    Body, Cleaning, EdgesName, Level, MaterialUse, Property, SPIKE_THRESHOLD, STEEL, Settings,
+    material,
+};
 use serde::Deserialize;
 use surface_io::{Fill, HeightUnit, Layout, Limits, ReadOptions};
 use surface_stats::clean::Form;
@@ -83,6 +86,8 @@ impl Default for Remedies {
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(crate) struct BodyFields {
+    /// Name in the table of materials; empty: own values.
+    pub(crate) material: String,
     /// Young's modulus, such as `210 GPa`; `∞` for a rigid body.
     pub(crate) young: String,
     pub(crate) poisson: String,
@@ -200,26 +205,40 @@ impl Remedies {
 }
 
 impl Request {
-    /// The elastic bodies among the two: steel on steel if nothing was filled in.
-    pub(crate) fn elastic(&self) -> Result<Vec<Body>, Failure> {
+    /// The elastic bodies among the two, and what was taken from the table; steel on steel if nothing was filled in.
+    pub(crate) fn elastic(&self) -> Result<(Vec<Body>, Vec<MaterialUse>), Failure> {
         if self.bodies.is_empty() {
-            return Ok(vec![STEEL; 2]);
+            return Ok((vec![STEEL; 2], Vec::new()));
         }
-        let mut listed = Vec::new();
+        let (mut listed, mut taken) = (Vec::new(), Vec::new());
         for body in &self.bodies {
-            let is_rigid = body.young.trim_start().starts_with('∞');
-            if !is_rigid {
-                listed.push(Body {
-                    young: parse(&body.young, Dimension::Pressure)?,
-                    poisson: parse(&body.poisson, Dimension::Number)?,
-                });
+            if body.young.trim_start().starts_with('∞') {
+                continue;
             }
+            let found = material(&body.material).ok().and_then(|m| {
+                let number = |property| m.get(property).map(|listed| listed.value);
+                Some((m, number(Property::Young)?, number(Property::Poisson)?))
+            });
+            let (young, poisson) = match found {
+                Some((m, young, poisson)) => {
+                    taken.push(MaterialUse {
+                        name: m.name.to_owned(),
+                        taken: vec![Property::Young, Property::Poisson],
+                    });
+                    (young, poisson)
+                }
+                None => (
+                    parse(&body.young, Dimension::Pressure)?,
+                    parse(&body.poisson, Dimension::Number)?,
+                ),
+            };
+            listed.push(Body { young, poisson });
         }
         if listed.is_empty() {
             let message = "Two rigid bodies do not deform: give one of them a modulus.";
             return Err(Failure::refused("material", message));
         }
-        Ok(listed)
+        Ok((listed, taken))
     }
 
     /// The pressures asked for, and the area that forces press on; `of_map` is that of the map (m²).
@@ -245,7 +264,7 @@ impl Request {
 
     /// Settings of the study on a map of this area (m²).
     pub(crate) fn settings(&self, of_map: f64) -> Result<Settings, Failure> {
-        let listed = self.elastic()?;
+        let (listed, materials) = self.elastic()?;
         let (pressures, load_area) = self.pressures(of_map)?;
         let hardness = parse_some(&self.hardness, Dimension::Pressure)?;
         if let Some(pascals) = hardness {
@@ -260,6 +279,7 @@ impl Request {
         Ok(Settings {
             modulus: bodies::contact_modulus(&listed)?.pascals(),
             bodies: listed,
+            materials,
             hardness,
             resistivities,
             pressures,

@@ -4,7 +4,7 @@ use crate::message::Messages;
 use crate::numbers::length;
 use crate::trouble::Trouble;
 use answers::Failure;
-use compare::{STEEL, built_in_recipes};
+use compare::{Property, STEEL, built_in_recipes, materials, source_of};
 use serde_json::{Value, json};
 use surface_io::FORMATS;
 
@@ -36,15 +36,44 @@ pub(crate) fn answer(out: &mut Messages<'_>) -> Result<(), Trouble> {
         "done",
         json!({
             "version": env!("CARGO_PKG_VERSION"), "examples": examples, "formats": formats,
-            "materials": [
-                { "name": "Steel", "young": giga(STEEL.young), "poisson": STEEL.poisson.to_string() },
-                { "name": "Rigid", "young": "∞", "poisson": "0" },
-            ],
+            "materials": table(),
         }),
     );
     Ok(())
 }
 
-fn giga(pascals: f64) -> String {
-    format!("{}", pascals / 1e9)
+/// Materials whose modulus and Poisson's ratio have a source; steel, as the defaults of the command have it; rigid.
+fn table() -> Vec<Value> {
+    let one = |name: &str, title: &str, young: String, poisson: String, said: String| json!({ "name": name, "title": title, "young": young, "poisson": poisson, "said": said });
+    let giga = |pascals: f64| (pascals / 1e9).to_string();
+    let mut all = vec![
+        one("", "Steel", giga(STEEL.young), STEEL.poisson.to_string(), "Common values.".to_owned()),
+        one("", "Rigid", "∞".to_owned(), "0".to_owned(), "Does not deform.".to_owned()),
+    ];
+    for material in materials() {
+        let number = |property| material.get(property);
+        let (Some(young), Some(poisson)) = (number(Property::Young), number(Property::Poisson))
+        else {
+            continue;
+        };
+        let mut keys: Vec<&str> = young.sources.iter().chain(&poisson.sources).copied().collect();
+        keys.sort_unstable();
+        keys.dedup();
+        let places: Vec<&str> = keys.into_iter().filter_map(source_of).collect();
+        let said = format!(
+            "{}. Sources: {}. E from {} to {} GPa among them.",
+            material.condition,
+            places.join("; "),
+            giga(young.range[0]),
+            giga(young.range[1])
+        );
+        all.push(one(
+            material.name,
+            material.title,
+            giga(young.value),
+            poisson.value.to_string(),
+            said,
+        ));
+    }
+    all
 }

@@ -38,8 +38,6 @@ pub(crate) fn of_measurement(
 ) -> Result<Surface, Trouble> {
     let Complete { map, missing, cleaned, height_step, format } = completed(measured, request)?;
     let reading = &request.reading;
-    // A map that is whole needs no rule, and its run file says none.
-    let fill = if missing > 0 { request.remedies.rule() } else { "refuse" };
     let origin = FileOrigin {
         path: request.name.clone(),
         sha256: sha256_hex(file),
@@ -51,7 +49,7 @@ pub(crate) fn of_measurement(
         override_height_unit: None,
         layout: reading.layout.clone(),
         crop: None,
-        fill: fill.to_owned(),
+        fill: request.remedies.rule().to_owned(),
         missing,
         cleaning: request.remedies.cleaning(),
         cleaned,

@@ -1,0 +1,39 @@
+// Two answers to the same question: by the command and by the page.
+import assert from 'node:assert/strict';
+
+// The last bits of a transform depend on the processor: with fused multiply-add, as most have, and without, as in
+// WebAssembly. Answers move by less than this, relative to their size.
+const ROUNDING = 1e-6;
+// What an iteration leaves over is a small difference of large numbers, and rounding is a larger part of it.
+const LEFT_OVER = /residuals|iteration|duality_gap|energy_bound|seam|stiffness/;
+const LEFT_OVER_ROUNDING = 1e-3;
+// What two machines differ in.
+const OWN = /seconds|platform|speed|sha256/;
+
+// Asserts that every number is the same but for rounding, every word and every count exactly.
+export function numbers(found, expected, path = '') {
+  if (OWN.test(path)) return 0;
+  if (expected === null || typeof expected === 'string' || typeof expected === 'boolean') {
+    if (typeof expected === 'string' && /message|text|claim/.test(path)) return 0; // these are compared as printed
+    assert.equal(found, expected, path);
+    return 0;
+  }
+  if (typeof expected === 'number') {
+    const off = Math.abs(found - expected), size = Math.max(Math.abs(found), Math.abs(expected));
+    if (Number.isInteger(expected) && Math.abs(expected) < 1e9) { assert.equal(found, expected, path); return 1; }
+    const limit = LEFT_OVER.test(path) ? LEFT_OVER_ROUNDING : ROUNDING;
+    assert.ok(off <= limit * size, `${path}: ${found} in the page, ${expected} by the command`);
+    return 1;
+  }
+  assert.deepEqual(Object.keys(found), Object.keys(expected), path);
+  const seen = Object.keys(expected).map(key => numbers(found[key], expected[key], `${path}/${key}`));
+  return seen.reduce((a, b) => a + b, 0);
+}
+
+// The words and numbers that the report shows, without what a machine, a clock and a path make different.
+export function printed(html) {
+  const body = html.replace(/<script[\s\S]*?<\/script>/g, '').replace(/<svg[\s\S]*?<\/svg>/g, '').replace(/<style[\s\S]*?<\/style>/g, '');
+  const text = body.replace(/<[^>]+>/g, '\n').replace(/[ \u202f\u00a0]/g, ' ').split('\n').map(line => line.trim()).filter(Boolean);
+  const times = /\b\d[\d.]* ?(ns|µs|ms|s|min|h)\b|\b[\d.]+(e\d+)?( ×10.)? ?(million |billion |thousand )?times faster/g;
+  return text.map(line => line.replace(times, '…')).filter(line => !/rough-contact compare|linux|wasi|wasm|processor|computed in|\d{4}$/i.test(line)).join('\n');
+}

@@ -1,0 +1,226 @@
+// The page as a person uses it, in headless Chromium: real formats, units that are missing, a hostile file, a
+// cancellation; its numbers against those of the command. Arguments: folders with measured files to be solved as well.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, dirname, join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { Browser } from './browser.mjs';
+import { numbers, printed } from './compare.mjs';
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), '../../..');
+const address = pathToFileURL(process.env.PAGE || join(root, 'target/page/rough-contact.html')).href;
+const command = resolve(process.env.ROUGH_CONTACT || join(root, 'target/debug/rough-contact'));
+const steel = ['--young', '210GPa', '--poisson', '0.3', '--young', '210GPa', '--poisson', '0.3'];
+const folder = mkdtempSync(join(tmpdir(), 'rough-contact-page-'));
+const at = name => join(folder, name);
+const rough = (...args) => execFileSync(command, [...args, '--quiet', '--threads', '1'], { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
+let browser = null;
+
+before(() => {
+  browser = new Browser();
+  rough('synth', '--shape', '96,128', '--pixel', '1um', '--hurst', '0.8', '--rolloff', '30um', '--cutoff', '5um', '--rms-gradient', '0.1', '--seed', '7', '--out', 'map.x3p');
+  rough('convert', 'map.x3p', '--out', 'map.sdf');
+  rough('convert', 'map.x3p', '--out', 'map.npy');
+  // A block and single points that the instrument did not see.
+  const lines = readFileSync(at('map.sdf'), 'latin1').split('\n');
+  writeFileSync(at('holes.sdf'), holes(lines).join('\n'), 'latin1');
+  writeFileSync(at('hostile.sdf'), readFileSync(at('map.sdf'), 'latin1').replace(/NumPoints\s*=.*/, 'NumPoints = 4000000').replace(/NumProfiles\s*=.*/, 'NumProfiles = 4000000'), 'latin1');
+});
+after(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+// Heights stand behind the first line with a star, ten and more to a line.
+function holes(lines) {
+  const first = lines.findIndex(line => line.trim() === '*') + 1;
+  let point = 0;
+  return lines.map((line, i) => i < first || line.trim() === '*' ? line : line.replace(/\S+/g, height => {
+    const [y, x] = [Math.floor(point / 128), point++ % 128];
+    return (y > 20 && y < 30 && x > 40 && x < 52) || point % 977 === 0 ? 'BAD' : height;
+  }));
+}
+
+async function opened(look) {
+  const page = await browser.open(address, look);
+  await page.until("document.documentElement.dataset.ready === 'true'");
+  return page;
+}
+
+const planned = page => page.until("!$('compute-now').disabled && $('est-loads').textContent");
+const result = page => page.value('({ ...now.answer.files })');
+
+// Every number of the command, and what it prints.
+function same(files, out) {
+  const of = name => readFileSync(join(at(out), name), 'utf8');
+  numbers(JSON.parse(files['results.json']).surfaces, JSON.parse(of('results.json')).surfaces);
+  assert.equal(printed(files['report.html']), printed(of('report.html')));
+}
+
+async function clean(page) {
+  assert.deepEqual(page.faults, []);
+  const asked = page.requests.filter(url => !url.startsWith('file:') && !url.startsWith('blob:') && !url.startsWith('data:') && url !== 'about:srcdoc');
+  assert.deepEqual(asked, [], 'the page asked the network for something');
+  await browser.call('Target.closeTarget', { targetId: page.target });
+}
+
+test('an X3P file is read, computed and gives the numbers of the command', async () => {
+  const page = await opened();
+  await page.choose(at('map.x3p'));
+  await page.state('read');
+  assert.match(await page.text('#h-read'), /^A height map of 128.µm × 96\.0.µm\./);
+  assert.equal(await page.value("document.activeElement.id"), 'h-read');
+  await planned(page);
+  await page.click('#compute-now');
+  await page.state('running');
+  await page.state('result');
+  rough('compare', 'map.x3p', ...steel, '--outliers', '8', '--fill', 'harmonic', '--out', 'x3p');
+  same(await result(page), 'x3p');
+  // What is saved is the report of the frame, byte for byte.
+  await page.call('Page.setDownloadBehavior', { behavior: 'allow', downloadPath: folder });
+  await page.click('[data-save="report.html"]');
+  const saved = at('map.x3p-report.html');
+  for (let i = 0; i < 100 && !existsSync(saved); i++) await new Promise(done => setTimeout(done, 50));
+  assert.equal(readFileSync(saved, 'utf8'), (await result(page))['report.html']);
+  assert.ok(await page.value("parseFloat($('report').style.height) > 2000"), 'the frame is as high as the report');
+  await clean(page);
+});
+
+test('missing points are filled as ticked, and other bodies and loads are taken', async () => {
+  const page = await opened();
+  await page.choose(at('holes.sdf'));
+  await page.state('read');
+  assert.match(await page.text('#doubts'), /points are missing/);
+  const readings = await page.value("$('h-read').dataset.ready");
+  await page.value("(() => { const e = document.querySelector('[data-key=fill]'); e.value = 'nearest'; e.dispatchEvent(new Event('change')); })()");
+  await page.until(`$('h-read').dataset.ready > ${readings}`);
+  await page.click('#s-read [data-go=bodies]');
+  await page.state('bodies');
+  await page.type('#e1', '70');
+  await page.type('#n1', '0,33');
+  await page.type('#e2', '∞');
+  await page.click('[name=ld][value=pressure]');
+  await page.type('#p1', '5MPa, 20MPa, 80MPa');
+  await page.until("$('est-loads').textContent.startsWith('3 loads: 5')");
+  assert.match(await page.text('#estar'), /E\* = 78.6.GPa/);
+  await page.click('#compute');
+  await page.state('result');
+  rough('compare', 'holes.sdf', '--young', '70GPa', '--poisson', '0.33', '--pressure', '5MPa,20MPa,80MPa', '--outliers', '8', '--fill', 'nearest', '--out', 'holes');
+  same(await result(page), 'holes');
+  await clean(page);
+});
+
+test('a file without units is asked about, with what the answer would mean', async () => {
+  const page = await opened();
+  await page.choose(at('map.npy'));
+  await page.state('ask');
+  assert.match(await page.text('#h-ask'), /no pixel size and no height unit/);
+  assert.ok(await page.value("$('use-units').disabled"));
+  await page.type('#dx', '1');
+  await page.until("!$('use-units').disabled");
+  assert.match(await page.text('#a-say'), /too small|too large|flatter/, 'metres are not micrometres');
+  await page.value("(() => { $('hu').value = 'm'; $('hu').dispatchEvent(new Event('input')); })()");
+  await page.until("$('a-say').textContent.includes('usual')");
+  assert.match(await page.text('#a-g'), /^0\.099$|^0\.1/);
+  await page.click('#use-units');
+  await page.state('read');
+  await planned(page);
+  await page.click('#compute-now');
+  await page.state('result');
+  rough('compare', 'map.npy', '--pixel', '1um', '--height-unit', 'm', ...steel, '--outliers', '8', '--fill', 'harmonic', '--out', 'npy');
+  same(await result(page), 'npy');
+  await clean(page);
+});
+
+test('a hostile file is refused before memory is taken, and the page goes on', async () => {
+  const page = await opened();
+  await page.choose(at('hostile.sdf'));
+  await page.state('error');
+  assert.match(await page.text('#h-error'), /more than a browser can give|contradicts itself/);
+  assert.match(await page.text('#e-detail'), /limit|malformed/);
+  assert.ok(await page.value('engine.memory < 64e6'), 'memory was taken for what the file claims');
+  const name = 'img src=x onerror=document.title="run"';
+  writeFileSync(at(`<${name}>.txt`.replace('/', '')), 'no height map');
+  await page.choose(at(`<${name}>.txt`));
+  await page.until("$('e-detail').textContent.length > 0 && location.hash === '#error'");
+  assert.notEqual(await page.value('document.title'), 'run');
+  await page.choose(at('map.x3p'));
+  await page.state('read');
+  await clean(page);
+});
+
+test('a worker that dies leaves file and settings', async () => {
+  const page = await opened();
+  await page.choose(at('map.x3p'));
+  await page.state('read');
+  await planned(page);
+  await page.value("(() => { const ask = engine.ask.bind(engine); engine.ask = (q, ...rest) => { if (q === 'run') { engine.ask = ask; return ask('no such question', 'not JSON for it', ...rest.slice(1)); } return ask(q, ...rest); }; })()");
+  await page.click('#compute-now');
+  await page.state('error');
+  assert.ok(await page.value("[...document.querySelectorAll('#e-act button')].some(b => b.textContent.includes('again'))"));
+  await page.click('#e-act button');
+  await clean(page);
+});
+
+test('a computation is cancelled, stopped early, and a built-in surface solved', async () => {
+  const page = await opened();
+  await page.click('[data-example=ground]');
+  await page.state('bodies');
+  await page.until("$('est-loads').textContent.startsWith('15 loads')");
+  await page.click('#compute');
+  await page.state('running');
+  await page.until('run.done.length >= 1');
+  await page.click('#cancel');
+  await page.state('bodies');
+  assert.equal(await page.value('engine.running'), false);
+  await page.click('#compute');
+  await page.state('running');
+  await page.until('run.done.length >= 2', 300);
+  await page.click('#stop');
+  await page.state('result', 300);
+  assert.match(await page.text('#result-note'), /^Stopped after \d+ of 15 loads/);
+  const files = await result(page);
+  const loads = JSON.parse(files['results.json']).surfaces[0].deterministic.length;
+  assert.ok(loads >= 2 && loads < 15, `${loads} loads`);
+  await clean(page);
+});
+
+test('by keyboard alone, in the dark, on a phone: nothing is wider than the screen', async () => {
+  const page = await opened({ width: 420, height: 800, dark: true });
+  const narrow = async () => assert.ok(await page.value('document.documentElement.scrollWidth <= document.documentElement.clientWidth'), await page.value('location.hash'));
+  await narrow();
+  await page.choose(at('map.x3p'));
+  await page.state('read');
+  await narrow();
+  assert.equal(await page.value('getComputedStyle(document.body).backgroundColor'), 'rgb(21, 24, 27)');
+  await planned(page);
+  await page.value("$('compute-now').focus()");
+  await page.key('Enter');
+  await page.state('result');
+  await narrow();
+  await page.value('history.back()');
+  await page.until("location.hash !== '#result'");
+  await narrow();
+  assert.deepEqual(await page.value("[...document.querySelectorAll('[id]')].map(e => e.id).filter((id, i, ids) => ids.indexOf(id) !== i)"), []);
+  await clean(page);
+});
+
+for (const given of process.argv.slice(2).filter(a => a !== '--' && existsSync(a))) {
+  const wanted = readdirSync(given, { recursive: true }).map(String).filter(f => basename(f) === 'KautschukInfiniteFocus.x3p');
+  for (const file of wanted) {
+    test(`${file}, measured, with missing points`, async () => {
+      const page = await opened();
+      await page.choose(join(given, file));
+      await page.state('read');
+      await planned(page);
+      await page.click('#compute-now');
+      await page.state('result', 600);
+      execFileSync(command, ['compare', basename(file), ...steel, '--outliers', '8', '--fill', 'harmonic', '--out', at('measured'), '--quiet', '--threads', '1'], { cwd: dirname(join(resolve(given), file)), stdio: 'ignore' });
+      same(await result(page), 'measured');
+      await clean(page);
+    });
+  }
+}
