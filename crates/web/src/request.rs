@@ -124,7 +124,7 @@ pub(crate) struct Facts {
     pub(crate) area: f64,
 }
 
-/// Most points of a map in a browser: 4096 x 4096, at [`crate::plan::BYTES_PER_POINT`] bytes each.
+/// Most points of a map in a browser: 4096 x 4096.
 const MOST_POINTS: u64 = 1 << 24;
 
 /// Largest file, and most that one member of it may unpack to (bytes).

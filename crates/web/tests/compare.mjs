@@ -34,6 +34,9 @@ export function numbers(found, expected, path = '') {
 export function printed(html) {
   const body = html.replace(/<script[\s\S]*?<\/script>/g, '').replace(/<svg[\s\S]*?<\/svg>/g, '').replace(/<style[\s\S]*?<\/style>/g, '');
   const text = body.replace(/<[^>]+>/g, '\n').replace(/[ \u202f\u00a0]/g, ' ').split('\n').map(line => line.trim()).filter(Boolean);
-  const times = /\b\d[\d.]* ?(ns|µs|ms|s|min|h)\b|\b[\d.]+(e\d+)?( ×10.)? ?(million |billion |thousand )?times faster/g;
-  return text.map(line => line.replace(times, '…')).filter(line => !/rough-contact compare|linux|wasi|wasm|processor|computed in|\d{4}$/i.test(line)).join('\n');
+  const time = /(at most )?\b\d[\d.]* ?(ns|µs|ms|s|min|h)\b/g;
+  const ratios = [/\b[\d.,  ]+(million |billion |thousand )?times faster/g, /they take [\d.]+ % of the time/g, /[\d.]+ times (slower|the time)/g];
+  const still = line => ratios.reduce((l, ratio) => l.replace(ratio, '…'), line).replace(time, '…');
+  const own = /^Repeat|rough-contact compare|rough-contact \d|linux|wasi|wasm|\d{1,2} \w+ 20\d\d/i;
+  return text.map(still).filter(line => !own.test(line)).join('\n');
 }
