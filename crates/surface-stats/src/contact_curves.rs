@@ -55,8 +55,7 @@ impl ContactCurves {
         // Heights over their range, lengths over the shorter side of a pixel: numbers about 1, whatever the units.
         let [dy, dx] = map.grid().pixel();
         let short = dy.min(dx);
-        let pressures = full_contact(map, short, span);
-        let mut points = points(map, edges, [dy / short, dx / short], high, span, &pressures);
+        let mut points = points(map, edges, [dy / short, dx / short], high, span);
         points.sort_unstable_by_key(|p| p.0);
         let means = over_highest(&points);
         let mean = means[0][0];
@@ -68,13 +67,14 @@ impl ContactCurves {
             slope: means.map(|m| (m[0] / mean).sqrt()),
             evenness: means.map(|m| if m[0] > 0.0 { m[1] / m[0].sqrt() } else { 1.0 }),
             pressure: means.map(|m| m[2] / gradient),
-            flattened: quantiles(pressures).map(|q| q / gradient),
+            flattened: quantiles(points).map(|q| q / gradient),
         })
     }
 }
 
-/// Full-contact pressure over E\* at each point, heights over `span` and lengths over `short`.
-fn full_contact(map: &HeightMap, short: f64, span: f64) -> Vec<f64> {
+/// Full-contact pressure over E\* at each point, heights over `span` and lengths over `short`; single, which is all
+/// that a point keeps of it.
+fn full_contact(map: &HeightMap, short: f64, span: f64) -> Vec<f32> {
     let mean = map.mean();
     let mut field: Vec<f64> = map.heights().iter().map(|h| (h - mean) / span).collect();
     let mut fft = GridFft::new(map.grid().shape());
@@ -85,18 +85,14 @@ fn full_contact(map: &HeightMap, short: f64, span: f64) -> Vec<f64> {
         *wave *= 0.5 * short * map.grid().wavenumber(i / nq, i % nq);
     }
     fft.inverse(&mut waves, &mut field);
-    field
+    drop(waves);
+    field.into_iter().map(|q| q as f32).collect()
 }
 
-fn points(
-    map: &HeightMap,
-    edges: Edges,
-    distance: [f64; 2],
-    high: f64,
-    span: f64,
-    pressures: &[f64],
-) -> Vec<Point> {
+fn points(map: &HeightMap, edges: Edges, distance: [f64; 2], high: f64, span: f64) -> Vec<Point> {
     let [ny, nx] = map.grid().shape();
+    let [dy, dx] = map.grid().pixel();
+    let pressures = full_contact(map, dy.min(dx), span);
     let mut points = Vec::with_capacity(ny * nx);
     for iy in 0..ny {
         for ix in 0..nx {
@@ -105,7 +101,7 @@ fn points(
             let x = beside(ix, nx, edges).map(|i| i.map(|i| (map.at(iy, i) - here) / span));
             let square = mean_square(y, distance[0]) + mean_square(x, distance[1]);
             let down = (high - here) / span * f64::from(u32::MAX);
-            points.push((down as u32, square as f32, pressures[iy * nx + ix] as f32));
+            points.push((down as u32, square as f32, pressures[iy * nx + ix]));
         }
     }
     points
@@ -138,14 +134,15 @@ fn over_highest(points: &[Point]) -> [[f64; 3]; CURVE_LEVELS] {
     means
 }
 
-/// Quantiles of the sizes at the shares (k + ½)/20.
-fn quantiles(mut values: Vec<f64>) -> [f64; CURVE_SHARES] {
-    values.sort_unstable_by(|a, b| a.abs().total_cmp(&b.abs()));
-    let last = values.len() - 1;
+/// Quantiles of the sizes of the full-contact pressure at the shares (k + ½)/20.
+fn quantiles(mut points: Vec<Point>) -> [f64; CURVE_SHARES] {
+    points.sort_unstable_by(|a, b| a.2.abs().total_cmp(&b.2.abs()));
+    let last = points.len() - 1;
+    let size = |i: usize| f64::from(points[i.min(last)].2.abs());
     std::array::from_fn(|k| {
         let place = (k as f64 + 0.5) / CURVE_SHARES as f64 * last as f64;
         let (i, t) = (place as usize, place.fract());
-        values[i].abs() * (1.0 - t) + values[(i + 1).min(last)].abs() * t
+        size(i) * (1.0 - t) + size(i + 1) * t
     })
 }
 
