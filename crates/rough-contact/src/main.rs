@@ -12,6 +12,7 @@ mod cleaning;
 mod compare;
 mod compare_many;
 mod compare_profiles;
+mod completions;
 mod conduction;
 mod convert;
 mod export;
@@ -24,6 +25,7 @@ mod input;
 mod intervals;
 mod iso;
 mod loads;
+mod manual;
 mod materials;
 mod model;
 mod model_list;
@@ -90,6 +92,10 @@ enum Command {
     Materials(materials::Materials),
     /// The solver against exact solutions, on this machine
     Validate(validate::Validate),
+    /// What a shell needs to complete this command, its options and their values
+    Completions(completions::Completions),
+    /// The manual page, of this command or of one below it
+    Man(manual::Man),
 }
 
 fn main() -> ExitCode {
@@ -127,5 +133,7 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::Synth(synth) => synth.run(common),
         Command::Materials(materials) => materials.run(),
         Command::Validate(validate) => validate.run(common),
+        Command::Completions(completions) => completions.run(Cli::command()),
+        Command::Man(man) => man.run(Cli::command(), common),
     }
 }

@@ -1,0 +1,70 @@
+//! `rough-contact man`: manual pages, from the same table as `--help`.
+
+use crate::args::Common;
+use crate::outcome::{Failure, Reply};
+use crate::output::Folder;
+use clap::{Args, Command};
+use serde_json::json;
+use std::io::Write as _;
+use std::path::PathBuf;
+
+#[derive(Args)]
+pub(crate) struct Man {
+    /// A command, such as solve; without one the page that lists them
+    #[arg(value_name = "COMMAND", conflicts_with = "out")]
+    page: Option<String>,
+    /// Folder for the pages of all commands, as rough-contact-solve.1
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// A page: the name of its file and what is in it.
+struct Page {
+    name: String,
+    text: String,
+}
+
+impl Man {
+    /// The pages of `command`.
+    pub(crate) fn run(&self, command: Command, common: &Common) -> Result<Reply, Failure> {
+        let pages = pages(command)?;
+        if let Some(out) = &self.out {
+            let names: Vec<String> = pages.iter().map(|page| page.name.clone()).collect();
+            let folder = Folder::prepare(out, &names, common.force)?;
+            for page in &pages {
+                folder.write(&page.name, |file| file.write_all(page.text.as_bytes()))?;
+            }
+            let text = format!("{} pages: {}\n", names.len(), out.display());
+            return Ok(Reply::new(text, json!({ "pages": names })));
+        }
+        let wanted = match &self.page {
+            None => "rough-contact.1".to_owned(),
+            Some(command) => format!("rough-contact-{command}.1"),
+        };
+        let page = pages.into_iter().find(|page| page.name == wanted).ok_or_else(|| {
+            let message = format!(
+                "there is no manual page {wanted}; `rough-contact --help` lists the commands"
+            );
+            Failure::refused("usage", message)
+        })?;
+        let object = json!({ "page": page.name, "text": page.text });
+        Ok(Reply::new(page.text, object))
+    }
+}
+
+/// One page for the command and one for each below it.
+fn pages(command: Command) -> Result<Vec<Page>, Failure> {
+    let mut command = command.disable_help_subcommand(true);
+    command.build(); // gives the commands below their full names and the common options
+    let below = command.get_subcommands().cloned().collect::<Vec<_>>();
+    std::iter::once(command).chain(below).map(page).collect()
+}
+
+fn page(command: Command) -> Result<Page, Failure> {
+    let internal = |e: String| Failure::refused("internal", e);
+    let manual = clap_mangen::Man::new(command);
+    let mut text = Vec::new();
+    manual.render(&mut text).map_err(|e| internal(e.to_string()))?;
+    let text = String::from_utf8(text).map_err(|e| internal(e.to_string()))?;
+    Ok(Page { name: manual.get_filename(), text })
+}
