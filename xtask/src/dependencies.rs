@@ -67,22 +67,6 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         ],
         120,
     ),
-    (
-        "rough-contact",
-        6,
-        &[
-            "contact-answers",
-            "contact-accuracy",
-            "contact-types",
-            "surface-io",
-            "surface-stats",
-            "multiscale-models",
-            "fft-bem-solver",
-            "contact-compare",
-            "contact-report",
-        ],
-        130,
-    ),
     // The research programs: their tests and examples reach for every crate.
     (
         "studies",
@@ -96,7 +80,25 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         ],
         100,
     ),
-    ("xtask", 7, &[], 10),
+    // The command, which serves the page of `contact-web`.
+    (
+        "rough-contact",
+        7,
+        &[
+            "contact-answers",
+            "contact-accuracy",
+            "contact-types",
+            "surface-io",
+            "surface-stats",
+            "multiscale-models",
+            "fft-bem-solver",
+            "contact-compare",
+            "contact-report",
+            "contact-web",
+        ],
+        130,
+    ),
+    ("xtask", 8, &[], 10),
 ];
 
 /// The crates that come with one of ours, with default features, without tests.

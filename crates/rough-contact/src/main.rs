@@ -4,6 +4,7 @@
 
 mod adhesion;
 mod against;
+mod app;
 mod args;
 mod batch;
 mod bodies;
@@ -20,6 +21,7 @@ mod fields;
 mod files;
 mod given;
 mod hardness;
+mod http;
 mod info;
 mod input;
 mod intervals;
@@ -38,6 +40,7 @@ mod profiles;
 mod progress;
 mod roughness;
 mod rows;
+mod serve;
 mod shell;
 mod solve;
 mod stats;
@@ -90,6 +93,8 @@ enum Command {
     Convert(convert::Convert),
     /// The table of materials that --material takes names of
     Materials(materials::Materials),
+    /// The page in a browser, computed by this program: drop a measurement, read the report
+    App(app::App),
     /// The solver against exact solutions, on this machine
     Validate(validate::Validate),
     /// What a shell needs to complete this command, its options and their values
@@ -132,6 +137,7 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::Convert(convert) => convert.run(common),
         Command::Synth(synth) => synth.run(common),
         Command::Materials(materials) => materials.run(),
+        Command::App(app) => app.run(common),
         Command::Validate(validate) => validate.run(common),
         Command::Completions(completions) => completions.run(Cli::command()),
         Command::Man(man) => man.run(Cli::command(), common),

@@ -40,6 +40,7 @@ async function begin() {
   }
   const start = await engine.ask('start', {});
   if (!start || start.kind !== 'done') { fail(start || { kind: 'died' }); return; }
+  now.place = start.place;
   const names = start.formats.map(f => f.name);
   $('formats').textContent = `${names.slice(0, 12).join(', ')} and ${names.length - 12} others: recognised by content, not by name.`;
   $('formats').title = names.join(', ');

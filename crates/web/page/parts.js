@@ -27,7 +27,7 @@ function shownName(name) {
 
 // What the page knows; the file itself stays where it is until it is asked for.
 const now = {
-  file: null, example: null, reading: {}, remedies: {}, plan: null, read: null, answer: null, stopped: null,
+  file: null, example: null, reading: {}, remedies: {}, plan: null, read: null, answer: null, stopped: null, place: null,
 };
 const engine = new Engine();
 
@@ -68,7 +68,7 @@ function fail(answer) {
   now.error = true;
   $('h-error').textContent = died ? 'The computation stopped without saying why.' : answer.heading;
   $('e-text').textContent = died
-    ? 'Your file and settings are still here. Often the memory of the browser was not enough.' : answer.text;
+    ? `Your file and settings are still here. ${now.place ? now.place.died : ''}` : answer.text;
   $('e-ways').replaceChildren(...(answer.ways || []).map(way => part('li', {}, way)));
   $('e-detail').textContent = answer.detail || '';
   const buttons = [];

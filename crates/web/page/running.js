@@ -51,7 +51,8 @@ function cancel() {
   go('bodies');
 }
 
-// WebAssembly cannot be told to stop from outside: the loads that are done are solved once more, and only they.
+// Nothing is kept beside the page, and WebAssembly cannot be told to stop from outside: the loads that are done are
+// solved once more, and only they.
 function stopAndKeep() {
   const kept = run.done.filter(load => load.area !== null).map(load => load.pressure);
   const of = run.loads;

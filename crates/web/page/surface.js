@@ -23,7 +23,7 @@ async function look() {
     $('reading').hidden = false;
   }, 300);
   $('doubts').classList.add('wait');
-  const answer = now.file.size > MOST_BYTES ? tooBig(now.file.size) : await engine.ask('inspect', request(), now.file);
+  const answer = now.file.size > now.place.most_bytes ? tooBig(now.file.size) : await engine.ask('inspect', request(), now.file);
   clearTimeout(patience);
   $('reading').hidden = true;
   $('doubts').classList.remove('wait');
@@ -32,14 +32,9 @@ async function look() {
   if (answer.state === 'ask') showAsk(answer); else showRead(answer);
 }
 
-const MOST_BYTES = 512 * 1024 * 1024;
 function tooBig(size) {
-  return {
-    kind: 'error', heading: 'This file asks for more than a browser can give.',
-    text: `It has ${megabytes(size)}; here a file may have 512 MB. It was not read.`,
-    ways: ['The command rough-contact uses all memory of this machine and has no such limit.'],
-    detail: `limit: ${size} bytes`,
-  };
+  const { heading, text, ways } = now.place.too_big;
+  return { kind: 'error', heading, text: `It has ${megabytes(size)}. ${text}`, ways, detail: `limit: ${size} bytes` };
 }
 
 function megabytes(bytes) {

@@ -1,18 +1,20 @@
 //! The questions that the page asks.
 
 use crate::message::Messages;
+use crate::place::Place;
 use crate::request::Request;
 use crate::trouble::Trouble;
 use crate::{inspect, plan, run, start};
 use answers::Failure;
 
 /// Answers one question about the bytes of a file: `start`, `inspect`, `meaning`, `plan` or `run`. The request is JSON.
-/// What is refused is a message as well.
-pub fn answer(question: &str, request: &str, file: &[u8], out: &mut Messages<'_>) {
+/// What is refused is a message as well. When `out` cannot be written any more, a run stops.
+pub fn answer(question: &str, request: &str, file: &[u8], place: Place, out: &mut Messages<'_>) {
     let answered = serde_json::from_str::<Request>(request)
         .map_err(|e| Trouble::Refused(Failure::refused("internal", e.to_string())))
+        .map(|request| Request { place, ..request })
         .and_then(|request| match question {
-            "start" => start::answer(out),
+            "start" => start::answer(place, out),
             "inspect" => inspect::answer(&request, file, out),
             "meaning" => inspect::meaning(&request, out),
             "plan" => plan::answer(&request, out),
@@ -22,6 +24,6 @@ pub fn answer(question: &str, request: &str, file: &[u8], out: &mut Messages<'_>
             }
         });
     if let Err(trouble) = answered {
-        trouble.tell(out);
+        trouble.tell(place, out);
     }
 }

@@ -182,7 +182,7 @@ fn picture(map: &HeightMap, key: &str) -> Result<String, Trouble> {
 
 /// The state `ask`: numbers as they stand in the file, and what the fields filled in so far would mean.
 fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
-    let mut options = request.reading.options()?;
+    let mut options = request.reading.options(request.place.limits())?;
     let mut missing = Vec::new();
     let raw = loop {
         let needs = match surface_io::read_bytes(file, &options) {

@@ -6,6 +6,7 @@ mod inspect;
 mod message;
 mod numbers;
 mod page;
+mod place;
 mod plan;
 mod request;
 mod roughness;
@@ -16,4 +17,5 @@ mod trouble;
 
 pub use answer::answer;
 pub use message::Messages;
-pub use page::page;
+pub use page::{page, page_of_program};
+pub use place::Place;

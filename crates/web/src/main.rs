@@ -4,7 +4,7 @@
 
 use std::io::{Read, Write};
 use std::process::ExitCode;
-use web::{Messages, answer, page};
+use web::{Messages, Place, answer, page};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -29,6 +29,6 @@ fn answered(question: &str, request: &str) -> std::io::Result<()> {
     std::io::stdin().read_to_end(&mut file)?;
     let mut out = std::io::stdout();
     let mut messages = Messages::new(&mut out);
-    answer(question, request, &file, &mut messages);
+    answer(question, request, &file, Place::BROWSER, &mut messages);
     messages.end()
 }

@@ -1,5 +1,6 @@
 //! The one file that a browser opens: markup, style, scripts, and the engine as text.
 
+use crate::place::Place;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
@@ -8,9 +9,11 @@ use std::io::Write;
 
 const HTML: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/page.css");
-/// In the order in which they need each other.
+/// Who answers: the module inside the page, or the program that has served it.
+const ENGINE: &str = include_str!("../page/engine.js");
+const PROGRAM: &str = include_str!("../page/program.js");
+/// The rest, in the order in which they need each other.
 const SCRIPT: &str = concat!(
-    include_str!("../page/engine.js"),
     include_str!("../page/parts.js"),
     include_str!("../page/surface.js"),
     include_str!("../page/bodies.js"),
@@ -33,8 +36,21 @@ pub fn page(engine: &[u8]) -> std::io::Result<String> {
          <script type=\"text/plain\" id=\"engine\">{}</script>",
         STANDARD.encode(packed.finish()?)
     );
-    Ok(HTML
+    let policy = "script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; frame-src 'self' blob:";
+    Ok(joined(policy, Place::BROWSER, &engine, ENGINE))
+}
+
+/// The page that asks the program which has served it: `start` and the other questions of [`answer`](crate::answer) at
+/// `ask/QUESTION` below its own address, with the request as JSON in the first line of the body and the file behind it.
+pub fn page_of_program(place: Place) -> String {
+    let policy = "script-src 'unsafe-inline'; connect-src 'self'; frame-src 'self'";
+    joined(policy, place, "", PROGRAM)
+}
+
+fn joined(policy: &str, place: Place, engine: &str, asking: &str) -> String {
+    HTML.replace("<!--policy-->", policy)
         .replace("/*style*/", &format!("{}{STYLE}", report::style()))
-        .replace("<!--engine-->", &engine)
-        .replace("/*script*/", SCRIPT))
+        .replace("<!--where-->", &place.where_said())
+        .replace("<!--engine-->", engine)
+        .replace("/*script*/", &format!("{asking}{SCRIPT}"))
 }

@@ -2,15 +2,12 @@
 
 use crate::message::Messages;
 use crate::numbers::{count, pressure};
+use crate::place::Place;
 use crate::request::{Facts, LoadBy, Request};
 use crate::trouble::Trouble;
 use answers::bodies;
 use compare::{EdgesName, loads_of_study};
 use serde_json::{Value, json};
-
-/// Memory of a study in WebAssembly (bytes per point): of one whose grid resolves the contact, and of one that is solved
-/// once more on a grid of four times the points. Measured on 1001 × 1001 and 634 × 860 points: 149 and 815.
-const BYTES_PER_POINT: [f64; 2] = [150.0, 820.0];
 
 pub(crate) fn answer(request: &Request, out: &mut Messages<'_>) -> Result<(), Trouble> {
     out.tell("done", of(request)?);
@@ -27,7 +24,7 @@ pub(crate) fn of(request: &Request) -> Result<Value, Trouble> {
         (None, given) => given.clone(),
     };
     let said = pressures.as_deref().map(|list| loads(list, request.load.by));
-    let cost = facts.map(|f| cost(f, settings.edges));
+    let cost = facts.map(|f| cost(f, settings.edges, request.place));
     Ok(json!({
         "modulus": format!("Together they act as one elastic body of contact modulus E* = {}.", pressure(settings.modulus)),
         "e_star": pressure(settings.modulus),
@@ -50,9 +47,9 @@ fn loads(pressures: &[f64], by: LoadBy) -> String {
     }
 }
 
-fn cost(facts: Facts, edges: EdgesName) -> String {
+fn cost(facts: Facts, edges: EdgesName, place: Place) -> String {
     let points = if edges == EdgesName::Mirrored { 4.0 * facts.points } else { facts.points };
-    let [low, high] = BYTES_PER_POINT.map(|bytes| two(points * bytes / 1e6));
+    let [low, high] = place.bytes_per_point().map(|bytes| two(points * bytes / 1e6));
     format!(
         "{} points; {low} to {high} MB of memory, the more where the grid has to be refined",
         count(points as usize)

@@ -1,5 +1,6 @@
 //! What the page asks: the fields as people filled them in, numbers with their units as text.
 
+use crate::place::Place;
 use answers::quantity;
 use answers::units::Dimension;
 use answers::{Failure, bodies};
@@ -32,6 +33,9 @@ pub(crate) struct Request {
     pub(crate) facts: Option<Facts>,
     /// For the meaning of units: the numbers as they stand in the file.
     pub(crate) raw: Option<Raw>,
+    /// Where it is answered; no page says that.
+    #[serde(skip)]
+    pub(crate) place: Place,
 }
 
 /// A map without units.
@@ -124,12 +128,6 @@ pub(crate) struct Facts {
     pub(crate) area: f64,
 }
 
-/// Most points of a map in a browser: 4096 x 4096.
-const MOST_POINTS: u64 = 1 << 24;
-
-/// Largest file, and most that one member of it may unpack to (bytes).
-const MOST_BYTES: u64 = 512 << 20;
-
 /// A number as people type it: with a point or a comma.
 pub(crate) fn parse(text: &str, dimension: Dimension) -> Result<f64, Failure> {
     quantity::parse(&text.trim().replace(',', "."), dimension).map_err(|e| Failure::from_error(&e))
@@ -154,11 +152,7 @@ impl Reading {
         unit(self.height_unit.as_deref())
     }
 
-    pub(crate) fn options(&self) -> Result<ReadOptions, Failure> {
-        let mut limits = Limits::default();
-        limits.points = MOST_POINTS;
-        limits.file_bytes = MOST_BYTES;
-        limits.unpacked_bytes = MOST_BYTES;
+    pub(crate) fn options(&self, limits: Limits) -> Result<ReadOptions, Failure> {
         let mut options = ReadOptions::default().with_limits(limits);
         options.channel.clone_from(&self.channel);
         options.pixel = self.pixel()?;
@@ -286,6 +280,7 @@ impl Request {
             load_area,
             level: self.remedies.level(),
             edges: self.remedies.edges(),
+            threads: self.place.threads,
             ..Settings::default()
         })
     }

@@ -2,6 +2,7 @@
 
 use crate::message::Messages;
 use crate::numbers::length;
+use crate::place::Place;
 use crate::trouble::Trouble;
 use answers::Failure;
 use compare::{Property, STEEL, built_in_recipes, materials, source_of};
@@ -11,7 +12,7 @@ use surface_io::FORMATS;
 /// Points per side of the pictures of built-in surfaces: a part of each at its own distance of points.
 const PART: usize = 128;
 
-pub(crate) fn answer(out: &mut Messages<'_>) -> Result<(), Trouble> {
+pub(crate) fn answer(place: Place, out: &mut Messages<'_>) -> Result<(), Trouble> {
     let recipes = built_in_recipes().map_err(|e| Failure::from_error(&e))?;
     let mut examples = Vec::with_capacity(recipes.len());
     for recipe in recipes {
@@ -36,7 +37,7 @@ pub(crate) fn answer(out: &mut Messages<'_>) -> Result<(), Trouble> {
         "done",
         json!({
             "version": env!("CARGO_PKG_VERSION"), "examples": examples, "formats": formats,
-            "materials": table(),
+            "materials": table(), "place": place.json(),
         }),
     );
     Ok(())

@@ -8,7 +8,7 @@ use surface_io::Measurement;
 
 /// The measurement in a file.
 pub(crate) fn measurement(request: &Request, file: &[u8]) -> Result<Measurement, Trouble> {
-    let options = request.reading.options()?;
+    let options = request.reading.options(request.place.limits())?;
     let found = surface_io::read_bytes(file, &options).map_err(Trouble::Unread)?;
     if found.is_profile() {
         return Err(Trouble::Profile { points: found.heights().len() });

@@ -1,6 +1,7 @@
 //! Why there is no answer, in the words of the page: what happened, its effect, what to do, the line for a bug report.
 
 use crate::message::Messages;
+use crate::place::Place;
 use answers::{Failure, Incomplete};
 use compare::StudyError;
 use serde_json::json;
@@ -34,8 +35,6 @@ struct Words {
     ways: Vec<&'static str>,
 }
 
-const COMMAND: &str =
-    "The command rough-contact uses all memory of this machine and has no such limit.";
 const AGAIN: &str = "Copy the file again, or export it again from the instrument.";
 
 impl Trouble {
@@ -51,7 +50,7 @@ impl Trouble {
         }
     }
 
-    fn words(&self) -> Words {
+    fn words(&self, place: Place) -> Words {
         let words = |heading, text: &str, ways| Words { heading, text: text.to_owned(), ways };
         match self {
             Self::Unread(ReadError::Empty) => {
@@ -66,11 +65,13 @@ impl Trouble {
                 ],
             ),
             Self::Unread(ReadError::Limit { .. }) => words(
-                "This file asks for more than a browser can give.",
-                "It was refused before anything of that size was taken: here a map has at most 4096 × 4096 points, \
-                 and a file 512 MB.",
+                place.asks_for_more(),
+                &format!(
+                    "It was refused before anything of that size was taken: here {} at most.",
+                    place.limits_said()
+                ),
                 vec![
-                    COMMAND,
+                    place.way_out(),
                     "If the file is much smaller than that, it contradicts itself: export it again.",
                 ],
             ),
@@ -109,8 +110,8 @@ impl Trouble {
     }
 
     /// Tells it.
-    pub(crate) fn tell(&self, out: &mut Messages<'_>) {
-        let (failure, words) = (self.failure(), self.words());
+    pub(crate) fn tell(&self, place: Place, out: &mut Messages<'_>) {
+        let (failure, words) = (self.failure(), self.words(place));
         let text = if words.text.is_empty() { capital(failure.message()) } else { words.text };
         out.tell(
             "error",

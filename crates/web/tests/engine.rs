@@ -5,13 +5,13 @@ use serde_json::{Value, json};
 use std::io::Cursor;
 use std::ops::ControlFlow;
 use surface_io::write;
-use web::{Messages, answer};
+use web::{Messages, Place, answer};
 
 /// All messages to one question.
 fn asked(question: &str, request: &Value, file: &[u8]) -> Vec<Value> {
     let mut out = Vec::new();
     let mut messages = Messages::new(&mut out);
-    answer(question, &request.to_string(), file, &mut messages);
+    answer(question, &request.to_string(), file, Place::BROWSER, &mut messages);
     messages.end().expect("memory takes it");
     let text = String::from_utf8(out).expect("JSON is text");
     text.lines().map(|line| serde_json::from_str(line).expect("one object a line")).collect()

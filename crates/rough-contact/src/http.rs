@@ -1,0 +1,221 @@
+//! As much of HTTP/1.1 as one page on this machine needs: one question for each connection, with its length before
+//! it; everything else is refused.
+
+use std::io::{ErrorKind, Read, Write};
+use std::net::{Shutdown, TcpStream};
+use std::time::{Duration, Instant};
+
+/// Most bytes before the body.
+const MOST_HEAD: usize = 16 << 10;
+
+/// Most lines before the body.
+const MOST_HEADERS: usize = 64;
+
+/// What comes before the body has to be there within this time.
+const HEAD_WITHIN: Duration = Duration::from_secs(10);
+
+/// A body may pause, and a reader may keep us waiting, for this long.
+const PAUSE: Duration = Duration::from_secs(60);
+
+/// A refused body is listened to for this long, so that its sender reads why before the connection breaks.
+const LINGER: Duration = Duration::from_millis(300);
+
+/// What is asked.
+#[derive(Debug)]
+pub(crate) struct Head {
+    pub(crate) method: String,
+    pub(crate) path: String,
+    pub(crate) host: Option<String>,
+    pub(crate) origin: Option<String>,
+    pub(crate) content_type: Option<String>,
+    /// Length of the body, where one is announced.
+    pub(crate) length: Option<u64>,
+    /// What came with it of the body.
+    rest: Vec<u8>,
+}
+
+/// A status, and why.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Refused(pub(crate) u16, pub(crate) &'static str);
+
+const MALFORMED: Refused = Refused(400, "This is not a question in HTTP/1.1.");
+
+/// What comes before the body.
+pub(crate) fn head(stream: &mut TcpStream) -> Result<Head, Refused> {
+    let late = Refused(408, "The question took too long to come.");
+    let end = Instant::now() + HEAD_WITHIN;
+    let mut bytes = Vec::new();
+    loop {
+        if let Some(head) = parse(&bytes)? {
+            return Ok(head);
+        }
+        if bytes.len() >= MOST_HEAD {
+            return Err(Refused(431, "The question has too long a head."));
+        }
+        let left = end.saturating_duration_since(Instant::now());
+        if left.is_zero() || stream.set_read_timeout(Some(left)).is_err() {
+            return Err(late);
+        }
+        let mut piece = [0; 4096];
+        match stream.read(&mut piece) {
+            Ok(0) => return Err(MALFORMED),
+            Ok(count) => bytes.extend_from_slice(&piece[..count]),
+            Err(e) if e.kind() == ErrorKind::Interrupted => {}
+            Err(_) => return Err(late),
+        }
+    }
+}
+
+/// The head, if it is complete.
+fn parse(bytes: &[u8]) -> Result<Option<Head>, Refused> {
+    let mut headers = [httparse::EMPTY_HEADER; MOST_HEADERS];
+    let mut request = httparse::Request::new(&mut headers);
+    let end = match request.parse(bytes) {
+        Ok(httparse::Status::Complete(end)) => end,
+        Ok(httparse::Status::Partial) => return Ok(None),
+        Err(httparse::Error::TooManyHeaders) => {
+            return Err(Refused(431, "The question has too many headers."));
+        }
+        Err(_) => return Err(MALFORMED),
+    };
+    // A header that is said twice could mean one thing to us and another to who let it through.
+    let once = |name: &str| {
+        let mut found = request.headers.iter().filter(|h| h.name.eq_ignore_ascii_case(name));
+        match (found.next(), found.next()) {
+            (None, _) => Ok(None),
+            (Some(header), None) => {
+                let text = std::str::from_utf8(header.value).map_err(|_| MALFORMED)?;
+                Ok(Some(text.trim().to_owned()))
+            }
+            (Some(_), Some(_)) => Err(Refused(400, "The question says a header twice.")),
+        }
+    };
+    if once("transfer-encoding")?.is_some() {
+        return Err(Refused(501, "A body has to say its length."));
+    }
+    let length = match once("content-length")? {
+        None => None,
+        Some(digits) if digits.bytes().all(|b| b.is_ascii_digit()) => {
+            Some(digits.parse().map_err(|_| MALFORMED)?)
+        }
+        Some(_) => return Err(MALFORMED),
+    };
+    Ok(Some(Head {
+        method: request.method.unwrap_or_default().to_owned(),
+        path: request.path.unwrap_or_default().to_owned(),
+        host: once("host")?,
+        origin: once("origin")?,
+        content_type: once("content-type")?,
+        length,
+        rest: bytes[end..].to_vec(),
+    }))
+}
+
+/// The body, which has to have its announced length and at most `most` bytes. No memory is taken for what is only
+/// announced.
+pub(crate) fn body(stream: &mut TcpStream, head: Head, most: u64) -> Result<Vec<u8>, Refused> {
+    let length = head.length.ok_or(Refused(411, "A body has to say its length."))?;
+    if length > most {
+        return Err(Refused(413, "The file is larger than the program takes."));
+    }
+    let mut body = head.rest;
+    let cut = Refused(400, "The body does not have the length that was announced.");
+    let missing = length.checked_sub(body.len() as u64).ok_or(cut)?;
+    stream.set_read_timeout(Some(PAUSE)).map_err(|_| cut)?;
+    stream.take(missing).read_to_end(&mut body).map_err(|_| cut)?;
+    if body.len() as u64 == length { Ok(body) } else { Err(cut) }
+}
+
+/// Begins an answer, whose body ends with the connection. Nothing of it is kept, guessed at or shown inside another page.
+pub(crate) fn begin(stream: &mut TcpStream, status: u16, content: &str) -> std::io::Result<()> {
+    stream.set_write_timeout(Some(PAUSE))?;
+    stream.set_nodelay(true)?;
+    let head = format!(
+        "HTTP/1.1 {status} {}\r\nContent-Type: {content}; charset=utf-8\r\nConnection: close\r\nCache-Control: no-store\r\n\
+         X-Content-Type-Options: nosniff\r\nReferrer-Policy: same-origin\r\nCross-Origin-Resource-Policy: same-origin\r\n\
+         Cross-Origin-Opener-Policy: same-origin\r\n\
+         Content-Security-Policy: frame-ancestors 'none'; base-uri 'none'; form-action 'none'\r\n\r\n",
+        reason(status)
+    );
+    stream.write_all(head.as_bytes())
+}
+
+/// A whole answer.
+pub(crate) fn answer(stream: &mut TcpStream, content: &str, text: &str) -> std::io::Result<()> {
+    begin(stream, 200, content)?;
+    stream.write_all(text.as_bytes())
+}
+
+/// Says why there is none. Who still sends is heard for a moment: an unread rest would break the connection before the
+/// reason is read.
+pub(crate) fn refuse(stream: &mut TcpStream, Refused(status, why): Refused) -> std::io::Result<()> {
+    begin(stream, status, "text/plain")?;
+    stream.write_all(why.as_bytes())?;
+    stream.shutdown(Shutdown::Write)?;
+    let end = Instant::now() + LINGER;
+    let mut ignored = [0; 1 << 12];
+    loop {
+        let left = end.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return Ok(());
+        }
+        stream.set_read_timeout(Some(left))?;
+        match stream.read(&mut ignored) {
+            Ok(0) => return Ok(()),
+            Ok(_) => {}
+            Err(e) if matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
+                return Ok(());
+            }
+            Err(e) => return Err(e),
+        }
+    }
+}
+
+fn reason(status: u16) -> &'static str {
+    match status {
+        200 => "OK",
+        403 => "Forbidden",
+        404 => "Not Found",
+        405 => "Method Not Allowed",
+        408 => "Request Timeout",
+        411 => "Length Required",
+        413 => "Content Too Large",
+        415 => "Unsupported Media Type",
+        431 => "Request Header Fields Too Large",
+        501 => "Not Implemented",
+        503 => "Service Unavailable",
+        _ => "Bad Request",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_head_is_read_when_it_is_complete() {
+        let text = b"POST /x HTTP/1.1\r\nHost: a:1\r\nContent-Length: 3\r\n\r\nab";
+        for end in 0..text.len() - 2 {
+            assert!(matches!(parse(&text[..end]), Ok(None)), "{end}");
+        }
+        let head = parse(text).unwrap().unwrap();
+        assert_eq!(
+            (head.method.as_str(), head.path.as_str(), head.length),
+            ("POST", "/x", Some(3))
+        );
+        assert_eq!((head.host.as_deref(), head.rest.as_slice()), (Some("a:1"), &b"ab"[..]));
+    }
+
+    #[test]
+    fn what_could_be_read_in_two_ways_is_refused() {
+        let status = |headers: &str| {
+            parse(format!("POST / HTTP/1.1\r\n{headers}\r\n").as_bytes()).unwrap_err().0
+        };
+        assert_eq!(status("Content-Length: 1\r\nContent-Length: 2\r\n"), 400);
+        assert_eq!(status("Host: a\r\nhost: b\r\n"), 400);
+        assert_eq!(status("Content-Length: +1\r\n"), 400);
+        assert_eq!(status("Content-Length: 99999999999999999999\r\n"), 400);
+        assert_eq!(status("Transfer-Encoding: chunked\r\n"), 501);
+        assert_eq!(status(&"A: b\r\n".repeat(65)), 431);
+    }
+}

@@ -1,0 +1,177 @@
+//! The page and its questions over the loopback address: who may ask, and what is answered.
+
+use crate::http::{self, Head, Refused};
+use crate::outcome::tell;
+use std::net::{TcpListener, TcpStream};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+use web::{Messages, Place, answer, page_of_program};
+
+/// Connections at the same time. A browser opens six.
+const MOST_CONNECTIONS: usize = 16;
+
+/// Most bytes of a request, which comes before the file.
+const MOST_REQUEST: usize = 1 << 20;
+
+/// Who may ask, and what is served.
+pub(crate) struct Site {
+    /// What a browser that asks us names as its host; another name that leads here is another's.
+    host: String,
+    /// What it says where a question comes from: our page.
+    origin: String,
+    /// A secret that only who has opened the page knows.
+    token: String,
+    place: Place,
+    page: String,
+    /// Nothing is told in the terminal.
+    quiet: bool,
+}
+
+impl Site {
+    pub(crate) fn new(port: u16, token: String, threads: usize, quiet: bool) -> Self {
+        let place = Place::machine(threads);
+        let host = format!("127.0.0.1:{port}");
+        let origin = format!("http://{host}");
+        Self { host, origin, token, place, page: page_of_program(place), quiet }
+    }
+
+    /// The address of the page.
+    pub(crate) fn address(&self) -> String {
+        format!("{}/{}/", self.origin, self.token)
+    }
+
+    /// Answers until the program is ended.
+    pub(crate) fn serve(self, listener: &TcpListener) -> std::io::Error {
+        let (site, open) = (Arc::new(self), Arc::new(AtomicUsize::new(0)));
+        loop {
+            let mut stream = match listener.accept() {
+                Ok((stream, _)) => stream,
+                // The other side has gone before it was answered.
+                Err(e) if e.kind() == std::io::ErrorKind::ConnectionAborted => continue,
+                Err(e) if e.kind() == std::io::ErrorKind::Interrupted => continue,
+                Err(e) => return e,
+            };
+            let (site, taken) = (Arc::clone(&site), Taken::of(&open));
+            // A thread that cannot be started drops the connection; the browser says so.
+            let _ = std::thread::Builder::new().spawn(move || {
+                let done = if taken.number > MOST_CONNECTIONS {
+                    http::refuse(&mut stream, Refused(503, "Too many questions at once."))
+                } else {
+                    site.connection(&mut stream)
+                };
+                // Who has gone does not wait for an answer.
+                drop((done, taken));
+            });
+        }
+    }
+
+    /// One question on one connection.
+    fn connection(&self, stream: &mut TcpStream) -> std::io::Result<()> {
+        let head = match http::head(stream) {
+            Ok(head) => head,
+            Err(refused) => return http::refuse(stream, refused),
+        };
+        let question = match self.allowed(&head) {
+            Ok(Asked::Page) => return http::answer(stream, "text/html", &self.page),
+            Ok(Asked::Question(question)) => question,
+            Err(refused) => return http::refuse(stream, refused),
+        };
+        let most = self.place.most_bytes().saturating_add(MOST_REQUEST as u64);
+        let body = match http::body(stream, head, most) {
+            Ok(body) => body,
+            Err(refused) => return http::refuse(stream, refused),
+        };
+        let Some((request, file)) = split(&body) else {
+            let why = "The first line of a question is its request.";
+            return http::refuse(stream, Refused(400, why));
+        };
+        http::begin(stream, 200, "application/x-ndjson")?;
+        self.ask(&question, request, file, stream);
+        Ok(())
+    }
+
+    /// Who asks for what. A page of another site can make a browser ask here, under our name or its own; it knows
+    /// neither the secret, nor can it name our origin or send this type of content.
+    fn allowed(&self, head: &Head) -> Result<Asked, Refused> {
+        if head.host.as_deref() != Some(&self.host) {
+            return Err(Refused(403, "This program answers to its own address only."));
+        }
+        let unknown = Refused(404, "There is nothing at this address.");
+        let rest = head.path.strip_prefix('/').and_then(|path| path.split_once('/'));
+        let (token, name) = rest.ok_or(unknown)?;
+        if !same(token, &self.token) {
+            return Err(unknown);
+        }
+        let is = |method| head.method == method;
+        match name {
+            "" if is("GET") => Ok(Asked::Page),
+            "" => Err(Refused(405, "The page can be read.")),
+            _ => {
+                let question = name.strip_prefix("ask/").ok_or(unknown)?;
+                if !is("POST") {
+                    return Err(Refused(405, "Questions are posted."));
+                }
+                if head.origin.as_deref() != Some(&self.origin) {
+                    return Err(Refused(403, "Only the page of this program may ask."));
+                }
+                if head.content_type.as_deref() != Some("application/octet-stream") {
+                    return Err(Refused(415, "A question is an octet-stream."));
+                }
+                Ok(Asked::Question(question.to_owned()))
+            }
+        }
+    }
+
+    /// Answers, and says in the terminal what a computation came to.
+    fn ask(&self, question: &str, request: &str, file: &[u8], stream: &mut TcpStream) {
+        let begun = Instant::now();
+        let mut messages = Messages::new(stream);
+        answer(question, request, file, self.place, &mut messages);
+        let heard = messages.end();
+        if question == "run" && !self.quiet {
+            let seconds = begun.elapsed().as_secs_f64();
+            match heard {
+                Ok(()) => tell(&format!("computed in {seconds:.1} s")),
+                Err(_) => tell(&format!("stopped after {seconds:.1} s: the page waits no longer")),
+            }
+        }
+    }
+}
+
+/// What may be asked.
+enum Asked {
+    Page,
+    Question(String),
+}
+
+/// A place among the connections, given back at the end of its thread, however that ends.
+struct Taken {
+    open: Arc<AtomicUsize>,
+    number: usize,
+}
+
+impl Taken {
+    fn of(open: &Arc<AtomicUsize>) -> Self {
+        let number = open.fetch_add(1, Ordering::Relaxed) + 1;
+        Self { open: Arc::clone(open), number }
+    }
+}
+
+impl Drop for Taken {
+    fn drop(&mut self) {
+        self.open.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+/// The request, which is the first line, and the file behind it.
+fn split(body: &[u8]) -> Option<(&str, &[u8])> {
+    let end = body.iter().take(MOST_REQUEST).position(|&b| b == b'\n')?;
+    Some((std::str::from_utf8(&body[..end]).ok()?, &body[end + 1..]))
+}
+
+/// Compares in a time that does not say where two secrets differ.
+fn same(one: &str, other: &str) -> bool {
+    let differ = one.bytes().zip(other.bytes()).fold(0, |differ, (a, b)| differ | (a ^ b));
+    one.len() == other.len() && differ == 0
+}

@@ -1,0 +1,144 @@
+//! Where questions are answered, what that place bears, and how the page says it.
+
+use serde_json::{Value, json};
+use surface_io::Limits;
+
+/// Where questions are answered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place {
+    is_browser: bool,
+    /// Threads of the solver.
+    pub(crate) threads: usize,
+}
+
+/// Most points of a map in a browser: 4096 x 4096.
+const BROWSER_POINTS: u64 = 1 << 24;
+
+/// Largest file in a browser, and most that one member of it may unpack to (bytes).
+const BROWSER_BYTES: u64 = 512 << 20;
+
+/// Memory of a study in WebAssembly (bytes per point): of one whose grid resolves the contact, and of one that is solved
+/// once more on a grid of four times the points. Measured on 1001 × 1001 and 634 × 860 points: 149 and 815.
+const BROWSER_BYTES_PER_POINT: [f64; 2] = [150.0, 820.0];
+
+/// The same of `rough-contact app` on Linux, with what the system counts of the whole program. Measured on the same maps
+/// with one thread and two: 315 and 332, 904 and 923.
+const MACHINE_BYTES_PER_POINT: [f64; 2] = [340.0, 930.0];
+
+impl Default for Place {
+    /// What bears least.
+    fn default() -> Self {
+        Self::BROWSER
+    }
+}
+
+impl Place {
+    /// The engine of WebAssembly inside the page: one thread, 4 GB of memory.
+    pub const BROWSER: Self = Self { is_browser: true, threads: 1 };
+
+    /// A program on this machine, that solves with this many threads.
+    #[must_use]
+    pub fn machine(threads: usize) -> Self {
+        Self { is_browser: false, threads: threads.max(1) }
+    }
+
+    /// What a file may ask for.
+    pub(crate) fn limits(self) -> Limits {
+        let mut limits = Limits::default();
+        if self.is_browser {
+            limits.points = BROWSER_POINTS;
+            limits.file_bytes = BROWSER_BYTES;
+            limits.unpacked_bytes = BROWSER_BYTES;
+        }
+        limits
+    }
+
+    /// Largest file (bytes).
+    pub fn most_bytes(self) -> u64 {
+        self.limits().file_bytes
+    }
+
+    /// Memory of a study (bytes per point): where the grid resolves the contact, and where it has to be refined.
+    pub(crate) fn bytes_per_point(self) -> [f64; 2] {
+        if self.is_browser { BROWSER_BYTES_PER_POINT } else { MACHINE_BYTES_PER_POINT }
+    }
+
+    /// The limits, as a part of a sentence.
+    pub(crate) fn limits_said(self) -> String {
+        let limits = self.limits();
+        let side = limits.points.isqrt();
+        format!("{side} × {side} points and a file of {}", bytes(limits.file_bytes))
+    }
+
+    pub(crate) fn asks_for_more(self) -> &'static str {
+        if self.is_browser {
+            "This file asks for more than a browser can give."
+        } else {
+            "This file asks for more than the program takes."
+        }
+    }
+
+    /// What has no such limit.
+    pub(crate) fn way_out(self) -> &'static str {
+        if self.is_browser {
+            "The command rough-contact takes maps of up to 16384 × 16384 points; `rough-contact app` shows this page and \
+             computes with it."
+        } else {
+            "`rough-contact convert --crop` cuts out a part of a map."
+        }
+    }
+
+    /// Where the measurement goes.
+    pub(crate) fn where_said(self) -> String {
+        let limits = self.limits_said();
+        if self.is_browser {
+            return format!(
+                "The file is read and computed in this window. No upload, no account, no cookie; unplug the network and it \
+                 still works. At most {limits}."
+            );
+        }
+        let threads = match self.threads {
+            1 => "one thread".to_owned(),
+            n => format!("{n} threads"),
+        };
+        format!(
+            "The file is read by the program that opened this page, on this machine, and computed there with {threads}. It \
+             keeps and writes nothing. No account, no cookie; unplug the network and it still works. At most {limits}, and \
+             what the memory allows. Ctrl-C in its terminal ends it."
+        )
+    }
+
+    /// What a page has to know of it.
+    pub(crate) fn json(self) -> Value {
+        let died = if self.is_browser {
+            "Often the memory of the browser was not enough."
+        } else {
+            "Often the memory was not enough; the terminal of the program may say more."
+        };
+        json!({
+            "most_bytes": self.most_bytes(), "died": died,
+            "too_big": {
+                "heading": self.asks_for_more(),
+                "text": format!("Here a file may have {}. It was not read.", bytes(self.most_bytes())),
+                "ways": [self.way_out()],
+            },
+        })
+    }
+}
+
+/// Of powers of two, as people say them.
+fn bytes(count: u64) -> String {
+    if count >= 1 << 30 { format!("{} GB", count >> 30) } else { format!("{} MB", count >> 20) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_are_said_as_they_are() {
+        assert_eq!(Place::BROWSER.limits_said(), "4096 × 4096 points and a file of 512 MB");
+        assert_eq!(Place::machine(2).limits_said(), "16384 × 16384 points and a file of 4 GB");
+        assert!(Place::BROWSER.way_out().contains(&Place::machine(1).limits_said()[..13]));
+    }
+}
