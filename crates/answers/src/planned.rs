@@ -45,6 +45,7 @@ impl Asked<'_> {
             method: self.method,
             certified: self.certified,
             maps: self.maps,
+            section: None,
             threads: self.threads,
         };
         let mut to = ToWork { loads, order: &order, work, watch };

@@ -3,6 +3,7 @@
 use crate::first_contact::FirstContact;
 use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
+use crate::sections::Sections;
 use contact_accuracy::budget::{Between, Budget, Map};
 use contact_accuracy::plan::Sink;
 use contact_types::{Grid, HeightMap};
@@ -25,15 +26,25 @@ pub(crate) struct Curve {
     pub(crate) pressure: Vec<f64>,
     /// The contact of all loads so far.
     pub(crate) first: Option<FirstContact>,
+    /// One row of all loads so far.
+    pub(crate) sections: Option<Sections>,
     /// The map on the grid solved on, if it is not the given one.
     pub(crate) solved: Option<HeightMap>,
 }
 
 impl Curve {
     pub(crate) fn new(map: Map, wanted: Option<f64>) -> Self {
-        let (points, pressure) = (Vec::new(), Vec::new());
-        let score = f64::INFINITY;
-        Self { map, wanted, points, headline: 0, score, pressure, first: None, solved: None }
+        Self {
+            map,
+            wanted,
+            points: Vec::new(),
+            headline: 0,
+            score: f64::INFINITY,
+            pressure: Vec::new(),
+            first: None,
+            sections: None,
+            solved: None,
+        }
     }
 
     /// A load; `between` is what is known of the map between its points at this contact.
@@ -43,7 +54,7 @@ impl Curve {
         result: Result<Solution, SolverError>,
         between: Option<&Between>,
     ) {
-        let (solution, trouble) = match result {
+        let (mut solution, trouble) = match result {
             Ok(solution) => (Some(solution), None),
             Err(SolverError::NotConverged(best)) => {
                 let reached = best.diagnostics.residuals.preconditioned;
@@ -68,6 +79,8 @@ impl Curve {
         let index = self.points.len();
         let pressure = solution.as_ref().map_or(&[][..], |s| &s.pressure);
         self.first = FirstContact::with(self.first.take(), index, pressure);
+        let section = solution.as_mut().and_then(|s| s.section.take());
+        self.sections = Sections::with(self.sections.take(), index, section);
         self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
         if score < self.score {
             self.score = score;

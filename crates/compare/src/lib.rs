@@ -28,6 +28,7 @@ mod registry;
 mod result;
 mod run_file;
 mod scene;
+mod sections;
 mod settings;
 mod solver_of;
 mod spikes;
@@ -81,6 +82,7 @@ pub use result::{
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
+pub use sections::Sections;
 pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures, poisson};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spot, Spots, contact_spots, spot_list};

@@ -6,6 +6,7 @@ use crate::finding::Ended;
 use crate::first_contact::FirstContact;
 use crate::inputs::Inputs;
 use crate::reason::Verdict;
+use crate::sections::Sections;
 use crate::survey::Experience;
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes, Spots};
@@ -90,6 +91,8 @@ pub struct SurfaceComparison {
     pub pressure: Vec<f64>,
     /// The contact of every load; `None` unless every load has a solution in which points only join.
     pub first_contact: Option<FirstContact>,
+    /// One row of every load; `None` unless every load has a solution.
+    pub sections: Option<Sections>,
     /// Contact spots at that load.
     pub spots: Option<Spots>,
     /// Every model of the list.

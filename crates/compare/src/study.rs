@@ -11,6 +11,7 @@ use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, Spectral,
     SurfaceComparison,
 };
+use crate::sections::telling_row;
 use crate::solver_of::{builder, elastic};
 use crate::spots::spots_beyond;
 use crate::survey::{Query, Survey, peak_slope};
@@ -158,10 +159,11 @@ fn compare(
         let built = builder.build(whole.map().grid(), modulus);
         built.map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })
     };
+    let section = Some(telling_row(&map));
     let task = Solve { whole: &whole, map: &map, known: &known, modulus };
     let plan = match settings.accuracy {
         None => {
-            let mut solver = built(builder(settings))?;
+            let mut solver = built(builder(settings).maps(Maps::Pressure).section(section))?;
             for (i, &p) in pressures.iter().enumerate() {
                 task.load(&mut solver, (i, p), settings.conducts(), &mut curve, &mut tell)?;
                 tell(curve.news(i))?;
@@ -182,6 +184,7 @@ fn compare(
                 method: settings.method,
                 certified: false,
                 maps: Maps::Pressure,
+                section,
                 threads: settings.threads,
             };
             let mut sink = ToCurve {
@@ -193,10 +196,11 @@ fn compare(
             Some(plan::run(&task, &mut sink).map_err(|e| refused_plan(e, &name))?)
         }
     };
-    let Curve { points: mut deterministic, headline, pressure, first, solved, .. } = curve;
+    let Curve { points: mut deterministic, headline, pressure, first, sections, solved, .. } =
+        curve;
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
-        let mut solver = built(elastic(settings))?;
+        let mut solver = built(elastic(settings).maps(Maps::Pressure))?;
         let mut beside = Curve::new(known, settings.headline);
         for (i, point) in deterministic.iter().enumerate() {
             // Where nothing has yielded, the answer is the elastic one.
@@ -259,6 +263,7 @@ fn compare(
         headline,
         pressure,
         first_contact: first,
+        sections,
         spots,
         models,
     };

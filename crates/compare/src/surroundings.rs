@@ -86,6 +86,10 @@ pub fn on_given(
                 *field = rows.flat_map(|row| row[..nx].iter().copied()).collect();
             }
         }
+        if let Some(section) = &mut solution.section {
+            section.pressure.truncate(nx);
+            section.gap.truncate(nx);
+        }
         // Rounded: the images may differ by what the iteration left.
         solution.diagnostics.contact_pixels = (solution.diagnostics.contact_pixels + 2) / 4;
         solution

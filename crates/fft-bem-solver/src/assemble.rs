@@ -7,7 +7,8 @@ use crate::simd::vectorised;
 use crate::tally::{Fields, tally};
 use crate::{
     BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, Yielded,
-    certificate, fields, solution::coarse,
+    certificate, fields,
+    solution::{Section, coarse},
 };
 use contact_types::{ContactState, Grid};
 use grid_fft::parallel::prelude::*;
@@ -124,6 +125,12 @@ impl<T: Real> Engine<T> {
             Maps::Pressure => (map(&pressure), Vec::new()),
             Maps::PressureAndGap => (map(&pressure), map(&gap)),
         };
+        let section = settings.section.map(|row| {
+            let nx = grid.shape()[1];
+            let along =
+                |value: &dyn Fn(usize) -> f64| (row * nx..(row + 1) * nx).map(value).collect();
+            Section { row, pressure: along(&pressure), gap: along(&gap) }
+        });
         let state = ContactState {
             mean_pressure,
             area_fraction,
@@ -134,7 +141,7 @@ impl<T: Real> Engine<T> {
         };
         let approach = self.state.level * units.height;
         let (pressure, gap) = (pressure_map, gap_map);
-        Solution { grid, state, approach, pressure, gap, coarse_gap, diagnostics }
+        Solution { grid, state, approach, pressure, gap, section, coarse_gap, diagnostics }
     }
 }
 

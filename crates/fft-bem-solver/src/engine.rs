@@ -24,6 +24,7 @@ pub(crate) struct Settings {
     pub(crate) max_iterations: Option<usize>,
     pub(crate) certified: bool,
     pub(crate) maps: Maps,
+    pub(crate) section: Option<usize>,
     /// Pa; infinite for elastic bodies, the mean of a map.
     pub(crate) hardness: f64,
     pub(crate) modulus: ContactModulus,

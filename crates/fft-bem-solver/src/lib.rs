@@ -65,6 +65,6 @@ pub use observer::{Answer, Iteration};
 pub use parts::take_parts;
 pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};
-pub use solution::{Diagnostics, End, Fallbacks, Residuals, Solution, Yielded};
+pub use solution::{Diagnostics, End, Fallbacks, Residuals, Section, Solution, Yielded};
 pub use solver::{Solver, SolverBuilder, set_stiffness};
 pub use unknown_name::UnknownName;

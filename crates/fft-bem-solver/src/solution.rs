@@ -23,11 +23,25 @@ pub struct Solution {
     /// [hardness](crate::SolverBuilder::hardness), minus the depth by which the surface was flattened. Empty if
     /// [`Maps`](crate::Maps) says so.
     pub gap: Vec<f64>,
+    /// Pressure and gap along one row, if the solver was [asked](crate::SolverBuilder::section) for one.
+    pub section: Option<Section>,
     /// Mean gap of the blocks of the map (m), row-major, on [`coarse_grid`](Self::coarse_grid); in contact it
     /// counts as 0. There whatever maps are.
     pub coarse_gap: Vec<f64>,
     /// How the answer was found and how accurate it is.
     pub diagnostics: Diagnostics,
+}
+
+/// What lies along one row of the map, signs and units as in [`Solution`].
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Section {
+    /// The row, counted from 0.
+    pub row: usize,
+    /// Pressure (Pa), `nx` of them.
+    pub pressure: Vec<f64>,
+    /// Gap (m), `nx` of them.
+    pub gap: Vec<f64>,
 }
 
 /// Most blocks along a side of [`Solution::coarse_grid`].

@@ -24,6 +24,7 @@ pub struct SolverBuilder {
     threads: Option<usize>,
     certified: bool,
     maps: Maps,
+    section: Option<usize>,
     hardness: f64,
     hardness_map: Option<Arc<[f64]>>,
 }
@@ -39,6 +40,7 @@ impl Default for SolverBuilder {
             threads: None,
             certified: false,
             maps: Maps::default(),
+            section: None,
             hardness: f64::INFINITY,
             hardness_map: None,
         }
@@ -112,6 +114,14 @@ impl SolverBuilder {
         self
     }
 
+    /// Row of the map whose pressure and gap each solution carries, whatever its [maps](Self::maps) are; default
+    /// none.
+    #[must_use]
+    pub fn section(mut self, row: Option<usize>) -> Self {
+        self.section = row;
+        self
+    }
+
     /// Highest pressure the softer body bears before it yields (Pa): its hardness, the pressure of an
     /// indentation, about 2.8 times the yield stress. Infinite means elastic bodies, the default.
     ///
@@ -171,6 +181,9 @@ impl SolverBuilder {
             let threads = self.threads.unwrap_or(1) as f64;
             return bad("threads", threads, "enable the feature `parallel` or use 1 thread");
         }
+        if let Some(row) = self.section.filter(|row| *row >= grid.shape()[0]) {
+            return bad("section", row as f64, "it must be a row of the map, counted from 0");
+        }
         if let Some(map) = &self.hardness_map {
             if map.len() != grid.len() {
                 let n = map.len() as f64;
@@ -206,6 +219,7 @@ impl SolverBuilder {
             max_iterations: self.max_iterations,
             certified: self.certified,
             maps: self.maps,
+            section: self.section,
             hardness: self.hardness,
             modulus,
         };

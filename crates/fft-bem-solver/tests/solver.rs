@@ -6,7 +6,7 @@ mod common;
 
 use common::{self_affine, unit_grid, unit_modulus};
 use fft_bem_solver::{
-    Boundary, End, Grid, HeightMap, Iteration, Load, Method, Precision, Solver, SolverError,
+    Boundary, End, Grid, HeightMap, Iteration, Load, Maps, Method, Precision, Solver, SolverError,
 };
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -102,6 +102,29 @@ fn a_grid_that_does_not_fit_is_refused() {
     }
     let error = Solver::builder().build(grid, unit_modulus()).unwrap_err();
     assert!(error.to_string().contains("TiB"), "{error}");
+}
+
+/// Along a row a solution says what its maps say there, without them as well.
+#[test]
+fn a_section_is_a_row_of_the_maps() {
+    let map = surface();
+    let [ny, nx] = map.grid().shape();
+    let load = Load::MeanPressure(0.05);
+    let with = |maps, row| {
+        let mut solver =
+            Solver::builder().maps(maps).section(row).build(map.grid(), unit_modulus()).unwrap();
+        solver.solve(&map, load).unwrap()
+    };
+    let whole = with(Maps::PressureAndGap, None);
+    assert_eq!(whole.section, None);
+    for row in [0, ny / 3, ny - 1] {
+        let section = with(Maps::None, Some(row)).section.unwrap();
+        let along = row * nx..(row + 1) * nx;
+        assert_eq!((section.row, &section.pressure[..]), (row, &whole.pressure[along.clone()]));
+        assert_eq!(section.gap, whole.gap[along]);
+    }
+    let beyond = Solver::builder().section(Some(ny)).build(map.grid(), unit_modulus());
+    assert!(matches!(beyond, Err(SolverError::BadSetting { setting: "section", .. })));
 }
 
 /// Names are read as they are written.

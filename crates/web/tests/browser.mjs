@@ -52,7 +52,11 @@ export class Browser {
   async close() {
     this.process.kill();
     await new Promise(done => this.process.on('exit', done));
-    rmSync(this.home, { recursive: true, force: true, maxRetries: 5 });
+    // Its helpers may write for a moment longer.
+    for (let left = 20; ; left--) {
+      try { rmSync(this.home, { recursive: true, force: true }); return; } catch (error) { if (!left) throw error; }
+      await new Promise(done => setTimeout(done, 100));
+    }
   }
 }
 

@@ -33,6 +33,8 @@ pub struct Task<'a> {
     pub certified: bool,
     /// Which maps the solutions carry.
     pub maps: Maps,
+    /// Row of the map along which they carry pressure and gap, if one; on another grid the row at its place.
+    pub section: Option<usize>,
     /// Threads of the solver.
     pub threads: usize,
 }
@@ -149,6 +151,8 @@ fn attempt(
 ) -> Result<Attempt, PlanError> {
     let candidate = &candidates.list[current];
     let map = candidates.map(task.map, candidate)?;
+    let rows = [task.map, &*map].map(|m| m.grid().shape()[0]);
+    let section = task.section.map(|row| (row * rows[1] / rows[0]).min(rows[1] - 1));
     let mut solver = Solver::builder()
         .method(task.method)
         .boundary(task.boundary)
@@ -156,6 +160,7 @@ fn attempt(
         .tolerance(task.request.tolerance())
         .certified(task.certified)
         .maps(task.maps)
+        .section(section)
         .threads(task.threads.max(1))
         .build(map.grid(), task.modulus)?;
     sink.begin(&map);

@@ -17,6 +17,8 @@ pub struct EndLabel {
     pub colour: Colour,
     /// Bold.
     pub bold: bool,
+    /// The series it names, see [`Canvas::series`]; may be empty.
+    pub series: String,
 }
 
 /// Moves `wanted` positions apart to at least `pitch`, within `[lo, hi]`, staying as near as
@@ -51,11 +53,13 @@ pub fn draw_end_labels(canvas: &mut Canvas, x: f64, [top, bottom]: [f64; 2], lab
     let wanted: Vec<f64> = labels.iter().map(|l| l.y).collect();
     for (label, y) in labels.iter().zip(push_apart(&wanted, PITCH, [top, bottom])) {
         let leader = [[x + 1.5, label.y], [x + 9.0, y]];
-        canvas.polyline(&leader, Stroke::solid(label.colour, 0.6));
-        canvas.label(&Text {
-            colour: label.colour,
-            bold: label.bold,
-            ..Text::new([x + 11.0, y + 3.4], &label.text)
+        canvas.series(&label.series, |canvas| {
+            canvas.polyline(&leader, Stroke::solid(label.colour, 0.6));
+            canvas.label(&Text {
+                colour: label.colour,
+                bold: label.bold,
+                ..Text::new([x + 11.0, y + 3.4], &label.text)
+            });
         });
     }
 }

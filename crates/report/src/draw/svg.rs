@@ -171,6 +171,18 @@ impl Canvas {
         self.body.push_str(element);
     }
 
+    /// What belongs to one series of the study, by its name, so that a page can follow it through all its
+    /// figures; marks of none if the name is empty.
+    pub fn series(&mut self, name: &str, draw: impl FnOnce(&mut Self)) {
+        if !name.is_empty() {
+            let _ = write!(self.body, "<g data-m=\"{}\">", escape(name));
+        }
+        draw(self);
+        if !name.is_empty() {
+            self.body.push_str("</g>");
+        }
+    }
+
     /// A straight line.
     pub fn line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], stroke: Stroke) {
         let _ = write!(

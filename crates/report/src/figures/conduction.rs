@@ -19,6 +19,8 @@ const HEIGHT: f64 = 262.0;
 /// One line over the loads.
 pub(crate) struct Line<'a> {
     pub(crate) label: &'a str,
+    /// The series it is, see [`Canvas::series`]; may be empty.
+    pub(crate) series: &'a str,
     pub(crate) look: Look,
     pub(crate) values: Vec<Option<f64>>,
 }
@@ -49,8 +51,11 @@ pub(crate) fn over_load(
     frame.draw(&mut canvas);
     let mut labels = Vec::new();
     for (line, values) in lines.iter().zip(&others) {
-        draw(&mut canvas, &frame, (pressures, unit.scale), values, line.look);
-        labels.extend(end(&frame, values, line.label, line.look.colour, false));
+        canvas.series(line.series, |canvas| {
+            draw(canvas, &frame, (pressures, unit.scale), values, line.look);
+        });
+        let end = end(&frame, values, line.label, line.look.colour, false);
+        labels.extend(end.map(|end| EndLabel { series: line.series.into(), ..end }));
     }
     draw(&mut canvas, &frame, (pressures, unit.scale), &reference, DETERMINISTIC_LOOK);
     labels.extend(end(&frame, &reference, "Deterministic", DETERMINISTIC, true));
@@ -139,6 +144,12 @@ fn end(
     colour: Colour,
     bold: bool,
 ) -> Option<EndLabel> {
-    let last = values.iter().flatten().last()?;
-    Some(EndLabel { y: frame.y.at(*last).clamp(TOP, BOTTOM), text: label.into(), colour, bold })
+    let (last, series) = (values.iter().flatten().last()?, String::new());
+    Some(EndLabel {
+        y: frame.y.at(*last).clamp(TOP, BOTTOM),
+        text: label.into(),
+        colour,
+        bold,
+        series,
+    })
 }

@@ -12,6 +12,8 @@ use crate::numbers::{duration, percent, time_tick};
 pub(crate) struct Route {
     /// Short name.
     pub label: String,
+    /// The series it is, see [`Canvas::series`]; may be empty.
+    pub series: String,
     /// How it is drawn.
     pub look: Look,
     /// Seconds per load.
@@ -73,7 +75,7 @@ pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
     canvas.polyline(&steps, Stroke { colour: LINE, width: 1.1, dash: "3 2" });
     for route in routes {
         let [x, y] = place(route);
-        canvas.marker([x, y], 3.4, route.look);
+        canvas.series(&route.series, |canvas| canvas.marker([x, y], 3.4, route.look));
         taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
     }
     for route in routes {
@@ -82,12 +84,13 @@ pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
         let inside = [FRAME[0], FRAME[1] - 8.0, COLUMN - 2.0, FRAME[3]];
         if let Some(r) = place_near(place(route), size, &taken, inside) {
             taken.push(r);
-            canvas.label(&Text {
+            let text = Text {
                 colour: route.look.colour,
                 bold: route.bold,
                 halo: true,
                 ..Text::new([r[0], r[1] + 7.8], &route.label)
-            });
+            };
+            canvas.series(&route.series, |canvas| canvas.label(&text));
         }
     }
     let listed: Vec<String> = routes
@@ -110,6 +113,7 @@ pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
 pub(crate) fn deterministic(seconds: f64, uncertainty: f64) -> Route {
     Route {
         label: "Deterministic".into(),
+        series: String::new(),
         look: DETERMINISTIC_LOOK,
         seconds,
         error: uncertainty,

@@ -2,7 +2,7 @@
 
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::labels::{EndLabel, draw_end_labels};
-use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK2, Look};
+use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK2};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
 use crate::lines::{Lines, ModelLine, compared, min_max, range_words};
 use crate::numbers::{PASCALS, Unit, signed_range, unit_for};
@@ -45,6 +45,7 @@ pub(crate) fn area(lines: &Lines, key: &str, usage: Use) -> Figure {
         band,
         models,
         ceiling: 100.0,
+        cells: 'a',
         key,
         usage,
         title: "Real contact area against nominal pressure",
@@ -87,6 +88,7 @@ pub(crate) fn pressure(lines: &Lines, key: &str, usage: Use) -> Figure {
         band,
         models: lines.models.iter().map(|m| scaled(over(&m.area))).collect(),
         ceiling: f64::INFINITY,
+        cells: 'p',
         key,
         usage,
         title: "Mean real pressure against nominal pressure",
@@ -103,6 +105,7 @@ struct Plot<'a> {
     band: Vec<Option<[f64; 2]>>,
     models: Vec<Vec<Option<f64>>>,
     ceiling: f64,
+    cells: char,
     key: &'a str,
     usage: Use,
     title: &'a str,
@@ -134,7 +137,7 @@ impl Plot<'_> {
         frame.draw(&mut canvas);
         self.off_scale_notes(&mut canvas, &outside, [lo, hi]);
         if self.usage == Use::Page {
-            cursor(&mut canvas, lines, &frame);
+            cursor(&mut canvas, lines, &frame, self.cells);
         }
         let clip = open_clip(&mut canvas, self.key, &frame);
         let x = |i: usize| lines.pressures[i] / unit.scale;
@@ -143,14 +146,14 @@ impl Plot<'_> {
         draw_band(&mut canvas, &frame, &x, &bands, 0.16);
         let mut ends = Vec::new();
         for (model, values) in lines.models.iter().zip(&self.models) {
-            if let Some(y) = draw_model(&mut canvas, &frame, &x, values, model.look) {
-                ends.push(end(&frame, y, &model.label, model.look, false));
+            if let Some(y) = draw_model(&mut canvas, &frame, &x, values, model) {
+                ends.push(of_model(&frame, y, model));
             }
         }
         let last = draw_reference(&mut canvas, &frame, &x, &self.reference);
         canvas.raw(clip);
         if let Some(y) = last {
-            ends.push(end(&frame, y, "Deterministic", DETERMINISTIC_LOOK, true));
+            ends.push(deterministic(&frame, y));
         }
         draw_end_labels(&mut canvas, RIGHT, [top + 2.0, bottom - 2.0], &ends);
         Figure {
@@ -181,11 +184,7 @@ impl Plot<'_> {
             };
             let sign = if high { '▲' } else { '▼' };
             let note = format!("{sign} {} off scale {range}", lines.models[k].label);
-            canvas.label(&Text {
-                colour: lines.models[k].look.colour,
-                size: 9.0,
-                ..Text::new([LEFT + 4.0, 10.0 + NOTE * row as f64], &note)
-            });
+            note_above(canvas, row, &lines.models[k], &note);
         }
     }
 }
@@ -283,7 +282,7 @@ pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
         .collect();
     frame.draw_with(&mut canvas, &x_ticks, &y_ticks);
     off_scale_notes(&mut canvas, lines, &outside);
-    cursor(&mut canvas, lines, &frame);
+    cursor(&mut canvas, lines, &frame, 'e');
     let clip = open_clip(&mut canvas, key, &frame);
     let x = |i: usize| lines.pressures[i] / unit.scale;
     let band: Vec<_> = lines
@@ -298,12 +297,12 @@ pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
         [RIGHT, frame.y.at(0.0)],
         Stroke::solid(DETERMINISTIC, 1.6),
     );
-    let mut ends = vec![end(&frame, 0.0, "Deterministic", DETERMINISTIC_LOOK, true)];
+    let mut ends = vec![deterministic(&frame, 0.0)];
     for (model, values) in lines.models.iter().zip(&errors) {
-        if let Some(y) = draw_model(&mut canvas, &frame, &x, values, model.look)
+        if let Some(y) = draw_model(&mut canvas, &frame, &x, values, model)
             && (lo..=hi).contains(&y)
         {
-            ends.push(end(&frame, y, &model.label, model.look, false));
+            ends.push(of_model(&frame, y, model));
         }
     }
     canvas.raw(clip);
@@ -329,9 +328,20 @@ pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
     }
 }
 
-fn end(frame: &Frame, y: f64, label: &str, look: Look, bold: bool) -> EndLabel {
+fn of_model(frame: &Frame, y: f64, model: &ModelLine) -> EndLabel {
+    let (text, series) = (model.label.clone(), model.name.clone());
+    let colour = model.look.colour;
+    EndLabel { y: within(frame, y), text, colour, bold: false, series }
+}
+
+fn deterministic(frame: &Frame, y: f64) -> EndLabel {
+    let (text, series) = ("Deterministic".into(), String::new());
+    EndLabel { y: within(frame, y), text, colour: DETERMINISTIC, bold: true, series }
+}
+
+fn within(frame: &Frame, y: f64) -> f64 {
     let [bottom, top] = frame.y.units;
-    EndLabel { y: frame.y.at(y).clamp(top, bottom), text: label.into(), colour: look.colour, bold }
+    frame.y.at(y).clamp(top, bottom)
 }
 
 /// "▲ Stacked off scale: +141 to +434 %", one line per model, above the frame.
@@ -341,21 +351,25 @@ fn off_scale_notes(canvas: &mut Canvas, lines: &Lines, outside: &[&ModelLine]) {
         let (lo, hi) = min_max(&errors).unwrap_or((0.0, 0.0));
         let sign = if hi + lo > 0.0 { '▲' } else { '▼' };
         let note = format!("{sign} {} off scale: {}", model.label, signed_range(lo, hi));
-        canvas.label(&Text {
-            colour: model.look.colour,
-            size: 9.0,
-            ..Text::new([LEFT + 4.0, 10.0 + NOTE * row as f64], &note)
-        });
+        note_above(canvas, row, model, &note);
     }
 }
 
-/// The dotted line at the load read off; the report's script moves it.
-fn cursor(canvas: &mut Canvas, lines: &Lines, frame: &Frame) {
+/// A line of notes above the frame, in the colour of a model.
+fn note_above(canvas: &mut Canvas, row: usize, model: &ModelLine, note: &str) {
+    let at = [LEFT + 4.0, 10.0 + NOTE * row as f64];
+    let text = Text { colour: model.look.colour, size: 9.0, ..Text::new(at, note) };
+    canvas.series(&model.name, |canvas| canvas.label(&text));
+}
+
+/// The dotted line at the load read off; the report's script moves it, and lists beside it what `cells` of
+/// the slider's data begin with the letter of the figure.
+fn cursor(canvas: &mut Canvas, lines: &Lines, frame: &Frame, cells: char) {
     let unit = lines.pressure_unit();
     let places: Vec<String> =
         lines.pressures.iter().map(|p| num(frame.x.at(p / unit.scale))).collect();
     canvas.raw(&format!(
-        "<g class=\"cur\" data-x=\"{}\" transform=\"translate({} 0)\">",
+        "<g class=\"cur\" data-v=\"{cells}\" data-x=\"{}\" transform=\"translate({} 0)\">",
         places.join(" "),
         places[lines.headline]
     ));
@@ -404,20 +418,23 @@ fn draw_model(
     frame: &Frame,
     x: &impl Fn(usize) -> f64,
     values: &[Option<f64>],
-    look: Look,
+    model: &ModelLine,
 ) -> Option<f64> {
+    let look = model.look;
     let stroke = Stroke { colour: look.colour, width: look.width, dash: look.dash };
-    for run in runs(values) {
-        let points: Vec<[f64; 2]> = run.iter().map(|(i, v)| frame.at([x(*i), *v])).collect();
-        canvas.polyline(&points, stroke);
-    }
     let present: Vec<(usize, f64)> =
         values.iter().enumerate().filter_map(|(i, v)| Some((i, (*v)?))).collect();
-    for &(i, v) in &present {
-        if (i % 4 == look.marker_offset || present.len() < 3) && frame.y.holds(v) {
-            canvas.marker(frame.at([x(i), v]), 2.6, look);
+    canvas.series(&model.name, |canvas| {
+        for run in runs(values) {
+            let points: Vec<[f64; 2]> = run.iter().map(|(i, v)| frame.at([x(*i), *v])).collect();
+            canvas.polyline(&points, stroke);
         }
-    }
+        for &(i, v) in &present {
+            if (i % 4 == look.marker_offset || present.len() < 3) && frame.y.holds(v) {
+                canvas.marker(frame.at([x(i), v]), 2.6, look);
+            }
+        }
+    });
     present.last().map(|(_, v)| *v)
 }
 

@@ -41,11 +41,13 @@ pub(crate) fn pressure(found: &PressureDistribution, key: &str) -> Figure {
         .map(|i| right * f64::from(i) / 120.0)
         .map(|x| frame.at([x, persson(x)]))
         .collect();
-    canvas.polyline(&line, Stroke { colour: PERSSON, width: 1.5, dash: "6 3" });
     let at = frame.at([2.0, persson(2.0)]);
     let label =
         Text { colour: PERSSON, halo: true, ..Text::new([at[0] + 6.0, at[1] - 8.0], "Persson") };
-    canvas.label(&label);
+    canvas.series("persson", |canvas| {
+        canvas.polyline(&line, Stroke { colour: PERSSON, width: 1.5, dash: "6 3" });
+        canvas.label(&label);
+    });
     Figure {
         key: key.into(),
         title: "Distribution of the pressure".into(),

@@ -185,8 +185,15 @@ pub fn heights(
     })
 }
 
-/// The contact at one load: pressure by colour, the surface in grey, and the window that
-/// [`enlarged`] shows.
+/// What a contact map points out.
+pub(crate) struct Marks {
+    /// The part that [`enlarged`] shows.
+    pub(crate) window: Option<Window>,
+    /// The row along which there is a section.
+    pub(crate) row: Option<usize>,
+}
+
+/// The contact at one load: pressure by colour, the surface in grey, and what is shown elsewhere.
 ///
 /// # Errors
 /// If the picture cannot be encoded.
@@ -194,7 +201,7 @@ pub(crate) fn contact(
     pressure: &[f64],
     heights: &[f64],
     grid: Grid,
-    window: Option<Window>,
+    marks: &Marks,
     limit: usize,
     key: &str,
 ) -> Result<Figure, png::EncodingError> {
@@ -213,7 +220,7 @@ pub(crate) fn contact(
     };
     let image = contact_picture(&p, &h, shape, top);
     let figure =
-        map_figure(&image, grid.size(), key, Some(&legend), window.map(|w| (w, grid)), false)?;
+        map_figure(&image, grid.size(), key, Some(&legend), Some((marks, grid.shape())), false)?;
     let touching = pressure.iter().filter(|p| **p > 0.0).count();
     Ok(Figure {
         title: "Contact map".into(),
@@ -236,6 +243,7 @@ pub(crate) fn enlarged(
     heights: &[f64],
     grid: Grid,
     window: Window,
+    row: Option<usize>,
     key: &str,
 ) -> Result<Figure, png::EncodingError> {
     let limit = window[2].max(window[3]);
@@ -245,7 +253,10 @@ pub(crate) fn enlarged(
     let image = contact_picture(&p, &h, shape, top);
     let [dy, dx] = grid.pixel();
     let size = [shape[0] as f64 * dy, shape[1] as f64 * dx];
-    let figure = map_figure(&image, size, key, None, None, true)?;
+    let inside = |row: &usize| (window[0]..window[0] + window[2]).contains(row);
+    let marks = Marks { window: None, row: row.filter(inside).map(|row| row - window[0]) };
+    let shown = Some((&marks, [window[2], window[3]]));
+    let figure = map_figure(&image, size, key, None, shown, true)?;
     Ok(Figure {
         title: "Enlargement of the boxed area".into(),
         description: format!(
@@ -259,7 +270,7 @@ pub(crate) fn enlarged(
 
 /// Upper end of the pressure ramp: the 99th percentile of the contact pressures, rounded to two
 /// digits, and whether anything lies above it.
-fn pressure_top(pressure: &[f64]) -> (f64, bool) {
+pub(crate) fn pressure_top(pressure: &[f64]) -> (f64, bool) {
     let mut contact: Vec<f64> = pressure.iter().copied().filter(|p| *p > 0.0).collect();
     contact.sort_by(f64::total_cmp);
     let Some(&highest) = contact.last() else { return (1.0, false) };
@@ -273,7 +284,7 @@ fn map_figure(
     size: [f64; 2],
     key: &str,
     legend: Option<&Legend<'_>>,
-    window: Option<(Window, Grid)>,
+    marks: Option<(&Marks, [usize; 2])>,
     squares: bool,
 ) -> Result<Figure, png::EncodingError> {
     let [width, height] = map_size(size);
@@ -294,8 +305,19 @@ fn map_figure(
         LINE.light
     ));
     scale_bar(&mut canvas, [width, height], size[1]);
-    if let Some(([y0, x0, ny, nx], grid)) = window {
-        let [gy, gx] = grid.shape().map(|n| n as f64);
+    if let Some((row, shape)) = marks.and_then(|(marks, shape)| Some((marks.row?, shape))) {
+        let y = (row as f64 + 0.5) / shape[0] as f64 * height;
+        canvas.raw(&format!(
+            "<line x1=\"0\" y1=\"{0}\" x2=\"{1}\" y2=\"{0}\" stroke=\"#111\" stroke-width=\".8\" \
+             stroke-dasharray=\"4 3\"/>",
+            num(y),
+            num(width)
+        ));
+    }
+    if let Some(([y0, x0, ny, nx], shape)) =
+        marks.and_then(|(marks, shape)| Some((marks.window?, shape)))
+    {
+        let [gy, gx] = shape.map(|n| n as f64);
         canvas.raw(&format!(
             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#111\"/>",
             num(x0 as f64 / gx * width),

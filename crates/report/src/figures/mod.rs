@@ -3,6 +3,7 @@
 pub(crate) mod conduction;
 pub(crate) mod cost;
 pub(crate) mod curves;
+pub(crate) mod deformed;
 pub(crate) mod distributions;
 pub mod front;
 pub(crate) mod maps;

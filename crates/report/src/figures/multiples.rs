@@ -2,7 +2,7 @@
 
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::labels::{EndLabel, draw_end_labels};
-use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK, Look};
+use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK};
 use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text, num};
 use crate::figures::curves::log_limits;
 use crate::lines::{Lines, ModelLine};
@@ -67,7 +67,7 @@ impl<'a> Panel<'a> {
     }
 
     /// Models that leave the axis, with what to say about them.
-    fn outside(&self, [lo, hi]: [f64; 2], quantity: Quantity) -> Vec<(Look, String)> {
+    fn outside(&self, [lo, hi]: [f64; 2], quantity: Quantity) -> Vec<(&ModelLine, String)> {
         let off = |v: f64| v < lo || v > hi * (1.0 + 1e-9) && hi > 0.0;
         self.models
             .iter()
@@ -87,7 +87,7 @@ impl<'a> Panel<'a> {
                         if inside { "in part " } else { "" }
                     )
                 };
-                Some((model.look, text))
+                Some((*model, text))
             })
             .collect()
     }
@@ -135,12 +135,10 @@ pub(crate) fn figure(
         };
         let name = shortened(panel.name, 30);
         canvas.text(&Text { bold: true, ..Text::new([left, top - head + 11.0], &name) });
-        for (row, (look, text)) in notes.iter().enumerate() {
-            canvas.label(&Text {
-                colour: look.colour,
-                size: 9.0,
-                ..Text::new([left, top - head + 22.5 + NOTE * row as f64], text)
-            });
+        for (row, (model, text)) in notes.iter().enumerate() {
+            let at = [left, top - head + 22.5 + NOTE * row as f64];
+            let note = Text { colour: model.look.colour, size: 9.0, ..Text::new(at, text) };
+            canvas.series(&model.name, |canvas| canvas.label(&note));
         }
         let ends = draw_panel(
             &mut canvas,
@@ -243,18 +241,22 @@ fn draw_panel(
     for (model, values) in &panel.models {
         let look = model.look;
         let line = points(values);
-        canvas.polyline(&line, Stroke { colour: look.colour, width: look.width, dash: look.dash });
-        for (j, point) in line.iter().enumerate() {
-            if j % 4 == look.marker_offset {
-                canvas.marker(*point, 2.3, look);
+        let stroke = Stroke { colour: look.colour, width: look.width, dash: look.dash };
+        canvas.series(&model.name, |canvas| {
+            canvas.polyline(&line, stroke);
+            for (j, point) in line.iter().enumerate() {
+                if j % 4 == look.marker_offset {
+                    canvas.marker(*point, 2.3, look);
+                }
             }
-        }
+        });
         if let Some(last) = values.iter().flatten().last().filter(|v| frame.y.holds(**v)) {
             ends.push(EndLabel {
                 y: frame.y.at(*last),
                 text: model.label.clone(),
                 colour: look.colour,
                 bold: false,
+                series: model.name.clone(),
             });
         }
     }
@@ -272,6 +274,7 @@ fn draw_panel(
             text: "Deterministic".into(),
             colour: DETERMINISTIC,
             bold: true,
+            series: String::new(),
         });
     }
     ends

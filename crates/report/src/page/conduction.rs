@@ -59,16 +59,18 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
         };
         let theories = found.theories.iter().map(|theory| Line {
             label: &theory.label,
+            series: &theory.name,
             look: look(&theory.name, 0),
             values: of(&theory.stiffness),
         });
         let mut lines: Vec<Line<'_>> = theories.collect();
         // Correlations are no models of the study: in the looks of strangers.
-        let mikic = Line { label: "Mikic", look: look("", 1), values: of(&found.mikic) };
-        lines.push(mikic);
+        let stranger =
+            |label, place, values| Line { label, series: "", look: look("", place), values };
+        lines.push(stranger("Mikic", 1, of(&found.mikic)));
         let yields = !found.yovanovich.is_empty();
         if yields {
-            lines.push(Line { label: "CMY", look: look("", 0), values: of(&found.yovanovich) });
+            lines.push(stranger("CMY", 0, of(&found.yovanovich)));
         }
         let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
         let deterministic = of(&found.stiffness);

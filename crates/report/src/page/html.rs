@@ -6,7 +6,7 @@ use crate::error::ReportError;
 use crate::lines::Lines;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, fixed};
 use crate::page::context::Page;
-use crate::page::{conduction, distributions, how_made, overview, sections, slider};
+use crate::page::{conduction, contact_map, distributions, how_made, overview, sections, slider};
 use crate::provenance::Provenance;
 use crate::words;
 use compare::{Comparison, SurfaceComparison};
@@ -15,7 +15,12 @@ use std::io::Write;
 
 const STYLE: &str = include_str!("style.css");
 /// The slider, then what follows it.
-const SCRIPT: &str = concat!(include_str!("slider.js"), include_str!("moving.js"));
+const SCRIPT: &str = concat!(
+    include_str!("slider.js"),
+    include_str!("follow.js"),
+    include_str!("moving.js"),
+    include_str!("deformed.js")
+);
 /// Nothing may be fetched: pictures are data, style and script are in the page.
 const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; \
                       script-src 'unsafe-inline'";
@@ -111,7 +116,7 @@ fn surface_sections(
     out.push_str(&sections::key_and_notes(surface, &id));
     out.push_str(&sections::over_load(page, surface, &lines, &id));
     out.push_str(&sections::models(page, surface));
-    out.push_str(&sections::where_it_touches(page, surface, &id)?);
+    out.push_str(&contact_map::where_it_touches(page, surface, &id)?);
     out.push_str(&distributions::section(page, surface, &id));
     out.push_str(&conduction::section(page, surface, &id));
     out.push_str(&sections::the_surface(page, surface, &id)?);

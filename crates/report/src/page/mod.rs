@@ -2,7 +2,9 @@
 
 pub(crate) mod budget;
 pub(crate) mod conduction;
+pub(crate) mod contact_map;
 pub(crate) mod context;
+pub(crate) mod deformed;
 pub(crate) mod distributions;
 pub(crate) mod how_made;
 pub(crate) mod html;

@@ -1,18 +1,148 @@
-(function(){document.querySelectorAll('img.first').forEach(function(first){
-var section=first.closest('[data-loads]'),facts=JSON.parse(first.dataset.facts),loads,width,height;
-var figures=[].map.call(section.querySelectorAll('img.relief'),function(relief){
-var figure=relief.closest('figure'),svg=figure.querySelector('svg'),image=svg.querySelector('image'),title=svg.querySelector('title'),canvas=document.createElement('canvas'),wide=+image.getAttribute('width'),high=+image.getAttribute('height');
-canvas.className='px moving';canvas.hidden=true;canvas.style.width=100*wide/svg.viewBox.baseVal.width+'%';canvas.style.aspectRatio=wide+'/'+high;figure.insertBefore(canvas,svg.nextSibling);
-return{canvas:canvas,image:image,still:image.getAttribute('href'),relief:relief.src,part:relief.dataset.part.split(' ').map(Number),bar:svg.querySelector('rect[fill="#fff"]'),legend:svg.querySelector('.legend'),size:[wide,high],title:figure.contains(first)&&title,said:title&&title.textContent}});
-function read(){if(loads)return;var c=document.createElement('canvas');width=c.width=first.naturalWidth;height=c.height=first.naturalHeight;
-var x=c.getContext('2d');x.drawImage(first,0,0);var d=x.getImageData(0,0,width,height).data;loads=new Uint8Array(width*height);for(var i=0;i<loads.length;i++)loads[i]=d[4*i]}
-function draw(f,i,off){var p=f.part,y0=Math.round(p[0]*height),x0=Math.round(p[1]*width),h=Math.max(1,Math.round(p[2]*height)),w=Math.max(1,Math.round(p[3]*width)),c=f.canvas,last=i*facts.step;
-c.width=w;c.height=h;var x=c.getContext('2d'),d=x.createImageData(w,h),a=new Uint32Array(d.data.buffer),k=facts.colour,ink=new Uint32Array(new Uint8Array([k[0],k[1],k[2],255]).buffer)[0];
-for(var y=0;y<h;y++)for(var j=0,o=(y0+y)*width+x0;j<w;j++,o++)if(loads[o]<=last&&!off[o])a[y*w+j]=ink;
-x.putImageData(d,0,0);
-if(f.bar){var at=function(n){return+f.bar.getAttribute(n)};x.clearRect(at('x')/f.size[0]*w,at('y')/f.size[1]*h,at('width')/f.size[0]*w,at('height')/f.size[1]*h)}}
-section.addEventListener('read-off',function(e){var i=e.detail.load,home=e.detail.home;
-if(!home)read();var off={};facts.lost.forEach(function(l){if(l[0]===i)off[l[1]]=1});
-figures.forEach(function(f){f.canvas.hidden=home;f.image.setAttribute('href',home?f.still:f.relief);
-if(f.legend)f.legend.setAttribute('visibility',home?'visible':'hidden');
-if(f.title)f.title.textContent=home?f.said:facts.titles[i];if(!home)draw(f,i,off)})})})})();
+// The contact map at every load of the slider, and as near as its points.
+(function () {
+'use strict';
+const NEAREST = 8; // points across at least
+const make = (tag, className, parent) => { const e = document.createElement(tag); e.className = className; if (parent) parent.append(e); return e; };
+const bytes = hex => Uint8Array.from(hex.match(/../g), pair => parseInt(pair, 16));
+
+document.querySelectorAll('img.first').forEach(first => {
+  const section = first.closest('[data-loads]'), facts = JSON.parse(first.dataset.facts);
+  const pressures = section.querySelector('img.pressure'), ramp = bytes(facts.ramp);
+  const cut = section.querySelector('span.cut'), line = cut && JSON.parse(cut.dataset.facts).row;
+  const reliefs = [...section.querySelectorAll('img.relief')];
+  let load = +section.querySelector('.dial input').value, home = true, loads, pressure, height, width;
+  const greys = image => {
+    const canvas = document.createElement('canvas'), pen = canvas.getContext('2d');
+    [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
+    pen.drawImage(image, 0, 0);
+    return pen.getImageData(0, 0, canvas.width, canvas.height).data.filter((_, i) => i % 4 === 0);
+  };
+  // Once something is asked for that the pictures do not show.
+  let reading = null;
+  const read = () => reading = reading || Promise.all([first, pressures, ...reliefs].map(image => image.decode())).then(() => {
+    [height, width] = [first.naturalHeight, first.naturalWidth];
+    [loads, pressure] = [greys(first), greys(pressures)];
+  });
+
+  // One for the whole map, one for its enlargement. A part is [top, left, height, width] as shares of the map.
+  const figures = reliefs.map(relief => {
+    const figure = relief.closest('figure'), svg = figure.querySelector('svg'), image = svg.querySelector('image');
+    const [wide, high] = ['width', 'height'].map(side => +image.getAttribute(side)), holder = make('div', 'pane');
+    svg.replaceWith(holder);
+    holder.append(svg);
+    const over = make('div', 'over-map', holder);
+    over.style.width = 100 * wide / svg.viewBox.baseVal.width + '%';
+    over.style.aspectRatio = wide + '/' + high;
+    const f = { figure, over, relief, canvas: make('canvas', 'px moving', over), legend: svg.querySelector('.legend'), whole: figure.contains(first) };
+    f.part = f.given = relief.dataset.part.split(' ').map(Number);
+    f.marks = (f.whole ? reliefs.filter(r => r !== relief).map(r => ['boxed', r.dataset.part.split(' ').map(Number)]) : [])
+      .concat(line === null || line === undefined ? [] : [['along', [line, 0, 0, 1]]]).map(([name, at]) => ({ at, e: make('i', name, over) }));
+    f.scale = make('span', 'scale', over);
+    return f;
+  });
+  const map = figures.find(f => f.whole), svg = map.figure.querySelector('svg'), said = svg.querySelector('title').textContent;
+  const zoomed = () => map.part[3] < 1 || map.part[2] < 1;
+
+  // The points that a part covers: a part of the whole map always begins and ends between two points.
+  const points = ([y, x, h, w]) => [Math.round(y * height), Math.round(x * width), Math.max(1, Math.round(h * height)), Math.max(1, Math.round(w * width))];
+  function draw(f) {
+    const [y0, x0, h, w] = points(f.part), pen = f.canvas.getContext('2d'), given = f.given;
+    const behind = [(f.part[1] - given[1]) / given[3], (f.part[0] - given[0]) / given[2], f.part[3] / given[3], f.part[2] / given[2]];
+    [f.canvas.width, f.canvas.height] = [w, h];
+    pen.drawImage(f.relief, behind[0] * f.relief.naturalWidth, behind[1] * f.relief.naturalHeight, behind[2] * f.relief.naturalWidth, behind[3] * f.relief.naturalHeight, 0, 0, w, h);
+    const picture = pen.getImageData(0, 0, w, h), to = picture.data, most = load * facts.step;
+    const off = new Set(facts.lost.filter(l => l[0] === load).map(l => l[1]));
+    for (let y = 0; y < h; y++) for (let x = 0, from = (y0 + y) * width + x0, j = 4 * y * w; x < w; x++, from++, j += 4) {
+      if (loads[from] > most || off.has(from)) continue;
+      const colour = home ? ramp.subarray(3 * pressure[from], 3 * pressure[from] + 3) : facts.colour;
+      to[j] = colour[0]; to[j + 1] = colour[1]; to[j + 2] = colour[2]; to[j + 3] = 255;
+    }
+    pen.putImageData(picture, 0, 0);
+    // Points larger than pixels are squares; smaller ones share a pixel.
+    f.canvas.classList.toggle('squares', w <= f.over.clientWidth * devicePixelRatio);
+    const [py, px, ph, pw] = [y0 / height, x0 / width, h / height, w / width];
+    f.marks.forEach(({ at, e }) => Object.assign(e.style, { top: 100 * (at[0] - py) / ph + '%', left: 100 * (at[1] - px) / pw + '%', height: 100 * at[2] / ph + '%', width: 100 * at[3] / pw + '%' }));
+    const across = pw * facts.across, power = 10 ** Math.floor(Math.log10(across / 3)), length = [5, 2, 1].find(m => m * power <= across / 3) * power;
+    f.scale.textContent = +length.toPrecision(1) + '\u202F' + facts.unit;
+    f.scale.style.setProperty('--bar', 100 * length / across + 'cqw');
+  }
+  function show() {
+    const drawn = !home || zoomed();
+    const again = () => figures.forEach(f => {
+      const on = !home || (f.whole && zoomed());
+      f.over.classList.toggle('on', on);
+      if (f.legend) f.legend.setAttribute('visibility', home ? 'visible' : 'hidden');
+      if (on) draw(f);
+    });
+    svg.querySelector('title').textContent = home ? said : facts.titles[load];
+    map.over.setAttribute('aria-label', facts.titles[load]);
+    if (drawn) read().then(again); else again();
+  }
+  section.addEventListener('read-off', e => { ({ load, home } = e.detail); show(); });
+
+  // Nearer: by buttons, wheel with Ctrl, two fingers, keys. What is shown is a whole number of points.
+  const bar = make('div', 'zoom'), button = (text, name, act) => {
+    const b = make('button', '', bar);
+    Object.assign(b, { type: 'button', textContent: text, onclick: act });
+    b.setAttribute('aria-label', name);
+    return b;
+  };
+  const out = button('−', 'Zoom out', () => zoom(1 / 1.6)), near = button('+', 'Zoom in', () => zoom(1.6)), all = button('whole map', 'Whole map', () => zoom(0));
+  const say = make('span', 'near', bar);
+  map.figure.querySelector('.pane').after(bar);
+  map.over.tabIndex = 0;
+  map.over.setAttribute('role', 'img');
+  function look([y, x, h, w]) {
+    const whole = Math.min(first.naturalHeight, first.naturalWidth), [ny, nx] = [first.naturalHeight, first.naturalWidth];
+    const least = Math.min(1, NEAREST / whole), size = Math.max(least, Math.min(1, w));
+    const [rows, columns] = [Math.max(1, Math.round(size * ny)), Math.max(1, Math.round(size * nx))];
+    const place = (at, n, of) => Math.max(0, Math.min(of - n, Math.round(at * of)));
+    map.part = [place(y, rows, ny) / ny, place(x, columns, nx) / nx, rows / ny, columns / nx];
+    [out.disabled, all.disabled, near.disabled] = [!zoomed(), !zoomed(), size <= least];
+    say.textContent = zoomed() ? columns + ' × ' + rows + ' of ' + nx + ' × ' + ny + ' points' : '';
+    map.over.classList.toggle('near', zoomed());
+    show();
+    section.dispatchEvent(new CustomEvent('look', { detail: { from: map.part[1], to: map.part[1] + map.part[3] } }));
+  }
+  // `times` nearer around a place of what is seen; 0 is the whole map.
+  function zoom(times, cx = 0.5, cy = 0.5) {
+    const [y, x, h, w] = map.part, size = times ? Math.min(1, w / times) : 1;
+    look([y + cy * (h - size), x + cx * (w - size), size, size]);
+  }
+  const move = (dy, dx) => look([map.part[0] + dy * map.part[2], map.part[1] + dx * map.part[3], map.part[2], map.part[3]]);
+  const place = e => { const box = map.over.getBoundingClientRect(); return [(e.clientX - box.left) / box.width, (e.clientY - box.top) / box.height, box]; };
+  map.over.addEventListener('wheel', e => {
+    if (!e.ctrlKey && !e.metaKey) return;
+    e.preventDefault();
+    zoom(Math.exp(-e.deltaY / 250), ...place(e).slice(0, 2));
+  }, { passive: false });
+  const fingers = new Map();
+  let drag = null; // where the map was when the fingers came down, not rounded on the way
+  const begin = () => { drag = fingers.size ? { part: map.part, at: [...fingers.values()].map(f => place(f).slice(0, 2)) } : null; };
+  map.over.addEventListener('pointerdown', e => { fingers.set(e.pointerId, e); map.over.setPointerCapture(e.pointerId); begin(); });
+  ['pointerup', 'pointercancel'].forEach(type => map.over.addEventListener(type, e => { fingers.delete(e.pointerId); begin(); }));
+  map.over.addEventListener('pointermove', e => {
+    if (!fingers.has(e.pointerId)) return;
+    fingers.set(e.pointerId, e);
+    const now = [...fingers.values()].map(f => place(f).slice(0, 2)), [y, x, h, w] = drag.part, [a, b] = drag.at;
+    if (now.length === 1 && zoomed()) look([y - (now[0][1] - a[1]) * h, x - (now[0][0] - a[0]) * w, h, w]);
+    if (now.length !== 2) return;
+    const apart = ([p, q]) => Math.hypot(p[0] - q[0], p[1] - q[1]), middle = ([p, q]) => [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
+    const size = Math.min(1, w * apart([a, b]) / Math.max(1e-3, apart(now))), [mx, my] = middle([a, b]), [nx, ny] = middle(now);
+    look([y + my * h - ny * size, x + mx * w - nx * size, size, size]);
+  });
+  map.over.addEventListener('keydown', e => {
+    const step = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[e.key];
+    if (step && zoomed()) move(step[0] / 8, step[1] / 8);
+    else if (e.key === '+' || e.key === '=') zoom(1.6);
+    else if (e.key === '-') zoom(1 / 1.6);
+    else if (e.key === '0') zoom(0);
+    else return;
+    e.preventDefault();
+  });
+  let kept = null;
+  addEventListener('beforeprint', () => { kept = map.part; zoom(0); });
+  addEventListener('afterprint', () => { if (kept) look(kept); });
+  first.decode().then(() => zoom(0));
+});
+})();

@@ -7,7 +7,8 @@ use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
 use crate::draw::png::Grey;
 use crate::error::ReportError;
 use crate::figures::maps::{self, Window};
-use crate::numbers::{PASCALS, chosen};
+use crate::numbers::{METRES, PASCALS, chosen, unit_for};
+use crate::page::phrases::attribute;
 use compare::{FirstContact, SurfaceComparison};
 use serde_json::json;
 
@@ -57,16 +58,39 @@ impl<'a> Moving<'a> {
             })
             .collect();
         let [r, g, b] = ramp_table::<3>(&PRESSURE_RAMP)[1].to_rgb();
+        let ramp: String = ramp_table::<256>(&PRESSURE_RAMP)
+            .iter()
+            .flat_map(|c| c.to_rgb())
+            .map(|v| format!("{v:02X}"))
+            .collect();
+        let unit = unit_for(grid.size()[1], METRES);
         let facts = json!({
-            "step": step, "lost": lost, "titles": titles, "colour": [r, g, b],
+            "step": step, "lost": lost, "titles": titles, "colour": [r, g, b], "ramp": ramp,
+            "across": grid.size()[1] / unit.scale, "unit": unit.name,
         });
         let whole = [0, 0, ny, nx];
         Ok(format!(
-            "<img class=\"first\" hidden alt=\"\" src=\"{}\" data-facts='{}'>{}",
+            "<img class=\"first\" hidden alt=\"\" src=\"{}\" data-facts='{}'>\
+             <img class=\"pressure\" hidden alt=\"\" src=\"{}\">{}",
             picture.data_address()?,
-            facts.to_string().replace('&', "&amp;").replace('\'', "&#39;"),
+            attribute(&facts),
+            self.pressure(shape)?,
             self.relief(whole, whole, relief_limit)?
         ))
+    }
+
+    /// The pressure of the headline in the dots of the contact: 0 where nothing touches, else 1 to 255 along the
+    /// ramp.
+    fn pressure(&self, [height, width]: [usize; 2]) -> Result<String, ReportError> {
+        let grid = self.surface.solved_map().grid();
+        let [ny, nx] = grid.shape();
+        let (top, _) = maps::pressure_top(&self.surface.pressure);
+        let dots = combined(&self.surface.pressure, [ny, nx], [height, width], f64::max);
+        let class = |p: &f64| {
+            if *p > 0.0 { ((p / top).min(1.0) * 255.0).round().max(1.0) as u8 } else { 0 }
+        };
+        let picture = Grey { width, height, values: dots.iter().map(class).collect() };
+        Ok(picture.data_address()?)
     }
 
     /// The relief of a window, and where it lies in the whole map.
@@ -97,13 +121,22 @@ fn reduced(first: &[u8], [ny, nx]: [usize; 2], limit: usize) -> (Vec<u8>, [usize
         return (first.to_vec(), [ny, nx]);
     }
     let small = [ny, nx].map(|n| (n * limit / ny.max(nx)).max(1));
+    (combined(first, [ny, nx], small, u8::min), small)
+}
+
+/// One value for the points that each dot covers; where a dot is less than a point wide, two share it.
+fn combined<T: Copy>(
+    field: &[T],
+    [ny, nx]: [usize; 2],
+    small: [usize; 2],
+    both: impl Fn(T, T) -> T,
+) -> Vec<T> {
     let span = |j: usize, n: usize, m: usize| j * n / m..((j + 1) * n).div_ceil(m);
     let dot = |y: usize, x: usize| {
-        let rows = span(y, ny, small[0]).map(|iy| &first[iy * nx..][span(x, nx, small[1])]);
-        rows.flatten().copied().min().unwrap_or(FirstContact::NEVER)
+        let rows = span(y, ny, small[0]).map(|iy| &field[iy * nx..][span(x, nx, small[1])]);
+        rows.flatten().copied().reduce(&both).expect("a dot covers a point")
     };
-    let dots = (0..small[0] * small[1]).map(|i| dot(i / small[1], i % small[1])).collect();
-    (dots, small)
+    (0..small[0] * small[1]).map(|i| dot(i / small[1], i % small[1])).collect()
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! Phrases that several sections use.
 
 use crate::numbers::{
-    METRES, NEWTONS, PASCALS, SPACE, chosen, power_of_ten, quantity, relative_bar, significant,
-    unit_for,
+    METRES, NEWTONS, PASCALS, SPACE, chosen, percent, power_of_ten, quantity, relative_bar,
+    significant, unit_for,
 };
-use compare::SurfaceComparison;
+use compare::{Sections, SurfaceComparison};
 
 /// What was done to the form of the map.
 pub(crate) fn levelled(surface: &SurfaceComparison) -> &'static str {
@@ -67,4 +67,17 @@ pub(crate) fn spread_words(surface: &SurfaceComparison) -> String {
     } else {
         b
     }
+}
+
+/// How much of the row touches at each load, as the caption says it.
+pub(crate) fn touching(surface: &SurfaceComparison) -> Vec<String> {
+    let Some(Sections { pressure, .. }) = &surface.sections else { return Vec::new() };
+    let share =
+        |row: &Vec<f64>| row.iter().filter(|p| **p > 0.0).count() as f64 / row.len().max(1) as f64;
+    pressure.iter().map(|row| percent(share(row))).collect()
+}
+
+/// JSON inside an attribute in single quotes.
+pub(crate) fn attribute(data: &serde_json::Value) -> String {
+    data.to_string().replace('&', "&amp;").replace('\'', "&#39;").replace('<', "&lt;")
 }

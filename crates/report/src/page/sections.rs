@@ -11,7 +11,6 @@ use crate::numbers::{
 };
 use crate::page::budget;
 use crate::page::context::Page;
-use crate::page::moving::{LARGEST, Moving};
 use crate::page::pair;
 use crate::page::phrases::levelled;
 use crate::page::slider::dial;
@@ -194,6 +193,7 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<cost::Route>> {
         .into_iter()
         .map(|r| cost::Route {
             label: r.model.card.label.to_string(),
+            series: r.model.card.name.to_string(),
             look: look(&r.model.card.name, r.place),
             seconds: r.seconds,
             error: r.error.abs(),
@@ -218,7 +218,8 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
     let has_bar = surface.headline_answer().is_some_and(|a| a.interval().is_some());
     let covers = if has_bar { format!("{} alone. ", words::COMPARISON) } else { String::new() };
     format!(
-        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{covers}{} {} {}{}</p>\n",
+        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{covers}{} {} {}{}<span class=\"moves\"> A click on a \
+         model follows it through all figures; a second one, or Escape, ends that.</span></p>\n",
         source_sentence(surface.inputs.source),
         words::within_ten(surface),
         words::survey(surface),
@@ -242,83 +243,8 @@ fn source_sentence(source: MomentSource) -> &'static str {
     }
 }
 
-/// The contact map and an enlargement.
-pub(crate) fn where_it_touches(
-    page: &mut Page<'_>,
-    surface: &SurfaceComparison,
-    id: &str,
-) -> Result<String, ReportError> {
-    let grid = surface.solved_map().grid();
-    if surface.pressure.len() != grid.len() || grid.shape().contains(&1) {
-        return Ok(String::new());
-    }
-    let h = page.heading();
-    let p = chosen(surface.headline_pressure(), PASCALS);
-    let heights = surface.solved_map().heights();
-    let window = maps::busiest_window(&surface.pressure, grid.shape());
-    let n = page.next_figure();
-    let key = format!("{id}-f{n}");
-    let map = maps::contact(&surface.pressure, heights, grid, window, page.map_limit, &key)?;
-    let moving = Moving::of(surface).filter(|_| page.comparison.surfaces.len() <= MOST_MOVING);
-    let (hidden, moves) = match &moving {
-        Some(moving) => (moving.whole(page.map_limit)?, moves_words(grid.shape(), &p)),
-        None => Default::default(),
-    };
-    let mut out = format!(
-        "<{h}>Where it touches at {}</{h}>\n<div class=\"two maps\">\n{}",
-        if moving.is_some() { format!("<span data-k=\"load\">{p}</span>") } else { p },
-        figure(
-            &(map.inline() + &hidden),
-            &format!(
-                "<b>Fig. {n}. Contact map.</b> Colour: pressure. Grey relief: the surface under \
-                 it.{}{moves}",
-                reduced_words(grid.shape(), page.map_limit, "the highest pressure")
-            )
-        )
-    );
-    if let Some(window) = window {
-        let key = format!("{key}b");
-        let zoom = maps::enlarged(&surface.pressure, heights, grid, window, &key)?;
-        let [dy, dx] = grid.pixel();
-        let sides = [chosen(dx, METRES), chosen(dy, METRES)];
-        let spacing = if sides[0] == sides[1] { sides[0].clone() } else { sides.join(" × ") };
-        let [ny, nx] = grid.shape();
-        let hidden = match &moving {
-            Some(moving) => moving.relief(window, [0, 0, ny, nx], window[2].max(window[3]))?,
-            None => String::new(),
-        };
-        out.push_str(&figure(
-            &(zoom.inline() + &hidden),
-            &format!(
-                "<b>Boxed area</b>, enlarged {} times. One square is one point of the {}, \
-                 {spacing}.",
-                significant(grid.shape()[1] as f64 / window[3] as f64, 2),
-                if surface.solved.is_some() { "grid solved on" } else { "map" }
-            ),
-        ));
-    }
-    out.push_str("</div>\n");
-    Ok(out)
-}
-
-/// Of more surfaces the pictures that move would make the page too large.
-const MOST_MOVING: usize = 4;
-
-/// What the slider does to the contact map, for pages on which it moves.
-fn moves_words([ny, nx]: [usize; 2], headline: &str) -> String {
-    let dots = if ny.max(nx) > LARGEST {
-        format!(", with {LARGEST} dots along the longer side, each in contact if a point of it is")
-    } else {
-        String::new()
-    };
-    format!(
-        "<span class=\"moves\"> At another load of the slider: what touches there, in one colour{dots}; the \
-         pressure is that at {headline}.</span>"
-    )
-}
-
 /// " Drawn at 640 × 640; each dot the … of the points it covers."
-fn reduced_words([ny, nx]: [usize; 2], limit: usize, what: &str) -> String {
+pub(crate) fn reduced_words([ny, nx]: [usize; 2], limit: usize, what: &str) -> String {
     if ny.max(nx) <= limit {
         return String::new();
     }

@@ -1,7 +1,9 @@
 //! The slider over the loads: its element, and the numbers that it shows.
 
+use crate::draw::palette::DETERMINISTIC;
+use crate::looks::look;
 use crate::numbers::{PASCALS, chosen, signed_percent};
-use crate::page::tables;
+use crate::page::{phrases, tables};
 use crate::words;
 use compare::SurfaceComparison;
 use serde_json::json;
@@ -60,6 +62,18 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
         .map(|p| p.answer.as_ref().map_or("–".into(), words::area))
         .collect();
     cells.insert("a-det".into(), json!(area));
+    let real: Vec<String> = surface
+        .deterministic
+        .iter()
+        .map(|p| {
+            p.answer.as_ref().map_or("–".into(), |a| words::real_pressure(p.mean_pressure, a))
+        })
+        .collect();
+    cells.insert("p-det".into(), json!(real));
+    let touching = phrases::touching(surface);
+    if !touching.is_empty() {
+        cells.insert("cut".into(), json!(touching));
+    }
     for model in &surface.models {
         let Ok(curve) = &model.outcome else { continue };
         let area: Vec<String> = curve.points.iter().map(tables::model_area).collect();
@@ -72,8 +86,17 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
         }
         cells.insert(format!("a-{}", model.card.name), json!(area));
         cells.insert(format!("e-{}", model.card.name), json!(error));
+        let real: Vec<String> = curve.points.iter().map(tables::model_pressure).collect();
+        cells.insert(format!("p-{}", model.card.name), json!(real));
     }
-    let data = json!({ "read": read_out(surface), "cells": cells }).to_string();
+    let mut listed =
+        vec![json!({ "name": "det", "label": "Deterministic", "class": DETERMINISTIC.class })];
+    let models = surface.models.iter().enumerate().filter(|(_, m)| m.outcome.is_ok());
+    listed.extend(models.map(|(place, m)| {
+        let class = look(&m.card.name, place).colour.class;
+        json!({ "name": m.card.name, "label": m.card.label, "class": class })
+    }));
+    let data = json!({ "read": read_out(surface), "cells": cells, "models": listed }).to_string();
     // "</script>" cannot end the element early.
     format!("<script type=\"application/json\">{}</script>\n", data.replace('<', "\\u003c"))
 }

@@ -187,6 +187,12 @@ pub(crate) fn model_area(point: &Result<ContactState, ModelError>) -> String {
         .map_or("–".into(), |s| format!("{}{SPACE}%", significant(100.0 * s.area_fraction, 3)))
 }
 
+/// The mean pressure on what a model says touches, "3.2 GPa".
+pub(crate) fn model_pressure(point: &Result<ContactState, ModelError>) -> String {
+    let real = point.as_ref().ok().map(|s| s.mean_pressure / s.area_fraction);
+    real.filter(|p| p.is_finite()).map_or("–".into(), |p| quantity(p, PASCALS, 3))
+}
+
 /// "elastic: −3.1 %": what a theory of those is wrong by on their own contact.
 pub(crate) fn elastic_error(error: Option<f64>) -> String {
     format!("elastic: {}", error.map_or("–".into(), signed_percent))
@@ -292,6 +298,7 @@ fn model_row(
     let card = &model.card;
     let source = reference(page, card.citation.clone());
     let several = surface.deterministic.len() > 1;
+    let series = escape(&card.name);
     let name = format!(
         "<th scope=\"row\"><div>{}<span>{}<small>{}</small></span></div></th>",
         swatch(look(&card.name, place)),
@@ -306,7 +313,7 @@ fn model_row(
     let Ok(curve) = &model.outcome else {
         let dash = |l: &str| format!("<td data-l=\"{l}\" class=\"n\">–</td>");
         return format!(
-            "<tr class=\"na\">{name}{}{}{}{}{}{domain}{source}</tr>\n",
+            "<tr class=\"na\" data-m=\"{series}\">{name}{}{}{}{}{}{domain}{source}</tr>\n",
             dash("Area"),
             dash("Error at load"),
             dash("Error, all loads"),
@@ -326,7 +333,7 @@ fn model_row(
     let range = curve.range().map_or("–".into(), |(lo, hi)| signed_range(lo, hi));
     let mean = curve.worst_and_mean().map_or("–".into(), |(_, mean)| percent(mean));
     format!(
-        "<tr>{name}<td data-l=\"Area\" class=\"n\"{}>{}</td><td data-l=\"Error at load\" \
+        "<tr data-m=\"{series}\">{name}<td data-l=\"Area\" class=\"n\"{}>{}</td><td data-l=\"Error at load\" \
          class=\"n\"><span{}>{error}</span>{of_elastic}</td><td data-l=\"Error, all loads\" class=\"n\">{range}</td>\
          <td data-l=\"Mean |error|\" class=\"n\">{mean}</td><td data-l=\"Time per load\" \
          class=\"n\">{}</td>{domain}{source}</tr>\n",

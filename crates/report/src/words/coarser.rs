@@ -25,6 +25,7 @@ fn label(factor: usize) -> String {
 pub(crate) fn routes(surface: &SurfaceComparison) -> impl Iterator<Item = Route> {
     surface.coarser.iter().map(|c| Route {
         label: label(c.factor),
+        series: String::new(),
         look: LOOK,
         seconds: c.seconds,
         error: c.error.abs(),

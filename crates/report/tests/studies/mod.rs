@@ -3,7 +3,7 @@
 
 use compare::{Comparison, FileOrigin, Origin, Registry, Settings, Surface, built_in_recipes};
 use contact_types::{Grid, HeightMap};
-use report::{Provenance, write_csv, write_html};
+use report::{Provenance, write_html};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
@@ -101,11 +101,5 @@ pub fn provenance() -> Provenance {
 pub fn html(comparison: &Comparison) -> String {
     let mut out = Vec::new();
     write_html(comparison, &provenance(), &mut out).unwrap();
-    String::from_utf8(out).unwrap()
-}
-
-pub fn csv(comparison: &Comparison) -> String {
-    let mut out = Vec::new();
-    write_csv(comparison, &mut out).unwrap();
     String::from_utf8(out).unwrap()
 }

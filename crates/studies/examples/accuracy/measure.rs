@@ -129,6 +129,7 @@ fn row(
         method: Method::Auto,
         certified: false,
         maps: Maps::None,
+        section: None,
         threads: 1,
     };
     let mut found = Found(None);

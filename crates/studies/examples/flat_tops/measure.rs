@@ -149,6 +149,7 @@ fn claimed(map: &HeightMap, known: &Map, loads: &[f64]) -> Result<Vec<Vec<f64>>,
                 method: Method::Auto,
                 certified: false,
                 maps: Maps::Pressure,
+                section: None,
                 threads: 1,
             };
             let mut last = Last(f64::NAN);

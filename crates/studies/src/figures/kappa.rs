@@ -45,7 +45,7 @@ fn sweep(a: f64, b: f64, n: usize) -> impl Iterator<Item = f64> {
 
 /// A name at the right end of a line.
 fn end(frame: &Frame, y: f64, text: &str, colour: Colour) -> EndLabel {
-    EndLabel { y: frame.y.at(y), text: text.into(), colour, bold: false }
+    EndLabel { y: frame.y.at(y), text: text.into(), colour, bold: false, series: String::new() }
 }
 
 /// kappa of every kind of map against Nayak's parameter, with the limits of the theories.
@@ -171,8 +171,13 @@ pub fn write_kappa_load(shown: &[&Kind], out: &mut impl Write) -> io::Result<()>
     let persson = curve(&|x| model_slope("persson", 10.0, x));
     canvas.polyline(&persson, PERSSON_LINE);
     let last = persson.last().map_or(BOTTOM, |p| p[1]);
-    let mut labels =
-        vec![EndLabel { y: last, text: "Persson".into(), colour: PERSSON, bold: false }];
+    let mut labels = vec![EndLabel {
+        y: last,
+        text: "Persson".into(),
+        colour: PERSSON,
+        bold: false,
+        series: String::new(),
+    }];
     let mut found = Vec::new();
     for (n, k) in shown.iter().enumerate() {
         let name = if k.bandwidth < 20.0 {
@@ -190,7 +195,13 @@ pub fn write_kappa_load(shown: &[&Kind], out: &mut impl Write) -> io::Result<()>
         }
         if let Some(p) = bgt.last() {
             let text = format!("BGT, {name}");
-            labels.push(EndLabel { y: p[1], text, colour: BGT, bold: false });
+            labels.push(EndLabel {
+                y: p[1],
+                text,
+                colour: BGT,
+                bold: false,
+                series: String::new(),
+            });
         }
         let points: Vec<_> = k.curve.iter().filter(|s| s.load < 1.01 * high).collect();
         let upper = points.iter().map(|s| frame.at([s.load, s.value + s.uncertainty()]));
@@ -204,7 +215,13 @@ pub fn write_kappa_load(shown: &[&Kind], out: &mut impl Write) -> io::Result<()>
         }
         if let (Some(p), Some(a), Some(b)) = (line.last(), points.first(), points.last()) {
             let text = format!("here, {name}");
-            labels.push(EndLabel { y: p[1], text, colour: DETERMINISTIC, bold: false });
+            labels.push(EndLabel {
+                y: p[1],
+                text,
+                colour: DETERMINISTIC,
+                bold: false,
+                series: String::new(),
+            });
             found.push(format!("{name}: {:.2} to {:.2}", a.value, b.value));
         }
     }

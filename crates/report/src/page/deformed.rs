@@ -1,0 +1,149 @@
+//! The section through the contact: its figure at the headline, and what the script needs for the other loads.
+
+use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
+use crate::figures::deformed::{Cut, Pressed, section};
+use crate::figures::maps::pressure_top;
+use crate::numbers::{METRES, PASCALS, SPACE, chosen, fixed, quantity, significant};
+use crate::page::context::Page;
+use crate::page::moving::LARGEST;
+use crate::page::phrases::{attribute, touching};
+use crate::page::sections::figure;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use compare::SurfaceComparison;
+use serde_json::json;
+
+/// Finest classes of pressure: what a byte holds besides none.
+const CLASSES: f64 = 31.0;
+
+/// What lies along the row of a surface; `None` if not every load has an answer or nothing is rough.
+pub(crate) fn cut(surface: &SurfaceComparison) -> Option<Cut> {
+    let sections = surface.sections.as_ref()?;
+    let map = surface.solved_map();
+    let [ny, nx] = map.grid().shape();
+    let (low, high) = map.range();
+    if sections.row >= ny || nx < 2 || high <= low {
+        return None;
+    }
+    let mean = map.mean();
+    let (top, _) = pressure_top(&surface.pressure);
+    let row = &map.heights()[sections.row * nx..(sections.row + 1) * nx];
+    let pressed = surface.deterministic.iter().zip(sections.gap.iter().zip(&sections.pressure));
+    let loads: Option<Vec<Pressed>> = pressed
+        .map(|(point, (gap, pressure))| {
+            let open = |i: usize| if pressure[i] > 0.0 { 0.0 } else { gap[i].max(0.0) };
+            let share = |i: usize| (pressure[i] / top).min(1.0);
+            Some(Pressed {
+                flat: point.answer.as_ref()?.mean_gap?,
+                gap: parts(nx, |range| range.map(open).fold(f64::INFINITY, f64::min)),
+                pressure: parts(nx, |range| range.map(share).fold(0.0, f64::max)),
+            })
+        })
+        .collect();
+    let loads = loads.filter(|loads| loads.len() == surface.deterministic.len())?;
+    let highest = |range: std::ops::Range<usize>| {
+        row[range].iter().fold(f64::NEG_INFINITY, |top, z| top.max(z - mean))
+    };
+    Some(Cut { length: map.grid().size()[1], heights: parts(nx, highest), loads })
+}
+
+/// One value for each part of a row that is drawn: for each point, or of longer rows for the points that one of
+/// [`LARGEST`] parts covers, as the map has them.
+fn parts(n: usize, value: impl Fn(std::ops::Range<usize>) -> f64) -> Vec<f64> {
+    let m = n.min(LARGEST);
+    (0..m).map(|j| value(j * n / m..((j + 1) * n).div_ceil(m))).collect()
+}
+
+/// The figure with its caption; with what the script moves, if the page `moves`.
+pub(crate) fn through(
+    page: &mut Page<'_>,
+    surface: &SurfaceComparison,
+    moves: bool,
+    id: &str,
+) -> String {
+    let Some((cut, sections)) = cut(surface).zip(surface.sections.as_ref()) else {
+        return String::new();
+    };
+    let n = page.next_figure();
+    let touching = touching(surface);
+    let titles: Vec<String> = surface
+        .deterministic
+        .iter()
+        .zip(cut.loads.iter().zip(&touching))
+        .map(|(point, (load, share))| {
+            format!(
+                "At {} the flat stands {} above the mean plane; {share} of this line touches.",
+                chosen(point.mean_pressure, PASCALS),
+                quantity(load.flat, METRES, 3)
+            )
+        })
+        .collect();
+    let headline = surface.headline;
+    let svg = section(&cut, headline, titles[headline].clone(), &format!("{id}-f{n}"));
+    let facts = if moves {
+        let data = facts(&cut, sections.row, surface.solved_map().grid().shape()[0], &titles);
+        format!("<span class=\"cut\" hidden data-facts='{}'></span>", attribute(&data))
+    } else {
+        String::new()
+    };
+    let tall = cut.exaggeration();
+    let tall = if tall < 9.5 { significant(tall, 2) } else { fixed(tall.round(), 0) };
+    let dots = if surface.solved_map().grid().shape()[1] > LARGEST {
+        format!(" Drawn with {LARGEST} parts, each the highest of the points it covers.")
+    } else {
+        String::new()
+    };
+    let (k, zoom) = if moves {
+        (
+            " data-k=\"cut\"",
+            "<span class=\"moves\"> It follows the slider and the zoom of the map.</span>",
+        )
+    } else {
+        ("", "")
+    };
+    let shown = figure(
+        &(svg.inline() + &facts),
+        &format!(
+            "<b>Fig. {n}. Section</b> along the dashed line of the map. Solid: the body under load, coloured by the \
+             pressure where it touches the flat (<span{k}>{}</span> of this line). Dotted: the same heights \
+             before. Heights are drawn <span class=\"tall\">{tall}</span>{SPACE}times too tall.{dots}{zoom}",
+            touching[headline]
+        ),
+    );
+    shown.replacen("<figure>", "<figure class=\"wide scroll\">", 1)
+}
+
+/// Heights and gaps in 16 bits of one step, pressures in classes of the ramp; little end first, loads one after
+/// the other.
+fn facts(cut: &Cut, row: usize, rows: usize, titles: &[String]) -> serde_json::Value {
+    let (low, high) = cut
+        .heights
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(*z), b.max(*z)));
+    let gaps = || cut.loads.iter().flat_map(|l| l.gap.iter().copied());
+    let step = gaps().fold(high - low, f64::max) / f64::from(u16::MAX);
+    let sixteen = |values: &mut dyn Iterator<Item = f64>| {
+        let bytes = values.flat_map(|v| ((v / step).round() as u16).to_le_bytes());
+        STANDARD.encode(bytes.collect::<Vec<u8>>())
+    };
+    let class = |p: f64| if p > 0.0 { 1 + ((CLASSES - 1.0) * p).round() as u8 } else { 0 };
+    let pressure: Vec<u8> =
+        cut.loads.iter().flat_map(|l| l.pressure.iter().map(|p| class(*p))).collect();
+    let colours: Vec<String> = ramp_table::<31>(&PRESSURE_RAMP)
+        .iter()
+        .map(|c| c.to_rgb().iter().map(|v| format!("{v:02X}")).collect())
+        .collect();
+    json!({
+        "scales": cut.scales(),
+        "tall": cut.exaggeration(),
+        "row": (row as f64 + 0.5) / rows as f64,
+        "step": step,
+        "low": low,
+        "flats": cut.loads.iter().map(|l| l.flat).collect::<Vec<_>>(),
+        "heights": sixteen(&mut cut.heights.iter().map(|z| z - low)),
+        "gaps": sixteen(&mut gaps()),
+        "pressures": STANDARD.encode(pressure),
+        "colours": colours.join(""),
+        "titles": titles,
+    })
+}
