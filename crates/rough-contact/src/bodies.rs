@@ -21,9 +21,9 @@ pub(crate) struct Bodies {
     /// Poisson's ratio to each --young
     #[arg(long, value_name = "NU", value_parser = number, allow_hyphen_values = true)]
     poisson: Vec<f64>,
-    /// Material, as copper, in place of these, with its hardness; twice for two bodies. Own numbers override
+    /// Material, as copper, in place of these, with its hardness; two for two bodies, as steel-304,copper. Own numbers override
     /// those of the table that `rough-contact materials` shows
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME[,NAME]", value_delimiter = ',')]
     material: Vec<String>,
 }
 

@@ -59,6 +59,11 @@ pub(crate) fn scientific(value: f64, unit: &str) -> String {
     )
 }
 
+/// "12 %", "a factor of 3": a ratio of at least 1.
+fn factor(ratio: f64) -> String {
+    if ratio < 1.995 { percent(ratio - 1.0) } else { format!("a factor of {}", times(ratio)) }
+}
+
 /// Which of area and conductance depends on the shortest wave, with the numbers of this surface.
 pub(crate) fn octaves(found: &Conduction) -> Option<String> {
     let [area, conductance] = found.changes()?;
@@ -67,19 +72,15 @@ pub(crate) fn octaves(found: &Conduction) -> Option<String> {
     let first = found.octaves[0];
     let numbers = format!(
         "Without {}, that is without waves shorter than {} (the map has {} and longer), the area changes by up to \
-         a factor of {}, the conductance by up to {}.",
+         {}, the conductance by up to {}.",
         match removed {
             1 => "its shortest octave".to_owned(),
             n => format!("its {n} shortest octaves"),
         },
         length(last.shortest),
         quantity(first.shortest, METRES, 2),
-        times(area),
-        if conductance < 1.995 {
-            percent(conductance - 1.0)
-        } else {
-            format!("a factor of {}", times(conductance))
-        }
+        factor(area),
+        factor(conductance)
     );
     let verdict = if found.is_sturdy()? {
         "The area depends on the shortest wave that was measured; the conductance hardly does."

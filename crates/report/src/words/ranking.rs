@@ -58,9 +58,13 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
         let ratio = times(answer.seconds / r.seconds);
         format!("{ratio} times faster than this solution ({})", duration(answer.seconds))
     };
-    if relative.is_some_and(|u| u > WANTED) {
+    if relative.is_none_or(|u| u > WANTED) {
+        let why = match relative {
+            Some(_) => format!("The ± itself exceeds 10{SPACE}%"),
+            None => "The area of the solution carries no ±".into(),
+        };
         return format!(
-            "The ± itself exceeds 10{SPACE}%, so the closed forms cannot be ranked at \
+            "{why}, so the closed forms cannot be ranked at \
              10{SPACE}%. By the numbers alone {} is nearest ({}), {}, {}.",
             escape(&nearest.model.card.title),
             signed_percent(nearest.error),
@@ -167,18 +171,29 @@ fn against(loads: impl Iterator<Item = (f64, f64)>) -> Against {
 }
 
 /// The errors of a model at the loads that have a reference, with half the width of its ± there,
-/// relative to it.
-fn told(surface: &SurfaceComparison, curve: &ModelCurve) -> impl Iterator<Item = (f64, f64)> {
-    surface.deterministic.iter().zip(&curve.errors).filter_map(|(point, error)| {
+/// relative to it: at the loads that have one, or, if `bare`, at all, without it.
+fn told(
+    surface: &SurfaceComparison,
+    curve: &ModelCurve,
+    bare: bool,
+) -> impl Iterator<Item = (f64, f64)> {
+    surface.deterministic.iter().zip(&curve.errors).filter_map(move |(point, error)| {
         let answer = point.answer.as_ref()?;
-        let uncertainty = answer.uncertainty().unwrap_or(f64::INFINITY);
+        let uncertainty = if bare { 0.0 } else { answer.uncertainty()? };
         Some(((*error)?, uncertainty / answer.area_fraction_corrected))
     })
 }
 
 /// Which models read low, high, or cross, over the loads.
 pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
-    let always = if surface.deterministic.len() > 1 { "at every load" } else { "at this load" };
+    let answers = || surface.deterministic.iter().filter_map(|p| p.answer.as_ref());
+    let known = answers().filter(|a| a.uncertainty().is_some()).count();
+    let bare = known == 0;
+    let always = match surface.deterministic.len() {
+        1 => "at this load",
+        _ if !bare && known < answers().count() => "at every load that has a ±",
+        _ => "at every load",
+    };
     let tells = "where the ± of the solution tells them apart";
     // Each group with its sentence for one and for many.
     let mut groups = [
@@ -197,10 +212,10 @@ pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
     .map(|sentence| (sentence, Vec::new()));
     for model in &surface.models {
         let Ok(curve) = &model.outcome else { continue };
-        if told(surface, curve).next().is_none() {
+        if told(surface, curve, bare).next().is_none() {
             continue;
         }
-        let found = against(told(surface, curve));
+        let found = against(told(surface, curve, bare));
         let group = match found.side {
             Side::Low => usize::from(!found.told),
             Side::High => 2 + usize::from(!found.told),
@@ -216,6 +231,12 @@ pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
             format!("{} {} {rest}.", list(names), if names.len() == 1 { one } else { many })
         })
         .collect();
+    if bare && !sentences.is_empty() {
+        return format!(
+            "By the numbers alone, for the solution carries no ±: {}",
+            sentences.join(" ")
+        );
+    }
     sentences.join(" ")
 }
 
