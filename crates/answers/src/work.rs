@@ -112,6 +112,7 @@ impl Work {
         let ended = match error {
             None => Ended::Converged,
             Some(SolverError::Rounding(_)) => Ended::AtRounding,
+            Some(SolverError::AboveHardness { .. }) => Ended::Refused,
             Some(_) => Ended::Short,
         };
         self.found[index] = Some((ended, bare));

@@ -75,6 +75,8 @@ pub enum Ended {
     AtRounding,
     /// Before that, or not at all.
     Short,
+    /// Not begun: no contact bears the load, which is said of itself.
+    Refused,
 }
 
 /// One finding.

@@ -255,6 +255,7 @@ fn bar(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> {
             let loads = points.filter_map(|p| p.answer.as_ref()?.finer).count();
             Fact::FinerGrid { why, area: finer.area, loads }
         }
+        (Err(_), None, Some(Ok(_))) => return None, // what yields has an area of its own account
         (Err(why), None, _) => Fact::NoBar { why, at: Bare::Every },
         (Ok(()), _, Some(Err(why))) if unsolved == 0 => Fact::NoBar { why, at: Bare::Headline },
         _ => return None,

@@ -68,7 +68,8 @@ impl TwiceFiner {
     /// like cells, whose own bar is not known to hold alone.
     pub fn is_wanted(budget: &Budget, map: &Map) -> bool {
         let cut = |half: f64| half > 0.0; // in full contact no pixel is
-        Self::helps(budget) || map.is_regular() && budget.area.grid.is_ok_and(cut)
+        let like_cells = map.is_regular() && !budget.yields;
+        Self::helps(budget) || like_cells && budget.area.grid.is_ok_and(cut)
     }
 
     /// Whether a map on `grid` can be put on a twice finer one: at least 4 x 4 points, and not so

@@ -114,3 +114,37 @@ fn predictions_at_a_given_gap_hold_the_mean_of_their_family() {
     predictions_hold_the_mean(&budgets, &quantities, 27);
     assert!(budgets.iter().all(|b| b.mean_gap.unwrap().prediction_half_width() == Some(0.0)));
 }
+
+/// Where the contact yields its area is at least load over hardness, whatever its points resolve: so much is said of
+/// maps that have no other bar, and finer points keep to it.
+#[test]
+fn where_most_yields_the_load_says_the_area() {
+    let rough = SelfAffine {
+        grid: Grid::new([128, 128], [1e-6, 1e-6]).unwrap(),
+        hurst: 0.4,
+        rolloff: 24e-6,
+        cutoff: 2e-6,
+        scale: Scale::RmsGradient(0.1),
+        seed: 31,
+        quantise: None,
+    };
+    let map = rough.generate().unwrap();
+    let fine = resample(&map, [512, 512], Edges::Periodic).unwrap();
+    let solve = |map: &HeightMap, load: f64, hardness: f64| {
+        let modulus = ContactModulus::from_pascals(1e9).unwrap();
+        let builder = Solver::builder().hardness(hardness);
+        let mut solver = builder.build(map.grid(), modulus).unwrap();
+        solver.solve(map, Load::MeanPressure(load * hardness)).unwrap()
+    };
+    let known = Map::of(&map).unwrap();
+    for load in [0.1, 0.5] {
+        let hard = Budget::of(&solve(&map, load, 1e8), &known);
+        assert!(hard.own.is_err(), "{hard:?}"); // E* g/H = 1: little has yielded
+        let given = Budget::of(&solve(&map, load, 5e6), &known);
+        let [low, high] = given.area.comparison().unwrap();
+        let truth = solve(&fine, load, 5e6).diagnostics.area_fraction_corrected;
+        assert!((low..=high).contains(&truth), "{load}: {low} {truth} {high}");
+        assert!(low >= load && high < 1.1 * load, "{load}: {low} {high}");
+        assert!(given.own.is_err() && given.mean_gap.unwrap().comparison().is_err());
+    }
+}

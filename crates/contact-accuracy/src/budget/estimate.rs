@@ -3,6 +3,7 @@
 use super::area::iteration_half_width;
 use super::between::Between;
 use super::fall::fall_over_gap;
+use super::floor::Floor;
 use super::map::Map;
 use super::no_interval::NoAreaInterval;
 use super::{grid, iteration, sample};
@@ -31,7 +32,9 @@ pub struct Estimate {
     pub iteration: Result<f64, NoAreaInterval>,
     /// Scatter over maps of the same surface, 95 %; `None` if this map cannot tell.
     pub sample: Option<f64>,
-    /// Largest value that has a meaning; the smallest is 0.
+    /// Smallest value that it can have: 0, or what the load asks for at least.
+    pub(super) least: f64,
+    /// Largest value that has a meaning.
     pub(super) most: f64,
 }
 
@@ -66,12 +69,19 @@ impl Estimate {
     /// A number that was prescribed.
     pub(super) fn exact(value: f64) -> Self {
         let none = Ok(0.0);
-        Self { value, grid: none, iteration: none, sample: Some(0.0), most: f64::INFINITY }
+        Self {
+            value,
+            grid: none,
+            iteration: none,
+            sample: Some(0.0),
+            least: 0.0,
+            most: f64::INFINITY,
+        }
     }
 
     fn around(&self, half: f64) -> [f64; 2] {
-        // Rounding may leave a number just below 0, where no end may follow.
-        let low = (self.value - half).max(0.0).min(self.most);
+        // Rounding may leave a number just below the least, where no end may follow.
+        let low = (self.value - half).max(self.least).min(self.most);
         [low, (self.value + half).min(self.most).max(low)]
     }
 }
@@ -100,6 +110,8 @@ pub struct Budget {
     pub between: f64,
     /// Whether what lies between the points decides the answer, whatever else leaves it without a bar of its own.
     pub doubted: bool,
+    /// What the load asks for at least, where the contact yields.
+    pub floor: Option<Floor>,
     /// Why the grid of this solution has no bar of its own, if it has none; one from a finer grid
     /// may stand with the numbers all the same.
     pub own: Result<(), NoAreaInterval>,
@@ -124,6 +136,7 @@ impl Budget {
         } else {
             map.accuracy.grid_half_width(solution).map(|half| wide * half)
         };
+        let floor = Floor::of(solution);
         let line = grid::Line::of(solution);
         // An isolated contact is no sample of a surface that goes on; how those of one that yields scatter
         // was not studied.
@@ -157,6 +170,7 @@ impl Budget {
             },
             iteration: iteration.map(|_| iteration::gap_half_width(map, found)),
             sample: sampled.map(|s| gap.max(0.0) * s.gap_half_width()),
+            least: 0.0,
             most: f64::INFINITY,
         };
         Self {
@@ -164,9 +178,10 @@ impl Budget {
             mean_pressure: Estimate::exact(solution.state.mean_pressure),
             area: Estimate {
                 value: area,
-                grid: gate,
+                grid: floor.map_or(gate, |floor| floor.bar(gate)),
                 iteration,
                 sample: relative.map(|r| r * area),
+                least: floor.map_or(0.0, |floor| floor.area),
                 most: 1.0,
             },
             mean_gap: solution.state.mean_gap.map(gap),
@@ -175,6 +190,7 @@ impl Budget {
             sampled,
             between: 0.0,
             doubted: false,
+            floor,
             own: gate.map(|_| ()),
         }
     }
@@ -196,6 +212,7 @@ impl Budget {
         self.own = self.own.and(Err(none));
         let of = |estimate: &mut Estimate| estimate.grid = estimate.grid.and(Err(none));
         of(&mut self.area);
+        self.area.grid = self.floor.map_or(self.area.grid, |floor| floor.bar(self.area.grid));
         self.mean_gap.iter_mut().for_each(of);
         self.stiffness.iter_mut().for_each(of);
         self
@@ -207,6 +224,7 @@ impl Budget {
     #[must_use]
     pub fn with_grid(mut self, area: Result<f64, NoAreaInterval>, more: f64) -> Self {
         self.area.grid = area;
+        self.floor = None;
         self.own = area.map(|_| ());
         if let Some(gap) = &mut self.mean_gap {
             gap.grid = area.and(gap.grid.map(|half| half + more));
@@ -243,6 +261,11 @@ impl Budget {
             }
         }
         self
+    }
+
+    /// The least area, where it is its distance that makes the bar from the grid.
+    pub fn held_by_floor(&self) -> Option<Floor> {
+        self.floor.filter(|floor| self.area.grid == Ok(floor.above))
     }
 
     /// Mean real pressure, load over area, and its intervals; `None` if nothing touches.

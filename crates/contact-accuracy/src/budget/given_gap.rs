@@ -36,8 +36,12 @@ impl Budget {
             grid: grid.map(|r| load * r),
             iteration: iteration.map(|r| load * r),
             sample: sample.map(|r| load * r),
+            least: 0.0,
             most: f64::INFINITY,
         };
+        // The least area moves with the load.
+        self.floor = None;
+        self.area.least = 0.0;
         self.area.grid = self.area.grid.and_then(|half| Ok(half + area * grid?));
         self.area.iteration = self.area.iteration.and_then(|half| Ok(half + area * iteration?));
         self.area.sample = match (self.area.sample, sample) {

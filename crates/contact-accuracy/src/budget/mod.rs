@@ -39,6 +39,7 @@ mod area;
 mod between;
 mod estimate;
 mod fall;
+mod floor;
 mod given_gap;
 pub mod grid;
 pub mod iteration;
@@ -54,6 +55,7 @@ pub use area::{
 pub use between::{Between, MOST_DOUBT};
 pub use estimate::{Budget, Estimate, Given, RealPressure};
 pub use fall::{area_per_load, least_fall};
+pub use floor::Floor;
 pub use map::Map;
 pub use no_interval::NoAreaInterval;
 pub use stiffness::Stiffness;

@@ -77,6 +77,7 @@ impl Budget {
             grid: self.own.map(|()| k * relative),
             iteration: found.iteration.map(|r| k * r),
             sample: self.sampled.map(|s| k * s.stiffness_half_width()),
+            least: 0.0,
             most: f64::INFINITY,
         });
         self

@@ -92,6 +92,13 @@ fn grid_words(answer: &DeterministicAnswer, surface: &SurfaceComparison) -> Stri
             duration(surface.refined_seconds)
         );
     }
+    if let Some(floor) = answer.budget.held_by_floor() {
+        return format!(
+            "no pressure exceeds the hardness, so the area is at least {}, on any grid; the bar is what the touching \
+             points are above that",
+            percent(floor.area)
+        );
+    }
     if let Some(plan) = &surface.plan {
         let [ny, nx] = plan.grid.shape();
         return format!(

@@ -29,7 +29,13 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
                 "grid, iteration and finite sample (95{SPACE}%); without the sample {}",
                 alone.map_or("±0".into(), |share| escape(&relative_bar(share)))
             ),
-            (Ok(_), None) => "grid and iteration; not another map of the same surface".to_owned(),
+            (Ok(_), None) => format!(
+                "{}grid and iteration; not another map of the same surface",
+                a.budget.held_by_floor().map_or(String::new(), |floor| format!(
+                    "at least load over hardness, {}; ",
+                    percent(floor.area)
+                ))
+            ),
             (Err(reason), _) => format!("no ±: {}", escape(&reason.to_string())),
         };
         rows.push((
@@ -63,7 +69,14 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             rows.push((
                 "Mean gap".into(),
                 value,
-                format!("average over the whole map{relative}; ± as above"),
+                format!(
+                    "average over the whole map{relative}; {}",
+                    if half.is_none() && a.uncertainty().is_some() {
+                        "no ±"
+                    } else {
+                        "± as above"
+                    }
+                ),
             ));
         }
         if let Some(k) = a.budget.stiffness {
