@@ -60,10 +60,7 @@ fn what_has_yielded_carries_the_hardness_and_has_no_sample() {
         if above <= 0.5 * number(&point["area_fraction_corrected"]) {
             let low = number(&point["area_interval"][0]);
             assert!(low >= load / hard * (1.0 - 1e-5), "{point}");
-            assert!(
-                (number(&point["budget"]["area"]["grid"]) - above).abs() < 1e-4 * above,
-                "{point}"
-            );
+            assert!((number(&point["budget"]["area"]["grid"]) - above).abs() < 1e-9, "{point}");
         } else {
             assert!(point["area_interval"].is_null(), "{point}");
             assert!(point["area_interval_reason"].is_string(), "{point}");

@@ -205,6 +205,7 @@ impl Budget {
             }
             self.between = grid::area_between(found, self.area.value);
             self.area.grid = self.area.grid.map(|half| half.hypot(self.between));
+            self.area.grid = self.floor.map_or(self.area.grid, |floor| floor.bar(self.area.grid));
             return self;
         }
         self.doubted = true;
