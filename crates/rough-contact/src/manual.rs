@@ -62,7 +62,9 @@ fn pages(command: Command) -> Result<Vec<Page>, Failure> {
 
 fn page(command: Command) -> Result<Page, Failure> {
     let internal = |e: String| Failure::refused("internal", e);
-    let manual = clap_mangen::Man::new(command);
+    // A page belongs to a version; where others have their date, it stands between the feet of the page.
+    let version = concat!("rough-contact ", env!("CARGO_PKG_VERSION"));
+    let manual = clap_mangen::Man::new(command).date(version).source("");
     let mut text = Vec::new();
     manual.render(&mut text).map_err(|e| internal(e.to_string()))?;
     let text = String::from_utf8(text).map_err(|e| internal(e.to_string()))?;

@@ -105,5 +105,6 @@ fn groff_sets_every_page_without_a_warning() {
         let Some((set, complaint)) = run(dir.path(), "groff", &args) else { return };
         assert_eq!(complaint, "", "{}", page.display());
         assert!(set.contains("--force"), "{set}");
+        assert!(set.contains(concat!("rough-contact ", env!("CARGO_PKG_VERSION"))), "{set}");
     }
 }
