@@ -28,8 +28,9 @@ fn run_all(also: Also) -> TaskResult {
         check("costs"),
     ];
     if also == Also::All {
-        steps.push(Command::new(shell::root().join(".ci/python")));
-        steps.push(Command::new(shell::root().join(".ci/web")));
+        for script in ["workflows", "python", "web"] {
+            steps.push(Command::new(shell::root().join(".ci").join(script)));
+        }
     }
     if also == Also::Slow {
         steps.push(check("extremes"));

@@ -18,6 +18,8 @@ mod figures;
 mod flat_tops;
 mod generated;
 mod kappa;
+mod licences;
+mod release;
 mod sample;
 mod shell;
 mod strangers;
@@ -67,6 +69,9 @@ Usage: cargo xtask <task> [options]
                             dependency counts
   features                  every crate builds without and with each of its features
   web                       the page that computes in a browser, one file: target/page/rough-contact.html
+  licences PACKAGE TARGET   the licences of what a program is linked with, as archives carry them
+  release [TAG | --notes]   the version is the same in every file that states it, and that of the tag; with
+                            --notes what has changed with it
   strangers                 every published crate can be packaged, and its front-page example
                             compiles with that crate alone
   ci [--slow]               everything a change must pass, as the CI runs it
@@ -94,10 +99,13 @@ fn main() -> ExitCode {
         "bench" => bench::run(rest),
         "budget" => budget::run(rest),
         "flat-tops" => flat_tops::run(rest),
+        "release" if rest == ["--notes"] => release::print_notes(),
+        "release" => release::run(rest),
         "sample" => sample::run(rest),
         "surfaces" => surfaces::run(rest),
         "survey" => survey::run(rest),
         "kappa" => kappa::run(rest),
+        "licences" => licences::run(rest),
         "tradeoff" => tradeoff::run(rest),
         "tidy" => tidy::run(rest),
         "web" => web::run(rest),

@@ -2,6 +2,7 @@
 
 use crate::circles;
 use crate::dependencies::{LAYERS, brought_along};
+use crate::release;
 use crate::shell::{TaskResult, cargo, files, output, root};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -31,6 +32,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     rooms(&mut faults);
     models(&mut faults);
     book(&mut faults);
+    release::versions(&mut faults);
     if faults.is_empty() {
         println!("tidy: no faults");
         return Ok(());

@@ -1,0 +1,110 @@
+//! What says which version this is, and whether it is the same everywhere.
+
+use crate::shell::{TaskResult, read, root};
+
+/// Files that state the version, and what stands before it and behind it.
+const STATED: [(&str, &str, &str); 3] = [
+    ("crates/python/Cargo.toml", "\nversion = \"", "\""),
+    ("CITATION.cff", "\nversion: ", "\n"),
+    (".zenodo.json", "\"version\": \"", "\""),
+];
+
+/// Checks that the versions agree; with a tag, as v1.2.3, that it is theirs and that the changes of that version are
+/// written down.
+pub(crate) fn run(args: &[String]) -> TaskResult {
+    let mut faults = Vec::new();
+    versions(&mut faults);
+    let version = version()?;
+    if let [tag] = args {
+        if *tag != format!("v{version}") {
+            faults.push(format!("the tag {tag} is not v{version}, the version in Cargo.toml"));
+        }
+        if notes(&version)?.trim().is_empty() {
+            faults.push(format!("CHANGELOG.md has nothing below \"## {version}\""));
+        }
+    } else if !args.is_empty() {
+        return Err(format!("unknown arguments {args:?}; release takes a tag or nothing"));
+    }
+    match faults.as_slice() {
+        [] => {
+            println!("release: version {version}");
+            Ok(())
+        }
+        some => Err(some.join("; ")),
+    }
+}
+
+/// Prints what has changed with this version.
+pub(crate) fn print_notes() -> TaskResult {
+    print!("{}", notes(&version()?)?);
+    Ok(())
+}
+
+/// Every file states the version of the workspace.
+pub(crate) fn versions(faults: &mut Vec<String>) {
+    let version = match version() {
+        Ok(version) => version,
+        Err(fault) => return faults.push(fault),
+    };
+    for (path, before, behind) in STATED {
+        match stated(path, before, behind) {
+            Ok(found) if found == version => {}
+            Ok(found) => {
+                faults.push(format!("{path} states version {found}, Cargo.toml {version}"))
+            }
+            Err(fault) => faults.push(fault),
+        }
+    }
+}
+
+fn version() -> Result<String, String> {
+    stated("Cargo.toml", "[workspace.package]\nversion = \"", "\"")
+}
+
+fn stated(path: &str, before: &str, behind: &str) -> Result<String, String> {
+    let text = read(&root().join(path))?.replace("\r\n", "\n");
+    let (_, rest) = text.split_once(before).ok_or_else(|| format!("{path} states no version"))?;
+    let (version, _) =
+        rest.split_once(behind).ok_or_else(|| format!("{path} states no version"))?;
+    Ok(version.to_owned())
+}
+
+/// The part of the changelog below the heading of a version.
+fn notes(version: &str) -> Result<String, String> {
+    let text = read(&root().join("CHANGELOG.md"))?.replace("\r\n", "\n");
+    Ok(below(&text, version).to_owned())
+}
+
+fn below<'a>(text: &'a str, version: &str) -> &'a str {
+    let headed = |heading: &str| {
+        let words = heading.strip_prefix(version)?;
+        (words.is_empty() || words.starts_with(' ')).then_some(())
+    };
+    for section in text.split("\n## ").skip(1) {
+        let (heading, rest) = section.split_once('\n').unwrap_or((section, ""));
+        if headed(heading).is_some() {
+            return rest;
+        }
+    }
+    ""
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_changes_of_a_version_are_found() {
+        let text = "# Changelog\n\n## Unreleased\n\na\n\n## 0.1.10 (2027)\n\nb\n### Sub\nc\n\n## 0.1.1\n\nd\n";
+        assert_eq!(below(text, "0.1.1").trim(), "d");
+        assert_eq!(below(text, "0.1.10").trim(), "b\n### Sub\nc");
+        assert_eq!(below(text, "0.2.0"), "");
+    }
+
+    #[test]
+    fn every_file_states_the_same_version() {
+        let mut faults = Vec::new();
+        versions(&mut faults);
+        assert!(faults.is_empty(), "{faults:?}");
+    }
+}
