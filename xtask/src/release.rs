@@ -50,7 +50,7 @@ pub(crate) fn versions(faults: &mut Vec<String>) {
         match stated(path, before, behind) {
             Ok(found) if found == version => {}
             Ok(found) => {
-                faults.push(format!("{path} states version {found}, Cargo.toml {version}"))
+                faults.push(format!("{path} states version {found}, Cargo.toml {version}"));
             }
             Err(fault) => faults.push(fault),
         }
