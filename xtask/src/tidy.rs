@@ -33,6 +33,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     models(&mut faults);
     book(&mut faults);
     release::versions(&mut faults);
+    paper(&mut faults);
     if faults.is_empty() {
         println!("tidy: no faults");
         return Ok(());
@@ -279,6 +280,25 @@ fn book(faults: &mut Vec<String>) {
             faults.push(format!("{shown} is not listed in docs/src/SUMMARY.md"));
         }
     }
+}
+
+/// Each number of the paper has behind it, in a comment, a page of the book and the words there.
+fn paper(faults: &mut Vec<String>) {
+    // Spaces that do not break are spaces.
+    let text = |path: &str| {
+        let text = std::fs::read_to_string(root().join(path)).unwrap_or_default();
+        text.replace(['\u{a0}', '\u{202f}'], " ")
+    };
+    let paper = text("docs/paper/paper.md");
+    let mut quoted = 0;
+    for comment in paper.split("<!-- ").skip(1).filter_map(|rest| rest.split(" -->").next()) {
+        let Some((page, words)) = comment.split_once(".md: ") else { continue };
+        quoted += 1;
+        if !text(&format!("docs/src/{page}.md")).contains(words) {
+            faults.push(format!("docs/paper/paper.md: docs/src/{page}.md has no {words:?}"));
+        }
+    }
+    println!("quotations of the paper: {quoted}");
 }
 
 fn relative(path: &Path) -> String {
