@@ -37,6 +37,9 @@ pub enum Incomplete {
     /// Spikes became missing points, and missing points are refused.
     #[error("{0} points were taken for spikes and made missing points")]
     Spikes(usize),
+    /// A profile of too few points.
+    #[error(transparent)]
+    Short(StatsError),
     /// Missing points.
     #[error(transparent)]
     Fill(#[from] FillError),
@@ -49,7 +52,7 @@ impl Incomplete {
             Self::Line(_) => Failure::refused("profile", self.to_string()),
             Self::Spikes(_) => Failure::refused("missing", self.to_string()),
             Self::Cleaning(e) => Failure::from_error(e),
-            Self::Clean(e) => Failure::from_error(e),
+            Self::Clean(e) | Self::Short(e) => Failure::from_error(e),
             Self::Fill(e) => Failure::from_error(e),
         }
     }

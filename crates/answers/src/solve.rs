@@ -125,6 +125,20 @@ impl Question {
     /// # Errors
     /// [`Failure`], before any load is solved. A load that is not is in the [`Answer`].
     pub fn solve(&self, subject: Subject<'_>, watch: &mut dyn Watch) -> Result<Answer, Failure> {
+        self.solve_on(subject, &mut None, watch)
+    }
+
+    /// The same from where the last call ended: `kept` is the solver of a call of this question on the same grid,
+    /// or none, and is that of this call afterwards. With an accuracy to be reached none is kept.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve); then no solver is kept.
+    pub fn solve_on(
+        &self,
+        subject: Subject<'_>,
+        kept: &mut Option<Solver>,
+        watch: &mut dyn Watch,
+    ) -> Result<Answer, Failure> {
         let Subject { path, map: surface, missing, fill, cleaned, height_step, pair } = subject;
         let refused = |e: StatsError| Failure::in_file(path, &e);
         let mut solved = Solved {
@@ -183,12 +197,14 @@ impl Question {
                 .tolerance(self.tolerance)
                 .threads(self.threads)
                 .hardness(self.hardness.unwrap_or(f64::INFINITY));
-            let mut solver = builder
-                .clone()
-                .certified(self.certify)
-                .maps(maps)
-                .build(surface.grid(), self.modulus)
-                .map_err(|e| Failure::from_error(&e))?;
+            let fresh = builder.clone().certified(self.certify).maps(maps);
+            let known_grid = kept.take().filter(|solver| solver.grid() == surface.grid());
+            let mut solver = match known_grid {
+                Some(solver) => solver,
+                None => fresh
+                    .build(surface.grid(), self.modulus)
+                    .map_err(|e| Failure::from_error(&e))?,
+            };
             let builder = builder.maps(Maps::None);
             let (boundary, modulus) = (self.boundary, self.modulus);
             let finer = Finest { builder, boundary, modulus, made: None };
@@ -220,6 +236,7 @@ impl Question {
                 }
                 watch.done(load);
             }
+            *kept = Some(solver);
         }
         solved.loads = work.found();
         // With a hardness no pressure is beyond it: nothing is left to warn of.

@@ -6,6 +6,7 @@
 mod failure;
 mod model;
 mod module;
+mod profile;
 mod solve;
 mod statistics;
 mod study;

@@ -14,7 +14,9 @@ mod _rough_contact {
     #[pymodule_export]
     use crate::model::model;
     #[pymodule_export]
-    use crate::solve::solve;
+    use crate::profile::profile;
+    #[pymodule_export]
+    use crate::solve::{Keep, solve};
     #[pymodule_export]
     use crate::statistics::statistics;
     #[pymodule_export]

@@ -1,20 +1,22 @@
 //! The deterministic solution.
 
 use crate::failure::{bug, raise};
-use crate::surface::{array, surface_of};
+use crate::surface::{Laid, Second, array, surface_of};
 use crate::watched::{News, Outcome, Reporter, watched};
 use answers::{Conduction, Failure, Question, Subject, Watch, bodies};
 use compare::plan::Request as Accuracy;
 use compare::{
-    Body, EdgesName, Iteration, Level, Load, Method, Precision, Solution, WorkOfAdhesion,
+    Body, EdgesName, Iteration, Level, Load, Method, Precision, Solution, Solver, WorkOfAdhesion,
 };
 use contact_types::Grid;
 use fft_bem_solver::Boundary;
 use numpy::{PyArray2, PyReadonlyArray2};
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// What to look at where a load over an area is no pressure.
 const CHECK: &str = "check the units of load and area";
@@ -152,21 +154,61 @@ type Map<'py> = Option<Bound<'py, PyArray2<f64>>>;
 type Solved<'py> =
     (String, Vec<(usize, Map<'py>, Map<'py>)>, Option<(String, String)>, Option<Py<PyAny>>);
 
+/// A solver that keeps its last solution, for the next call on the same grid. Private.
+#[pyclass(frozen)]
+#[derive(Default)]
+pub(crate) struct Keep(Arc<Mutex<Option<Solver>>>);
+
+#[pymethods]
+impl Keep {
+    #[new]
+    fn new() -> Self {
+        Self::default()
+    }
+
+    /// Whether there is a solution to start from.
+    fn is_warm(&self) -> bool {
+        self.0.try_lock().is_ok_and(|kept| kept.is_some())
+    }
+
+    /// Lets the last solution go.
+    fn forget(&self) -> PyResult<()> {
+        *self.0.try_lock().map_err(|_| busy())? = None;
+        Ok(())
+    }
+}
+
+fn busy() -> PyErr {
+    PyRuntimeError::new_err("this Solver is at work on another thread; make one for each")
+}
+
 /// What `rough-contact solve` answers.
 #[pyfunction]
-#[pyo3(signature = (heights, facts, request, progress=None))]
+#[pyo3(signature = (heights, facts, request, progress=None, against=None, keep=None))]
 pub(crate) fn solve<'py>(
     py: Python<'py>,
     heights: PyReadonlyArray2<'py, f64>,
     facts: &str,
     request: &str,
     progress: Option<Py<PyAny>>,
+    against: Option<Second<'py>>,
+    keep: Option<Py<Keep>>,
 ) -> PyResult<Solved<'py>> {
     let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (surface, facts) = surface_of(&heights, facts)?;
-    let question = request.question(surface.heights.grid().area()).map_err(|e| raise(&e))?;
+    // Of a pair the area of their common part, which is known when they lie on each other.
+    let laid = Laid::of(against.as_ref())?;
+    let kept = keep.map(|keep| Arc::clone(&keep.get().0));
+    if kept.as_ref().is_some_and(|kept| kept.try_lock().is_err()) {
+        return Err(busy());
+    }
     let Outcome { value, stopped_by } = watched(py, request.threads, progress, move |reporter| {
-        let mut kept = Kept {
+        let (is_pair, surface) = match laid {
+            Some(laid) => (true, laid.on(surface, request.level)?),
+            None => (false, surface),
+        };
+        let question = request.question(surface.heights.grid().area())?;
+        let mut watch = Kept {
             maps: &request.maps,
             loads: question.loads.len(),
             reporter,
@@ -177,13 +219,20 @@ pub(crate) fn solve<'py>(
         let subject = Subject {
             path: facts.path(),
             map: surface.heights,
-            missing: facts.missing,
+            missing: if is_pair { surface.origin.missing() } else { facts.missing },
             fill: &facts.fill,
-            cleaned: &facts.cleaned,
-            height_step: facts.height_step,
+            cleaned: if is_pair { &[] } else { &facts.cleaned },
+            height_step: if is_pair { surface.origin.height_step() } else { facts.height_step },
             pair: surface.origin.pair(),
         };
-        question.solve(subject, &mut kept).map(|answer| (answer, kept.found))
+        let answer = match &kept {
+            None => question.solve(subject, &mut watch),
+            Some(kept) => {
+                let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
+                question.solve_on(subject, &mut kept, &mut watch)
+            }
+        };
+        answer.map(|answer| (answer, watch.found))
     })?;
     let stopped_by = stopped_by.map(|e| e.into_value(py).into_any());
     let Some(value) = value else { return Ok((String::new(), Vec::new(), None, stopped_by)) };

@@ -1,7 +1,7 @@
 //! The study: every model beside the deterministic solution, as a report.
 
 use crate::failure::{bug, raise};
-use crate::surface::surface_of;
+use crate::surface::{Laid, Second, surface_of};
 use crate::watched::{News, Outcome, watched};
 use answers::Failure;
 use compare::{
@@ -93,7 +93,7 @@ type Studied = (BTreeMap<String, String>, Option<(String, String)>, Option<Py<Py
 
 /// What `rough-contact compare` answers: its files. `hashes` are those of the files of the surfaces.
 #[pyfunction]
-#[pyo3(signature = (surfaces, settings, own, hashes, progress=None))]
+#[pyo3(signature = (surfaces, settings, own, hashes, progress=None, against=None))]
 pub(crate) fn study(
     py: Python<'_>,
     surfaces: Vec<(PyReadonlyArray2<'_, f64>, String, String)>,
@@ -101,6 +101,7 @@ pub(crate) fn study(
     own: &str,
     hashes: Vec<String>,
     progress: Option<Py<PyAny>>,
+    against: Option<Second<'_>>,
 ) -> PyResult<Studied> {
     let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
     let own: Vec<Own> = serde_json::from_str(own).map_err(|e| bug(&e))?;
@@ -113,6 +114,7 @@ pub(crate) fn study(
         }
         given.push(surface);
     }
+    let laid = Laid::of(against.as_ref())?;
     let mut registry = Registry::built_in();
     let mut times = Times::new();
     for own in own {
@@ -169,6 +171,13 @@ pub(crate) fn study(
                 _ => {}
             }
             if reporter.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let given = match &laid {
+            None => given,
+            Some(laid) => {
+                let on = |first: Surface| laid.clone().on(first, settings.level);
+                given.into_iter().map(on).collect::<Result<_, _>>()?
+            }
         };
         let listed: Vec<RunSurface> = given
             .iter()

@@ -3,7 +3,7 @@
 use crate::failure::{bug, raise};
 use crate::watched::quietly;
 use answers::{Complete, Failure, Incomplete};
-use compare::{Cleaning, FileOrigin, GivenOrigin, Level, Origin, Recipe, Surface};
+use compare::{Cleaning, FileOrigin, GivenOrigin, Level, Origin, Placing, Recipe, Surface};
 use contact_types::{Grid, HeightMap};
 use numpy::ndarray::Array2;
 use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -75,6 +75,56 @@ pub(crate) fn surface_of(
     Ok((surface, facts))
 }
 
+/// A second body: heights, facts, and how it is laid on the first, as JSON.
+pub(crate) type Second<'py> = (PyReadonlyArray2<'py, f64>, String, String);
+
+/// A second body that is to be laid on another.
+#[derive(Clone)]
+pub(crate) struct Laid {
+    second: Surface,
+    placing: Placing,
+    /// SHA-256 of the files of both, empty where there is none.
+    hashes: [String; 2],
+}
+
+impl Laid {
+    pub(crate) fn of(against: Option<&Second<'_>>) -> PyResult<Option<Self>> {
+        #[derive(Deserialize)]
+        struct How {
+            placing: Placing,
+            hashes: [String; 2],
+        }
+        let Some((heights, facts, how)) = against else { return Ok(None) };
+        let How { placing, hashes } = serde_json::from_str(how).map_err(|e| bug(&e))?;
+        let (second, _) = surface_of(heights, facts)?;
+        Ok(Some(Self { second, placing, hashes }))
+    }
+
+    /// The first with the second on it, named as the command does. Not on a thread of Python: it computes.
+    pub(crate) fn on(mut self, mut first: Surface, level: Level) -> Result<Surface, Failure> {
+        for (body, hash) in [&mut first, &mut self.second].into_iter().zip(self.hashes) {
+            if let Origin::File(file) = &mut body.origin
+                && file.sha256.is_empty()
+            {
+                file.sha256 = hash;
+            }
+        }
+        // Files of one name are told apart by where they lie.
+        if first.name == self.second.name {
+            for body in [&mut first, &mut self.second] {
+                if let Origin::File(file) = &body.origin {
+                    body.name.clone_from(&file.path);
+                }
+            }
+        }
+        if first.name == self.second.name {
+            self.second.name += " (2)";
+        }
+        let pressed = first.against(&self.second, &self.placing, level);
+        pressed.map_err(|e| Failure::refused("no_pair", e.to_string()))
+    }
+}
+
 /// Rows and columns that cannot be written to.
 pub(crate) fn array<'py>(
     py: Python<'py>,
@@ -110,7 +160,7 @@ fn made<'py>(
 /// What is said of a file.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-struct Reading {
+pub(crate) struct Reading {
     channel: Option<String>,
     pixel: Option<[f64; 2]>,
     lateral_unit: Option<f64>,
@@ -118,8 +168,8 @@ struct Reading {
     override_height_unit: Option<f64>,
     layout: Option<String>,
     crop: Option<[usize; 4]>,
-    fill: String,
-    cleaning: Cleaning,
+    pub(crate) fill: String,
+    pub(crate) cleaning: Cleaning,
 }
 
 impl Reading {
@@ -139,6 +189,13 @@ impl Reading {
         Ok(options)
     }
 
+    /// Every trace of a file of several; one measurement of any other file.
+    pub(crate) fn measurements(&self, path: &Path) -> Result<Vec<Measurement>, Unread> {
+        let all = surface_io::read_traces(path, &self.options()?).map_err(Unread::File)?;
+        let Some(crop) = self.crop else { return Ok(all) };
+        all.into_iter().map(|m| m.crop(crop).map_err(Unread::File)).collect()
+    }
+
     fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
         let measurement = surface_io::read(path, &self.options()?).map_err(Unread::File)?;
         match self.crop {
@@ -149,7 +206,7 @@ impl Reading {
 }
 
 /// Why a file gives no surface.
-enum Unread {
+pub(crate) enum Unread {
     File(ReadError),
     Other(Failure),
 }
@@ -162,7 +219,7 @@ impl From<Failure> for Unread {
 
 impl Unread {
     /// The exception, with the arguments of `read` that help.
-    fn raise(&self, path: &Path) -> PyErr {
+    pub(crate) fn raise(&self, path: &Path) -> PyErr {
         match self {
             // The error of the system keeps its number, and so its class.
             Self::File(ReadError::Io { source, .. }) if source.raw_os_error().is_some() => {
@@ -199,7 +256,7 @@ fn needs(needs: &[surface_io::Need]) -> String {
     all.join(" and ")
 }
 
-fn rule(name: &str) -> Result<Fill, Failure> {
+pub(crate) fn rule(name: &str) -> Result<Fill, Failure> {
     Ok(match name {
         "" | "refuse" => Fill::Refuse,
         "harmonic" => Fill::Harmonic,
@@ -212,9 +269,10 @@ fn rule(name: &str) -> Result<Fill, Failure> {
 }
 
 /// Why a measurement gives no map, with the arguments that help.
-fn unmade(path: &Path, error: &Incomplete) -> Failure {
+pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
     let way_out = match error {
-        Incomplete::Line(_) => "profiles are answered by the command so far".to_owned(),
+        Incomplete::Line(_) => "of a profile, one row, see rc.read_profile".to_owned(),
+        Incomplete::Short(_) => "measure a longer trace".to_owned(),
         Incomplete::Spikes(_) => "give fill='harmonic', or a higher threshold".to_owned(),
         Incomplete::Fill(FillError::NotConverged { .. }) => "give fill='nearest'".to_owned(),
         Incomplete::Fill(e) => needs(&e.needs()),
@@ -251,7 +309,7 @@ pub(crate) fn read<'py>(
         if measurement.is_profile() {
             let message = format!(
                 "{path}: this is a profile, and a surface has no deterministic answer from one line of it; \
-                 the command answers for profiles"
+                 read it with rc.read_profile"
             );
             return Err(Unread::Other(Failure::refused("profile", message)));
         }

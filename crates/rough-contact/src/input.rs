@@ -5,7 +5,7 @@ use crate::cleaning::CleaningOptions;
 use crate::files::Files;
 use crate::needs;
 use crate::outcome::{self, Failure};
-use crate::profiles::Traces;
+use crate::profiles::{self, Traces};
 use crate::quantity;
 pub(crate) use answers::Complete;
 use clap::{Args, ValueEnum};
@@ -191,7 +191,7 @@ impl Reading {
             let reading = needs::reading(reading);
             outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
         }
-        Traces::of(path, all, cleaning, self.fill.rule()).map(Measured::Profile)
+        profiles::traces(path, all, cleaning, self.fill.rule()).map(Measured::Profile)
     }
 
     /// The same from what was read.

@@ -7,7 +7,6 @@ use crate::input::{Measured, Reading};
 use crate::loads::{self, Spread};
 use crate::model_list::{self, cited};
 use crate::outcome::{Failure, Reply};
-use crate::profile_stats;
 use crate::profiles::{self, Traces};
 use crate::roughness::Source;
 use crate::text::{self, Columns};
@@ -130,7 +129,7 @@ impl Model {
     ) -> Result<Reply, Failure> {
         let refused = |e: surface_stats::StatsError| Failure::in_file(path, &e);
         let level = self.source.level();
-        let options = profile_stats::options(traces, level.degree().unwrap_or(0));
+        let options = traces.options(level.degree().unwrap_or(0));
         let (statistics, _, spectrum) =
             ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
         let inputs = compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;

@@ -49,6 +49,7 @@ pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
         ),
         Incomplete::Cleaning(e) => Failure::in_file(path, e),
         Incomplete::Clean(e) => Failure::in_file(path, e),
+        Incomplete::Short(e) => Failure::in_file(path, e).adding("measure a longer trace"),
         Incomplete::Fill(e) => unfilled(path, e),
     }
 }

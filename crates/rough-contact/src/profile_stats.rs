@@ -6,24 +6,10 @@ use crate::text::{self, Columns, Table};
 use report::Worded;
 use std::fmt::Write as _;
 use std::path::Path;
-use surface_stats::profile::{ProfileOptions, ProfileStatistics};
-
-/// Degree of the polynomial that levels a profile.
-pub(crate) fn options(traces: &Traces, degree: usize) -> ProfileOptions {
-    ProfileOptions::default()
-        .with_degree(degree)
-        .with_short(traces.cleaning.s_filter)
-        .with_cutoff(traces.cleaning.l_filter)
-        .with_height_step(traces.height_step)
-}
+use surface_stats::profile::ProfileStatistics;
 
 pub(crate) fn run(path: &Path, traces: &Traces, degree: usize) -> Result<Reply, Failure> {
-    let s = ProfileStatistics::of(&traces.each, &options(traces, degree))
-        .map_err(|e| Failure::in_file(path, &e))?;
-    let mut json = report::profile_statistics_json(&s);
-    json["missing"] = serde_json::json!(traces.missing);
-    json["uneven"] = report::unevenness_json(traces.uneven);
-    json["cleaning"] = report::cleaning_json(&traces.cleaned);
+    let (s, json) = traces.statistics(degree).map_err(|e| Failure::in_file(path, &e))?;
     let mut text = text::cleaning(&traces.cleaned);
     text.push_str(&uneven_line(traces.uneven));
     text.push_str(&describe(&s, traces.missing));

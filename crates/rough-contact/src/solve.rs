@@ -14,7 +14,7 @@ use crate::intervals::Intervals;
 use crate::loads::{Loads, carried, shown};
 use crate::outcome::{Failure, Reply};
 use crate::planned;
-use crate::profiles::Traces;
+use crate::profiles::{self, Traces};
 use crate::progress::Progress;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
@@ -326,7 +326,7 @@ impl Solve {
                 )
             }
             (Measured::Profile(traces), true) => {
-                let (map, traces) = traces.only(path)?;
+                let (map, traces) = profiles::only(traces, path)?;
                 let Traces { missing, cleaned, height_step, format, .. } = traces;
                 Ok(Complete { map, missing, cleaned, height_step, format })
             }

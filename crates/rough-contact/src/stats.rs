@@ -9,10 +9,10 @@ use crate::hardness;
 use crate::input::{Complete, Input, Measured};
 use crate::iso;
 use crate::outcome::{Failure, Reply};
-use crate::profile_stats;
 use crate::roughness::Edges;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns, Table};
+use crate::{profile_stats, profiles};
 use clap::Args;
 use compare::{Level, MaterialUse, WorkOfAdhesion};
 use contact_types::ContactModulus;
@@ -79,7 +79,7 @@ impl Stats {
         let first = files.next().unwrap_or_default();
         let mut all = profile(&first)?;
         for file in files {
-            all.add(profile(&file)?, &first, &file)?;
+            profiles::add(&mut all, profile(&file)?, &first, &file)?;
         }
         profile_stats::run(&first, &all, self.level.degree().unwrap_or(0))
     }

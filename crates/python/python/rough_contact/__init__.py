@@ -28,10 +28,12 @@ from ._errors import (
 )
 from ._findings import Finding
 from ._models import Citation, ContactModel, Inputs, ModelInfo, models
+from ._profile import Profile, read_profile
 from ._progress import Progress
 from ._results import LoadCurve, Point
 from ._rough_contact import __version__
 from ._solve import solve
+from ._solver import Solver
 from ._statistics import Statistics
 from ._study import AreaError, Comparison, ModelComparison, SurfaceComparison, compare
 from ._surface import Surface, info, read, synth
@@ -87,12 +89,14 @@ __all__ = [
     "NotRefined",
     "Pa",
     "Point",
+    "Profile",
     "Progress",
     "Q",
     "Quantity",
     "ReadError",
     "SelfAffine",
     "SettingError",
+    "Solver",
     "Statistics",
     "Surface",
     "SurfaceComparison",
@@ -118,6 +122,7 @@ __all__ = [
     "nm",
     "ohm_m",
     "read",
+    "read_profile",
     "solve",
     "synth",
     "um",

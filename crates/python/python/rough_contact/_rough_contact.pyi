@@ -1,15 +1,17 @@
 """Private: use the package `rough_contact`."""
 
 from collections.abc import Callable
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, final
 
 import numpy as np
 from numpy.typing import NDArray
 
 _Heights: TypeAlias = NDArray[np.float64]
 _Made: TypeAlias = tuple[_Heights, str, str]
+_Second: TypeAlias = tuple[_Heights, str, str]
 
 __all__ = [
+    "Keep",
     "Refused",
     "__version__",
     "boundary",
@@ -22,6 +24,7 @@ __all__ = [
     "models",
     "modulus",
     "parse",
+    "profile",
     "read",
     "reshape",
     "solve",
@@ -34,21 +37,32 @@ __version__: str
 
 class Refused(Exception): ...
 
+@final
+class Keep:
+    def __new__(cls) -> Keep: ...
+    def is_warm(self) -> bool: ...
+    def forget(self) -> None: ...
+
 def parse(text: str, dimension: str, many: bool) -> list[float]: ...
 def modulus(bodies: str) -> float: ...
 def material(name: str | None) -> str: ...
 def read(path: str, request: str, threads: int) -> _Made: ...
+def profile(path: str, request: str, level: str, threads: int) -> tuple[_Heights, float, str, str]: ...
 def info(path: str, request: str) -> str: ...
 def given(heights: _Heights, request: str, threads: int) -> _Made: ...
 def synth(recipe: str, threads: int) -> _Made: ...
 def reshape(heights: _Heights, facts: str, level: str, threads: int) -> _Made: ...
 def encode(heights: _Heights, facts: str, format: str, comment: str) -> bytes: ...
-def statistics(heights: _Heights, facts: str, request: str, threads: int) -> str: ...
+def statistics(
+    heights: _Heights, facts: str, request: str, threads: int, against: _Second | None = None
+) -> str: ...
 def solve(
     heights: _Heights,
     facts: str,
     request: str,
     progress: Callable[[dict[str, Any]], object] | None = None,
+    against: _Second | None = None,
+    keep: Keep | None = None,
 ) -> tuple[
     str,
     list[tuple[int, _Heights | None, _Heights | None]],
@@ -64,6 +78,7 @@ def study(
     own: str,
     hashes: list[str],
     progress: Callable[[dict[str, Any]], object] | None = None,
+    against: _Second | None = None,
 ) -> tuple[dict[str, str], tuple[str, str] | None, BaseException | None]: ...
 def model(
     request: str, surface: tuple[_Heights, str] | None, threads: int

@@ -12,7 +12,7 @@ from ._bodies import Bodies
 from ._errors import ContactWarning, Interrupted, NotConverged, SettingError, made, sorted_as
 from ._progress import ProgressArgument
 from ._results import LoadCurve
-from ._surface import Surface, check
+from ._surface import Flip, Surface, check, laid
 from ._threads import count
 from ._units import Q
 
@@ -48,6 +48,9 @@ def solve(
     attraction_range: Q | None = None,
     distributions: bool = False,
     maps: bool | Literal["pressure"] = False,
+    against: Surface | None = None,
+    flip: Flip = "columns",
+    shift: Q | None = None,
     threads: int | None = None,
     progress: ProgressArgument = None,
     on_failure: Literal["raise", "keep"] = "raise",
@@ -84,6 +87,12 @@ def solve(
         Whether the bodies stick is said, by formulas: a finding, and ``json['adhesion']``.
     maps : bool or 'pressure'
         Whether pressure and gap of every point are kept.
+    against : Surface, optional
+        A second body that lies face down on `surface`: the sum of both heights is solved.
+    flip : {'columns', 'rows', 'none'}
+        How it is turned over: as a book is closed, as a page of a wall calendar is turned, or not at all.
+    shift : quantity, optional
+        How far it is moved then, a pair ``(dy, dx)`` or ``'DX,DY'``, in whole points.
     threads : int, optional
         `default_threads` by default. Results do not depend on it.
     progress : bool or callable, optional
@@ -116,8 +125,6 @@ def solve(
     >>> curve.area_fraction_corrected.shape
     (2,)
     """
-    if not isinstance(surface, Surface):
-        raise TypeError(f"surface takes an rc.Surface, not {type(surface).__name__}; see rc.Surface.of")
     check("level", level, ("none", "mean", "plane", "quadratic"))
     check("boundary", boundary, ("periodic", "free"))
     check("edges", edges, ("periodic", "mirrored"))
@@ -140,7 +147,7 @@ def solve(
     used = count(threads)
     request: dict[str, Any] = {
         **_bodies.given(modulus, bodies),
-        "loads": _loads(pressure, gap, load),
+        "loads": loads(pressure, gap, load),
         "area": None if area is None else _units.scalar(area, "area", "area"),
         "level": level,
         "boundary": boundary,
@@ -162,9 +169,28 @@ def solve(
     }
     if area is not None and load is None:
         raise TypeError("area is the area that load presses on, and no load is given")
+    return asked(surface, request, (against, flip, shift), progress, on_failure)
+
+
+def asked(
+    surface: Surface,
+    request: dict[str, Any],
+    second: tuple[Surface | None, Flip, Q | None],
+    progress: ProgressArgument,
+    on_failure: str,
+    keep: _rust.Keep | None = None,
+) -> LoadCurve:
+    """Asks the extension, and raises or warns of what it says."""
+    if not isinstance(surface, Surface):
+        raise TypeError(f"surface takes an rc.Surface, not {type(surface).__name__}; see rc.Surface.of")
     with sorted_as(SettingError):
         text, kept, trouble, stopped_by = _rust.solve(
-            surface._heights, surface._facts, json.dumps(request), _progress.listener(progress)
+            surface._heights,
+            surface._facts,
+            json.dumps(request),
+            _progress.listener(progress),
+            laid(surface, *second),
+            keep,
         )
     if stopped_by is not None and not text:
         if isinstance(stopped_by, KeyboardInterrupt):
@@ -177,7 +203,7 @@ def solve(
         raise stopped_by
     for finding in curve.findings:
         if finding.weight == "check":
-            warnings.warn(f"{finding.claim} {finding.text}".strip(), ContactWarning, stacklevel=2)
+            warnings.warn(f"{finding.claim} {finding.text}".strip(), ContactWarning, stacklevel=3)
     if trouble is not None and on_failure == "raise":
         kind, message = trouble
         raise made(kind, message, NotConverged if _some(curve) else SettingError, curve)
@@ -194,7 +220,7 @@ def _refuse(*pairs: tuple[str, bool, str, bool]) -> None:
             raise SettingError(f"{first} cannot be combined with {second}; leave one of them out", "combination")
 
 
-def _loads(pressure: Q | None, gap: Q | None, load: Q | None) -> tuple[str, list[float]]:
+def loads(pressure: Q | None, gap: Q | None, load: Q | None) -> tuple[str, list[float]]:
     given = [(n, v) for n, v in (("pressure", pressure), ("gap", gap), ("load", load)) if v is not None]
     if len(given) != 1:
         raise TypeError("give exactly one of pressure, gap and load")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import hashlib
 import json
 import os
 import time
@@ -25,7 +24,7 @@ from ._models import Citation, ContactModel, Inputs, curve, models
 from ._progress import ProgressArgument
 from ._results import flat, percent, pressure
 from ._statistics import Statistics
-from ._surface import Surface, check
+from ._surface import Flip, Surface, check, digest, laid
 from ._threads import count
 from ._units import Q
 
@@ -292,6 +291,9 @@ def compare(
     tolerance: float = 1e-4,
     accuracy: float | str | None = None,
     fractal_range: Q | None = None,
+    against: Surface | None = None,
+    flip: Flip = "columns",
+    shift: Q | None = None,
     threads: int | None = None,
     progress: ProgressArgument = None,
     on_failure: Literal["raise", "keep"] = "raise",
@@ -315,6 +317,8 @@ def compare(
         As the options of the command.
     work_of_adhesion, attraction_range : quantity, optional
         As the options of the command.
+    against, flip, shift
+        A second body, as in `solve`, that each surface is pressed on.
     on_failure : {'raise', 'keep'}
         What to do if a load or a surface has no answer, or a model of one's own raises: raise, with the study in
         ``.result`` where there is one, or keep it as a reason.
@@ -369,14 +373,17 @@ def compare(
             if not isinstance(model, ContactModel):
                 raise TypeError(f"{model!r} is no model: it needs a name and area_fraction(pressure, inputs)")
         settings["models"] = [m if isinstance(m, str) else m.name for m in models]
+    if own and against is not None:
+        raise SettingError("a model of one's own is asked about one surface, and against= makes two; leave one of them out", "combination")
     curves = [_own(model, named, e_star, pressures, level, on_failure) for model in own]
     with sorted_as(SettingError):
         files, trouble, stopped_by = _rust.study(
             [(s._heights, s._facts, name) for name, s in named.items()],
             json.dumps(settings),
             json.dumps(curves),
-            [_hash(s) for s in named.values()],
+            [digest(s) for s in named.values()],
             _progress.listener(progress),
+            laid(next(iter(named.values())), against, flip, shift),
         )
     if stopped_by is not None:
         if isinstance(stopped_by, KeyboardInterrupt):
@@ -441,12 +448,3 @@ def _own(
         "curves": curves,
         "seconds": seconds,
     }
-
-
-def _hash(surface: Surface) -> str:
-    """SHA-256 of the file a surface was read from, for the run file; empty without one."""
-    path = surface._said.get("path")
-    if not path or not os.path.isfile(path):
-        return ""
-    with open(path, "rb") as file:
-        return hashlib.sha256(file.read()).hexdigest()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from collections.abc import Mapping
@@ -22,10 +23,11 @@ from ._units import Q
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["Fill", "Surface", "info", "read", "synth"]
+__all__ = ["Fill", "Flip", "Surface", "info", "read", "synth"]
 
 Fill = Literal["refuse", "harmonic", "nearest"]
 Level = Literal["none", "mean", "plane", "quadratic"]
+Flip = Literal["columns", "rows", "none"]
 PathLike = Union[str, "os.PathLike[str]"]
 
 
@@ -221,6 +223,9 @@ class Surface:
         boundary: Literal["open", "periodic"] = "open",
         iso: bool = False,
         scales: bool = False,
+        against: Surface | None = None,
+        flip: Flip = "columns",
+        shift: Q | None = None,
     ) -> Statistics:
         """Roughness statistics: what ``rough-contact stats`` answers.
 
@@ -234,12 +239,16 @@ class Surface:
             The areal parameters of ISO 25178-2 too: ``.iso25178['Sdr']``.
         scales : bool
             Slope, curvature and autocorrelation by distance too.
+        against, flip, shift
+            A second body, as in `solve`: the statistics are those of the sum of both.
         """
         request = {"level": level, "boundary": boundary, "iso": iso, "scales": scales}
         check("level", level, ("none", "mean", "plane", "quadratic"))
         check("boundary", boundary, ("open", "periodic"))
         with sorted_as(SurfaceError):
-            text = _rust.statistics(self._heights, self._facts, json.dumps(request), count(None))
+            text = _rust.statistics(
+                self._heights, self._facts, json.dumps(request), count(None), laid(self, against, flip, shift)
+            )
         return Statistics._of(json.loads(text))
 
     def levelled(self, form: Level = "plane") -> Surface:
@@ -346,15 +355,8 @@ def read(
         Points are missing, and none are filled.
     """
     check("fill", fill, ("refuse", "harmonic", "nearest"))
-    cleaning: dict[str, Any] = {
-        "align_rows": align_rows,
-        "outliers": None if outliers is None else _units.number(outliers, "outliers"),
-        "form": form,
-        "s_filter": None if s_filter is None else _units.scalar(s_filter, "length", "s_filter"),
-        "l_filter": None if l_filter is None else _units.scalar(l_filter, "length", "l_filter"),
-    }
-    request = _reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
-    request.update(fill=fill, cleaning=cleaning)
+    request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
+    request.update(fill=fill, cleaning=cleaned_by(align_rows, outliers, form, s_filter, l_filter))
     file = os.fspath(path)
     with sorted_as(ReadError):
         heights, facts, said = _rust.read(file, json.dumps(request), count(None))
@@ -373,7 +375,7 @@ def info(
     crop: tuple[int, int, int, int] | None = None,
 ) -> dict[str, Any]:
     """What a surface file holds, as ``rough-contact info`` says it: format, shape, pixel, missing points, channels."""
-    request = _reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
+    request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
     with sorted_as(ReadError):
         found: dict[str, Any] = json.loads(_rust.info(os.fspath(path), json.dumps(request)))
     return found
@@ -436,7 +438,7 @@ def synth(
         return Surface._made(*_rust.synth(json.dumps(recipe), count(None)))
 
 
-def _reading(
+def reading(
     channel: str | None,
     pixel: Q | None,
     lateral_unit: str | None,
@@ -451,7 +453,7 @@ def _reading(
     if height_unit is not None and override_height_unit is not None:
         raise TypeError("give one of height_unit and override_height_unit")
     if layout is not None:
-        check("layout", layout, ("matrix", "list"))
+        check("layout", layout, ("matrix", "list", "traces"))
     return {
         "channel": channel,
         "pixel": None if pixel is None else _units.pixel(pixel),
@@ -506,3 +508,41 @@ def length(metres: float) -> str:
             places = max(0, 2 - int(np.floor(np.log10(abs(shown))))) if shown else 0
             return f"{shown:.{min(places, 4)}f} {unit}"
     return f"{metres:g} m"
+
+
+def digest(surface: Surface) -> str:
+    """SHA-256 of the file a surface was read from; empty without one."""
+    path = surface._said.get("path")
+    if not path or not os.path.isfile(path):
+        return ""
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
+
+
+def laid(
+    first: Surface, against: Surface | None, flip: Flip, shift: Q | None
+) -> tuple[NDArray[np.float64], str, str] | None:
+    """A second body, as the extension takes it; None without one."""
+    check("flip", flip, ("columns", "rows", "none"))
+    if against is None:
+        if flip != "columns" or shift is not None:
+            raise TypeError("flip and shift are for a second body; give against= too")
+        return None
+    if not isinstance(against, Surface):
+        raise TypeError(f"against takes an rc.Surface, not {type(against).__name__}")
+    placing = {"flip": flip, "shift": (0.0, 0.0) if shift is None else _units.shift(shift)}
+    how = {"placing": placing, "hashes": [digest(first), digest(against)]}
+    return against._heights, against._facts, json.dumps(how)
+
+
+def cleaned_by(
+    align_rows: bool, outliers: float | None, form: str | None, s_filter: Q | None, l_filter: Q | None
+) -> dict[str, Any]:
+    """Cleaning, as the extension takes it."""
+    return {
+        "align_rows": align_rows,
+        "outliers": None if outliers is None else _units.number(outliers, "outliers"),
+        "form": form,
+        "s_filter": None if s_filter is None else _units.scalar(s_filter, "length", "s_filter"),
+        "l_filter": None if l_filter is None else _units.scalar(l_filter, "length", "l_filter"),
+    }

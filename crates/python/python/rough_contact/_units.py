@@ -240,6 +240,14 @@ def pixel(value: Q) -> tuple[float, float]:
     raise UnitError(f"pixel takes one length or a pair (dy, dx), and {len(found)} were given", "unit")
 
 
+def shift(value: Q) -> tuple[float, float]:
+    """``(dy, dx)`` in metres: a pair ``(dy, dx)``, or the command's text ``'DX,DY'``."""
+    found = several(value, "length", "shift")
+    if len(found) != 2:
+        raise UnitError(f"shift takes a pair (dy, dx), and {len(found)} were given", "unit")
+    return (found[1], found[0]) if isinstance(value, str) else (found[0], found[1])
+
+
 def pair(value: Q, dimension: str, name: str) -> list[float]:
     """One quantity for both bodies, or one for each."""
     found = several(value, dimension, name)

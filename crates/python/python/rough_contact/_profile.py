@@ -1,0 +1,117 @@
+"""Profiles: traces of a stylus."""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _rough_contact as _rust
+from ._errors import ReadError, sorted_as
+from ._surface import Fill, Level, PathLike, check, cleaned_by, length, reading
+from ._threads import count
+from ._units import Q
+
+__all__ = ["Profile", "read_profile"]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Profile:
+    """Traces of one surface, complete and at equal distances, with what they say of it.
+
+    A profile has no deterministic contact: it says nothing of what lies beside it.
+
+    Attributes
+    ----------
+    heights : ndarray, shape (traces, points)
+        Heights (m), one trace in each row, before form and filters are taken off; read-only.
+    spacing : float
+        Distance of neighbouring points (m).
+    format : str
+        Format of the file.
+    json : dict
+        What ``rough-contact stats --json`` answers.
+    """
+
+    heights: NDArray[np.float64]
+    spacing: float
+    format: str
+    json: dict[str, Any]
+
+    def __repr__(self) -> str:
+        traces, points = self.heights.shape
+        many = "1 trace" if traces == 1 else f"{traces} traces"
+        return f"Profile({many} of {points} points, {length(self.spacing)} apart)"
+
+    @property
+    def roughness(self) -> dict[str, float | None]:
+        """Parameters of the roughness profile (ISO 21920-2), means over the traces, ``['Ra']`` (m); empty of a short trace."""
+        found = self.json["roughness"]
+        return {name: number["mean"] for name, number in found["parameters"].items()} if found else {}
+
+    @property
+    def primary(self) -> dict[str, float | None]:
+        """Parameters of the whole trace without its form (ISO 21920-2), means over the traces: ``primary['Pq']`` (m)."""
+        return {name: number["mean"] for name, number in self.json["primary"].items()}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object of ``rough-contact stats --json``."""
+        return copy.deepcopy(self.json)
+
+
+def read_profile(
+    path: PathLike,
+    *,
+    channel: str | None = None,
+    pixel: Q | None = None,
+    lateral_unit: str | None = None,
+    height_unit: str | None = None,
+    override_height_unit: str | None = None,
+    layout: Literal["matrix", "list", "traces"] | None = None,
+    crop: tuple[int, int, int, int] | None = None,
+    outliers: float | None = None,
+    form: str | None = None,
+    s_filter: Q | None = None,
+    l_filter: Q | None = None,
+    fill: Fill = "refuse",
+    level: Level = "plane",
+) -> Profile:
+    """Reads the traces of a stylus and takes their statistics, as ``rough-contact stats`` of a profile.
+
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop, outliers, fill
+        As of `read`.
+    form : str, optional
+        Form to take off before: 'plane', 'quadratic', 'polynomial:N'.
+    s_filter, l_filter : quantity, optional
+        Cut-offs (m) of the Gaussian profile filters (ISO 16610-21); by default those of ISO 21920-3 for the trace.
+    level : {'plane', 'none', 'mean', 'quadratic'}
+        Polynomial that levels each trace: a line, none but the mean, a parabola.
+
+    Returns
+    -------
+    Profile
+        Traces and statistics.
+
+    Raises
+    ------
+    ReadError
+        The file cannot be read, leaves something open, or is a map.
+    MissingPoints
+        Points are missing, and none are filled.
+    """
+    check("fill", fill, ("refuse", "harmonic", "nearest"))
+    check("level", level, ("none", "mean", "plane", "quadratic"))
+    request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
+    request.update(fill=fill, cleaning=cleaned_by(False, outliers, form, s_filter, l_filter))
+    with sorted_as(ReadError):
+        heights, spacing, format_, text = _rust.profile(os.fspath(path), json.dumps(request), level, count(None))
+    return Profile(heights, spacing, format_, json.loads(text))
