@@ -1,5 +1,8 @@
 //! The fitted equation: limits, monotony, inverse, and the surfaces it was fitted on.
 
+mod common;
+
+use common::Table;
 use multiscale_models::{
     CURVE_KNOTS, ContactModel, ContactModulus, Equation, MapCurves, MapEquation, ModelError,
     SHARE_KNOTS, SpectralMoments,
@@ -125,4 +128,25 @@ fn the_interval_holds_the_surfaces_it_was_made_from() {
     }
     let share = f64::from(held as u32) / f64::from(all as u32);
     assert!(all > 3900 && (0.97..0.999).contains(&share), "{held} of {all}");
+}
+
+/// Both laws against their definition at 60 digits.
+#[test]
+fn evaluation_is_exact_to_rounding() {
+    let mut worst = 0.0f64;
+    for row in Table::read("equation.csv").rows() {
+        let [x, bandwidth, wanted] = ["x", "alpha", "area"].map(|column| row.number(column));
+        let of_map = row.text("law") == "map";
+        let found = if of_map {
+            MapEquation::new(moments(bandwidth), &MapCurves::gaussian(0.0), one())
+                .expect("a law")
+                .area_fraction(x)
+        } else {
+            Equation::from_moments(moments(bandwidth), one()).expect("a law").area_fraction(x)
+        };
+        let error = (found.expect("an area") / wanted - 1.0).abs();
+        assert!(error <= 1e-14, "{}, x = {x}, α = {bandwidth}: {error:e}", row.text("law"));
+        worst = worst.max(error);
+    }
+    assert!(worst > 0.0); // to every digit would be the definition asked of itself
 }

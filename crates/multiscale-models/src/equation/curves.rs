@@ -69,7 +69,8 @@ impl MapCurves {
     pub fn gaussian(correlation: f64) -> Self {
         // Mean of the highest part t of a normal distribution: its density at the level, over t.
         let over = |t: f64| {
-            let z = std::f64::consts::SQRT_2 * erf_inv(1.0 - 2.0 * t);
+            let side = 1.0 - 2.0 * t;
+            let z = std::f64::consts::SQRT_2 * erf_inv(side.abs()).copysign(side);
             (-0.5 * z * z).exp() / TAU.sqrt() / t
         };
         let pressure = std::array::from_fn(|k| {

@@ -144,18 +144,22 @@ impl MapEquation {
         Ok(Self { unit, gradient, bandwidth, loads, halves })
     }
 
-    /// `ln u` at a load `ln x`: linear between the knots, in proportion beyond them.
-    fn argument(&self, load: f64) -> f64 {
+    /// u at a load x above 0: `ln u` linear in `ln x` between the knots, in proportion beyond them, without the
+    /// logarithm, which would cost digits where it is large.
+    fn argument(&self, x: f64) -> f64 {
         let last = KNOTS - 1;
         let at = |k: usize| FIRST + STEP * k as f64;
-        if load <= self.loads[0] {
-            return at(0) + (load - self.loads[0]);
-        }
-        if load >= self.loads[last] {
-            return at(last) + (load - self.loads[last]);
-        }
-        let k = self.loads.partition_point(|l| *l <= load) - 1;
-        at(k) + STEP * (load - self.loads[k]) / (self.loads[k + 1] - self.loads[k])
+        let load = x.ln();
+        let end = if load <= self.loads[0] {
+            0
+        } else if load >= self.loads[last] {
+            last
+        } else {
+            let k = self.loads.partition_point(|l| *l <= load) - 1;
+            let share = (load - self.loads[k]) / (self.loads[k + 1] - self.loads[k]);
+            return (at(k) + STEP * share).exp();
+        };
+        (at(end) - self.loads[end]).exp() * x
     }
 
     /// Real area fraction at nominal pressure `p` (Pa).
@@ -164,7 +168,7 @@ impl MapEquation {
     /// [`ModelError::InvalidInput`] if the pressure is negative or not finite.
     pub fn area_fraction(&self, pressure: f64) -> Result<f64, ModelError> {
         let x = require::pressure(MODEL, pressure)? / self.unit;
-        Ok(if x > 0.0 { erf(self.argument(x.ln()).exp()) } else { 0.0 })
+        Ok(if x > 0.0 { erf(self.argument(x)) } else { 0.0 })
     }
 
     /// The nominal pressure (Pa) at which the area fraction is `area`, below 1.
@@ -179,14 +183,15 @@ impl MapEquation {
         }
         let place = (u.ln() - FIRST) / STEP;
         let k = (place.max(0.0) as usize).min(KNOTS - 2);
-        let load = if place < 0.0 {
-            self.loads[0] + place * STEP
-        } else if place > (KNOTS - 1) as f64 {
-            self.loads[KNOTS - 1] + (place - (KNOTS - 1) as f64) * STEP
+        let last = KNOTS - 1;
+        let x = if place < 0.0 {
+            (self.loads[0] - FIRST).exp() * u
+        } else if place > last as f64 {
+            (self.loads[last] - (FIRST + STEP * last as f64)).exp() * u
         } else {
-            self.loads[k] + (place - k as f64) * (self.loads[k + 1] - self.loads[k])
+            (self.loads[k] + (place - k as f64) * (self.loads[k + 1] - self.loads[k])).exp()
         };
-        Ok(load.exp() * self.unit)
+        Ok(x * self.unit)
     }
 
     /// Area fractions between which 95 of 100 maps lie where the law answers `area`.

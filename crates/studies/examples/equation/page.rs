@@ -3,7 +3,7 @@
 use crate::fit;
 use crate::table::{Row, one, read};
 use compare::{Inputs, built_in};
-use multiscale_models::{Equation, MAP_TERMS, MapEquation};
+use multiscale_models::{AreaLaw, Equation, MAP_TERMS, MapEquation, Persson};
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
@@ -11,6 +11,8 @@ use std::path::Path;
 
 /// Of the others that need moments only.
 const OTHERS: [&str; 4] = ["gw", "bgt", "greenwood-elliptical", "persson"];
+/// Yang & Persson's factor of the energy of partial contact, with which partial contact slows the diffusion.
+const GAMMA: f64 = 0.45;
 const LIGHT: &str = "| | A ≈ 0.1 % | 0.4 % | 1 % | 3.5 % | 10 % | 25 % | 53 % | 85 % | 99 % |\n|---|---|---|---|---|---|---|---|---|---|\n";
 
 /// One answer against a solution.
@@ -24,19 +26,47 @@ struct Answer<'a> {
     /// Half width of the interval of the law for a map, in the logarithm.
     half: f64,
     others: [Option<f64>; OTHERS.len()],
+    /// Persson's law with the reduced diffusion, published factor and fitted one.
+    reduced: [f64; 2],
+}
+
+/// Persson's law where partial contact slows the diffusion.
+fn reduced(row: &Row, gamma: f64) -> Result<Persson, Box<dyn Error>> {
+    let law = Persson::from_moments(row.moments(), one()?)?.with_gamma(gamma)?;
+    Ok(law.with_area_law(AreaLaw::ReducedDiffusion))
+}
+
+/// The factor, of two digits, with which that law is nearest on the Gaussian ones of these maps.
+fn fitted_gamma(rows: &[Row]) -> Result<f64, Box<dyn Error>> {
+    let mut best = (f64::INFINITY, GAMMA);
+    for percent in 30..=100 {
+        let gamma = f64::from(percent) / 100.0;
+        let mut sum = 0.0;
+        for row in rows.iter().filter(|r| fit::is_gaussian(r)) {
+            let law = reduced(row, gamma)?;
+            for load in &row.loads {
+                sum += (law.area_fraction(load.x)? / load.area).ln().abs();
+            }
+        }
+        if sum < best.0 {
+            best = (sum, gamma);
+        }
+    }
+    Ok(best.1)
 }
 
 /// Writes `equation.md` into `folder`; fails if the constants of the crate are not those of the fit.
 pub(crate) fn write([fitted, judged]: [&Path; 2], folder: &Path) -> Result<(), Box<dyn Error>> {
     let (fitted, judged) = (read(fitted)?, read(judged)?);
     same_constants(&fitted)?;
-    let answers = answers(&judged)?;
+    let gamma = fitted_gamma(&fitted)?;
+    let answers = answers(&judged, gamma)?;
     let page = [
         families(&answers),
         by_load(&answers),
         classes(&answers),
         terms(&fitted, &judged)?,
-        others(&answers),
+        others(&answers, gamma),
     ];
     fs::create_dir_all(folder)?;
     fs::write(folder.join("equation.md"), page.join("\n"))?;
@@ -62,12 +92,13 @@ fn same_constants(rows: &[Row]) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn answers(rows: &[Row]) -> Result<Vec<Answer<'_>>, Box<dyn Error>> {
+fn answers(rows: &[Row], gamma: f64) -> Result<Vec<Answer<'_>>, Box<dyn Error>> {
     let mut list = Vec::new();
     for row in rows {
         let numbers = Equation::from_moments(row.moments(), one()?)?;
         let law = MapEquation::new(row.moments(), &row.curves, one()?)?;
         let inputs = Inputs { moments: Some(row.moments()), ..Inputs::new(one()?) };
+        let slowed = [reduced(row, GAMMA)?, reduced(row, gamma)?];
         let others = OTHERS.map(|name| {
             built_in().iter().find(|t| t.card().name == name).and_then(|t| t.build(&inputs).ok())
         });
@@ -81,6 +112,10 @@ fn answers(rows: &[Row]) -> Result<Vec<Answer<'_>>, Box<dyn Error>> {
                 map: b / load.area - 1.0,
                 is_held: [holds(numbers.interval(a)), holds(law.interval(b))],
                 half: (b / law.interval(b)[0]).ln(),
+                reduced: [
+                    slowed[0].area_fraction(load.x)? / load.area - 1.0,
+                    slowed[1].area_fraction(load.x)? / load.area - 1.0,
+                ],
                 others: std::array::from_fn(|i| {
                     let state = others[i].as_ref()?.at_pressure(load.x).ok()?;
                     Some(state.area_fraction / load.area - 1.0)
@@ -237,15 +272,20 @@ fn terms(fitted: &[Row], judged: &[Row]) -> Result<String, Box<dyn Error>> {
     Ok(page)
 }
 
-fn others(answers: &[Answer<'_>]) -> String {
+fn others(answers: &[Answer<'_>], gamma: f64) -> String {
     let mut page = format!("\nThe others on the same judged surfaces, Gaussian ones:\n\n{LIGHT}");
-    for (i, name) in OTHERS.iter().enumerate() {
+    let mut line = |name: &str, of: &dyn Fn(&Answer<'_>) -> Option<f64>| {
         let _ = write!(page, "| {name} |");
         for k in 0..9 {
             let own = answers.iter().filter(|a| a.load == k && fit::is_gaussian(a.row));
-            let _ = write!(page, " {} |", seen(own.filter_map(|a| a.others[i])));
+            let _ = write!(page, " {} |", seen(own.filter_map(of)));
         }
         page.push('\n');
+    };
+    for (i, name) in OTHERS.iter().enumerate() {
+        line(name, &|a| a.others[i]);
     }
+    line(&format!("persson, reduced diffusion, γ = {GAMMA}"), &|a| Some(a.reduced[0]));
+    line(&format!("the same, γ = {gamma} fitted"), &|a| Some(a.reduced[1]));
     page
 }
