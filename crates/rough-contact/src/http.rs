@@ -40,14 +40,15 @@ pub(crate) struct Refused(pub(crate) u16, pub(crate) &'static str);
 
 const MALFORMED: Refused = Refused(400, "This is not a question in HTTP/1.1.");
 
-/// What comes before the body.
-pub(crate) fn head(stream: &mut TcpStream) -> Result<Head, Refused> {
+/// What comes before the body; nothing if nothing came. Browsers open connections that they may need, and would take a
+/// refusal for the answer to what they ask next.
+pub(crate) fn head(stream: &mut TcpStream) -> Result<Option<Head>, Refused> {
     let late = Refused(408, "The question took too long to come.");
     let end = Instant::now() + HEAD_WITHIN;
     let mut bytes = Vec::new();
     loop {
         if let Some(head) = parse(&bytes)? {
-            return Ok(head);
+            return Ok(Some(head));
         }
         if bytes.len() >= MOST_HEAD {
             return Err(Refused(431, "The question has too long a head."));
@@ -58,9 +59,10 @@ pub(crate) fn head(stream: &mut TcpStream) -> Result<Head, Refused> {
         }
         let mut piece = [0; 4096];
         match stream.read(&mut piece) {
+            Err(e) if e.kind() == ErrorKind::Interrupted => {}
+            Ok(0) | Err(_) if bytes.is_empty() => return Ok(None),
             Ok(0) => return Err(MALFORMED),
             Ok(count) => bytes.extend_from_slice(&piece[..count]),
-            Err(e) if e.kind() == ErrorKind::Interrupted => {}
             Err(_) => return Err(late),
         }
     }

@@ -69,7 +69,8 @@ impl Site {
     /// One question on one connection.
     fn connection(&self, stream: &mut TcpStream) -> std::io::Result<()> {
         let head = match http::head(stream) {
-            Ok(head) => head,
+            Ok(Some(head)) => head,
+            Ok(None) => return Ok(()),
             Err(refused) => return http::refuse(stream, refused),
         };
         let question = match self.allowed(&head) {
