@@ -9,16 +9,16 @@ document.querySelectorAll('span.cut').forEach(span => {
   const section = span.closest('[data-loads]'), figure = span.closest('figure'), svg = figure.querySelector('svg');
   const facts = JSON.parse(span.dataset.facts), { box: [left, top, right, bottom], heights: [low, high], length } = facts.scales;
   const still = svg.innerHTML, tall = figure.querySelector('.tall'), said = tall.textContent;
-  let heights, gaps, pressures, load = +section.querySelector('.dial input').value, home = true, from = 0, to = 1;
+  let heights, gaps, pressures, load = +section.querySelector('.dial input').value, home = true, from = 0, to = 1, part = false;
   function draw() {
-    svg.innerHTML = still;
     const whole = from <= 0 && to >= 1;
-    tall.textContent = said;
+    if (whole && (home || part)) { svg.innerHTML = still; tall.textContent = said; }
+    part = !whole;
     if (home && whole) return;
     if (!heights) [heights, gaps, pressures] = [sixteen(facts.heights), sixteen(facts.gaps), bytes(facts.pressures)];
     const n = heights.length, flat = facts.flats[load], of = name => svg.querySelector('.' + name);
     const begin = Math.max(0, Math.floor(from * n) - 1), end = Math.min(n, Math.ceil(to * n) + 1);
-    const x = part => left + (part / n - from) / (to - from) * (right - left), y = z => bottom - (z - low) / (high - low) * (bottom - top);
+    const x = place => left + (place / n - from) / (to - from) * (right - left), y = z => bottom - (z - low) / (high - low) * (bottom - top);
     const line = height => { let d = ''; for (let i = begin; i < end; i++) d += (d ? 'L' : 'M') + short(x(i + 0.5)) + ' ' + short(y(height(i))); return d; };
     const body = line(i => flat - facts.step * gaps[load * n + i]), level = short(y(flat));
     of('before').firstChild.setAttribute('d', line(i => facts.low + facts.step * heights[i]));

@@ -3,11 +3,13 @@
 'use strict';
 const NEAREST = 8; // points across at least
 const make = (tag, className, parent) => { const e = document.createElement(tag); e.className = className; if (parent) parent.append(e); return e; };
+// Red, green and blue in the order of bytes that a picture has.
+const pixels = rgb => Uint32Array.from({ length: rgb.length / 3 }, (_, i) => new Uint32Array(Uint8Array.of(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2], 255).buffer)[0]);
 const bytes = hex => Uint8Array.from(hex.match(/../g), pair => parseInt(pair, 16));
 
 document.querySelectorAll('img.first').forEach(first => {
   const section = first.closest('[data-loads]'), facts = JSON.parse(first.dataset.facts);
-  const pressures = section.querySelector('img.pressure'), ramp = bytes(facts.ramp);
+  const pressures = section.querySelector('img.pressure'), ramp = pixels(bytes(facts.ramp)), [colour] = pixels(facts.colour);
   const cut = section.querySelector('span.cut'), line = cut && JSON.parse(cut.dataset.facts).row;
   const reliefs = [...section.querySelectorAll('img.relief')];
   let load = +section.querySelector('.dial input').value, home = true, loads, pressure, height, width;
@@ -50,12 +52,11 @@ document.querySelectorAll('img.first').forEach(first => {
     const behind = [(f.part[1] - given[1]) / given[3], (f.part[0] - given[0]) / given[2], f.part[3] / given[3], f.part[2] / given[2]];
     [f.canvas.width, f.canvas.height] = [w, h];
     pen.drawImage(f.relief, behind[0] * f.relief.naturalWidth, behind[1] * f.relief.naturalHeight, behind[2] * f.relief.naturalWidth, behind[3] * f.relief.naturalHeight, 0, 0, w, h);
-    const picture = pen.getImageData(0, 0, w, h), to = picture.data, most = load * facts.step;
-    const off = new Set(facts.lost.filter(l => l[0] === load).map(l => l[1]));
-    for (let y = 0; y < h; y++) for (let x = 0, from = (y0 + y) * width + x0, j = 4 * y * w; x < w; x++, from++, j += 4) {
-      if (loads[from] > most || off.has(from)) continue;
-      const colour = home ? ramp.subarray(3 * pressure[from], 3 * pressure[from] + 3) : facts.colour;
-      to[j] = colour[0]; to[j + 1] = colour[1]; to[j + 2] = colour[2]; to[j + 3] = 255;
+    const picture = pen.getImageData(0, 0, w, h), to = new Uint32Array(picture.data.buffer), most = load * facts.step;
+    const held = loads.slice(); // of this load: where a point has come off again, it does not touch
+    facts.lost.forEach(([at, point]) => { if (at === load) held[point] = 255; });
+    for (let y = 0; y < h; y++) for (let x = 0, from = (y0 + y) * width + x0, j = y * w; x < w; x++, from++, j++) {
+      if (held[from] <= most) to[j] = home ? ramp[pressure[from]] : colour;
     }
     pen.putImageData(picture, 0, 0);
     // Points larger than pixels are squares; smaller ones share a pixel.
