@@ -176,12 +176,16 @@ pub fn blocks(pressure: &[f64], grid: Grid, parts: usize) -> Option<Blocks> {
         return None;
     }
     let mut blocks = vec![[0.0; 3]; parts * parts]; // points, touching, load
-    for (i, &p) in pressure.iter().enumerate() {
-        let block = &mut blocks[(i / nx) * parts / ny * parts + (i % nx) * parts / nx];
-        block[0] += 1.0;
-        if p > 0.0 {
-            block[1] += 1.0;
-            block[2] += p;
+    let columns: Vec<usize> = (0..nx).map(|ix| ix * parts / nx).collect();
+    for (iy, row) in pressure.chunks_exact(nx).enumerate() {
+        let blocks = &mut blocks[iy * parts / ny * parts..][..parts];
+        for (p, column) in row.iter().zip(&columns) {
+            let block = &mut blocks[*column];
+            block[0] += 1.0;
+            if *p > 0.0 {
+                block[1] += 1.0;
+                block[2] += p;
+            }
         }
     }
     let points: Vec<[f64; 2]> = blocks.iter().map(|b| [b[2] / b[0], b[1] / b[0]]).collect();

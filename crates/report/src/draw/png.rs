@@ -63,7 +63,7 @@ fn encoded(
     let mut encoder = png::Encoder::new(&mut file, width as u32, height as u32);
     encoder.set_color(colour);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::High);
+    encoder.set_compression(png::Compression::Balanced);
     encoder.write_header()?.write_image_data(bytes)?;
     Ok(file)
 }
