@@ -10,7 +10,7 @@ use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Map, Stiffness};
 use contact_accuracy::{TwiceFiner, regrid};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Boundary, Load};
+use fft_bem_solver::{Boundary, Load, Solver};
 use std::borrow::Cow;
 use std::time::Instant;
 use surface_stats::clean::mirrored;
@@ -21,7 +21,7 @@ const MOST_POINTS: usize = 1024;
 
 impl Comparison {
     /// Looks closer at the headline of every surface that has a converged one on the grid as given.
-    /// Costs about five solutions like it, for a map whose edges do not match about ten. The listener
+    /// Costs about four solutions like it, for a map whose edges do not match about nine. The listener
     /// is told of their iterations, but for those of the stiffness.
     ///
     /// # Errors
@@ -37,9 +37,9 @@ impl Comparison {
                 continue;
             }
             let mut watch = Watch::new(progress, surface.headline);
-            certify(surface, &self.settings, modulus, &mut watch);
+            let area = certify(surface, &self.settings, modulus, &mut watch);
             watch.go_on()?;
-            let choices = choices(surface, &self.settings, modulus, &mut watch);
+            let choices = choices(surface, &self.settings, modulus, area, &mut watch);
             watch.go_on()?;
             let seconds = start.elapsed().as_secs_f64();
             surface.closer = Some(Closer { choices, seconds });
@@ -50,30 +50,28 @@ impl Comparison {
 
 /// Solves the headline once more with the rigorous bound, then from there the loads beside it, for
 /// the stiffness. They need a start near by, which the curve has not kept; so the bound costs one FFT
-/// pair here, where it would cost one at every load of the curve.
+/// pair here, where it would cost one at every load of the curve. Answers with the area of this solution, if
+/// there is one.
 fn certify(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     modulus: ContactModulus,
     watch: &mut Watch<'_, '_>,
-) {
+) -> Option<f64> {
     let pressure = surface.headline_pressure();
     let map: Map = surface.map;
-    let Ok(whole) = Surrounded::new(Cow::Borrowed(&surface.surface), settings.edges) else {
-        return;
-    };
-    let Ok(mut solver) = builder(settings).certified(true).build(whole.map().grid(), modulus)
-    else {
-        return;
-    };
+    let whole = Surrounded::new(Cow::Borrowed(&surface.surface), settings.edges).ok()?;
+    let certified = builder(settings).certified(true);
+    let mut solver = certified.build(whole.map().grid(), modulus).ok()?;
     let load = Load::MeanPressure(pressure);
     let found = whole.solve_observed(&mut solver, load, |now| watch.iteration(now));
-    let Ok(solution) = found else { return };
+    let solution = found.ok()?;
+    let area = Some(solution.diagnostics.area_fraction_corrected);
     // With its conductance the stiffness was found already.
     let near =
         if settings.conducts() { Ok(None) } else { Stiffness::of_set(&mut solver, &solution) };
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
-    let Some(answer) = answer else { return };
+    let Some(answer) = answer else { return area };
     answer.energy_bound = solution.diagnostics.energy_bound;
     if let Ok(Some(found)) = near
         && answer.area_fraction_corrected > 0.0
@@ -90,20 +88,30 @@ fn certify(
         answer.budget = answer.budget.refined(&found);
         answer.finer = Some(found);
     }
+    area
 }
 
-/// What other choices do to the area; those that cannot be tried on this map are left out.
+/// What other choices do to the area, which is `known` of the map as it is; those that cannot be tried on this map
+/// are left out.
 fn choices(
     surface: &SurfaceComparison,
     settings: &Settings,
     modulus: ContactModulus,
+    known: Option<f64>,
     watch: &mut Watch<'_, '_>,
 ) -> Vec<Choice> {
+    let mut last: Option<Solver> = None; // most of the maps stand on the same grid
     let mut area = |map: &HeightMap| -> Option<f64> {
         let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
-        let mut solver = builder(settings).build(whole.map().grid(), modulus).ok()?;
+        let grid = whole.map().grid();
+        if last.as_ref().is_none_or(|solver| solver.grid() != grid) {
+            last = None; // its memory first
+            last = Some(builder(settings).build(grid, modulus).ok()?);
+        }
+        let solver = last.as_mut()?;
+        solver.forget();
         let load = Load::MeanPressure(surface.headline_pressure());
-        let found = whole.solve_observed(&mut solver, load, |now| watch.iteration(now));
+        let found = whole.solve_observed(solver, load, |now| watch.iteration(now));
         let solution = found.ok()?;
         Some(solution.diagnostics.area_fraction_corrected).filter(|a| *a > 0.0)
     };
@@ -120,7 +128,8 @@ fn choices(
         Some(surface.surface.clone())
     };
     let Some(used) = used else { return Vec::new() };
-    let Some(reference) = area(&used) else { return Vec::new() };
+    let known = known.filter(|area| factor == 1 && *area > 0.0);
+    let Some(reference) = known.or_else(|| area(&used)) else { return Vec::new() };
     let mut list = Vec::new();
     // Spikes of the map as given: a coarser grid smears them.
     if !surface.spikes.indices.is_empty() {
