@@ -207,6 +207,8 @@ pub enum Fact {
     Spikes {
         /// How many.
         count: usize,
+        /// Points of the map.
+        of: usize,
         /// Largest distance of one (m).
         largest: f64,
         /// Share of the load that they carry \[-\], if it is known.

@@ -18,6 +18,8 @@ pub struct Spikes {
     pub indices: Vec<usize>,
     /// Largest distance of one from its neighbours (m).
     pub largest: f64,
+    /// Points of the map.
+    pub points: usize,
 }
 
 impl Spikes {
@@ -26,7 +28,11 @@ impl Spikes {
         let rule = OutlierRule::beyond(SPIKE_THRESHOLD);
         find_outliers(map.grid(), map.heights(), rule).map_or_else(
             |_| Self::default(),
-            |found| Self { indices: found.indices, largest: found.largest },
+            |found| Self {
+                indices: found.indices,
+                largest: found.largest,
+                points: map.heights().len(),
+            },
         )
     }
 

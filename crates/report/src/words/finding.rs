@@ -37,7 +37,7 @@ pub fn finding(finding: &Finding) -> Worded {
         Fact::BulkYield { highest, hardness } => of_two(yielding::bulk(*highest, *hardness)),
         Fact::Adhesion(found) => of_two(adhesion::verdict(found)),
         Fact::Steep(found) => steep(found),
-        Fact::Spikes { count, largest, share } => spikes(*count, *largest, *share),
+        Fact::Spikes { count, of, largest, share } => spikes([*count, *of], *largest, *share),
         Fact::NotConverged { loads, of } => worded(
             format!("{loads} of {of} loads did not converge."),
             "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
@@ -191,13 +191,28 @@ fn beyond_yield(found: &Yield) -> Worded {
     )
 }
 
-fn spikes(count: usize, largest: f64, share: Option<f64>) -> Worded {
+/// Part of the points from which spikes of an instrument are not the likely reading.
+const MANY_SPIKES: f64 = 0.01;
+
+fn spikes([count, of]: [usize; 2], largest: f64, share: Option<f64>) -> Worded {
+    let who = if count == 1 { "It carries" } else { "They carry" };
+    let carried = share.map_or_else(String::new, |s| format!("{who} {} of the load. ", percent(s)));
+    let part = count as f64 / of.max(1) as f64;
+    if part > MANY_SPIKES {
+        return worded(
+            format!(
+                "{} of the points stand far from their neighbours, up to {}.",
+                percent(part),
+                quantity(largest, METRES, 2)
+            ),
+            format!(
+                "{carried}So many are seldom spikes of an instrument: a surface of smooth ground with peaks, grains or \
+                 walls on it looks so too. Look at the map before --outliers {SPIKE_THRESHOLD} takes them all out."
+            ),
+        );
+    }
     let points =
         if count == 1 { "1 point is a spike".into() } else { format!("{count} points are spikes") };
-    let carried = share.map_or_else(String::new, |s| {
-        let who = if count == 1 { "It carries" } else { "They carry" };
-        format!("{who} {} of the load. ", percent(s))
-    });
     worded(
         format!("{points}, up to {} from the neighbours.", quantity(largest, METRES, 2)),
         format!(
@@ -440,6 +455,16 @@ mod tests {
         assert_eq!(outside_unit(1.003), "1.003");
         assert_eq!(outside_unit(1.27), "1.3");
         assert_eq!(outside_unit(-0.2), "\u{2212}0.20");
+    }
+
+    #[test]
+    fn half_a_map_is_no_spike() {
+        let told = |count| {
+            let Worded { claim, text } = spikes([count, 1000], 1e-6, None);
+            (claim + " " + &text).replace(SPACE, " ")
+        };
+        assert!(told(9).contains("9 points are spikes") && told(9).contains("--fill"));
+        assert!(!told(500).contains("are spikes") && told(500).contains("50 % of the points"));
     }
 
     #[test]
