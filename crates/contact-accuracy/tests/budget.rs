@@ -148,3 +148,23 @@ fn where_most_yields_the_load_says_the_area() {
         assert!(given.own.is_err() && given.mean_gap.unwrap().comparison().is_err());
     }
 }
+
+/// With a hardness for each pixel the least area is that of the hardest: here the summits are, and they alone touch.
+#[test]
+fn hard_summits_may_touch_less_than_the_mean_hardness_asks_for() {
+    let map = surface(32);
+    let high = map.heights().iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b));
+    let rms = (map.heights().iter().map(|h| h * h).sum::<f64>() / map.grid().len() as f64).sqrt();
+    let hardness: Vec<f64> =
+        map.heights().iter().map(|h| if *h > high - 2.0 * rms { 2e7 } else { 2e6 }).collect();
+    let mean = hardness.iter().sum::<f64>() / hardness.len() as f64;
+    let modulus = ContactModulus::from_pascals(1e9).unwrap();
+    let builder = Solver::builder().hardness_map(&hardness);
+    let mut solver = builder.build(map.grid(), modulus).unwrap();
+    let load = 4e5;
+    let found = solver.solve(&map, Load::MeanPressure(load)).unwrap();
+    let area = Budget::of(&found, &Map::of(&map).unwrap()).area;
+    assert!(area.value < 0.9 * load / mean, "{} {}", area.value, load / mean);
+    let [low, high] = area.comparison().unwrap();
+    assert!(low <= area.value && area.value <= high && low >= load / 2e7 * (1.0 - 1e-6));
+}

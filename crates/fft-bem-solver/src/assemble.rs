@@ -63,17 +63,17 @@ impl<T: Real> Engine<T> {
         let load_sum = found.load * units.pressure + borne;
         let [perimeter, sharp] = edges(problem.grid, p, ceiling, settings.boundary);
         let (contact_perimeter, cut) = (perimeter as f64 / n, (perimeter - sharp) as f64 / n);
+        let hardest = hardness_map
+            .as_ref()
+            .map_or(settings.hardness, |map| map.iter().copied().fold(0.0, f64::max));
         let yielded = ceiling.is_finite().then(|| Yielded {
-            hardness: settings.hardness,
+            hardness: hardest,
             area_fraction: found.full / n,
             load_share: if load_sum > 0.0 { borne / load_sum } else { 0.0 },
             mean_flattening: found.depth * units.height / n,
         });
         let area_fraction = found.contact / n;
         // No pressure exceeds the hardness: whatever the line, it takes this area to carry the load.
-        let hardest = hardness_map
-            .as_ref()
-            .map_or(settings.hardness, |map| map.iter().copied().fold(0.0, f64::max));
         let least = (load_sum / n / hardest).min(area_fraction);
         let work = found.work / n;
         let gap_rounding = problem.rounding + T::EPSILON * (found.highest + 1.0) * units.height;

@@ -91,7 +91,7 @@ pub struct Residuals {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Yielded {
-    /// Highest pressure the surface bears (Pa).
+    /// Highest pressure the surface bears anywhere (Pa).
     pub hardness: f64,
     /// Fraction of all pixels whose pressure is the hardness: not corrected for the contact line, for it
     /// converges from below.

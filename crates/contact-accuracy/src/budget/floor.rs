@@ -13,7 +13,7 @@ use fft_bem_solver::{Boundary, Solution};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Floor {
-    /// P/H (-).
+    /// P/H (-); of a hardness for each pixel, by the highest of them.
     pub area: f64,
     /// What the touching points are above it (-).
     pub above: f64,
