@@ -93,15 +93,17 @@ pub enum SolverError {
     },
     /// The solver would not fit into memory.
     #[error(
-        "a solver for {} x {} pixels takes about {}, which this machine does not grant; \
+        "a solver for {} x {} pixels takes about {}, {}; \
          choose a coarser map, single precision or fewer maps",
-        .shape[0], .shape[1], binary(*.bytes)
+        .shape[0], .shape[1], binary(*.bytes), granted(*.free)
     )]
     Memory {
         /// `[ny, nx]`.
         shape: [usize; 2],
         /// What it would take, with the maps of one solution (bytes).
         bytes: u128,
+        /// What is free (bytes), where the system says so.
+        free: Option<u128>,
     },
     /// Rounding keeps the iteration from going on before the tolerance is reached. The iterate is
     /// inside, as good as this floating-point type can give it; its residual says how good that is.
@@ -125,6 +127,14 @@ pub enum SolverError {
         .0.diagnostics.iterations, residual(.0)
     )]
     Stopped(Box<Solution>),
+}
+
+/// Why so much memory is too much.
+fn granted(free: Option<u128>) -> String {
+    match free {
+        Some(free) => format!("and {} are free on this machine", binary(free)),
+        None => "which this machine does not grant".to_owned(),
+    }
 }
 
 /// A number of bytes in the unit that leaves the fewest digits.

@@ -99,6 +99,21 @@ pub(crate) fn write_both<T: Real>(
     });
 }
 
+/// Values for the pixels `on` alone, written to their places in a field that is zero elsewhere.
+pub(crate) fn scatter(values: &[f64], on: &[usize], field: &mut [f64]) {
+    field.par_chunks_mut(BLOCK).for_each(|block| block.fill(0.0));
+    for (i, value) in on.iter().zip(values) {
+        field[*i] = *value;
+    }
+}
+
+/// The values of a field at the pixels `on`.
+pub(crate) fn gather(field: &[f64], on: &[usize], values: &mut [f64]) {
+    for (value, i) in values.iter_mut().zip(on) {
+        *value = field[*i];
+    }
+}
+
 /// Sum of a field.
 pub(crate) fn sum<T: Real>(a: &[T]) -> f64 {
     let piece = |range: Range<usize>| {

@@ -75,34 +75,113 @@ impl Needs {
     /// # Errors
     /// [`SolverError::Memory`] if not.
     pub(crate) fn check(self, grid: Grid) -> Result<(), SolverError> {
-        let bytes = self.bytes(grid);
-        if bytes < SMALL {
-            return Ok(());
-        }
-        let refused = Err(SolverError::Memory { shape: grid.shape(), bytes });
-        if installed().is_some_and(|installed| bytes > installed) {
-            return refused;
-        }
-        // Systems that promise more than they have say no to one request for all of it, if they ever do.
-        match usize::try_from(bytes) {
-            Ok(size) if Vec::<u8>::new().try_reserve_exact(size).is_ok() => Ok(()),
-            _ => refused,
-        }
+        check(grid, self.bytes(grid))
+    }
+}
+
+/// Whether the machine grants what the mixed problem of a set of so many pixels takes: two fields, half a
+/// spectrum and the preconditioner on the map, six numbers for each pixel of the set.
+///
+/// # Errors
+/// [`SolverError::Memory`] if not.
+pub(crate) fn check_set(grid: Grid, boundary: Boundary, pixels: usize) -> Result<(), SolverError> {
+    let half_space = match boundary {
+        Boundary::Periodic => 8.0,
+        Boundary::Free => 64.0, // while it is built
+    };
+    // Residual, its extension, nodes and who is in contact, pyramid, grids of S.
+    let preconditioner = 4.0 + 4.0 + 2.0 + 2.7 + 0.6;
+    let on_map = (16.0 + half_space + preconditioner) * grid.len() as f64;
+    check(grid, (on_map + 48.0 * pixels as f64) as u128)
+}
+
+/// Whether the machine grants so many bytes for a grid.
+fn check(grid: Grid, bytes: u128) -> Result<(), SolverError> {
+    if bytes < SMALL {
+        return Ok(());
+    }
+    let free = free();
+    let refused = Err(SolverError::Memory { shape: grid.shape(), bytes, free });
+    if free.is_some_and(|free| bytes > free) {
+        return refused;
+    }
+    // Systems that promise more than they have say no to one request for all of it, if they ever do.
+    match usize::try_from(bytes) {
+        Ok(size) if Vec::<u8>::new().try_reserve_exact(size).is_ok() => Ok(()),
+        _ => refused,
     }
 }
 
 /// Memory that any machine has which can run this (bytes): less is not asked for beforehand.
 const SMALL: u128 = 1 << 28;
 
-/// Memory and swap of the machine (bytes), where the system says so.
-fn installed() -> Option<u128> {
+/// Memory and swap that nobody holds (bytes), or what the group of processes that this one belongs to (a job on a
+/// cluster, a container) may still take, where the system says so (Linux).
+fn free() -> Option<u128> {
     if !cfg!(target_os = "linux") {
         return None;
     }
-    let table = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let kibibytes = |name: &str| -> Option<u128> {
+    let kibibytes = |table: &str, name: &str| -> Option<u128> {
         let line = table.lines().find_map(|line| line.strip_prefix(name))?;
-        line.split_whitespace().next()?.parse().ok()
+        Some(1024 * line.split_whitespace().next()?.parse::<u128>().ok()?)
     };
-    Some(1024 * (kibibytes("MemTotal:")? + kibibytes("SwapTotal:").unwrap_or(0)))
+    let of_machine = std::fs::read_to_string("/proc/meminfo").ok().and_then(|table| {
+        let swap = kibibytes(&table, "SwapFree:").unwrap_or(0);
+        Some(kibibytes(&table, "MemAvailable:")? + swap)
+    });
+    let held = std::fs::read_to_string("/proc/self/status").ok();
+    let held = held.and_then(|table| kibibytes(&table, "VmRSS:")).unwrap_or(0);
+    let of_group = limit_of_group().map(|limit| limit.saturating_sub(held));
+    [of_machine, of_group].into_iter().flatten().min()
+}
+
+/// The limit of memory of the control group of this process (bytes), of either version.
+fn limit_of_group() -> Option<u128> {
+    let groups = std::fs::read_to_string("/proc/self/cgroup").ok()?;
+    let limits = groups.lines().filter_map(|line| {
+        let [_, controllers, path] = *line.splitn(3, ':').collect::<Vec<_>>() else { return None };
+        let (root, file) = match controllers {
+            "" => ("/sys/fs/cgroup", "memory.max"),
+            "memory" => ("/sys/fs/cgroup/memory", "memory.limit_in_bytes"),
+            _ => return None,
+        };
+        // In a container the path is as the host sees it, and the group at the root of the files.
+        let at = |path: &str| std::fs::read_to_string(format!("{root}{path}/{file}")).ok();
+        at(path).or_else(|| at(""))?.trim().parse().ok() // "max" is no limit
+    });
+    limits.min()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What no machine has is refused, and the error says what there is; what every machine has is not asked for.
+    #[test]
+    fn a_set_that_does_not_fit_is_refused() {
+        let grid = |side| Grid::new([side, side], [1e-6, 1e-6]).unwrap();
+        for boundary in [Boundary::Periodic, Boundary::Free] {
+            check_set(grid(512), boundary, 512 * 512).unwrap();
+            let refused = check_set(grid(1 << 20), boundary, 0).unwrap_err();
+            let SolverError::Memory { bytes, free, .. } = refused else { panic!("{refused}") };
+            assert!(bytes > 37 << 40 && free.is_none_or(|free| free < bytes), "{refused}");
+            let more = check_set(grid(1 << 20), boundary, 1 << 40).unwrap_err();
+            assert!(
+                matches!(more, SolverError::Memory { bytes: b, .. } if b == bytes + (48 << 40))
+            );
+        }
+    }
+
+    /// What is free is no more than there is.
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn free_memory_is_part_of_what_there_is() {
+        let table = std::fs::read_to_string("/proc/meminfo").unwrap();
+        let total = |name: &str| -> u128 {
+            let line = table.lines().find_map(|line| line.strip_prefix(name)).unwrap();
+            1024 * line.split_whitespace().next().unwrap().parse::<u128>().unwrap()
+        };
+        let free = free().unwrap();
+        assert!(free > 1 << 20 && free <= total("MemTotal:") + total("SwapTotal:"), "{free}");
+    }
 }

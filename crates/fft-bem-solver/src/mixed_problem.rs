@@ -118,58 +118,64 @@ pub(crate) fn solve(
     }
     let on: Vec<usize> = (0..n).filter(|i| nodes[*i].is_in()).collect();
     let mut inverse = SetInverse::new(scaled, nodes);
-    let mean_on = |field: &[f64]| on.iter().map(|i| field[*i]).sum::<f64>() / size as f64;
-    let dot_on = |a: &[f64], b: &[f64]| on.iter().map(|i| a[*i] * b[*i]).sum::<f64>();
-    let [mut p, mut u, mut z, mut d, mut kd] = [(); 5].map(|()| vec![0.0; n]);
+    // What a pair takes and gives is on the map; all else is known and needed on the set alone.
+    let [mut pressed, mut moved] = [(); 2].map(|()| vec![0.0; n]);
+    let [mut p, mut u, mut z, mut d, mut kd] = [(); 5].map(|()| vec![0.0; size]);
+    let mean_of = |field: &[f64]| field.iter().sum::<f64>() / size as f64;
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let mut answer = |of: &[f64], to: &mut [f64]| {
+        fields::scatter(of, &on, &mut pressed);
+        operator.apply(&pressed, &mut moved);
+        fields::gather(&moved, &on, to);
+    };
 
-    inverse.sweep_uniform(&mut p);
-    let mean = fields::sum(&p) / n as f64;
-    if mean > 0.0 && fields::min(&p) >= 0.0 {
+    inverse.sweep_uniform(&on, &mut p);
+    let mean = p.iter().sum::<f64>() / n as f64;
+    if mean > 0.0 && p.iter().all(|p| *p >= 0.0) {
         for p in &mut p {
             *p /= mean;
         }
     } else {
-        for &i in &on {
-            p[i] = n as f64 / size as f64;
-        }
+        p.fill(n as f64 / size as f64);
     }
-    operator.apply(&p, &mut u);
+    answer(&p, &mut u);
     let mut transforms = 1.0;
     let (mut iterations, mut has_direction) = (0, false);
     let (rise, residual) = loop {
-        let rise = mean_on(&u);
-        let worst = on.iter().fold(0.0_f64, |worst, i| worst.max((u[*i] - rise).abs()));
+        let rise = mean_of(&u);
+        let worst = u.iter().fold(0.0_f64, |worst, u| worst.max((u - rise).abs()));
         let residual = worst / rise.abs();
         if residual <= TOLERANCE || iterations == MOST_ITERATIONS {
             break (rise, residual);
         }
         // The residual is what the potential lacks of a constant; a step changes no load.
-        inverse.apply(|i| rise - u[i], &mut z);
+        inverse.apply(&on, |k| rise - u[k], &mut z);
         transforms += inverse.cost();
-        let mean = mean_on(&z);
-        for &i in &on {
-            z[i] -= mean;
+        let mean = mean_of(&z);
+        for z in &mut z {
+            *z -= mean;
         }
-        let beta = if has_direction { -dot_on(&z, &kd) / dot_on(&d, &kd) } else { 0.0 };
-        for &i in &on {
-            d[i] = z[i] + beta * d[i];
+        let beta = if has_direction { -dot(&z, &kd) / dot(&d, &kd) } else { 0.0 };
+        for (d, z) in d.iter_mut().zip(&z) {
+            *d = z + beta * *d;
         }
-        let mean = mean_on(&d); // none, to the last digit
-        for &i in &on {
-            d[i] -= mean;
+        let mean = mean_of(&d); // none, to the last digit
+        for d in &mut d {
+            *d -= mean;
         }
-        operator.apply(&d, &mut kd);
+        answer(&d, &mut kd);
         transforms += 1.0;
-        let descent: f64 = on.iter().map(|i| (rise - u[*i]) * d[*i]).sum();
-        let length = descent / dot_on(&d, &kd);
+        let descent: f64 = u.iter().zip(&d).map(|(u, d)| (rise - u) * d).sum();
+        let length = descent / dot(&d, &kd);
         if !length.is_finite() {
             break (rise, residual); // nothing left but rounding
         }
-        for &i in &on {
-            p[i] += length * d[i];
+        for ((p, u), (d, kd)) in p.iter_mut().zip(&mut u).zip(d.iter().zip(&kd)) {
+            *p += length * d;
+            *u += length * kd;
         }
-        u.iter_mut().zip(&kd).for_each(|(u, kd)| *u += length * kd);
         (iterations, has_direction) = (iterations + 1, true);
     };
-    SetStiffness { per_area: unit / rise, density: p, residual, transforms, iterations }
+    fields::scatter(&p, &on, &mut pressed);
+    SetStiffness { per_area: unit / rise, density: pressed, residual, transforms, iterations }
 }

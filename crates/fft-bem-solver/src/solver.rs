@@ -1,7 +1,7 @@
 //! The solver: settings checked once, transforms planned once, memory taken once.
 
 use crate::engine::{Engine, Settings};
-use crate::memory::Needs;
+use crate::memory::{self, Needs};
 use crate::methods::{self, Compliance};
 use crate::observer::{Answer, Observe};
 use crate::pool::Pool;
@@ -366,10 +366,11 @@ impl Solver {
 
     /// How stiff the contact of the last solution is against a little more load, and how well it conducts: the
     /// [mixed problem](SetStiffness) on the pixels that carry pressure, whatever made them do so. About ten FFT
-    /// pairs, in double precision. Takes memory for seven fields meanwhile.
+    /// pairs, in double precision. Meanwhile it takes memory for five fields, and six more of the pixels in contact.
     ///
     /// # Errors
-    /// [`SolverError::NoSurface`] if there is no last solution.
+    /// [`SolverError::NoSurface`] if there is no last solution; [`SolverError::Memory`] if the machine does not have
+    /// the memory for it beside the solver.
     pub fn contact_stiffness(&mut self) -> Result<SetStiffness, SolverError> {
         let Self { engine, pool, .. } = self;
         let contact = match engine {
@@ -450,7 +451,7 @@ impl Solver {
 ///
 /// # Errors
 /// [`SolverError::Shape`] if the set does not have the pixels of the grid; [`SolverError::Range`] if the grid cannot
-/// be used.
+/// be used, [`SolverError::Memory`] if the machine does not have the memory.
 pub fn set_stiffness(
     grid: Grid,
     modulus: ContactModulus,
@@ -460,6 +461,7 @@ pub fn set_stiffness(
     if contact.len() != grid.len() {
         return Err(SolverError::Shape { expected: grid.len(), found: contact.len() });
     }
+    memory::check_set(grid, boundary, contact.iter().filter(|is_in| **is_in).count())?;
     let scaled = problem::scaled_grid(grid)?;
     let unit = modulus.pascals() / problem::fine_pixel(grid);
     let mut operator: Box<dyn Compliance<f64>> = methods::operator(scaled, boundary);

@@ -91,7 +91,7 @@ fn a_grid_that_does_not_fit_is_refused() {
                 let builder = builder.method(method);
                 let expected = builder.bytes(grid);
                 match builder.build(grid, unit_modulus()) {
-                    Err(SolverError::Memory { shape, bytes }) => {
+                    Err(SolverError::Memory { shape, bytes, .. }) => {
                         assert_eq!((shape, bytes), ([1 << 20; 2], expected));
                         assert!(bytes > 28 << 40, "{bytes}"); // at least 7 numbers of 4 bytes
                     }

@@ -7,6 +7,7 @@ use super::passes;
 use super::stiffness::Stiffness;
 use crate::simd::vectorised;
 use contact_types::Grid;
+use grid_fft::parallel::prelude::*;
 
 /// Columns that are handled at a time: whole cells of the first level.
 const PIECE: usize = 64;
@@ -40,51 +41,55 @@ impl SetInverse {
         self.stiffness.cost
     }
 
-    /// `z = E^T S E r` on the set, of an r that is 0 outside.
-    pub(crate) fn apply(&mut self, r: impl Fn(usize) -> f64, z: &mut [f64]) {
-        for (i, x) in self.residual.iter_mut().enumerate() {
-            *x = if self.nodes[i].is_in() { r(i) as f32 } else { 0.0 };
+    /// `z = E^T S E r` on the set, which is the pixels `on`; r and z have a value for each of these.
+    pub(crate) fn apply(&mut self, on: &[usize], r: impl Fn(usize) -> f64, z: &mut [f64]) {
+        self.residual.fill(0.0);
+        for (k, i) in on.iter().enumerate() {
+            self.residual[*i] = r(k) as f32;
         }
         self.weigh();
         self.pyramid.extend_above();
         let Self { nodes, columns, pyramid, stiffness, residual, extended } = self;
         passes::push(nodes, residual, pyramid, *columns, stiffness, extended);
         stiffness.apply_to_filled(extended, residual);
-        self.restrict(z);
+        self.restrict(on, z);
     }
 
     /// `z = E^T 1`: a uniform pressure, swept onto the set. Nearly that below a flat punch of its shape.
-    pub(crate) fn sweep_uniform(&mut self, z: &mut [f64]) {
+    pub(crate) fn sweep_uniform(&mut self, on: &[usize], z: &mut [f64]) {
         self.residual.fill(0.0);
         self.weigh();
         self.pyramid.extend_above();
         self.residual.fill(1.0);
-        self.restrict(z);
+        self.restrict(on, z);
     }
 
     /// The first level of the pyramid over the set and the residual.
     fn weigh(&mut self) {
         let Some(first) = self.pyramid.levels.first_mut() else { return };
-        let (t, capacity) = (first.transfer, first.capacity);
-        let (weight, value) = (&mut first.weight, &mut first.value);
-        vectorised!(pull_rows(&t, capacity, &self.nodes, &self.residual, weight, value));
+        let (t, capacity, rows) = (first.transfer, first.capacity, first.rows_per_task());
+        let (fine, coarse) = (rows * t.rows_per_coarse_row() * t.fine[1], rows * t.coarse[1]);
+        let set = self.nodes.par_chunks(fine).zip(self.residual.par_chunks(fine));
+        let above = first.weight.par_chunks_mut(coarse).zip(first.value.par_chunks_mut(coarse));
+        set.zip(above).for_each(|((w, v), (weight, value))| {
+            vectorised!(pull_rows(&t, capacity, w, v, weight, value));
+        });
     }
 
     /// `z = E^T` of the residual field.
-    fn restrict(&mut self, z: &mut [f64]) {
+    fn restrict(&mut self, on: &[usize], z: &mut [f64]) {
         passes::gather(&self.nodes, &self.residual, &mut self.pyramid);
         self.pyramid.restrict_above();
-        let nx = self.columns;
-        let rows = z.chunks_exact_mut(nx).zip(self.residual.chunks_exact_mut(nx));
-        for (iy, (z, y)) in rows.enumerate() {
-            if let Some(first) = self.pyramid.levels.first() {
+        let Self { columns, pyramid, residual, .. } = self;
+        if let Some(first) = pyramid.levels.first() {
+            residual.par_chunks_mut(*columns).enumerate().for_each(|(iy, y)| {
                 for (k, y) in y.chunks_mut(PIECE).enumerate() {
                     first.transfer.add_down_transposed(iy, k * PIECE, &first.value, y);
                 }
-            }
-            for ((z, y), node) in z.iter_mut().zip(y).zip(&self.nodes[iy * nx..]) {
-                *z = if node.is_in() { f64::from(*y) } else { 0.0 };
-            }
+            });
+        }
+        for (z, i) in z.iter_mut().zip(on) {
+            *z = f64::from(residual[*i]);
         }
     }
 }
