@@ -108,8 +108,12 @@ fn table(n: usize, precision: Precision) -> Result<(), Box<dyn Error>> {
 /// Area, gap and stiffness.
 fn numbers(solver: &mut Solver, solution: &Solution, known: &Map) -> Result<String, SolverError> {
     let mut budget = Budget::of(solution, known);
-    if let Some(found) = Stiffness::of_set(solver, solution)? {
-        budget = budget.with_stiffness(&found, known, Line::of(solution));
+    match Stiffness::of_set(solver, solution) {
+        Ok(Some(found)) => budget = budget.with_stiffness(&found, known, Line::of(solution)),
+        Ok(None) => {}
+        // The largest grids: beside the solver there is no room for it.
+        Err(error @ SolverError::Memory { .. }) => eprintln!("no stiffness: {error}"),
+        Err(error) => return Err(error),
     }
     let show = |estimate: Option<Estimate>, unit: f64| {
         estimate.map_or("–".to_owned(), |estimate| with_bar(&estimate, unit))

@@ -79,7 +79,7 @@ impl Needs {
     }
 }
 
-/// Whether the machine grants what the mixed problem of a set of so many pixels takes: two fields, half a
+/// Whether the machine grants what the mixed problem of a set of so many pixels takes: a field, half a
 /// spectrum and the preconditioner on the map, six numbers for each pixel of the set.
 ///
 /// # Errors
@@ -87,11 +87,11 @@ impl Needs {
 pub(crate) fn check_set(grid: Grid, boundary: Boundary, pixels: usize) -> Result<(), SolverError> {
     let half_space = match boundary {
         Boundary::Periodic => 8.0,
-        Boundary::Free => 64.0, // while it is built
+        Boundary::Free => 64.0, // while it is built; and a copy of the field
     };
     // Residual, its extension, nodes and who is in contact, pyramid, grids of S.
     let preconditioner = 4.0 + 4.0 + 2.0 + 2.7 + 0.6;
-    let on_map = (16.0 + half_space + preconditioner) * grid.len() as f64;
+    let on_map = (8.0 + half_space + preconditioner) * grid.len() as f64;
     check(grid, (on_map + 48.0 * pixels as f64) as u128)
 }
 
@@ -100,9 +100,10 @@ fn check(grid: Grid, bytes: u128) -> Result<(), SolverError> {
     if bytes < SMALL {
         return Ok(());
     }
+    // Not all of it: what the system reckons as free it does not quite give, and others take some meanwhile.
     let free = free();
     let refused = Err(SolverError::Memory { shape: grid.shape(), bytes, free });
-    if free.is_some_and(|free| bytes > free) {
+    if free.is_some_and(|free| bytes > free / 20 * 19) {
         return refused;
     }
     // Systems that promise more than they have say no to one request for all of it, if they ever do.
@@ -164,7 +165,7 @@ mod tests {
             check_set(grid(512), boundary, 512 * 512).unwrap();
             let refused = check_set(grid(1 << 20), boundary, 0).unwrap_err();
             let SolverError::Memory { bytes, free, .. } = refused else { panic!("{refused}") };
-            assert!(bytes > 37 << 40 && free.is_none_or(|free| free < bytes), "{refused}");
+            assert!(bytes > 29 << 40 && free.is_none_or(|free| free < bytes), "{refused}");
             let more = check_set(grid(1 << 20), boundary, 1 << 40).unwrap_err();
             assert!(
                 matches!(more, SolverError::Memory { bytes: b, .. } if b == bytes + (48 << 40))

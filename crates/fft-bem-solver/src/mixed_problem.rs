@@ -119,14 +119,14 @@ pub(crate) fn solve(
     let on: Vec<usize> = (0..n).filter(|i| nodes[*i].is_in()).collect();
     let mut inverse = SetInverse::new(scaled, nodes);
     // What a pair takes and gives is on the map; all else is known and needed on the set alone.
-    let [mut pressed, mut moved] = [(); 2].map(|()| vec![0.0; n]);
+    let mut field = vec![0.0; n];
     let [mut p, mut u, mut z, mut d, mut kd] = [(); 5].map(|()| vec![0.0; size]);
     let mean_of = |field: &[f64]| field.iter().sum::<f64>() / size as f64;
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut answer = |of: &[f64], to: &mut [f64]| {
-        fields::scatter(of, &on, &mut pressed);
-        operator.apply(&pressed, &mut moved);
-        fields::gather(&moved, &on, to);
+        fields::scatter(of, &on, &mut field);
+        operator.apply_in_place(&mut field);
+        fields::gather(&field, &on, to);
     };
 
     inverse.sweep_uniform(&on, &mut p);
@@ -176,6 +176,6 @@ pub(crate) fn solve(
         }
         (iterations, has_direction) = (iterations + 1, true);
     };
-    fields::scatter(&p, &on, &mut pressed);
-    SetStiffness { per_area: unit / rise, density: pressed, residual, transforms, iterations }
+    fields::scatter(&p, &on, &mut field);
+    SetStiffness { per_area: unit / rise, density: field, residual, transforms, iterations }
 }

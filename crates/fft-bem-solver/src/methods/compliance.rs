@@ -8,6 +8,11 @@ use grid_fft::parallel::prelude::*;
 pub(crate) trait Compliance<T: Real>: Send + Sync {
     /// `displacement = K pressure`.
     fn apply(&mut self, pressure: &[T], displacement: &mut [T]);
+    /// Replaces a pressure by its displacement.
+    fn apply_in_place(&mut self, field: &mut [T]) {
+        let pressure = field.to_vec();
+        self.apply(&pressure, field);
+    }
     /// As [`apply`](Self::apply), with `work` on the fields on the way, and a third field `gap` for it
     /// to write to. Returns the sums of `work.finish`, `None` where `work.factor` stopped; `partial`
     /// then holds what `work.prepare` found.
@@ -49,6 +54,9 @@ pub(crate) trait Compliance<T: Real>: Send + Sync {
 impl<T: Real> Compliance<T> for HalfSpace<T> {
     fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
         self.displacement(pressure, displacement);
+    }
+    fn apply_in_place(&mut self, field: &mut [T]) {
+        self.displace(field).expect("it has the pixels of the grid");
     }
     fn apply_around(
         &mut self,
