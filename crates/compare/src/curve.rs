@@ -1,6 +1,7 @@
 //! The deterministic curve while it is solved.
 
 use crate::first_contact::FirstContact;
+use crate::pressure_maps::PressureMaps;
 use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use crate::sections::Sections;
@@ -14,7 +15,7 @@ use std::ops::ControlFlow;
 const TYPICAL_AREA: f64 = 0.02;
 
 /// The deterministic curve while it grows; of the fields only that of the headline is kept, of the others
-/// what touches.
+/// what touches, and the pressure in a byte a dot.
 pub(crate) struct Curve {
     map: Map,
     wanted: Option<f64>,
@@ -24,8 +25,12 @@ pub(crate) struct Curve {
     score: f64,
     /// Pressure field of the headline (Pa).
     pub(crate) pressure: Vec<f64>,
+    /// Gap field of the headline (m), if the solver keeps gaps.
+    pub(crate) gap: Vec<f64>,
     /// The contact of all loads so far.
     pub(crate) first: Option<FirstContact>,
+    /// The pressure of all loads so far.
+    pub(crate) pressures: Option<PressureMaps>,
     /// One row of all loads so far.
     pub(crate) sections: Option<Sections>,
     /// The map on the grid solved on, if it is not the given one.
@@ -41,7 +46,9 @@ impl Curve {
             headline: 0,
             score: f64::INFINITY,
             pressure: Vec::new(),
+            gap: Vec::new(),
             first: None,
+            pressures: None,
             sections: None,
             solved: None,
         }
@@ -79,21 +86,26 @@ impl Curve {
         let index = self.points.len();
         let pressure = solution.as_ref().map_or(&[][..], |s| &s.pressure);
         self.first = FirstContact::with(self.first.take(), index, pressure);
+        let maps = self.pressures.take();
+        self.pressures =
+            solution.as_ref().and_then(|s| PressureMaps::with(maps, index, s.grid, &s.pressure));
         let section = solution.as_mut().and_then(|s| s.section.take());
         self.sections = Sections::with(self.sections.take(), index, section);
         self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
         if score < self.score {
             self.score = score;
             self.headline = index;
-            self.pressure = solution.map_or_else(Vec::new, |s| s.pressure);
+            (self.pressure, self.gap) =
+                solution.map_or_else(Default::default, |s| (s.pressure, s.gap));
         }
     }
 
     /// What happened at a load.
-    pub(crate) fn news(&self, index: usize) -> Progress<'static> {
+    pub(crate) fn news(&self, index: usize) -> Progress<'_> {
         let DeterministicPoint { mean_pressure, answer, .. } = &self.points[index];
         let area_fraction = answer.as_ref().map(|a| a.area_fraction_corrected);
-        Progress::Solved { index, mean_pressure: *mean_pressure, area_fraction }
+        let maps = self.pressures.as_ref();
+        Progress::Solved { index, mean_pressure: *mean_pressure, area_fraction, maps }
     }
 
     /// How far a load is from the one wanted, or from the typical area; both as a ratio.

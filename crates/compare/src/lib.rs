@@ -19,6 +19,7 @@ mod findings;
 mod first_contact;
 mod inputs;
 mod materials;
+mod pressure_maps;
 mod profile;
 mod progress;
 mod reason;
@@ -68,6 +69,7 @@ pub use inputs::{Inputs, MomentSource, map_curves};
 pub use materials::{
     Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
 };
+pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
     ProfileComparison, ProfileFact, ProfileModel, ProfileSurface, Unevenness, area_interval,
     profile_findings, profile_inputs,

@@ -1,5 +1,6 @@
 //! What a study says while it works, and why there may be none.
 
+use crate::pressure_maps::PressureMaps;
 use contact_accuracy::plan::BadRequest;
 use contact_types::SurfaceError;
 use fft_bem_solver::{Iteration, SolverError};
@@ -45,6 +46,8 @@ pub enum Progress<'a> {
         mean_pressure: f64,
         /// Area fraction, if there is an answer.
         area_fraction: Option<f64>,
+        /// Pressures of the loads so far, this one last, if all have an answer.
+        maps: Option<&'a PressureMaps>,
     },
     /// The models are being asked.
     Models,

@@ -2,9 +2,11 @@
 
 use crate::adhesion::Adhesion;
 use crate::conducted::Conduction;
+use crate::distribution::Distributions;
 use crate::finding::Ended;
 use crate::first_contact::FirstContact;
 use crate::inputs::Inputs;
+use crate::pressure_maps::PressureMaps;
 use crate::reason::Verdict;
 use crate::sections::Sections;
 use crate::survey::Experience;
@@ -91,10 +93,14 @@ pub struct SurfaceComparison {
     pub pressure: Vec<f64>,
     /// The contact of every load; `None` unless every load has a solution in which points only join.
     pub first_contact: Option<FirstContact>,
+    /// The pressure of every load; `None` unless every load has a solution.
+    pub pressure_maps: Option<PressureMaps>,
     /// One row of every load; `None` unless every load has a solution.
     pub sections: Option<Sections>,
     /// Contact spots at that load.
     pub spots: Option<Spots>,
+    /// How pressure, gap and spots are distributed at that load; `None` if nothing touches.
+    pub distributions: Option<Distributions>,
     /// Every model of the list.
     pub models: Vec<ModelComparison>,
 }

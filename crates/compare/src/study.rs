@@ -4,6 +4,7 @@ use crate::ask::timed;
 use crate::conducted::Conduction;
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
+use crate::distribution::Distributions;
 use crate::inputs::Inputs;
 use crate::progress::{Listener, Progress, StudyError};
 use crate::refine::refine;
@@ -13,7 +14,7 @@ use crate::result::{
 };
 use crate::sections::telling_row;
 use crate::solver_of::{builder, elastic};
-use crate::spots::spots_beyond;
+use crate::spots::{spot_list, spots_beyond};
 use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::{Judged, verdict};
@@ -163,7 +164,7 @@ fn compare(
     let task = Solve { whole: &whole, map: &map, known: &known, modulus };
     let plan = match settings.accuracy {
         None => {
-            let mut solver = built(builder(settings).maps(Maps::Pressure).section(section))?;
+            let mut solver = built(builder(settings).maps(Maps::PressureAndGap).section(section))?;
             for (i, &p) in pressures.iter().enumerate() {
                 task.load(&mut solver, (i, p), settings.conducts(), &mut curve, &mut tell)?;
                 tell(curve.news(i))?;
@@ -183,7 +184,7 @@ fn compare(
                 request,
                 method: settings.method,
                 certified: false,
-                maps: Maps::Pressure,
+                maps: Maps::PressureAndGap,
                 section,
                 threads: settings.threads,
             };
@@ -196,8 +197,8 @@ fn compare(
             Some(plan::run(&task, &mut sink).map_err(|e| refused_plan(e, &name))?)
         }
     };
-    let Curve { points: mut deterministic, headline, pressure, first, sections, solved, .. } =
-        curve;
+    let Curve { points: mut deterministic, headline, pressure, gap, .. } = curve;
+    let Curve { first, pressures: pressure_maps, sections, solved, .. } = curve;
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
         let mut solver = built(elastic(settings).maps(Maps::Pressure))?;
@@ -227,6 +228,9 @@ fn compare(
     drop(whole);
     let grid = solved.as_ref().unwrap_or(&map).grid();
     let spots = spots_beyond(&pressure, grid, settings.edges);
+    let repeats = settings.edges == EdgesName::Periodic;
+    let distributions = Distributions::of(&pressure, &gap, &spot_list(&pressure, grid, repeats));
+    drop(gap);
     tell(Progress::Models)?;
     // The survey is of elastic contact.
     let alike = match settings.hardness {
@@ -263,8 +267,10 @@ fn compare(
         headline,
         pressure,
         first_contact: first,
+        pressure_maps,
         sections,
         spots,
+        distributions,
         models,
     };
     found.conduction = Conduction::of(&found, settings);

@@ -149,7 +149,7 @@ pub(crate) fn study(
                         ..News::default()
                     });
                 }
-                Progress::Solved { index, mean_pressure, area_fraction } => {
+                Progress::Solved { index, mean_pressure, area_fraction, .. } => {
                     reporter.tell(News {
                         stage: "solved",
                         surface: told.0.clone(),

@@ -6,8 +6,7 @@ use crate::words;
 use crate::words::finding::{Worded, finding, warning as warning_words};
 use crate::words::plan as plan_words;
 use compare::{
-    Comparison, DeterministicPoint, Distributions, EdgesName, Finding, ModelComparison, ModelCurve,
-    SurfaceComparison, spot_list,
+    Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
 };
 use contact_accuracy::BOUNDARY_CORRECTION;
 use contact_accuracy::plan::Outcome;
@@ -86,7 +85,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "median_area": c.median_area,
             "largest_area": c.largest_area,
         })),
-        "distributions": distributions(s),
+        "distributions": s.distributions,
         "refined": refined(s),
         "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|c| json!({
             "choice": c.kind.name(),
@@ -123,13 +122,6 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         })),
         "models": s.models.iter().map(|m| model(m, s)).collect::<Vec<_>>(),
     })
-}
-
-/// Of pressure and spots at the headline.
-pub(crate) fn distributions(s: &SurfaceComparison) -> Option<Distributions> {
-    let grid = s.solved_map().grid();
-    let spots = spot_list(&s.pressure, grid, s.edges == EdgesName::Periodic);
-    Distributions::of(&s.pressure, &[], &spots)
 }
 
 /// The headline load on a twice finer grid, if it was solved there.

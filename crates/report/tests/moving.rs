@@ -104,9 +104,11 @@ fn holds_the_row(surface: &SurfaceComparison, page: &str, settings: &compare::Se
     let (gaps, pressures) =
         (sixteen("gaps"), STANDARD.decode(facts["pressures"].as_str().unwrap()));
     let (pressures, mut touched, mut open) = (pressures.unwrap(), 0, 0);
+    let tops = &self::facts(page.split("<img class=\"first\"").nth(1).unwrap())["tops"];
     assert_eq!(gaps.len(), nx * surface.deterministic.len());
     for (load, point) in surface.deterministic.iter().enumerate() {
         let found = solver.solve(map, Load::MeanPressure(point.mean_pressure)).unwrap();
+        holds_the_pressure(&found.pressure, page, load, load == surface.headline, &tops[load]);
         let flat = facts["flats"][load].as_f64().unwrap();
         assert!((flat / found.state.mean_gap.unwrap() - 1.0).abs() < 1e-12, "load {load}");
         for (i, at) in along.clone().enumerate() {
@@ -120,6 +122,35 @@ fn holds_the_row(surface: &SurfaceComparison, page: &str, settings: &compare::Se
         }
     }
     assert!(touched > 10 && open > 10, "{touched} {open}");
+}
+
+/// Every point of a map that is not reduced has its pressure, to half a step of 255 up to the 99th percentile.
+fn holds_the_pressure(found: &[f64], page: &str, load: usize, headline: bool, top: &Value) {
+    let begins = format!("<img class=\"pressed\" hidden alt=\"\" data-load=\"{load}\"");
+    if headline {
+        assert!(!page.contains(&begins) && top.is_null(), "the headline has the whole map");
+        return;
+    }
+    let classes = grey(element(page, &begins));
+    let mut contact: Vec<f64> = found.iter().copied().filter(|p| *p > 0.0).collect();
+    contact.sort_by(f64::total_cmp);
+    let high = contact[(contact.len() - 1) * 99 / 100];
+    let rounded: f64 = format!("{high:.1e}").parse().unwrap();
+    let digits = top.as_str().unwrap().trim_start_matches('≥').replace('\u{202F}', "");
+    let shown: f64 = digits.parse().unwrap();
+    let scale = rounded / shown; // the unit of the headline
+    assert!(
+        (scale.log10() / 3.0 - (scale.log10() / 3.0).round()).abs() < 0.02,
+        "{shown} {rounded}"
+    );
+    assert_eq!(top.as_str().unwrap().starts_with('≥'), contact[contact.len() - 1] > rounded);
+    for (i, (class, p)) in classes.iter().zip(found).enumerate() {
+        assert_eq!(*class > 0, *p > 0.0, "load {load}, point {i}");
+        let shown = f64::from(*class) / 255.0;
+        let off = (shown - (p / rounded).min(1.0)).abs();
+        assert!(*class <= 1 || off <= 0.5 / 255.0 + 1e-9, "load {load}, point {i}: {shown} {p}");
+    }
+    assert_eq!(classes.len(), found.len());
 }
 
 #[test]

@@ -59,15 +59,31 @@ const canvas = page => page.value(`(() => {
   return [c.height, c.width, on]; })()`);
 
 // Maps of pressure that the command solves at the loads of the report.
-function solved() {
-  const pressures = points().map(p => `${p.mean_pressure}Pa`).join(',');
-  rough('solve', 'map.x3p', '--modulus', '110GPa', '--level', 'plane', '--pressure', pressures, '--maps', 'maps', '--force');
+function solved(name = 'map.x3p', loads = points(), count = ROWS * COLUMNS) {
+  const pressures = loads.map(p => `${p.mean_pressure}Pa`).join(',');
+  rough('solve', name, '--modulus', '110GPa', '--level', 'plane', '--pressure', pressures, '--maps', 'maps', '--force');
   const files = readdirSync(at('maps')).filter(f => /pressure.*\.npy$/.test(f)).sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
-  assert.equal(files.length, points().length, files.join());
-  return files.map(file => {
-    const bytes = readFileSync(join(at('maps'), file)), begin = bytes.length - 8 * ROWS * COLUMNS;
-    return Float64Array.from({ length: ROWS * COLUMNS }, (_, i) => bytes.readDoubleLE(begin + 8 * i));
+  assert.ok(files.length >= loads.length, files.join());
+  return files.slice(0, loads.length).map(file => {
+    const bytes = readFileSync(join(at('maps'), file)), begin = bytes.length - 8 * count;
+    return Float64Array.from({ length: count }, (_, i) => bytes.readDoubleLE(begin + 8 * i));
   });
+}
+
+// The step of the ramp that each point of the canvas has, 0 where it is grey; and the number at the end of the bar.
+const colours = page => page.value(`(() => {
+  const facts = JSON.parse(document.querySelector('img.first').dataset.facts), hex = facts.ramp.match(/.{6}/g), of = new Map(hex.map((c, i) => [parseInt(c, 16), i]));
+  const c = document.querySelector('.over-map canvas'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data, steps = [];
+  for (let i = 0; i < d.length; i += 4) steps.push(d[i] === d[i + 1] && d[i + 1] === d[i + 2] ? 0 : of.get(d[i] << 16 | d[i + 1] << 8 | d[i + 2]) ?? -1);
+  return [steps, document.querySelector('.legend').getAttribute('visibility') === 'hidden' ? null : document.querySelector('.legend text:nth-of-type(2)').textContent]; })()`);
+
+// Held against pressures: to a step of the scale that ends at two digits of the 99th percentile of those in contact.
+function coloured([steps, end], pressures, said, slack) {
+  const contact = pressures.filter(p => p > 0).sort(), top = Number(contact[Math.floor((contact.length - 1) * 99 / 100)].toPrecision(2));
+  assert.equal(Number(end.replace(/[≥\u202f]/g, '')), Number((top / 10 ** (3 * Math.round(Math.log10(top / Number(end.replace('≥', ''))) / 3))).toPrecision(2)), `${said}: the end of the bar is ${end}, the pressures end at ${top}`);
+  assert.equal(end.startsWith('≥'), contact[contact.length - 1] > top);
+  const off = Array.from(pressures, (p, i) => p > 0 ? Math.abs(steps[i] - Math.max(1, 255 * Math.min(1, p / top))) : steps[i]);
+  assert.ok(Math.max(...off.map(Math.abs)) <= slack, `${said}: ${Math.max(...off)} steps off`);
 }
 
 test('map and section are the solver\'s at every load of the slider', async () => {
@@ -81,6 +97,7 @@ test('map and section are the solver\'s at every load of the slider', async () =
     const expected = Array.from(maps[i], p => p > 0 ? '1' : '0').join('');
     assert.ok(on === expected, `load ${i}: ${[...on].filter((c, k) => c !== expected[k]).length} points differ`);
     assert.equal([...on].filter(c => c === '1').length, point.contact_pixels);
+    coloured(await colours(page), maps[i], `load ${i}`, 1);
     // The coloured stretches of the section are the points of that row that touch; the flat stands at the mean gap.
     const [marks, flat, [left, top, right, bottom], [low, high]] = await page.value(`(() => {
       const svg = document.querySelector('span.cut').closest('figure').querySelector('svg'), scales = JSON.parse(document.querySelector('span.cut').dataset.facts).scales;
@@ -96,8 +113,51 @@ test('map and section are the solver\'s at every load of the slider', async () =
     assert.equal(await page.value("document.querySelector('.over-map').getAttribute('aria-label').match(/: ([\\d\\u202f]+) of/)[1].replace(/\\D/g, '')"), String(point.contact_pixels));
   }
   await shown(page, 'last-load');
-  await page.click('.dial button');
+  await page.click('.dial .back');
   assert.equal(await page.value("getComputedStyle(document.querySelector('.over-map canvas')).display"), 'none', 'the still picture again');
+  await clean(page);
+});
+
+test('a large map is coloured by the highest pressure of each square of points', async () => {
+  const [rows, columns] = [520, 610];
+  rough('synth', '--shape', `${rows},${columns}`, '--pixel', '1um', '--hurst', '0.8', '--rolloff', '60um', '--cutoff', '4um', '--rms-gradient', '0.1', '--seed', '3', '--out', 'wide.x3p');
+  rough('compare', 'wide.x3p', '--modulus', '110GPa', '--pressure', '20MPa,200MPa,1GPa', '--out', 'wide');
+  const found = JSON.parse(readFileSync(at('wide/results.json'), 'utf8')).surfaces[0], loads = found.deterministic.points;
+  const maps = solved('wide.x3p', loads, rows * columns), page = await opened({}, 'wide/report.html');
+  assert.match(await page.text('figcaption .moves'), /of 2 × 2 points the highest/);
+  const shown = loads.map((_, i) => i).filter(i => loads[i].mean_pressure !== found.headline_pressure);
+  assert.equal(shown.length, 2);
+  for (const i of shown) {
+    await load(page, i);
+    await page.value("new Promise(done => setTimeout(done, 500))");
+    const highest = new Float64Array(Math.ceil(rows / 2) * Math.ceil(columns / 2)), square = k => Math.floor(Math.floor(k / columns) / 2) * Math.ceil(columns / 2) + Math.floor(k % columns / 2);
+    maps[i].forEach((p, k) => { highest[square(k)] = Math.max(highest[square(k)], p); });
+    const [steps, end] = await colours(page), contact = maps[i].filter(p => p > 0).sort(), top = Number(contact[Math.floor((contact.length - 1) * 99 / 100)].toPrecision(2));
+    const off = Array.from(maps[i], (p, k) => p > 0 ? Math.abs(steps[k] - Math.max(1, 255 * Math.min(1, highest[square(k)] / top))) : steps[k]);
+    assert.ok(off.reduce((a, b) => Math.max(a, b)) <= 1, `load ${i}, to ${end}`);
+  }
+  await clean(page);
+});
+
+test('played, it runs to the heaviest load, stops when asked, and not at all where less motion is wanted', async () => {
+  const page = await opened(), at = () => page.value("+document.querySelector('.dial input').value"), last = points().length - 1;
+  const says = () => page.text('.dial .play');
+  await load(page, last - 2);
+  await page.value("document.querySelector('.dial .play').focus()");
+  await page.key('Enter');
+  assert.deepEqual([await at(), await says()], [last - 1, 'Stop']);
+  await page.until(`+document.querySelector('.dial input').value === ${last} && document.querySelector('.dial .play').textContent === 'Play'`);
+  await page.click('.dial .play');
+  assert.equal(await at(), 0, 'from the lightest again');
+  await page.until("+document.querySelector('.dial input').value === 1");
+  await page.key('Escape');
+  const stopped = await at();
+  await page.value('new Promise(done => setTimeout(done, 900))');
+  assert.deepEqual([await at(), await says()], [stopped, 'Play']);
+  await page.click('.dial .play');
+  await page.call('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] });
+  await page.until("document.querySelector('.dial .play').textContent === 'Play'");
+  assert.equal(await page.value("document.querySelector('.dial .play').checkVisibility()"), false);
   await clean(page);
 });
 
@@ -243,7 +303,7 @@ test('without scripts all of it reads; on a phone and in the dark nothing is wid
   const still = await browser.open(pathToFileURL(at('still.html')).href);
   await still.until("document.readyState === 'complete'");
   const visible = selector => still.value(`[...document.querySelectorAll(${JSON.stringify(selector)})].filter(e => e.checkVisibility()).length`);
-  assert.equal(await visible('.dial, .moves, .zoom, .values, img.first, img.pressure, span.cut'), 0, 'nothing that would not work');
+  assert.equal(await visible('.dial, .moves, .zoom, .values, img.first, img.pressure, img.pressed, span.cut'), 0, 'nothing that would not work');
   const headings = html => [...html.matchAll(/<(h[123])[^>]*>([\s\S]*?)<\/\1>/g)].length;
   assert.equal(await visible('h1, h2, h3'), headings(file));
   assert.equal(await visible('figure svg'), file.match(/<figure/g).length);

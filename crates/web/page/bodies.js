@@ -39,11 +39,11 @@ function asked() {
   };
 }
 
-// Says what that comes to; a computation that runs is not disturbed.
+// Says what that comes to; a computation that runs is not disturbed. Gives whether it was said.
 async function plan() {
-  if (engine.running || !(now.file || now.example)) return;
+  if (engine.running || !(now.file || now.example)) return false;
   const answer = await engine.ask('plan', request({ ...asked(), facts: now.plan }));
-  if (!answer) return;
+  if (!answer) return false;
   const fine = answer.kind === 'done';
   $('estar').textContent = fine ? answer.modulus : answer.text || 'The computation stopped.';
   $('estar').classList.toggle('no', !fine);
@@ -56,4 +56,5 @@ async function plan() {
   $('compute-now').textContent = fine ? `Compute ${now.pair}, ${answer.count === 1 ? '1 load' : answer.count + ' loads'}` : 'Compute';
   $('compute-now').disabled = !fine;
   $('read-cost').textContent = fine && answer.cost ? `${answer.cost}. You can change everything afterwards.` : '';
+  return true;
 }

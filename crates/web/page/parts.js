@@ -53,7 +53,11 @@ function show() {
   if (current === 'running' && state !== 'running' && engine.running) stopRunning();
   current = state;
   STATES.forEach(name => $('s-' + name).classList.toggle('on', name === state));
-  all('.steps li').forEach(step => {
+  // Steps that were passed lead back; not while it computes, which a slip would end.
+  const ways = [now.read ? 'read' : 'empty', 'bodies', 'result'], open = [true, there.bodies, there.result];
+  all('.steps li').forEach((step, i) => {
+    const text = step.textContent, here = step.dataset.s.split(' ').includes(state);
+    step.replaceChildren(open[i] && !here && state !== 'running' ? part('a', { href: '#' + ways[i] }, text) : text);
     if (step.dataset.s.split(' ').includes(state)) step.setAttribute('aria-current', 'step');
     else step.removeAttribute('aria-current');
   });

@@ -13,6 +13,7 @@ async function compute(more) {
   now.answer = null;
   $('run-file').textContent = `${now.example || shownName(now.file.name)} · ${now.pair}`;
   $('stop').disabled = true;
+  $('r-contact').hidden = true;
   draw();
   go('running');
   const own = run;
@@ -31,12 +32,24 @@ function hear(news) {
   if (news.stage === 'loads') { run.loads = news.count; run.first = performance.now(); }
   if (news.stage === 'iteration') run.part = news.share;
   if (news.stage === 'load') {
-    run.done.push(news);
+    // Of the pictures only the last is kept.
+    const { map, ...load } = news;
+    run.done.push(load);
+    showMap(load, map);
     run.part = 0;
     if (run.done.length % 5 === 0) $('r-live').textContent = `${run.done.length} of ${run.loads} loads done`;
   }
   $('stop').disabled = run.done.length === 0 || run.stage > 1 || Boolean(run.settings.kept);
   draw();
+}
+
+function showMap(load, map) {
+  $('r-contact').hidden = !map;
+  if (!map) return;
+  $('r-map').src = map.picture;
+  $('r-map').alt = `Contact map at ${load.at}: ${load.touches || 'nothing'} of the area touches`;
+  $('r-at').textContent = load.at;
+  $('r-top').textContent = map.top;
 }
 
 // Gives the memory back; file, remedies and settings stay.

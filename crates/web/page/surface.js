@@ -60,9 +60,28 @@ function showRead(answer) {
   showDoubts(answer.doubts);
   $('findings').replaceChildren(...answer.findings.map(finding => part('li', {}, tag(finding.weight), part('b', {}, finding.claim), ' ' + finding.text)));
   $('h-read').dataset.ready = String((Number($('h-read').dataset.ready) || 0) + 1);
-  plan();
+  plan().then(planned => { if (planned) areas(); });
   if (first) go('read');
 }
+
+// How much touches without each remedy and with it, told one by one when nothing else is asked. What comes between ends
+// it; it begins again when the page is back.
+async function areas() {
+  const of = now.read, keys = of ? of.doubts.map(doubt => doubt.key) : [];
+  if (keys.length === 0 || of.areas || engine.running) return;
+  const cells = key => all('[data-area]').filter(cell => cell.dataset.area === key);
+  const answer = await engine.ask('areas', request({ doubts: keys }), now.file, news => {
+    cells(news.key).forEach((cell, i) => cell.replaceChildren(...broken(news.lines[i])));
+  });
+  of.cancelled = !answer;
+  if (!answer || of !== now.read) return;
+  of.areas = true;
+  if (answer.kind !== 'done') { all('[data-area]').forEach(cell => cell.replaceChildren()); return; }
+  if (answer.cut) $('doubts-area').textContent = ` Area: of the middle ${answer.cut} × ${answer.cut} points, where about 2\u202f% touch.`;
+}
+
+// Lines of text, one below the other.
+function broken(list) { return (list || []).flatMap((text, i) => i ? [part('br'), text] : [text]); }
 
 function tag(weight) {
   const words = { check: 'Check', note: 'Note', passed: 'Passed' };
@@ -82,17 +101,18 @@ function showPictures(pictures) {
 }
 
 function showDoubts(doubts) {
-  $('doubts-lead').textContent = doubts.length
-    ? 'Each remedy shows what it changes. Untick to keep the map as measured.' : 'Nothing that has a remedy.';
+  $('doubts-lead').replaceChildren(...(doubts.length
+    ? ['Each remedy shows what it changes. Untick to keep the map as measured.', part('span', { id: 'doubts-area' }, ' Area: at the load at which about 2\u202f% touch.')]
+    : ['Nothing that has a remedy.']));
   $('doubts').hidden = doubts.length === 0;
   // A table that is read anew keeps the focus on the box that was ticked.
   const focused = document.activeElement && document.activeElement.dataset.key;
-  const lines = list => (list || []).flatMap((text, i) => i ? [part('br'), text] : [text]);
+  const cell = (doubt, i, label) => part('td', { className: 'n', 'data-l': label }, ...broken(doubt.numbers && doubt.numbers[i]),
+    part('div', { 'data-area': doubt.key }, doubt.key === 'fill' && i === 0 ? '' : '…'));
   $('doubts').tBodies[0].replaceChildren(...doubts.map(doubt => part('tr', {},
     part('th', { scope: 'row' }, tag(doubt.tag), part('b', {}, doubt.claim), doubt.text),
     part('td', { className: 'fix' }, remedy(doubt)),
-    part('td', { className: 'n', 'data-l': 'Without' }, ...lines(doubt.numbers && doubt.numbers[0])),
-    part('td', { className: 'n', 'data-l': 'With it' }, ...lines(doubt.numbers && doubt.numbers[1])))));
+    cell(doubt, 0, 'Without'), cell(doubt, 1, 'With it'))));
   if (focused) { const again = document.querySelector(`[data-key="${focused}"]`); if (again) again.focus(); }
 }
 

@@ -4,10 +4,10 @@ use crate::message::Messages;
 use crate::place::Place;
 use crate::request::Request;
 use crate::trouble::Trouble;
-use crate::{inspect, plan, run, start};
+use crate::{areas, inspect, plan, run, start};
 use answers::Failure;
 
-/// Answers one question about the bytes of a file: `start`, `inspect`, `meaning`, `plan` or `run`. The request is JSON.
+/// Answers one question about the bytes of a file: `start`, `inspect`, `meaning`, `areas`, `plan` or `run`. The request is JSON.
 /// What is refused is a message as well. When `out` cannot be written any more, a run stops.
 pub fn answer(question: &str, request: &str, file: &[u8], place: Place, out: &mut Messages<'_>) {
     let answered = serde_json::from_str::<Request>(request)
@@ -17,6 +17,7 @@ pub fn answer(question: &str, request: &str, file: &[u8], place: Place, out: &mu
             "start" => start::answer(place, out),
             "inspect" => inspect::answer(&request, file, out),
             "meaning" => inspect::meaning(&request, out),
+            "areas" => areas::answer(&request, file, out),
             "plan" => plan::answer(&request, out),
             "run" => run::answer(&request, file, out),
             other => {

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod answer;
+mod areas;
 mod doubts;
 mod inspect;
 mod message;

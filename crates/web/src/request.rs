@@ -33,6 +33,8 @@ pub(crate) struct Request {
     pub(crate) facts: Option<Facts>,
     /// For the meaning of units: the numbers as they stand in the file.
     pub(crate) raw: Option<Raw>,
+    /// For areas: the remedies to look at.
+    pub(crate) doubts: Vec<String>,
     /// Where it is answered; no page says that.
     #[serde(skip)]
     pub(crate) place: Place,
@@ -171,6 +173,22 @@ fn unit(text: Option<&str>) -> Result<Option<f64>, Failure> {
 }
 
 impl Remedies {
+    /// Ticks one, or takes the tick off; of the two rules for missing points `true` is the one that is chosen.
+    pub(crate) fn set(&mut self, key: &str, on: bool) {
+        match key {
+            "spikes" => self.spikes = on,
+            "plane" => self.plane = on,
+            "dome" => self.dome = on,
+            "rows" => self.rows = on,
+            "mirror" => self.mirror = on,
+            "fill" if !on => {
+                let other = if self.rule() == "nearest" { "harmonic" } else { "nearest" };
+                other.clone_into(&mut self.fill);
+            }
+            _ => {}
+        }
+    }
+
     pub(crate) fn cleaning(&self) -> Cleaning {
         Cleaning {
             align_rows: self.rows,

@@ -6,7 +6,7 @@ use crate::request::Request;
 use crate::surface;
 use crate::trouble::Trouble;
 use answers::{Failure, shown};
-use compare::{Comparison, Progress, Registry, RunFile, RunSurface};
+use compare::{Comparison, PressureMaps, Progress, Registry, RunFile, RunSurface};
 use report::Provenance;
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
@@ -46,8 +46,10 @@ pub(crate) fn answer(
                     told = Instant::now();
                     out.tell("progress", iterated(index, number, residual, tolerance));
                 }
-                Progress::Solved { index, mean_pressure, area_fraction } => {
-                    out.tell("progress", solved(index, loads, mean_pressure, area_fraction));
+                Progress::Solved { index, mean_pressure, area_fraction, maps } => {
+                    let mut news = solved(index, loads, mean_pressure, area_fraction);
+                    news["map"] = json!(maps.and_then(|maps| shown_map(maps, index)));
+                    out.tell("progress", news);
                 }
                 Progress::Models => out.tell("progress", json!({ "stage": "models" })),
                 _ => {}
@@ -83,6 +85,14 @@ pub(crate) fn answer(
         }),
     );
     Ok(())
+}
+
+/// The contact at a load as a picture, with how the end of its colours is written.
+fn shown_map(maps: &PressureMaps, load: usize) -> Option<Value> {
+    let picture = report::pressure_picture(maps, load)?.data_address().ok()?;
+    let map = &maps.loads[load];
+    let sign = if map.clipped { "≥" } else { "" };
+    Some(json!({ "picture": picture, "top": format!("{sign}{}", shown_pressure(map.top)) }))
 }
 
 fn iterated(index: usize, number: usize, residual: f64, tolerance: f64) -> Value {

@@ -41,6 +41,13 @@ function holes(file) {
   return file;
 }
 
+// Points far off their neighbours.
+function spiky(file) {
+  const first = file.length - 96 * 128 * 8;
+  for (let point = 1000; point < 96 * 128; point += 1500) file.writeDoubleLE(file.readDoubleLE(first + 8 * (point + 3)) + 5e-6, first + 8 * point);
+  return file;
+}
+
 // A header that claims something else, as long as before.
 function claiming(file, was, is) {
   const text = file.toString('latin1');
@@ -123,6 +130,43 @@ test('missing points are filled as ticked, and other bodies and loads are taken'
   await clean(page);
 });
 
+test('each remedy says what it does to the area, as the command finds it', async () => {
+  rough('convert', 'map.npy', '--pixel', '1um', '--height-unit', 'm', '--out', 'spiky.npy', '--force');
+  writeFileSync(at('spiky.npy'), spiky(holes(readFileSync(at('spiky.npy')))));
+  const page = await opened();
+  await page.choose(at('spiky.npy'));
+  await page.state('ask');
+  await page.type('#dx', '1');
+  await page.value("(() => { $('hu').value = 'm'; $('hu').dispatchEvent(new Event('input')); })()");
+  await page.until("$('a-say').textContent.includes('usual')");
+  await page.click('#use-units');
+  await page.state('read');
+  await page.until("now.read.areas");
+  const said = await page.value("Object.fromEntries(['spikes', 'fill'].map(key => [key, [...document.querySelectorAll(`[data-area=${key}]`)].map(e => e.innerText)]))");
+  const read = ['spiky.npy', '--pixel', '1um', '--height-unit', 'm', '--level', 'plane'];
+  const gradient = JSON.parse(rough('stats', ...read, '--outliers', '8', '--fill', 'harmonic', '--json')).rms_gradient;
+  const area = (...how) => JSON.parse(rough('solve', ...read, ...how, '--modulus', '100GPa', '--pressure', `${1e9 * gradient}Pa`, '--json')).points[0].area_fraction_corrected;
+  const close = (text, expected) => assert.ok(Math.abs(100 * expected / parseFloat(text.match(/[\d.]+/)[0]) - 1) < 0.01, `${text}, and the command has ${100 * expected} %`);
+  const clean8 = area('--outliers', '8', '--fill', 'harmonic');
+  close(said.spikes[0], area('--fill', 'harmonic'));
+  close(said.spikes[1], clean8);
+  assert.ok(parseFloat(said.spikes[0].match(/[\d.]+/)[0]) < 0.8 * parseFloat(said.spikes[1].match(/[\d.]+/)[0]), 'spikes carry the load');
+  const [smooth, nearest] = said.fill[1].split('\n');
+  assert.match(smooth, /smoothly$/);
+  close(smooth, clean8);
+  close(nearest, area('--outliers', '8', '--fill', 'nearest'));
+  // Ended by another question, it begins again when the page is back.
+  const readings = await page.value("$('h-read').dataset.ready");
+  await page.click('[data-key=plane], [data-key=spikes]');
+  await page.until(`$('h-read').dataset.ready > ${readings}`);
+  await page.click('#s-read [data-go=bodies]');
+  await page.state('bodies');
+  await page.click('.steps a[href="#read"]');
+  await page.state('read');
+  await page.until("now.read.areas && ![...document.querySelectorAll('[data-area]')].some(e => e.textContent === '…')");
+  await clean(page);
+});
+
 test('a file without units is asked about, with what the answer would mean', async () => {
   const page = await opened();
   await page.choose(at('map.npy'));
@@ -183,6 +227,10 @@ test('a computation is cancelled, stopped early, and a built-in surface solved',
   await page.click('#compute');
   await page.state('running');
   await page.until('run.done.length >= 1');
+  const map = await page.value("(async () => { const e = $('r-map'); await e.decode(); return [e.checkVisibility(), e.naturalWidth, e.alt, $('r-top').textContent]; })()");
+  assert.deepEqual(map.slice(0, 2), [true, 512]);
+  assert.match(map[2], /^Contact map at .*Pa: .*% of the area touches$/);
+  assert.match(map[3], /Pa$/);
   await page.click('#cancel');
   await page.state('bodies');
   assert.equal(await page.value('engine.running'), false);

@@ -3,6 +3,15 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
+/// How pixels are packed.
+type How = (png::Compression, png::Filter);
+
+/// Fields: neighbours differ little.
+const FIELD: How = (png::Compression::Balanced, png::Filter::Adaptive);
+
+/// Few classes, mostly none.
+const CLASSES: How = (png::Compression::High, png::Filter::NoFilter);
+
 /// An 8-bit RGB picture, row-major from the upper left.
 #[derive(Debug, Clone)]
 pub struct Picture {
@@ -20,7 +29,7 @@ impl Picture {
     /// # Errors
     /// If the number of bytes does not fit the size.
     pub fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
-        encoded([self.width, self.height], png::ColorType::Rgb, &self.rgb)
+        encoded([self.width, self.height], png::ColorType::Rgb, FIELD, &self.rgb)
     }
 
     /// `data:image/png;base64,…`.
@@ -49,21 +58,35 @@ impl Grey {
     /// # Errors
     /// If the number of bytes does not fit the size.
     pub(crate) fn data_address(&self) -> Result<String, png::EncodingError> {
-        encoded([self.width, self.height], png::ColorType::Grayscale, &self.values)
-            .map(|file| address(&file))
+        self.address(FIELD)
+    }
+
+    /// The same of classes, whose neighbours are alike or not: no difference of theirs is shorter.
+    ///
+    /// # Errors
+    /// As [`Picture::png`].
+    pub(crate) fn data_address_of_classes(&self) -> Result<String, png::EncodingError> {
+        self.address(CLASSES)
+    }
+
+    fn address(&self, how: How) -> Result<String, png::EncodingError> {
+        let size = [self.width, self.height];
+        encoded(size, png::ColorType::Grayscale, how, &self.values).map(|file| address(&file))
     }
 }
 
 fn encoded(
     [width, height]: [usize; 2],
     colour: png::ColorType,
+    (compression, filter): How,
     bytes: &[u8],
 ) -> Result<Vec<u8>, png::EncodingError> {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, width as u32, height as u32);
     encoder.set_color(colour);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Balanced);
+    encoder.set_compression(compression);
+    encoder.set_filter(filter);
     encoder.write_header()?.write_image_data(bytes)?;
     Ok(file)
 }

@@ -1,10 +1,10 @@
-//! How pressure and contact spots are distributed at the headline.
+//! How pressure, gap and contact spots are distributed at the headline.
 
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
-use crate::numbers::{AREAS, SPACE, percent, significant, unit_for};
-use compare::{PressureDistribution, SpotDistribution};
+use crate::numbers::{AREAS, METRES, SPACE, percent, quantity, significant, unit_for};
+use compare::{GapDistribution, PressureDistribution, SpotDistribution};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const FRAME: [f64; 4] = [44.0, 12.0, COLUMN - 14.0, 196.0];
@@ -56,6 +56,47 @@ pub(crate) fn pressure(found: &PressureDistribution, key: &str) -> Figure {
              the mean pressure in contact.",
             percent(found.apart),
             significant(edges[edges.len() - 1], 2)
+        ),
+        size: [COLUMN, HEIGHT],
+        canvas,
+    }
+}
+
+/// Share of the nominal area that stands less than a gap apart; from below, what touches.
+pub(crate) fn gap(found: &GapDistribution, touching: f64, key: &str) -> Figure {
+    let widest = found.gaps[found.gaps.len() - 1];
+    let unit = unit_for(found.mean, METRES);
+    let frame = Frame {
+        x: Axis::log([found.gaps[0] / unit.scale, 1.1 * widest / unit.scale], [FRAME[0], FRAME[2]]),
+        y: Axis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
+        x_title: format!("Gap ({})", unit.name),
+        y_title: "Nominal area with less gap (%)".into(),
+    };
+    let mut canvas = Canvas::default();
+    frame.draw(&mut canvas);
+    let [left, level] = frame.at([found.gaps[0] / unit.scale, 100.0 * touching]);
+    canvas.rect([left, level, FRAME[2], FRAME[3]], INK2, 0.5);
+    let line: Vec<[f64; 2]> = found
+        .gaps
+        .iter()
+        .zip(&found.below)
+        .map(|(gap, share)| frame.at([gap / unit.scale, 100.0 * share]))
+        .collect();
+    canvas.polyline(&line, Stroke::solid(DETERMINISTIC, 1.8));
+    canvas.label(&Text {
+        colour: INK2,
+        halo: true,
+        anchor: Anchor::End,
+        ..Text::new([FRAME[2] - 4.0, level - 5.0], "touches")
+    });
+    Figure {
+        key: key.into(),
+        title: "Distribution of the gap".into(),
+        description: format!(
+            "{} of the nominal area touches. Elsewhere the bodies stand {} apart in the mean, {} at most.",
+            percent(touching),
+            quantity(found.mean, METRES, 2),
+            quantity(widest, METRES, 2)
         ),
         size: [COLUMN, HEIGHT],
         canvas,

@@ -4,8 +4,8 @@ use crate::draw::axes::round_step;
 use crate::draw::palette::{HEIGHT_RAMP, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
 use crate::draw::png::{Grey, Picture};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
-use crate::numbers::{METRES, PASCALS, chosen, significant, unit_for};
-use contact_accuracy::round_to_digits;
+use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
+use compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
 
 /// Depth of the hill shading in OKLab lightness.
@@ -121,6 +121,18 @@ fn contact_picture(pressure: &[f64], heights: &[f64], shape: [usize; 2], top: f6
     })
 }
 
+/// The pressure of a load of a study: by colour, grey where nothing touches; `None` of a load that is not there.
+pub fn pressures(maps: &PressureMaps, load: usize) -> Option<Picture> {
+    let map = maps.loads.get(load)?;
+    let ramp = ramp_table::<256>(&PRESSURE_RAMP);
+    let grey = OkLab(RELIEF.0, 0.0, 0.0);
+    let colour = |i: usize| match map.classes[i] {
+        0 => grey,
+        class => ramp[usize::from(class)],
+    };
+    Some(picture(maps.shape, colour))
+}
+
 /// The surface in faint grey, as [`contact`] shows it where nothing touches.
 pub(crate) fn relief(heights: &[f64], grid: Grid, window: Window, limit: usize) -> Grey {
     let (small, [ny, nx]) = reduced(heights, grid, window, limit, Reduce::Mean);
@@ -211,10 +223,9 @@ pub(crate) fn contact(
     let (top, clipped) = pressure_top(pressure);
     let unit = unit_for(top, PASCALS);
     let title = format!("Local pressure ({})", unit.name);
-    let high = significant(top / unit.scale, 2);
     let legend = Legend {
         low: "0".into(),
-        high: if clipped { format!("≥{high}") } else { high },
+        high: upper_end(top, clipped, unit),
         title: &title,
         ramp: &PRESSURE_RAMP,
     };
@@ -232,6 +243,12 @@ pub(crate) fn contact(
         ),
         ..figure
     })
+}
+
+/// The number at the upper end of a bar of pressures.
+pub(crate) fn upper_end(top: f64, clipped: bool, unit: Unit) -> String {
+    let high = significant(top / unit.scale, 2);
+    if clipped { format!("≥{high}") } else { high }
 }
 
 /// The window of the contact map, one square per point of the grid.
@@ -266,17 +283,6 @@ pub(crate) fn enlarged(
         ),
         ..figure
     })
-}
-
-/// Upper end of the pressure ramp: the 99th percentile of the contact pressures, rounded to two
-/// digits, and whether anything lies above it.
-pub(crate) fn pressure_top(pressure: &[f64]) -> (f64, bool) {
-    let mut contact: Vec<f64> = pressure.iter().copied().filter(|p| *p > 0.0).collect();
-    contact.sort_by(f64::total_cmp);
-    let Some(&highest) = contact.last() else { return (1.0, false) };
-    let high = contact[(contact.len() - 1) * 99 / 100];
-    let rounded = round_to_digits(high, 2);
-    (rounded, highest > rounded)
 }
 
 fn map_figure(

@@ -5,7 +5,7 @@ use crate::figures::maps;
 use crate::numbers::{METRES, PASCALS, chosen, significant};
 use crate::page::context::Page;
 use crate::page::deformed;
-use crate::page::moving::{LARGEST, Moving};
+use crate::page::moving::{LARGEST, Moving, Pressures};
 use crate::page::sections::{figure, reduced_words};
 use compare::SurfaceComparison;
 
@@ -30,7 +30,11 @@ pub(crate) fn where_it_touches(
     let map = maps::contact(&surface.pressure, heights, grid, &marks, page.map_limit, &key)?;
     let moving = Moving::of(surface).filter(|_| page.comparison.surfaces.len() <= MOST_MOVING);
     let (hidden, moves) = match &moving {
-        Some(moving) => (moving.whole(page.map_limit)?, moves_words(grid.shape(), &p)),
+        Some(moving) => {
+            let pressures = Pressures::of(surface, page.comparison.surfaces.len())?;
+            let words = moves_words(surface, &pressures, &p);
+            (moving.whole(page.map_limit, &pressures)?, words)
+        }
         None => Default::default(),
     };
     let mut out = format!(
@@ -75,15 +79,33 @@ pub(crate) fn where_it_touches(
 const MOST_MOVING: usize = 4;
 
 /// What the slider does to the contact map, for pages on which it moves.
-fn moves_words([ny, nx]: [usize; 2], headline: &str) -> String {
+fn moves_words(surface: &SurfaceComparison, pressures: &Pressures, headline: &str) -> String {
+    let [ny, nx] = surface.solved_map().grid().shape();
     let dots = if ny.max(nx) > LARGEST {
         format!(", with {LARGEST} dots along the longer side, each in contact if a point of it is")
     } else {
         String::new()
     };
+    let block = pressures.block;
+    let mut coarse = String::new();
+    if pressures.steps < u8::MAX {
+        coarse.push_str(&format!(" in {} steps", pressures.steps));
+    }
+    if block > 1 {
+        coarse.push_str(&format!(", of {block} × {block} points the highest"));
+    }
+    let loads = surface.deterministic.len();
+    let which = match pressures.count {
+        0 | 1 => format!("in one colour; the pressure is that at {headline}"),
+        n if n < loads => format!(
+            "at {n} of the {loads} loads in colours of its pressure{coarse}, at the others in one colour"
+        ),
+        _ => format!("in colours of its pressure there{coarse}"),
+    };
+    let bar = if pressures.count > 1 { "; the bar’s end follows" } else { "" };
     format!(
-        "<span class=\"moves\"> At another load of the slider: what touches there, in one colour{dots}; the \
-         pressure is that at {headline}. Nearer, down to single points: the buttons, the wheel with Ctrl, two fingers, or with the focus on the map \
+        "<span class=\"moves\"> At another load of the slider: what touches there{dots}, {which}{bar}. Nearer, down to \
+         single points: the buttons, the wheel with Ctrl, two fingers, or with the focus on the map \
          + and −, arrows to move, 0 for the whole.</span>"
     )
 }

@@ -2,7 +2,6 @@
 
 use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
 use crate::figures::deformed::{Cut, Pressed, section};
-use crate::figures::maps::pressure_top;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, fixed, quantity, significant};
 use crate::page::context::Page;
 use crate::page::moving::LARGEST;
@@ -13,8 +12,8 @@ use base64::engine::general_purpose::STANDARD;
 use compare::SurfaceComparison;
 use serde_json::json;
 
-/// Finest classes of pressure: what a byte holds besides none.
-const CLASSES: f64 = 31.0;
+/// Classes of pressure besides none.
+pub(crate) const CLASSES: u8 = 31;
 
 /// What lies along the row of a surface; `None` if not every load has an answer or nothing is rough.
 pub(crate) fn cut(surface: &SurfaceComparison) -> Option<Cut> {
@@ -26,11 +25,13 @@ pub(crate) fn cut(surface: &SurfaceComparison) -> Option<Cut> {
         return None;
     }
     let mean = map.mean();
-    let (top, _) = pressure_top(&surface.pressure);
+    // Each load has a scale of its own, that of the map.
+    let tops: Vec<f64> = surface.pressure_maps.as_ref()?.loads.iter().map(|l| l.top).collect();
     let row = &map.heights()[sections.row * nx..(sections.row + 1) * nx];
-    let pressed = surface.deterministic.iter().zip(sections.gap.iter().zip(&sections.pressure));
+    let lines = sections.gap.iter().zip(&sections.pressure).zip(&tops);
+    let pressed = surface.deterministic.iter().zip(lines);
     let loads: Option<Vec<Pressed>> = pressed
-        .map(|(point, (gap, pressure))| {
+        .map(|(point, ((gap, pressure), top))| {
             let open = |i: usize| if pressure[i] > 0.0 { 0.0 } else { gap[i].max(0.0) };
             let share = |i: usize| (pressure[i] / top).min(1.0);
             Some(Pressed {
@@ -126,7 +127,7 @@ fn facts(cut: &Cut, row: usize, rows: usize, titles: &[String]) -> serde_json::V
         let bytes = values.flat_map(|v| ((v / step).round() as u16).to_le_bytes());
         STANDARD.encode(bytes.collect::<Vec<u8>>())
     };
-    let class = |p: f64| if p > 0.0 { 1 + ((CLASSES - 1.0) * p).round() as u8 } else { 0 };
+    let class = |p: f64| if p > 0.0 { 1 + (f64::from(CLASSES - 1) * p).round() as u8 } else { 0 };
     let pressure: Vec<u8> =
         cut.loads.iter().flat_map(|l| l.pressure.iter().map(|p| class(*p))).collect();
     let colours: Vec<String> = ramp_table::<31>(&PRESSURE_RAMP)

@@ -1,8 +1,7 @@
-//! How pressure and spots are distributed where it touches.
+//! How pressure and spots are distributed where it touches, and the gap where it does not.
 
-use crate::figures::distributions::{pressure, spots};
-use crate::json;
-use crate::numbers::{AREAS, percent, quantity, significant};
+use crate::figures::distributions::{gap, pressure, spots};
+use crate::numbers::{AREAS, METRES, percent, quantity, significant};
 use crate::page::context::Page;
 use crate::page::sections::figure;
 use compare::SurfaceComparison;
@@ -10,10 +9,10 @@ use compare::SurfaceComparison;
 /// Touching points below which classes say little.
 const LEAST: usize = 200;
 
-/// Two figures; nothing where few points touch.
+/// Three figures; nothing where few points touch.
 pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
     let touching = surface.headline_answer().map_or(0, |a| a.contact_pixels);
-    let Some(found) = json::distributions(surface).filter(|_| touching >= LEAST) else {
+    let Some(found) = surface.distributions.as_ref().filter(|_| touching >= LEAST) else {
         return String::new();
     };
     let (one, two) = (page.next_figure(), page.next_figure());
@@ -26,8 +25,21 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
         )
     });
     let half = found.spots.area_share.iter().rposition(|s| *s >= 0.5).unwrap_or(0);
+    let apart = found.gap.as_ref().map_or(String::new(), |between| {
+        let n = page.next_figure();
+        figure(
+            &gap(between, 1.0 - found.pressure.apart, &format!("{id}-f{n}")).inline(),
+            &format!(
+                "<b>Fig. {n}. Distribution of the gap</b>: share of the nominal area where the bodies stand closer \
+                 than that, the {} that touch included. Elsewhere the gap is {} in the mean, {} at most.",
+                percent(1.0 - found.pressure.apart),
+                quantity(between.mean, METRES, 2),
+                quantity(between.gaps[between.gaps.len() - 1], METRES, 2)
+            ),
+        )
+    });
     format!(
-        "<div class=\"two\">\n{}{}</div>\n",
+        "<div class=\"two\">\n{}{}{apart}</div>\n",
         figure(
             &pressure(&found.pressure, &format!("{id}-f{one}")).inline(),
             &format!(

@@ -9,10 +9,11 @@ const bytes = hex => Uint8Array.from(hex.match(/../g), pair => parseInt(pair, 16
 
 document.querySelectorAll('img.first').forEach(first => {
   const section = first.closest('[data-loads]'), facts = JSON.parse(first.dataset.facts);
-  const pressures = section.querySelector('img.pressure'), ramp = pixels(bytes(facts.ramp)), [colour] = pixels(facts.colour);
+  // The pressure of the load shown first in the dots of the contact; of others in squares of points.
+  const pressures = section.querySelector('img.pressure'), pressed = new Map([...section.querySelectorAll('img.pressed')].map(image => [+image.dataset.load, image])), ramp = pixels(bytes(facts.ramp)), [colour] = pixels(facts.colour);
   const cut = section.querySelector('span.cut'), line = cut && JSON.parse(cut.dataset.facts).row;
   const reliefs = [...section.querySelectorAll('img.relief')];
-  let load = +section.querySelector('.dial input').value, home = true, loads, pressure, height, width;
+  let load = +section.querySelector('.dial input').value, home = true, loads, pressure, height, width, spread = { load: -1, classes: null };
   const greys = image => {
     const canvas = document.createElement('canvas'), pen = canvas.getContext('2d');
     [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
@@ -21,10 +22,28 @@ document.querySelectorAll('img.first').forEach(first => {
   };
   // Once something is asked for that the pictures do not show.
   let reading = null;
-  const read = () => reading = reading || Promise.all([first, pressures, ...reliefs].map(image => image.decode())).then(() => {
+  const read = () => reading = reading || Promise.all([first, pressures, ...pressed.values(), ...reliefs].map(image => image.decode())).then(() => {
     [height, width] = [first.naturalHeight, first.naturalWidth];
     [loads, pressure] = [greys(first), greys(pressures)];
   });
+
+  // For each dot the highest class of the squares that its points lie in; without a picture nothing.
+  function classes() {
+    if (home) return pressure;
+    const image = pressed.get(load);
+    if (!image || spread.load === load) return image ? spread.classes : null;
+    const squares = greys(image), all = new Uint8Array(height * width), [ny, nx] = facts.points;
+    const span = (i, n, m) => [Math.floor(i * n / m), Math.ceil((i + 1) * n / m) - 1].map(point => Math.floor(point / facts.block));
+    const across = Array.from({ length: width }, (_, x) => span(x, nx, width));
+    for (let y = 0, j = 0; y < height; y++) {
+      const [top, bottom] = span(y, ny, height);
+      for (let x = 0; x < width; x++, j++) for (let sy = top; sy <= bottom; sy++) for (let sx = across[x][0]; sx <= across[x][1]; sx++) {
+        all[j] = Math.max(all[j], squares[sy * image.naturalWidth + sx]);
+      }
+    }
+    spread = { load, classes: all };
+    return all;
+  }
 
   // One for the whole map, one for its enlargement. A part is [top, left, height, width] as shares of the map.
   const figures = reliefs.map(relief => {
@@ -35,7 +54,8 @@ document.querySelectorAll('img.first').forEach(first => {
     const over = make('div', 'over-map', holder);
     over.style.width = 100 * wide / svg.viewBox.baseVal.width + '%';
     over.style.aspectRatio = wide + '/' + high;
-    const f = { figure, over, relief, canvas: make('canvas', 'px moving', over), legend: svg.querySelector('.legend'), whole: figure.contains(first) };
+    const f = { figure, over, relief, canvas: make('canvas', 'px moving', over), legend: svg.querySelector('.legend'), end: svg.querySelector('.legend text:nth-of-type(2)'), whole: figure.contains(first) };
+    f.still = f.end && f.end.textContent;
     f.part = f.given = relief.dataset.part.split(' ').map(Number);
     f.marks = (f.whole ? reliefs.filter(r => r !== relief).map(r => ['boxed', r.dataset.part.split(' ').map(Number)]) : [])
       .concat(line === null || line === undefined ? [] : [['along', [line, 0, 0, 1]]]).map(([name, at]) => ({ at, e: make('i', name, over) }));
@@ -52,11 +72,11 @@ document.querySelectorAll('img.first').forEach(first => {
     const behind = [(f.part[1] - given[1]) / given[3], (f.part[0] - given[0]) / given[2], f.part[3] / given[3], f.part[2] / given[2]];
     [f.canvas.width, f.canvas.height] = [w, h];
     pen.drawImage(f.relief, behind[0] * f.relief.naturalWidth, behind[1] * f.relief.naturalHeight, behind[2] * f.relief.naturalWidth, behind[3] * f.relief.naturalHeight, 0, 0, w, h);
-    const picture = pen.getImageData(0, 0, w, h), to = new Uint32Array(picture.data.buffer), most = load * facts.step;
+    const picture = pen.getImageData(0, 0, w, h), to = new Uint32Array(picture.data.buffer), most = load * facts.step, colours = classes();
     const held = loads.slice(); // of this load: where a point has come off again, it does not touch
     facts.lost.forEach(([at, point]) => { if (at === load) held[point] = 255; });
     for (let y = 0; y < h; y++) for (let x = 0, from = (y0 + y) * width + x0, j = y * w; x < w; x++, from++, j++) {
-      if (held[from] <= most) to[j] = home ? ramp[pressure[from]] : colour;
+      if (held[from] <= most) to[j] = colours ? ramp[colours[from]] : colour;
     }
     pen.putImageData(picture, 0, 0);
     // Points larger than pixels are squares; smaller ones share a pixel.
@@ -72,7 +92,10 @@ document.querySelectorAll('img.first').forEach(first => {
     const again = () => figures.forEach(f => {
       const on = !home || (f.whole && zoomed());
       f.over.classList.toggle('on', on);
-      if (f.legend) f.legend.setAttribute('visibility', home ? 'visible' : 'hidden');
+      if (f.legend) {
+        f.legend.setAttribute('visibility', home || pressed.has(load) ? 'visible' : 'hidden');
+        f.end.textContent = (!home && facts.tops[load]) || f.still;
+      }
       if (on) draw(f);
     });
     svg.querySelector('title').textContent = home ? said : facts.titles[load];

@@ -1,19 +1,34 @@
 //! The contact map at every load of the slider: what the script needs to draw it.
 //!
 //! Of one surface, the load of first contact is one grey picture; a point touches at a load if its grey is not above
-//! `STEP` times the index of the load. Points that come off again at a higher load are listed.
+//! `STEP` times the index of the load. Points that come off again at a higher load are listed. Its colours are the
+//! pressures of that load, in dots that may cover more than one point: one picture a load.
 
 use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
 use crate::draw::png::Grey;
 use crate::error::ReportError;
 use crate::figures::maps::{self, Window};
-use crate::numbers::{METRES, PASCALS, chosen, unit_for};
+use crate::numbers::{METRES, PASCALS, chosen, quantity, unit_for};
+use crate::page::deformed::CLASSES;
 use crate::page::phrases::attribute;
-use compare::{FirstContact, SurfaceComparison};
+use compare::{FirstContact, PressureMap, SurfaceComparison, pressure_class, pressure_top};
 use serde_json::json;
 
 /// Longest side drawn point by point; larger maps are reduced.
 pub(crate) const LARGEST: usize = 1024;
+
+/// Bytes that the pressures of all surfaces of a page may take.
+const PRESSURES: usize = 750_000;
+
+/// Steps of a scale of pressures, the finest that the page bears first; the fewest are those of the section.
+const STEPS: [u8; 3] = [255, 63, CLASSES];
+
+/// A class of 255 on a scale of fewer steps.
+fn stepped(class: u8, steps: u8) -> u8 {
+    let (part, steps) = (f64::from(class) / 255.0, f64::from(steps));
+    let step = (part * steps).round().max(f64::from(class.min(1)));
+    (step / steps * 255.0).round() as u8
+}
 
 /// The loads of a surface as the script draws them; `None` where there is nothing to move.
 pub(crate) struct Moving<'a> {
@@ -29,11 +44,15 @@ impl<'a> Moving<'a> {
         fits.then_some(Self { surface, contact })
     }
 
-    /// Hidden pictures and facts behind the whole map: relief, and load of first contact.
+    /// Hidden pictures and facts behind the whole map: relief, load of first contact, pressures.
     ///
     /// # Errors
     /// If a picture cannot be encoded.
-    pub(crate) fn whole(&self, relief_limit: usize) -> Result<String, ReportError> {
+    pub(crate) fn whole(
+        &self,
+        relief_limit: usize,
+        pressures: &Pressures,
+    ) -> Result<String, ReportError> {
         let grid = self.surface.solved_map().grid();
         let [ny, nx] = grid.shape();
         let loads = self.surface.deterministic.len();
@@ -52,9 +71,13 @@ impl<'a> Moving<'a> {
             .deterministic
             .iter()
             .map(|p| {
-                let touching = p.answer.as_ref().map_or(0, |a| a.contact_pixels);
+                let (touching, highest) =
+                    p.answer.as_ref().map_or((0, 0.0), |a| (a.contact_pixels, a.max_pressure));
                 let load = chosen(p.mean_pressure, PASCALS);
-                format!("Contact map at {load}: {touching} of {points} points of the map carry pressure.")
+                format!(
+                    "Contact map at {load}: {touching} of {points} points of the map carry pressure, at most {}.",
+                    quantity(highest, PASCALS, 2)
+                )
             })
             .collect();
         let [r, g, b] = ramp_table::<3>(&PRESSURE_RAMP)[1].to_rgb();
@@ -67,14 +90,16 @@ impl<'a> Moving<'a> {
         let facts = json!({
             "step": step, "lost": lost, "titles": titles, "colour": [r, g, b], "ramp": ramp,
             "across": grid.size()[1] / unit.scale, "unit": unit.name,
+            "points": [ny, nx], "block": pressures.block, "tops": pressures.tops,
         });
         let whole = [0, 0, ny, nx];
         Ok(format!(
             "<img class=\"first\" hidden alt=\"\" src=\"{}\" data-facts='{}'>\
-             <img class=\"pressure\" hidden alt=\"\" src=\"{}\">{}",
-            picture.data_address()?,
+             <img class=\"pressure\" hidden alt=\"\" src=\"{}\">{}{}",
+            picture.data_address_of_classes()?,
             attribute(&facts),
             self.pressure(shape)?,
+            pressures.pictures,
             self.relief(whole, whole, relief_limit)?
         ))
     }
@@ -84,13 +109,11 @@ impl<'a> Moving<'a> {
     fn pressure(&self, [height, width]: [usize; 2]) -> Result<String, ReportError> {
         let grid = self.surface.solved_map().grid();
         let [ny, nx] = grid.shape();
-        let (top, _) = maps::pressure_top(&self.surface.pressure);
+        let (top, _) = pressure_top(&self.surface.pressure);
         let dots = combined(&self.surface.pressure, [ny, nx], [height, width], f64::max);
-        let class = |p: &f64| {
-            if *p > 0.0 { ((p / top).min(1.0) * 255.0).round().max(1.0) as u8 } else { 0 }
-        };
-        let picture = Grey { width, height, values: dots.iter().map(class).collect() };
-        Ok(picture.data_address()?)
+        let values = dots.iter().map(|p| pressure_class(*p, top)).collect();
+        let picture = Grey { width, height, values };
+        Ok(picture.data_address_of_classes()?)
     }
 
     /// The relief of a window, and where it lies in the whole map.
@@ -113,6 +136,86 @@ impl<'a> Moving<'a> {
             place.join(" ")
         ))
     }
+}
+
+/// The pressures of the loads besides that of the headline.
+#[derive(Default)]
+pub(crate) struct Pressures {
+    /// Points along the side of a dot.
+    pub(crate) block: usize,
+    /// How many steps the scale has.
+    pub(crate) steps: u8,
+    /// How many loads have one, that of the headline among them.
+    pub(crate) count: usize,
+    /// Of each load that has a picture, the number at the upper end of the bar, in the unit of the headline.
+    tops: Vec<Option<String>>,
+    pictures: String,
+}
+
+impl Pressures {
+    /// All of a surface, in as many steps as its share of a page of `surfaces` bears; if that is too much even in the
+    /// fewest, every second, every fourth, and at least the lightest and the heaviest.
+    ///
+    /// # Errors
+    /// If a picture cannot be encoded.
+    pub(crate) fn of(surface: &SurfaceComparison, surfaces: usize) -> Result<Self, ReportError> {
+        let Some(maps) = &surface.pressure_maps else { return Ok(Self::default()) };
+        let last = maps.loads.len().saturating_sub(1);
+        let most = PRESSURES / surfaces.max(1);
+        let [height, width] = maps.shape;
+        let (mut steps, mut encoded) = (0, Vec::new());
+        for coarser in STEPS {
+            (steps, encoded) = (coarser, Vec::new());
+            let mut bytes = 0;
+            // The heaviest, which take most, first: what does not fit is soon known.
+            for (load, map) in maps.loads.iter().enumerate().rev() {
+                let values = map.classes.iter().map(|c| stepped(*c, steps)).collect();
+                let there = load != surface.headline;
+                let picture = Grey { width, height, values };
+                encoded.push(if there {
+                    picture.data_address_of_classes()?
+                } else {
+                    String::new()
+                });
+                bytes += encoded.last().map_or(0, String::len);
+                if bytes > most && steps > CLASSES {
+                    break;
+                }
+            }
+            if bytes <= most {
+                break;
+            }
+        }
+        encoded.reverse();
+        let bytes: Vec<usize> = encoded.iter().map(String::len).collect();
+        let kept = within(&bytes, most);
+        let (headline, _) = pressure_top(&surface.pressure);
+        let unit = unit_for(headline, PASCALS);
+        let mut found = Self { block: maps.block, steps, count: 1, ..Self::default() };
+        found.tops.resize(last + 1, None);
+        for load in kept.into_iter().filter(|load| *load != surface.headline) {
+            let PressureMap { top, clipped, .. } = maps.loads[load];
+            found.tops[load] = Some(maps::upper_end(top, clipped, unit));
+            found.count += 1;
+            found.pictures.push_str(&format!(
+                "<img class=\"pressed\" hidden alt=\"\" data-load=\"{load}\" src=\"{}\">",
+                encoded[load]
+            ));
+        }
+        Ok(found)
+    }
+}
+
+/// Of loads that take so many bytes all, or every second, every fourth, until they take no more than `most`; the
+/// lightest and the heaviest in any case.
+fn within(bytes: &[usize], most: usize) -> Vec<usize> {
+    let last = bytes.len().saturating_sub(1);
+    let every = |stride: usize| -> Vec<usize> {
+        (0..bytes.len()).filter(|i| *i == 0 || (last - i).is_multiple_of(stride)).collect()
+    };
+    let strides = std::iter::successors(Some(1_usize), |s| s.checked_mul(2));
+    let all = |loads: &[usize]| loads.iter().map(|i| bytes[*i]).sum::<usize>();
+    strides.map(every).find(|kept| all(kept) <= most || kept.len() < 3).unwrap_or_default()
 }
 
 /// The lowest of the loads that each dot covers, with at most `limit` dots along the longer side.
@@ -142,6 +245,28 @@ fn combined<T: Copy>(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn fewer_steps_keep_contact_and_the_order_of_pressures() {
+        for steps in STEPS {
+            let all: Vec<u8> = (0..=255).map(|class| stepped(class, steps)).collect();
+            assert!(all.is_sorted() && all[0] == 0 && all[1] > 0 && all[255] == 255);
+            let half = 0.5 * 255.0 / f64::from(steps) + 0.5;
+            let off = |(class, shown): (usize, &u8)| (class as f64 - f64::from(*shown)).abs();
+            assert!(all.iter().enumerate().skip(5).all(|c| off(c) <= half), "{steps}");
+        }
+        assert!((0..=255).all(|class| stepped(class, 255) == class));
+    }
+
+    #[test]
+    fn as_many_loads_as_the_page_bears() {
+        let bytes = [10, 20, 30, 40, 50, 60];
+        assert_eq!(within(&bytes, 210), [0, 1, 2, 3, 4, 5]);
+        assert_eq!(within(&bytes, 209), [0, 1, 3, 5]);
+        assert_eq!(within(&bytes, 90), [0, 1, 5]);
+        assert_eq!(within(&bytes, 0), [0, 5]);
+        assert_eq!((within(&[7], 0), within(&[], 0)), (vec![0], vec![]));
+    }
 
     #[test]
     fn a_reduced_map_loses_no_contact() {

@@ -1,4 +1,5 @@
-// The load read off: slider, numbers, dotted lines, and over a curve what every model says there.
+// The load read off: slider, numbers, dotted lines, and over a curve what every model says there. Played, it runs from load
+// to load; never by itself, and not where less motion is wanted.
 (function () {
 'use strict';
 const root = document.documentElement;
@@ -8,6 +9,8 @@ Object.assign(list, { className: 'values', hidden: true });
 list.setAttribute('aria-hidden', 'true'); // the same numbers stand in the table and in the read-out
 document.body.append(list);
 addEventListener('pointerdown', e => { if (!e.target.closest('svg')) list.hidden = true; });
+
+const less = matchMedia('(prefers-reduced-motion: reduce)'), PACE = 700; // milliseconds a load
 
 document.querySelectorAll('[data-loads]').forEach(section => {
   const element = section.querySelector('script[type="application/json"]'), range = section.querySelector('.dial input');
@@ -24,10 +27,26 @@ document.querySelectorAll('[data-loads]').forEach(section => {
     section.querySelectorAll('[data-k]').forEach(e => { const cells = data.cells[e.dataset.k]; if (cells) e.textContent = cells[at]; });
     section.dispatchEvent(new CustomEvent('read-off', { detail: { load: at, home: at === home } }));
   }
-  range.addEventListener('input', () => set(+range.value));
-  section.querySelector('.dial button').addEventListener('click', () => set(home));
+  const play = section.querySelector('.dial .play');
+  let clock = 0;
+  function stop() {
+    clearInterval(clock);
+    clock = 0;
+    play.textContent = 'Play';
+  }
+  function start() {
+    if (less.matches) return;
+    play.textContent = 'Stop';
+    set(at === last ? 0 : at + 1);
+    clock = setInterval(() => { if (at === last) stop(); else set(at + 1); }, PACE);
+  }
+  play.addEventListener('click', () => { if (clock) stop(); else start(); });
+  less.addEventListener('change', stop);
+  addEventListener('keydown', e => { if (e.key === 'Escape') stop(); });
+  range.addEventListener('input', () => { stop(); set(+range.value); });
+  section.querySelector('.dial .back').addEventListener('click', () => { stop(); set(home); });
   let kept = home;
-  addEventListener('beforeprint', () => { kept = at; list.hidden = true; set(home); });
+  addEventListener('beforeprint', () => { stop(); kept = at; list.hidden = true; set(home); });
   addEventListener('afterprint', () => set(kept));
 
   // What each model says at this load, beside the point (x, y) of the window.
@@ -62,6 +81,7 @@ document.querySelectorAll('[data-loads]').forEach(section => {
       if (x < places[0] - 6 || x > places[last] + 6) { if (e.pointerType === 'mouse') leave(e); return; }
       let nearest = 0;
       places.forEach((place, i) => { if (Math.abs(place - x) < Math.abs(places[nearest] - x)) nearest = i; });
+      stop();
       if (before === null) before = at;
       if (nearest !== at) set(nearest);
       tell(line.dataset.v, e.clientX, e.clientY);
@@ -82,6 +102,7 @@ document.querySelectorAll('[data-loads]').forEach(section => {
       if (e.key === 'Escape') { list.hidden = true; return; }
       if (to === undefined) return;
       e.preventDefault();
+      stop();
       before = null;
       set(to);
       focused();

@@ -38,8 +38,8 @@ pub(crate) fn dial(surface: &SurfaceComparison, id: &str) -> String {
     let read = read_out(surface);
     format!(
         "<div class=\"dial\"><label for=\"{id}-load\">Read off at</label><input type=\"range\" \
-         id=\"{id}-load\" min=\"0\" max=\"{}\" step=\"1\" value=\"{}\"><output \
-         for=\"{id}-load\">{}</output><button type=\"button\">back to {}</button></div>\n",
+         id=\"{id}-load\" min=\"0\" max=\"{}\" step=\"1\" value=\"{}\"><button type=\"button\" class=\"play\">Play</button><output \
+         for=\"{id}-load\" aria-live=\"off\">{}</output><button type=\"button\" class=\"back\">back to {}</button></div>\n",
         n - 1,
         surface.headline,
         read[surface.headline],

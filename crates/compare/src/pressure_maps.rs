@@ -1,0 +1,121 @@
+//! The pressure of every load of a curve, in one byte a dot.
+//!
+//! Of the fields of a curve only that of the headline is kept whole; these show the others.
+
+use contact_accuracy::round_to_digits;
+use contact_types::Grid;
+use serde::Serialize;
+
+/// Most dots along the longer side.
+const LARGEST: usize = 512;
+
+/// The pressure of each load in squares of points.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PressureMaps {
+    /// Points along the side of a dot; those at the far edges may cover fewer.
+    pub block: usize,
+    /// Dots `[ny, nx]`.
+    pub shape: [usize; 2],
+    /// One map for each load.
+    pub loads: Vec<PressureMap>,
+}
+
+/// The pressure of one load.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PressureMap {
+    /// Pressure of the highest class (Pa), see [`pressure_top`].
+    pub top: f64,
+    /// Whether points carry more than that.
+    pub clipped: bool,
+    /// Highest pressure of the points of each dot, row-major: 0 where none touches, else 1 to 255, of which 255 stands for
+    /// the top and more.
+    pub classes: Vec<u8>,
+}
+
+impl PressureMaps {
+    /// With the pressure (Pa) of the load of index `load` on `grid`; `None` if it or one before has no solution.
+    pub(crate) fn with(
+        kept: Option<Self>,
+        load: usize,
+        grid: Grid,
+        pressure: &[f64],
+    ) -> Option<Self> {
+        let [ny, nx] = grid.shape();
+        let block = ny.max(nx).div_ceil(LARGEST);
+        let shape = [ny, nx].map(|n| n.div_ceil(block));
+        let mut kept = match kept {
+            None if load == 0 => Self { block, shape, loads: Vec::new() },
+            kept => kept.filter(|kept| kept.block == block && kept.shape == shape)?,
+        };
+        if pressure.len() != grid.len() {
+            return None;
+        }
+        let (top, clipped) = pressure_top(pressure);
+        let mut highest = vec![0.0_f64; shape[0] * shape[1]];
+        for (iy, row) in pressure.chunks_exact(nx).enumerate() {
+            let dots = &mut highest[iy / block * shape[1]..][..shape[1]];
+            for (dot, points) in dots.iter_mut().zip(row.chunks(block)) {
+                *dot = points.iter().copied().fold(*dot, f64::max);
+            }
+        }
+        let classes = highest.iter().map(|p| pressure_class(*p, top)).collect();
+        kept.loads.push(PressureMap { top, clipped, classes });
+        Some(kept)
+    }
+}
+
+/// The class of a pressure: 0 without contact, else 1 to 255, linear up to `top`.
+pub fn pressure_class(pressure: f64, top: f64) -> u8 {
+    if pressure > 0.0 { ((pressure / top).min(1.0) * 255.0).round().max(1.0) as u8 } else { 0 }
+}
+
+/// Upper end of a scale of pressures: the 99th percentile of those in contact, rounded to two digits, and whether any
+/// lies above it.
+pub fn pressure_top(pressure: &[f64]) -> (f64, bool) {
+    let mut contact: Vec<f64> = pressure.iter().copied().filter(|p| *p > 0.0).collect();
+    let highest = contact.iter().copied().fold(0.0, f64::max);
+    if contact.is_empty() {
+        return (1.0, false);
+    }
+    let place = (contact.len() - 1) * 99 / 100;
+    let (_, high, _) = contact.select_nth_unstable_by(place, f64::total_cmp);
+    let rounded = round_to_digits(*high, 2);
+    (rounded, highest > rounded)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dots_hold_the_highest_of_their_points_at_every_load() {
+        let grid = Grid::new([3, 1025], [1e-6; 2]).unwrap();
+        let mut field = vec![0.0; grid.len()];
+        (field[4], field[1025 + 3], field[2 * 1025 + 1024]) = (2e6, 1e6, 1e3);
+        let maps = PressureMaps::with(None, 0, grid, &field).unwrap();
+        assert_eq!((maps.block, maps.shape), (3, [1, 342]));
+        field[5] = 4e6;
+        let maps = PressureMaps::with(Some(maps), 1, grid, &field).unwrap();
+        let [light, heavy] = &maps.loads[..] else { panic!("two loads") };
+        // Of few points the 99th percentile is the last but one.
+        assert_eq!((light.top, light.clipped, heavy.top), (1e6, true, 2e6));
+        assert_eq!((light.classes[1], light.classes[341], light.classes[0]), (255, 1, 0));
+        assert_eq!((heavy.classes[1], heavy.classes[341]), (255, 1));
+        assert_eq!(heavy.classes.iter().filter(|c| **c > 0).count(), 2);
+        assert_eq!(PressureMaps::with(Some(maps), 2, grid, &[]), None, "no solution");
+        assert_eq!(PressureMaps::with(None, 1, grid, &field), None, "the load before has none");
+    }
+
+    #[test]
+    fn the_scale_ends_at_two_digits_of_the_99th_percentile() {
+        let pressure: Vec<f64> = (0..=200).map(f64::from).collect(); // 0 does not touch
+        assert_eq!(pressure_top(&pressure), (200.0, false));
+        assert_eq!(pressure_top(&[0.0, 0.0]), (1.0, false));
+        assert_eq!(
+            [0.0, 1e-9, 0.5, 1.0, 3.0].map(|p| pressure_class(p, 1.0)),
+            [0, 1, 128, 255, 255]
+        );
+    }
+}

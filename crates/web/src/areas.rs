@@ -1,0 +1,118 @@
+//! How much touches without each remedy and with it, at the load at which about 2 % do.
+
+use crate::message::Messages;
+use crate::request::Request;
+use crate::roughness::{Roughness, levelled};
+use crate::surface::{completed, measurement};
+use crate::trouble::Trouble;
+use answers::{Failure, shown};
+use compare::{Iteration, Load, Solver, Surrounded};
+use contact_types::ContactModulus;
+use serde_json::json;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use surface_io::Measurement;
+
+/// Pressure over contact modulus and rms gradient: about 2 % of a rough surface touches.
+const LOAD: f64 = 0.01;
+
+/// Points along a side; of larger maps the middle is solved.
+const MOST: usize = 1024;
+
+/// Relative error of the pressure at which the iteration ends: the area is shown to three digits at most.
+const TOLERANCE: f64 = 1e-3;
+
+/// Tells the areas of each remedy named in the request as soon as they are found. The modulus does not matter: the
+/// load is a share of it.
+pub(crate) fn answer(
+    request: &Request,
+    file: &[u8],
+    out: &mut Messages<'_>,
+) -> Result<(), Trouble> {
+    let (measured, is_cut) = middle(measurement(request, file)?)?;
+    let now = prepared(&measured, request)?;
+    let pressure = LOAD * Roughness::of(&now)?.gradient;
+    drop(now);
+    let mut known: BTreeMap<String, f64> = BTreeMap::new();
+    let mut area = |asked: &Request, out: &mut Messages<'_>| -> Result<Option<f64>, Trouble> {
+        let key = format!("{:?}", asked.remedies);
+        if let Some(area) = known.get(&key) {
+            return Ok(Some(*area));
+        }
+        let found = solved(&measured, asked, pressure, out)?;
+        known.extend(found.map(|area| (key, area)));
+        Ok(found)
+    };
+    for key in &request.doubts {
+        let mut asked = request.clone();
+        let fill = key == "fill";
+        let mut lines = [Vec::new(), Vec::new()];
+        for (on, lines) in [false, true].into_iter().zip(&mut lines) {
+            asked.remedies.set(key, on);
+            let Some(found) = area(&asked, out)? else { return Ok(()) };
+            let rule = if !fill {
+                ""
+            } else if asked.remedies.rule() == "nearest" {
+                ", nearest"
+            } else {
+                ", smoothly"
+            };
+            lines.push(format!("area {}{rule}", shown::percent(found)));
+        }
+        // Nobody leaves points missing: both are remedies.
+        if fill {
+            let other = std::mem::take(&mut lines[0]);
+            lines[1].extend(other);
+        }
+        out.tell("progress", json!({ "stage": "area", "key": key, "lines": lines }));
+    }
+    out.tell("done", json!({ "cut": is_cut.then_some(MOST) }));
+    Ok(())
+}
+
+/// The middle of a large map, and whether it was cut.
+fn middle(measured: Measurement) -> Result<(Measurement, bool), Trouble> {
+    let [ny, nx] = measured.grid().shape();
+    if ny.max(nx) <= MOST {
+        return Ok((measured, false));
+    }
+    let [rows, columns] = [ny, nx].map(|n| n.min(MOST));
+    let part = [(ny - rows) / 2, (nx - columns) / 2, rows, columns];
+    Ok((measured.crop(part).map_err(Trouble::Unread)?, true))
+}
+
+fn prepared(
+    measured: &Measurement,
+    request: &Request,
+) -> Result<contact_types::HeightMap, Trouble> {
+    levelled(&completed(measured.clone(), request)?.map, request.remedies.level())
+}
+
+/// The area fraction; `None` if nobody listens any more.
+fn solved(
+    measured: &Measurement,
+    request: &Request,
+    pressure: f64,
+    out: &mut Messages<'_>,
+) -> Result<Option<f64>, Trouble> {
+    let map = prepared(measured, request)?;
+    let modulus = ContactModulus::from_pascals(1.0).map_err(|e| Failure::from_error(&e))?;
+    let whole = Surrounded::new(Cow::Owned(map), request.remedies.edges())
+        .map_err(|e| Failure::from_error(&e))?;
+    let mut solver = Solver::builder()
+        .tolerance(TOLERANCE)
+        .threads(request.place.threads)
+        .build(whole.map().grid(), modulus)
+        .map_err(|e| Failure::from_error(&e))?;
+    let listen = |now: &Iteration<'_>| {
+        out.tell("progress", json!({ "stage": "iteration", "number": now.number }));
+        if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let found = whole.solve_observed(&mut solver, Load::MeanPressure(pressure), listen);
+    match found {
+        _ if out.is_cut() => Ok(None),
+        Ok(solution) => Ok(Some(solution.diagnostics.area_fraction_corrected)),
+        Err(error) => Err(Trouble::Refused(Failure::from_error(&error))),
+    }
+}
