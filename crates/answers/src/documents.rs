@@ -1,12 +1,55 @@
 //! What a study leaves: its documents, each as the bytes of a file.
 
 use crate::failure::Failure;
-use compare::{Comparison, RunFile};
+use compare::{Comparison, ProfileComparison, RunFile};
 use report::{Provenance, ReportError};
 
 /// Names of the documents, in the order in which they are written.
 pub const DOCUMENTS: [&str; 6] =
     ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg", "run.toml"];
+
+/// Names of the documents of profiles that do not depend on how many there are.
+pub const PROFILE_DOCUMENTS: [&str; 4] = ["report.html", "results.json", "curves.csv", "run.toml"];
+
+/// Names of all documents of a study of so many profiles: figures are numbered where there are several.
+pub fn profile_documents_named(count: usize) -> Vec<String> {
+    let figures = ["area", "trace"].into_iter();
+    let figures = figures.flat_map(|name| (0..count).map(move |i| figure_name(name, i, count)));
+    PROFILE_DOCUMENTS.map(str::to_owned).into_iter().chain(figures).collect()
+}
+
+fn figure_name(figure: &str, index: usize, count: usize) -> String {
+    if count == 1 { format!("{figure}.svg") } else { format!("{figure}-{}.svg", index + 1) }
+}
+
+/// The documents of studies of profiles by name.
+///
+/// # Errors
+/// [`Failure`] of a document that could not be made.
+pub fn profile_documents(
+    studies: &[ProfileComparison],
+    provenance: &Provenance,
+    run_file: &RunFile,
+) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let unmade = |e: &dyn std::fmt::Display| Failure::incomplete("output", e.to_string());
+    let mut made = Vec::new();
+    let mut out = Vec::new();
+    report::write_profile_html(studies, provenance, &mut out).map_err(|e| unmade(&e))?;
+    made.push(("report.html".to_owned(), std::mem::take(&mut out)));
+    let json = report::profile_comparison_json(studies, provenance);
+    made.push(("results.json".to_owned(), format!("{json:#}\n").into_bytes()));
+    report::write_profile_csv(studies, &mut out).map_err(|e| unmade(&e))?;
+    made.push(("curves.csv".to_owned(), std::mem::take(&mut out)));
+    for (i, study) in studies.iter().enumerate() {
+        report::write_profile_area_svg(study, &mut out).map_err(|e| unmade(&e))?;
+        made.push((figure_name("area", i, studies.len()), std::mem::take(&mut out)));
+        report::write_profile_trace_svg(study, &mut out).map_err(|e| unmade(&e))?;
+        made.push((figure_name("trace", i, studies.len()), std::mem::take(&mut out)));
+    }
+    let text = run_file.to_toml().map_err(|e| unmade(&e))?;
+    made.push(("run.toml".to_owned(), text.into_bytes()));
+    Ok(made)
+}
 
 /// The documents of a study by name.
 ///

@@ -28,7 +28,9 @@ mod work;
 
 pub use complete::{Complete, Incomplete, clean, complete};
 pub use conduction::{Conducted, Conduction};
-pub use documents::{DOCUMENTS, documents};
+pub use documents::{
+    DOCUMENTS, PROFILE_DOCUMENTS, documents, profile_documents, profile_documents_named,
+};
 pub use failure::{Failure, variant};
 pub use finer::Refined;
 pub use hardness::doubt as hardness_doubt;

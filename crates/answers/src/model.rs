@@ -3,15 +3,20 @@
 use crate::failure::{Failure, variant};
 use crate::loads::Spread;
 use crate::models::citation;
+use crate::traces::Traces;
 use compare::{
-    BuildError, Card, Inputs, Level, MomentSource, Pressed, Scene, Theory, built_in, map_curves,
+    BuildError, Card, Finding, Inputs, Level, MomentSource, Origin, Pressed, Scene, Theory,
+    built_in, map_curves,
 };
 use contact_accuracy::round_to_digits;
-use contact_types::{AmplitudeSpectrum, Caveat, ContactState, HeightMap, ModelError};
+use contact_types::{
+    AmplitudeSpectrum, Caveat, ContactModulus, ContactState, HeightMap, ModelError,
+};
 use serde_json::{Value, json};
 use std::path::Path;
 use surface_stats::clean::RowOffsets;
 use surface_stats::fractal::PowerLaw;
+use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{Axis, amplitudes, radial};
 use surface_stats::{
     ContactCurves, DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError,
@@ -186,6 +191,77 @@ pub fn measured(
         _ => {}
     }
     Ok(inputs)
+}
+
+/// A model asked of the isotropic surface with the moments of traces.
+#[derive(Debug)]
+pub struct OfProfile {
+    /// What scripts see.
+    pub json: Value,
+    /// One answer for each question.
+    pub answers: Vec<Answer>,
+    /// Of each, between which the area lies for 95 of 100 traces like these, if that can be told.
+    pub intervals: Vec<Option<[f64; 2]>>,
+    /// What may change a conclusion.
+    pub findings: Vec<Finding>,
+    /// How many traces there are.
+    pub traces: usize,
+    /// What the model was given.
+    pub inputs: Inputs,
+    /// What it was asked.
+    pub questions: Vec<Question>,
+    /// Loads, if it was asked at loads.
+    pub spread: Option<Spread>,
+}
+
+/// What the traces do not say of a model's inputs, what is asked of it, and loads if those are given.
+pub type Asked = (Inputs, Vec<Question>, Option<Spread>);
+
+/// Traces, where they came from, and the form that is taken off each.
+pub type Traced<'a> = (&'a Path, &'a Traces, &'a Origin, Level);
+
+/// Asks a model about profiles: `complete` adds to what the traces say what no trace does, and says what is asked then.
+///
+/// # Errors
+/// [`Failure`] of traces without statistics, and of a theory that lacks something, with its way out.
+pub fn of_profile(
+    theory: &dyn Theory,
+    modulus: ContactModulus,
+    (path, traces, origin, form): Traced<'_>,
+    complete: impl FnOnce(Inputs) -> Result<Asked, Failure>,
+    way_out: impl FnOnce(&Unasked) -> Failure,
+) -> Result<OfProfile, Failure> {
+    let refused = |e: StatsError| Failure::in_file(path, &e);
+    let options = traces.options(form.degree().unwrap_or(0));
+    let (statistics, _, spectrum) =
+        ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
+    let inputs = compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
+    let (inputs, questions, spread) = complete(inputs)?;
+    let found = answers(theory, &inputs, &questions).map_err(|e| way_out(&e))?;
+    let findings = compare::profile_findings(
+        &statistics,
+        traces.uneven,
+        origin,
+        &scene(&inputs, &found, None),
+    );
+    let interval = |(question, answer): (&Question, &Answer)| match (question, answer) {
+        (Question::Pressure(p), Ok(_)) => compare::area_interval(theory, &inputs, &statistics, *p),
+        _ => None,
+    };
+    let intervals: Vec<_> = questions.iter().zip(&found).map(interval).collect();
+    let mut json = object(theory.card(), &inputs, &questions, &found, spread.as_ref());
+    for (i, (question, interval)) in questions.iter().zip(&intervals).enumerate() {
+        if matches!(question, Question::Pressure(_)) {
+            json["points"][i]["area_interval"] = json!(interval);
+        }
+    }
+    json["findings"] = report::findings_json(&findings);
+    json["level"] = json!(form.name());
+    json["cleaning"] = report::cleaning_json(&traces.cleaned);
+    json["profile"] = report::profile_statistics_json(&statistics);
+    let traces = statistics.traces;
+    let answers = found;
+    Ok(OfProfile { json, answers, intervals, findings, traces, inputs, questions, spread })
 }
 
 /// The object that scripts see.

@@ -10,5 +10,6 @@ mod profile;
 mod solve;
 mod statistics;
 mod study;
+mod summary;
 mod surface;
 mod watched;

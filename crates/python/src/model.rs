@@ -1,11 +1,11 @@
 //! One closed form, asked.
 
 use crate::failure::{bug, raise};
-use crate::surface::surface_of;
+use crate::surface::{Laid, Second, surface_of};
 use crate::watched::quietly;
-use answers::model::{Question, answers as asked, failure, measured, object, scene};
+use answers::model::{Answer, Question, answers as asked, failure, measured, object, scene};
 use answers::{Failure, bodies};
-use compare::{Body, Inputs, Level, SpectralMoments, Spikes};
+use compare::{Body, ContactModulus, Inputs, Level, SpectralMoments, Spikes, Theory};
 use contact_types::{AsperityStatistics, FractalParameters};
 use multiscale_models::SelfAffineSpectrum;
 use numpy::PyReadonlyArray2;
@@ -18,14 +18,14 @@ use surface_stats::clean::row_offsets;
 /// What Python asks. SI units; `roughness` is left out where a surface is given.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Request {
+pub(crate) struct Request {
     name: String,
     modulus: Option<f64>,
     bodies: Vec<Body>,
     hardness: Option<f64>,
     pressures: Option<Vec<f64>>,
     separations: Option<Vec<f64>>,
-    level: Level,
+    pub(crate) level: Level,
     roughness: Option<Roughness>,
 }
 
@@ -69,67 +69,105 @@ impl Roughness {
     }
 }
 
+/// What helps where a model lacks something.
+pub(crate) const WAY_OUT: &str = "give pressure, or what the model needs: rc.Moments, rc.Asperities, rc.SelfAffine, \
+                                  rc.Fractal or a surface; rc.models() lists the inputs";
+
+impl Request {
+    pub(crate) fn theory(&self) -> Result<&'static dyn Theory, Failure> {
+        compare::find(&self.name).ok_or_else(|| {
+            let all: Vec<&str> =
+                compare::built_in().iter().map(|t| t.card().name.as_ref()).collect();
+            let message =
+                format!("there is no model {:?}; there are {}", self.name, all.join(", "));
+            Failure::refused("setting", message)
+        })
+    }
+
+    pub(crate) fn modulus(&self) -> Result<ContactModulus, Failure> {
+        match self.modulus {
+            Some(pascals) => bodies::of_modulus(pascals),
+            None => bodies::contact_modulus(&self.bodies),
+        }
+    }
+
+    /// With what no roughness says.
+    pub(crate) fn complete(&self, inputs: Inputs) -> Inputs {
+        let hardness = self.hardness.or(inputs.hardness);
+        Inputs { hardness, poisson: compare::poisson(&self.bodies), ..inputs }
+    }
+
+    pub(crate) fn questions(&self) -> Vec<Question> {
+        let pressures = self.pressures.iter().flatten().map(|&p| Question::Pressure(p));
+        let separations = self.separations.iter().flatten().map(|&d| Question::Separation(d));
+        pressures.chain(separations).collect()
+    }
+}
+
+/// The first refusal, as kind and message.
+pub(crate) fn trouble(answers: &[Answer]) -> Option<(String, String)> {
+    let first = answers.iter().find_map(|answer| answer.as_ref().err()).map(failure)?;
+    Some((first.kind().to_owned(), first.message().to_owned()))
+}
+
 /// What `rough-contact model` answers, as JSON, and the first refusal, as kind and message.
 #[pyfunction]
-#[pyo3(signature = (request, surface, threads))]
+#[pyo3(signature = (request, surface, threads, against=None))]
 pub(crate) fn model(
     py: Python<'_>,
     request: &str,
     surface: Option<(PyReadonlyArray2<'_, f64>, String)>,
     threads: usize,
-) -> PyResult<(String, Option<(String, String)>)> {
+    against: Option<Second<'_>>,
+) -> PyResult<Answered> {
     let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let surface = surface.map(|(heights, facts)| surface_of(&heights, &facts)).transpose()?;
-    let found = quietly(py, threads, move || answer(&request, surface))?;
+    let laid = Laid::of(against.as_ref())?;
+    let found = quietly(py, threads, move || answer(&request, surface, laid))?;
     found.map_err(|e| raise(&e))
 }
 
-type Answered = (String, Option<(String, String)>);
+pub(crate) type Answered = (String, Option<(String, String)>);
 
 fn answer(
     request: &Request,
     surface: Option<(compare::Surface, crate::surface::Facts)>,
+    laid: Option<Laid>,
 ) -> Result<Answered, Failure> {
-    let theory = compare::find(&request.name).ok_or_else(|| {
-        let all: Vec<&str> = compare::built_in().iter().map(|t| t.card().name.as_ref()).collect();
-        let message = format!("there is no model {:?}; there are {}", request.name, all.join(", "));
-        Failure::refused("setting", message)
-    })?;
-    let modulus = match request.modulus {
-        Some(pascals) => bodies::of_modulus(pascals)?,
-        None => bodies::contact_modulus(&request.bodies)?,
-    };
-    let mut inputs = Inputs { hardness: request.hardness, ..Inputs::new(modulus) };
+    let theory = request.theory()?;
+    let mut inputs = request.complete(Inputs::new(request.modulus()?));
     let (mut rows, mut spikes, mut cleaned, mut level) = (None, Spikes::default(), None, None);
-    if let Some((surface, facts)) = surface {
+    let mut pair = None;
+    if let Some((mut surface, facts)) = surface {
+        let mut missing = facts.missing;
+        let path = facts.path().to_owned();
+        if let Some(laid) = laid {
+            surface = laid.on(surface, request.level)?;
+            missing = surface.origin.missing();
+            pair = surface.origin.pair().cloned();
+        } else {
+            cleaned = Some(facts.cleaned);
+        }
         spikes = Spikes::of(&surface.heights);
         rows = row_offsets(surface.heights.grid(), surface.heights.heights()).ok();
         let how = (request.level, Edges::Open);
-        let (path, map) = (facts.path(), surface.heights);
-        inputs = measured(&request.name, inputs, path, map, facts.missing, how)?;
-        cleaned = Some(facts.cleaned);
+        inputs = measured(&request.name, inputs, &path, surface.heights, missing, how)?;
         level = Some(request.level.name());
     }
     if let Some(roughness) = &request.roughness {
         roughness.add(&request.name, &mut inputs)?;
     }
-    inputs.poisson = compare::poisson(&request.bodies);
-    let pressures = request.pressures.iter().flatten().map(|&p| Question::Pressure(p));
-    let separations = request.separations.iter().flatten().map(|&d| Question::Separation(d));
-    let questions: Vec<Question> = pressures.chain(separations).collect();
-    let way_out = "give pressure, or what the model needs: rc.Moments, rc.Asperities, rc.SelfAffine, \
-                   rc.Fractal or a surface; rc.models() lists the inputs";
-    let found = asked(theory, &inputs, &questions).map_err(|e| e.failure(way_out))?;
+    let questions = request.questions();
+    let found = asked(theory, &inputs, &questions).map_err(|e| e.failure(WAY_OUT))?;
     let mut json = object(theory.card(), &inputs, &questions, &found, None);
     let mut findings = scene(&inputs, &found, rows).findings();
     findings.extend(compare::spiky(&spikes, None));
+    findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
     findings.sort_by_key(|f| f.weight);
     json["findings"] = report::findings_json(&findings);
     json["level"] = json!(level);
     json["cleaning"] = report::cleaning_json(&cleaned.unwrap_or_default());
-    json["pair"] = serde_json::Value::Null;
-    json["bodies"] = report::bodies_json(None, &request.bodies);
-    let trouble = found.iter().find_map(|answer| answer.as_ref().err()).map(failure);
-    let trouble = trouble.map(|t| (t.kind().to_owned(), t.message().to_owned()));
-    Ok((json.to_string(), trouble))
+    json["pair"] = pair.as_ref().map_or(serde_json::Value::Null, report::pair_json);
+    json["bodies"] = report::bodies_json(pair.as_ref(), &request.bodies);
+    Ok((json.to_string(), trouble(&found)))
 }

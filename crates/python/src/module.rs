@@ -14,13 +14,15 @@ mod _rough_contact {
     #[pymodule_export]
     use crate::model::model;
     #[pymodule_export]
-    use crate::profile::profile;
+    use crate::profile::{profile, profile_model, profile_study};
     #[pymodule_export]
     use crate::solve::{Keep, solve};
     #[pymodule_export]
     use crate::statistics::statistics;
     #[pymodule_export]
     use crate::study::{default_pressures, models, study};
+    #[pymodule_export]
+    use crate::summary::{digest, summary};
     #[pymodule_export]
     use crate::surface::{boundary, encode, given, info, read, reshape, synth};
 

@@ -1,17 +1,26 @@
-//! Profiles: traces of a stylus.
+//! Profiles: traces of a stylus, their statistics and what closed forms say of them.
 
-use crate::failure::bug;
-use crate::surface::{Reading, Unread, array, rule, unmade};
+use crate::failure::{bug, raise};
+use crate::model::{Answered, Request};
+use crate::surface::{Facts, Reading, Unread, array, rule, unmade};
 use crate::watched::quietly;
+use answers::model::of_profile;
 use answers::{Failure, Traces};
-use compare::Level;
-use numpy::PyArray2;
+use compare::{
+    Cleaning, Level, Origin, ProfileComparison, ProfileSurface, Registry, RunFile, RunSurface,
+    Settings,
+};
+use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
+use report::Provenance;
+use std::collections::BTreeMap;
 use std::path::Path;
 use surface_stats::clean::Form;
+use surface_stats::profile::Trace;
 
-/// Traces (m), one in each row; their spacing (m); the format; what `rough-contact stats` answers, as JSON.
-type Profile<'py> = (Bound<'py, PyArray2<f64>>, f64, String, String);
+/// Traces (m), one in each row; their spacing (m); the format; what is known of them; what `rough-contact stats` answers, as
+/// JSON.
+type Profile<'py> = (Bound<'py, PyArray2<f64>>, f64, String, String, String);
 
 /// Reads the traces of a file and takes their statistics.
 #[pyfunction]
@@ -26,13 +35,24 @@ pub(crate) fn profile<'py>(
     let unknown = || bug(&format!("level = {level:?} is no form"));
     let level = Level::ALL.iter().find(|l| l.name() == level).copied().ok_or_else(unknown)?;
     let at = Path::new(path);
-    let file = path.to_owned();
-    let found = quietly(py, threads, move || traces(Path::new(&file), &how, level))?;
+    let (file, asked) = (path.to_owned(), how.clone());
+    let found = quietly(py, threads, move || traces(Path::new(&file), &asked, level))?;
     let (traces, json) = found.map_err(|e| e.raise(at))?;
-    let (count, points) = (traces.each.len(), traces.each.first().map_or(0, |t| t.len()));
-    let spacing = traces.each.first().map_or(0.0, |t| t.spacing());
-    let heights = traces.each.iter().flat_map(|t| t.heights().iter().copied()).collect();
-    Ok((array(py, [count, points], heights)?, spacing, traces.format, json))
+    let Traces { each, missing, cleaned, uneven, height_step, format, .. } = traces;
+    let (count, points) = (each.len(), each.first().map_or(0, |t| t.len()));
+    let spacing = each.first().map_or(0.0, |t| t.spacing());
+    let heights = each.iter().flat_map(|t| t.heights().iter().copied()).collect();
+    let facts = Facts {
+        name: at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned(),
+        pixel: [spacing; 2],
+        missing,
+        fill: how.rule_name(),
+        height_step,
+        origin: how.origin(path, format.clone(), (missing, &cleaned, height_step)),
+        cleaned,
+        uneven,
+    };
+    Ok((array(py, [count, points], heights)?, spacing, format, facts.text()?, json))
 }
 
 fn traces(path: &Path, how: &Reading, level: Level) -> Result<(Traces, String), Unread> {
@@ -59,4 +79,91 @@ fn traces(path: &Path, how: &Reading, level: Level) -> Result<(Traces, String), 
     let statistics = traces.statistics(level.degree().unwrap_or(0));
     let (_, json) = statistics.map_err(|e| Failure::in_file(path, &e))?;
     Ok((traces, json.to_string()))
+}
+
+/// Traces that Python has kept, with what is known of them.
+fn kept(heights: &PyReadonlyArray2<'_, f64>, facts: &str) -> PyResult<(Traces, Facts)> {
+    let facts = Facts::of_text(facts)?;
+    let rows = heights.as_array();
+    let each = rows.rows().into_iter().map(|row| Trace::new(facts.pixel[1], row.to_vec()));
+    let each = each.collect::<Result<Vec<_>, _>>().map_err(|e| raise(&Failure::from_error(&e)))?;
+    let (format, cleaning) = match &facts.origin {
+        Origin::File(file) => (file.format.clone(), file.cleaning),
+        _ => (String::new(), Cleaning::default()),
+    };
+    let traces = Traces {
+        each,
+        missing: facts.missing,
+        cleaned: facts.cleaned.clone(),
+        uneven: facts.uneven,
+        height_step: facts.height_step,
+        cleaning,
+        format,
+    };
+    Ok((traces, facts))
+}
+
+/// What `rough-contact model` answers of traces, as JSON, and the first refusal, as kind and message.
+#[pyfunction]
+pub(crate) fn profile_model(
+    py: Python<'_>,
+    request: &str,
+    heights: PyReadonlyArray2<'_, f64>,
+    facts: &str,
+    threads: usize,
+) -> PyResult<Answered> {
+    let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let (traces, facts) = kept(&heights, facts)?;
+    let found = quietly(py, threads, move || -> Result<Answered, Failure> {
+        let found = of_profile(
+            request.theory()?,
+            request.modulus()?,
+            (facts.path(), &traces, &facts.origin, request.level),
+            |inputs| Ok((request.complete(inputs), request.questions(), None)),
+            |unasked| unasked.failure(crate::model::WAY_OUT),
+        )?;
+        Ok((found.json.to_string(), crate::model::trouble(&found.answers)))
+    })?;
+    found.map_err(|e| raise(&e))
+}
+
+/// What `rough-contact compare` answers of profiles: its files. `hashes` are those of the files of the traces.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value, reason = "what Python hands over is owned")]
+pub(crate) fn profile_study(
+    py: Python<'_>,
+    profiles: Vec<(PyReadonlyArray2<'_, f64>, String, String)>,
+    settings: &str,
+    hashes: Vec<String>,
+) -> PyResult<BTreeMap<String, String>> {
+    let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
+    let mut given = Vec::with_capacity(profiles.len());
+    for ((heights, facts, name), hash) in profiles.iter().zip(hashes) {
+        let (traces, facts) = kept(heights, facts)?;
+        let mut origin = facts.origin;
+        if let Origin::File(file) = &mut origin {
+            file.sha256 = hash;
+        }
+        let Traces { each, uneven, .. } = traces;
+        given.push(ProfileSurface { name: name.clone(), origin, traces: each, uneven });
+    }
+    let threads = settings.threads;
+    let found = quietly(py, threads, move || -> Result<_, Failure> {
+        let listed =
+            |s: &ProfileSurface| RunSurface { name: s.name.clone(), origin: s.origin.clone() };
+        let run_file = RunFile {
+            program: env!("CARGO_PKG_VERSION").to_owned(),
+            settings: settings.clone(),
+            surfaces: given.iter().map(listed).collect(),
+        };
+        let registry = Registry::built_in();
+        let study = |s| ProfileComparison::run(s, settings.clone(), &registry);
+        let studies = given.into_iter().map(study).collect::<Result<Vec<_>, _>>();
+        let studies = studies.map_err(|e| Failure::from_error(&e))?;
+        let made = Provenance::here("rough-contact compare --from run.toml --out again");
+        answers::profile_documents(&studies, &made, &run_file)
+    })?;
+    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
+    let files = found.map_err(|e| raise(&e))?;
+    Ok(files.into_iter().map(|(name, bytes)| (name, text(bytes))).collect())
 }

@@ -3,7 +3,9 @@
 use crate::failure::{bug, raise};
 use crate::watched::quietly;
 use answers::{Complete, Failure, Incomplete};
-use compare::{Cleaning, FileOrigin, GivenOrigin, Level, Origin, Placing, Recipe, Surface};
+use compare::{
+    Cleaning, FileOrigin, GivenOrigin, Level, Origin, Placing, Recipe, Surface, Unevenness,
+};
 use contact_types::{Grid, HeightMap};
 use numpy::ndarray::Array2;
 use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -30,6 +32,9 @@ pub(crate) struct Facts {
     pub(crate) origin: Origin,
     #[serde(default)]
     pub(crate) cleaned: Vec<Record>,
+    /// Of traces.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) uneven: Option<Unevenness>,
 }
 
 impl Facts {
@@ -43,7 +48,7 @@ impl Facts {
         Ok(facts)
     }
 
-    fn text(&self) -> PyResult<String> {
+    pub(crate) fn text(&self) -> PyResult<String> {
         toml::to_string(self).map_err(|e| bug(&e))
     }
 
@@ -196,6 +201,39 @@ impl Reading {
         all.into_iter().map(|m| m.crop(crop).map_err(Unread::File)).collect()
     }
 
+    /// The name of the rule for missing points.
+    pub(crate) fn rule_name(&self) -> String {
+        if self.fill.is_empty() { "refuse".to_owned() } else { self.fill.clone() }
+    }
+
+    /// Where heights came from that were read so; what is known of them is how many points were filled, what cleaning
+    /// did, and the step of the heights as measured.
+    pub(crate) fn origin(
+        &self,
+        path: &str,
+        format: String,
+        (missing, cleaned, height_step): (usize, &[Record], Option<f64>),
+    ) -> Origin {
+        Origin::File(FileOrigin {
+            path: path.to_owned(),
+            // Made when a run file needs it: most surfaces never do.
+            sha256: String::new(),
+            format,
+            channel: self.channel.clone(),
+            pixel: self.pixel,
+            lateral_unit: self.lateral_unit,
+            height_unit: self.height_unit,
+            override_height_unit: self.override_height_unit,
+            layout: self.layout.clone(),
+            crop: self.crop,
+            fill: self.rule_name(),
+            missing,
+            cleaning: self.cleaning,
+            cleaned: cleaned.to_vec(),
+            height_step,
+        })
+    }
+
     fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
         let measurement = surface_io::read(path, &self.options()?).map_err(Unread::File)?;
         match self.crop {
@@ -319,27 +357,10 @@ pub(crate) fn read<'py>(
     let (complete, said) = found.map_err(|e| e.raise(at))?;
     let Complete { map, missing, cleaned, height_step, format } = complete;
     let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();
-    let fill = if how.fill.is_empty() { "refuse".to_owned() } else { how.fill };
-    let origin = Origin::File(FileOrigin {
-        path: path.to_owned(),
-        // Made when a run file needs it: most surfaces never do.
-        sha256: String::new(),
-        format,
-        channel: how.channel,
-        pixel: how.pixel,
-        lateral_unit: how.lateral_unit,
-        height_unit: how.height_unit,
-        override_height_unit: how.override_height_unit,
-        layout: how.layout,
-        crop: how.crop,
-        fill: fill.clone(),
-        missing,
-        cleaning: how.cleaning,
-        cleaned: cleaned.clone(),
-        height_step,
-    });
+    let fill = how.rule_name();
+    let origin = how.origin(path, format, (missing, &cleaned, height_step));
     let pixel = map.grid().pixel();
-    let facts = Facts { name, pixel, missing, fill, height_step, origin, cleaned };
+    let facts = Facts { name, pixel, missing, fill, height_step, origin, cleaned, uneven: None };
     let said = json!({
         "format": said["format"], "channel": said["channel"], "channels": said["channels"],
         "metadata": said["metadata"], "ambiguity": said["ambiguity"],
@@ -406,6 +427,7 @@ pub(crate) fn given<'py>(
         height_step,
         origin: Origin::Given(origin),
         cleaned: Vec::new(),
+        uneven: None,
     };
     made(py, map, &facts, &json!({}))
 }
@@ -424,6 +446,7 @@ pub(crate) fn synth<'py>(py: Python<'py>, recipe: &str, threads: usize) -> PyRes
         height_step: None,
         origin,
         cleaned: Vec::new(),
+        uneven: None,
     };
     made(py, heights, &facts, &json!({}))
 }

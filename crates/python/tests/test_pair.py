@@ -60,6 +60,20 @@ def test_statistics(command, bodies):
     assert ours == theirs
 
 
+@pytest.mark.parametrize("case", ["as a book", "moved"])
+@pytest.mark.parametrize("name", ["gw", "persson", "stacked", "equation"])
+def test_closed_forms(command, bodies, name, case):
+    words, arguments = PLACED[case]
+    first, second = bodies
+    theirs = command("model", name, first, "--against", second, *words, "--modulus", "110GPa", "--pressure", "10MPa,1GPa")
+    theirs.pop("error", None)
+    ours = rc.model(name, rc.read(first), modulus="110 GPa", pressure="10MPa,1GPa", against=rc.read(second), **arguments)
+    assert ours.to_dict() == theirs and theirs["pair"]["second"]["name"] == "second.x3p"
+    # Two bodies are rougher than one.
+    alone = rc.model(name, rc.read(first), modulus="110 GPa", pressure="10MPa,1GPa")
+    assert (ours.area_fraction < alone.area_fraction).all()
+
+
 def test_study(command, bodies, tmp_path):
     first, second = bodies
     theirs = command("compare", first, "--against", second, "--modulus", "110GPa", "--pressure", "100MPa,1GPa", "--out", tmp_path / "o")
@@ -83,6 +97,8 @@ def test_what_is_refused(bodies, rough):
         rc.solve(rough, modulus="110 GPa", pressure="1 GPa", flip="rows")
     with pytest.raises(TypeError, match="against takes an rc.Surface"):
         rc.solve(rough, modulus="110 GPa", pressure="1 GPa", against="second.x3p")
+    with pytest.raises(TypeError, match="second body on a surface"):
+        rc.model("gw", rc.Moments(m0="1um^2", m2=0.01, m4="1e10m^-2"), modulus="110 GPa", pressure="1MPa", against=rough)
     with pytest.raises(rc.UnitError, match="pair"):
         rc.solve(rough, modulus="110 GPa", pressure="1 GPa", against=rough, shift="5um")
     with pytest.raises(rc.SettingError):

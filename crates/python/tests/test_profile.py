@@ -1,9 +1,13 @@
 """Profiles: the same numbers as the command, to the last digit."""
 
+import pickle
+
 import numpy as np
 import pytest
 
 import rough_contact as rc
+
+from test_compare import timeless
 
 
 @pytest.fixture(scope="module")
@@ -45,6 +49,54 @@ def test_statistics(command, trace, case):
         # The waves longer than the cut-off carry little of it.
         assert 0.8 * found.primary["Pa"] < found.roughness["Ra"] < found.primary["Pa"]
         assert repr(found) == "Profile(1 trace of 8000 points, 500 nm apart)"
+
+
+@pytest.mark.parametrize("name", ["gw", "bgt", "persson", "stacked", "majumdar-bhushan"])
+def test_closed_forms(command, trace, name):
+    path, _ = trace
+    ask = ["--modulus", "110GPa", "--pressure", "1MPa,100MPa,1GPa", "--level", "quadratic"]
+    theirs = command("model", name, path, *UNITS, *ask)
+    theirs.pop("error", None)
+    profile = rc.read_profile(path, layout="list", lateral_unit="um", height_unit="um")
+    ours = rc.model(name, profile, modulus="110 GPa", pressure="1MPa,100MPa,1GPa", level="quadratic")
+    assert ours.to_dict() == theirs and len(theirs["points"]) == 3
+    again = pickle.loads(pickle.dumps(profile))
+    assert again.to_dict() == profile.to_dict() and again.name == "trace.txt"
+
+
+def test_study(command, trace, tmp_path):
+    path, _ = trace
+    words = ["--s-filter", "5um", "--l-filter", "250um"]
+    theirs = command("compare", path, *UNITS, *words, "--modulus", "110GPa", "--out", tmp_path / "a")
+    profile = rc.read_profile(path, layout="list", lateral_unit="um", height_unit="um", s_filter="5um", l_filter="250um")
+    study = rc.compare_profiles(profile, modulus="110 GPa")
+    assert "error" not in theirs and timeless(study.to_dict()) == timeless(theirs)
+    study.write(tmp_path / "b")
+    names = [sorted(p.name for p in (tmp_path / d).iterdir()) for d in "ab"]
+    assert names[0] == names[1] and "area.svg" in names[0]
+    for name in ["curves.csv", "area.svg", "trace.svg"]:
+        assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes()
+    # The models answer as they do alone, and the run can be repeated by the command.
+    gw = next(m for m in study["trace.txt"]["models"] if m["model"] == "gw")
+    pressures = [p["mean_pressure"] for p in gw["points"]]
+    alone = rc.model("gw", profile, modulus="110 GPa", pressure=np.array(pressures) * rc.Pa)
+    assert [p["area_fraction"] for p in gw["points"]] == alone.area_fraction.tolist()
+    again = command("compare", "--from", tmp_path / "b" / "run.toml", "--out", tmp_path / "c")
+    assert timeless(again["profiles"]) == timeless(theirs["profiles"])
+    assert "trace.txt: area" in repr(study) and list(study) == ["trace.txt"]
+    one = rc.compare_profiles({"a": profile, "b": profile}, modulus="110 GPa", pressure="1MPa,100MPa", models=["gw"], headline="100MPa")
+    assert len(one) == 2 and one["b"]["headline_pressure"] == 1e8 and "area-2.svg" in one.files
+
+
+def test_a_study_of_profiles_refuses(trace, rough):
+    path, _ = trace
+    profile = rc.read_profile(path, layout="list", lateral_unit="um", height_unit="um")
+    with pytest.raises(TypeError, match="rc.Profile"):
+        rc.compare_profiles(rough, modulus="110 GPa")
+    with pytest.raises(rc.SettingError, match="headline|computed"):
+        rc.compare_profiles(profile, modulus="110 GPa", pressure="1MPa", headline="2MPa")
+    with pytest.raises(rc.SettingError, match="nobody"):
+        rc.compare_profiles(profile, modulus="110 GPa", models=["nobody"])
 
 
 def test_what_is_refused(trace, file):

@@ -16,14 +16,6 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 
-/// What the folder receives beside the figures.
-const OUTPUTS: [&str; 4] = ["report.html", "results.json", "curves.csv", "run.toml"];
-
-/// The file of a figure: numbered where there are several surfaces.
-fn figure_name(figure: &str, index: usize, count: usize) -> String {
-    if count == 1 { format!("{figure}.svg") } else { format!("{figure}-{}.svg", index + 1) }
-}
-
 /// The traces of a file as a surface of the study.
 pub(crate) fn from_traces(
     reading: &Reading,
@@ -61,10 +53,7 @@ pub(crate) fn run(
     common: &Common,
 ) -> Result<Reply, Failure> {
     refuse_solver(settings)?;
-    let count = surfaces.len();
-    let figures = ["area", "trace"].into_iter();
-    let figures = figures.flat_map(|name| (0..count).map(move |i| figure_name(name, i, count)));
-    let names: Vec<String> = OUTPUTS.map(str::to_owned).into_iter().chain(figures).collect();
+    let names = answers::profile_documents_named(surfaces.len());
     let folder = Folder::prepare(out, &names, common.force)?;
     let registry = Registry::built_in();
     let mut studies = Vec::with_capacity(surfaces.len());
@@ -77,7 +66,7 @@ pub(crate) fn run(
         describe(&studies, folder.path()),
         report::profile_comparison_json(&studies, &provenance),
     );
-    if let Err(failure) = write(&folder, &studies, &provenance, &reply, run_file) {
+    if let Err(failure) = write(&folder, &studies, &provenance, run_file) {
         reply.trouble = Some(failure);
     }
     Ok(reply)
@@ -87,25 +76,12 @@ fn write(
     folder: &Folder,
     studies: &[ProfileComparison],
     provenance: &Provenance,
-    reply: &Reply,
     run_file: &RunFile,
 ) -> Result<(), Failure> {
-    let io = |e: report::ReportError| match e {
-        report::ReportError::Io(e) => e,
-        other => std::io::Error::other(other),
-    };
-    folder.write("report.html", |out| {
-        report::write_profile_html(studies, provenance, out).map_err(io)
-    })?;
-    folder.write("results.json", |out| writeln!(out, "{:#}", reply.json))?;
-    folder.write("curves.csv", |out| report::write_profile_csv(studies, out))?;
-    for (i, study) in studies.iter().enumerate() {
-        let name = |figure| figure_name(figure, i, studies.len());
-        folder.write(&name("area"), |out| report::write_profile_area_svg(study, out))?;
-        folder.write(&name("trace"), |out| report::write_profile_trace_svg(study, out))?;
+    for (name, bytes) in answers::profile_documents(studies, provenance, run_file)? {
+        folder.write(&name, |out| out.write_all(&bytes))?;
     }
-    let text = run_file.to_toml().map_err(|e| Failure::incomplete("output", e.to_string()))?;
-    folder.write("run.toml", |out| out.write_all(text.as_bytes()))
+    Ok(())
 }
 
 fn describe(studies: &[ProfileComparison], folder: &Path) -> String {

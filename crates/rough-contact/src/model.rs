@@ -18,7 +18,6 @@ use serde_json::json;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use surface_stats::clean::row_offsets;
-use surface_stats::profile::ProfileStatistics;
 
 #[derive(Args)]
 pub(crate) struct Model {
@@ -127,47 +126,45 @@ impl Model {
         path: &Path,
         traces: &Traces,
     ) -> Result<Reply, Failure> {
-        let refused = |e: surface_stats::StatsError| Failure::in_file(path, &e);
         let level = self.source.level();
-        let options = traces.options(level.degree().unwrap_or(0));
-        let (statistics, _, spectrum) =
-            ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
-        let inputs = compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
-        let inputs = self.with_poisson(self.source.for_profile(inputs));
-        let (questions, spread) = self.questions(None)?;
-        let answers = answer(theory, &inputs, &questions)?;
-        let mut reply = reply(theory.card(), &inputs, &questions, &answers, spread.as_ref());
         let origin = self.reading.origin(path, traces, String::new());
-        let scene = model::scene(&inputs, &answers, None);
-        let found = compare::profile_findings(&statistics, traces.uneven, &origin, &scene);
+        let found = model::of_profile(
+            theory,
+            modulus,
+            (path, traces, &origin, level),
+            |inputs| {
+                let inputs = self.with_poisson(self.source.for_profile(inputs));
+                let (questions, spread) = self.questions(None)?;
+                Ok((inputs, questions, spread))
+            },
+            |unasked| no_answer(theory, unasked),
+        )?;
+        let mut reply = reply(
+            theory.card(),
+            &found.inputs,
+            &found.questions,
+            &found.answers,
+            found.spread.as_ref(),
+        );
         let first = text::cleaning(&traces.cleaned)
             + &profiles::uneven_line(traces.uneven)
-            + &text::findings(&found);
+            + &text::findings(&found.findings);
         reply.text.insert_str(0, &first);
-        for (i, question) in questions.iter().enumerate() {
-            let Question::Pressure(p) = *question else { continue };
-            let interval = answers[i]
-                .is_ok()
-                .then(|| compare::area_interval(theory, &inputs, &statistics, p))
-                .flatten();
+        for (question, interval) in found.questions.iter().zip(&found.intervals) {
             if let Some([low, high]) = interval {
-                let [low, high] = [low, high].map(text::percent);
+                let [low, high] = [*low, *high].map(text::percent);
                 // A String takes everything.
                 let _ = writeln!(
                     reply.text,
                     "{}: 95 % interval of the area {low} to {high}, by the length of the {}",
-                    text::pressure(p),
-                    if statistics.traces == 1 { "trace" } else { "traces" }
+                    text::pressure(question.value()),
+                    if found.traces == 1 { "trace" } else { "traces" }
                 );
             }
-            reply.json["points"][i]["area_interval"] = json!(interval);
         }
         reply.text += &text::level(level);
         reply.text += text::MOMENTS;
-        reply.json["findings"] = report::findings_json(&found);
-        reply.json["level"] = json!(level.name());
-        reply.json["cleaning"] = report::cleaning_json(&traces.cleaned);
-        reply.json["profile"] = report::profile_statistics_json(&statistics);
+        reply.json = found.json;
         Ok(reply)
     }
 
@@ -213,16 +210,18 @@ fn answer(
     inputs: &Inputs,
     questions: &[Question],
 ) -> Result<Vec<Answer>, Failure> {
-    model::answers(theory, inputs, questions).map_err(|unasked| {
-        let message = match &unasked {
-            Unasked::NoSeparation { .. } => return unasked.failure("give --pressure"),
-            Unasked::Missing(error) => {
-                let way_out = crate::roughness::options_of(&theory.card().name).join(", or ");
-                format!("{error}; give a surface FILE, or {way_out}")
-            }
-        };
-        Failure::refused("missing_input", message)
-    })
+    model::answers(theory, inputs, questions).map_err(|unasked| no_answer(theory, &unasked))
+}
+
+fn no_answer(theory: &dyn Theory, unasked: &Unasked) -> Failure {
+    match unasked {
+        Unasked::NoSeparation { .. } => unasked.failure("give --pressure"),
+        Unasked::Missing(error) => {
+            let way_out = crate::roughness::options_of(&theory.card().name).join(", or ");
+            let message = format!("{error}; give a surface FILE, or {way_out}");
+            Failure::refused("missing_input", message)
+        }
+    }
 }
 
 fn reply(

@@ -45,10 +45,10 @@ pub(crate) fn answer(
         Ok(found)
     };
     for key in &request.doubts {
-        let mut asked = request.clone();
         let fill = key == "fill";
         let mut lines = [Vec::new(), Vec::new()];
         for (on, lines) in [false, true].into_iter().zip(&mut lines) {
+            let mut asked = request.clone();
             asked.remedies.set(key, on);
             let Some(found) = area(&asked, out)? else { return Ok(()) };
             let rule = if !fill {

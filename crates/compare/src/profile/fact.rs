@@ -1,9 +1,9 @@
 //! Facts about profiles, as numbers.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// How uneven the points of a file were before they were put at equal distances.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Unevenness {
     /// Shortest and longest distance of neighbouring points (m).
     pub steps: [f64; 2],

@@ -29,6 +29,7 @@ from ._errors import (
 from ._findings import Finding
 from ._models import Citation, ContactModel, Inputs, ModelInfo, models
 from ._profile import Profile, read_profile
+from ._profile_study import ProfileComparison, compare_profiles
 from ._progress import Progress
 from ._results import LoadCurve, Point
 from ._rough_contact import __version__
@@ -36,6 +37,7 @@ from ._solve import solve
 from ._solver import Solver
 from ._statistics import Statistics
 from ._study import AreaError, Comparison, ModelComparison, SurfaceComparison, compare
+from ._summary import Summary, summary
 from ._surface import Surface, info, read, synth
 from ._threads import default_threads
 from ._units import (
@@ -90,6 +92,7 @@ __all__ = [
     "Pa",
     "Point",
     "Profile",
+    "ProfileComparison",
     "Progress",
     "Q",
     "Quantity",
@@ -98,6 +101,7 @@ __all__ = [
     "SettingError",
     "Solver",
     "Statistics",
+    "Summary",
     "Surface",
     "SurfaceComparison",
     "SurfaceError",
@@ -107,6 +111,7 @@ __all__ = [
     "__version__",
     "bar",
     "compare",
+    "compare_profiles",
     "contact_modulus",
     "default_threads",
     "info",
@@ -124,6 +129,7 @@ __all__ = [
     "read",
     "read_profile",
     "solve",
+    "summary",
     "synth",
     "um",
 ]

@@ -17,8 +17,9 @@ from ._bodies import Bodies
 from ._errors import ModelError, SettingError, made, sorted_as
 from ._findings import Finding, findings_html
 from ._models import Citation
+from ._profile import Profile
 from ._results import flat, pressure as shown
-from ._surface import Surface, check
+from ._surface import Flip, Surface, check, laid
 from ._threads import count
 from ._units import Q
 
@@ -105,7 +106,7 @@ class Fractal(_Roughness):
         self._set(dimension=dimension, roughness=roughness, area=area, critical_area=critical_area)
 
 
-Source = Union[Surface, Moments, Asperities, SelfAffine, Fractal]
+Source = Union[Surface, Profile, Moments, Asperities, SelfAffine, Fractal]
 
 _NUMBERS = ("mean_pressure", "area_fraction", "real_pressure", "separation", "mean_gap")
 
@@ -209,6 +210,9 @@ def model(
     separation: Q | None = None,
     hardness: Q | None = None,
     level: Literal["none", "mean", "plane", "quadratic"] = "plane",
+    against: Surface | None = None,
+    flip: Flip = "columns",
+    shift: Q | None = None,
 ) -> ModelCurve:
     """A closed form at pressures or separations: what ``rough-contact model`` answers.
 
@@ -216,8 +220,8 @@ def model(
     ----------
     name : str
         Which model; `models` lists them.
-    source : Surface, Moments, Asperities, SelfAffine or Fractal
-        The roughness.
+    source : Surface, Profile, Moments, Asperities, SelfAffine or Fractal
+        The roughness. Of traces the model is that of the isotropic surface with their moments.
     modulus : quantity
         Contact modulus E*; or `bodies`.
     pressure, separation : quantity or list
@@ -225,7 +229,9 @@ def model(
     hardness : quantity, optional
         Of the softer body, for models of bodies that yield.
     level : {'plane', 'none', 'mean', 'quadratic'}
-        Form that is taken off a surface first.
+        Form that is taken off a surface first, or off each trace.
+    against, flip, shift
+        A second body, as in `solve`, that `source` is pressed on.
 
     Raises
     ------
@@ -243,9 +249,14 @@ def model(
     check("level", level, ("none", "mean", "plane", "quadratic"))
     if (pressure is None) == (separation is None):
         raise TypeError("give exactly one of pressure and separation")
-    surface, roughness = None, None
+    surface, roughness, second = None, None, None
     if isinstance(source, Surface):
         surface = (source._heights, source._facts)
+        second = laid(source, against, flip, shift)
+    elif against is not None or flip != "columns" or shift is not None:
+        raise TypeError("against, flip and shift are for a second body on a surface; add the moments of two bodies that are typed in")
+    elif isinstance(source, Profile):
+        pass
     elif isinstance(source, _Roughness):
         roughness = source._given()
     else:
@@ -260,7 +271,10 @@ def model(
         "roughness": roughness,
     }
     with sorted_as(SettingError):
-        text, trouble = _rust.model(json.dumps(request), surface, count(None))
+        if isinstance(source, Profile):
+            text, trouble = _rust.profile_model(json.dumps(request), source.heights, source._facts, count(None))
+        else:
+            text, trouble = _rust.model(json.dumps(request), surface, count(None), second)
     curve = ModelCurve(json.loads(text))
     if trouble is not None and np.isnan(curve.area_fraction).all():
         kind, message = trouble

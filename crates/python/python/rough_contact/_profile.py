@@ -36,17 +36,26 @@ class Profile:
         Format of the file.
     json : dict
         What ``rough-contact stats --json`` answers.
+    path : str
+        The file.
     """
 
     heights: NDArray[np.float64]
     spacing: float
     format: str
     json: dict[str, Any]
+    path: str
+    _facts: str
 
     def __repr__(self) -> str:
         traces, points = self.heights.shape
         many = "1 trace" if traces == 1 else f"{traces} traces"
         return f"Profile({many} of {points} points, {length(self.spacing)} apart)"
+
+    @property
+    def name(self) -> str:
+        """Name of the file."""
+        return os.path.basename(self.path)
 
     @property
     def roughness(self) -> dict[str, float | None]:
@@ -113,5 +122,5 @@ def read_profile(
     request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
     request.update(fill=fill, cleaning=cleaned_by(False, outliers, form, s_filter, l_filter))
     with sorted_as(ReadError):
-        heights, spacing, format_, text = _rust.profile(os.fspath(path), json.dumps(request), level, count(None))
-    return Profile(heights, spacing, format_, json.loads(text))
+        heights, spacing, format_, facts, text = _rust.profile(os.fspath(path), json.dumps(request), level, count(None))
+    return Profile(heights, spacing, format_, json.loads(text), os.fspath(path), facts)

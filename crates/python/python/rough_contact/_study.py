@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import json
-import os
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 from . import _bodies, _progress, _units
 from . import _rough_contact as _rust
 from ._bodies import Bodies
+from ._documents import Documents
 from ._errors import Interrupted, NotConverged, SettingError, made, sorted_as
 from ._findings import Finding, findings_html
 from ._models import Citation, ContactModel, Inputs, curve, models
@@ -138,6 +138,16 @@ class SurfaceComparison:
         return {model["model"]: ModelComparison(model["model"], model) for model in self.json["models"]}
 
     @property
+    def distributions(self) -> dict[str, Any] | None:
+        """How pressure, gap and contact spots are distributed at the headline, as in the JSON; None if nothing touches."""
+        return copy.deepcopy(self.json["distributions"])
+
+    def digest(self) -> dict[str, Any]:
+        """What a page over many maps keeps of it: keys as in the table of ``rough-contact compare --summary``."""
+        kept: dict[str, Any] = json.loads(_rust.digest(json.dumps(self.json)))
+        return kept
+
+    @property
     def headline_pressure(self) -> float:
         """Nominal pressure (Pa) that the headline is for."""
         return float(self.json["headline_pressure"])
@@ -157,7 +167,7 @@ class SurfaceComparison:
 
 
 @dataclass(frozen=True, repr=False)
-class Comparison:
+class Comparison(Documents):
     """A study: every surface solved, and the models beside it; ``study['ground']`` is one surface.
 
     Attributes
@@ -166,14 +176,6 @@ class Comparison:
         The documents by their names: ``results.json``, ``report.html``, ``curves.csv``, ``area.svg``,
         ``pressure.svg``, ``run.toml``.
     """
-
-    files: dict[str, str]
-
-    @cached_property
-    def json(self) -> dict[str, Any]:
-        """The object of ``results.json``."""
-        found: dict[str, Any] = json.loads(self.files["results.json"])
-        return found
 
     @property
     def surfaces(self) -> dict[str, SurfaceComparison]:
@@ -185,11 +187,6 @@ class Comparison:
         """Surfaces without an answer, and why."""
         return {r["name"]: r["reason"] for r in self.json["refused"]}
 
-    @property
-    def html(self) -> str:
-        """The report: one page that needs nothing else."""
-        return self.files["report.html"]
-
     def __getitem__(self, name: str) -> SurfaceComparison:
         return self.surfaces[name]
 
@@ -199,9 +196,13 @@ class Comparison:
     def __len__(self) -> int:
         return len(self.json["surfaces"])
 
-    def to_dict(self) -> dict[str, Any]:
-        """The object of ``results.json``."""
-        return copy.deepcopy(self.json)
+    def digest(self) -> dict[str, Any]:
+        """What `summary` keeps of it: of each surface a few numbers, a curve and the errors of the models.
+
+        Small, plain and picklable: what a worker sends back instead of the study.
+        """
+        maps = {name: surface.digest() for name, surface in self.surfaces.items()}
+        return {"maps": maps, "refused": self.refused, "settings": self.to_dict()["settings"], "seconds": self.json["seconds"]}
 
     def records(self) -> list[dict[str, Any]]:
         """A flat dict for each surface, model and load; ``area_error`` is signed."""
@@ -220,23 +221,6 @@ class Comparison:
         frame = pandas.DataFrame(self.records())
         frame.attrs["units"] = {"mean_pressure": "Pa", "area_fraction": "1", "area_error": "1", "mean_gap": "m"}
         return frame
-
-    def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes the documents into a folder, which is made.
-
-        Raises
-        ------
-        FileExistsError
-            If one of the files exists, unless `overwrite`; nothing is written then.
-        """
-        os.makedirs(folder, exist_ok=True)
-        paths = {os.path.join(folder, name): text for name, text in self.files.items()}
-        for path in paths:
-            if os.path.lexists(path) and not overwrite:
-                raise FileExistsError(f"{path} exists; give overwrite=True or another folder")
-        for path, text in paths.items():
-            with open(path, "w", encoding="utf-8", newline="") as file:
-                file.write(text)
 
     def _lines(self) -> list[tuple[str, list[tuple[str, str, str]]]]:
         found = []

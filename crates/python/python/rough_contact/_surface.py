@@ -512,7 +512,11 @@ def length(metres: float) -> str:
 
 def digest(surface: Surface) -> str:
     """SHA-256 of the file a surface was read from; empty without one."""
-    path = surface._said.get("path")
+    return digest_of(surface._said.get("path"))
+
+
+def digest_of(path: str | None) -> str:
+    """SHA-256 of a file; empty without one."""
     if not path or not os.path.isfile(path):
         return ""
     with open(path, "rb") as file:

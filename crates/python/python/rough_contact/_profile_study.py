@@ -1,0 +1,151 @@
+"""Closed forms on profiles, beside each other."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, Union
+
+from . import _bodies, _units
+from . import _rough_contact as _rust
+from ._bodies import Bodies
+from ._documents import Documents
+from ._errors import SettingError, sorted_as
+from ._profile import Profile
+from ._results import pressure as shown
+from ._surface import check, digest_of
+from ._threads import count
+from ._units import Q
+
+__all__ = ["ProfileComparison", "compare_profiles"]
+
+Profiles = Union[Profile, Sequence[Profile], Mapping[str, Profile]]
+
+
+@dataclass(frozen=True, repr=False)
+class ProfileComparison(Documents):
+    """What closed forms say of profiles, beside each other: a profile has no deterministic contact to judge them by.
+
+    Attributes
+    ----------
+    files : dict
+        The documents by their names: ``results.json``, ``report.html``, ``curves.csv``, ``run.toml``, figures.
+    """
+
+    @property
+    def profiles(self) -> dict[str, dict[str, Any]]:
+        """The profiles by name, as in ``results.json``."""
+        return {profile["name"]: profile for profile in self.to_dict()["profiles"]}
+
+    def __getitem__(self, name: str) -> dict[str, Any]:
+        return self.profiles[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.profiles)
+
+    def __len__(self) -> int:
+        return len(self.json["profiles"])
+
+    def __repr__(self) -> str:
+        lines = [f"ProfileComparison({len(self)} profiles)"]
+        for name, profile in self.profiles.items():
+            span = profile["span"]
+            said = "no model answers"
+            if span is not None:
+                low, high = (100 * area for area in span["area_fraction"])
+                said = f"area {low:.3g} to {high:.3g} % by {span['models']} models"
+            lines.append(f"  {name}: {said} at {shown(profile['headline_pressure'])}")
+        return "\n".join(lines)
+
+
+def compare_profiles(
+    profiles: Profiles,
+    *,
+    modulus: Q | None = None,
+    bodies: Bodies | None = None,
+    pressure: Q | None = None,
+    headline: Q | None = None,
+    models: Sequence[str] | None = None,
+    level: Literal["none", "mean", "plane", "quadratic"] = "plane",
+    fractal_range: Q | None = None,
+) -> ProfileComparison:
+    """What the closed forms say of the traces of a stylus: ``rough-contact compare`` of profiles.
+
+    Parameters
+    ----------
+    profiles : Profile, sequence or mapping
+        The keys of a mapping name them.
+    modulus : quantity
+        Contact modulus E*; or `bodies`.
+    pressure : quantity or list, optional
+        Nominal pressures; by default those at which 0.1 % to about half of the surface touches.
+    headline : quantity, optional
+        The pressure of the headline, one of `pressure`.
+    models : list, optional
+        Names of built-in models; every one by default.
+    level : {'plane', 'none', 'mean', 'quadratic'}
+        Polynomial that levels each trace: a line, none but the mean, a parabola.
+    fractal_range : quantity, optional
+        As the option of the command.
+
+    Returns
+    -------
+    ProfileComparison
+        With 95 % intervals of the areas by the length of the traces.
+
+    Examples
+    --------
+    >>> import tempfile, numpy as np, rough_contact as rc
+    >>> rng = np.random.default_rng(1)
+    >>> heights = np.convolve(rng.normal(size=8200), np.hanning(60), 'same')[100:8100] * 0.05
+    >>> path = tempfile.NamedTemporaryFile(suffix='.txt', delete=False).name
+    >>> np.savetxt(path, np.column_stack([np.arange(8000) * 0.5, heights]))
+    >>> trace = rc.read_profile(path, layout='list', lateral_unit='um', height_unit='um')
+    >>> len(rc.compare_profiles(trace, modulus='110 GPa', pressure='10MPa,100MPa'))
+    1
+    """
+    check("level", level, ("none", "mean", "plane", "quadratic"))
+    named = _named(profiles)
+    made_of = _bodies.given(modulus, bodies)
+    settings: dict[str, Any] = {
+        "modulus": made_of["modulus"] or _bodies.contact_modulus(*_bodies.listed(bodies or [])),
+        "bodies": made_of["bodies"],
+        "level": level,
+        "edges": "periodic",
+        "method": "auto",
+        "precision": "f64",
+        "tolerance": 1e-4,
+        "threads": count(None),
+    }
+    if pressure is not None:
+        settings["pressures"] = sorted(set(_units.several(pressure, "pressure", "pressure")))
+    if headline is not None:
+        settings["headline"] = _units.scalar(headline, "pressure", "headline")
+    if models is not None:
+        settings["models"] = list(models)
+    if fractal_range is not None:
+        settings["fractal_range"] = _units.several(fractal_range, "length", "fractal_range")
+    given = [(p.heights, p._facts, name) for name, p in named.items()]
+    with sorted_as(SettingError):
+        files = _rust.profile_study(given, json.dumps(settings), [digest_of(p.path) for p in named.values()])
+    return ProfileComparison(files)
+
+
+def _named(profiles: Profiles) -> dict[str, Profile]:
+    """The profiles under names that tell them apart."""
+    if isinstance(profiles, Mapping):
+        named = dict(profiles)
+    else:
+        named = {}
+        for profile in [profiles] if isinstance(profiles, Profile) else profiles:
+            if not isinstance(profile, Profile):
+                raise TypeError(f"profiles takes rc.Profile, not {type(profile).__name__}; see rc.read_profile")
+            name, k = profile.name, 1
+            while name in named:
+                k += 1
+                name = f"{profile.name} ({k})"
+            named[name] = profile
+    if not named:
+        raise TypeError("a study needs at least one profile")
+    return named

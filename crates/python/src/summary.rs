@@ -1,0 +1,40 @@
+//! Many studies on one page.
+
+use crate::failure::{bug, raise};
+use answers::Failure;
+use compare::Settings;
+use pyo3::prelude::*;
+use report::{Provenance, Summary};
+use serde_json::Value;
+
+/// What a page over many maps keeps of a surface of `results.json`; both as JSON.
+#[pyfunction]
+pub(crate) fn digest(surface: &str) -> PyResult<String> {
+    let surface: Value = serde_json::from_str(surface).map_err(|e| bug(&e))?;
+    Ok(report::digest(&surface).to_string())
+}
+
+/// The page over many maps: names and digests, names and reasons of those without an answer, what was asked, as JSON, and
+/// the time of all of it (s).
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value, reason = "what Python hands over is owned")]
+pub(crate) fn summary(
+    maps: Vec<(String, String)>,
+    failed: Vec<(String, String)>,
+    settings: &str,
+    seconds: f64,
+) -> PyResult<String> {
+    let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
+    let digests: Vec<Value> = maps
+        .iter()
+        .map(|(_, digest)| serde_json::from_str(digest))
+        .collect::<Result<_, _>>()
+        .map_err(|e| bug(&e))?;
+    let maps = maps.into_iter().zip(&digests).map(|((name, _), digest)| (name, digest)).collect();
+    let summary = Summary { maps, failed, settings: &settings, seconds };
+    let made = Provenance::here("rough_contact.summary in Python");
+    let mut page = Vec::new();
+    report::write_summary_html(&summary, &made, &mut page)
+        .map_err(|e| raise(&Failure::incomplete("output", e.to_string())))?;
+    Ok(String::from_utf8_lossy(&page).into_owned())
+}
