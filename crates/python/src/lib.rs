@@ -7,6 +7,7 @@ mod failure;
 mod model;
 mod module;
 mod profile;
+mod reading;
 mod solve;
 mod statistics;
 mod study;

@@ -2,7 +2,8 @@
 
 use crate::failure::{bug, raise};
 use crate::model::{Answered, Request};
-use crate::surface::{Facts, Reading, Unread, array, rule, unmade};
+use crate::reading::{Reading, Unread, rule, unmade};
+use crate::surface::{Facts, array};
 use crate::watched::quietly;
 use answers::model::of_profile;
 use answers::{Failure, Traces};

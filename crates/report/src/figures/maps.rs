@@ -15,6 +15,9 @@ const RELIEF: (f64, f64) = (0.965, 0.022);
 /// Height of the colour bar and its texts below a map.
 const LEGEND: f64 = 34.0;
 
+/// Steps of a scale of pressures that the eye takes for none.
+pub(crate) const FEWEST_STEPS: u8 = 31;
+
 /// How several pixels become one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reduce {

@@ -2,6 +2,7 @@
 
 use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
 use crate::figures::deformed::{Cut, Pressed, section};
+use crate::figures::maps::FEWEST_STEPS;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, fixed, quantity, significant};
 use crate::page::context::Page;
 use crate::page::moving::LARGEST;
@@ -11,9 +12,6 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use compare::SurfaceComparison;
 use serde_json::json;
-
-/// Classes of pressure besides none.
-pub(crate) const CLASSES: u8 = 31;
 
 /// What lies along the row of a surface; `None` if not every load has an answer or nothing is rough.
 pub(crate) fn cut(surface: &SurfaceComparison) -> Option<Cut> {
@@ -127,10 +125,11 @@ fn facts(cut: &Cut, row: usize, rows: usize, titles: &[String]) -> serde_json::V
         let bytes = values.flat_map(|v| ((v / step).round() as u16).to_le_bytes());
         STANDARD.encode(bytes.collect::<Vec<u8>>())
     };
-    let class = |p: f64| if p > 0.0 { 1 + (f64::from(CLASSES - 1) * p).round() as u8 } else { 0 };
+    let class =
+        |p: f64| if p > 0.0 { 1 + (f64::from(FEWEST_STEPS - 1) * p).round() as u8 } else { 0 };
     let pressure: Vec<u8> =
         cut.loads.iter().flat_map(|l| l.pressure.iter().map(|p| class(*p))).collect();
-    let colours: Vec<String> = ramp_table::<31>(&PRESSURE_RAMP)
+    let colours: Vec<String> = ramp_table::<{ FEWEST_STEPS as usize }>(&PRESSURE_RAMP)
         .iter()
         .map(|c| c.to_rgb().iter().map(|v| format!("{v:02X}")).collect())
         .collect();

@@ -9,7 +9,6 @@ use crate::draw::png::Grey;
 use crate::error::ReportError;
 use crate::figures::maps::{self, Window};
 use crate::numbers::{METRES, PASCALS, chosen, quantity, unit_for};
-use crate::page::deformed::CLASSES;
 use crate::page::phrases::attribute;
 use compare::{FirstContact, PressureMap, SurfaceComparison, pressure_class, pressure_top};
 use serde_json::json;
@@ -21,7 +20,7 @@ pub(crate) const LARGEST: usize = 1024;
 const PRESSURES: usize = 750_000;
 
 /// Steps of a scale of pressures, the finest that the page bears first; the fewest are those of the section.
-const STEPS: [u8; 3] = [255, 63, CLASSES];
+const STEPS: [u8; 3] = [255, 63, maps::FEWEST_STEPS];
 
 /// A class of 255 on a scale of fewer steps.
 fn stepped(class: u8, steps: u8) -> u8 {
@@ -178,7 +177,7 @@ impl Pressures {
                     String::new()
                 });
                 bytes += encoded.last().map_or(0, String::len);
-                if bytes > most && steps > CLASSES {
+                if bytes > most && steps > maps::FEWEST_STEPS {
                     break;
                 }
             }

@@ -1,0 +1,182 @@
+//! What is said of a file before it is read, and why it may give no surface.
+
+use crate::failure::raise;
+use answers::{Complete, Failure, Incomplete};
+use compare::{Cleaning, FileOrigin, Origin};
+use pyo3::PyErr;
+use pyo3::exceptions::PyOSError;
+use serde::Deserialize;
+use std::path::Path;
+use surface_io::{Fill, FillError, HeightUnit, Layout, Measurement, ReadError, ReadOptions};
+use surface_stats::clean::Record;
+
+/// What is said of a file.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct Reading {
+    pub(crate) channel: Option<String>,
+    pub(crate) pixel: Option<[f64; 2]>,
+    pub(crate) lateral_unit: Option<f64>,
+    pub(crate) height_unit: Option<f64>,
+    pub(crate) override_height_unit: Option<f64>,
+    pub(crate) layout: Option<String>,
+    pub(crate) crop: Option<[usize; 4]>,
+    pub(crate) fill: String,
+    pub(crate) cleaning: Cleaning,
+}
+
+impl Reading {
+    pub(crate) fn options(&self) -> Result<ReadOptions, Failure> {
+        let mut options = ReadOptions::default();
+        options.channel.clone_from(&self.channel);
+        options.pixel = self.pixel;
+        options.lateral_unit = self.lateral_unit;
+        options.height_unit = match self.override_height_unit {
+            Some(metres) => Some(HeightUnit::Always(metres)),
+            None => self.height_unit.map(HeightUnit::IfSilent),
+        };
+        if let Some(name) = &self.layout {
+            let unknown = || Failure::refused("setting", format!("layout {name:?} is none"));
+            options.layout = Some(Layout::of_name(name).ok_or_else(unknown)?);
+        }
+        Ok(options)
+    }
+
+    /// Every trace of a file of several; one measurement of any other file.
+    pub(crate) fn measurements(&self, path: &Path) -> Result<Vec<Measurement>, Unread> {
+        let all = surface_io::read_traces(path, &self.options()?).map_err(Unread::File)?;
+        let Some(crop) = self.crop else { return Ok(all) };
+        all.into_iter().map(|m| m.crop(crop).map_err(Unread::File)).collect()
+    }
+
+    /// The name of the rule for missing points.
+    pub(crate) fn rule_name(&self) -> String {
+        if self.fill.is_empty() { "refuse".to_owned() } else { self.fill.clone() }
+    }
+
+    /// Where heights came from that were read so; what is known of them is how many points were filled, what cleaning
+    /// did, and the step of the heights as measured.
+    pub(crate) fn origin(
+        &self,
+        path: &str,
+        format: String,
+        (missing, cleaned, height_step): (usize, &[Record], Option<f64>),
+    ) -> Origin {
+        Origin::File(FileOrigin {
+            path: path.to_owned(),
+            // Made when a run file needs it: most surfaces never do.
+            sha256: String::new(),
+            format,
+            channel: self.channel.clone(),
+            pixel: self.pixel,
+            lateral_unit: self.lateral_unit,
+            height_unit: self.height_unit,
+            override_height_unit: self.override_height_unit,
+            layout: self.layout.clone(),
+            crop: self.crop,
+            fill: self.rule_name(),
+            missing,
+            cleaning: self.cleaning,
+            cleaned: cleaned.to_vec(),
+            height_step,
+        })
+    }
+
+    pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
+        let measurement = surface_io::read(path, &self.options()?).map_err(Unread::File)?;
+        match self.crop {
+            None => Ok(measurement),
+            Some(crop) => measurement.crop(crop).map_err(Unread::File),
+        }
+    }
+}
+
+/// Why a file gives no surface.
+pub(crate) enum Unread {
+    File(ReadError),
+    Other(Failure),
+}
+
+impl From<Failure> for Unread {
+    fn from(failure: Failure) -> Self {
+        Self::Other(failure)
+    }
+}
+
+impl Unread {
+    /// The exception, with the arguments of `read` that help.
+    pub(crate) fn raise(&self, path: &Path) -> PyErr {
+        match self {
+            // The error of the system keeps its number, and so its class.
+            Self::File(ReadError::Io { source, .. }) if source.raw_os_error().is_some() => {
+                PyOSError::new_err((
+                    source.raw_os_error(),
+                    source.to_string(),
+                    path.display().to_string(),
+                ))
+            }
+            Self::File(error) => {
+                let way_out = needs(&error.needs());
+                raise(&Failure::in_file(path, error).adding(&way_out))
+            }
+            Self::Other(failure) => raise(failure),
+        }
+    }
+}
+
+fn needs(needs: &[surface_io::Need]) -> String {
+    use surface_io::Need;
+    let argument = |need: &Need| match need {
+        Need::PixelSize => "give pixel='1um'",
+        Need::LateralUnit => "give lateral_unit='um'",
+        Need::HeightUnit => "give height_unit='um'",
+        Need::Channel => "choose one with channel=",
+        Need::Layout(Layout::Matrix) => "if they are heights, give layout='matrix'",
+        Need::Layout(Layout::List) => "if they are coordinates, give layout='list'",
+        Need::Fill => {
+            "fill them with fill='harmonic' or fill='nearest', or cut out a part with crop="
+        }
+        _ => "",
+    };
+    let all: Vec<&str> = needs.iter().map(argument).filter(|text| !text.is_empty()).collect();
+    all.join(" and ")
+}
+
+pub(crate) fn rule(name: &str) -> Result<Fill, Failure> {
+    Ok(match name {
+        "" | "refuse" => Fill::Refuse,
+        "harmonic" => Fill::Harmonic,
+        "nearest" => Fill::Nearest,
+        other => {
+            let message = format!("fill = {other:?} is none of 'refuse', 'harmonic', 'nearest'");
+            return Err(Failure::refused("setting", message));
+        }
+    })
+}
+
+/// Why a measurement gives no map, with the arguments that help.
+pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
+    let way_out = match error {
+        Incomplete::Line(_) => "of a profile, one row, see rc.read_profile".to_owned(),
+        Incomplete::Short(_) => "measure a longer trace".to_owned(),
+        Incomplete::Spikes(_) => "give fill='harmonic', or a higher threshold".to_owned(),
+        Incomplete::Fill(FillError::NotConverged { .. }) => "give fill='nearest'".to_owned(),
+        Incomplete::Fill(e) => needs(&e.needs()),
+        _ => String::new(),
+    };
+    let found = error.failure();
+    let kind = if let Incomplete::Fill(FillError::Missing { .. }) = error {
+        "missing"
+    } else {
+        found.kind()
+    };
+    Failure::refused(kind, format!("{}: {}", path.display(), found.message())).adding(&way_out)
+}
+
+pub(crate) fn filled(
+    path: &Path,
+    measurement: Measurement,
+    how: &Reading,
+) -> Result<Complete, Failure> {
+    answers::complete(measurement, how.cleaning, rule(&how.fill)?).map_err(|e| unmade(path, &e))
+}
