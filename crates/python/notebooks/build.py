@@ -152,6 +152,18 @@ import pandas as pd
 
 frame = pd.DataFrame([row for row in rows if not row.get('error')])
 frame.groupby((frame.rms_gradient / 0.05).round() * 0.05).area_fraction_corrected.describe()[['count', 'mean', 'std']]""",
+    """Every model beside the solution, on some of them: one page of how they differ, as `rough-contact compare --summary`
+makes it. A worker sends back what the page keeps of a study, not the study.""",
+    """
+def study(path):
+    'What the page keeps of one study.'
+    warnings.simplefilter('ignore', rc.ContactWarning)
+    found = rc.compare({Path(path).name: rc.read(path)}, modulus='110 GPa', pressure='100MPa..1GPa:3', threads=1, on_failure='keep')
+    return found.digest()
+
+page = rc.summary([study(path) for path in some if 'error' not in by_name[Path(path).name]], failed={row['file']: row['error'] for row in failed})
+page.write(folder / 'report.html')
+page""",
 ]
 
 ALL = {"quick-start": QUICK_START, "which-model": WHICH_MODEL, "a-thousand-surfaces": THOUSAND}

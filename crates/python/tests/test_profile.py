@@ -51,7 +51,7 @@ def test_statistics(command, trace, case):
         assert repr(found) == "Profile(1 trace of 8000 points, 500 nm apart)"
 
 
-@pytest.mark.parametrize("name", ["gw", "bgt", "persson", "stacked", "majumdar-bhushan"])
+@pytest.mark.parametrize("name", ["gw", "bgt", "greenwood-elliptical", "persson", "stacked", "multiscale"])
 def test_closed_forms(command, trace, name):
     path, _ = trace
     ask = ["--modulus", "110GPa", "--pressure", "1MPa,100MPa,1GPa", "--level", "quadratic"]

@@ -56,7 +56,7 @@ def test_page_and_table(page, tmp_path):
     assert repr(page) == "Summary(3 maps, 1 without an answer)"
     rows = page.records()
     assert len(rows) == 3 and all(np.isfinite(row["models.persson.area_error"]) for row in rows)
-    assert "4.x3p" in page.html and "http" not in page.html.replace("http://www.w3.org/2000/svg", "")
+    assert "4.x3p" in page.html and "http:" not in page.html.replace("http://www.w3.org/2000/svg", "")
     assert json.dumps(page.to_dict())
     page.write(tmp_path / "page.html")
     assert (tmp_path / "page.html").read_text() == page.html

@@ -17,13 +17,24 @@ const BROWSER_POINTS: u64 = 1 << 24;
 /// Largest file in a browser, and most that one member of it may unpack to (bytes).
 const BROWSER_BYTES: u64 = 512 << 20;
 
-/// Memory of a study in WebAssembly (bytes per point): of one whose grid resolves the contact, and of one that is solved
-/// once more on a grid of four times the points. Measured on 1001 × 1001 and 634 × 860 points: 172 and 815.
-const BROWSER_BYTES_PER_POINT: [f64; 2] = [180.0, 820.0];
+/// Memory of a study: what it takes whatever the map is, and what each point adds.
+#[derive(Debug, Clone, Copy)]
+struct Memory {
+    /// Bytes.
+    fixed: f64,
+    /// Bytes per point, of a map whose grid resolves the contact.
+    resolved: f64,
+    /// The same of a map that is solved once more on a grid of four times the points.
+    refined: f64,
+}
 
-/// The same of `rough-contact app` on Linux, with what the system counts of the whole program. Measured on the same maps
-/// with one thread and two: 315 and 332, 904 and 923.
-const MACHINE_BYTES_PER_POINT: [f64; 2] = [340.0, 930.0];
+/// In WebAssembly. Measured in MB on 128², 256², 512², 1024² and 1400² points: 9.0, 12.8, 43.3, 153, 280, and on 128², 256², 512²
+/// and 800² that were refined: 17.6, 62.9, 243, 581.
+const BROWSER_MEMORY: Memory = Memory { fixed: 7e6, resolved: 140.0, refined: 900.0 };
+
+/// Of `rough-contact app` with two threads on Linux, all of the program counted, on the same maps up to 1024² and 512²: 36, 45, 113,
+/// 329, and 51, 104, 330.
+const MACHINE_MEMORY: Memory = Memory { fixed: 30e6, resolved: 285.0, refined: 1150.0 };
 
 impl Default for Place {
     /// What bears least.
@@ -58,9 +69,11 @@ impl Place {
         self.limits().file_bytes
     }
 
-    /// Memory of a study (bytes per point): where the grid resolves the contact, and where it has to be refined.
-    pub(crate) fn bytes_per_point(self) -> [f64; 2] {
-        if self.is_browser { BROWSER_BYTES_PER_POINT } else { MACHINE_BYTES_PER_POINT }
+    /// Memory of a study of so many points (bytes): where the grid resolves the contact, and where it has to be refined.
+    pub(crate) fn memory(self, points: f64) -> [f64; 2] {
+        let Memory { fixed, resolved, refined } =
+            if self.is_browser { BROWSER_MEMORY } else { MACHINE_MEMORY };
+        [resolved, refined].map(|each| fixed + each * points)
     }
 
     /// The limits, as a part of a sentence.
@@ -134,6 +147,27 @@ fn bytes(count: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The measurements beside the constants, each within a quarter.
+    #[test]
+    fn memory_is_said_as_it_was_measured() {
+        let near = |place: Place, k: usize, side: f64, measured: f64| {
+            let said = place.memory(side * side)[k] / 1e6;
+            assert!((said / measured - 1.0).abs() < 0.27, "{side}: {said} and {measured}");
+        };
+        let resolved =
+            [(128.0, 9.0, 36.0), (256.0, 12.8, 45.0), (512.0, 43.3, 113.0), (1024.0, 153.0, 329.0)];
+        for (side, browser, machine) in resolved {
+            near(Place::BROWSER, 0, side, browser);
+            near(Place::machine(2), 0, side, machine);
+        }
+        for (side, browser, machine) in
+            [(128.0, 17.6, 51.0), (256.0, 62.9, 104.0), (512.0, 243.0, 330.0)]
+        {
+            near(Place::BROWSER, 1, side, browser);
+            near(Place::machine(2), 1, side, machine);
+        }
+    }
 
     #[test]
     fn limits_are_said_as_they_are() {

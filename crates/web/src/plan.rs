@@ -49,7 +49,7 @@ fn loads(pressures: &[f64], by: LoadBy) -> String {
 
 fn cost(facts: Facts, edges: EdgesName, place: Place) -> String {
     let points = if edges == EdgesName::Mirrored { 4.0 * facts.points } else { facts.points };
-    let [low, high] = place.bytes_per_point().map(|bytes| two(points * bytes / 1e6));
+    let [low, high] = place.memory(points).map(|bytes| two(bytes / 1e6));
     format!(
         "{} points; {low} to {high} MB of memory, the more where the grid has to be refined",
         count(points as usize)

@@ -20,7 +20,7 @@ from ._units import Q
 
 __all__ = ["ProfileComparison", "compare_profiles"]
 
-Profiles = Union[Profile, Sequence[Profile], Mapping[str, Profile]]
+Profiles = Union[Profile, list[Profile], tuple[Profile, ...], Mapping[str, Profile]]
 
 
 @dataclass(frozen=True, repr=False)
@@ -74,7 +74,7 @@ def compare_profiles(
 
     Parameters
     ----------
-    profiles : Profile, sequence or mapping
+    profiles : Profile, list, tuple or mapping
         The keys of a mapping name them.
     modulus : quantity
         Contact modulus E*; or `bodies`.
@@ -138,7 +138,7 @@ def _named(profiles: Profiles) -> dict[str, Profile]:
         named = dict(profiles)
     else:
         named = {}
-        for profile in [profiles] if isinstance(profiles, Profile) else profiles:
+        for profile in profiles if isinstance(profiles, (list, tuple)) else [profiles]:
             if not isinstance(profile, Profile):
                 raise TypeError(f"profiles takes rc.Profile, not {type(profile).__name__}; see rc.read_profile")
             name, k = profile.name, 1

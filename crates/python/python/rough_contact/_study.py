@@ -140,7 +140,8 @@ class SurfaceComparison:
     @property
     def distributions(self) -> dict[str, Any] | None:
         """How pressure, gap and contact spots are distributed at the headline, as in the JSON; None if nothing touches."""
-        return copy.deepcopy(self.json["distributions"])
+        found: dict[str, Any] | None = copy.deepcopy(self.json["distributions"])
+        return found
 
     def digest(self) -> dict[str, Any]:
         """What a page over many maps keeps of it: keys as in the table of ``rough-contact compare --summary``."""
