@@ -232,6 +232,7 @@ pub fn of_profile(
     way_out: impl FnOnce(&Unasked) -> Failure,
 ) -> Result<OfProfile, Failure> {
     let refused = |e: StatsError| Failure::in_file(path, &e);
+    let form = form.of_profile();
     let options = traces.options(form.degree().unwrap_or(0));
     let (statistics, _, spectrum) =
         ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;

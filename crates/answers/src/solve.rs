@@ -100,6 +100,8 @@ pub struct Subject<'a> {
 pub struct Answer {
     /// The object that scripts see.
     pub json: Value,
+    /// What was taken off the map.
+    pub level: Level,
     /// One for each load that was taken, in the order asked.
     pub points: Vec<Point>,
     /// What may change a conclusion, worst first.
@@ -152,7 +154,8 @@ impl Question {
         };
         let largest = surface.heights().iter().fold(0.0, |most: f64, h| most.max(h.abs()));
         let spikes = Spikes::of(&surface); // before levelling, as they are removed
-        let surface = match self.level {
+        let level = self.level.on(&surface).map_err(refused)?;
+        let surface = match level {
             Level::None => surface,
             form => surface_stats::level(&surface, form).map_err(refused)?,
         };
@@ -160,7 +163,7 @@ impl Question {
         solved.scene.spacing = largest * f64::EPSILON;
         watch.levelled(&surface);
         let sticking = self.adhesion.map(|given| (given, surface.clone()));
-        let mut work = Work::new(self.loads.len(), self.method.to_string(), surface.grid());
+        let mut work = Work::new(self.loads.len(), self.method.to_string(), level, surface.grid());
         work.spikes = spikes;
         let repeats = self.boundary == Boundary::Periodic && self.edges == EdgesName::Periodic;
         work.distributions = self.distributions.then_some(repeats);
@@ -259,7 +262,17 @@ impl Question {
         let trouble = work.trouble.take();
         let found = (hardness, solved.adhesion);
         let (json, points) = self.object(work, &findings, plan.as_ref(), found, (cleaned, pair));
-        Ok(Answer { json, points, findings, plan, hardness, can_be_refined, trouble, is_stopped })
+        Ok(Answer {
+            json,
+            level,
+            points,
+            findings,
+            plan,
+            hardness,
+            can_be_refined,
+            trouble,
+            is_stopped,
+        })
     }
 
     /// The errors of a solution: with its stiffness, and with what a twice finer grid says of it, if
@@ -334,7 +347,7 @@ impl Question {
         let mut json = json!({
             "shape": work.grid.shape(),
             "pixel": work.grid.pixel(),
-            "level": self.level.name(),
+            "level": work.level.name(),
             "boundary": self.boundary.name(),
             "edges": self.edges.name(),
             "plane_strain": self.plane_strain,

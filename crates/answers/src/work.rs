@@ -10,6 +10,7 @@ use compare::{Distributions, Ended, NotRefined, Pressed, Spikes, spot_list};
 use contact_types::Grid;
 use fft_bem_solver::{Load, Solution, SolverError};
 use serde_json::json;
+use surface_stats::Level;
 
 /// What is collected while the loads are solved. Fields go to who watches and are dropped.
 pub(crate) struct Work {
@@ -17,6 +18,8 @@ pub(crate) struct Work {
     pub(crate) distributions: Option<bool>,
     pub(crate) trouble: Option<Failure>,
     pub(crate) method: String,
+    /// What was taken off the map.
+    pub(crate) level: Level,
     pub(crate) points: Vec<Option<Point>>,
     pub(crate) grid: Grid,
     /// What presses at each load that converged.
@@ -32,11 +35,12 @@ pub(crate) struct Work {
 
 impl Work {
     /// Nothing yet, of so many loads.
-    pub(crate) fn new(loads: usize, method: String, grid: Grid) -> Self {
+    pub(crate) fn new(loads: usize, method: String, level: Level, grid: Grid) -> Self {
         Self {
             distributions: None,
             trouble: None,
             method,
+            level,
             points: (0..loads).map(|_| None).collect(),
             grid,
             given: grid,

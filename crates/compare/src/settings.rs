@@ -70,7 +70,7 @@ pub struct Settings {
 }
 
 impl Default for Settings {
-    /// Steel on steel, plane removed, loads chosen from the surface.
+    /// Steel on steel, plane removed from maps that do not repeat, loads chosen from the surface.
     fn default() -> Self {
         Self {
             modulus: STEEL_ON_STEEL,
@@ -83,7 +83,7 @@ impl Default for Settings {
             pressures: None,
             load_area: None,
             headline: None,
-            level: Level::Plane,
+            level: Level::Auto,
             edges: EdgesName::Periodic,
             method: Method::Auto,
             accuracy: None,

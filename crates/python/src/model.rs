@@ -150,9 +150,11 @@ fn answer(
         }
         spikes = Spikes::of(&surface.heights);
         rows = row_offsets(surface.heights.grid(), surface.heights.heights()).ok();
-        let how = (request.level, Edges::Open);
+        let used = request.level.on(&surface.heights);
+        let used = used.map_err(|e| Failure::in_file(&path, &e))?;
+        let how = (used, Edges::Open);
         inputs = measured(&request.name, inputs, &path, surface.heights, missing, how)?;
-        level = Some(request.level.name());
+        level = Some(used.name());
     }
     if let Some(roughness) = &request.roughness {
         roughness.add(&request.name, &mut inputs)?;

@@ -301,9 +301,10 @@ pub(crate) fn reshape<'py>(
     let (surface, mut facts) = surface_of(&heights, facts)?;
     let unknown = || raise(&Failure::refused("setting", format!("level = {level:?} is no form")));
     let form = Level::ALL.iter().find(|l| l.name() == level).copied().ok_or_else(unknown)?;
+    let form = form.on(&surface.heights).map_err(|e| raise(&Failure::from_error(&e)))?;
     let map = quietly(py, threads, move || surface_stats::level(&surface.heights, form))?;
     let map = map.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
-    let note = format!("{} with its {level} taken off", facts.name);
+    let note = format!("{} with its {form} taken off", facts.name);
     let mut origin = GivenOrigin::of(&map, note);
     (origin.missing, origin.height_step) = (facts.missing, facts.height_step);
     facts.origin = Origin::Given(origin);

@@ -280,7 +280,7 @@ fn the_report_is_deterministic() {
 fn an_unresolved_map_gets_its_bar_from_a_finer_grid() {
     let mut recipe = built_in_recipes().unwrap().remove(0);
     (recipe.shape, recipe.cutoff, recipe.quantise) = ([96, 80], 2e-6, None);
-    (recipe.rms_height, recipe.rms_gradient) = (None, Some(0.1));
+    (recipe.rms_height, recipe.rms_gradient, recipe.hurst) = (None, Some(0.1), 0.3);
     let comparison = run(vec![recipe.make().unwrap()], Settings::default());
     let surface = &comparison.surfaces[0];
     assert!(surface.map.accuracy.gate().is_err());

@@ -131,8 +131,8 @@ fn one_of<T: Copy + Send + Sync + 'static>(
     })
 }
 
-/// The form taken off where nothing is said, by every command: the tilt of a mounting.
-pub(crate) const LEVEL: &str = "plane";
+/// The form taken off where nothing is said, by every command: the tilt of a mounting, unless the map repeats.
+pub(crate) const LEVEL: &str = "auto";
 
 pub(crate) fn level() -> impl TypedValueParser<Value = Level> {
     one_of(Level::ALL, Level::name)

@@ -44,14 +44,16 @@ impl Convert {
                     return Err(Failure::refused("profile", message));
                 }
             };
-        let map = match self.level {
+        let refused = |e| Failure::in_file(&self.file, &e);
+        let form = self.level.on(&map).map_err(refused)?;
+        let map = match form {
             Level::None => map,
-            form => level(&map, form).map_err(|e| Failure::in_file(&self.file, &e))?,
+            form => level(&map, form).map_err(refused)?,
         };
         let steps: Vec<String> = cleaned.iter().map(ToString::to_string).collect();
         let comment = format!(
             "rough-contact convert {shown}: {missing} points filled; level {}; cleaned: {}",
-            self.level.name(),
+            form.name(),
             if steps.is_empty() { "nothing".to_owned() } else { steps.join("; ") }
         );
         output::write(&self.out, |writer| format.write(writer, &map, &comment))?;
@@ -62,7 +64,7 @@ impl Convert {
         table.row("wrote", self.out.display().to_string());
         table.row("points", format!("{ny} rows × {nx} columns, {missing} filled in"));
         table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
-        table.row("level", self.level.name());
+        table.row("level", form.name());
         table.row("heights", text::length_range(low, high));
         if !format.lacks().is_empty() {
             table.row("note", format.lacks());
@@ -72,7 +74,7 @@ impl Convert {
             "shape": [ny, nx],
             "pixel": [dy, dx],
             "missing": missing,
-            "level": self.level.name(),
+            "level": form.name(),
             "height_min": low,
             "height_max": high,
             "cleaning": report::cleaning_json(&cleaned),

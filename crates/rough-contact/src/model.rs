@@ -64,6 +64,7 @@ impl Model {
         self.refuse_silence()?;
         let mut pair = None;
         let (mut cleaned, mut rows, mut spikes) = (Vec::new(), None, Spikes::default());
+        let mut level = None;
         self.source.refuse_unused(&card.name, self.file.as_deref(), self.load.is_some())?;
         let inputs = if let Some(path) = &self.file {
             let how = (&self.reading, self.cleaning.asked());
@@ -82,6 +83,8 @@ impl Model {
             cleaned.clone_from(&surface.cleaned);
             spikes = Spikes::of(&surface.map);
             rows = row_offsets(surface.map.grid(), surface.map.heights()).ok();
+            let used = self.source.level().on(&surface.map);
+            level = Some(used.map_err(|e| Failure::in_file(path, &e))?);
             self.source.measured(&card.name, modulus, path, surface)?
         } else {
             self.cleaning.refuse_without_file()?;
@@ -103,10 +106,9 @@ impl Model {
         let first = text::cleaning(&cleaned) + &text::findings(&findings);
         reply.text.insert_str(0, &first);
         reply.json["findings"] = report::findings_json(&findings);
-        let level = self.file.as_ref().map(|_| self.source.level());
         reply.json["level"] = json!(level.map(compare::Level::name));
         if let (Some(level), Some(_)) = (level, inputs.moments) {
-            reply.text += &text::level(level);
+            reply.text += &text::level(self.source.level(), level);
             reply.text += text::MOMENTS;
         }
         reply.json["cleaning"] = report::cleaning_json(&cleaned);
@@ -126,7 +128,8 @@ impl Model {
         path: &Path,
         traces: &Traces,
     ) -> Result<Reply, Failure> {
-        let level = self.source.level();
+        let asked = self.source.level();
+        let level = asked.of_profile();
         let origin = self.reading.origin(path, traces, String::new());
         let found = model::of_profile(
             theory,
@@ -162,7 +165,7 @@ impl Model {
                 );
             }
         }
-        reply.text += &text::level(level);
+        reply.text += &text::level(asked, level);
         reply.text += text::MOMENTS;
         reply.json = found.json;
         Ok(reply)

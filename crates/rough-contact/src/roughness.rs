@@ -263,7 +263,7 @@ impl Source {
 
     /// The form taken off a FILE.
     pub(crate) fn level(&self) -> Level {
-        self.level.unwrap_or(Level::Plane)
+        self.level.unwrap_or(Level::Auto)
     }
 
     /// Inputs from profiles, with what no file says.

@@ -385,7 +385,8 @@ impl Solve {
         let text = text + &spread.map_or_else(String::new, carried);
         let text =
             text + &against::lines(pair, Some((question.modulus.pascals(), self.bodies.listed())));
-        let text = text + &text::level(self.level) + conduction::line(&question.conduction);
+        let text =
+            text + &text::level(self.level, answer.level) + conduction::line(&question.conduction);
         let text = text + &text::materials(&question.materials);
         let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
         Reply { text: text + &notes, json: answer.json, trouble: answer.trouble }

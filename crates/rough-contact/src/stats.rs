@@ -200,7 +200,7 @@ impl Stats {
         let mut t = Table::default();
         t.row("points", format!("{ny} rows × {nx} columns, {} filled in", s.missing));
         t.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
-        t.row("level, edges", format!("{}, {}", self.level.name(), self.boundary.name()));
+        t.row("level, edges", format!("{}, {}", s.level.name(), self.boundary.name()));
         t.row("rms height Sq", text::length(s.rms_height));
         t.row("mean abs height Sa", text::length(s.mean_abs_height));
         t.row("skewness Ssk", number(s.skewness));

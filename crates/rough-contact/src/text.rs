@@ -35,11 +35,14 @@ pub(crate) fn cleaning(records: &[Record]) -> String {
 /// Which moments every model is given.
 pub(crate) const MOMENTS: &str = "moments of the models: finite differences\n";
 
-/// What was taken off every map first.
-pub(crate) fn level(form: Level) -> String {
-    match form {
-        Level::None => "level: none, the heights as they are\n".to_owned(),
-        form => format!("level: {} taken off (--level)\n", form.name()),
+/// What was taken off a map first, and why if nobody asked for it.
+pub(crate) fn level(asked: Level, used: Level) -> String {
+    match (asked, used) {
+        (_, Level::None) => "level: none, the heights as they are\n".to_owned(),
+        (Level::Auto, Level::Mean) => {
+            "level: mean taken off; the map repeats as it is, without its plane it would not (--level)\n".to_owned()
+        }
+        (_, form) => format!("level: {} taken off (--level)\n", form.name()),
     }
 }
 

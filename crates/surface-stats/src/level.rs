@@ -2,6 +2,7 @@
 
 use crate::StatsError;
 use crate::polynomial::Polynomial;
+use crate::seam::repeats;
 use contact_types::HeightMap;
 use std::fmt;
 
@@ -22,29 +23,65 @@ pub enum Level {
     Plane,
     /// All terms up to second degree: plane, cylinder, sphere-like cap and saddle.
     Quadratic,
+    /// The plane, the tilt of a mounting; but the mean where opposite edges meet and the plane would take them apart,
+    /// for a map that repeats has no tilt.
+    Auto,
 }
 
 impl Level {
     /// Every choice, in the order in which help texts list them.
-    pub const ALL: &'static [Self] = &[Self::None, Self::Mean, Self::Plane, Self::Quadratic];
+    pub const ALL: &'static [Self] =
+        &[Self::Auto, Self::None, Self::Mean, Self::Plane, Self::Quadratic];
 
-    /// Total degree of the polynomial taken off; `None` if nothing is.
+    /// What it is for this map: itself, or what [`Auto`](Self::Auto) chooses.
+    ///
+    /// # Errors
+    /// As [`level`].
+    ///
+    /// ```
+    /// use contact_types::{Grid, HeightMap};
+    /// use std::f64::consts::TAU;
+    /// use surface_stats::Level;
+    ///
+    /// let grid = Grid::new([64, 64], [1e-6, 1e-6])?;
+    /// let wave = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).sin())?;
+    /// let tilted = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).sin() + 0.01 * x)?;
+    /// assert_eq!([Level::Auto.on(&wave)?, Level::Auto.on(&tilted)?], [Level::Mean, Level::Plane]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn on(self, map: &HeightMap) -> Result<Self, StatsError> {
+        match self {
+            Self::Auto if plane_parts_edges(map)? => Ok(Self::Mean),
+            Self::Auto => Ok(Self::Plane),
+            named => Ok(named),
+        }
+    }
+
+    /// What it is for a profile, whose ends need not meet: [`Auto`](Self::Auto) is the line.
+    #[must_use]
+    pub fn of_profile(self) -> Self {
+        if self == Self::Auto { Self::Plane } else { self }
+    }
+
+    /// Total degree of the polynomial taken off; `None` if nothing is. Of [`Auto`](Self::Auto) that of a
+    /// profile, its line.
     pub fn degree(self) -> Option<usize> {
         match self {
             Self::None => None,
             Self::Mean => Some(0),
-            Self::Plane => Some(1),
+            Self::Plane | Self::Auto => Some(1),
             Self::Quadratic => Some(2),
         }
     }
 
-    /// The word for it in commands and files: `none`, `mean`, `plane`, `quadratic`.
+    /// The word for it in commands and files: `none`, `mean`, `plane`, `quadratic`, `auto`.
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "none",
             Self::Mean => "mean",
             Self::Plane => "plane",
             Self::Quadratic => "quadratic",
+            Self::Auto => "auto",
         }
     }
 }
@@ -75,13 +112,22 @@ impl fmt::Display for Level {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn level(map: &HeightMap, level: Level) -> Result<HeightMap, StatsError> {
-    let Some(degree) = level.degree() else {
+    let Some(degree) = level.on(map)?.degree() else {
         return Ok(map.clone());
     };
+    without_form(map, degree)
+}
+
+fn without_form(map: &HeightMap, degree: usize) -> Result<HeightMap, StatsError> {
     let form = Polynomial::fit(map.grid(), map.heights(), degree)?;
     let mut heights = map.heights().to_vec();
     form.remove_from(&mut heights);
     Ok(HeightMap::new(map.grid(), heights)?)
+}
+
+/// Whether opposite edges meet, and do not once the plane is off.
+pub(crate) fn plane_parts_edges(map: &HeightMap) -> Result<bool, StatsError> {
+    Ok(repeats(map) && !repeats(&without_form(map, 1)?))
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use crate::clean::{RowOffsets, row_offsets};
 use crate::fractal::PowerLaw;
+use crate::level::plane_parts_edges;
 use crate::noise::white_noise_moments;
 use crate::options::{StatsOptions, check_range};
 use crate::polynomial::Polynomial;
@@ -156,8 +157,10 @@ impl SurfaceStatistics {
         scale::check(map)?;
         check_range(options.fractal_range)?;
         let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
-        let degree = options.level.degree().unwrap_or(0);
-        let tilt = if degree == 0 && !periodic {
+        let level = options.level.on(map)?;
+        let degree = level.degree().unwrap_or(0);
+        // A map that repeats has no tilt, whatever a plane explains of it.
+        let tilt = if degree == 0 && !periodic && !plane_parts_edges(map)? {
             Polynomial::fit(grid, map.heights(), 1)?.explained(map.heights())
         } else {
             0.0
@@ -198,7 +201,7 @@ impl SurfaceStatistics {
         let mut statistics = Self {
             shape: grid.shape(),
             pixel: grid.pixel(),
-            level: options.level,
+            level,
             edges: options.edges,
             missing: options.missing,
             rms_height,

@@ -208,7 +208,7 @@ impl Remedies {
     }
 
     pub(crate) fn level(&self) -> Level {
-        if self.plane { Level::Plane } else { Level::Mean }
+        if self.plane { Level::Auto } else { Level::Mean }
     }
 
     pub(crate) fn edges(&self) -> EdgesName {

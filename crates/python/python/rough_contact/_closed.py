@@ -209,7 +209,7 @@ def model(
     pressure: Q | None = None,
     separation: Q | None = None,
     hardness: Q | None = None,
-    level: Literal["none", "mean", "plane", "quadratic"] = "plane",
+    level: Literal["auto", "none", "mean", "plane", "quadratic"] = "auto",
     against: Surface | None = None,
     flip: Flip = "columns",
     shift: Q | None = None,
@@ -228,8 +228,8 @@ def model(
         Nominal pressures, or distances of the undeformed planes; exactly one.
     hardness : quantity, optional
         Of the softer body, for models of bodies that yield.
-    level : {'plane', 'none', 'mean', 'quadratic'}
-        Form that is taken off a surface first, or off each trace.
+    level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
+        Form that is taken off a surface first, or off each trace; 'auto' is the plane, but the mean of a map that repeats.
     against, flip, shift
         A second body, as in `solve`, that `source` is pressed on.
 
@@ -246,7 +246,7 @@ def model(
     >>> print(found.citation.doi, found.area_fraction.round(5))
     10.1098/rspa.1966.0242 [0.00121 0.01078]
     """
-    check("level", level, ("none", "mean", "plane", "quadratic"))
+    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
     if (pressure is None) == (separation is None):
         raise TypeError("give exactly one of pressure and separation")
     surface, roughness, second = None, None, None

@@ -88,7 +88,7 @@ def read_profile(
     s_filter: Q | None = None,
     l_filter: Q | None = None,
     fill: Fill = "refuse",
-    level: Level = "plane",
+    level: Level = "auto",
 ) -> Profile:
     """Reads the traces of a stylus and takes their statistics, as ``rough-contact stats`` of a profile.
 
@@ -102,8 +102,8 @@ def read_profile(
         Form to take off before: 'plane', 'quadratic', 'polynomial:N'.
     s_filter, l_filter : quantity, optional
         Cut-offs (m) of the Gaussian profile filters (ISO 16610-21); by default those of ISO 21920-3 for the trace.
-    level : {'plane', 'none', 'mean', 'quadratic'}
-        Polynomial that levels each trace: a line, none but the mean, a parabola.
+    level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
+        Polynomial that levels each trace: a line (also 'auto'), none but the mean, a parabola.
 
     Returns
     -------
@@ -118,7 +118,7 @@ def read_profile(
         Points are missing, and none are filled.
     """
     check("fill", fill, ("refuse", "harmonic", "nearest"))
-    check("level", level, ("none", "mean", "plane", "quadratic"))
+    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
     request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
     request.update(fill=fill, cleaning=cleaned_by(False, outliers, form, s_filter, l_filter))
     with sorted_as(ReadError):

@@ -18,7 +18,7 @@ from ._units import Q
 
 __all__ = ["solve"]
 
-Level = Literal["none", "mean", "plane", "quadratic"]
+Level = Literal["auto", "none", "mean", "plane", "quadratic"]
 Method = Literal["auto", "chord", "polonsky-keer", "stanley-kato"]
 
 
@@ -31,7 +31,7 @@ def solve(
     gap: Q | None = None,
     load: Q | None = None,
     area: Q | None = None,
-    level: Level = "plane",
+    level: Level = "auto",
     boundary: Literal["periodic", "free"] = "periodic",
     edges: Literal["periodic", "mirrored"] = "periodic",
     method: Method = "auto",
@@ -67,8 +67,8 @@ def solve(
         What E* is made of.
     pressure, gap, load : quantity or list
         Exactly one: nominal pressures, mean gaps, or forces on `area` (that of the map by default).
-    level : {'plane', 'none', 'mean', 'quadratic'}
-        Form that is taken off first.
+    level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
+        Form that is taken off first; 'auto' is the plane, but the mean of a map that repeats.
     boundary : {'periodic', 'free'}
         What lies beyond the edges: the map again, or nothing.
     edges : {'periodic', 'mirrored'}
@@ -125,7 +125,7 @@ def solve(
     >>> curve.area_fraction_corrected.shape
     (2,)
     """
-    check("level", level, ("none", "mean", "plane", "quadratic"))
+    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
     check("boundary", boundary, ("periodic", "free"))
     check("edges", edges, ("periodic", "mirrored"))
     check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))

@@ -31,8 +31,8 @@ class Solver:
         Contact modulus E*; or `bodies`.
     bodies : Body or (Body, Body)
         What E* is made of.
-    level : {'plane', 'none', 'mean', 'quadratic'}
-        Form that is taken off each surface first.
+    level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
+        Form that is taken off each surface first; 'auto' is the plane, but the mean of a map that repeats.
     boundary : {'periodic', 'free'}
         What lies beyond the edges: the map again, or nothing.
     method, precision, tolerance
@@ -66,7 +66,7 @@ class Solver:
         *,
         modulus: Q | None = None,
         bodies: Bodies | None = None,
-        level: Level = "plane",
+        level: Level = "auto",
         boundary: Literal["periodic", "free"] = "periodic",
         method: Method = "auto",
         precision: Literal["f64", "f32"] = "f64",
@@ -75,7 +75,7 @@ class Solver:
         maps: bool | Literal["pressure"] = True,
         threads: int | None = None,
     ) -> None:
-        check("level", level, ("none", "mean", "plane", "quadratic"))
+        check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
         check("boundary", boundary, ("periodic", "free"))
         check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))
         check("precision", precision, ("f64", "f32"))

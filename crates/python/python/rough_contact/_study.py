@@ -265,7 +265,7 @@ def compare(
     pressure: Q | None = None,
     headline: Q | None = None,
     models: Sequence[str | ContactModel] | None = None,
-    level: Literal["none", "mean", "plane", "quadratic"] = "plane",
+    level: Literal["auto", "none", "mean", "plane", "quadratic"] = "auto",
     edges: Literal["periodic", "mirrored"] = "periodic",
     hardness: Q | None = None,
     resistivity: Q | None = None,
@@ -316,7 +316,7 @@ def compare(
     >>> sorted(study['synth 1'].models)
     ['gw', 'persson']
     """
-    check("level", level, ("none", "mean", "plane", "quadratic"))
+    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
     check("edges", edges, ("periodic", "mirrored"))
     check("precision", precision, ("f64", "f32"))
     check("on_failure", on_failure, ("raise", "keep"))
@@ -405,7 +405,7 @@ def _own(
     named: Mapping[str, Surface],
     modulus: float,
     pressures: list[float] | None,
-    level: Literal["none", "mean", "plane", "quadratic"],
+    level: Literal["auto", "none", "mean", "plane", "quadratic"],
     on_failure: str,
 ) -> dict[str, Any]:
     """The curves of a model of one's own on all surfaces."""

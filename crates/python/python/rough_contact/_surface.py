@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 __all__ = ["Fill", "Flip", "Surface", "info", "read", "synth"]
 
 Fill = Literal["refuse", "harmonic", "nearest"]
-Level = Literal["none", "mean", "plane", "quadratic"]
+Level = Literal["auto", "none", "mean", "plane", "quadratic"]
 Flip = Literal["columns", "rows", "none"]
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -219,7 +219,7 @@ class Surface:
     def statistics(
         self,
         *,
-        level: Level = "plane",
+        level: Level = "auto",
         boundary: Literal["open", "periodic"] = "open",
         iso: bool = False,
         scales: bool = False,
@@ -231,8 +231,8 @@ class Surface:
 
         Parameters
         ----------
-        level : {'none', 'mean', 'plane', 'quadratic'}
-            Form that is taken off first.
+        level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
+            Form that is taken off first; 'auto' is the plane, but the mean of a map that repeats.
         boundary : {'open', 'periodic'}
             What lies beyond the edges where slopes are taken.
         iso : bool
@@ -243,7 +243,7 @@ class Surface:
             A second body, as in `solve`: the statistics are those of the sum of both.
         """
         request = {"level": level, "boundary": boundary, "iso": iso, "scales": scales}
-        check("level", level, ("none", "mean", "plane", "quadratic"))
+        check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
         check("boundary", boundary, ("open", "periodic"))
         with sorted_as(SurfaceError):
             text = _rust.statistics(
@@ -253,7 +253,7 @@ class Surface:
 
     def levelled(self, form: Level = "plane") -> Surface:
         """A new surface with a form taken off by least squares."""
-        check("form", form, ("none", "mean", "plane", "quadratic"))
+        check("form", form, ("auto", "none", "mean", "plane", "quadratic"))
         with sorted_as(SurfaceError):
             return Surface._made(*_rust.reshape(self._heights, self._facts, form, count(None)))
 

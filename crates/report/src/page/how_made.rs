@@ -13,6 +13,7 @@ use compare::{Body, FileOrigin, Origin, Recipe, Settings};
 use compare::{DeterministicAnswer, SurfaceComparison};
 use contact_accuracy::BOUNDARY_CORRECTION;
 use contact_accuracy::plan::Outcome;
+use surface_stats::Level;
 
 /// Program, inputs, settings, the command that repeats it.
 pub(crate) fn section(page: &Page<'_>) -> String {
@@ -115,6 +116,14 @@ pub(crate) fn hardness_words(settings: &Settings) -> Option<String> {
         "no pressure exceeds <i>H</i> = {}; models are judged by that contact; {whose}",
         chosen(hardness, PASCALS)
     ))
+}
+
+/// The form taken off, of all maps.
+pub(crate) fn level_words(level: Level) -> &'static str {
+    match level {
+        Level::Auto => "plane; mean where a map repeats and would not without its plane",
+        named => named.name(),
+    }
 }
 
 /// What E* is made of. Contact is solved as that of one rough elastic half space and a rigid flat.

@@ -9,7 +9,8 @@ use compare::{Sections, SurfaceComparison};
 /// What was done to the form of the map.
 pub(crate) fn levelled(surface: &SurfaceComparison) -> &'static str {
     match surface.statistics.level {
-        surface_stats::Level::Plane => "least-squares plane removed",
+        // Statistics say what was chosen.
+        surface_stats::Level::Plane | surface_stats::Level::Auto => "least-squares plane removed",
         surface_stats::Level::Quadratic => "least-squares paraboloid removed",
         surface_stats::Level::Mean => "mean removed",
         surface_stats::Level::None if surface.origin.cleaned().is_empty() => "as given",

@@ -9,7 +9,7 @@ use crate::numbers::{
     AREAS, METRES, PASCALS, SPACE, Unit, chosen, duration, percent, quantity, signed_percent,
     significant, unit_for,
 };
-use crate::page::how_made::{bodies_words, hardness_words, materials_words};
+use crate::page::how_made::{bodies_words, hardness_words, level_words, materials_words};
 use crate::page::html::{document, hardness_in_head};
 use crate::page::sections::figure;
 use crate::page::tables::swatch;
@@ -455,7 +455,7 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
         bodies_words(&settings.bodies),
         hardness_words(settings).map_or(String::new(), |words| format!("; {words}")),
         materials_words(settings),
-        settings.level.name(),
+        level_words(settings.level),
         settings.edges.name(),
         escape(&provenance.repeat)
     )

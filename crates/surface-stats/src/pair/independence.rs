@@ -28,6 +28,7 @@ impl Independence {
         form: Level,
         edges: Edges,
     ) -> Result<Self, StatsError> {
+        let form = form.on(sum)?; // the same for all three: they add
         let (bodies, powers, grid) = {
             let [a, b] = [level(parts[0], form)?, level(parts[1], form)?];
             let repeat = repeats(&a) && repeats(&b);
