@@ -40,8 +40,8 @@ pub(crate) fn profile<'py>(
     let found = quietly(py, threads, move || traces(Path::new(&file), &asked, level))?;
     let (traces, json) = found.map_err(|e| e.raise(at))?;
     let Traces { each, missing, cleaned, uneven, height_step, format, .. } = traces;
-    let (count, points) = (each.len(), each.first().map_or(0, |t| t.len()));
-    let spacing = each.first().map_or(0.0, |t| t.spacing());
+    let (count, points) = (each.len(), each.first().map_or(0, Trace::len));
+    let spacing = each.first().map_or(0.0, Trace::spacing);
     let heights = each.iter().flat_map(|t| t.heights().iter().copied()).collect();
     let facts = Facts {
         name: at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned(),

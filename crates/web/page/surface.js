@@ -77,7 +77,7 @@ async function areas() {
   if (!answer || of !== now.read) return;
   of.areas = true;
   if (answer.kind !== 'done') { all('[data-area]').forEach(cell => cell.replaceChildren()); return; }
-  if (answer.cut) $('doubts-area').textContent = ` Area: of the middle ${answer.cut} × ${answer.cut} points, where about 2\u202f% touch.`;
+  if (answer.cut) $('doubts-area').textContent = ` Area: of the middle ${answer.cut} × ${answer.cut} points, at a light load, 0.01\u202fE* Sdq.`;
 }
 
 // Lines of text, one below the other.
@@ -102,7 +102,7 @@ function showPictures(pictures) {
 
 function showDoubts(doubts) {
   $('doubts-lead').replaceChildren(...(doubts.length
-    ? ['Each remedy shows what it changes. Untick to keep the map as measured.', part('span', { id: 'doubts-area' }, ' Area: at the load at which about 2\u202f% touch.')]
+    ? ['Each remedy shows what it changes. Untick to keep the map as measured.', part('span', { id: 'doubts-area' }, ' Area: at a light load, 0.01\u202fE* Sdq.')]
     : ['Nothing that has a remedy.']));
   $('doubts').hidden = doubts.length === 0;
   // A table that is read anew keeps the focus on the box that was ticked.

@@ -1,4 +1,4 @@
-//! How much touches without each remedy and with it, at the load at which about 2 % do.
+//! How much touches without each remedy and with it, at a light load.
 
 use crate::message::Messages;
 use crate::request::Request;
@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use surface_io::Measurement;
 
-/// Pressure over contact modulus and rms gradient: about 2 % of a rough surface touches.
+/// Pressure over contact modulus and rms gradient: about 2 % of a surface with normal heights touches.
 const LOAD: f64 = 0.01;
 
 /// Points along a side; of larger maps the middle is solved.

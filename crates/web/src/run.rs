@@ -91,8 +91,8 @@ pub(crate) fn answer(
 fn shown_map(maps: &PressureMaps, load: usize) -> Option<Value> {
     let picture = report::pressure_picture(maps, load)?.data_address().ok()?;
     let map = &maps.loads[load];
-    let sign = if map.clipped { "≥" } else { "" };
-    Some(json!({ "picture": picture, "top": format!("{sign}{}", shown_pressure(map.top)) }))
+    let more = if map.clipped { " and more" } else { "" };
+    Some(json!({ "picture": picture, "top": format!("{}{more}", shown_pressure(map.top)) }))
 }
 
 fn iterated(index: usize, number: usize, residual: f64, tolerance: f64) -> Value {
