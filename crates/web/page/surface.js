@@ -71,7 +71,7 @@ async function areas() {
   if (keys.length === 0 || of.areas || engine.running) return;
   const cells = key => all('[data-area]').filter(cell => cell.dataset.area === key);
   const answer = await engine.ask('areas', request({ doubts: keys }), now.file, news => {
-    cells(news.key).forEach((cell, i) => cell.replaceChildren(...broken(news.lines[i])));
+    cells(news.key).forEach(cell => cell.replaceChildren(...broken(news.lines[cell.dataset.side])));
   });
   of.cancelled = !answer;
   if (!answer || of !== now.read) return;
@@ -108,7 +108,7 @@ function showDoubts(doubts) {
   // A table that is read anew keeps the focus on the box that was ticked.
   const focused = document.activeElement && document.activeElement.dataset.key;
   const cell = (doubt, i, label) => part('td', { className: 'n', 'data-l': label }, ...broken(doubt.numbers && doubt.numbers[i]),
-    part('div', { 'data-area': doubt.key }, doubt.key === 'fill' && i === 0 ? '' : '…'));
+    doubt.key === 'fill' && i === 0 ? null : part('div', { 'data-area': doubt.key, 'data-side': i }, '…'));
   $('doubts').tBodies[0].replaceChildren(...doubts.map(doubt => part('tr', {},
     part('th', { scope: 'row' }, tag(doubt.tag), part('b', {}, doubt.claim), doubt.text),
     part('td', { className: 'fix' }, remedy(doubt)),

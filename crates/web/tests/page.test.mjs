@@ -151,7 +151,7 @@ test('each remedy says what it does to the area, as the command finds it', async
   close(said.spikes[0], area('--fill', 'harmonic'));
   close(said.spikes[1], clean8);
   assert.ok(parseFloat(said.spikes[0].match(/[\d.]+/)[0]) < 0.8 * parseFloat(said.spikes[1].match(/[\d.]+/)[0]), 'spikes carry the load');
-  const [smooth, nearest] = said.fill[1].split('\n');
+  const [smooth, nearest] = said.fill[0].split('\n');
   assert.match(smooth, /smoothly$/);
   close(smooth, clean8);
   close(nearest, area('--outliers', '8', '--fill', 'nearest'));
