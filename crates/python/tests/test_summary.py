@@ -80,7 +80,7 @@ def test_what_was_not_asked_the_same_is_refused(files, page):
 def test_distributions_of_a_study(files):
     study = rc.compare(rc.read(sorted(files.glob("*.x3p"))[0]), modulus="110 GPa", pressure="100MPa,1GPa", on_failure="keep")
     surface = study["1.x3p"]
-    solved = rc.solve(rc.read(sorted(files.glob("*.x3p"))[0]), modulus="110 GPa", pressure="100MPa,1GPa", level="plane", maps=True, distributions=True, on_failure="keep")
+    solved = rc.solve(rc.read(sorted(files.glob("*.x3p"))[0]), modulus="110 GPa", pressure="100MPa,1GPa", maps=True, distributions=True, on_failure="keep")
     i = [p["mean_pressure"] for p in surface.deterministic].index(surface.headline_pressure)
     assert surface.distributions == solved.to_dict()["points"][i]["distributions"]
     gap, pressure = solved.gap(i), solved.pressure(i)

@@ -61,7 +61,7 @@ const canvas = page => page.value(`(() => {
 // Maps of pressure that the command solves at the loads of the report.
 function solved(name = 'map.x3p', loads = points(), count = ROWS * COLUMNS) {
   const pressures = loads.map(p => `${p.mean_pressure}Pa`).join(',');
-  rough('solve', name, '--modulus', '110GPa', '--level', 'plane', '--pressure', pressures, '--maps', 'maps', '--force');
+  rough('solve', name, '--modulus', '110GPa', '--pressure', pressures, '--maps', 'maps', '--force');
   const files = readdirSync(at('maps')).filter(f => /pressure.*\.npy$/.test(f)).sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
   assert.ok(files.length >= loads.length, files.join());
   return files.slice(0, loads.length).map(file => {

@@ -67,7 +67,7 @@ def compare_profiles(
     pressure: Q | None = None,
     headline: Q | None = None,
     models: Sequence[str] | None = None,
-    level: Literal["none", "mean", "plane", "quadratic"] = "plane",
+    level: Literal["auto", "none", "mean", "plane", "quadratic"] = "auto",
     fractal_range: Q | None = None,
 ) -> ProfileComparison:
     """What the closed forms say of the traces of a stylus: ``rough-contact compare`` of profiles.
@@ -84,8 +84,8 @@ def compare_profiles(
         The pressure of the headline, one of `pressure`.
     models : list, optional
         Names of built-in models; every one by default.
-    level : {'plane', 'none', 'mean', 'quadratic'}
-        Polynomial that levels each trace: a line, none but the mean, a parabola.
+    level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
+        Polynomial that levels each trace: a line (also 'auto'), none but the mean, a parabola.
     fractal_range : quantity, optional
         As the option of the command.
 
@@ -105,7 +105,7 @@ def compare_profiles(
     >>> len(rc.compare_profiles(trace, modulus='110 GPa', pressure='10MPa,100MPa'))
     1
     """
-    check("level", level, ("none", "mean", "plane", "quadratic"))
+    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
     named = _named(profiles)
     made_of = _bodies.given(modulus, bodies)
     settings: dict[str, Any] = {
