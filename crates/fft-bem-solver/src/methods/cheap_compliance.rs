@@ -6,7 +6,7 @@
 //! ```
 //!
 //! I interpolates with cubic splines; B is what it leaves of a wave. On square pixels the pressure
-//! that belongs to the displacement is wrong by 1.3 % for white noise, by 5 % for the worst wave, at
+//! that belongs to the displacement is wrong by 0.6 % for white noise, at
 //! 1/20 of the cost of a transform at full size. Good for one or two digits of a *change* of the
 //! pressure whose displacement is known before.
 
@@ -135,21 +135,32 @@ impl CheapCompliance {
             let both = [row((i + ry * ny - dy) % ny), row((i + dy) % ny)];
             let factor = if dy == 0 { 0.5 } else { 1.0 }; // the row itself comes twice
             fold_rows(both, factor, first, rx, line);
-            let at = |d: usize| &line[d..d + width];
-            if let &[t0, t1, t2, t3] = taps {
-                let [l3, l2, l1, c, r1, r2, r3] = [at(0), at(1), at(2), at(3), at(4), at(5), at(6)];
-                for k in 0..width {
-                    y[k] += (t0 * c[k] + t1 * (l1[k] + r1[k]))
-                        + (t2 * (l2[k] + r2[k]) + t3 * (l3[k] + r3[k]));
-                }
-                continue;
-            }
-            add_multiple(taps[0], at(rx), y);
-            for (d, tap) in taps.iter().enumerate().skip(1) {
-                for ((y, l), r) in y.iter_mut().zip(at(rx - d)).zip(at(rx + d)) {
-                    *y += tap * (l + r);
-                }
-            }
+            add_taps(taps, line, y);
+        }
+    }
+}
+
+/// Adds one row of the stencil: `y(i) += taps(0) line(i) + sum taps(d) (line(i-d) + line(i+d))`.
+#[inline(always)]
+fn add_taps(taps: &[f32], line: &[f32], y: &mut [f32]) {
+    let (n, reach) = (y.len(), taps.len() - 1);
+    let at = |d: usize| &line[d..d + n];
+    if let &[t0, t1, t2, t3, t4, t5] = taps {
+        // Square pixels: all six at a time.
+        let [l5, l4, l3, l2, l1, c] = [at(0), at(1), at(2), at(3), at(4), at(5)];
+        let [r1, r2, r3, r4, r5] = [at(6), at(7), at(8), at(9), at(10)];
+        for k in 0..n {
+            let near = t0 * c[k] + t1 * (l1[k] + r1[k]);
+            let next = t2 * (l2[k] + r2[k]) + t3 * (l3[k] + r3[k]);
+            let far = t4 * (l4[k] + r4[k]) + t5 * (l5[k] + r5[k]);
+            y[k] += near + (next + far);
+        }
+        return;
+    }
+    add_multiple(taps[0], at(reach), y);
+    for (d, tap) in taps.iter().enumerate().skip(1) {
+        for ((y, l), r) in y.iter_mut().zip(at(reach - d)).zip(at(reach + d)) {
+            *y += tap * (l + r);
         }
     }
 }
@@ -204,11 +215,11 @@ mod tests {
     #[test]
     fn pressures_come_back() {
         for (shape, pixel, width, limit) in [
-            ([128, 128], [1.0, 1.0], 1, 0.015),
-            ([128, 128], [1.0, 1.0], 8, 0.015),
-            ([101, 99], [1.0, 1.0], 1, 0.015),
-            ([101, 99], [1.0, 1.0], 9, 0.015),
-            ([64, 128], [2.0, 1.0], 1, 0.015),
+            ([128, 128], [1.0, 1.0], 1, 0.007),
+            ([128, 128], [1.0, 1.0], 8, 0.006),
+            ([101, 99], [1.0, 1.0], 1, 0.007),
+            ([101, 99], [1.0, 1.0], 9, 0.006),
+            ([64, 128], [2.0, 1.0], 1, 0.006),
             ([64, 128], [8.0, 1.0], 1, 0.015),
             ([128, 64], [1.0, 1000.0], 1, 0.022),
             ([1, 256], [1.0, 1.0], 1, 0.022),

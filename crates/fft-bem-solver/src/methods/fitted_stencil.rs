@@ -8,7 +8,7 @@ const PROBE: usize = 32;
 const WEAKEST: f64 = 0.3;
 
 /// Reach of the stencil along an axis, in cells, and in pixels at most.
-const REACH: f64 = 0.75;
+const REACH: f64 = 1.25;
 pub(super) const MAX_REACH: usize = 12;
 
 /// A stencil that is even along both axes.
@@ -112,8 +112,12 @@ impl Waves {
         };
         let [mut passed, mut x, mut crossed] = [(); 3].map(|()| vec![0.0; unknowns + 1]);
         let mut normal = vec![vec![0.0; unknowns + 1]; unknowns + 1];
-        for class in 0..coarse[0] * coarse[1] {
-            let k = [class / coarse[1], class % coarse[1]];
+        // Everything is even along both axes: half of the waves along each tell it all.
+        let half = coarse.map(|n| n / 2 + 1);
+        for class in 0..half[0] * half[1] {
+            let k = [class / half[1], class % half[1]];
+            let alike = |a: usize| if k[a] == 0 || 2 * k[a] == coarse[a] { 1.0 } else { 2.0 };
+            let count = alike(0) * alike(1);
             let main = [0, 1].map(|a| phase_of(k[a], coarse[a]) / factor[a] as f64);
             fill(main, &mut passed);
             for x in &mut passed {
@@ -135,15 +139,16 @@ impl Waves {
                 for i in 0..=unknowns {
                     crossed[i] += stiff2 * b2 * x[i];
                     for j in 0..=i {
-                        normal[i][j] += stiff2 * x[i] * x[j];
+                        normal[i][j] += count * stiff2 * x[i] * x[j];
                     }
                 }
             }
             for i in 0..=unknowns {
                 for j in 0..=i {
-                    normal[i][j] += passed[i] * passed[j] * into * out_of
+                    let more = passed[i] * passed[j] * into * out_of
                         - crossed[i] * passed[j]
                         - crossed[j] * passed[i];
+                    normal[i][j] += count * more;
                 }
             }
         }

@@ -12,7 +12,7 @@
 //! 1  g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}             look.rs
 //! 2  z = E^T S E g on F, less its mean;  trial = p - tau z on F                       trial.rs
 //!    |z on F, p off F| <= tolerance |p|: stop
-//!    before the first pair, while |z| > 0.05 |p|:                                     guess.rs
+//!    before the first pair, while the trial is expected to be wrong by more than 0.8 %: guess.rs
 //!        u = u + K~ (trial - p),  p = trial swept,  and again from 1       (no pair: a guess)
 //! 3  trial = trial swept, clipped, scaled to the load                                 trial.rs
 //! 4  K trial                                                               (the one pair)  line.rs
@@ -47,9 +47,10 @@ use crate::problem::Problem;
 use crate::{End, Real, certificate, fields};
 use contact_types::Grid;
 
-/// Most steps with the cheap compliance before the first trial, and the estimate that ends them.
+/// Most steps with the cheap compliance before the first trial, and the error that this trial is expected to have
+/// when they end: about what the cheap compliance leaves.
 const GUESSES: u8 = 6;
-const GUESSED: f64 = 0.05;
+const GUESSED: f64 = 0.008;
 
 /// The method: its memory, and how it begins.
 pub(crate) struct Chord<T: Real> {
@@ -212,11 +213,15 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             // The contact of another load: the step will close much that it leaves open.
             self.propose(start == Start::Warm, tolerance)
         };
+        let mut before = self.memory.residual;
         for guess in 0..guesses {
             let residual = self.memory.residual;
+            // If the next trial gains as much as the last did.
+            let expected = residual * residual / before;
+            before = residual;
             let is_lead = self.work.pairs.base == Base::Lead;
             let is_first = guess == 0 && (is_lead || residual > tolerance);
-            if !(residual > GUESSED || is_first) || !self.guess(proposal.set, proposal.level) {
+            if !(expected > GUESSED || is_first) || !self.guess(proposal.set, proposal.level) {
                 break;
             }
             self.memory.length = 0.0;
