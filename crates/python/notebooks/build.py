@@ -161,7 +161,7 @@ def study(path):
     found = rc.compare({Path(path).name: rc.read(path)}, modulus='110 GPa', pressure='100MPa..1GPa:3', threads=1, on_failure='keep')
     return found.digest()
 
-page = rc.summary([study(path) for path in some if 'error' not in by_name[Path(path).name]], failed={row['file']: row['error'] for row in failed})
+page = rc.summary([study(path) for path in some if not by_name[Path(path).name].get('error')], failed={row['file']: row['error'] for row in failed})
 page.write(folder / 'report.html')
 page""",
 ]
