@@ -50,7 +50,7 @@ fn index(name: &str) -> usize {
 }
 
 /// Pairs to 1e-4 by chord, Polonsky-Keer, Stanley-Kato, and with the free boundary. The last of the light load was
-/// 6.7: the same five iterations after one guess more, a tenth of a pair.
+/// 6.7 before guesses ended by what the next trial is expected to find, which costs it part of a guess and saves others a pair.
 const LIMITS_LIGHT: [[f64; 4]; 3] =
     [[3.5, 42.0, 41.0, 5.6], [3.5, 43.0, 41.0, 5.6], [4.6, 50.0, 63.0, 6.75]];
 const LIMITS_HEAVY: [[f64; 4]; 3] =

@@ -24,12 +24,20 @@ before(() => {
   rough('synth', '--shape', '96,128', '--pixel', '1um', '--hurst', '0.8', '--rolloff', '30um', '--cutoff', '5um', '--rms-gradient', '0.1', '--seed', '7', '--out', 'map.x3p');
   rough('convert', 'map.x3p', '--out', 'map.npy');
   writeFileSync(at('holes.npy'), holes(readFileSync(at('map.npy'))));
+  writeFileSync(at('map.txt'), matrix(readFileSync(at('map.npy'))));
   writeFileSync(at('hostile.npy'), claiming(readFileSync(at('map.npy')), '(96, 128)', '(4000000, 4000000)'));
 });
 after(async () => {
   await browser.close();
   rmSync(folder, { recursive: true, force: true });
 });
+
+// The heights as text, a line for each row, and nothing of their unit.
+function matrix(file) {
+  const first = file.length - 96 * 128 * 8;
+  const row = y => Array.from({ length: 128 }, (_, x) => file.readDoubleLE(first + 8 * (128 * y + x))).join(' ');
+  return Array.from({ length: 96 }, (_, y) => row(y)).join('\n') + '\n';
+}
 
 // A block and single points that the instrument did not see. Heights are doubles behind the header.
 function holes(file) {
@@ -167,9 +175,9 @@ test('each remedy says what it does to the area, as the command finds it', async
   await clean(page);
 });
 
-test('a file without units is asked about, with what the answer would mean', async () => {
+test('a text map without units is asked about, with what the answer would mean', async () => {
   const page = await opened();
-  await page.choose(at('map.npy'));
+  await page.choose(at('map.txt'));
   await page.state('ask');
   assert.match(await page.text('#h-ask'), /no pixel size and no height unit/);
   assert.ok(await page.value("$('use-units').disabled"));
@@ -184,8 +192,8 @@ test('a file without units is asked about, with what the answer would mean', asy
   await planned(page);
   await page.click('#compute-now');
   await page.state('result');
-  rough('compare', 'map.npy', '--pixel', '1um', '--height-unit', 'm', ...steel, '--outliers', '8', '--fill', 'harmonic', '--out', 'npy');
-  same(await result(page), 'npy');
+  rough('compare', 'map.txt', '--pixel', '1um', '--height-unit', 'm', ...steel, '--outliers', '8', '--fill', 'harmonic', '--out', 'txt');
+  same(await result(page), 'txt');
   await clean(page);
 });
 
