@@ -6,7 +6,7 @@ import copy
 import json
 from dataclasses import dataclass, field
 from html import escape
-from typing import Any, Literal, Union
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ from ._findings import Finding, findings_html
 from ._models import Citation
 from ._profile import Profile
 from ._results import flat, pressure as shown
-from ._surface import Flip, Surface, check, laid
+from ._surface import LEVELS, Flip, Level, Surface, check, laid
 from ._threads import count
 from ._units import Q
 
@@ -209,7 +209,7 @@ def model(
     pressure: Q | None = None,
     separation: Q | None = None,
     hardness: Q | None = None,
-    level: Literal["auto", "none", "mean", "plane", "quadratic"] = "auto",
+    level: Level = "auto",
     against: Surface | None = None,
     flip: Flip = "columns",
     shift: Q | None = None,
@@ -246,7 +246,7 @@ def model(
     >>> print(found.citation.doi, found.area_fraction.round(5))
     10.1098/rspa.1966.0242 [0.00121 0.01078]
     """
-    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
+    check("level", level, LEVELS)
     if (pressure is None) == (separation is None):
         raise TypeError("give exactly one of pressure and separation")
     surface, roughness, second = None, None, None

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from . import _rough_contact as _rust
 from ._errors import ReadError, sorted_as
-from ._surface import Fill, Level, PathLike, check, cleaned_by, length, reading
+from ._surface import LEVELS, Fill, Level, PathLike, check, cleaned_by, length, reading
 from ._threads import count
 from ._units import Q
 
@@ -118,7 +118,7 @@ def read_profile(
         Points are missing, and none are filled.
     """
     check("fill", fill, ("refuse", "harmonic", "nearest"))
-    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
+    check("level", level, LEVELS)
     request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
     request.update(fill=fill, cleaning=cleaned_by(False, outliers, form, s_filter, l_filter))
     with sorted_as(ReadError):

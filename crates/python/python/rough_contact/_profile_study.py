@@ -5,16 +5,17 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Union
+from typing import Any, Union
 
 from . import _bodies, _units
+from . import _named as _names
 from . import _rough_contact as _rust
 from ._bodies import Bodies
 from ._documents import Documents
 from ._errors import SettingError, sorted_as
 from ._profile import Profile
 from ._results import pressure as shown
-from ._surface import check, digest_of
+from ._surface import LEVELS, Level, check, digest_of
 from ._threads import count
 from ._units import Q
 
@@ -67,7 +68,7 @@ def compare_profiles(
     pressure: Q | None = None,
     headline: Q | None = None,
     models: Sequence[str] | None = None,
-    level: Literal["auto", "none", "mean", "plane", "quadratic"] = "auto",
+    level: Level = "auto",
     fractal_range: Q | None = None,
 ) -> ProfileComparison:
     """What the closed forms say of the traces of a stylus: ``rough-contact compare`` of profiles.
@@ -105,8 +106,8 @@ def compare_profiles(
     >>> len(rc.compare_profiles(trace, modulus='110 GPa', pressure='10MPa,100MPa'))
     1
     """
-    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
-    named = _named(profiles)
+    check("level", level, LEVELS)
+    named = _names.named(profiles, Profile, "; see rc.read_profile")
     made_of = _bodies.given(modulus, bodies)
     settings: dict[str, Any] = {
         "modulus": made_of["modulus"] or _bodies.contact_modulus(*_bodies.listed(bodies or [])),
@@ -130,22 +131,3 @@ def compare_profiles(
     with sorted_as(SettingError):
         files = _rust.profile_study(given, json.dumps(settings), [digest_of(p.path) for p in named.values()])
     return ProfileComparison(files)
-
-
-def _named(profiles: Profiles) -> dict[str, Profile]:
-    """The profiles under names that tell them apart."""
-    if isinstance(profiles, Mapping):
-        named = dict(profiles)
-    else:
-        named = {}
-        for profile in profiles if isinstance(profiles, (list, tuple)) else [profiles]:
-            if not isinstance(profile, Profile):
-                raise TypeError(f"profiles takes rc.Profile, not {type(profile).__name__}; see rc.read_profile")
-            name, k = profile.name, 1
-            while name in named:
-                k += 1
-                name = f"{profile.name} ({k})"
-            named[name] = profile
-    if not named:
-        raise TypeError("a study needs at least one profile")
-    return named

@@ -12,13 +12,12 @@ from ._bodies import Bodies
 from ._errors import ContactWarning, Interrupted, NotConverged, SettingError, made, sorted_as
 from ._progress import ProgressArgument
 from ._results import LoadCurve
-from ._surface import Flip, Surface, check, laid
+from ._surface import LEVELS, Flip, Level, Surface, check, laid
 from ._threads import count
 from ._units import Q
 
 __all__ = ["solve"]
 
-Level = Literal["auto", "none", "mean", "plane", "quadratic"]
 Method = Literal["auto", "chord", "polonsky-keer", "stanley-kato"]
 
 
@@ -125,7 +124,7 @@ def solve(
     >>> curve.area_fraction_corrected.shape
     (2,)
     """
-    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
+    check("level", level, LEVELS)
     check("boundary", boundary, ("periodic", "free"))
     check("edges", edges, ("periodic", "mirrored"))
     check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))

@@ -10,8 +10,8 @@ from ._bodies import Bodies
 from ._errors import SettingError
 from ._progress import ProgressArgument
 from ._results import LoadCurve, Point
-from ._solve import Level, Method, asked, loads
-from ._surface import Surface, check
+from ._solve import Method, asked, loads
+from ._surface import LEVELS, Level, Surface, check
 from ._threads import count
 from ._units import Q
 
@@ -75,7 +75,7 @@ class Solver:
         maps: bool | Literal["pressure"] = True,
         threads: int | None = None,
     ) -> None:
-        check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
+        check("level", level, LEVELS)
         check("boundary", boundary, ("periodic", "free"))
         check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))
         check("precision", precision, ("f64", "f32"))

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _bodies, _progress, _units
+from . import _named as _names
 from . import _rough_contact as _rust
 from ._bodies import Bodies
 from ._documents import Documents
@@ -24,7 +25,7 @@ from ._models import Citation, ContactModel, Inputs, curve, models
 from ._progress import ProgressArgument
 from ._results import flat, percent, pressure
 from ._statistics import Statistics
-from ._surface import Flip, Surface, check, digest, laid
+from ._surface import LEVELS, Flip, Level, Surface, check, digest, laid
 from ._threads import count
 from ._units import Q
 
@@ -265,7 +266,7 @@ def compare(
     pressure: Q | None = None,
     headline: Q | None = None,
     models: Sequence[str | ContactModel] | None = None,
-    level: Literal["auto", "none", "mean", "plane", "quadratic"] = "auto",
+    level: Level = "auto",
     edges: Literal["periodic", "mirrored"] = "periodic",
     hardness: Q | None = None,
     resistivity: Q | None = None,
@@ -316,11 +317,11 @@ def compare(
     >>> sorted(study['synth 1'].models)
     ['gw', 'persson']
     """
-    check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
+    check("level", level, LEVELS)
     check("edges", edges, ("periodic", "mirrored"))
     check("precision", precision, ("f64", "f32"))
     check("on_failure", on_failure, ("raise", "keep"))
-    named = _named(surfaces)
+    named = _names.named(surfaces, Surface)
     made_of = _bodies.given(modulus, bodies)
     e_star = made_of["modulus"] or _bodies.contact_modulus(*_bodies.listed(bodies or []))
     pressures = None if pressure is None else sorted(set(_units.several(pressure, "pressure", "pressure")))
@@ -381,31 +382,12 @@ def compare(
     return study
 
 
-def _named(surfaces: Surfaces) -> dict[str, Surface]:
-    """The surfaces under names that tell them apart."""
-    if isinstance(surfaces, Mapping):
-        named = dict(surfaces)
-    else:
-        named = {}
-        for surface in [surfaces] if isinstance(surfaces, Surface) else surfaces:
-            if not isinstance(surface, Surface):
-                raise TypeError(f"surfaces takes rc.Surface, not {type(surface).__name__}")
-            name, k = surface.name, 1
-            while name in named:
-                k += 1
-                name = f"{surface.name} ({k})"
-            named[name] = surface
-    if not named:
-        raise TypeError("a study needs at least one surface")
-    return named
-
-
 def _own(
     model: ContactModel,
     named: Mapping[str, Surface],
     modulus: float,
     pressures: list[float] | None,
-    level: Literal["auto", "none", "mean", "plane", "quadratic"],
+    level: Level,
     on_failure: str,
 ) -> dict[str, Any]:
     """The curves of a model of one's own on all surfaces."""

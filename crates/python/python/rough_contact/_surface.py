@@ -7,7 +7,7 @@ import json
 import os
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal, Union
+from typing import TYPE_CHECKING, Any, Literal, Union, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,6 +27,7 @@ __all__ = ["Fill", "Flip", "Surface", "info", "read", "synth"]
 
 Fill = Literal["refuse", "harmonic", "nearest"]
 Level = Literal["auto", "none", "mean", "plane", "quadratic"]
+LEVELS = get_args(Level)
 Flip = Literal["columns", "rows", "none"]
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -243,7 +244,7 @@ class Surface:
             A second body, as in `solve`: the statistics are those of the sum of both.
         """
         request = {"level": level, "boundary": boundary, "iso": iso, "scales": scales}
-        check("level", level, ("auto", "none", "mean", "plane", "quadratic"))
+        check("level", level, LEVELS)
         check("boundary", boundary, ("open", "periodic"))
         with sorted_as(SurfaceError):
             text = _rust.statistics(
@@ -253,7 +254,7 @@ class Surface:
 
     def levelled(self, form: Level = "plane") -> Surface:
         """A new surface with a form taken off by least squares."""
-        check("form", form, ("auto", "none", "mean", "plane", "quadratic"))
+        check("form", form, LEVELS)
         with sorted_as(SurfaceError):
             return Surface._made(*_rust.reshape(self._heights, self._facts, form, count(None)))
 

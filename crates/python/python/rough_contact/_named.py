@@ -1,0 +1,37 @@
+"""What a study is asked about, under names that tell its members apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Protocol, TypeVar, Union
+
+__all__ = ["named"]
+
+
+class _Named(Protocol):
+    @property
+    def name(self) -> str: ...
+
+
+T = TypeVar("T", bound=_Named)
+
+
+def named(given: Union[T, Iterable[T], Mapping[str, T]], kind: type[T], way_out: str = "") -> dict[str, T]:
+    """One of a kind, several, or a mapping whose keys name them; of those with one name the later ones are numbered."""
+    what = kind.__name__.lower()
+    found: dict[str, T] = {}
+    if isinstance(given, Mapping):
+        found = dict(given)
+    else:
+        alone = isinstance(given, kind) or not isinstance(given, Iterable)
+        for one in [given] if alone else given:
+            if not isinstance(one, kind):
+                raise TypeError(f"{what}s takes rc.{kind.__name__}, not {type(one).__name__}{way_out}")
+            name, k = one.name, 1
+            while name in found:
+                k += 1
+                name = f"{one.name} ({k})"
+            found[name] = one
+    if not found:
+        raise TypeError(f"a study needs at least one {what}")
+    return found
