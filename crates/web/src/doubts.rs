@@ -32,17 +32,9 @@ struct Doubt {
 
 impl Doubt {
     fn json(self, remedies: &Remedies) -> Value {
-        let ticked = match self.key {
-            "spikes" => remedies.spikes,
-            "plane" => remedies.plane,
-            "dome" => remedies.dome,
-            "rows" => remedies.rows,
-            "mirror" => remedies.mirror,
-            _ => false,
-        };
         json!({
             "tag": self.tag, "claim": self.claim, "text": self.text, "key": self.key, "label": self.label,
-            "ticked": ticked, "fill": (self.key == "fill").then_some(&remedies.fill),
+            "ticked": remedies.has(self.key), "fill": (self.key == "fill").then_some(&remedies.fill),
             "numbers": self.numbers,
         })
     }

@@ -173,6 +173,18 @@ fn unit(text: Option<&str>) -> Result<Option<f64>, Failure> {
 }
 
 impl Remedies {
+    /// Whether one is ticked; the rules for missing points have no tick.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        match key {
+            "spikes" => self.spikes,
+            "plane" => self.plane,
+            "dome" => self.dome,
+            "rows" => self.rows,
+            "mirror" => self.mirror,
+            _ => false,
+        }
+    }
+
     /// Ticks one, or takes the tick off; of the two rules for missing points `true` is the one that is chosen.
     pub(crate) fn set(&mut self, key: &str, on: bool) {
         match key {

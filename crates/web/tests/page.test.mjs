@@ -32,6 +32,16 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
+// Answers that points are 1 µm apart and heights in metres.
+async function metres(page) {
+  await page.state('ask');
+  await page.type('#dx', '1');
+  await page.value("(() => { $('hu').value = 'm'; $('hu').dispatchEvent(new Event('input')); })()");
+  await page.until("$('a-say').textContent.includes('usual')");
+  await page.click('#use-units');
+  await page.state('read');
+}
+
 // The heights as text, a line for each row, and nothing of their unit.
 function matrix(file) {
   const first = file.length - 96 * 128 * 8;
@@ -112,12 +122,7 @@ test('an X3P file is read, computed and gives the numbers of the command', async
 test('missing points are filled as ticked, and other bodies and loads are taken', async () => {
   const page = await opened();
   await page.choose(at('holes.npy'));
-  await page.state('ask');
-  await page.type('#dx', '1');
-  await page.value("(() => { $('hu').value = 'm'; $('hu').dispatchEvent(new Event('input')); })()");
-  await page.until("$('a-say').textContent.includes('usual')");
-  await page.click('#use-units');
-  await page.state('read');
+  await metres(page);
   assert.match(await page.text('#doubts'), /points are missing/);
   const readings = await page.value("$('h-read').dataset.ready");
   await page.value("(() => { const e = document.querySelector('[data-key=fill]'); e.value = 'nearest'; e.dispatchEvent(new Event('change')); })()");
@@ -143,12 +148,7 @@ test('each remedy says what it does to the area, as the command finds it', async
   writeFileSync(at('spiky.npy'), spiky(holes(readFileSync(at('spiky.npy')))));
   const page = await opened();
   await page.choose(at('spiky.npy'));
-  await page.state('ask');
-  await page.type('#dx', '1');
-  await page.value("(() => { $('hu').value = 'm'; $('hu').dispatchEvent(new Event('input')); })()");
-  await page.until("$('a-say').textContent.includes('usual')");
-  await page.click('#use-units');
-  await page.state('read');
+  await metres(page);
   await page.until("now.read.areas");
   const said = await page.value("Object.fromEntries(['spikes', 'fill'].map(key => [key, [...document.querySelectorAll(`[data-area=${key}]`)].map(e => e.innerText)]))");
   const read = ['spiky.npy', '--pixel', '1um', '--height-unit', 'm'];
