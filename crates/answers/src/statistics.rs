@@ -80,7 +80,7 @@ pub fn statistics(
     json["findings"] = report::findings_json(&findings);
     json["cleaning"] = report::cleaning_json(cleaned);
     json["pair"] = pair.map_or(Value::Null, report::pair_json);
-    let levelled = (with_iso || with_scales).then(|| level(map, options.level));
+    let levelled = (with_iso || with_scales).then(|| level(map, s.level));
     let levelled = levelled.transpose().map_err(refused)?;
     let iso = match levelled.as_ref().filter(|_| with_iso) {
         Some(map) => Some(Iso::of(map, options.edges).map_err(refused)?),

@@ -22,17 +22,16 @@ pub(crate) fn describe(
     origin: &Origin,
     settings: &Settings,
 ) -> Result<(HeightMap, SurfaceStatistics, Spectra), StatsError> {
-    let form = settings.level;
     let fractal_range = settings.fractal_range;
     let options = StatsOptions::default()
-        .with_level(form)
+        .with_level(settings.level)
         .with_edges(origin.edges())
         .with_fractal_range(fractal_range)
         .with_missing(origin.missing())
         .with_height_step(origin.height_step());
     // From the heights as given, so that a tilt that is removed is still reported.
     let (statistics, spectra) = SurfaceStatistics::with_spectra(heights, &options)?;
-    Ok((level(heights, form)?, statistics, spectra))
+    Ok((level(heights, statistics.level)?, statistics, spectra))
 }
 
 /// One set of moments for all models, by finite differences: they stay inside the map, so that a

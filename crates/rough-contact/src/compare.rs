@@ -346,14 +346,13 @@ fn write(
 /// A short table per surface, and where the report is.
 fn describe(comparison: &Comparison, folder: &Path) -> String {
     let mut out = String::new();
-    let line = |s: &SurfaceComparison| text::level(comparison.settings.level, s.statistics.level);
-    for same in comparison.surfaces.chunk_by(|a, b| line(a) == line(b)) {
+    for same in comparison.surfaces.chunk_by(|a, b| a.statistics.level == b.statistics.level) {
         // Whose it is, where it is not that of all.
         if same.len() < comparison.surfaces.len() {
             let names: Vec<_> = same.iter().map(|s| s.name.as_str()).collect();
             let _ = write!(out, "{}: ", names.join(", "));
         }
-        out.push_str(&line(&same[0]));
+        out.push_str(&text::level(comparison.settings.level, same[0].statistics.level));
     }
     out.push_str(text::MOMENTS);
     out.push_str(&text::loads(&comparison.settings));

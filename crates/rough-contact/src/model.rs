@@ -84,8 +84,9 @@ impl Model {
             spikes = Spikes::of(&surface.map);
             rows = row_offsets(surface.map.grid(), surface.map.heights()).ok();
             let used = self.source.level().on(&surface.map);
-            level = Some(used.map_err(|e| Failure::in_file(path, &e))?);
-            self.source.measured(&card.name, modulus, path, surface)?
+            let used = used.map_err(|e| Failure::in_file(path, &e))?;
+            level = Some(used);
+            self.source.measured(&card.name, modulus, path, surface, used)?
         } else {
             self.cleaning.refuse_without_file()?;
             if self.against.given()?.is_some() {
@@ -128,8 +129,7 @@ impl Model {
         path: &Path,
         traces: &Traces,
     ) -> Result<Reply, Failure> {
-        let asked = self.source.level();
-        let level = asked.of_profile();
+        let level = self.source.level().of_profile();
         let origin = self.reading.origin(path, traces, String::new());
         let found = model::of_profile(
             theory,
@@ -165,7 +165,7 @@ impl Model {
                 );
             }
         }
-        reply.text += &text::level(asked, level);
+        reply.text += &text::level(level, level);
         reply.text += text::MOMENTS;
         reply.json = found.json;
         Ok(reply)

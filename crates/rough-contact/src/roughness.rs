@@ -272,13 +272,14 @@ impl Source {
         Inputs { gamma, critical_area, hardness, ..inputs }
     }
 
-    /// What the model needs of a measured surface, and nothing else.
+    /// What the model needs of a measured surface without this form, and nothing else.
     pub(crate) fn measured(
         &self,
         model: &str,
         modulus: ContactModulus,
         path: &Path,
         surface: Complete,
+        form: Level,
     ) -> Result<Inputs, Failure> {
         let given = Inputs {
             gamma: self.gamma,
@@ -288,7 +289,7 @@ impl Source {
         };
         let edges = self.boundary.unwrap_or(Edges::Open).rule();
         let Complete { map, missing, .. } = surface;
-        answers::model::measured(model, given, path, map, missing, (self.level(), edges))
+        answers::model::measured(model, given, path, map, missing, (form, edges))
     }
 
     /// An option that the model does not use is a mistake, not a wish.

@@ -159,8 +159,9 @@ impl SurfaceStatistics {
         let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
         let level = options.level.on(map)?;
         let degree = level.degree().unwrap_or(0);
-        // A map that repeats has no tilt, whatever a plane explains of it.
-        let tilt = if degree == 0 && !periodic && !plane_parts_edges(map)? {
+        // A map that repeats has no tilt, whatever a plane explains of it; `Auto` has looked already.
+        let may_be_tilted = degree == 0 && !periodic && options.level != Level::Auto;
+        let tilt = if may_be_tilted && !plane_parts_edges(map)? {
             Polynomial::fit(grid, map.heights(), 1)?.explained(map.heights())
         } else {
             0.0
