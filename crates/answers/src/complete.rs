@@ -20,6 +20,8 @@ pub struct Complete {
     pub height_step: Option<f64>,
     /// Name of the format it was read from.
     pub format: String,
+    /// `[y0, x0, ny, nx]` of the part that was cut out of the file, if one was.
+    pub crop: Option<[usize; 4]>,
 }
 
 /// Why a measurement gives no complete map. How to mend it is said by who asked: the names of options differ.
@@ -71,7 +73,7 @@ pub fn complete(
     if ny < 2 || nx < 2 {
         return Err(Incomplete::Line([ny, nx]));
     }
-    let format = measurement.format().name().to_owned();
+    let (format, crop) = (measurement.format().name().to_owned(), measurement.cropped());
     // Neither a removed form nor filled points take the steps away; only smoothing does.
     let kept = cleaning.s_filter.is_none();
     let height_step = kept.then(|| height_step(measurement.heights())).flatten();
@@ -82,7 +84,7 @@ pub fn complete(
         return Err(Incomplete::Spikes(spikes));
     }
     let map = measurement.fill(fill)?;
-    Ok(Complete { map, missing, cleaned, height_step, format })
+    Ok(Complete { map, missing, cleaned, height_step, format, crop })
 }
 
 /// A measurement after cleaning, with what each step did.

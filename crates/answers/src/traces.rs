@@ -25,6 +25,8 @@ pub struct Traces {
     pub cleaning: Cleaning,
     /// Name of the format.
     pub format: String,
+    /// `[y0, x0, ny, nx]` of the part that was cut out of the first trace, if one was.
+    pub crop: Option<[usize; 4]>,
 }
 
 impl Traces {
@@ -38,6 +40,7 @@ impl Traces {
         fill: Fill,
     ) -> Result<Self, Incomplete> {
         let format = measurements.first().map_or("", |m| m.format().name()).to_owned();
+        let crop = measurements.first().and_then(Measurement::cropped);
         // λs and λc act on the profile after its form is off, with their own ends.
         let before = Cleaning { s_filter: None, l_filter: None, ..cleaning };
         let (mut traces, mut missing, mut first) = (Vec::new(), 0, None);
@@ -54,7 +57,7 @@ impl Traces {
             first.get_or_insert((cleaned, how.map(unevenness), step));
         }
         let (cleaned, uneven, height_step) = first.unwrap_or_default();
-        Ok(Self { each: traces, missing, cleaned, uneven, height_step, cleaning, format })
+        Ok(Self { each: traces, missing, cleaned, uneven, height_step, cleaning, format, crop })
     }
 
     /// Statistics of the traces as one sample, a polynomial of this degree taken off each, and what

@@ -39,7 +39,7 @@ pub(crate) fn profile<'py>(
     let (file, asked) = (path.to_owned(), how.clone());
     let found = quietly(py, threads, move || traces(Path::new(&file), &asked, level))?;
     let (traces, json) = found.map_err(|e| e.raise(at))?;
-    let Traces { each, missing, cleaned, uneven, height_step, format, .. } = traces;
+    let Traces { each, missing, cleaned, uneven, height_step, format, crop, .. } = traces;
     let (count, points) = (each.len(), each.first().map_or(0, Trace::len));
     let spacing = each.first().map_or(0.0, Trace::spacing);
     let heights = each.iter().flat_map(|t| t.heights().iter().copied()).collect();
@@ -49,7 +49,7 @@ pub(crate) fn profile<'py>(
         missing,
         fill: how.rule_name(),
         height_step,
-        origin: how.origin(path, format.clone(), (missing, &cleaned, height_step)),
+        origin: how.origin(path, format.clone(), crop, (missing, &cleaned, height_step)),
         cleaned,
         uneven,
     };
@@ -88,9 +88,9 @@ fn kept(heights: &PyReadonlyArray2<'_, f64>, facts: &str) -> PyResult<(Traces, F
     let rows = heights.as_array();
     let each = rows.rows().into_iter().map(|row| Trace::new(facts.pixel[1], row.to_vec()));
     let each = each.collect::<Result<Vec<_>, _>>().map_err(|e| raise(&Failure::from_error(&e)))?;
-    let (format, cleaning) = match &facts.origin {
-        Origin::File(file) => (file.format.clone(), file.cleaning),
-        _ => (String::new(), Cleaning::default()),
+    let (format, cleaning, crop) = match &facts.origin {
+        Origin::File(file) => (file.format.clone(), file.cleaning, file.crop),
+        _ => (String::new(), Cleaning::default(), None),
     };
     let traces = Traces {
         each,
@@ -100,6 +100,7 @@ fn kept(heights: &PyReadonlyArray2<'_, f64>, facts: &str) -> PyResult<(Traces, F
         height_step: facts.height_step,
         cleaning,
         format,
+        crop,
     };
     Ok((traces, facts))
 }

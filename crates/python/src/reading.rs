@@ -7,7 +7,7 @@ use pyo3::PyErr;
 use pyo3::exceptions::PyOSError;
 use serde::Deserialize;
 use std::path::Path;
-use surface_io::{Fill, FillError, HeightUnit, Layout, Measurement, ReadError, ReadOptions};
+use surface_io::{Cut, Fill, FillError, HeightUnit, Layout, Measurement, ReadError, ReadOptions};
 use surface_stats::clean::Record;
 
 /// What is said of a file.
@@ -20,7 +20,8 @@ pub(crate) struct Reading {
     pub(crate) height_unit: Option<f64>,
     pub(crate) override_height_unit: Option<f64>,
     pub(crate) layout: Option<String>,
-    pub(crate) crop: Option<[usize; 4]>,
+    /// As the command takes it.
+    pub(crate) crop: Option<String>,
     pub(crate) fill: String,
     pub(crate) cleaning: Cleaning,
 }
@@ -45,8 +46,7 @@ impl Reading {
     /// Every trace of a file of several; one measurement of any other file.
     pub(crate) fn measurements(&self, path: &Path) -> Result<Vec<Measurement>, Unread> {
         let all = surface_io::read_traces(path, &self.options()?).map_err(Unread::File)?;
-        let Some(crop) = self.crop else { return Ok(all) };
-        all.into_iter().map(|m| m.crop(crop).map_err(Unread::File)).collect()
+        all.into_iter().map(|m| self.part(m)).collect()
     }
 
     /// The name of the rule for missing points.
@@ -60,6 +60,7 @@ impl Reading {
         &self,
         path: &str,
         format: String,
+        crop: Option<[usize; 4]>,
         (missing, cleaned, height_step): (usize, &[Record], Option<f64>),
     ) -> Origin {
         Origin::File(FileOrigin {
@@ -73,7 +74,7 @@ impl Reading {
             height_unit: self.height_unit,
             override_height_unit: self.override_height_unit,
             layout: self.layout.clone(),
-            crop: self.crop,
+            crop,
             fill: self.rule_name(),
             missing,
             cleaning: self.cleaning,
@@ -83,11 +84,14 @@ impl Reading {
     }
 
     pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
-        let measurement = surface_io::read(path, &self.options()?).map_err(Unread::File)?;
-        match self.crop {
-            None => Ok(measurement),
-            Some(crop) => measurement.crop(crop).map_err(Unread::File),
-        }
+        self.part(surface_io::read(path, &self.options()?).map_err(Unread::File)?)
+    }
+
+    /// What was asked for of it.
+    fn part(&self, measurement: Measurement) -> Result<Measurement, Unread> {
+        let Some(text) = &self.crop else { return Ok(measurement) };
+        let cut: Cut = text.parse().map_err(|message| Failure::refused("crop", message))?;
+        measurement.crop(cut).map_err(Unread::File)
     }
 }
 
@@ -134,7 +138,8 @@ fn needs(needs: &[surface_io::Need]) -> String {
         Need::Layout(Layout::Matrix) => "if they are heights, give layout='matrix'",
         Need::Layout(Layout::List) => "if they are coordinates, give layout='list'",
         Need::Fill => {
-            "fill them with fill='harmonic' or fill='nearest', or cut out a part with crop="
+            "fill them with fill='harmonic' or fill='nearest', or cut out the largest complete part with \
+             crop='complete'"
         }
         _ => "",
     };

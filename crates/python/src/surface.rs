@@ -186,10 +186,10 @@ pub(crate) fn read<'py>(
         Ok((complete, said))
     })?;
     let (complete, said) = found.map_err(|e| e.raise(at))?;
-    let Complete { map, missing, cleaned, height_step, format } = complete;
+    let Complete { map, missing, cleaned, height_step, format, crop } = complete;
     let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();
     let fill = how.rule_name();
-    let origin = how.origin(path, format, (missing, &cleaned, height_step));
+    let origin = how.origin(path, format, crop, (missing, &cleaned, height_step));
     let pixel = map.grid().pixel();
     let facts = Facts { name, pixel, missing, fill, height_step, origin, cleaned, uneven: None };
     let said = json!({

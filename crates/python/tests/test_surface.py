@@ -118,7 +118,11 @@ def test_refused_files(tmp_path, rough):
         rough.write(tmp_path / "map.doc")
     with pytest.raises(rc.ReadError, match="profile"):
         rc.read(path, pixel="1um", height_unit="m", crop=(0, 0, 1, 9))
+    assert rc.read(path, pixel="1um", height_unit="m", crop="middle").shape == tuple(-(-n // 2) for n in rough.shape)
+    with pytest.raises(rc.ReadError, match="complete"):
+        rc.read(path, pixel="1um", height_unit="m", crop="half")  # type: ignore[arg-type]
     np.save(path, np.where(ramp() > 300, np.nan, ramp()))
+    assert rc.read(path, pixel="1um", height_unit="m", crop="complete").shape == (3, 7)
     with pytest.raises(rc.MissingPoints):
         rc.read(path, pixel="1um", height_unit="nm")
 

@@ -146,6 +146,7 @@ impl Against {
             cleaned: Vec::new(),
             height_step: origin.height_step(),
             format: "pair".to_owned(),
+            crop: None,
         };
         let pair = origin.pair().cloned();
         pair.map(|pair| (complete, pair))

@@ -109,12 +109,6 @@ pub(crate) fn shape(text: &str) -> Result<[usize; 2], String> {
     counts(text).ok_or_else(|| format!("'{text}' is not NY,NX; write for example 512,512"))
 }
 
-/// `Y0,X0,NY,NX`: four counts.
-pub(crate) fn crop(text: &str) -> Result<[usize; 4], String> {
-    counts(text)
-        .ok_or_else(|| format!("'{text}' is not Y0,X0,NY,NX; write for example 0,0,512,512"))
-}
-
 fn counts<const N: usize>(text: &str) -> Option<[usize; N]> {
     let numbers: Result<Vec<usize>, _> = text.split(',').map(|n| n.trim().parse()).collect();
     numbers.ok()?.try_into().ok()

@@ -8,7 +8,7 @@ use compare::{
     Settings, Surface, sha256_hex,
 };
 use std::path::Path;
-use surface_io::Layout;
+use surface_io::{Cut, Layout};
 
 /// What the files hold.
 pub(crate) enum Given {
@@ -62,7 +62,7 @@ pub(crate) fn from_file(
     reading: &Reading,
     cleaning: Cleaning,
 ) -> Result<One, Failure> {
-    let Complete { map, missing, cleaned, height_step, format } =
+    let Complete { map, missing, cleaned, height_step, format, crop } =
         match reading.measured(path, cleaning)? {
             Measured::Surface(complete) => complete,
             Measured::Profile(traces) => {
@@ -81,7 +81,7 @@ pub(crate) fn from_file(
         height_unit: reading.height_unit,
         override_height_unit: reading.override_height_unit,
         layout: reading.layout.map(|layout| layout.name().to_owned()),
-        crop: reading.crop,
+        crop,
         fill: reading.fill.name().to_owned(),
         missing,
         cleaning,
@@ -174,7 +174,7 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
         override_height_unit: file.override_height_unit,
         layout,
         fill,
-        crop: file.crop,
+        crop: file.crop.map(Cut::Rectangle),
     };
     let path = Path::new(&file.path);
     let surface = from_file(path, &reading, file.cleaning)?;

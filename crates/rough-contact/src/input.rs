@@ -11,7 +11,7 @@ pub(crate) use answers::Complete;
 use clap::{Args, ValueEnum};
 use compare::{Cleaning, FileOrigin, Origin};
 use std::path::{Path, PathBuf};
-use surface_io::{HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions};
+use surface_io::{Cut, HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions};
 
 /// How missing points are filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -73,9 +73,10 @@ pub(crate) struct Reading {
     /// What to do with missing points
     #[arg(long, value_enum, default_value_t, value_name = "RULE")]
     pub(crate) fill: Fill,
-    /// Cut out NY x NX points from row Y0, column X0
-    #[arg(long, value_name = "Y0,X0,NY,NX", value_parser = args::crop)]
-    pub(crate) crop: Option<[usize; 4]>,
+    /// Cut out NY x NX points from row Y0, column X0; `complete`: the largest part without missing
+    /// points; `middle`: the middle half of each side
+    #[arg(long, value_name = "Y0,X0,NY,NX", value_parser = str::parse::<Cut>)]
+    pub(crate) crop: Option<Cut>,
 }
 
 impl Reading {
@@ -155,7 +156,13 @@ impl Reading {
             None => Ok(all),
             Some(crop) => {
                 let cut = |m: Measurement| m.crop(crop).map_err(|e| needs::unread(path, &e));
-                all.into_iter().map(cut).collect()
+                let all: Vec<Measurement> = all.into_iter().map(cut).collect::<Result<_, _>>()?;
+                if let (Some(part), false) = (all[0].cropped(), matches!(crop, Cut::Rectangle(_))) {
+                    let said = Cut::Rectangle(part);
+                    let path = path.display();
+                    outcome::tell(&format!("rough-contact: {path}: --crop {crop} is --crop {said}"));
+                }
+                Ok(all)
             }
         }
     }
@@ -172,7 +179,7 @@ impl Reading {
             height_unit: self.height_unit,
             override_height_unit: self.override_height_unit,
             layout: self.layout.map(|layout| layout.name().to_owned()),
-            crop: self.crop,
+            crop: traces.crop,
             fill: self.fill.name().to_owned(),
             missing: traces.missing,
             cleaning: traces.cleaning,

@@ -85,8 +85,8 @@ fn option(need: Need) -> &'static str {
         Need::Layout(Layout::List) => "if they are coordinates, give --layout list",
         Need::Layout(Layout::Traces) => "if they are traces of a stylus, give --layout traces",
         Need::Fill => {
-            "fill them with --fill harmonic or --fill nearest, or cut out a complete part with \
-             --crop"
+            "fill them with --fill harmonic or --fill nearest, or cut out the largest complete \
+             part with --crop complete"
         }
         other => scale(other).unwrap_or_default(),
     }

@@ -327,8 +327,8 @@ impl Solve {
             }
             (Measured::Profile(traces), true) => {
                 let (map, traces) = profiles::only(traces, path)?;
-                let Traces { missing, cleaned, height_step, format, .. } = traces;
-                Ok(Complete { map, missing, cleaned, height_step, format })
+                let Traces { missing, cleaned, height_step, format, crop, .. } = traces;
+                Ok(Complete { map, missing, cleaned, height_step, format, crop })
             }
         }
     }

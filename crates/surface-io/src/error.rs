@@ -186,6 +186,15 @@ pub enum ReadError {
         /// Rows and columns there are.
         shape: [usize; 2],
     },
+    /// No part of the map is complete.
+    #[error(
+        "of the {} x {} points no 2 x 2 are without a missing one, so that no complete part can be cut out",
+        shape[0], shape[1]
+    )]
+    NothingComplete {
+        /// Rows and columns there are.
+        shape: [usize; 2],
+    },
 }
 
 impl ReadError {
@@ -206,7 +215,7 @@ impl ReadError {
             Self::Ambiguous { .. } => "ambiguous",
             Self::NoSuchChannel { .. } => "no_such_channel",
             Self::NotHeight { .. } => "not_height",
-            Self::Crop { .. } => "crop",
+            Self::Crop { .. } | Self::NothingComplete { .. } => "crop",
         }
     }
 

@@ -123,6 +123,7 @@ pub(crate) fn finish(
         uneven: channel.uneven,
         positions: channel.places.map(|x| x.into_iter().map(|x| x * pixel[1]).collect()),
         ambiguity: channel.ambiguity,
+        cropped: None,
     })
 }
 

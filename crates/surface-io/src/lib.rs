@@ -17,6 +17,7 @@
 mod binary;
 mod catalogue;
 mod cells;
+mod cut;
 mod error;
 mod fill;
 mod finish;
@@ -44,6 +45,7 @@ pub mod write;
 mod xml;
 
 pub use catalogue::{FORMATS, FormatSpec};
+pub use cut::Cut;
 pub use contact_types::{Grid, HeightMap, SurfaceError};
 pub use error::{FillError, Place, ReadError};
 pub use fill::Fill;

@@ -1,6 +1,7 @@
 //! What a file contains, before and after a channel is chosen.
 
 use crate::binary::{Bytes, Sample};
+use crate::cut::Cut;
 use crate::error::ReadError;
 use crate::format::Format;
 use crate::need::Ambiguity;
@@ -203,6 +204,7 @@ pub struct Measurement {
     pub(crate) uneven: Option<f64>,
     pub(crate) positions: Option<Vec<f64>>,
     pub(crate) ambiguity: Option<Ambiguity>,
+    pub(crate) cropped: Option<[usize; 4]>,
 }
 
 impl Measurement {
@@ -246,6 +248,11 @@ impl Measurement {
     /// that gives none.
     pub fn kept_unit(&self) -> Option<&str> {
         self.metadata.get(KEPT_UNIT).map(String::as_str)
+    }
+
+    /// `[y0, x0, ny, nx]` of what was cut out of the map of the file; `None` for all of it.
+    pub fn cropped(&self) -> Option<[usize; 4]> {
+        self.cropped
     }
 
     /// True for a single line of points, which is not a surface.
@@ -301,12 +308,13 @@ impl Measurement {
         Ok((self, answer))
     }
 
-    /// Cuts out `ny` by `nx` points from row `y0`, column `x0`.
+    /// Cuts out a part; [`cropped`](Self::cropped) says where it lies.
     ///
     /// # Errors
-    /// [`ReadError::Crop`] unless the rectangle `[y0, x0, ny, nx]` has points and lies inside.
-    pub fn crop(&self, [y0, x0, ny, nx]: [usize; 4]) -> Result<Self, ReadError> {
+    /// [`ReadError::Crop`] unless a rectangle has points and lies inside; [`ReadError::NothingComplete`].
+    pub fn crop(&self, cut: Cut) -> Result<Self, ReadError> {
         let shape = self.grid.shape();
+        let [y0, x0, ny, nx] = cut.of(shape, &self.heights)?;
         let inside = |start: usize, length: usize, size: usize| {
             length > 0 && start.checked_add(length).is_some_and(|end| end <= size)
         };
@@ -320,7 +328,9 @@ impl Measurement {
             .copied()
             .collect();
         let mut metadata = self.metadata.clone();
-        metadata.insert("crop".into(), format!("{y0},{x0},{ny},{nx}"));
+        let [above, before, ..] = self.cropped.unwrap_or_default();
+        let cropped = [above + y0, before + x0, ny, nx];
+        metadata.insert("crop".into(), Cut::Rectangle(cropped).to_string());
         Ok(Self {
             grid,
             missing: heights.iter().filter(|h| h.is_nan()).count(),
@@ -336,6 +346,7 @@ impl Measurement {
                 part.iter().map(|position| position - part[0]).collect()
             }),
             ambiguity: self.ambiguity,
+            cropped: Some(cropped),
         })
     }
 }

@@ -4,7 +4,7 @@ mod common;
 
 use common::{assert_sample, samples};
 use surface_io::{
-    Fill, FillError, Layout, Need, ReadError, ReadOptions, read, read_bytes, read_channels_bytes,
+    Cut, Fill, FillError, Layout, Need, ReadError, ReadOptions, read, read_bytes, read_channels_bytes,
 };
 
 #[test]
@@ -179,12 +179,25 @@ fn fill_is_refused_with_the_way_out() {
     assert!((filled.at(1, 2) - 102e-9).abs() < 1e-18);
     assert!((found.clone().fill(Fill::Nearest).unwrap().at(1, 2) - 101e-9).abs() < 1e-18);
     // Away from the hole a crop is complete.
-    let part = found.crop([2, 1, 3, 4]).unwrap();
+    let part = found.crop(Cut::Rectangle([2, 1, 3, 4])).unwrap();
     assert_eq!((part.missing(), part.grid().shape()), (0, [3, 4]));
     assert!((part.fill(Fill::Refuse).unwrap().at(0, 0) - 201e-9).abs() < 1e-18);
     for bad in [[0, 0, 0, 1], [0, 0, 6, 1], [4, 6, 1, 2], [usize::MAX, 0, 2, 2]] {
-        assert!(matches!(found.crop(bad), Err(ReadError::Crop { .. })));
+        assert!(matches!(found.crop(Cut::Rectangle(bad)), Err(ReadError::Crop { .. })));
     }
+    // The hole is in row 1, column 2 of 5 x 7 points: below it are 3 x 7, right of it 5 x 4.
+    assert_eq!(found.crop(Cut::Complete).unwrap().cropped(), Some([2, 0, 3, 7]));
+    // A part of a part is said as one of the map.
+    let part = found.crop(Cut::Middle).unwrap();
+    assert_eq!((part.cropped(), part.missing()), (Some([1, 1, 3, 4]), 1));
+    let inner = part.crop(Cut::Complete).unwrap();
+    assert_eq!((inner.cropped(), inner.missing()), (Some([2, 1, 2, 4]), 0));
+    let line = found.crop(Cut::Rectangle([0, 0, 2, 3])).unwrap();
+    let all_gone = line.crop(Cut::Rectangle([0, 1, 2, 2])).unwrap();
+    assert!(matches!(
+        all_gone.crop(Cut::Complete),
+        Err(ReadError::NothingComplete { shape: [2, 2] })
+    ));
 }
 
 #[test]

@@ -50,10 +50,9 @@ function showRead(answer) {
   showPictures(answer.pictures);
   const rows = answer.facts.flatMap(([term, text]) => [part('dt', {}, term), part('dd', {}, text)]);
   if (answer.channels.length > 1) {
-    const choice = part('select', { id: 'channel', onchange: e => { now.reading = { ...now.reading, channel: e.target.value }; look(); } },
-      ...answer.channels.map(c => part('option', { value: c.name, selected: c.chosen, disabled: !c.readable }, c.label)));
-    rows.push(part('dt', {}, part('label', { for: 'channel' }, 'Channel')), part('dd', {}, choice));
+    rows.push(...chosen('channel', 'Channel', answer.channels.map(c => ({ value: c.name, label: c.label, chosen: c.chosen, off: !c.readable }))));
   }
+  rows.push(...chosen('part', 'Part', answer.parts));
   $('facts').replaceChildren(...rows);
   $('numbers').replaceChildren(...answer.numbers.map(([name, value]) =>
     part('tr', {}, part('th', { scope: 'row' }, name), part('td', { className: 'n' }, value))));
@@ -62,6 +61,13 @@ function showRead(answer) {
   $('h-read').dataset.ready = String((Number($('h-read').dataset.ready) || 0) + 1);
   plan().then(planned => { if (planned) areas(); });
   if (first) go('read');
+}
+
+// A fact that is chosen from a list, and read with anew.
+function chosen(key, name, options) {
+  const choice = part('select', { id: key, onchange: e => { now.reading = { ...now.reading, [key]: e.target.value || null }; look(); } },
+    ...options.map(o => part('option', { value: o.value || '', selected: o.chosen, disabled: o.off }, o.label)));
+  return [part('dt', {}, part('label', { for: key }, name)), part('dd', {}, choice)];
 }
 
 // How much touches without each remedy and with it, told one by one when nothing else is asked. What comes between ends

@@ -12,7 +12,7 @@ use serde_json::json;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use surface_io::Measurement;
+use surface_io::{Cut, Measurement};
 
 /// Pressure over contact modulus and rms gradient: about 2 % of a surface with normal heights touches.
 const LOAD: f64 = 0.01;
@@ -78,7 +78,7 @@ fn middle(measured: Measurement) -> Result<(Measurement, bool), Trouble> {
         return Ok((measured, false));
     }
     let [rows, columns] = [ny, nx].map(|n| n.min(MOST));
-    let part = [(ny - rows) / 2, (nx - columns) / 2, rows, columns];
+    let part = Cut::Rectangle([(ny - rows) / 2, (nx - columns) / 2, rows, columns]);
     Ok((measured.crop(part).map_err(Trouble::Unread)?, true))
 }
 

@@ -14,7 +14,7 @@ use compare::{Level, Surface};
 use contact_types::{Grid, HeightMap};
 use report::numbers::significant;
 use serde_json::{Value, json};
-use surface_io::{Fill, HeightUnit, Measurement, Need, ReadError};
+use surface_io::{Cut, Fill, HeightUnit, Measurement, Need, ReadError};
 use surface_stats::{StatsOptions, SurfaceStatistics};
 
 /// Most pixels of a picture along its longer side.
@@ -67,6 +67,7 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
             })
         })
         .collect();
+    let parts = parts(&measured, request.reading.part()?);
     let about = format!("{} · {} · {}", request.name, measured.format().name(), bytes(file.len()));
     let ambiguity = measured.ambiguity().map(|a| a.to_string());
     let [ly, lx] = measured.grid().size();
@@ -93,7 +94,7 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
             ["A height map of ", false], [format!("{} × {}", length(lx), length(ly)), true], [". ", false],
             [claim, checks > 0],
         ],
-        "facts": facts, "channels": channels, "ambiguity": ambiguity,
+        "facts": facts, "channels": channels, "parts": parts, "ambiguity": ambiguity,
         "pictures": [
             { "name": "As measured", "svg": before },
             { "name": "With the ticked remedies", "svg": after },
@@ -105,6 +106,22 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
         "doubts": doubts, "findings": found,
         "plan": known(&statistics, &map),
     }))
+}
+
+/// The parts of a map that can be chosen; the last one where points are missing, or were before it was chosen.
+fn parts(measured: &Measurement, chosen: Option<Cut>) -> Vec<Value> {
+    let all = [
+        (None, "All of it"),
+        (Some(Cut::Middle), "Middle half of each side"),
+        (Some(Cut::Complete), "Largest part without missing points"),
+    ];
+    let is_offered = |cut| cut != Some(Cut::Complete) || cut == chosen || measured.missing() > 0;
+    all.into_iter()
+        .filter(|(cut, _)| is_offered(*cut))
+        .map(|(cut, label)| {
+            json!({ "value": cut.map(|c| c.to_string()), "label": label, "chosen": cut == chosen })
+        })
+        .collect()
 }
 
 /// The statistics that the study will find.
@@ -133,8 +150,11 @@ fn facts(measured: &Measurement) -> Vec<[String; 2]> {
     let own: Vec<_> = measured.channels().iter().filter(|c| c.name == measured.channel()).collect();
     let pixel_in_file = own.first().is_some_and(|c| c.pixel.is_some());
     let unit_in_file = own.first().is_some_and(|c| c.unit.is_some());
+    let part = measured.cropped().map_or_else(String::new, |[y0, x0, ..]| {
+        format!(", cut out from row {y0}, column {x0}")
+    });
     let mut facts = vec![
-        ["Points".to_owned(), format!("{ny} rows × {nx} columns")],
+        ["Points".to_owned(), format!("{ny} rows × {nx} columns{part}")],
         ["Pixel".to_owned(), format!("{} × {}, {}", length(dx), length(dy), said(pixel_in_file))],
     ];
     if let Some((low, high, _)) = measured.height_summary() {

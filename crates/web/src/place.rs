@@ -17,6 +17,9 @@ const BROWSER_POINTS: u64 = 1 << 24;
 /// Largest file in a browser, and most that one member of it may unpack to (bytes).
 const BROWSER_BYTES: u64 = 512 << 20;
 
+/// What WebAssembly can address at most (bytes).
+const BROWSER_MEMORY_BYTES: f64 = 4e9;
+
 /// Memory of a study: what it takes whatever the map is, and what each point adds.
 #[derive(Debug, Clone, Copy)]
 struct Memory {
@@ -76,6 +79,13 @@ impl Place {
         [resolved, refined].map(|each| fixed + each * points)
     }
 
+    /// What is to be said of so much memory (bytes), if it may be too much.
+    pub(crate) fn too_much(self, most: f64) -> Option<&'static str> {
+        (self.is_browser && most > BROWSER_MEMORY_BYTES).then_some(
+            "A browser gives 4000 MB: where that may not do, choose the middle half of the map under Part, at its facts.",
+        )
+    }
+
     /// The limits, as a part of a sentence.
     pub(crate) fn limits_said(self) -> String {
         let limits = self.limits();
@@ -97,7 +107,7 @@ impl Place {
             "The command rough-contact takes maps of up to 16384 × 16384 points; `rough-contact app` shows this page and \
              computes with it."
         } else {
-            "`rough-contact convert --crop` cuts out a part of a map."
+            "`rough-contact convert MAP --crop middle --out PART.x3p` cuts out the middle of a map."
         }
     }
 

@@ -49,11 +49,17 @@ fn loads(pressures: &[f64], by: LoadBy) -> String {
 
 fn cost(facts: Facts, edges: EdgesName, place: Place) -> String {
     let points = if edges == EdgesName::Mirrored { 4.0 * facts.points } else { facts.points };
-    let [low, high] = place.memory(points).map(|bytes| two(bytes / 1e6));
-    format!(
+    let memory = place.memory(points);
+    let [low, high] = memory.map(|bytes| two(bytes / 1e6));
+    let mut text = format!(
         "{} points; {low} to {high} MB of memory, the more where the grid has to be refined",
         count(points as usize)
-    )
+    );
+    if let Some(warning) = place.too_much(memory[1]) {
+        text += ". ";
+        text += warning;
+    }
+    text
 }
 
 /// To two digits.

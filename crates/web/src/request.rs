@@ -9,7 +9,7 @@ use compare::{
     material,
 };
 use serde::Deserialize;
-use surface_io::{Fill, HeightUnit, Layout, Limits, ReadOptions};
+use surface_io::{Cut, Fill, HeightUnit, Layout, Limits, ReadOptions};
 use surface_stats::clean::Form;
 
 /// Everything that an answer depends on, besides the bytes of the file.
@@ -59,6 +59,8 @@ pub(crate) struct Reading {
     pub(crate) lateral_unit: Option<String>,
     pub(crate) height_unit: Option<String>,
     pub(crate) layout: Option<String>,
+    /// The part that is cut out, as the command takes it; `None` for the whole map.
+    pub(crate) part: Option<String>,
 }
 
 /// Remedies that are ticked.
@@ -152,6 +154,11 @@ impl Reading {
 
     pub(crate) fn height_unit(&self) -> Result<Option<f64>, Failure> {
         unit(self.height_unit.as_deref())
+    }
+
+    pub(crate) fn part(&self) -> Result<Option<Cut>, Failure> {
+        let refused = |message| Failure::refused("crop", message);
+        self.part.as_deref().map(str::parse).transpose().map_err(refused)
     }
 
     pub(crate) fn options(&self, limits: Limits) -> Result<ReadOptions, Failure> {

@@ -13,7 +13,10 @@ pub(crate) fn measurement(request: &Request, file: &[u8]) -> Result<Measurement,
     if found.is_profile() {
         return Err(Trouble::Profile { points: found.heights().len() });
     }
-    Ok(found)
+    match request.reading.part()? {
+        None => Ok(found),
+        Some(cut) => found.crop(cut).map_err(Trouble::Unread),
+    }
 }
 
 /// A complete map with the remedies that are ticked.
@@ -36,7 +39,7 @@ pub(crate) fn of_measurement(
     file: &[u8],
     measured: Measurement,
 ) -> Result<Surface, Trouble> {
-    let Complete { map, missing, cleaned, height_step, format } = completed(measured, request)?;
+    let Complete { map, missing, cleaned, height_step, format, crop } = completed(measured, request)?;
     let reading = &request.reading;
     let origin = FileOrigin {
         path: request.name.clone(),
@@ -48,7 +51,7 @@ pub(crate) fn of_measurement(
         height_unit: reading.height_unit()?,
         override_height_unit: None,
         layout: reading.layout.clone(),
-        crop: None,
+        crop,
         fill: request.remedies.rule().to_owned(),
         missing,
         cleaning: request.remedies.cleaning(),

@@ -143,6 +143,28 @@ test('missing points are filled as ticked, and other bodies and loads are taken'
   await clean(page);
 });
 
+test('a part is cut out, as the command cuts it', async () => {
+  const page = await opened();
+  await page.choose(at('holes.npy'));
+  await metres(page);
+  const choose = async value => {
+    const readings = await page.value("$('h-read').dataset.ready");
+    await page.value(`(() => { const e = $('part'); e.value = '${value}'; e.dispatchEvent(new Event('change')); })()`);
+    await page.until(`$('h-read').dataset.ready > ${readings}`);
+  };
+  await choose('middle');
+  assert.match(await page.text('#facts'), /48 rows × 64 columns, cut out from row 24, column 32/);
+  assert.match(await page.text('#doubts'), /points are missing/);
+  await choose('complete');
+  assert.doesNotMatch(await page.text('#doubts'), /points are missing/);
+  await planned(page);
+  await page.click('#compute-now');
+  await page.state('result');
+  rough('compare', 'holes.npy', '--pixel', '1um', '--height-unit', 'm', ...steel, '--crop', 'complete', '--outliers', '8', '--fill', 'harmonic', '--out', 'part');
+  same(await result(page), 'part');
+  await clean(page);
+});
+
 test('each remedy says what it does to the area, as the command finds it', async () => {
   rough('convert', 'map.npy', '--pixel', '1um', '--height-unit', 'm', '--out', 'spiky.npy', '--force');
   writeFileSync(at('spiky.npy'), spiky(holes(readFileSync(at('spiky.npy')))));

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from . import _rough_contact as _rust
 from ._errors import ReadError, sorted_as
-from ._surface import LEVELS, Fill, Level, PathLike, check, cleaned_by, length, reading
+from ._surface import LEVELS, Crop, Fill, Level, PathLike, check, cleaned_by, length, reading
 from ._threads import count
 from ._units import Q
 
@@ -82,7 +82,7 @@ def read_profile(
     height_unit: str | None = None,
     override_height_unit: str | None = None,
     layout: Literal["matrix", "list", "traces"] | None = None,
-    crop: tuple[int, int, int, int] | None = None,
+    crop: Crop | None = None,
     outliers: float | None = None,
     form: str | None = None,
     s_filter: Q | None = None,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import operator
 import os
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -29,6 +30,7 @@ Fill = Literal["refuse", "harmonic", "nearest"]
 Level = Literal["auto", "none", "mean", "plane", "quadratic"]
 LEVELS = get_args(Level)
 Flip = Literal["columns", "rows", "none"]
+Crop = Union[tuple[int, int, int, int], Literal["complete", "middle"]]
 PathLike = Union[str, "os.PathLike[str]"]
 
 
@@ -311,7 +313,7 @@ def read(
     height_unit: str | None = None,
     override_height_unit: str | None = None,
     layout: Literal["matrix", "list"] | None = None,
-    crop: tuple[int, int, int, int] | None = None,
+    crop: Crop | None = None,
     align_rows: bool = False,
     outliers: float | None = None,
     form: str | None = None,
@@ -335,8 +337,8 @@ def read(
         Unit of the heights, whatever the file says.
     layout : {'matrix', 'list'}, optional
         What the columns of a text file are.
-    crop : (y0, x0, ny, nx), optional
-        The part to read.
+    crop : (y0, x0, ny, nx), 'complete' or 'middle', optional
+        The part to read: a rectangle of points, the largest one without missing points, or the middle half of each side.
     align_rows : bool
         Put rows in line that stand at heights of their own.
     outliers : float, optional
@@ -373,7 +375,7 @@ def info(
     height_unit: str | None = None,
     override_height_unit: str | None = None,
     layout: Literal["matrix", "list"] | None = None,
-    crop: tuple[int, int, int, int] | None = None,
+    crop: Crop | None = None,
 ) -> dict[str, Any]:
     """What a surface file holds, as ``rough-contact info`` says it: format, shape, pixel, missing points, channels."""
     request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
@@ -446,7 +448,7 @@ def reading(
     height_unit: str | None,
     override_height_unit: str | None,
     layout: str | None,
-    crop: tuple[int, int, int, int] | None,
+    crop: Crop | None,
 ) -> dict[str, Any]:
     def unit(text: str | None) -> float | None:
         return None if text is None else _units.factor(text)
@@ -462,7 +464,7 @@ def reading(
         "height_unit": unit(height_unit),
         "override_height_unit": unit(override_height_unit),
         "layout": layout,
-        "crop": None if crop is None else [int(n) for n in crop],
+        "crop": crop if crop is None or isinstance(crop, str) else ",".join(str(operator.index(n)) for n in crop),
         "fill": "refuse",
     }
 
