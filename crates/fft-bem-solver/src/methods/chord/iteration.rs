@@ -12,7 +12,7 @@
 //! 1  g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}             look.rs
 //! 2  z = E^T S E g on F, less its mean;  trial = p - tau z on F                       trial.rs
 //!    |z on F, p off F| <= tolerance |p|: stop
-//!    before the first pair, while the trial is expected to be wrong by more than 0.8 %: guess.rs
+//!    before the first pair, while the trial is expected to be wrong by more than 0.9 %: guess.rs
 //!        u = u + K~ (trial - p),  p = trial swept,  and again from 1       (no pair: a guess)
 //! 3  trial = trial swept, clipped, scaled to the load                                 trial.rs
 //! 4  K trial                                                               (the one pair)  line.rs
@@ -50,7 +50,7 @@ use contact_types::Grid;
 /// Most steps with the cheap compliance before the first trial, and the error that this trial is expected to have
 /// when they end: about what the cheap compliance leaves.
 const GUESSES: u8 = 6;
-const GUESSED: f64 = 0.008;
+const GUESSED: f64 = 0.009;
 
 /// The method: its memory, and how it begins.
 pub(crate) struct Chord<T: Real> {
