@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Protocol, TypeVar, Union
+from typing import Protocol, TypeVar, Union, cast
 
 __all__ = ["named"]
 
@@ -23,8 +23,10 @@ def named(given: Union[T, Iterable[T], Mapping[str, T]], kind: type[T], way_out:
     if isinstance(given, Mapping):
         found = dict(given)
     else:
-        alone = isinstance(given, kind) or not isinstance(given, Iterable)
-        for one in [given] if alone else given:
+        # A surface could be taken for the rows of its heights.
+        several = isinstance(given, Iterable) and not isinstance(given, kind)
+        members = cast("Iterable[object]", given if several else [given])
+        for one in members:
             if not isinstance(one, kind):
                 raise TypeError(f"{what}s takes rc.{kind.__name__}, not {type(one).__name__}{way_out}")
             name, k = one.name, 1
