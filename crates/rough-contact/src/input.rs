@@ -160,7 +160,9 @@ impl Reading {
                 if let (Some(part), false) = (all[0].cropped(), matches!(crop, Cut::Rectangle(_))) {
                     let said = Cut::Rectangle(part);
                     let path = path.display();
-                    outcome::tell(&format!("rough-contact: {path}: --crop {crop} is --crop {said}"));
+                    outcome::tell(&format!(
+                        "rough-contact: {path}: --crop {crop} is --crop {said}"
+                    ));
                 }
                 Ok(all)
             }

@@ -52,10 +52,14 @@ fn info_says_what_the_file_holds() {
     assert_eq!(cropped["shape"], serde_json::json!([1, 3]));
     assert_eq!(cropped["missing"], 0);
     // Without 6, the missing one, the largest part of 3 x 4 points are the two columns right of it.
-    let largest = rough_contact(at, "info hole.txt --pixel 1um --height-unit nm --crop complete --json");
+    let largest =
+        rough_contact(at, "info hole.txt --pixel 1um --height-unit nm --crop complete --json");
     assert!(largest.err.contains("--crop complete is --crop 0,2,3,2"), "{}", largest.err);
     let largest = largest.answered();
-    assert_eq!((&largest["shape"], &largest["missing"]), (&serde_json::json!([3, 2]), &serde_json::json!(0)));
+    assert_eq!(
+        (&largest["shape"], &largest["missing"]),
+        (&serde_json::json!([3, 2]), &serde_json::json!(0))
+    );
     assert_eq!(largest["metadata"]["crop"], "0,2,3,2");
     let formats = rough_contact(at, "info --list --json").answered();
     assert!(formats["formats"].as_array().unwrap().len() >= 3);

@@ -45,8 +45,8 @@ pub mod write;
 mod xml;
 
 pub use catalogue::{FORMATS, FormatSpec};
-pub use cut::Cut;
 pub use contact_types::{Grid, HeightMap, SurfaceError};
+pub use cut::Cut;
 pub use error::{FillError, Place, ReadError};
 pub use fill::Fill;
 pub use format::Format;

@@ -4,7 +4,8 @@ mod common;
 
 use common::{assert_sample, samples};
 use surface_io::{
-    Cut, Fill, FillError, Layout, Need, ReadError, ReadOptions, read, read_bytes, read_channels_bytes,
+    Cut, Fill, FillError, Layout, Need, ReadError, ReadOptions, read, read_bytes,
+    read_channels_bytes,
 };
 
 #[test]

@@ -150,9 +150,9 @@ fn facts(measured: &Measurement) -> Vec<[String; 2]> {
     let own: Vec<_> = measured.channels().iter().filter(|c| c.name == measured.channel()).collect();
     let pixel_in_file = own.first().is_some_and(|c| c.pixel.is_some());
     let unit_in_file = own.first().is_some_and(|c| c.unit.is_some());
-    let part = measured.cropped().map_or_else(String::new, |[y0, x0, ..]| {
-        format!(", cut out from row {y0}, column {x0}")
-    });
+    let part = measured
+        .cropped()
+        .map_or_else(String::new, |[y0, x0, ..]| format!(", cut out from row {y0}, column {x0}"));
     let mut facts = vec![
         ["Points".to_owned(), format!("{ny} rows × {nx} columns{part}")],
         ["Pixel".to_owned(), format!("{} × {}, {}", length(dx), length(dy), said(pixel_in_file))],

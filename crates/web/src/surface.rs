@@ -39,7 +39,8 @@ pub(crate) fn of_measurement(
     file: &[u8],
     measured: Measurement,
 ) -> Result<Surface, Trouble> {
-    let Complete { map, missing, cleaned, height_step, format, crop } = completed(measured, request)?;
+    let Complete { map, missing, cleaned, height_step, format, crop } =
+        completed(measured, request)?;
     let reading = &request.reading;
     let origin = FileOrigin {
         path: request.name.clone(),
