@@ -3,7 +3,7 @@
 use crate::methods::extension::{Pyramid, gather_row};
 use crate::methods::node::Node;
 use crate::methods::stiffness::Stiffness;
-use crate::methods::transfer::Transfer;
+use crate::methods::transfer::{Transfer, Weight};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
@@ -36,7 +36,7 @@ fn push_row(t: &Transfer, i: usize, nodes: &[Node], r: &[f32], coarse: &[f32], x
         |ix, up| {
             let fields = x[ix..].iter_mut().zip(&nodes[ix..]).zip(&r[ix..]);
             for (((x, m), r), up) in fields.zip(up) {
-                *x = if m.is_in() { *r } else { *up };
+                *x = r + (1.0 - m.value()) * up; // r is 0 off F: an `if` would choose between addresses
             }
         },
     );

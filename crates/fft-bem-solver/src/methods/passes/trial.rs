@@ -118,18 +118,19 @@ fn step_rows<S: Simd, T: Real, C: Ceiling<T>>(
             if let Some(level) = level {
                 level.transfer.add_down_transposed(row, ix, &level.value, z);
             }
-            t.copy_from_slice(&p[row * nx + ix..][..n]);
-            let ceiling = ceiling.after(row * nx + ix);
-            step_tile(vectors, ceiling, z, tau, &nodes[ix..][..n], t, sums);
+            let (p, ceiling) = (&p[row * nx + ix..][..n], ceiling.after(row * nx + ix));
+            step_tile(vectors, ceiling, p, z, tau, &nodes[ix..][..n], t, sums);
         }
     }
 }
 
-/// One tile of it; the trial holds `p`.
+/// One tile of it.
 #[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "a pass over four fields")]
 fn step_tile<S: Simd, T: Real, C: Ceiling<T>>(
     vectors: S,
     ceiling: C,
+    p: &[T],
     z: &mut [f32],
     tau: T,
     nodes: &[Node],
@@ -144,19 +145,19 @@ fn step_tile<S: Simd, T: Real, C: Ceiling<T>>(
     }
     if C::IS_FINITE {
         let mut lacking = 0.0;
-        for (i, ((off, m), p)) in off.iter_mut().zip(nodes).zip(&*trial).enumerate() {
+        for (i, ((off, m), p)) in off.iter_mut().zip(nodes).zip(p).enumerate() {
             let lacks = if m.is_full() { (ceiling.at(i) - *p).wide() } else { 0.0 };
             *off = if m.is_full() { 0.0 } else { *off };
             lacking += lacks * lacks;
         }
         sums[2] += f64x4::from_slice(vectors, &[lacking, 0.0, 0.0, 0.0]);
     }
-    add_sums(vectors, z, off, trial, sums);
-    if !trial.len().is_multiple_of(LANES) {
-        add_sums(vectors, &rest(z), &rest(off), &rest(trial), sums);
+    add_sums(vectors, z, off, p, sums);
+    if !p.len().is_multiple_of(LANES) {
+        add_sums(vectors, &rest(z), &rest(off), &rest(p), sums);
     }
-    for (t, z) in trial.iter_mut().zip(&*z) {
-        *t -= tau * T::of(f64::from(*z));
+    for ((t, p), z) in trial.iter_mut().zip(p).zip(&*z) {
+        *t = *p - tau * T::of(f64::from(*z));
     }
 }
 
