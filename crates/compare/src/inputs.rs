@@ -131,8 +131,9 @@ pub fn map_curves(
     edges: Edges,
     anisotropy: f64,
 ) -> Result<MapCurves, ModelError> {
-    let ContactCurves { slope, evenness, pressure, flattened, .. } = *curves;
-    let curves = MapCurves::new(slope, evenness, pressure, flattened, anisotropy.sqrt())?;
+    let ContactCurves { slope, evenness, resolved, pressure, flattened, .. } = *curves;
+    let ratio = anisotropy.sqrt();
+    let curves = MapCurves::new(slope, evenness, resolved, pressure, flattened, ratio)?;
     Ok(match edges {
         Edges::Periodic => curves,
         Edges::Open => curves.measured(),

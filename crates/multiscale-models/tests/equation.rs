@@ -31,6 +31,7 @@ fn curves(i: usize) -> MapCurves {
         slope[k] = (slope[k - 1] * (0.3 + 0.95 * next())).clamp(0.01, 3.0);
     }
     let evenness = [(); CURVE_KNOTS].map(|()| 0.05 + 0.95 * next());
+    let resolved = [(); CURVE_KNOTS].map(|()| next());
     let pressure = [(); CURVE_KNOTS].map(|()| 4.0 * next() - 1.5);
     // Quantiles rise, by steps of any size.
     let mut below = 0.0;
@@ -38,7 +39,8 @@ fn curves(i: usize) -> MapCurves {
         below += 0.2 * next().powi(3);
         below
     });
-    MapCurves::new(slope, evenness, pressure, flattened, 1.0 + (i % 7) as f64).expect("curves")
+    let ratio = 1.0 + (i % 7) as f64;
+    MapCurves::new(slope, evenness, resolved, pressure, flattened, ratio).expect("curves")
 }
 
 /// Loads over ten decades.
@@ -56,7 +58,10 @@ fn area_rises_strictly_and_pressure_follows_from_it() {
             assert!(area <= 1.0);
             before = area;
             if area < 0.9 {
-                assert!((inverse(area) / x - 1.0).abs() < 2e-14, "{x}");
+                // The rounding of an area moves the load by as much as the law is steep there.
+                let back = inverse(area);
+                let steep = (inverse(1.001 * area) / back).ln() / 1.001f64.ln();
+                assert!((back / x - 1.0).abs() < 2e-14 * steep.max(1.0), "{x}");
             }
         }
     };
@@ -78,8 +83,9 @@ fn limits_are_right() {
         let area = |x: f64| law.at_pressure(x).unwrap().area_fraction;
         assert!(area(0.0) <= 0.0);
         // In proportion under light load, by a constant between Persson's and the summit theories'.
-        let slope = area(1e-8) / 1e-8;
-        assert!((area(1e-9) / 1e-9 / slope - 1.0).abs() < 1e-6);
+        // The law for numbers comes to it as the root of the load.
+        let slope = area(1e-14) / 1e-14;
+        assert!((area(1e-15) / 1e-15 / slope - 1.0).abs() < 1e-6);
         assert!(((8.0 / PI).sqrt()..(2.0 * PI).sqrt()).contains(&slope), "{slope}");
         assert!((area(20.0) - 1.0).abs() < 1e-15);
         assert!(matches!(law.at_pressure(-1.0), Err(ModelError::InvalidInput { .. })));
@@ -103,8 +109,8 @@ fn a_caveat_outside_the_range() {
     }
 }
 
-/// Rows of `fixtures/equation-fit.csv` lie in the interval: oftener than 97 in 100, which it was made to hold of
-/// families left out of the fit, and not always.
+/// Rows of `fixtures/equation-fit.csv` lie in the interval: as often as it was made to hold of families left out of
+/// the fit, 98 in 100, or a little oftener, and not always.
 #[test]
 fn the_interval_holds_the_surfaces_it_was_made_from() {
     let table = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/equation-fit.csv");
@@ -115,12 +121,14 @@ fn the_interval_holds_the_surfaces_it_was_made_from() {
         let (fixed, rest) = v.split_at(10);
         let (slope, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
         let (evenness, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
+        let (resolved, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
         let (pressure, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
         let (flattened, loads) = rest.split_first_chunk::<SHARE_KNOTS>().unwrap();
-        let curves = MapCurves::new(*slope, *evenness, *pressure, *flattened, fixed[5]).unwrap();
+        let curves =
+            MapCurves::new(*slope, *evenness, *resolved, *pressure, *flattened, fixed[5]).unwrap();
         let law = MapEquation::new(moments(fixed[4]), &curves, one());
         let law = law.unwrap();
-        for load in loads.chunks_exact(4).filter(|l| l[1] < 0.995) {
+        for load in loads.chunks_exact(5).filter(|l| l[1] < 0.995) {
             let [low, high] = law.interval(law.area_fraction(load[0]).unwrap());
             held += usize::from(low <= load[1] && load[1] <= high);
             all += 1;

@@ -14,25 +14,30 @@ pub const CURVE_SHARES: usize = 20;
 /// the distribution of the pressure that presses all of it flat. All without units.
 ///
 /// The square of the gradient at a point is the mean over its neighbours along each axis, by single
-/// differences; g² is its mean over the map. The full-contact pressure is E\* |q| h(q)/2 for each wave of
+/// differences; g² is its mean over the map. By central differences, from neighbour to neighbour, it is less where
+/// waves or crests are narrower than a few points. The full-contact pressure is E\* |q| h(q)/2 for each wave of
 /// the map as it repeats (Johnson, *Contact Mechanics*, 1985, section 13.2), of mean 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct ContactCurves {
-    /// Rms gradient of the part over that of the map: 1 at all levels for a Gaussian surface without end, below 1
-    /// where summits are smoother than flanks and valleys.
+    /// Rms gradient of the part over that of the map, by central differences: 1 at all levels for a Gaussian surface
+    /// without end, below 1 where summits are smoother than flanks and valleys.
     pub slope: [f64; CURVE_LEVELS],
     /// Mean gradient over rms gradient, both of the part: (π/4)^½ for an isotropic Gaussian surface, less where
     /// flat places lie between steep ones.
     pub evenness: [f64; CURVE_LEVELS],
+    /// Rms gradient by central differences over that by single ones, both of the part: 1 where the points are dense
+    /// to its waves, towards 0 where its crests lie between two points.
+    pub resolved: [f64; CURVE_LEVELS],
     /// Mean full-contact pressure of the part over E\* g.
     pub pressure: [f64; CURVE_LEVELS],
     /// Quantiles of the size of the full-contact pressure over E\* g, at the shares (k + ½)/20 of the map.
     pub flattened: [f64; CURVE_SHARES],
 }
 
-/// A point: height from the top in steps of the range over 2^32, square of the slope, full-contact pressure.
-type Point = (u32, f32, f32);
+/// A point: height from the top in steps of the range over 2^32, squares of the slope by single and by central
+/// differences, full-contact pressure.
+type Point = (u32, [f32; 2], f32);
 
 impl ContactCurves {
     /// Of a map; `None` for a flat one. Two transforms and two sorts.
@@ -64,12 +69,18 @@ impl ContactCurves {
         }
         let gradient = mean.sqrt();
         Some(Self {
-            slope: means.map(|m| (m[0] / mean).sqrt()),
-            evenness: means.map(|m| if m[0] > 0.0 { m[1] / m[0].sqrt() } else { 1.0 }),
+            slope: means.map(|m| over(m[3], means[0][3]).sqrt()),
+            evenness: means.map(|m| over(m[1], m[0].sqrt())),
+            resolved: means.map(|m| over(m[3], m[0]).sqrt()),
             pressure: means.map(|m| m[2] / gradient),
             flattened: quantiles(points).map(|q| q / gradient),
         })
     }
+}
+
+/// A ratio, 1 of what is not there.
+fn over(part: f64, whole: f64) -> f64 {
+    if whole > 0.0 { part / whole } else { 1.0 }
 }
 
 /// Full-contact pressure over E\* at each point, heights over `span` and lengths over `short`; single, which is all
@@ -100,26 +111,30 @@ fn points(map: &HeightMap, edges: Edges, distance: [f64; 2], high: f64, span: f6
             let y = beside(iy, ny, edges).map(|i| i.map(|i| (map.at(i, ix) - here) / span));
             let x = beside(ix, nx, edges).map(|i| i.map(|i| (map.at(iy, i) - here) / span));
             let square = mean_square(y, distance[0]) + mean_square(x, distance[1]);
+            let across = central(y, distance[0]).powi(2) + central(x, distance[1]).powi(2);
             let down = (high - here) / span * f64::from(u32::MAX);
-            points.push((down as u32, square as f32, pressures[iy * nx + ix]));
+            let squares = [square as f32, across as f32];
+            points.push((down as u32, squares, pressures[iy * nx + ix]));
         }
     }
     points
 }
 
-/// Means of squared slope, slope and pressure over the highest parts of sorted points.
-fn over_highest(points: &[Point]) -> [[f64; 3]; CURVE_LEVELS] {
+/// Means of squared slope, slope, pressure and squared slope by central differences over the highest parts of sorted
+/// points.
+fn over_highest(points: &[Point]) -> [[f64; 4]; CURVE_LEVELS] {
     let n = points.len() as f64;
     let counts: [usize; CURVE_LEVELS] =
         std::array::from_fn(|k| ((n * 0.5f64.powf(0.5 * k as f64)).round() as usize).max(1));
-    let mut means = [[0.0; 3]; CURVE_LEVELS];
-    let (mut sums, mut done, mut k) = ([0.0; 3], 0, CURVE_LEVELS);
+    let mut means = [[0.0; 4]; CURVE_LEVELS];
+    let (mut sums, mut done, mut k) = ([0.0; 4], 0, CURVE_LEVELS);
     // Of points of one height, as on a plateau, each part takes its share of their mean.
     for level in points.chunk_by(|a, b| a.0 == b.0) {
-        let mut here = [0.0; 3];
-        for &(_, square, pressure) in level {
-            let square = f64::from(square);
-            for (sum, value) in here.iter_mut().zip([square, square.sqrt(), f64::from(pressure)]) {
+        let mut here = [0.0; 4];
+        for &(_, squares, pressure) in level {
+            let [square, across] = squares.map(f64::from);
+            let values = [square, square.sqrt(), f64::from(pressure), across];
+            for (sum, value) in here.iter_mut().zip(values) {
                 *sum += value;
             }
         }
@@ -154,6 +169,15 @@ fn beside(i: usize, n: usize, edges: Edges) -> [Option<usize>; 2] {
     }
 }
 
+/// Slope from neighbour to neighbour, or to the only one there is.
+fn central(rises: [Option<f64>; 2], distance: f64) -> f64 {
+    match rises {
+        [Some(before), Some(after)] => 0.5 * (after - before) / distance,
+        [None, Some(rise)] | [Some(rise), None] => rise / distance,
+        [None, None] => 0.0,
+    }
+}
+
 /// Mean of the squared slopes to neighbours at a distance.
 fn mean_square(rises: [Option<f64>; 2], distance: f64) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
@@ -162,4 +186,23 @@ fn mean_square(rises: [Option<f64>; 2], distance: f64) -> f64 {
         count += 1.0;
     }
     if count > 0.0 { sum / count } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use contact_types::Grid;
+    use std::f64::consts::{PI, TAU};
+
+    /// Of one wave of N points, central differences see cos(π/N) of what single ones see.
+    #[test]
+    fn a_wave_is_resolved_by_its_points() {
+        for points in [4.0, 8.0, 32.0] {
+            let heights = (0..4096).map(|i| (TAU * f64::from(i % 64) / points).sin()).collect();
+            let map = HeightMap::new(Grid::new([64, 64], [1.0, 1.0]).unwrap(), heights).unwrap();
+            let curves = ContactCurves::of(&map, Edges::Periodic).unwrap();
+            assert!((curves.resolved[0] - (PI / points).cos()).abs() < 1e-6, "{points}");
+            assert!((curves.slope[0] - 1.0).abs() < 1e-12);
+        }
+    }
 }

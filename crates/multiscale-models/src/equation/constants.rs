@@ -3,21 +3,22 @@
 /// How many constants the law for numbers has.
 pub const NUMBER_TERMS: usize = 5;
 /// How many the law for a map has.
-pub const MAP_TERMS: usize = 13;
+pub const MAP_TERMS: usize = 17;
 
 /// Of the law for numbers, in the order of [`number_terms`](super::number_terms).
-pub(super) const NUMBERS: [f64; NUMBER_TERMS] = [0.401, -0.651, 0.346, -0.027, 0.027];
+pub(super) const NUMBERS: [f64; NUMBER_TERMS] = [0.445, -0.358, -0.057, -0.029, 0.033];
 
 /// Of the law for a map, in the order of [`map_terms`](super::map_terms).
-pub(super) const MAP: [f64; MAP_TERMS] =
-    [0.38, -0.499, 0.122, -0.041, 0.062, -1.091, 1.233, -1.369, 1.766, -1.541, 0.095, 0.04, -0.058];
+pub(super) const MAP: [f64; MAP_TERMS] = [
+    0.352, -0.258, -0.027, -0.794, 0.693, -0.249, -0.359, 0.133, -1.243, 1.509, -1.057, 0.699,
+    0.083, -0.552, -0.039, -0.904, 0.035,
+];
 
-/// Of the half width of the interval for numbers, in the order of [`numbers_spread`](super::interval).
-pub(super) const NUMBERS_SPREAD: [f64; super::INTERVAL_TERMS] =
-    [0.05, 0.247, 0.0, 0.0, 0.0, 0.0, 0.0];
-/// Of that for a map.
+/// Of the half width of the interval for numbers: floor and chance.
+pub(super) const NUMBERS_SPREAD: [f64; 2] = [0.001, 0.406];
+/// Of that for a map, in the logarithm of the load.
 pub(super) const MAP_SPREAD: [f64; super::INTERVAL_TERMS] =
-    [0.045, 0.055, 0.0, 0.377, 0.985, 0.041, 0.11];
+    [0.031, 0.03, 0.245, 0.659, 2.001, 0.591, 0.219];
 
 /// Bandwidths the laws were fitted on, with some room \[-\].
 pub(super) const BANDWIDTH: [f64; 2] = [1.5, 150.0];

@@ -7,7 +7,7 @@ use crate::special::{erf, erf_inv};
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, ModelError, SpectralMoments, require,
 };
-use std::f64::consts::{LN_2, SQRT_2};
+use std::f64::consts::{FRAC_2_SQRT_PI, LN_2, SQRT_2};
 
 /// Knots of the law in `ln u`, u the argument of the error function.
 const KNOTS: usize = 65;
@@ -23,9 +23,9 @@ const STEEPEST: f64 = 0.9;
 /// A=\operatorname{erf} u,\qquad \frac{p}{E^*g}=\frac{u}{\sqrt2}\,e^{-w(A)},
 /// ```
 ///
-/// where w is a sum of [`map_terms`] of the area itself: how steep the highest part of the map is and how
-/// evenly, twice as much as touches under light load; under which pressure as much would lie flat if all were
-/// pressed flat; the bandwidth, and the ratio of slopes across and along the lay. w is taken at 65 values of u once
+/// where w is a sum of [`map_terms`] of the area itself: how steep the highest part of the map is, how evenly, and
+/// how that changes with depth, twice as much as touches under light load; under which pressure as much would lie
+/// flat if all were pressed flat; the bandwidth, and the ratio of slopes across and along the lay. w is taken at 65 values of u once
 /// per map and is linear in `ln u` between them, nowhere steeper than 0.9; so area and pressure follow from each other
 /// without iteration, and both rise strictly.
 ///
@@ -42,7 +42,7 @@ const STEEPEST: f64 = 0.9;
 /// let flat: [f64; 20] = std::array::from_fn(|k| {
 ///     multiscale_models::special::erf_inv((k as f64 + 0.5) / 20.0) / 2f64.sqrt()
 /// });
-/// let worn = MapCurves::new(slope, gaussian, [0.2; 23], flat, 1.0)?;
+/// let worn = MapCurves::new(slope, gaussian, [1.0; 23], [0.2; 23], flat, 1.0)?;
 /// let worn = MapEquation::new(moments, &worn, modulus)?;
 /// let plain = MapEquation::new(moments, &MapCurves::gaussian(0.5), modulus)?;
 /// let area = |law: &MapEquation| law.at_pressure(50e6).map(|s| s.area_fraction);
@@ -67,34 +67,59 @@ pub struct MapEquation {
 
 /// What the constants of the law for a map multiply, at the area `a` of the answer.
 pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TERMS] {
-    // Twice the area under light load, the area itself where much touches.
-    let part = (a * (1.0 + (1.0 - a).powi(16))).min(1.0);
-    let (s, even) = (curves.log_slope(part), curves.log_evenness(part));
-    let lay = curves.log_ratio().powi(2);
+    let light = (1.0 - a).powi(16);
+    let part = touching(a);
+    let (slope, even) = (curves.log_slope(part), curves.log_evenness(part));
+    let pressure = curves.pressure(part);
+    let below = steeper_below(a, curves);
+    let flat = curves.log_flattened(a);
+    let lay = curves.log_ratio();
     [
         1.0,
-        a,
         a * a,
         log_bandwidth,
-        a * log_bandwidth,
-        s,
-        a * s,
+        slope,
+        a * slope,
+        curves.log_slope(a),
+        below,
+        below * below,
         even,
         a * even,
-        a * curves.log_flattened(a),
-        curves.pressure(part),
-        lay,
-        a * lay,
+        a * flat,
+        a * flat * flat,
+        pressure,
+        a * pressure,
+        light * pressure * slope,
+        light * lay * even,
+        light * lay * pressure,
     ]
 }
 
-/// What the half width of the interval is made of, at area `a` and with the law's own constants.
-pub(super) fn spread_terms(
-    a: f64,
-    terms: &[f64; MAP_TERMS],
-    curves: &MapCurves,
-) -> [f64; super::INTERVAL_TERMS] {
-    interval::terms(a, [terms[5], terms[7], terms[9], curves.log_ratio(), curves.unlike()])
+/// The part whose slope counts at area `a`: twice that area under light load, the area itself where much touches.
+fn touching(a: f64) -> f64 {
+    (a * (1.0 + (1.0 - a).powi(16))).min(1.0)
+}
+
+/// How much steeper the highest part twice as large is, in the logarithm.
+fn steeper_below(a: f64, curves: &MapCurves) -> f64 {
+    let part = touching(a);
+    curves.log_slope((2.0 * part).min(1.0)) - curves.log_slope(part)
+}
+
+/// What the half width of the interval is made of, in the logarithm of the load at area `a`: a floor, the chance of
+/// few contacts, how unlike a Gaussian surface's the pressure of the highest parts is, and the sizes of evenness,
+/// flattened part, resolution and change of slope with depth.
+fn spread_terms(a: f64, curves: &MapCurves) -> [f64; super::INTERVAL_TERMS] {
+    let part = touching(a);
+    [
+        1.0,
+        interval::few(a),
+        curves.unlike(),
+        curves.log_evenness(part).abs(),
+        (a * curves.log_flattened(a)).abs(),
+        curves.log_resolved(part).abs(),
+        steeper_below(a, curves).abs(),
+    ]
 }
 
 impl MapEquation {
@@ -137,9 +162,15 @@ impl MapEquation {
             }
             before = Some(w);
             loads.push(log_u - 0.5 * LN_2 - w);
-            let half: f64 =
-                spread_terms(a, &terms, curves).iter().zip(spread).map(|(f, c)| f * c).sum();
+            let half: f64 = spread_terms(a, curves).iter().zip(spread).map(|(f, c)| f * c).sum();
             halves.push(half * curves.wider());
+        }
+        // From the load to the area: the law's own slope, d ln A/d ln p.
+        for (k, half) in halves.iter_mut().enumerate() {
+            let (low, high) = (k.saturating_sub(1), (k + 1).min(KNOTS - 1));
+            let u = (FIRST + STEP * k as f64).exp();
+            let of_argument = FRAC_2_SQRT_PI * (-u * u).exp() * u / erf(u);
+            *half *= of_argument * STEP * (high - low) as f64 / (loads[high] - loads[low]);
         }
         Ok(Self { unit, gradient, bandwidth, loads, halves })
     }

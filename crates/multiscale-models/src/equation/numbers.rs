@@ -17,7 +17,7 @@ pub(super) const MODEL: &str = "equation";
 ///
 /// ```math
 /// A = \operatorname{erf}\!\left(\sqrt2\,x\,e^{w}\right),\quad x=\frac{p}{E^* g},\quad
-/// w = c_0 + c_1 t + c_2 t^2 + (c_3 + c_4 t)\ln\alpha,\quad t=\operatorname{erf}(\sqrt2\,x)
+/// w = c_0 + c_1 \sqrt t + c_2 t^2 + (c_3 + c_4 t)\ln\alpha,\quad t=\operatorname{erf}(\sqrt2\,x)
 /// ```
 ///
 /// - `p`: nominal pressure \[Pa\]; `E*`: contact modulus \[Pa\]; `g`: rms gradient, `g² = 2 m2` \[-\];
@@ -53,7 +53,7 @@ pub struct Equation {
 /// What the constants of the law for numbers multiply, at Persson's area `t` and the logarithm of
 /// the bandwidth.
 pub fn number_terms(t: f64, log_bandwidth: f64) -> [f64; NUMBER_TERMS] {
-    [1.0, t, t * t, log_bandwidth, t * log_bandwidth]
+    [1.0, t.sqrt(), t * t, log_bandwidth, t * log_bandwidth]
 }
 
 impl Equation {
@@ -113,8 +113,7 @@ impl Equation {
     /// Area fractions between which 95 of 100 isotropic Gaussian surfaces of these moments lie at a
     /// load where the law answers `area`, the chance of one sample included.
     pub fn interval(&self, area: f64) -> [f64; 2] {
-        let terms = interval::terms(area, [0.0; 5]);
-        interval::around(area, terms.iter().zip(NUMBERS_SPREAD).map(|(f, c)| f * c).sum())
+        interval::around(area, interval::of_numbers(area, NUMBERS_SPREAD))
     }
 }
 

@@ -10,10 +10,10 @@ mod fit;
 mod measure;
 mod page;
 mod table;
+mod unkind;
 
 use clap::Parser;
 use families::{Case, Part};
-use rayon::prelude::*;
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -48,13 +48,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&folder)?;
     let part = if judge { Part::Judge } else { Part::Fit };
     let cases: Vec<Case> = families::cases(part).into_iter().take(first).collect();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build()?;
-    let work = |case: &Case| kept(&folder, case).map_err(|e| e.to_string());
-    let rows: Vec<Result<String, String>> =
-        pool.install(|| cases.par_iter().with_max_len(1).map(work).collect());
     println!("{}", measure::header());
-    for row in rows {
-        print!("{}", row?);
+    for case in &cases {
+        print!("{}", kept(&folder, case)?);
     }
     Ok(())
 }

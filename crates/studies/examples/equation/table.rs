@@ -29,6 +29,8 @@ pub(crate) struct Load {
     pub(crate) area: f64,
     /// Half width of its grid error.
     pub(crate) bar: f64,
+    /// The area on the given grid.
+    pub(crate) given: f64,
 }
 
 impl Row {
@@ -39,17 +41,20 @@ impl Row {
         let (fixed, rest) = numbers.split_at_checked(10)?;
         let (slope, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
         let (evenness, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
+        let (resolved, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
         let (pressure, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
         let (flattened, loads) = rest.split_first_chunk::<CURVE_SHARES>()?;
-        (loads.len() == 4 * LOADS.len()).then_some(())?;
-        let load = |l: &[f64]| Load { x: l[0], area: l[1], bar: l[2] };
+        (loads.len() == 5 * LOADS.len()).then_some(())?;
+        let curves =
+            MapCurves::new(*slope, *evenness, *resolved, *pressure, *flattened, fixed[5]).ok()?;
+        let load = |l: &[f64]| Load { x: l[0], area: l[1], bar: l[2], given: l[4] };
         Some(Self {
             family: cells[0].into(),
             bandwidth: fixed[4],
             ratio: fixed[5],
             skewness: fixed[7],
-            curves: MapCurves::new(*slope, *evenness, *pressure, *flattened, fixed[5]).ok()?,
-            loads: loads.chunks_exact(4).map(load).collect(),
+            curves,
+            loads: loads.chunks_exact(5).map(load).collect(),
         })
     }
 
