@@ -64,6 +64,7 @@ pub(crate) fn write([fitted, judged]: [&Path; 2], folder: &Path) -> Result<(), B
     let page = [
         families(&answers),
         by_load(&answers),
+        bias(&fitted, gamma)?,
         classes(&answers),
         terms(&fitted, &judged)?,
         others(&answers, gamma),
@@ -231,6 +232,27 @@ fn by_load(answers: &[Answer<'_>]) -> String {
         (moved.abs() > 0.0).then_some(moved)
     });
     page
+}
+
+/// The law for numbers on the Gaussian maps that it was fitted on, which are more than the judged ones: its bias by
+/// load and bandwidth.
+fn bias(fitted: &[Row], gamma: f64) -> Result<String, Box<dyn Error>> {
+    let rows: Vec<Row> = fitted.iter().filter(|r| fit::is_gaussian(r)).cloned().collect();
+    let answers = answers(&rows, gamma)?;
+    let mut page =
+        format!("\nThe law for numbers on the Gaussian maps that it was fitted on:\n\n{LIGHT}");
+    for (name, low, high) in
+        [("below 5", 0.0, 5.0), ("5 to 15", 5.0, 15.0), ("above 15", 15.0, f64::INFINITY)]
+    {
+        let of = |r: &Row| (low..high).contains(&r.bandwidth);
+        let _ = write!(page, "| α {name}, {} maps |", rows.iter().filter(|r| of(r)).count());
+        for k in 0..9 {
+            let own = answers.iter().filter(|a| a.load == k && of(a.row));
+            let _ = write!(page, " {} |", seen(own.map(|a| a.numbers)));
+        }
+        page.push('\n');
+    }
+    Ok(page)
 }
 
 fn classes(answers: &[Answer<'_>]) -> String {

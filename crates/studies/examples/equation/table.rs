@@ -27,7 +27,8 @@ pub(crate) struct Load {
     /// p/(E* g).
     pub(crate) x: f64,
     pub(crate) area: f64,
-    /// Half width of its grid error.
+    /// Half width of its grid error: 0.3 of the correction for the contact line or what twice the points moved,
+    /// whichever is larger.
     pub(crate) bar: f64,
     /// The area on the given grid.
     pub(crate) given: f64,
@@ -47,7 +48,9 @@ impl Row {
         (loads.len() == 5 * LOADS.len()).then_some(())?;
         let curves =
             MapCurves::new(*slope, *evenness, *resolved, *pressure, *flattened, fixed[5]).ok()?;
-        let load = |l: &[f64]| Load { x: l[0], area: l[1], bar: l[2], given: l[4] };
+        // As in the survey: what is left of the correction, or what refining moved.
+        let bar = |l: &[f64]| l[2].max((l[1] - l[4]).abs());
+        let load = |l: &[f64]| Load { x: l[0], area: l[1], bar: bar(l), given: l[4] };
         Some(Self {
             family: cells[0].into(),
             bandwidth: fixed[4],
