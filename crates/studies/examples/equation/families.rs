@@ -1,6 +1,7 @@
 //! The surfaces the equation is fitted on, and those it is judged on: of other seeds and, for a quarter of the
 //! families, of kinds that took no part in the fit.
 
+use crate::fields::{fine, rough};
 use crate::unkind;
 use contact_types::HeightMap;
 use std::error::Error;
@@ -73,7 +74,7 @@ pub(crate) static FAMILIES: [Family; 40] = [
     family("woven", [0, 0, 0, 6], unkind::woven),
     family("sintered-worn", [0, 0, 0, 6], unkind::sintered_worn),
     family("cracked", [0, 0, 0, 6], unkind::cracked),
-    family("ridged", [0, 0, 0, 6], unkind::ridged),
+    family("ridged", [0, 0, 0, 6], ridged),
     family("one-scratch", [0, 0, 0, 6], unkind::one_scratch),
     family("caps", [0, 0, 0, 6], unkind::caps),
 ];
@@ -102,18 +103,6 @@ impl Case {
     pub(crate) fn map(&self) -> Result<HeightMap, Box<dyn Error>> {
         scaled(&(self.family.make)(&self.draw)?, self.draw.n)
     }
-}
-
-/// A field of unit rms height: shortest wave of 8 to 20 points, the longest 1/8 to 2/3 of the side.
-pub(crate) fn rough(d: &Draw, stretch: f64, salt: u64) -> Heights {
-    let cutoff = d.log(1, 8.0, 20.0);
-    let rolloff = (d.n as f64 / d.log(2, 1.5, 10.0)).max(1.3 * cutoff);
-    d.field(d.lin(0, 0.2, 1.0), cutoff, rolloff, stretch, salt)
-}
-
-/// A field finer than that, on top of others.
-pub(crate) fn fine(d: &Draw, salt: u64) -> Heights {
-    d.field(d.lin(0, 0.3, 0.9), 8.0, d.log(1, 12.0, 60.0), 1.0, salt)
 }
 
 fn gaussian(d: &Draw) -> Heights {
@@ -198,7 +187,7 @@ fn cross_hatched(d: &Draw) -> Heights {
 }
 
 /// A worn ground with fine roughness, and honing grooves across each other.
-pub(crate) fn plateau_honed(d: &Draw) -> Heights {
+fn plateau_honed(d: &Draw) -> Heights {
     let grooves = d.field(0.7, 10.0, 40.0, 12.0, 2)?;
     let n = d.n;
     let level = d.lin(3, -1.0, 0.5);
@@ -209,6 +198,11 @@ pub(crate) fn plateau_honed(d: &Draw) -> Heights {
         softmin(a + 0.7 * b, level, 0.2) + 0.12 * f[i]
     };
     Ok((0..n * n).map(at).collect())
+}
+
+/// A honed surface upside down: grooves stand up as ridges.
+fn ridged(d: &Draw) -> Heights {
+    Ok(plateau_honed(d)?.iter().map(|z| -z).collect())
 }
 
 fn log_normal(d: &Draw) -> Heights {

@@ -6,6 +6,7 @@
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
 mod families;
+mod fields;
 mod fit;
 mod measure;
 mod page;

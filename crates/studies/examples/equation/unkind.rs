@@ -1,6 +1,6 @@
 //! Families that the law for a map has never seen, of the kinds one would rather not be asked.
 
-use crate::families::{fine, plateau_honed, rough};
+use crate::fields::{fine, rough};
 use std::f64::consts::TAU;
 use studies::maps::{Draw, Heights, mix, softmin, triangle};
 
@@ -92,11 +92,6 @@ pub(crate) fn cracked(d: &Draw) -> Heights {
     let net = d.field(0.9, n / 16.0, n / 5.0, 1.0, 1)?;
     let (width, depth) = (0.05 + 0.1 * other(d, 5.7), d.lin(3, 1.0, 6.0));
     Ok(mix(&rough(d, 1.0, 0)?, &net, |z, f| 0.5 * z - depth * (-(f / width).powi(2)).exp()))
-}
-
-/// A honed surface upside down: grooves stand up as ridges.
-pub(crate) fn ridged(d: &Draw) -> Heights {
-    Ok(plateau_honed(d)?.iter().map(|z| -z).collect())
 }
 
 /// One straight scratch with raised edges across a rough ground.
