@@ -10,7 +10,7 @@ type How = (png::Compression, png::Filter);
 const FIELD: How = (png::Compression::Balanced, png::Filter::Adaptive);
 
 /// Few classes, mostly none.
-const CLASSES: How = (png::Compression::High, png::Filter::NoFilter);
+const CLASSES: How = (png::Compression::Balanced, png::Filter::NoFilter);
 
 /// An 8-bit RGB picture, row-major from the upper left.
 #[derive(Debug, Clone)]
