@@ -45,6 +45,23 @@ fn pairs_and_iterations() {
     assert!(over.is_empty(), "more pairs than before: {over:?}");
 }
 
+/// Where a thousandth and less touches, the first trial beats the constant pressure a thousandfold and is still wrong: guesses must
+/// not end for that.
+#[test]
+fn a_light_load_from_nothing_takes_no_more_pairs() {
+    let n = 256;
+    let grid = unit_grid(n, n);
+    let surfaces = [self_affine(grid, 0.8, 32.0, 8.0, 1), self_affine(grid, 0.3, 32.0, 2.0, 1)];
+    for map in &surfaces {
+        for load in [2e-4, 5e-4, 1e-3, 2e-3] {
+            let mut solver = Solver::builder().tolerance(1e-4).build(grid, unit_modulus()).unwrap();
+            let found = solver.solve(map, Load::MeanPressure(load)).unwrap().diagnostics;
+            println!("{load}: {} iterations, {:.2} pairs", found.iterations, found.transforms);
+            assert!(found.transforms < 4.9, "{load}: {:.2} pairs", found.transforms);
+        }
+    }
+}
+
 fn index(name: &str) -> usize {
     ["A8", "B3", "C"].iter().position(|n| *n == name).unwrap()
 }

@@ -52,6 +52,10 @@ use contact_types::Grid;
 const GUESSES: u8 = 6;
 const GUESSED: f64 = 0.009;
 
+/// Relative error from which on a trial does not tell how much the next one gains: where little touches, the first is thousands
+/// of times better than the constant pressure, and still wrong.
+const LOST: f64 = 0.5;
+
 /// The method: its memory, and how it begins.
 pub(crate) struct Chord<T: Real> {
     pub(crate) work: Work<T>,
@@ -217,7 +221,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         for guess in 0..guesses {
             let residual = self.memory.residual;
             // If the next trial gains as much as the last did.
-            let expected = residual * residual / before;
+            let expected = if residual > LOST { residual } else { residual * residual / before };
             before = residual;
             let is_lead = self.work.pairs.base == Base::Lead;
             let is_first = guess == 0 && (is_lead || residual > tolerance);
