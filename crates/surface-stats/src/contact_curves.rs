@@ -35,12 +35,11 @@ pub struct ContactCurves {
     pub flattened: [f64; CURVE_SHARES],
 }
 
-/// A point: height from the top in steps of the range over 2^32, squares of the slope by single and by central
-/// differences, full-contact pressure.
-type Point = (u32, [f32; 2], f32);
+/// A point: height from the top in steps of the range over 2^32, and its place in the map.
+type Point = (u32, u32);
 
 impl ContactCurves {
-    /// Of a map; `None` for a flat one. Two transforms and two sorts.
+    /// Of a map; `None` for a flat one, and for one of more than 2^32 points. Two transforms and two sorts.
     ///
     /// ```
     /// use surface_stats::{ContactCurves, Edges, Grid, HeightMap};
@@ -57,12 +56,17 @@ impl ContactCurves {
         if span <= 0.0 {
             return None;
         }
-        // Heights over their range, lengths over the shorter side of a pixel: numbers about 1, whatever the units.
-        let [dy, dx] = map.grid().pixel();
-        let short = dy.min(dx);
-        let mut points = points(map, edges, [dy / short, dx / short], high, span);
-        points.sort_unstable_by_key(|p| p.0);
-        let means = over_highest(&points);
+        let last = u32::try_from(map.grid().len() - 1).ok()?;
+        let pressures = full_contact(map, span);
+        let down = |height: f64| ((high - height) / span * f64::from(u32::MAX)) as u32;
+        let mut points: Vec<Point> = map.heights().iter().map(|&h| down(h)).zip(0..=last).collect();
+        points.sort_unstable();
+        let squares = Squares::of(map, edges, span);
+        let means = over_highest(&points, |place| {
+            let [square, across] = squares.at(place);
+            [square, square.sqrt(), f64::from(pressures[place]), across]
+        });
+        drop(points);
         let mean = means[0][0];
         if mean <= 0.0 {
             return None;
@@ -73,7 +77,7 @@ impl ContactCurves {
             evenness: means.map(|m| over(m[1], m[0].sqrt())),
             resolved: means.map(|m| over(m[3], m[0]).sqrt()),
             pressure: means.map(|m| m[2] / gradient),
-            flattened: quantiles(points).map(|q| q / gradient),
+            flattened: quantiles(pressures).map(|q| q / gradient),
         })
     }
 }
@@ -83,15 +87,15 @@ fn over(part: f64, whole: f64) -> f64 {
     if whole > 0.0 { part / whole } else { 1.0 }
 }
 
-/// Full-contact pressure over E\* at each point, heights over `span` and lengths over `short`; single, which is all
-/// that a point keeps of it.
-fn full_contact(map: &HeightMap, short: f64, span: f64) -> Vec<f32> {
+/// Full-contact pressure over E\* at each point, heights over `span` and lengths over the shorter side of a pixel, so that
+/// numbers are about 1 whatever the units; single precision, which is enough for means and quantiles.
+fn full_contact(map: &HeightMap, span: f64) -> Vec<f32> {
     let mean = map.mean();
     let mut field: Vec<f64> = map.heights().iter().map(|h| (h - mean) / span).collect();
     let mut fft = GridFft::new(map.grid().shape());
     let mut waves = fft.new_spectrum();
     fft.forward(&field, &mut waves);
-    let nq = fft.spectrum_shape()[1];
+    let (nq, short) = (fft.spectrum_shape()[1], shorter(map));
     for (i, wave) in waves.iter_mut().enumerate() {
         *wave *= 0.5 * short * map.grid().wavenumber(i / nq, i % nq);
     }
@@ -100,29 +104,41 @@ fn full_contact(map: &HeightMap, short: f64, span: f64) -> Vec<f32> {
     field.into_iter().map(|q| q as f32).collect()
 }
 
-fn points(map: &HeightMap, edges: Edges, distance: [f64; 2], high: f64, span: f64) -> Vec<Point> {
-    let [ny, nx] = map.grid().shape();
+fn shorter(map: &HeightMap) -> f64 {
     let [dy, dx] = map.grid().pixel();
-    let pressures = full_contact(map, dy.min(dx), span);
-    let mut points = Vec::with_capacity(ny * nx);
-    for iy in 0..ny {
-        for ix in 0..nx {
-            let here = map.at(iy, ix);
-            let y = beside(iy, ny, edges).map(|i| i.map(|i| (map.at(i, ix) - here) / span));
-            let x = beside(ix, nx, edges).map(|i| i.map(|i| (map.at(iy, i) - here) / span));
-            let square = mean_square(y, distance[0]) + mean_square(x, distance[1]);
-            let across = central(y, distance[0]).powi(2) + central(x, distance[1]).powi(2);
-            let down = (high - here) / span * f64::from(u32::MAX);
-            let squares = [square as f32, across as f32];
-            points.push((down as u32, squares, pressures[iy * nx + ix]));
-        }
-    }
-    points
+    dy.min(dx)
 }
 
-/// Means of squared slope, slope, pressure and squared slope by central differences over the highest parts of sorted
-/// points.
-fn over_highest(points: &[Point]) -> [[f64; 4]; CURVE_LEVELS] {
+/// Squares of the slope at the places of a map, in the units of [`full_contact`].
+struct Squares<'a> {
+    map: &'a HeightMap,
+    edges: Edges,
+    span: f64,
+    /// Of neighbours in y and in x.
+    distance: [f64; 2],
+}
+
+impl<'a> Squares<'a> {
+    fn of(map: &'a HeightMap, edges: Edges, span: f64) -> Self {
+        Self { map, edges, span, distance: map.grid().pixel().map(|d| d / shorter(map)) }
+    }
+
+    /// By single and by central differences.
+    fn at(&self, place: usize) -> [f64; 2] {
+        let Self { map, edges, span, distance } = *self;
+        let [ny, nx] = map.grid().shape();
+        let (iy, ix) = (place / nx, place % nx);
+        let here = map.at(iy, ix);
+        let y = beside(iy, ny, edges).map(|i| i.map(|i| (map.at(i, ix) - here) / span));
+        let x = beside(ix, nx, edges).map(|i| i.map(|i| (map.at(iy, i) - here) / span));
+        let square = mean_square(y, distance[0]) + mean_square(x, distance[1]);
+        [square, central(y, distance[0]).powi(2) + central(x, distance[1]).powi(2)]
+    }
+}
+
+/// Means of what `values` gives at a place (squared slope, slope, pressure, squared slope by central differences) over the
+/// highest parts of sorted points.
+fn over_highest(points: &[Point], values: impl Fn(usize) -> [f64; 4]) -> [[f64; 4]; CURVE_LEVELS] {
     let n = points.len() as f64;
     let counts: [usize; CURVE_LEVELS] =
         std::array::from_fn(|k| ((n * 0.5f64.powf(0.5 * k as f64)).round() as usize).max(1));
@@ -131,10 +147,8 @@ fn over_highest(points: &[Point]) -> [[f64; 4]; CURVE_LEVELS] {
     // Of points of one height, as on a plateau, each part takes its share of their mean.
     for level in points.chunk_by(|a, b| a.0 == b.0) {
         let mut here = [0.0; 4];
-        for &(_, squares, pressure) in level {
-            let [square, across] = squares.map(f64::from);
-            let values = [square, square.sqrt(), f64::from(pressure), across];
-            for (sum, value) in here.iter_mut().zip(values) {
+        for &(_, place) in level {
+            for (sum, value) in here.iter_mut().zip(values(place as usize)) {
                 *sum += value;
             }
         }
@@ -150,10 +164,10 @@ fn over_highest(points: &[Point]) -> [[f64; 4]; CURVE_LEVELS] {
 }
 
 /// Quantiles of the sizes of the full-contact pressure at the shares (k + ½)/20.
-fn quantiles(mut points: Vec<Point>) -> [f64; CURVE_SHARES] {
-    points.sort_unstable_by(|a, b| a.2.abs().total_cmp(&b.2.abs()));
-    let last = points.len() - 1;
-    let size = |i: usize| f64::from(points[i.min(last)].2.abs());
+fn quantiles(mut pressures: Vec<f32>) -> [f64; CURVE_SHARES] {
+    pressures.sort_unstable_by(|a, b| a.abs().total_cmp(&b.abs()));
+    let last = pressures.len() - 1;
+    let size = |i: usize| f64::from(pressures[i.min(last)].abs());
     std::array::from_fn(|k| {
         let place = (k as f64 + 0.5) / CURVE_SHARES as f64 * last as f64;
         let (i, t) = (place as usize, place.fract());
