@@ -37,6 +37,9 @@ pub(crate) fn twice_as_fine(map: &HeightMap, repeats: bool) -> Result<HeightMap,
 /// otherwise.
 pub(crate) fn inside(i: usize, k: isize, n: usize, repeats: bool) -> usize {
     let (i, n) = (i.cast_signed() + k, n.cast_signed());
+    if (0..n).contains(&i) {
+        return i.cast_unsigned(); // most are, and a division takes longer than all else here
+    }
     let j = if repeats { i.rem_euclid(n) } else { i.rem_euclid(2 * n) };
     (if j < n { j } else { 2 * n - 1 - j }).cast_unsigned()
 }

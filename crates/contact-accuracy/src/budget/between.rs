@@ -82,18 +82,19 @@ impl Between {
                 line = [line[0] + square, line[1] + 1.0];
             }
         };
+        let heights = surface.heights();
         // Halfway to both neighbours along x, then along y; between two that touch only once.
         for (i, &p) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
             touching += 1.0;
             load += p;
             let (iy, ix) = (i / nx, i % nx);
             for step in [0, -1] {
-                let along = |k: isize| surface.at(iy, inside(ix, k + step, nx, repeats));
+                let along = |k| heights[iy * nx + inside(ix, k + step, nx, repeats)];
                 let next = pressure[iy * nx + inside(ix, 1 + 2 * step, nx, repeats)];
                 if step == 0 || (next <= 0.0 && (repeats || ix > 0)) {
                     add(difference(along), [p, next]);
                 }
-                let along = |k: isize| surface.at(inside(iy, k + step, ny, repeats), ix);
+                let along = |k| heights[inside(iy, k + step, ny, repeats) * nx + ix];
                 let next = pressure[inside(iy, 1 + 2 * step, ny, repeats) * nx + ix];
                 if step == 0 || (next <= 0.0 && (repeats || iy > 0)) {
                     add(difference(along), [p, next]);
