@@ -1,10 +1,13 @@
 //! The deterministic curve while it is solved.
 
+use crate::EdgesName;
+use crate::distribution::Distributions;
 use crate::first_contact::FirstContact;
 use crate::pressure_maps::PressureMaps;
 use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use crate::sections::Sections;
+use crate::spots::{Spots, spot_list};
 use contact_accuracy::budget::{Between, Budget, Map};
 use contact_accuracy::plan::Sink;
 use contact_types::{Grid, HeightMap};
@@ -19,37 +22,42 @@ const TYPICAL_AREA: f64 = 0.02;
 pub(crate) struct Curve {
     map: Map,
     wanted: Option<f64>,
+    edges: EdgesName,
     pub(crate) points: Vec<DeterministicPoint>,
     /// Index of the load of headline and maps.
     pub(crate) headline: usize,
     score: f64,
     /// Pressure field of the headline (Pa).
     pub(crate) pressure: Vec<f64>,
-    /// Gap field of the headline (m), if the solver keeps gaps.
-    pub(crate) gap: Vec<f64>,
     /// The contact of all loads so far.
     pub(crate) first: Option<FirstContact>,
     /// The pressure of all loads so far.
     pub(crate) pressures: Option<PressureMaps>,
     /// One row of all loads so far.
     pub(crate) sections: Option<Sections>,
+    /// How pressure, gap and spots are distributed at each load, if the solver keeps gaps.
+    pub(crate) distributions: Vec<Option<Distributions>>,
+    /// Contact spots of the headline, if the solver keeps gaps.
+    pub(crate) spots: Option<Spots>,
     /// The map on the grid solved on, if it is not the given one.
     pub(crate) solved: Option<HeightMap>,
 }
 
 impl Curve {
-    pub(crate) fn new(map: Map, wanted: Option<f64>) -> Self {
+    pub(crate) fn new(map: Map, wanted: Option<f64>, edges: EdgesName) -> Self {
         Self {
             map,
             wanted,
+            edges,
             points: Vec::new(),
             headline: 0,
             score: f64::INFINITY,
             pressure: Vec::new(),
-            gap: Vec::new(),
             first: None,
             pressures: None,
             sections: None,
+            distributions: Vec::new(),
+            spots: None,
             solved: None,
         }
     }
@@ -91,12 +99,17 @@ impl Curve {
             solution.as_ref().and_then(|s| PressureMaps::with(maps, index, s.grid, &s.pressure));
         let section = solution.as_mut().and_then(|s| s.section.take());
         self.sections = Sections::with(self.sections.take(), index, section);
+        let kept = solution.as_ref().filter(|s| !s.gap.is_empty());
+        let repeats = self.edges == EdgesName::Periodic;
+        let list = kept.map_or_else(Vec::new, |s| spot_list(&s.pressure, s.grid, repeats));
+        let found = kept.and_then(|s| Distributions::of(&s.pressure, &s.gap, &list));
+        self.distributions.push(found);
         self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
         if score < self.score {
             self.score = score;
+            self.spots = Spots::of(&list);
             self.headline = index;
-            (self.pressure, self.gap) =
-                solution.map_or_else(Default::default, |s| (s.pressure, s.gap));
+            self.pressure = solution.map_or_else(Vec::new, |s| s.pressure);
         }
     }
 
@@ -131,7 +144,8 @@ pub(crate) struct ToCurve<'a> {
 
 impl Sink for ToCurve<'_> {
     fn begin(&mut self, map: &HeightMap) {
-        *self.curve = Curve::new(self.curve.map.on(map.grid()), self.curve.wanted);
+        *self.curve =
+            Curve::new(self.curve.map.on(map.grid()), self.curve.wanted, self.curve.edges);
         self.curve.solved = (map.grid() != self.given).then(|| map.clone());
     }
 

@@ -138,11 +138,14 @@ impl GapDistribution {
         let gaps: Vec<f64> = (1..=CLASSES)
             .map(|i| widest * 10f64.powf(4.0 * (i as f64 / CLASSES as f64 - 1.0)))
             .collect();
-        let mut sorted: Vec<f64> = apart().collect();
-        sorted.sort_by(f64::total_cmp);
-        let touching = gap.len() - count;
-        let below = gaps.iter().map(|&limit| {
-            (touching + sorted.partition_point(|g| *g <= limit)) as f64 / gap.len() as f64
+        let mut counts = [0_usize; CLASSES];
+        for g in apart() {
+            counts[gaps.partition_point(|limit| *limit < g).min(CLASSES - 1)] += 1;
+        }
+        let mut closer = gap.len() - count;
+        let below = counts.iter().map(|n| {
+            closer += n;
+            closer as f64 / gap.len() as f64
         });
         Some(Self { mean: sum / count as f64, below: below.collect(), gaps })
     }

@@ -99,8 +99,8 @@ pub struct SurfaceComparison {
     pub sections: Option<Sections>,
     /// Contact spots at that load.
     pub spots: Option<Spots>,
-    /// How pressure, gap and spots are distributed at that load; `None` if nothing touches.
-    pub distributions: Option<Distributions>,
+    /// How pressure, gap and spots are distributed at each load; `None` where nothing touches.
+    pub distributions: Vec<Option<Distributions>>,
     /// Every model of the list.
     pub models: Vec<ModelComparison>,
 }
@@ -360,6 +360,11 @@ impl SurfaceComparison {
     /// The deterministic answer at the headline load.
     pub fn headline_answer(&self) -> Option<&DeterministicAnswer> {
         self.deterministic.get(self.headline)?.answer.as_ref()
+    }
+
+    /// How pressure, gap and spots are distributed at the headline.
+    pub fn headline_distributions(&self) -> Option<&Distributions> {
+        self.distributions.get(self.headline)?.as_ref()
     }
 
     /// The heights on the grid of the deterministic solution.

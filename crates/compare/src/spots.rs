@@ -1,6 +1,5 @@
 //! Separate contact spots of a solution.
 
-use crate::EdgesName;
 use contact_types::Grid;
 use serde::Serialize;
 
@@ -19,19 +18,19 @@ pub struct Spots {
 /// Counts the spots of a pressure field that repeats periodically; `None` if nothing touches or
 /// the field is not of this grid.
 pub fn contact_spots(pressure: &[f64], grid: Grid) -> Option<Spots> {
-    spots_beyond(pressure, grid, EdgesName::Periodic)
+    Spots::of(&spot_list(pressure, grid, true))
 }
 
-/// The same with other surroundings: a spot at the edge of mirror images joins its own image, not
-/// what lies at the other edge, and counts by its part on the map.
-pub(crate) fn spots_beyond(pressure: &[f64], grid: Grid, edges: EdgesName) -> Option<Spots> {
-    let list = spot_list(pressure, grid, edges == EdgesName::Periodic);
-    Some(Spots {
-        count: list.len(),
-        // Largest first: the upper one of two in the middle.
-        median_area: list.get(list.len().checked_sub(1)? - list.len() / 2)?.area,
-        largest_area: list.first()?.area,
-    })
+impl Spots {
+    /// Of a list, largest first; `None` if it is empty.
+    pub(crate) fn of(list: &[Spot]) -> Option<Self> {
+        Some(Self {
+            count: list.len(),
+            // Largest first: the upper one of two in the middle.
+            median_area: list.get(list.len().checked_sub(1)? - list.len() / 2)?.area,
+            largest_area: list.first()?.area,
+        })
+    }
 }
 
 /// One contact spot.
@@ -54,7 +53,8 @@ pub struct Spot {
 }
 
 /// Every contact spot of a pressure field (Pa), largest first: sets of touching points connected over edges or
-/// corners; across the seam of the map too where it `repeats`. Empty if nothing touches or the field is
+/// corners; across the seam of the map too where it `repeats`: a spot at the edge of mirror images joins its own image, not
+/// what lies at the other edge, and counts by its part on the map. Empty if nothing touches or the field is
 /// not of this grid.
 pub fn spot_list(pressure: &[f64], grid: Grid, repeats: bool) -> Vec<Spot> {
     let [ny, nx] = grid.shape();
@@ -77,10 +77,11 @@ pub fn spot_list(pressure: &[f64], grid: Grid, repeats: bool) -> Vec<Spot> {
             sum += pressure[i];
             highest = highest.max(pressure[i]);
             way = [way[0] + wy as f64, way[1] + wx as f64];
-            for (dy, ay) in [(ny - 1, -1), (0, 0), (1, 1)] {
-                for (dx, ax) in [(nx - 1, -1), (0, 0), (1, 1)] {
-                    let (y, x) = ((i / nx + dy) % ny, (i % nx + dx) % nx);
-                    let crosses = y.abs_diff(i / nx) > 1 || x.abs_diff(i % nx) > 1;
+            let (iy, ix) = (i / nx, i % nx);
+            let columns = beside(ix, nx);
+            for (y, ay) in beside(iy, ny) {
+                for (x, ax) in columns {
+                    let crosses = y.abs_diff(iy) > 1 || x.abs_diff(ix) > 1;
                     if crosses && !repeats {
                         continue;
                     }
@@ -107,6 +108,13 @@ pub fn spot_list(pressure: &[f64], grid: Grid, repeats: bool) -> Vec<Spot> {
     spots
 }
 
+/// Before, here and after on a ring of `n`, with the way there.
+fn beside(i: usize, n: usize) -> [(usize, isize); 3] {
+    let before = if i == 0 { n - 1 } else { i - 1 };
+    let after = if i + 1 == n { 0 } else { i + 1 };
+    [(before, -1), (i, 0), (after, 1)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -126,7 +134,7 @@ mod tests {
         let grid = Grid::new([6, 6], [2.0, 1.0]).unwrap();
         let spots = contact_spots(&pressure, grid).unwrap();
         assert_eq!(spots, Spots { count: 2, median_area: 6.0, largest_area: 6.0 });
-        let inside = spots_beyond(&pressure, grid, EdgesName::Mirrored).unwrap();
+        let inside = Spots::of(&spot_list(&pressure, grid, false)).unwrap();
         assert_eq!((inside.count, inside.largest_area), (4, 4.0));
         let list = spot_list(&pressure, grid, true);
         let sorted = list.windows(2).all(|w| w[0].points >= w[1].points);

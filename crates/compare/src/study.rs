@@ -4,7 +4,6 @@ use crate::ask::timed;
 use crate::conducted::Conduction;
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
-use crate::distribution::Distributions;
 use crate::inputs::Inputs;
 use crate::progress::{Listener, Progress, StudyError};
 use crate::refine::refine;
@@ -14,7 +13,6 @@ use crate::result::{
 };
 use crate::sections::telling_row;
 use crate::solver_of::{builder, elastic};
-use crate::spots::{spot_list, spots_beyond};
 use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::{Judged, verdict};
@@ -155,7 +153,7 @@ fn compare(
     tell(Progress::Surface { name: &name, index, count, loads: pressures.len() })?;
 
     let whole = Surrounded::new(Cow::Borrowed(&map), settings.edges).map_err(refused)?;
-    let mut curve = Curve::new(known, settings.headline);
+    let mut curve = Curve::new(known, settings.headline, settings.edges);
     let built = |builder: SolverBuilder| {
         let built = builder.build(whole.map().grid(), modulus);
         built.map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })
@@ -197,12 +195,12 @@ fn compare(
             Some(plan::run(&task, &mut sink).map_err(|e| refused_plan(e, &name))?)
         }
     };
-    let Curve { points: mut deterministic, headline, pressure, gap, .. } = curve;
+    let Curve { points: mut deterministic, headline, pressure, spots, distributions, .. } = curve;
     let Curve { first, pressures: pressure_maps, sections, solved, .. } = curve;
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
         let mut solver = built(elastic(settings).maps(Maps::Pressure))?;
-        let mut beside = Curve::new(known, settings.headline);
+        let mut beside = Curve::new(known, settings.headline, settings.edges);
         for (i, point) in deterministic.iter().enumerate() {
             // Where nothing has yielded, the answer is the elastic one.
             let yielded = point.answer.as_ref().and_then(|a| a.yielded);
@@ -226,11 +224,6 @@ fn compare(
     }
 
     drop(whole);
-    let grid = solved.as_ref().unwrap_or(&map).grid();
-    let spots = spots_beyond(&pressure, grid, settings.edges);
-    let repeats = settings.edges == EdgesName::Periodic;
-    let distributions = Distributions::of(&pressure, &gap, &spot_list(&pressure, grid, repeats));
-    drop(gap);
     tell(Progress::Models)?;
     // The survey is of elastic contact.
     let alike = match settings.hardness {

@@ -85,7 +85,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "median_area": c.median_area,
             "largest_area": c.largest_area,
         })),
-        "distributions": s.distributions,
+        "distributions": s.headline_distributions(),
         "refined": refined(s),
         "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|c| json!({
             "choice": c.kind.name(),

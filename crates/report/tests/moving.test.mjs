@@ -118,6 +118,40 @@ test('map and section are the solver\'s at every load of the slider', async () =
   await clean(page);
 });
 
+test('the distributions are those of the load read off, and on paper those of the headline', async () => {
+  const page = await opened(), maps = solved();
+  const cells = async () => Object.fromEntries(await page.value("[...document.querySelectorAll('[data-k^=\"d-\"]')].map(e => [e.dataset.k, e.textContent])"));
+  // How high the bars are, what the figure says, and whether the theory stands in it.
+  const figure = () => page.value(`(() => { const svg = document.querySelector('span.spread').closest('figure').querySelector('svg');
+    return [(svg.querySelector('path[fill-opacity]')?.getAttribute('d') ?? '').split('Z').slice(0, -1).map(bar => bar.match(/[-\\d.]+/g).map(Number)).map(([left, bottom, top]) => bottom - top), svg.querySelector('desc').textContent, svg.querySelectorAll('[data-m=persson]').length]; })()`);
+  const many = points().map((point, i) => i).filter(i => points()[i].contact_pixels >= 200), few = points().findIndex(point => point.contact_pixels < 200);
+  assert.ok(many.length > 5 && few >= 0, 'loads with many points and with few');
+  for (const i of many) {
+    await load(page, i);
+    const said = await cells(), touching = maps[i].filter(p => p > 0), share = touching.length / (ROWS * COLUMNS);
+    const near = (text, value, slack) => assert.ok(Math.abs(parseFloat(text.replace('\u202f', '')) / value - 1) < slack, `load ${i}: ${text}, expected ${value}`);
+    near(said['d-touches'], 100 * share, 0.06);
+    near(said['d-apart'], 100 * (1 - share), 0.06);
+    // Bars are as high as the points of their class are many.
+    const [bars] = await figure(), highest = touching.reduce((a, b) => Math.max(a, b));
+    const counts = new Array(40).fill(0);
+    touching.forEach(p => { counts[Math.min(39, Math.floor(p / (highest / 40)))]++; });
+    const shown = counts.filter(n => n > 0).slice(0, bars.length), each = bars.reduce((a, b) => a + b) / shown.reduce((a, b) => a + b);
+    bars.forEach((bar, k) => assert.ok(Math.abs(bar - each * shown[k]) < 0.02 + 0.01 * bar, `load ${i}, bar ${k}: ${bar} for ${shown[k]} points, ${each} for each`));
+    assert.ok(bars.length > 9);
+  }
+  await load(page, few);
+  assert.match((await figure())[1], /^Fewer than 200 points touch/);
+  assert.equal((await cells())['d-half'], '–');
+  assert.equal((await figure())[2], 1, 'the theory stays');
+  await shown(page, 'few');
+  await page.value("addEventListener('beforeprint', () => { window.printed = document.querySelector('span.spread').closest('figure').querySelector('desc').textContent; })");
+  await page.call('Page.printToPDF', {});
+  assert.match(await page.value('window.printed'), /^Density of the pressure over the contact/);
+  assert.match((await figure())[1], /^Fewer/, 'back on screen');
+  await clean(page);
+});
+
 test('a large map is coloured by the highest pressure of each square of points', async () => {
   const [rows, columns] = [520, 610];
   rough('synth', '--shape', `${rows},${columns}`, '--pixel', '1um', '--hurst', '0.8', '--rolloff', '60um', '--cutoff', '4um', '--rms-gradient', '0.1', '--seed', '3', '--out', 'wide.x3p');
@@ -303,7 +337,7 @@ test('without scripts all of it reads; on a phone and in the dark nothing is wid
   const still = await browser.open(pathToFileURL(at('still.html')).href);
   await still.until("document.readyState === 'complete'");
   const visible = selector => still.value(`[...document.querySelectorAll(${JSON.stringify(selector)})].filter(e => e.checkVisibility()).length`);
-  assert.equal(await visible('.dial, .moves, .zoom, .values, img.first, img.pressure, img.pressed, span.cut'), 0, 'nothing that would not work');
+  assert.equal(await visible('.dial, .moves, .zoom, .values, img.first, img.pressure, img.pressed, span.cut, span.spread'), 0, 'nothing that would not work');
   const headings = html => [...html.matchAll(/<(h[123])[^>]*>([\s\S]*?)<\/\1>/g)].length;
   assert.equal(await visible('h1, h2, h3'), headings(file));
   assert.equal(await visible('figure svg'), file.match(/<figure/g).length);

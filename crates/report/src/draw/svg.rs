@@ -256,6 +256,24 @@ impl Canvas {
         );
     }
 
+    /// Many filled rectangles of one kind, as one element.
+    pub fn bars(&mut self, bars: &[Rect], colour: Colour, opacity: f64) {
+        let path: String = bars
+            .iter()
+            .map(|bar| {
+                let [left, top, right, bottom] = bar.map(num);
+                format!("M{left} {bottom}V{top}H{right}V{bottom}Z")
+            })
+            .collect();
+        let _ = write!(
+            self.body,
+            "<path class=\"f-{}\" d=\"{path}\" fill=\"{}\" fill-opacity=\"{}\"/>",
+            colour.class,
+            colour.light,
+            num(opacity)
+        );
+    }
+
     /// A text.
     pub fn text(&mut self, text: &Text<'_>) {
         self.write_text(text, "", "");

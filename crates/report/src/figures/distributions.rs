@@ -1,81 +1,217 @@
-//! How pressure, gap and contact spots are distributed at the headline.
+//! How pressure, gap and contact spots are distributed, at one load or at every load on the same axes.
 
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
-use crate::numbers::{AREAS, METRES, SPACE, percent, quantity, significant, unit_for};
-use compare::{GapDistribution, PressureDistribution, SpotDistribution};
+use crate::numbers::{AREAS, METRES, SPACE, Unit, percent, quantity, significant, unit_for};
+use compare::{Distributions, GapDistribution, PressureDistribution, SpotDistribution};
+use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const FRAME: [f64; 4] = [44.0, 12.0, COLUMN - 14.0, 196.0];
 const HEIGHT: f64 = 232.0;
+/// Room for the longer label of the spots.
+const ROOM: f64 = 66.0;
 
-/// Density of the pressure over the contact, in units of its mean; dashed: Persson's at a light load,
-/// `(π/2) x exp(−π x²/4)`, which has no parameter there.
-pub(crate) fn pressure(found: &PressureDistribution, key: &str) -> Figure {
-    let touching = 1.0 - found.apart;
-    let scale = found.mean / touching;
-    let edges: Vec<f64> = found.edges.iter().map(|p| p / found.mean).collect();
-    let density: Vec<f64> = found.density.iter().map(|d| d * scale).collect();
-    // Beyond this less than 1/1000 of the contact lies.
-    let last = found.above.iter().position(|a| *a < 1e-3 * touching);
-    let right = edges[last.unwrap_or(edges.len() - 1).max(1)].max(2.5);
-    let highest = density.iter().copied().fold(0.8, f64::max);
+/// One of the three figures.
+#[derive(Clone, Copy)]
+pub(crate) enum Kind {
+    /// Density of the pressure over the contact.
+    Pressure,
+    /// Share of the contact in spots of at least an area.
+    Spots,
+    /// Share of the nominal area with less gap.
+    Gap,
+}
+
+impl Kind {
+    /// Of one load; `None` if it has no such distribution.
+    pub(crate) fn figure(self, found: &Distributions, key: &str) -> Option<Figure> {
+        let axes = self.axes(&[found])?;
+        let mut canvas = Canvas::default();
+        axes.frame.draw(&mut canvas);
+        self.marks(&mut canvas, &axes, found);
+        self.over(&mut canvas, &axes);
+        let description = self.description(found);
+        Some(Figure {
+            key: key.into(),
+            title: self.title().into(),
+            description,
+            size: [COLUMN, HEIGHT],
+            canvas,
+        })
+    }
+
+    /// What the script draws at each load, on axes wide enough for all of them; at a load without a distribution `why`.
+    pub(crate) fn moving(self, loads: &[Option<&Distributions>], why: &str) -> Option<Value> {
+        let there: Vec<&Distributions> =
+            loads.iter().flatten().copied().filter(|d| self.is_in(d)).collect();
+        let axes = self.axes(&there)?;
+        let drawn = |draw: &dyn Fn(&mut Canvas)| {
+            let mut canvas = Canvas::default();
+            draw(&mut canvas);
+            canvas.body().to_owned()
+        };
+        let middle = [f64::midpoint(FRAME[0], FRAME[2]), f64::midpoint(FRAME[1], FRAME[3])];
+        let none = Text { colour: INK2, anchor: Anchor::Middle, ..Text::new(middle, why) };
+        let of = |load: Option<&Distributions>| {
+            let found = load.filter(|d| self.is_in(d));
+            let marks = drawn(&|canvas| match found {
+                Some(found) => self.marks(canvas, &axes, found),
+                None => canvas.text(&none),
+            });
+            let title = found.map_or_else(|| why.to_owned(), |found| self.description(found));
+            json!({ "marks": marks, "title": title })
+        };
+        Some(json!({
+            "under": drawn(&|canvas| axes.frame.draw(canvas)),
+            "over": drawn(&|canvas| self.over(canvas, &axes)),
+            "loads": loads.iter().copied().map(of).collect::<Vec<_>>(),
+        }))
+    }
+
+    fn is_in(self, found: &Distributions) -> bool {
+        !matches!(self, Self::Gap) || found.gap.is_some()
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            Self::Pressure => "Distribution of the pressure",
+            Self::Spots => "Contact spots by their area",
+            Self::Gap => "Distribution of the gap",
+        }
+    }
+
+    /// What it finds; asked only of what it is in.
+    fn description(self, found: &Distributions) -> String {
+        match (self, &found.gap) {
+            (Self::Pressure, _) => of_pressure(&found.pressure),
+            (Self::Spots, _) => of_spots(&found.spots),
+            (Self::Gap, Some(gap)) => of_gap(gap, 1.0 - found.pressure.apart),
+            (Self::Gap, None) => String::new(),
+        }
+    }
+
+    /// Axes that hold all of them; `None` without any.
+    fn axes(self, all: &[&Distributions]) -> Option<Axes> {
+        match self {
+            Self::Pressure => pressure_axes(all),
+            Self::Spots => spot_axes(all),
+            Self::Gap => gap_axes(all),
+        }
+    }
+
+    fn marks(self, canvas: &mut Canvas, axes: &Axes, found: &Distributions) {
+        match (self, &found.gap) {
+            (Self::Pressure, _) => pressure(canvas, axes, &found.pressure),
+            (Self::Spots, _) => spots(canvas, axes, &found.spots),
+            (Self::Gap, Some(gap)) => self::gap(canvas, axes, gap, 1.0 - found.pressure.apart),
+            (Self::Gap, None) => {}
+        }
+    }
+
+    /// What is the same at every load, above the marks.
+    fn over(self, canvas: &mut Canvas, axes: &Axes) {
+        if matches!(self, Self::Pressure) {
+            persson(canvas, axes);
+        }
+    }
+}
+
+/// The plot box, and the unit of its horizontal axis.
+struct Axes {
+    frame: Frame,
+    unit: Unit,
+}
+
+fn highest(values: impl Iterator<Item = f64>) -> Option<f64> {
+    values.reduce(f64::max)
+}
+
+/// Edges of the classes and densities, both in units of the mean pressure in contact.
+fn over_the_mean(found: &PressureDistribution) -> (Vec<f64>, Vec<f64>) {
+    let scale = found.mean / (1.0 - found.apart);
+    let edges = found.edges.iter().map(|p| p / found.mean).collect();
+    (edges, found.density.iter().map(|d| d * scale).collect())
+}
+
+fn pressure_axes(all: &[&Distributions]) -> Option<Axes> {
+    let right = |found: &PressureDistribution| {
+        let (edges, _) = over_the_mean(found);
+        // Beyond this less than 1/1000 of the contact lies.
+        let last = found.above.iter().position(|a| *a < 1e-3 * (1.0 - found.apart));
+        edges[last.unwrap_or(edges.len() - 1).max(1)]
+    };
+    let right = highest(all.iter().map(|d| right(&d.pressure)))?.max(2.5);
+    let top = highest(all.iter().flat_map(|d| over_the_mean(&d.pressure).1))?.max(0.8);
     let frame = Frame {
         x: Axis::linear([0.0, right], [FRAME[0], FRAME[2]]),
-        y: Axis::linear([0.0, 1.1 * highest], [FRAME[3], FRAME[1]]),
+        y: Axis::linear([0.0, 1.1 * top], [FRAME[3], FRAME[1]]),
         x_title: "Pressure over its mean in contact".into(),
         y_title: "Density in contact".into(),
     };
-    let mut canvas = Canvas::default();
-    frame.draw(&mut canvas);
-    for (pair, value) in edges.windows(2).zip(&density) {
-        let [left, top] = frame.at([pair[0], *value]);
-        if *value > 0.0 && pair[0] < right {
-            let end = frame.x.at(pair[1].min(right));
-            canvas.rect([left + 0.4, top, end - 0.4, FRAME[3]], INK2, 0.5);
-        }
-    }
-    let persson = |x: f64| FRAC_PI_2 * x * (-0.25 * PI * x * x).exp();
+    Some(Axes { frame, unit: Unit { name: "", scale: 1.0 } })
+}
+
+/// Density of the pressure over the contact, in units of its mean.
+fn pressure(canvas: &mut Canvas, Axes { frame, .. }: &Axes, found: &PressureDistribution) {
+    let (edges, density) = over_the_mean(found);
+    let right = frame.x.data[1];
+    let seen = edges.windows(2).zip(&density).filter(|(edge, d)| **d > 0.0 && edge[0] < right);
+    let bars: Vec<_> = seen
+        .map(|(edge, density)| {
+            let [left, top] = frame.at([edge[0], *density]);
+            [left + 0.4, top, frame.x.at(edge[1].min(right)) - 0.4, FRAME[3]]
+        })
+        .collect();
+    canvas.bars(&bars, INK2, 0.5);
+}
+
+/// Persson's density at a light load, dashed: `(π/2) x exp(−π x²/4)`, which has no parameter there.
+fn persson(canvas: &mut Canvas, Axes { frame, .. }: &Axes) {
+    let density = |x: f64| FRAC_PI_2 * x * (-0.25 * PI * x * x).exp();
+    let right = frame.x.data[1];
     let line: Vec<[f64; 2]> = (0..=120)
         .map(|i| right * f64::from(i) / 120.0)
-        .map(|x| frame.at([x, persson(x)]))
+        .map(|x| frame.at([x, density(x)]))
         .collect();
-    let at = frame.at([2.0, persson(2.0)]);
+    let at = frame.at([2.0, density(2.0)]);
     let label =
         Text { colour: PERSSON, halo: true, ..Text::new([at[0] + 6.0, at[1] - 8.0], "Persson") };
     canvas.series("persson", |canvas| {
         canvas.polyline(&line, Stroke { colour: PERSSON, width: 1.5, dash: "6 3" });
         canvas.label(&label);
     });
-    Figure {
-        key: key.into(),
-        title: "Distribution of the pressure".into(),
-        description: format!(
-            "Density of the pressure over the contact; {} of the nominal area has none. Highest class at {} of \
-             the mean pressure in contact.",
-            percent(found.apart),
-            significant(edges[edges.len() - 1], 2)
-        ),
-        size: [COLUMN, HEIGHT],
-        canvas,
-    }
 }
 
-/// Share of the nominal area that stands less than a gap apart; from below, what touches.
-pub(crate) fn gap(found: &GapDistribution, touching: f64, key: &str) -> Figure {
-    let widest = found.gaps[found.gaps.len() - 1];
-    let unit = unit_for(found.mean, METRES);
+fn of_pressure(found: &PressureDistribution) -> String {
+    let (edges, _) = over_the_mean(found);
+    format!(
+        "Density of the pressure over the contact; {} of the nominal area has none. Highest class at {} of \
+         the mean pressure in contact.",
+        percent(found.apart),
+        significant(edges[edges.len() - 1], 2)
+    )
+}
+
+fn gap_axes(all: &[&Distributions]) -> Option<Axes> {
+    let each = || all.iter().filter_map(|d| d.gap.as_ref());
+    let widest = highest(each().map(|g| g.gaps[g.gaps.len() - 1]))?;
+    let least = each().map(|g| g.gaps[0]).reduce(f64::min)?;
+    let unit = unit_for(highest(each().map(|g| g.mean))?, METRES);
     let frame = Frame {
-        x: Axis::log([found.gaps[0] / unit.scale, 1.1 * widest / unit.scale], [FRAME[0], FRAME[2]]),
+        x: Axis::log([least / unit.scale, 1.1 * widest / unit.scale], [FRAME[0], FRAME[2]]),
         y: Axis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
         x_title: format!("Gap ({})", unit.name),
         y_title: "Nominal area with less gap (%)".into(),
     };
-    let mut canvas = Canvas::default();
-    frame.draw(&mut canvas);
-    let [left, level] = frame.at([found.gaps[0] / unit.scale, 100.0 * touching]);
-    canvas.rect([left, level, FRAME[2], FRAME[3]], INK2, 0.5);
+    Some(Axes { frame, unit })
+}
+
+/// Share of the nominal area that stands less than a gap apart; from below, what touches.
+fn gap(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &GapDistribution, touching: f64) {
+    let level = frame.y.at(100.0 * touching);
+    canvas.rect([FRAME[0], level, FRAME[2], FRAME[3]], INK2, 0.5);
     let line: Vec<[f64; 2]> = found
         .gaps
         .iter()
@@ -89,72 +225,78 @@ pub(crate) fn gap(found: &GapDistribution, touching: f64, key: &str) -> Figure {
         anchor: Anchor::End,
         ..Text::new([FRAME[2] - 4.0, level - 5.0], "touches")
     });
-    Figure {
-        key: key.into(),
-        title: "Distribution of the gap".into(),
-        description: format!(
-            "{} of the nominal area touches. Elsewhere the bodies stand {} apart in the mean, {} at most.",
-            percent(touching),
-            quantity(found.mean, METRES, 2),
-            quantity(widest, METRES, 2)
-        ),
-        size: [COLUMN, HEIGHT],
-        canvas,
-    }
 }
 
-/// Share of the contact area, and of the number of spots, in spots of at least an area.
-pub(crate) fn spots(found: &SpotDistribution, key: &str) -> Figure {
-    let unit = unit_for(found.areas[found.areas.len() / 2], AREAS);
-    let areas: Vec<f64> = found.areas.iter().map(|a| a / unit.scale).collect();
-    let [low, high] = [areas[0], areas[areas.len() - 1].max(2.0 * areas[0])];
+fn of_gap(found: &GapDistribution, touching: f64) -> String {
+    format!(
+        "{} of the nominal area touches. Elsewhere the bodies stand {} apart in the mean, {} at most.",
+        percent(touching),
+        quantity(found.mean, METRES, 2),
+        quantity(found.gaps[found.gaps.len() - 1], METRES, 2)
+    )
+}
+
+fn spot_axes(all: &[&Distributions]) -> Option<Axes> {
+    let longest = all.iter().map(|d| &d.spots.areas).max_by_key(|areas| areas.len())?;
+    let unit = unit_for(longest[longest.len() / 2], AREAS);
+    let [low, high] = [longest[0], longest[longest.len() - 1]].map(|a| a / unit.scale);
     let frame = Frame {
-        x: Axis::log([low / 1.1, high * 1.1], [FRAME[0], FRAME[2]]),
+        x: Axis::log([low / 1.1, high.max(2.0 * low) * 1.1], [FRAME[0], FRAME[2]]),
         y: Axis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
         x_title: format!("Spot area ({})", unit.name),
         y_title: "In spots at least as large (%)".into(),
     };
-    let mut canvas = Canvas::default();
-    frame.draw(&mut canvas);
+    Some(Axes { frame, unit })
+}
+
+/// Share of the contact area, and of the number of spots, in spots of at least an area.
+fn spots(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &SpotDistribution) {
     let numbers: Vec<f64> =
         found.count_at_least.iter().map(|&n| n as f64 / found.count.max(1) as f64).collect();
     let line = |shares: &[f64]| -> Vec<[f64; 2]> {
-        areas.iter().zip(shares).map(|(a, s)| frame.at([*a, 100.0 * s])).collect()
+        let of = |(a, s): (&f64, &f64)| frame.at([a / unit.scale, 100.0 * s]);
+        found.areas.iter().zip(shares).map(of).collect()
     };
     let (by_number, by_area) = (line(&numbers), line(&found.area_share));
     canvas.polyline(&by_number, Stroke { colour: INK2, width: 1.4, dash: "5 3" });
     canvas.polyline(&by_area, Stroke::solid(DETERMINISTIC, 1.8));
     let place = |shares: &[f64]| shares.iter().position(|s| *s < 0.55).unwrap_or(shares.len() - 1);
     let (of_area, of_number) = (place(&found.area_share), place(&numbers));
+    // On axes for all loads the line of a light one ends early: the label stands right of it.
+    let (at, text) = (by_area[of_area], "of the area");
+    let right = by_area[by_area.len() - 1][0] + ROOM < FRAME[2];
+    let (anchor, place) = if right {
+        (Anchor::Start, [at[0] + 6.0, at[1]])
+    } else {
+        (Anchor::End, [FRAME[2], (at[1] - 24.0).max(FRAME[1] + 8.0)])
+    };
     canvas.label(&Text {
         colour: DETERMINISTIC,
         halo: true,
         bold: true,
-        anchor: Anchor::End,
-        ..Text::new([FRAME[2], (by_area[of_area][1] - 24.0).max(FRAME[1] + 8.0)], "of the area")
+        anchor,
+        ..Text::new(place, text)
     });
     canvas.label(&Text {
         colour: INK2,
         halo: true,
         anchor: Anchor::End,
         ..Text::new(
-            [by_number[of_number][0] - 5.0, by_number[of_number][1] + 12.0],
+            [(by_number[of_number][0] - 5.0).max(FRAME[0] + ROOM), by_number[of_number][1] + 12.0],
             "of the number",
         )
     });
+}
+
+fn of_spots(found: &SpotDistribution) -> String {
+    let unit = unit_for(found.areas[found.areas.len() / 2], AREAS);
     let half = found.area_share.iter().rposition(|s| *s >= 0.5).unwrap_or(0);
-    Figure {
-        key: key.into(),
-        title: "Contact spots by their area".into(),
-        description: format!(
-            "{} spots; at least half of the contact area is in spots of {}{SPACE}{} and more.",
-            found.count,
-            significant(areas[half], 2),
-            unit.name
-        ),
-        size: [COLUMN, HEIGHT],
-        canvas,
-    }
+    format!(
+        "{} spots; at least half of the contact area is in spots of {}{SPACE}{} and more.",
+        found.count,
+        significant(found.areas[half] / unit.scale, 2),
+        unit.name
+    )
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub(crate) fn where_it_touches(
     let row = deformed::cut(surface).and(surface.sections.as_ref()).map(|s| s.row);
     let marks = maps::Marks { window, row };
     let map = maps::contact(&surface.pressure, heights, grid, &marks, page.map_limit, &key)?;
-    let moving = Moving::of(surface).filter(|_| page.comparison.surfaces.len() <= MOST_MOVING);
+    let moving = moving(page, surface);
     let (hidden, moves) = match &moving {
         Some(moving) => {
             let pressures = Pressures::of(surface, page.comparison.surfaces.len())?;
@@ -73,6 +73,11 @@ pub(crate) fn where_it_touches(
     out.push_str("</div>\n");
     out.push_str(&deformed::through(page, surface, moving.is_some(), id));
     Ok(out)
+}
+
+/// What moves with the slider, if the page bears it.
+pub(crate) fn moving<'a>(page: &Page<'_>, surface: &'a SurfaceComparison) -> Option<Moving<'a>> {
+    Moving::of(surface).filter(|_| page.comparison.surfaces.len() <= MOST_MOVING)
 }
 
 /// Of more surfaces the pictures that move would make the page too large.

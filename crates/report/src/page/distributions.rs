@@ -1,62 +1,112 @@
 //! How pressure and spots are distributed where it touches, and the gap where it does not.
 
-use crate::figures::distributions::{gap, pressure, spots};
+use crate::figures::distributions::Kind;
 use crate::numbers::{AREAS, METRES, percent, quantity, significant};
+use crate::page::contact_map;
 use crate::page::context::Page;
+use crate::page::phrases::attribute;
 use crate::page::sections::figure;
-use compare::SurfaceComparison;
+use compare::{Distributions, SurfaceComparison};
 
 /// Touching points below which classes say little.
 const LEAST: usize = 200;
 
+/// What the captions say of a load: the key of a cell of the slider, and its words; `None` where there are none.
+type Say = (&'static str, fn(&Distributions) -> Option<String>);
+
+const APART: Say = ("d-apart", |d| Some(percent(d.pressure.apart)));
+const EXPONENT: Say = ("d-exponent", |d| d.pressure.exponent_at_zero.map(|s| significant(s, 2)));
+const SPOTS: Say = ("d-spots", |d| Some(d.spots.count.to_string()));
+const HALF: Say = ("d-half", |d| {
+    let half = d.spots.area_share.iter().rposition(|s| *s >= 0.5).unwrap_or(0);
+    Some(quantity(d.spots.areas[half], AREAS, 2))
+});
+const TOUCHES: Say = ("d-touches", |d| Some(percent(1.0 - d.pressure.apart)));
+const MEAN_GAP: Say = ("d-mean", |d| Some(quantity(d.gap.as_ref()?.mean, METRES, 2)));
+const MOST_GAP: Say = ("d-most", |d| Some(quantity(*d.gap.as_ref()?.gaps.last()?, METRES, 2)));
+
+/// Distributions of a load of which enough points touch.
+fn at(surface: &SurfaceComparison, load: usize) -> Option<&Distributions> {
+    let answer = surface.deterministic.get(load)?.answer.as_ref()?;
+    let found = surface.distributions.get(load)?.as_ref()?;
+    (answer.contact_pixels >= LEAST).then_some(found)
+}
+
+/// What the slider writes into the captions at each load.
+pub(crate) fn cells(surface: &SurfaceComparison) -> impl Iterator<Item = (&str, Vec<String>)> {
+    let all = [APART, EXPONENT, SPOTS, HALF, TOUCHES, MEAN_GAP, MOST_GAP];
+    all.into_iter().map(|(key, words)| {
+        let of = |load| at(surface, load).and_then(words).unwrap_or_else(|| "–".into());
+        (key, (0..surface.deterministic.len()).map(of).collect())
+    })
+}
+
 /// Three figures; nothing where few points touch.
 pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
-    let touching = surface.headline_answer().map_or(0, |a| a.contact_pixels);
-    let Some(found) = surface.distributions.as_ref().filter(|_| touching >= LEAST) else {
-        return String::new();
+    let Some(found) = at(surface, surface.headline) else { return String::new() };
+    let moves = contact_map::moving(page, surface).is_some();
+    let say = |(key, words): Say| {
+        let words = words(found).unwrap_or_default();
+        if moves { format!("<span data-k=\"{key}\">{words}</span>") } else { words }
     };
-    let (one, two) = (page.next_figure(), page.next_figure());
-    let begins = found.pressure.exponent_at_zero.map_or(String::new(), |s| {
+    let begins = found.pressure.exponent_at_zero.map_or(String::new(), |_| {
         format!(
             " Here it begins as <i>p</i><sup><i>s</i></sup>, <i>s</i> = {}, by the shares of the contact below \
              0.1 and 0.3 of the mean: points on contact lines hold what the grid does not resolve there, \
              and <i>s</i> rises towards 1 with more points.",
-            significant(s, 2)
+            say(EXPONENT)
         )
     });
-    let half = found.spots.area_share.iter().rposition(|s| *s >= 0.5).unwrap_or(0);
-    let apart = found.gap.as_ref().map_or(String::new(), |between| {
-        let n = page.next_figure();
-        figure(
-            &gap(between, 1.0 - found.pressure.apart, &format!("{id}-f{n}")).inline(),
-            &format!(
-                "<b>Fig. {n}. Distribution of the gap</b>: share of the nominal area where the bodies stand closer \
-                 than that, the {} that touch included. Elsewhere the gap is {} in the mean, {} at most.",
-                percent(1.0 - found.pressure.apart),
-                quantity(between.mean, METRES, 2),
-                quantity(between.gaps[between.gaps.len() - 1], METRES, 2)
-            ),
-        )
-    });
-    format!(
-        "<div class=\"two\">\n{}{}{apart}</div>\n",
-        figure(
-            &pressure(&found.pressure, &format!("{id}-f{one}")).inline(),
-            &format!(
-                "<b>Fig. {one}. Distribution of the pressure</b> over the contact; {} of the nominal area has \
+    let captions = [
+        (
+            Kind::Pressure,
+            format!(
+                "Distribution of the pressure</b> over the contact; {} of the nominal area has \
                  none. Dashed: Persson’s theory at a light load, whose density rises linearly from zero.{begins}",
-                percent(found.pressure.apart)
+                say(APART)
             ),
         ),
-        figure(
-            &spots(&found.spots, &format!("{id}-f{two}")).inline(),
-            &format!(
-                "<b>Fig. {two}. Contact spots by size</b>: share of the contact area, and of the {} spots, in spots \
+        (
+            Kind::Spots,
+            format!(
+                "Contact spots by size</b>: share of the contact area, and of the {} spots, in spots \
                  at least as large. Half of the area is in spots of {} and more. One point of the map is {}.",
-                found.spots.count,
-                quantity(found.spots.areas[half], AREAS, 2),
+                say(SPOTS),
+                say(HALF),
                 quantity(found.spots.areas[0], AREAS, 2)
             ),
-        )
-    )
+        ),
+        (
+            Kind::Gap,
+            format!(
+                "Distribution of the gap</b>: share of the nominal area where the bodies stand closer \
+                 than that, the {} that touch included. Elsewhere the gap is {} in the mean, {} at most.",
+                say(TOUCHES),
+                say(MEAN_GAP),
+                say(MOST_GAP)
+            ),
+        ),
+    ];
+    let loads: Vec<_> = (0..surface.deterministic.len()).map(|i| at(surface, i)).collect();
+    let why = format!("Fewer than {LEAST} points touch at this load.");
+    let mut figures = String::new();
+    for (kind, caption) in captions {
+        let Some(still) = kind.figure(found, &format!("{id}-f{}", page.figures + 1)) else {
+            continue;
+        };
+        let n = page.next_figure();
+        let facts = kind.moving(&loads, &why).filter(|_| moves).map(|facts| {
+            format!("<span class=\"spread\" hidden data-facts='{}'></span>", attribute(&facts))
+        });
+        let follows = if moves {
+            "<span class=\"moves\"> It follows the slider; the axes are those of all loads.</span>"
+        } else {
+            ""
+        };
+        figures.push_str(&figure(
+            &(still.inline() + &facts.unwrap_or_default()),
+            &format!("<b>Fig. {n}. {caption}{follows}"),
+        ));
+    }
+    format!("<div class=\"two\">\n{figures}</div>\n")
 }

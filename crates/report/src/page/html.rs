@@ -19,7 +19,8 @@ const SCRIPT: &str = concat!(
     include_str!("slider.js"),
     include_str!("follow.js"),
     include_str!("moving.js"),
-    include_str!("deformed.js")
+    include_str!("deformed.js"),
+    include_str!("distributions.js")
 );
 /// Nothing may be fetched: pictures are data, style and script are in the page.
 const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; \

@@ -3,7 +3,7 @@
 use crate::draw::palette::DETERMINISTIC;
 use crate::looks::look;
 use crate::numbers::{PASCALS, chosen, signed_percent};
-use crate::page::{phrases, tables};
+use crate::page::{distributions, phrases, tables};
 use crate::words;
 use compare::SurfaceComparison;
 use serde_json::json;
@@ -73,6 +73,9 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
     let touching = phrases::touching(surface);
     if !touching.is_empty() {
         cells.insert("cut".into(), json!(touching));
+    }
+    for (key, words) in distributions::cells(surface) {
+        cells.insert(key.into(), json!(words));
     }
     for model in &surface.models {
         let Ok(curve) = &model.outcome else { continue };
