@@ -3,7 +3,7 @@
 use crate::draw::palette::DETERMINISTIC;
 use crate::looks::look;
 use crate::numbers::{PASCALS, chosen, signed_percent};
-use crate::page::{distributions, phrases, tables};
+use crate::page::{phrases, spread, tables};
 use crate::words;
 use compare::SurfaceComparison;
 use serde_json::json;
@@ -74,7 +74,7 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
     if !touching.is_empty() {
         cells.insert("cut".into(), json!(touching));
     }
-    for (key, words) in distributions::cells(surface) {
+    for (key, words) in spread::cells(surface) {
         cells.insert(key.into(), json!(words));
     }
     for model in &surface.models {
