@@ -3,6 +3,15 @@
 use crate::{Boundary, Maps, Method, Precision, SolverError};
 use contact_types::Grid;
 
+/// Points from which on memory is what limits, 8192 x 8192.
+const LARGE: usize = 1 << 26;
+
+/// Whether a grid of so many points is to be solved without what only saves pairs, guesses, extrapolation and the step
+/// before: two fields of nine, and two more along a curve.
+pub(crate) fn is_large(points: usize) -> bool {
+    points >= LARGE
+}
+
 /// What decides how much it is.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Needs {
@@ -11,14 +20,15 @@ pub(crate) struct Needs {
     pub(crate) precision: Precision,
     pub(crate) certified: bool,
     pub(crate) maps: Maps,
-    /// Whether each pixel has a hardness of its own.
+    /// Whether some pixel may yield, and whether each has a hardness of its own.
+    pub(crate) yields: bool,
     pub(crate) ceilings: bool,
 }
 
 impl Needs {
     /// Bytes per pixel at the peak, the maps of one solution included; counted array by array in
     /// `docs/src/solver/method.md`, within a tenth of what an allocator counts.
-    fn per_pixel(self) -> f64 {
+    fn per_pixel(self, points: usize) -> f64 {
         let t = match self.precision {
             Precision::Double => 8.0,
             Precision::Single => 4.0,
@@ -31,7 +41,7 @@ impl Needs {
         // As given, and as the iteration has it.
         let ceilings = if self.ceilings { 8.0 + t } else { 0.0 };
         let (heights, iterate) = (t, 2.0 * t);
-        let solving = ceilings + heights + iterate + self.method(t) + self.half_space(t);
+        let solving = ceilings + heights + iterate + self.method(t, points) + self.half_space(t);
         let answering = maps + if self.certified { t } else { 0.0 };
         // The coefficients of the free half space are transformed on a doubled grid in f64.
         let building = match self.boundary {
@@ -51,15 +61,20 @@ impl Needs {
     }
 
     /// Of the method.
-    fn method(self, t: f64) -> f64 {
+    fn method(self, t: f64, points: usize) -> f64 {
         // Residual, nodes, pyramid, sweep, grids of S: in single precision whatever the fields are.
         let preconditioner = 4.0 + 1.0 + 2.7 + 1.1 + 0.6;
+        let points = match self.boundary {
+            Boundary::Periodic => points,
+            Boundary::Free => points * 25 / 16,
+        };
+        let before = if is_large(points) && !self.yields { 0.0 } else { 2.0 * t };
+        let trial_and_before = 2.0 * t + before;
         match (self.method, self.boundary) {
-            // Trial and iterate before.
-            (Method::Auto | Method::Chord, Boundary::Periodic) => 4.0 * t + preconditioner,
+            (Method::Auto | Method::Chord, Boundary::Periodic) => trial_and_before + preconditioner,
             // On a grid a quarter larger each way, heights and iterate there as well; and a pair.
             (Method::Auto | Method::Chord, Boundary::Free) => {
-                1.5625 * (7.0 * t + preconditioner) + 2.0 * t
+                1.5625 * (3.0 * t + trial_and_before + preconditioner) + 2.0 * t
             }
             (Method::PolonskyKeer | Method::StanleyKato, _) => 3.0 * t,
         }
@@ -67,7 +82,7 @@ impl Needs {
 
     /// Bytes for a grid, about.
     pub(crate) fn bytes(self, grid: Grid) -> u128 {
-        (self.per_pixel() * grid.len() as f64) as u128
+        (self.per_pixel(grid.len()) * grid.len() as f64) as u128
     }
 
     /// Whether the machine grants as much.

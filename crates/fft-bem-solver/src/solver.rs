@@ -158,7 +158,8 @@ impl SolverBuilder {
     fn needs(&self) -> Needs {
         let Self { method, boundary, precision, certified, maps, .. } = *self;
         let ceilings = self.hardness_map.is_some();
-        Needs { method, boundary, precision, certified, maps, ceilings }
+        let yields = ceilings || self.hardness.is_finite();
+        Needs { method, boundary, precision, certified, maps, yields, ceilings }
     }
 
     /// Checks the settings, plans the transforms and allocates: iterations allocate nothing.

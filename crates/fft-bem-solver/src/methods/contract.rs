@@ -120,7 +120,7 @@ pub(crate) trait ContactMethod<T: Real>: Send + Sync {
     }
 
     /// From now on (or no longer), each warm start extrapolates from the last two solutions. Costs
-    /// memory for one more of them. A method without extrapolation ignores it.
+    /// memory for one more of them. A method without extrapolation, or without room for it, ignores it.
     fn extrapolate(&mut self, is_on: bool) {
         let _ = is_on;
     }

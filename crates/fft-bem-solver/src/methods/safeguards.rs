@@ -61,6 +61,27 @@ fn each_kind_of_step_alone_finds_the_solution() {
     }
 }
 
+/// On grids on which memory is what limits, there is no step before to go by, and no guess. Only the last resort
+/// asks for the room.
+#[test]
+fn without_room_for_the_step_before_the_answer_is_the_same() {
+    let (problem, grid) = surface();
+    for load in [0.003, 0.05, 0.2] {
+        let (_, exact) =
+            run(&mut PolonskyKeer::new(grid.len()), &problem, f64::INFINITY, 1e-11, load);
+        for kind in [None, Some(Kind::Gradient), Some(Kind::FaceCg)] {
+            let mut chord = Chord::new(grid);
+            chord.force = kind;
+            chord.work.pairs.give_up_room();
+            let (outcome, found) = run(&mut chord, &problem, f64::INFINITY, 1e-8, load);
+            assert_eq!(outcome.end, End::Converged, "{kind:?} at {load}");
+            let error = difference(&found, &exact);
+            assert!(error < 1e-7, "{kind:?} at {load}: {error:e}");
+            assert_eq!(chord.work.pairs.has_room(), kind == Some(Kind::FaceCg));
+        }
+    }
+}
+
 /// With `S` zero, far too weak, far too strong, or of the wrong sign in parts, chords stall or climb; the
 /// ladder of fallbacks still arrives, and says that it was needed.
 #[test]

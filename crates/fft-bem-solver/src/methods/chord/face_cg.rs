@@ -12,6 +12,7 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
     let (h, load, is_first) = (run.heights, run.load, !run.memory.has_before);
     let ceiling = run.ceiling;
     let (work, operator) = (&mut *run.work, &mut *run.operator);
+    work.pairs.make_room();
     let n = h.len();
     let (p, u) = (&mut run.iterate.pressure, &mut run.iterate.displacement);
     let gap = |i: usize| (u[i] - h[i]).wide() - level;

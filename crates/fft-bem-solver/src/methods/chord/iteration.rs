@@ -35,6 +35,7 @@ use super::memory::{Kind, Known};
 use super::pairs::Base;
 use super::run::Run;
 use super::work::Work;
+use crate::memory::is_large;
 use crate::methods::ceiling::{Ceiling, Top, under};
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{ContactMethod, Outcome, Start, State, Step, Task, Watch};
@@ -79,8 +80,13 @@ impl<T: Real> Chord<T> {
         Self::with(scaled, Stiffness::isolated(scaled.shape(), scaled.pixel()), 0)
     }
 
+    /// On a large grid without room for what only saves pairs: a lead, and the step before.
     fn with(scaled: Grid, stiffness: Stiffness, guesses: u8) -> Self {
-        Self { work: Work::new(scaled, stiffness), earlier: None, guesses, force: None }
+        let mut work = Work::new(scaled, stiffness);
+        if !is_large(scaled.len()) {
+            work.pairs.make_room();
+        }
+        Self { work, earlier: None, guesses, force: None }
     }
 }
 
@@ -98,7 +104,7 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
 
     fn extrapolate(&mut self, is_on: bool) {
         let n = self.work.nodes.len();
-        self.earlier = is_on.then(|| Box::new(Earlier::new(n)));
+        self.earlier = (is_on && self.work.pairs.has_room()).then(|| Box::new(Earlier::new(n)));
     }
 
     fn controls_level(&self) -> bool {
@@ -129,7 +135,11 @@ impl<T: Real> Chord<T> {
         state: &mut State<T>,
         watch: &mut Watch<'_, T>,
     ) -> Outcome {
-        let guesses = if self.force.is_none() { self.guesses } else { 0 };
+        if C::IS_FINITE {
+            self.work.pairs.make_room(); // what is scaled to a load may become a lead
+        }
+        let guesses =
+            if self.force.is_none() && self.work.pairs.has_room() { self.guesses } else { 0 };
         let guesses = if C::IS_FINITE { 2 * guesses } else { guesses };
         let Self { work, earlier, force, .. } = self;
         let mut run = Run::new(ceiling, work, task, operator, start, *force, state);
@@ -276,7 +286,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let (mut kind, base) = (self.memory.next_kind(), self.work.pairs.base);
         if kind == Kind::FaceCg && base == Base::Iterate {
             self.transforms += face_cg::step(self, proposal.level);
-            self.memory.has_before = true;
+            (self.memory.is_first, self.memory.has_before) = (false, true);
             self.fallbacks.face_cg_steps += 1;
             return;
         }
@@ -290,8 +300,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
                 Kind::Chord => {
                     part("sweep", || self.sweep_trial(proposal.set, self.memory.residual.min(1.0)));
                     // The first trial is likely to need more than a factor.
-                    let is_first = !self.memory.has_before;
-                    if is_first || C::IS_FINITE {
+                    if self.memory.is_first || C::IS_FINITE {
                         part("end", || self.end_trial(proposal.level)).map(Trial::Ended)
                     } else {
                         Some(Trial::Swept)

@@ -95,27 +95,29 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let is_searchable = now.has_before && kind == Kind::Chord && !k.has_dropped;
         let length = now.length;
         let plane = k.plane_minimum().filter(|_| is_searchable);
-        let step = plane.and_then(|b| Some((b, self.combine(b, true)?)));
+        let step = plane.and_then(|b| Some((b, self.combine(b)?)));
         let b = if let Some((b, level)) = step {
             self.memory.length = 1.0;
             self.memory.known = Known::Level(level);
+            self.work.pairs.take_combined(self.iterate);
             b
-        } else if (length - 1.0).abs() < f64::EPSILON {
-            self.work.pairs.take_trial();
-            self.memory.known = Known::Gap { level: k.level, counted_from };
-            [1.0, 0.0]
         } else {
-            let b = [length, 0.0];
-            self.memory.known = self.combine(b, false).map_or(Known::Nothing, Known::Level);
-            b
+            let is_whole = (length - 1.0).abs() < f64::EPSILON;
+            self.memory.known = if is_whole {
+                Known::Gap { level: k.level, counted_from }
+            } else {
+                Known::Level(self.shorten(length))
+            };
+            self.work.pairs.take_trial(self.iterate);
+            [length, 0.0]
         };
-        self.work.pairs.advance(self.iterate);
-        self.memory.has_before = true;
+        self.memory.is_first = false;
+        self.memory.has_before = self.work.pairs.has_room();
         self.memory.dkd = k.curvature(b);
     }
 
     /// `before = p + b1 s + b2 d`, see [`passes::combine`].
-    fn combine(&mut self, b: [f64; 2], is_plane: bool) -> Option<f64> {
+    fn combine(&mut self, b: [f64; 2]) -> Option<f64> {
         let work = &mut *self.work;
         let pairs = &mut work.pairs;
         passes::combine(
@@ -123,9 +125,22 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             [&self.iterate.pressure, &self.iterate.displacement],
             [&pairs.trial.pressure, &pairs.trial.displacement],
             b,
-            is_plane,
             self.heights,
             [&mut pairs.before.pressure, &mut pairs.before.displacement],
+            &mut work.partial,
+        )
+    }
+
+    /// `trial = p + length s`, see [`passes::shorten`].
+    fn shorten(&mut self, length: f64) -> f64 {
+        let work = &mut *self.work;
+        let trial = &mut work.pairs.trial;
+        passes::shorten(
+            self.ceiling,
+            [&self.iterate.pressure, &self.iterate.displacement],
+            length,
+            self.heights,
+            [&mut trial.pressure, &mut trial.displacement],
             &mut work.partial,
         )
     }

@@ -32,7 +32,9 @@ pub(super) struct Memory {
     pub(super) alpha: f64,
     /// Chord length of the last step.
     pub(super) length: f64,
-    /// Whether there is an iterate before this one, and `<d, K d>` of the step from it.
+    /// Whether no trial was taken yet.
+    pub(super) is_first: bool,
+    /// Whether the iterate before this one is kept, and `<d, K d>` of the step from it.
     pub(super) has_before: bool,
     pub(super) dkd: f64,
     /// What the step to the iterate found out about it.
@@ -54,6 +56,7 @@ impl Memory {
             tau: 1.0,
             alpha: 1.5,
             length: if is_cold { 1.0 } else { 0.0 },
+            is_first: true,
             has_before: false,
             dkd: 0.0,
             known: Known::Nothing,

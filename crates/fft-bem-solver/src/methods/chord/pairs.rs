@@ -23,9 +23,15 @@ impl<T: Real> Pair<T> {
     fn new(n: usize) -> Self {
         Self { pressure: vec![T::zero(); n], displacement: vec![T::zero(); n] }
     }
+
+    fn swap(&mut self, state: &mut State<T>) {
+        std::mem::swap(&mut self.pressure, &mut state.pressure);
+        std::mem::swap(&mut self.displacement, &mut state.displacement);
+    }
 }
 
-/// The trial and the iterate before the present one. The present one belongs to the caller.
+/// The trial and, where there is [room](Self::make_room) for it, the iterate before the present one. The present
+/// one belongs to the caller.
 ///
 /// The displacement of the trial is known only once a pair has been spent on it. Until then its place
 /// is the *spare*: room for a field in single precision, which holds first `E g`, then the smallest
@@ -39,7 +45,24 @@ pub(crate) struct Pairs<T> {
 
 impl<T: Real> Pairs<T> {
     pub(super) fn new(n: usize) -> Self {
-        Self { trial: Pair::new(n), before: Pair::new(n), base: Base::Iterate }
+        Self { trial: Pair::new(n), before: Pair::new(0), base: Base::Iterate }
+    }
+
+    /// Makes room for the iterate before, which a lead and a step of two directions need.
+    pub(super) fn make_room(&mut self) {
+        if !self.has_room() {
+            self.before = Pair::new(self.trial.pressure.len());
+        }
+    }
+
+    pub(crate) fn has_room(&self) -> bool {
+        self.before.pressure.len() == self.trial.pressure.len()
+    }
+
+    /// As on a grid too large for it.
+    #[cfg(test)]
+    pub(crate) fn give_up_room(&mut self) {
+        self.before = Pair::new(0);
     }
 
     /// Pressure and displacement of the base.
@@ -160,15 +183,17 @@ impl<T: Real> Pairs<T> {
         passes::scale(factor, &mut other.displacement);
     }
 
-    /// Puts the trial in the place of the iterate before.
-    pub(super) fn take_trial(&mut self) {
-        std::mem::swap(&mut self.before, &mut self.trial);
+    /// Makes the trial the iterate and, where there is room, the iterate the one before.
+    pub(super) fn take_trial(&mut self, iterate: &mut State<T>) {
+        self.trial.swap(iterate);
+        if self.has_room() {
+            std::mem::swap(&mut self.before, &mut self.trial);
+        }
     }
 
     /// Makes what stands in the place of the iterate before the iterate, and the iterate the one before.
-    pub(super) fn advance(&mut self, iterate: &mut State<T>) {
-        std::mem::swap(&mut iterate.pressure, &mut self.before.pressure);
-        std::mem::swap(&mut iterate.displacement, &mut self.before.displacement);
+    pub(super) fn take_combined(&mut self, iterate: &mut State<T>) {
+        self.before.swap(iterate);
     }
 }
 

@@ -16,5 +16,5 @@ pub(crate) use contact_set::{
 pub(crate) use line_search::{Products, inner_products, reach};
 pub(crate) use pieces::{fill, gap_of_constant, rows_per_task, scale, tasks};
 pub(crate) use preconditioner::{gather, push};
-pub(crate) use step::{combine, copy, difference};
+pub(crate) use step::{combine, copy, difference, shorten};
 pub(crate) use trial::{Estimate, end_trial, trial};

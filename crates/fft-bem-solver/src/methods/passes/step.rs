@@ -9,18 +9,13 @@ use grid_fft::parallel::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// `before = p + b1 (trial - p) + b2 (p - before)`, and the same for the displacements. Returns
-/// the level of the new iterate.
-///
-/// With `is_plane`, `None` if a pressure comes out negative, or positive where the trial is zero;
-/// `before` is then undefined; likewise at the ceiling. Without, b2 is 0, what `before` held does not
-/// matter, and pressures are clipped.
-#[allow(clippy::too_many_arguments, reason = "a pass over seven fields")]
+/// the level of the new iterate; `None` if a pressure comes out negative, or positive where the trial is zero,
+/// likewise at the ceiling. `before` is then undefined.
 pub(crate) fn combine<T: Real, C: Ceiling<T>>(
     ceiling: C,
     [p, u]: [&[T]; 2],
     [trial, response]: [&[T]; 2],
     [b1, b2]: [f64; 2],
-    is_plane: bool,
     h: &[T],
     [before, before_response]: [&mut [T]; 2],
     partial: &mut [Partial],
@@ -40,12 +35,12 @@ pub(crate) fn combine<T: Real, C: Ceiling<T>>(
             let (from, n) = (task * TASK, b.len());
             let [p, u, h, q, v] = [p, u, h, trial, response].map(|x| &x[from..][..n]);
             let fits = vectorised!(vectors => {
-                let fits = step_pressure(ceiling.after(from), p, q, [b1, b2], is_plane, b);
-                step_linearly(u, v, [b1, b2], is_plane, w);
+                let fits = step_pressure(ceiling.after(from), p, q, [b1, b2], b);
+                step_linearly(u, v, [b1, b2], w);
                 *partial = contact_sums(vectors, b, w, h);
                 fits
             });
-            if is_plane && !fits {
+            if !fits {
                 has_failed.store(true, Ordering::Relaxed);
             }
         });
@@ -53,12 +48,46 @@ pub(crate) fn combine<T: Real, C: Ceiling<T>>(
     (!has_failed.into_inner()).then_some(sum / contact.max(1.0))
 }
 
-/// `before = old + b1 (to - old) + b2 (old - before)`, without the last term unless `is_plane`.
+/// `trial = p + length (trial - p)`, clipped, and the same for the displacements. Returns the level of the
+/// new iterate.
+pub(crate) fn shorten<T: Real, C: Ceiling<T>>(
+    ceiling: C,
+    [p, u]: [&[T]; 2],
+    length: f64,
+    h: &[T],
+    [trial, response]: [&mut [T]; 2],
+    partial: &mut [Partial],
+) -> f64 {
+    let length = T::of(length);
+    let used = p.len().div_ceil(TASK);
+    partial[..used]
+        .par_iter_mut()
+        .zip(trial.par_chunks_mut(TASK))
+        .zip(response.par_chunks_mut(TASK))
+        .enumerate()
+        .for_each(|(task, ((partial, q), v))| {
+            let (from, n) = (task * TASK, q.len());
+            let [p, u, h] = [p, u, h].map(|x| &x[from..][..n]);
+            let ceiling = ceiling.after(from);
+            vectorised!(vectors => {
+                for (i, (q, p)) in q.iter_mut().zip(p).enumerate() {
+                    *q = ceiling.clip(i, *p + length * (*q - *p));
+                }
+                for (v, u) in v.iter_mut().zip(u) {
+                    *v = *u + length * (*v - *u);
+                }
+                *partial = contact_sums(vectors, q, v, h);
+            });
+        });
+    let [sum, contact] = total(&partial[..used]);
+    sum / contact.max(1.0)
+}
+
+/// `before = old + b1 (to - old) + b2 (old - before)`.
 #[inline(always)]
-fn step_linearly<T: Real>(old: &[T], to: &[T], [b1, b2]: [T; 2], is_plane: bool, before: &mut [T]) {
+fn step_linearly<T: Real>(old: &[T], to: &[T], [b1, b2]: [T; 2], before: &mut [T]) {
     for ((x, old), to) in before.iter_mut().zip(old).zip(to) {
-        let on_chord = *old + b1 * (*to - *old);
-        *x = if is_plane { on_chord + b2 * (*old - *x) } else { on_chord };
+        *x = *old + b1 * (*to - *old) + b2 * (*old - *x);
     }
 }
 
@@ -70,10 +99,9 @@ fn step_pressure<T: Real, C: Ceiling<T>>(
     p: &[T],
     trial: &[T],
     b: [T; 2],
-    is_plane: bool,
     before: &mut [T],
 ) -> bool {
-    step_linearly(p, trial, b, is_plane, before);
+    step_linearly(p, trial, b, before);
     let mut misfits = 0_u32;
     for (i, (x, q)) in before.iter_mut().zip(trial).enumerate() {
         let misfit = (*x < T::zero()) | ((*q <= T::zero()) & (*x > T::zero()));
