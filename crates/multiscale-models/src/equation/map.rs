@@ -69,11 +69,11 @@ pub struct MapEquation {
 pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TERMS] {
     let light = (1.0 - a).powi(16);
     let part = touching(a);
-    let (slope, even) = (curves.log_slope(part), curves.log_evenness(part));
+    // Not its logarithm, which has no end where all of the slope is in a few cliffs.
+    let (slope, even) = (curves.log_slope(part), curves.log_evenness(part).exp_m1());
     let pressure = curves.pressure(part);
     let below = steeper_below(a, curves);
-    let flat = curves.log_flattened(a);
-    let lay = curves.log_ratio();
+    let above = curves.log_slope(0.5 * part) - slope;
     [
         1.0,
         a * a,
@@ -83,15 +83,14 @@ pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TE
         curves.log_slope(a),
         below,
         below * below,
+        above,
         even,
         a * even,
-        a * flat,
-        a * flat * flat,
+        a * curves.log_flattened(a),
         pressure,
         a * pressure,
         light * pressure * slope,
-        light * lay * even,
-        light * lay * pressure,
+        light * pressure * curves.log_ratio(),
     ]
 }
 

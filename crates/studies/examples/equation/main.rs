@@ -5,6 +5,7 @@
 //! and all rows as CSV. Each may be stopped and started again.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
+mod brought;
 mod families;
 mod fields;
 mod fit;

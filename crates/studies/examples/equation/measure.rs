@@ -103,7 +103,7 @@ pub(crate) fn solutions(case: &Case) -> Result<String, Box<dyn Error>> {
     };
     let given = solve(&map, &LOADS)?;
     // What lies between the points of a map in steps is not known: the points are the surface.
-    let finer = if case.family.name == "stepped" {
+    let finer = if matches!(case.family.name, "stepped" | "quantised") {
         Vec::new()
     } else {
         let shape = map.grid().shape().map(|n| 2 * n);
