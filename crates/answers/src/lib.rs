@@ -23,6 +23,7 @@ mod statistics;
 mod study;
 mod traces;
 pub mod units;
+mod validated;
 mod watch;
 mod work;
 
@@ -42,4 +43,5 @@ pub use solve::{Answer, Question, Subject};
 pub use statistics::{Measured, Statistics, statistics};
 pub use study::{look_around, not_met};
 pub use traces::Traces;
+pub use validated::validated;
 pub use watch::Watch;

@@ -3,6 +3,7 @@
 //! Everything people see is written in Python, in `python/rough_contact`. Here are only calls of the crates, the
 //! lock of the interpreter, which is let go while they work, and the thread that looks out for Ctrl-C.
 
+mod again;
 mod failure;
 mod model;
 mod module;

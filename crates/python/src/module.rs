@@ -10,6 +10,8 @@ mod _rough_contact {
     use pyo3::prelude::*;
 
     #[pymodule_export]
+    use crate::again::{run_file, validate};
+    #[pymodule_export]
     use crate::failure::Refused;
     #[pymodule_export]
     use crate::model::model;
@@ -53,7 +55,7 @@ mod _rough_contact {
         let bodies: Vec<compare::Body> =
             serde_json::from_str(bodies).map_err(|e| crate::failure::bug(&e))?;
         let found = answers::bodies::contact_modulus(&bodies);
-        found.map(|m| m.pascals()).map_err(|e| crate::failure::raise(&e))
+        found.map(compare::ContactModulus::pascals).map_err(|e| crate::failure::raise(&e))
     }
 
     /// A material of the table, or the names of all, as JSON.

@@ -5,13 +5,13 @@ use answers::{Complete, Failure, Incomplete};
 use compare::{Cleaning, FileOrigin, Origin};
 use pyo3::PyErr;
 use pyo3::exceptions::PyOSError;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 use surface_io::{Cut, Fill, FillError, HeightUnit, Layout, Measurement, ReadError, ReadOptions};
 use surface_stats::clean::Record;
 
 /// What is said of a file.
-#[derive(Debug, Clone, Default, Deserialize)]
+#[derive(Debug, Clone, Default, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub(crate) struct Reading {
     pub(crate) channel: Option<String>,
@@ -27,6 +27,21 @@ pub(crate) struct Reading {
 }
 
 impl Reading {
+    /// How a file was read.
+    pub(crate) fn again(file: &FileOrigin) -> Self {
+        Self {
+            channel: file.channel.clone(),
+            pixel: file.pixel,
+            lateral_unit: file.lateral_unit,
+            height_unit: file.height_unit,
+            override_height_unit: file.override_height_unit,
+            layout: file.layout.clone(),
+            crop: file.crop.map(|part| Cut::Rectangle(part).to_string()),
+            fill: file.fill.clone(),
+            cleaning: file.cleaning,
+        }
+    }
+
     pub(crate) fn options(&self) -> Result<ReadOptions, Failure> {
         let mut options = ReadOptions::default();
         options.channel.clone_from(&self.channel);

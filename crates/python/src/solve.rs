@@ -6,7 +6,8 @@ use crate::watched::{News, Outcome, Reporter, watched};
 use answers::{Conduction, Failure, Question, Subject, Watch, bodies};
 use compare::plan::Request as Accuracy;
 use compare::{
-    Body, EdgesName, Iteration, Level, Load, Method, Precision, Solution, Solver, WorkOfAdhesion,
+    Body, EdgesName, Iteration, Level, Load, Method, Origin, Precision, Solution, Solver, Surface,
+    WorkOfAdhesion,
 };
 use contact_types::Grid;
 use fft_bem_solver::Boundary;
@@ -24,6 +25,7 @@ const CHECK: &str = "check the units of load and area";
 /// What Python asks. SI units.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
+#[allow(clippy::struct_excessive_bools, reason = "the switches of a call")]
 struct Request {
     modulus: Option<f64>,
     bodies: Vec<Body>,
@@ -45,6 +47,8 @@ struct Request {
     conductivity: Option<[f64; 2]>,
     adhesion: Option<WorkOfAdhesion>,
     distributions: bool,
+    /// The heights are the one trace of ridges.
+    plane_strain: bool,
     /// `none`, `pressure` or `all`.
     maps: String,
     threads: usize,
@@ -77,7 +81,7 @@ impl Request {
             level: self.level,
             boundary: self.boundary,
             edges: self.edges,
-            plane_strain: false,
+            plane_strain: self.plane_strain,
             method: self.method,
             precision: self.precision,
             tolerance: self.tolerance,
@@ -182,6 +186,23 @@ fn busy() -> PyErr {
     PyRuntimeError::new_err("this Solver is at work on another thread; make one for each")
 }
 
+/// Refuses traces that are no section of ridges.
+fn one_trace(surface: &Surface) -> Result<(), Failure> {
+    let refused =
+        |message: &str| Err(Failure::refused("profile", format!("{}: {message}", surface.name)));
+    if surface.heights.grid().shape()[0] > 1 {
+        return refused("several traces are several solutions; choose one with channel=");
+    }
+    match &surface.origin {
+        Origin::File(file) if file.cleaning.s_filter.or(file.cleaning.l_filter).is_some() => {
+            refused(
+                "s_filter and l_filter cut the ends of a trace off, which is then no period; leave them out",
+            )
+        }
+        _ => Ok(()),
+    }
+}
+
 /// What `rough-contact solve` answers.
 #[pyfunction]
 #[pyo3(signature = (heights, facts, request, progress=None, against=None, keep=None))]
@@ -196,6 +217,9 @@ pub(crate) fn solve<'py>(
 ) -> PyResult<Solved<'py>> {
     let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (surface, facts) = surface_of(&heights, facts)?;
+    if request.plane_strain {
+        one_trace(&surface).map_err(|e| raise(&e))?;
+    }
     // Of a pair the area of their common part, which is known when they lie on each other.
     let laid = Laid::of(against.as_ref())?;
     let kept = keep.map(|keep| Arc::clone(&keep.get().0));

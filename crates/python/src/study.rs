@@ -179,11 +179,11 @@ pub(crate) fn study(
                 given.into_iter().map(on).collect::<Result<_, _>>()?
             }
         };
-        let listed: Vec<RunSurface> = given
+        let runs: Vec<RunSurface> = given
             .iter()
             .map(|s| RunSurface { name: s.name.clone(), origin: s.origin.clone() })
             .collect();
-        run(given, settings, &registry, (listed, &times), &mut listen)
+        run(given, settings, &registry, (runs, &times), &mut listen)
     })?;
     let stopped_by = stopped_by.map(|e| e.into_value(py).into_any());
     match value {
@@ -205,14 +205,14 @@ fn run(
     surfaces: Vec<Surface>,
     settings: Settings,
     registry: &Registry,
-    (listed, times): (Vec<RunSurface>, &Times),
+    (runs, times): (Vec<RunSurface>, &Times),
     listen: &mut compare::Listener<'_>,
 ) -> Result<(Files, Option<Failure>), Failure> {
     let failed = |e: StudyError| Failure::from_error(&e);
     let run_file = RunFile {
         program: env!("CARGO_PKG_VERSION").to_owned(),
         settings: settings.clone(),
-        surfaces: listed,
+        surfaces: runs,
     };
     let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
     answers::look_around(&mut found, listen)?;

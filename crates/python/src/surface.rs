@@ -129,11 +129,11 @@ impl Laid {
 }
 
 /// Rows and columns that cannot be written to.
-pub(crate) fn array<'py>(
-    py: Python<'py>,
+pub(crate) fn array(
+    py: Python<'_>,
     shape: [usize; 2],
     values: Vec<f64>,
-) -> PyResult<Bound<'py, PyArray2<f64>>> {
+) -> PyResult<Bound<'_, PyArray2<f64>>> {
     let array = Array2::from_shape_vec(shape, values).map_err(|e| bug(&e))?;
     let array = PyArray2::from_owned_array(py, array);
     array.clone().try_readwrite().map_err(|e| bug(&e))?.make_nonwriteable();
@@ -188,10 +188,18 @@ pub(crate) fn read<'py>(
     let (complete, said) = found.map_err(|e| e.raise(at))?;
     let Complete { map, missing, cleaned, height_step, format, crop } = complete;
     let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();
-    let fill = how.rule_name();
     let origin = how.origin(path, format, crop, (missing, &cleaned, height_step));
     let pixel = map.grid().pixel();
-    let facts = Facts { name, pixel, missing, fill, height_step, origin, cleaned, uneven: None };
+    let facts = Facts {
+        name,
+        pixel,
+        missing,
+        fill: how.rule_name(),
+        height_step,
+        origin,
+        cleaned,
+        uneven: None,
+    };
     let said = json!({
         "format": said["format"], "channel": said["channel"], "channels": said["channels"],
         "metadata": said["metadata"], "ambiguity": said["ambiguity"],

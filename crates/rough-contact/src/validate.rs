@@ -7,7 +7,6 @@ use crate::text::Columns;
 use clap::Args;
 use compare::Method;
 use fft_bem_solver::validation::{self, Options, Row, ValidationError};
-use serde_json::{Value, json};
 
 #[derive(Args)]
 pub(crate) struct Validate {
@@ -33,7 +32,7 @@ impl Validate {
         })
         .map_err(|error| failure(&error))?;
         drop(progress);
-        Ok(Reply::new(table(&rows), json!({ "rows": rows.iter().map(object).collect::<Vec<_>>() })))
+        Ok(Reply::new(table(&rows), answers::validated(&rows)))
     }
 }
 
@@ -43,22 +42,6 @@ fn failure(error: &ValidationError) -> Failure {
         ValidationError::TooCoarse(_) => Failure::from_error(error),
         _ => Failure::incomplete(&variant(error), error.to_string()),
     }
-}
-
-fn object(row: &Row) -> Value {
-    json!({
-        "case": row.case,
-        "source": row.source,
-        "quantity": row.quantity,
-        "shape": row.shape,
-        "computed": row.computed,
-        "exact": row.exact,
-        "error": row.error,
-        "uncertainty": row.uncertainty,
-        "observed_order": row.observed_order,
-        "expected_order": row.expected_order,
-        "transforms": row.transforms,
-    })
 }
 
 /// The finest grid of each case and quantity, with the order observed down to it.

@@ -9,6 +9,7 @@ Quantities go in as text or with a unit, ``'110 GPa'`` or ``110 * rc.GPa``, and 
 2
 """
 
+from ._again import Validation, rerun, validate
 from ._bodies import Body, contact_modulus, material, materials
 from ._closed import Asperities, Fractal, ModelCurve, Moments, SelfAffine, model
 from ._errors import (
@@ -107,6 +108,7 @@ __all__ = [
     "SurfaceError",
     "Unit",
     "UnitError",
+    "Validation",
     "W_per_m_K",
     "__version__",
     "bar",
@@ -128,8 +130,10 @@ __all__ = [
     "ohm_m",
     "read",
     "read_profile",
+    "rerun",
     "solve",
     "summary",
     "synth",
     "um",
+    "validate",
 ]

@@ -24,7 +24,8 @@ __all__ = ["Profile", "read_profile"]
 class Profile:
     """Traces of one surface, complete and at equal distances, with what they say of it.
 
-    A profile has no deterministic contact: it says nothing of what lies beside it.
+    A profile says nothing of what lies beside it; it has a deterministic contact only as the cross-section of long
+    parallel ridges, ``rc.solve(profile, plane_strain=True)``.
 
     Attributes
     ----------

@@ -30,11 +30,13 @@ __all__ = [
     "profile_study",
     "read",
     "reshape",
+    "run_file",
     "solve",
     "statistics",
     "study",
     "summary",
     "synth",
+    "validate",
 ]
 
 __version__: str
@@ -58,6 +60,8 @@ def profile_model(
 def profile_study(
     profiles: list[tuple[_Heights, str, str]], settings: str, hashes: list[str]
 ) -> dict[str, str]: ...
+def run_file(text: str) -> str: ...
+def validate(method: str, finest: int) -> str: ...
 def info(path: str, request: str) -> str: ...
 def given(heights: _Heights, request: str, threads: int) -> _Made: ...
 def synth(recipe: str, threads: int) -> _Made: ...

@@ -10,6 +10,7 @@ from . import _bodies, _progress, _units
 from . import _rough_contact as _rust
 from ._bodies import Bodies
 from ._errors import ContactWarning, Interrupted, NotConverged, SettingError, made, sorted_as
+from ._profile import Profile
 from ._progress import ProgressArgument
 from ._results import LoadCurve
 from ._surface import LEVELS, Flip, Level, Surface, check, laid
@@ -22,7 +23,7 @@ Method = Literal["auto", "chord", "polonsky-keer", "stanley-kato"]
 
 
 def solve(
-    surface: Surface,
+    surface: Surface | Profile,
     *,
     modulus: Q | None = None,
     bodies: Bodies | None = None,
@@ -46,6 +47,7 @@ def solve(
     work_of_adhesion: Q | None = None,
     attraction_range: Q | None = None,
     distributions: bool = False,
+    plane_strain: bool = False,
     maps: bool | Literal["pressure"] = False,
     against: Surface | None = None,
     flip: Flip = "columns",
@@ -59,7 +61,7 @@ def solve(
     Parameters
     ----------
     surface : Surface
-        The map; one body against a rigid flat, or both elastic.
+        The map; one body against a rigid flat, or both elastic. With `plane_strain` a `Profile` of one trace.
     modulus : quantity
         Contact modulus E*; or `bodies`.
     bodies : Body or (Body, Body)
@@ -82,6 +84,8 @@ def solve(
         Highest pressure that the softer body bears.
     resistivity, conductivity : quantity, optional
         Of both bodies, or a pair: what the contact conducts.
+    plane_strain : bool
+        The profile is the cross-section of long parallel ridges (Westergaard 1939, doi:10.1115/1.4008919).
     work_of_adhesion, attraction_range : quantity, optional
         Whether the bodies stick is said, by formulas: a finding, and ``json['adhesion']``.
     maps : bool or 'pressure'
@@ -142,6 +146,15 @@ def solve(
         ("resistivity or conductivity", conduction, "accuracy", accuracy is not None),
         ("edges='mirrored'", edges == "mirrored", "boundary='free'", boundary == "free"),
         ("gap", gap is not None, "boundary='free'", boundary == "free"),
+        # Ridges have a load on a length, do not end, and have no more answers than these.
+        ("plane_strain", plane_strain, "load", load is not None),
+        ("plane_strain", plane_strain, "boundary='free'", boundary == "free"),
+        ("plane_strain", plane_strain, "against", against is not None),
+        ("plane_strain", plane_strain, "accuracy", accuracy is not None),
+        ("plane_strain", plane_strain, "refine", refine),
+        ("plane_strain", plane_strain, "stiffness", stiffness),
+        ("plane_strain", plane_strain, "resistivity or conductivity", conduction),
+        ("plane_strain", plane_strain, "work_of_adhesion", work_of_adhesion is not None),
     )
     used = count(threads)
     request: dict[str, Any] = {
@@ -163,12 +176,28 @@ def solve(
         "conductivity": None if conductivity is None else _units.pair(conductivity, "conductivity", "conductivity"),
         "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
         "distributions": bool(distributions),
+        "plane_strain": bool(plane_strain),
         "maps": {False: "none", True: "all", "pressure": "pressure"}[maps],
         "threads": used,
     }
     if area is not None and load is None:
         raise TypeError("area is the area that load presses on, and no load is given")
-    return asked(surface, request, (against, flip, shift), progress, on_failure)
+    return asked(section(surface, plane_strain), request, (against, flip, shift), progress, on_failure)
+
+
+def section(surface: Surface | Profile, plane_strain: bool) -> Surface:
+    """The map, or the one trace that is to be solved in plane strain."""
+    if isinstance(surface, Profile):
+        if not plane_strain:
+            raise SettingError(
+                "this is a profile, and a surface has no deterministic answer from one line of it; give rc.solve plane_strain=True if it is "
+                "the cross-section of long parallel ridges, or see rc.model and rc.compare_profiles",
+                "profile",
+            )
+        return Surface._made(surface.heights, surface._facts, "{}")
+    if plane_strain:
+        raise SettingError("plane_strain is for a profile, and this is a map; leave it out", "profile")
+    return surface
 
 
 def asked(

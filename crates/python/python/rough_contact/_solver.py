@@ -10,7 +10,7 @@ from ._bodies import Bodies
 from ._errors import SettingError
 from ._progress import ProgressArgument
 from ._results import LoadCurve, Point
-from ._solve import Method, asked, loads
+from ._solve import Method, asked, loads, section
 from ._surface import LEVELS, Level, Surface, check
 from ._threads import count
 from ._units import Q
@@ -99,6 +99,7 @@ class Solver:
             "conductivity": None,
             "adhesion": None,
             "distributions": False,
+            "plane_strain": False,
             "maps": {False: "none", True: "all", "pressure": "pressure"}[maps],
             "threads": count(threads),
         }
@@ -185,4 +186,4 @@ class Solver:
         """
         check("on_failure", on_failure, ("raise", "keep"))
         request = {**self._settings, "loads": loads(pressure, gap, load)}
-        return asked(surface, request, (None, "columns", None), progress, on_failure, self._keep)
+        return asked(section(surface, False), request, (None, "columns", None), progress, on_failure, self._keep)

@@ -362,6 +362,19 @@ def compare(
     if own and against is not None:
         raise SettingError("a model of one's own is asked about one surface, and against= makes two; leave one of them out", "combination")
     curves = [_own(model, named, e_star, pressures, level, on_failure) for model in own]
+    second = laid(next(iter(named.values())), against, flip, shift)
+    return studied(named, settings, (curves, second), progress, on_failure)
+
+
+def studied(
+    named: Mapping[str, Surface],
+    settings: dict[str, Any],
+    beside: tuple[list[dict[str, Any]], Any],
+    progress: ProgressArgument,
+    on_failure: str,
+) -> Comparison:
+    """Asks the extension for a study with curves and a second body beside it, and raises what it says."""
+    curves, second = beside
     with sorted_as(SettingError):
         files, trouble, stopped_by = _rust.study(
             [(s._heights, s._facts, name) for name, s in named.items()],
@@ -369,7 +382,7 @@ def compare(
             json.dumps(curves),
             [digest(s) for s in named.values()],
             _progress.listener(progress),
-            laid(next(iter(named.values())), against, flip, shift),
+            second,
         )
     if stopped_by is not None:
         if isinstance(stopped_by, KeyboardInterrupt):

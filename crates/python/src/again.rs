@@ -1,0 +1,57 @@
+//! A run file, and the solver against exact solutions: what is repeated.
+
+use crate::failure::{bug, raise};
+use crate::reading::Reading;
+use crate::watched::quietly;
+use answers::Failure;
+use compare::{Method, Origin, RunFile, Settings};
+use fft_bem_solver::validation::{self, Options};
+use pyo3::prelude::*;
+use serde::Serialize;
+
+/// What Python has to read or make again.
+#[derive(Serialize)]
+struct Run {
+    settings: Settings,
+    surfaces: Vec<Again>,
+}
+
+#[derive(Serialize)]
+struct Again {
+    name: String,
+    /// Of a file: its path, its SHA-256, what is said of it.
+    file: Option<(String, String, Reading)>,
+    recipe: Option<compare::Recipe>,
+}
+
+/// A run file as JSON.
+#[pyfunction]
+pub(crate) fn run_file(text: &str) -> PyResult<String> {
+    let run = RunFile::parse(text).map_err(|e| raise(&Failure::from_error(&e)))?;
+    let again = |name: String, origin: Origin| match origin {
+        Origin::File(file) => {
+            let reading = Reading::again(&file);
+            Ok(Again { name, file: Some((file.path, file.sha256, reading)), recipe: None })
+        }
+        Origin::Recipe(recipe) => Ok(Again { name, file: None, recipe: Some(recipe) }),
+        _ => {
+            let message = format!(
+                "{name} is of two bodies; give them to rc.compare with against=, or use `rough-contact compare --from`"
+            );
+            Err(raise(&Failure::refused("pair", message)))
+        }
+    };
+    let surfaces = run.surfaces.into_iter().map(|s| again(s.name, s.origin));
+    let run = Run { settings: run.settings, surfaces: surfaces.collect::<PyResult<_>>()? };
+    serde_json::to_string(&run).map_err(|e| bug(&e))
+}
+
+/// What `rough-contact validate` answers, as JSON.
+#[pyfunction]
+pub(crate) fn validate(py: Python<'_>, method: &str, finest: usize) -> PyResult<String> {
+    let method: Method = serde_json::from_value(method.into()).map_err(|e| bug(&e))?;
+    let options = Options { method, finest, ..Options::default() };
+    let rows = quietly(py, 1, move || validation::run(&options, |_| {}))?;
+    let rows = rows.map_err(|e| raise(&Failure::from_error(&e)))?;
+    Ok(answers::validated(&rows).to_string())
+}
