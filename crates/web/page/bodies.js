@@ -42,9 +42,11 @@ function asked() {
 // Says what that comes to; a computation that runs is not disturbed. Gives whether it was said.
 async function plan() {
   if (engine.running || !(now.file || now.example)) return false;
-  const answer = await engine.ask('plan', request({ ...asked(), facts: now.plan }));
+  const answer = await engine.ask('plan', request({ ...asked(), facts: now.plan, pace: now.pace }));
   if (!answer) return false;
+  if (answer.kind === 'died' || answer.isGone) { fail(answer); return false; }
   const fine = answer.kind === 'done';
+  if (fine) { now.pace = answer.pace; keep(); }
   $('estar').textContent = fine ? answer.modulus : answer.text || 'The computation stopped.';
   $('estar').classList.toggle('no', !fine);
   $('est-loads').textContent = fine ? answer.loads || '' : '';
@@ -55,6 +57,6 @@ async function plan() {
   now.pair = names.includes(undefined) ? `E* = ${now.modulus}` : names.join(' on ');
   $('compute-now').textContent = fine ? `Compute ${now.pair}, ${answer.count === 1 ? '1 load' : answer.count + ' loads'}` : 'Compute';
   $('compute-now').disabled = !fine;
-  $('read-cost').textContent = fine && answer.cost ? `${answer.cost}. You can change everything afterwards.` : '';
+  $('read-cost').textContent = fine && answer.cost ? `${answer.loads} ${answer.cost}. You can change everything afterwards.` : '';
   return true;
 }

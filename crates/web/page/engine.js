@@ -2,7 +2,7 @@
 'use strict';
 
 class Engine {
-  constructor() { this.worker = null; this.module = null; this.busy = false; }
+  constructor() { this.worker = null; this.module = null; this.busy = false; this.keeps = true; }
 
   // Compiles once. A browser without WebAssembly throws here.
   async start() {

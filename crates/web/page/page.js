@@ -48,6 +48,7 @@ async function begin() {
   $('version').textContent = `rough-contact ${start.version}.`;
   $('examples').replaceChildren(...start.examples.map(example));
   buildBodies(start.materials);
+  restore();
   document.documentElement.dataset.ready = 'true';
 }
 begin();

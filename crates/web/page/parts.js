@@ -27,7 +27,7 @@ function shownName(name) {
 
 // What the page knows; the file itself stays where it is until it is asked for.
 const now = {
-  file: null, example: null, reading: {}, remedies: {}, plan: null, read: null, answer: null, stopped: null, place: null,
+  file: null, example: null, reading: {}, remedies: {}, plan: null, read: null, answer: null, stopped: null, place: null, pace: null,
 };
 const engine = new Engine();
 

@@ -2,7 +2,7 @@
 'use strict';
 
 class Engine {
-  constructor() { this.asking = null; }
+  constructor() { this.asking = null; this.keeps = false; } // its address is new each time
 
   async start() {}
 
@@ -13,7 +13,7 @@ class Engine {
     const own = this.asking = new AbortController();
     const tell = message => { if (news && this.asking === own) news(message); };
     const answer = await heard(question, request, file, own.signal, tell).catch(fault => ({
-      kind: 'error', heading: 'The program does not answer.',
+      kind: 'error', isGone: true, heading: 'The program does not answer.',
       text: 'It was ended in its terminal, or the file cannot be read any more.',
       ways: ['Choose the file again.', 'Start rough-contact app again; it opens a new page.'], detail: String(fault),
     }));

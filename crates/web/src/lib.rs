@@ -6,6 +6,7 @@ mod doubts;
 mod inspect;
 mod message;
 mod numbers;
+mod pace;
 mod page;
 mod place;
 mod plan;

@@ -17,6 +17,7 @@ const SCRIPT: &str = concat!(
     include_str!("../page/parts.js"),
     include_str!("../page/surface.js"),
     include_str!("../page/bodies.js"),
+    include_str!("../page/kept.js"),
     include_str!("../page/running.js"),
     include_str!("../page/page.js"),
 );

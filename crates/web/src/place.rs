@@ -27,17 +27,23 @@ struct Memory {
     fixed: f64,
     /// Bytes per point, of a map whose grid resolves the contact.
     resolved: f64,
-    /// The same of a map that is solved once more on a grid of four times the points.
+    /// The same of more than [`LARGE`] points.
+    large: f64,
+    /// Of a map that is solved once more on a grid of four times the points.
     refined: f64,
 }
 
-/// In WebAssembly. Measured in MB on 128², 256², 512², 1024² and 1400² points: 9.0, 12.8, 43.3, 153, 280, and on 128², 256², 512²
-/// and 800² that were refined: 17.6, 62.9, 243, 581.
-const BROWSER_MEMORY: Memory = Memory { fixed: 7e6, resolved: 140.0, refined: 900.0 };
+/// Points of a map beyond which a point takes more.
+const LARGE: f64 = 2e6;
+
+/// In WebAssembly. Measured in MB on 128², 256², 512², 1024², 1400², 2048² and 4096² points: 9.0, 12.8, 43.3, 153, 280, 932, 3701,
+/// and on 128², 256², 512², 800² and 1024² that were refined: 17.6, 62.9, 243, 581, 987.
+const BROWSER_MEMORY: Memory = Memory { fixed: 7e6, resolved: 140.0, large: 221.0, refined: 900.0 };
 
 /// Of `rough-contact app` with two threads on Linux, all of the program counted, on the same maps up to 1024² and 512²: 36, 45, 113,
 /// 329, and 51, 104, 330.
-const MACHINE_MEMORY: Memory = Memory { fixed: 30e6, resolved: 285.0, refined: 1150.0 };
+const MACHINE_MEMORY: Memory =
+    Memory { fixed: 30e6, resolved: 285.0, large: 285.0, refined: 1150.0 };
 
 impl Default for Place {
     /// What bears least.
@@ -74,9 +80,9 @@ impl Place {
 
     /// Memory of a study of so many points (bytes): where the grid resolves the contact, and where it has to be refined.
     pub(crate) fn memory(self, points: f64) -> [f64; 2] {
-        let Memory { fixed, resolved, refined } =
+        let Memory { fixed, resolved, large, refined } =
             if self.is_browser { BROWSER_MEMORY } else { MACHINE_MEMORY };
-        [resolved, refined].map(|each| fixed + each * points)
+        [if points > LARGE { large } else { resolved }, refined].map(|each| fixed + each * points)
     }
 
     /// What is to be said of so much memory (bytes), if it may be too much.
@@ -171,6 +177,10 @@ mod tests {
             near(Place::BROWSER, 0, side, browser);
             near(Place::machine(2), 0, side, machine);
         }
+        near(Place::BROWSER, 0, 1400.0, 280.0);
+        near(Place::BROWSER, 0, 2048.0, 932.0);
+        near(Place::BROWSER, 0, 4096.0, 3701.0);
+        near(Place::BROWSER, 1, 1024.0, 987.0);
         for (side, browser, machine) in
             [(128.0, 17.6, 51.0), (256.0, 62.9, 104.0), (512.0, 243.0, 330.0)]
         {

@@ -2,11 +2,13 @@
 
 use crate::message::Messages;
 use crate::numbers::{count, pressure};
+use crate::pace::{Pace, Work};
 use crate::place::Place;
 use crate::request::{Facts, LoadBy, Request};
 use crate::trouble::Trouble;
 use answers::bodies;
 use compare::{EdgesName, loads_of_study};
+use report::numbers::duration;
 use serde_json::{Value, json};
 
 pub(crate) fn answer(request: &Request, out: &mut Messages<'_>) -> Result<(), Trouble> {
@@ -24,8 +26,15 @@ pub(crate) fn of(request: &Request) -> Result<Value, Trouble> {
         (None, given) => given.clone(),
     };
     let said = pressures.as_deref().map(|list| loads(list, request.load.by));
-    let cost = facts.map(|f| cost(f, settings.edges, request.place));
+    let pace = request.pace.map_or_else(|| Pace::of(request.place), Ok)?;
+    let cost = facts.zip(pressures.as_ref()).map(|(facts, list)| {
+        // Bodies that yield are solved as elastic ones, too; what a contact conducts is half a load more.
+        let each = if settings.hardness.is_some() { 2.0 } else { 1.0 };
+        let each = if settings.conducts() { 1.5 * each } else { each };
+        cost(facts, settings.edges, each * list.len() as f64, (request.place, pace))
+    });
     Ok(json!({
+        "pace": pace,
         "modulus": format!("Together they act as one elastic body of contact modulus E* = {}.", pressure(settings.modulus)),
         "e_star": pressure(settings.modulus),
         "loads": said, "count": pressures.map(|list| list.len()), "cost": cost,
@@ -47,12 +56,14 @@ fn loads(pressures: &[f64], by: LoadBy) -> String {
     }
 }
 
-fn cost(facts: Facts, edges: EdgesName, place: Place) -> String {
+fn cost(facts: Facts, edges: EdgesName, loads: f64, (place, pace): (Place, Pace)) -> String {
     let points = if edges == EdgesName::Mirrored { 4.0 * facts.points } else { facts.points };
     let memory = place.memory(points);
     let [low, high] = memory.map(|bytes| two(bytes / 1e6));
+    let work = Work { points: facts.points, solved: points, loads };
+    let [short, long] = pace.seconds(work).map(duration);
     let mut text = format!(
-        "{} points; {low} to {high} MB of memory, the more where the grid has to be refined",
+        "{} points; about {short} to {long} and {low} to {high} MB of memory, the more where the grid has to be refined",
         count(points as usize)
     );
     if let Some(warning) = place.too_much(memory[1]) {

@@ -1,5 +1,6 @@
 //! What the page asks: the fields as people filled them in, numbers with their units as text.
 
+use crate::pace::Pace;
 use crate::place::Place;
 use answers::quantity;
 use answers::units::Dimension;
@@ -31,6 +32,8 @@ pub(crate) struct Request {
     pub(crate) load: LoadFields,
     /// For a plan: rms gradient of the map, its points and its area (m²).
     pub(crate) facts: Option<Facts>,
+    /// For a plan: how fast an earlier one found this place; `None`: that is found out.
+    pub(crate) pace: Option<Pace>,
     /// For the meaning of units: the numbers as they stand in the file.
     pub(crate) raw: Option<Raw>,
     /// For areas: the remedies to look at.

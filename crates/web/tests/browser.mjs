@@ -34,9 +34,10 @@ export class Browser {
     return new Promise((settle, fail) => this.waiting.set(id, { settle, fail, method }));
   }
 
-  // A new page at this address.
-  async open(address, { width = 1200, height = 900, dark = false } = {}) {
-    const { targetId } = await this.call('Target.createTarget', { url: 'about:blank' });
+  // A new page at this address; it remembers what pages of the same `context` have kept, by default nothing.
+  async open(address, { width = 1200, height = 900, dark = false, context = null } = {}) {
+    const { browserContextId } = context || await this.call('Target.createBrowserContext');
+    const { targetId } = await this.call('Target.createTarget', { url: 'about:blank', browserContextId });
     const { sessionId } = await this.call('Target.attachToTarget', { targetId, flatten: true });
     const page = new Page(this, sessionId, targetId);
     await page.call('Page.enable');

@@ -276,6 +276,44 @@ test('a computation is cancelled, stopped early, and a built-in surface solved',
   await clean(page);
 });
 
+test('bodies and loads are there the next time, what lies folded is not; where nothing may be kept, nothing is', async () => {
+  const context = await browser.call('Target.createBrowserContext'), fields = ['m1', 'e1', 'n1', 'm2', 'e2', 'n2', 'p1', 'hard'];
+  const filled = page => page.value(`[...${JSON.stringify(fields)}.map(id => $(id).value), document.querySelector('[name=ld]:checked').value, $('ld-pressure').hidden]`);
+  const first = await opened({ context }), before = await filled(first);
+  await first.click('[data-example=ground]');
+  await first.state('bodies');
+  await first.type('#e1', '71.5');
+  await first.value("(() => { $('m2').value = 3; $('m2').dispatchEvent(new Event('change')); })()");
+  await first.click('[name=ld][value=pressure]');
+  await first.type('#p1', '5MPa, 20MPa');
+  await first.value("(() => { $('hard').value = '2'; })()");
+  await first.until("$('est-loads').textContent.startsWith('2 loads')");
+  const wanted = await filled(first);
+  assert.notDeepEqual(wanted, before);
+  await clean(first);
+  const again = await opened({ context });
+  assert.deepEqual(await filled(again), wanted.map((value, i) => fields[i] === 'hard' ? '' : value));
+  await again.choose(at('map.x3p'));
+  await again.state('read');
+  await planned(again);
+  assert.match(await again.text('#read-cost'), /^2 loads: 5.*to 20/);
+  assert.equal(await again.value("Object.keys(localStorage).join() + /map|x3p/.test(localStorage['rough-contact'])"), 'rough-contactfalse', 'nothing of the surface');
+  await again.value("localStorage['rough-contact'] = '{\"fields\":7,\"materials\":\"x\",\"load\":[]}'");
+  await clean(again);
+  const spoilt = await opened({ context });
+  assert.deepEqual(await filled(spoilt), before);
+  await spoilt.call('Page.addScriptToEvaluateOnNewDocument', { source: "Object.defineProperty(window, 'localStorage', { get() { throw new DOMException('refused', 'SecurityError'); } })" });
+  await spoilt.call('Page.reload');
+  await new Promise(done => setTimeout(done, 300));
+  await spoilt.until("document.documentElement.dataset.ready === 'true'");
+  assert.deepEqual(await filled(spoilt), before);
+  await spoilt.click('[data-example=ground]');
+  await spoilt.state('bodies');
+  await spoilt.until("$('est-loads').textContent.startsWith('15 loads')");
+  assert.match(await spoilt.text('#est-cost'), /^1\s002\s001\spoints; about [\d.]+\s(s|min) to [\d.]+\s(s|min) and 150 to 910\sMB of memory/u);
+  await clean(spoilt);
+});
+
 test('by keyboard alone, in the dark, on a phone: nothing is wider than the screen', async () => {
   const page = await opened({ width: 420, height: 800, dark: true });
   const narrow = async () => assert.ok(await page.value('document.documentElement.scrollWidth <= document.documentElement.clientWidth'), await page.value('location.hash'));

@@ -117,6 +117,7 @@ test('a program that was ended is said to be, on a phone too', async () => {
   const page = await opened({ width: 420, height: 800, dark: true });
   await page.choose(at('map.x3p'));
   await page.state('read');
+  await planned(page);
   assert.ok(await page.value('document.documentElement.scrollWidth <= document.documentElement.clientWidth'));
   program.kill();
   await new Promise(done => program.on('exit', done));

@@ -1,0 +1,116 @@
+//! How long a study takes, from a trial on this machine.
+
+use crate::place::Place;
+use answers::Failure;
+use compare::{Load, Solver};
+use contact_types::{ContactModulus, Grid, HeightMap};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
+use std::time::{Duration, Instant};
+
+/// Points along a side of the trial.
+const SIDE: usize = 128;
+
+/// The trial is repeated for so long: the engine of a browser becomes faster in the first moments.
+const LONG: Duration = Duration::from_millis(400);
+
+/// Seconds of a trial: one load on a map of bumps.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Pace {
+    /// With one thread.
+    one: f64,
+    /// With all threads of the place.
+    all: f64,
+}
+
+/// A study as a clock sees it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Work {
+    /// Points of the map.
+    pub(crate) points: f64,
+    /// Points that are solved, mirror images among them.
+    pub(crate) solved: f64,
+    /// Loads, each counted as often as it is solved.
+    pub(crate) loads: f64,
+}
+
+impl Pace {
+    /// Measured now.
+    ///
+    /// # Errors
+    /// None that a trial can meet, but those of the solver.
+    pub(crate) fn of(place: Place) -> Result<Self, Failure> {
+        let one = trial(1)?;
+        Ok(Self { one, all: if place.threads > 1 { trial(place.threads)? } else { one } })
+    }
+
+    /// Seconds of a study: where the grid resolves the contact, and where each load is solved again on one of four times
+    /// the points.
+    pub(crate) fn seconds(self, work: Work) -> [f64; 2] {
+        let once = BEGIN * self.one + EACH_POINT * self.one * work.points;
+        let solving = EACH_SOLVED * self.all * work.solved * work.loads;
+        [once + solving, once + (1.0 + AGAIN) * solving]
+    }
+}
+
+/// What a study takes whatever its map is, in trials. These are measured, see the tests.
+const BEGIN: f64 = 420.0;
+/// Reading, statistics, closed forms and report of a point, in trials.
+const EACH_POINT: f64 = 8.4e-4;
+/// A load on a point, in trials.
+const EACH_SOLVED: f64 = 1.25e-4;
+/// The finer grid, in times of the given one.
+const AGAIN: f64 = 7.5;
+
+/// The shortest of several: what else the machine does in the meantime is no property of it.
+fn trial(threads: usize) -> Result<f64, Failure> {
+    let refused = |e: &dyn std::error::Error| Failure::refused("internal", e.to_string());
+    let grid = Grid::new([SIDE; 2], [1.0; 2]).map_err(|e| refused(&e))?;
+    let wave = |at: f64, across: f64| (TAU * at / 32.0).cos() * (TAU * across / 16.0).cos();
+    let map = HeightMap::from_fn(grid, wave).map_err(|e| refused(&e))?;
+    let modulus = ContactModulus::from_pascals(1.0).map_err(|e| refused(&e))?;
+    let mut solver =
+        Solver::builder().threads(threads).build(grid, modulus).map_err(|e| refused(&e))?;
+    let (begun, mut shortest) = (Instant::now(), f64::INFINITY);
+    while begun.elapsed() < LONG {
+        let now = Instant::now();
+        solver.forget();
+        solver.solve(&map, Load::MeanPressure(0.01)).map_err(|e| refused(&e))?;
+        shortest = shortest.min(now.elapsed().as_secs_f64());
+    }
+    Ok(shortest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Studies of 15 loads in WebAssembly on the machine whose trial took 2.63 ms: points along a side, seconds of processor time where
+    /// the grid resolves the contact, and where each load was refined.
+    #[test]
+    fn time_is_said_as_it_was_measured() {
+        let pace = Pace { one: 2.63e-3, all: 2.63e-3 };
+        let all = [
+            (256.0, 1.47, Some(3.69)),
+            (512.0, 3.28, Some(13.8)),
+            (1024.0, 8.51, Some(48.2)),
+            (2048.0, 32.2, None),
+            (4096.0, 105.5, None),
+        ];
+        for (side, resolved, refined) in all {
+            let points = side * side;
+            let [short, long] = pace.seconds(Work { points, solved: points, loads: 15.0 });
+            assert!((short / resolved - 1.0).abs() < 0.2, "{side}: {short} and {resolved}");
+            assert!(refined.is_none_or(|r: f64| (long / r - 1.0).abs() < 0.2), "{side}: {long}");
+        }
+    }
+
+    #[test]
+    fn a_trial_takes_time_and_more_threads_do_not_change_what_one_takes() {
+        let pace = Pace::of(Place::machine(2)).unwrap();
+        assert!(pace.one > 0.0 && pace.all > 0.0 && pace.one < 10.0);
+        let browser = Pace::of(Place::BROWSER).unwrap();
+        assert!((browser.one - browser.all).abs() < 1e-12);
+    }
+}
