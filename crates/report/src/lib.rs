@@ -37,6 +37,7 @@ pub use figures::panels::{write_area_svg, write_pressure_svg};
 pub use figures::profiles::{
     write_area_svg as write_profile_area_svg, write_trace_svg as write_profile_trace_svg,
 };
+pub use figures::rings::ring_points;
 pub use json::{
     accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,
     findings as findings_json, statistics as statistics_json, surface as surface_json,

@@ -10,7 +10,7 @@ use compare::{Fact, SPIKE_THRESHOLD, Spikes};
 use report::numbers::significant;
 use serde_json::{Value, json};
 use surface_io::Measurement;
-use surface_stats::clean::{OutlierRule, find_outliers, row_offsets};
+use surface_stats::clean::{OutlierRule, Outliers, find_outliers, row_offsets};
 use surface_stats::{MOST_SEAM_JUMP, SurfaceStatistics, Warning, seam_jump};
 
 /// A tilt is worth a word from this many times the roughness on.
@@ -40,16 +40,24 @@ impl Doubt {
     }
 }
 
+/// The spikes of a map as measured: what the words count and the picture rings.
+pub(crate) fn spikes(measured: &Measurement) -> Result<Outliers, Trouble> {
+    find_outliers(measured.grid(), measured.heights(), OutlierRule::beyond(SPIKE_THRESHOLD))
+        .map_err(|e| Trouble::Refused(Failure::from_error(&e)))
+}
+
 /// Doubts with a remedy, worst first.
-pub(crate) fn of(measured: &Measurement, request: &Request) -> Result<Vec<Value>, Trouble> {
+pub(crate) fn of(
+    measured: &Measurement,
+    spikes: &Outliers,
+    request: &Request,
+) -> Result<Vec<Value>, Trouble> {
     let stats = |e| Trouble::Refused(Failure::from_error(&e));
     let (grid, heights) = (measured.grid(), measured.heights());
     let mut doubts = Vec::new();
     let mut add = |tag, claim: String, text: &str, key, label, numbers| {
         doubts.push(Doubt { tag, claim, text: text.to_owned(), key, label, numbers });
     };
-    let spikes =
-        find_outliers(grid, heights, OutlierRule::beyond(SPIKE_THRESHOLD)).map_err(stats)?;
     if !spikes.indices.is_empty() {
         let numbers = both(measured, request, |r, on| r.spikes = on)?;
         let claim = match spikes.indices.len() {

@@ -71,14 +71,14 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
     let about = format!("{} · {} · {}", request.name, measured.format().name(), bytes(file.len()));
     let ambiguity = measured.ambiguity().map(|a| a.to_string());
     let [ly, lx] = measured.grid().size();
-    // As measured: holes filled by their neighbours, so that there is something to see.
-    let raw = measured.clone().fill(Fill::Nearest).map_err(|e| Trouble::Incomplete(e.into()))?;
-    let before = picture(&raw, "before")?;
-    let doubts = doubts::of(&measured, request)?;
+    let spikes = doubts::spikes(&measured)?;
+    let mut pictures = before(&measured, &spikes.indices)?;
+    let doubts = doubts::of(&measured, &spikes, request)?;
     let surface = crate::surface::of_measurement(request, file, measured)?;
     let statistics = statistics(&surface, request.remedies.level())?;
     let map = surface.heights;
     let after = picture(&levelled(&map, request.remedies.level())?, "after")?;
+    pictures.push(json!({ "name": "With the ticked remedies", "svg": after }));
     let found = doubts::beyond(&statistics);
     let checks = doubts.iter().filter(|d| d["tag"] == "check").count();
     let claim = match checks {
@@ -95,10 +95,7 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
             [claim, checks > 0],
         ],
         "facts": facts, "channels": channels, "parts": parts, "ambiguity": ambiguity,
-        "pictures": [
-            { "name": "As measured", "svg": before },
-            { "name": "With the ticked remedies", "svg": after },
-        ],
+        "pictures": pictures,
         "numbers": [
             ["rms height Sq", length(statistics.rms_height)],
             ["rms gradient Sdq", significant(statistics.rms_gradient, 3)],
@@ -192,12 +189,31 @@ fn bytes(count: usize) -> String {
     }
 }
 
+/// The pictures of a map before any remedy: as measured, and level with its `spikes` ringed if it has any. Holes are
+/// filled by their neighbours, so that there is something to see.
+fn before(measured: &Measurement, spikes: &[usize]) -> Result<Vec<Value>, Trouble> {
+    let map = measured.clone().fill(Fill::Nearest).map_err(|e| Trouble::Incomplete(e.into()))?;
+    let mut pictures = vec![json!({ "name": "As measured", "svg": picture(&map, "before")? })];
+    if !spikes.is_empty() {
+        let level = levelled(&map, Level::Plane)?;
+        let figure =
+            report::ring_points(&above_mean(&level), level.grid(), spikes, PICTURE, "spikes")
+                .map_err(|e| Failure::from_error(&e))?;
+        pictures.push(json!({ "name": "Level, spikes ringed", "svg": figure.inline() }));
+    }
+    Ok(pictures)
+}
+
 fn picture(map: &HeightMap, key: &str) -> Result<String, Trouble> {
-    let mean = map.mean();
-    let heights: Vec<f64> = map.heights().iter().map(|h| h - mean).collect();
-    let figure = report::height_map(&heights, map.grid(), PICTURE, key)
+    let figure = report::height_map(&above_mean(map), map.grid(), PICTURE, key)
         .map_err(|e| Failure::from_error(&e))?;
     Ok(figure.inline())
+}
+
+/// Heights above the mean of a map (m).
+fn above_mean(map: &HeightMap) -> Vec<f64> {
+    let mean = map.mean();
+    map.heights().iter().map(|h| h - mean).collect()
 }
 
 /// The state `ask`: numbers as they stand in the file, and what the fields filled in so far would mean.

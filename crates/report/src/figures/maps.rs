@@ -153,7 +153,7 @@ struct Legend<'a> {
 }
 
 /// Width and height of a map in units: as wide as the column, no taller than wide.
-fn map_size([height, width]: [f64; 2]) -> [f64; 2] {
+pub(super) fn map_size([height, width]: [f64; 2]) -> [f64; 2] {
     let scale = (COLUMN / width).min(COLUMN / height);
     [(width * scale).max(8.0), (height * scale).max(8.0)]
 }

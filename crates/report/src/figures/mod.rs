@@ -10,6 +10,7 @@ pub(crate) mod maps;
 pub(crate) mod multiples;
 pub(crate) mod panels;
 pub(crate) mod profiles;
+pub(crate) mod rings;
 pub(crate) mod spread;
 pub(crate) mod surface;
 pub(crate) mod trace;
