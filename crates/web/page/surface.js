@@ -94,16 +94,14 @@ function tag(weight) {
   return part('span', { className: 'tag ' + weight }, words[weight]);
 }
 
-// The pictures are drawn by the engine, from numbers alone.
+// The pictures are drawn by the engine, from numbers alone. The one that was chosen is kept by its name, since not every
+// map has spikes to ring; else the last is shown, the map that will be computed.
 function showPictures(pictures) {
-  const wanted = now.picture ?? 1;
-  const choose = i => {
-    now.picture = i;
-    $('picture').innerHTML = pictures[i].svg;
-  };
-  $('pictures').replaceChildren($('pictures').querySelector('legend'), ...pictures.map((p, i) => part('label', {},
-    part('input', { type: 'radio', name: 'pic', checked: i === wanted, onchange: () => choose(i) }), p.name)));
-  choose(wanted);
+  const wanted = pictures.find(p => p.name === now.picture) || pictures[pictures.length - 1];
+  const show = p => { $('picture').innerHTML = p.svg; };
+  $('pictures').replaceChildren($('pictures').querySelector('legend'), ...pictures.map(p => part('label', {},
+    part('input', { type: 'radio', name: 'pic', checked: p === wanted, onchange: () => { now.picture = p.name; show(p); } }), p.name)));
+  show(wanted);
 }
 
 function showDoubts(doubts) {

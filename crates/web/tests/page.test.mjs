@@ -169,8 +169,17 @@ test('each remedy says what it does to the area, as the command finds it', async
   rough('convert', 'map.npy', '--pixel', '1um', '--height-unit', 'm', '--out', 'spiky.npy', '--force');
   writeFileSync(at('spiky.npy'), spiky(holes(readFileSync(at('spiky.npy')))));
   const page = await opened();
+  const pictures = () => page.value("[...document.querySelectorAll('#pictures label')].map(e => e.textContent)");
+  const shown = () => page.value("[document.querySelector('[name=pic]:checked').parentNode.textContent, document.querySelectorAll('#picture .rings circle').length]");
   await page.choose(at('spiky.npy'));
   await metres(page);
+  const [raw, ringed, remedied] = ['As measured', 'Level, spikes ringed', 'With the ticked remedies'];
+  assert.deepEqual(await pictures(), [raw, ringed, remedied]);
+  assert.deepEqual(await shown(), [remedied, 0]);
+  await page.click('#pictures label:nth-of-type(2) input');
+  const [name, rings] = await shown();
+  assert.equal(name, ringed);
+  assert.ok(rings >= 1);
   await page.until("now.read.areas");
   const said = await page.value("Object.fromEntries(['spikes', 'fill'].map(key => [key, [...document.querySelectorAll(`[data-area=${key}]`)].map(e => e.innerText)]))");
   const read = ['spiky.npy', '--pixel', '1um', '--height-unit', 'm'];
@@ -189,11 +198,17 @@ test('each remedy says what it does to the area, as the command finds it', async
   const readings = await page.value("$('h-read').dataset.ready");
   await page.click('[data-key=plane], [data-key=spikes]');
   await page.until(`$('h-read').dataset.ready > ${readings}`);
+  assert.deepEqual(await shown(), [ringed, rings], 'the picture that was chosen, of the map as measured');
   await page.click('#s-read [data-go=bodies]');
   await page.state('bodies');
   await page.click('.steps a[href="#read"]');
   await page.state('read');
   await page.until("now.read.areas && ![...document.querySelectorAll('[data-area]')].some(e => e.textContent === '…')");
+  // A map without spikes has no such picture.
+  await page.choose(at('map.x3p'));
+  await page.until("document.querySelectorAll('#pictures label').length === 2");
+  assert.deepEqual(await pictures(), [raw, remedied]);
+  assert.deepEqual(await shown(), [remedied, 0]);
   await clean(page);
 });
 
