@@ -19,8 +19,8 @@ use surface_stats::fractal::PowerLaw;
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{Axis, amplitudes, radial};
 use surface_stats::{
-    ContactCurves, DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError,
-    StatsOptions, level,
+    DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions,
+    contact_curves, level,
 };
 
 /// What is asked of the model.
@@ -178,9 +178,7 @@ pub fn measured(
     drop(heights);
     match model {
         "equation" => {
-            let curves = ContactCurves::of(&map, edges)
-                .zip(differences.anisotropy())
-                .map(|(curves, ratio)| map_curves(&curves, edges, ratio));
+            let curves = contact_curves(&map, edges).map(|curves| map_curves(&curves, edges));
             let refused = |e: ModelError| Failure::from_error(&e);
             inputs.curves = curves.transpose().map_err(refused)?;
         }

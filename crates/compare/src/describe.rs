@@ -12,7 +12,7 @@ use multiscale_models::MapCurves;
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
 use surface_stats::{
-    ContactCurves, Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats,
+    Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, contact_curves, level, repeats,
 };
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
@@ -65,8 +65,7 @@ pub(crate) fn model_inputs(
 
 /// What the fitted equation takes of a map; `None` for a flat one.
 fn curves(map: &HeightMap, statistics: &SurfaceStatistics) -> Option<MapCurves> {
-    let curves = ContactCurves::of(map, statistics.edges)?;
-    map_curves(&curves, statistics.edges, statistics.anisotropy?).ok()
+    map_curves(&contact_curves(map, statistics.edges)?, statistics.edges).ok()
 }
 
 /// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann

@@ -121,19 +121,12 @@ impl Inputs {
     }
 }
 
-/// What the fitted equation takes of a map, from its curves, whether it repeats, and the ratio of its mean square
-/// slopes across and along the lay.
+/// What the fitted equation takes of a map, from its curves and whether it repeats.
 ///
 /// # Errors
 /// As [`MapCurves::new`].
-pub fn map_curves(
-    curves: &ContactCurves,
-    edges: Edges,
-    anisotropy: f64,
-) -> Result<MapCurves, ModelError> {
-    let ContactCurves { slope, evenness, resolved, pressure, flattened, .. } = *curves;
-    let ratio = anisotropy.sqrt();
-    let curves = MapCurves::new(slope, evenness, resolved, pressure, flattened, ratio)?;
+pub fn map_curves(curves: &ContactCurves, edges: Edges) -> Result<MapCurves, ModelError> {
+    let curves = MapCurves::new(curves)?;
     Ok(match edges {
         Edges::Periodic => curves,
         Edges::Open => curves.measured(),

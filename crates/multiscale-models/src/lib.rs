@@ -31,15 +31,15 @@ mod wide;
 mod yan_komvopoulos;
 
 pub use contact_types::{
-    AmplitudeSpectrum, Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic,
-    FractalParameters, ModelError, PsdConvention, RoughnessSpectrum, Shell, SpectralMoments,
-    SurfaceError, Wave,
+    AmplitudeSpectrum, CURVE_LEVELS, CURVE_SHARES, Caveat, Citation, ContactCurves, ContactModel,
+    ContactModulus, ContactState, Elastic, FractalParameters, ModelError, PsdConvention,
+    RoughnessSpectrum, Shell, SpectralMoments, SurfaceError, Wave,
 };
 
 pub use archard::{Archard, SphereLevel};
 pub use equation::{
-    CURVE_KNOTS, Equation, INTERVAL_TERMS, MAP_TERMS, MapCurves, MapEquation, NUMBER_TERMS,
-    SHARE_KNOTS, map_terms, number_terms,
+    Equation, INTERVAL_TERMS, MAP_TERMS, MapCurves, MapEquation, NUMBER_TERMS, map_spread_terms,
+    map_terms, number_terms,
 };
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::{MajumdarBhushan, critical_area};

@@ -4,8 +4,8 @@ mod common;
 
 use common::Table;
 use multiscale_models::{
-    CURVE_KNOTS, ContactModel, ContactModulus, Equation, MapCurves, MapEquation, ModelError,
-    SHARE_KNOTS, SpectralMoments,
+    CURVE_LEVELS, CURVE_SHARES, ContactCurves, ContactModel, ContactModulus, Equation, MapCurves,
+    MapEquation, ModelError, SpectralMoments,
 };
 use std::f64::consts::PI;
 
@@ -25,22 +25,33 @@ fn curves(i: usize) -> MapCurves {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 33) as f64 / (1u64 << 31) as f64
     };
-    let mut slope = [1.0; CURVE_KNOTS];
-    for k in 1..CURVE_KNOTS {
+    let mut slope = [1.0; CURVE_LEVELS];
+    for k in 1..CURVE_LEVELS {
         // What the highest half as much has of the square can be all of it, or nothing.
         slope[k] = (slope[k - 1] * (0.3 + 0.95 * next())).clamp(0.01, 3.0);
     }
-    let evenness = [(); CURVE_KNOTS].map(|()| 0.05 + 0.95 * next());
-    let resolved = [(); CURVE_KNOTS].map(|()| next());
-    let pressure = [(); CURVE_KNOTS].map(|()| 4.0 * next() - 1.5);
+    let mut any = |low: f64, high: f64| [(); CURVE_LEVELS].map(|()| low + (high - low) * next());
+    let mut curves = ContactCurves {
+        slope,
+        evenness: any(0.05, 1.0),
+        resolved: any(0.0, 1.0),
+        pressure: any(-1.5, 2.5),
+        pressure_evenness: any(-1.0, 1.0),
+        pressed: any(0.0, 1.0),
+        pressed_slope: any(0.0, 3.0),
+        curvature_evenness: any(-1.0, 1.0),
+        curvature_difference: any(0.0, 6.0),
+        curvature_product: any(-6.0, 0.25),
+        level: any(0.0, 1.0),
+        flattened: [0.0; CURVE_SHARES],
+    };
     // Quantiles rise, by steps of any size.
     let mut below = 0.0;
-    let flattened = [(); SHARE_KNOTS].map(|()| {
+    curves.flattened = curves.flattened.map(|_| {
         below += 0.2 * next().powi(3);
         below
     });
-    let ratio = 1.0 + (i % 7) as f64;
-    MapCurves::new(slope, evenness, resolved, pressure, flattened, ratio).expect("curves")
+    MapCurves::new(&curves).expect("curves")
 }
 
 /// Loads over ten decades.
@@ -78,7 +89,7 @@ fn area_rises_strictly_and_pressure_follows_from_it() {
 #[test]
 fn limits_are_right() {
     let numbers = Equation::from_moments(moments(10.0), one()).unwrap();
-    let map = MapEquation::new(moments(10.0), &MapCurves::gaussian(0.5), one()).unwrap();
+    let map = MapEquation::new(moments(10.0), &MapCurves::gaussian([0.5, 0.387]), one()).unwrap();
     for law in [&numbers as &dyn ContactModel, &map] {
         let area = |x: f64| law.at_pressure(x).unwrap().area_fraction;
         assert!(area(0.0) <= 0.0);
@@ -119,13 +130,24 @@ fn the_interval_holds_the_surfaces_it_was_made_from() {
     for line in text.lines().filter(|l| !l.starts_with('#')).skip(1) {
         let v: Vec<f64> = line.split(',').skip(1).map(|c| c.parse().unwrap()).collect();
         let (fixed, rest) = v.split_at(10);
-        let (slope, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
-        let (evenness, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
-        let (resolved, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
-        let (pressure, rest) = rest.split_first_chunk::<CURVE_KNOTS>().unwrap();
-        let (flattened, loads) = rest.split_first_chunk::<SHARE_KNOTS>().unwrap();
-        let curves =
-            MapCurves::new(*slope, *evenness, *resolved, *pressure, *flattened, fixed[5]).unwrap();
+        let (parts, rest) = rest.split_at(11 * CURVE_LEVELS);
+        let part = |i: usize| *parts[i * CURVE_LEVELS..].first_chunk().unwrap();
+        let (flattened, loads) = rest.split_first_chunk::<CURVE_SHARES>().unwrap();
+        let curves = MapCurves::new(&ContactCurves {
+            slope: part(0),
+            evenness: part(1),
+            resolved: part(2),
+            pressure: part(3),
+            pressure_evenness: part(4),
+            pressed: part(5),
+            pressed_slope: part(6),
+            curvature_evenness: part(7),
+            curvature_difference: part(8),
+            curvature_product: part(9),
+            level: part(10),
+            flattened: *flattened,
+        });
+        let curves = curves.unwrap();
         let law = MapEquation::new(moments(fixed[4]), &curves, one());
         let law = law.unwrap();
         for load in loads.chunks_exact(5).filter(|l| l[1] < 0.995) {
@@ -146,7 +168,7 @@ fn evaluation_is_exact_to_rounding() {
         let [x, bandwidth, wanted] = ["x", "alpha", "area"].map(|column| row.number(column));
         let of_map = row.text("law") == "map";
         let found = if of_map {
-            MapEquation::new(moments(bandwidth), &MapCurves::gaussian(0.0), one())
+            MapEquation::new(moments(bandwidth), &MapCurves::gaussian([0.0, 0.0]), one())
                 .expect("a law")
                 .area_fraction(x)
         } else {

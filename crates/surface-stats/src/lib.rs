@@ -31,12 +31,12 @@ pub mod synthesis;
 mod warning;
 
 pub use contact_types::{
-    AmplitudeSpectrum, AsperityStatistics, FractalParameters, Grid, HeightMap, RoughnessSpectrum,
-    Shell, SpectralMoments, SurfaceError, Wave,
+    AmplitudeSpectrum, AsperityStatistics, ContactCurves, FractalParameters, Grid, HeightMap,
+    RoughnessSpectrum, Shell, SpectralMoments, SurfaceError, Wave,
 };
 
 pub use by_distance::{ByDistance, by_distance};
-pub use contact_curves::{CURVE_LEVELS, CURVE_SHARES, ContactCurves};
+pub use contact_curves::contact_curves;
 pub use differences::{DirectionalMoments, Edges};
 pub use error::StatsError;
 pub use heights::HeightStatistics;

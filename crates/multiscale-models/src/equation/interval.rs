@@ -1,7 +1,7 @@
 //! How far an answer may be from what a solver finds on the same surface.
 
 /// How many constants the half width of the law for a map has.
-pub const INTERVAL_TERMS: usize = 7;
+pub const INTERVAL_TERMS: usize = 8;
 
 /// The chance of few contacts at area `a`, over that at 0.1 %.
 pub(super) fn few(a: f64) -> f64 {

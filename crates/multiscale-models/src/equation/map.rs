@@ -7,13 +7,15 @@ use crate::special::{erf, erf_inv};
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, ModelError, SpectralMoments, require,
 };
-use std::f64::consts::{FRAC_2_SQRT_PI, LN_2, SQRT_2};
+use std::f64::consts::LN_2;
 
 /// Knots of the law in `ln u`, u the argument of the error function.
 const KNOTS: usize = 65;
 /// First knot and distance: u from 1.2e-4 to 3.5.
 const FIRST: f64 = -9.0;
 const STEP: f64 = 0.16;
+/// Argument beyond which the area is 1 to the last digit.
+const FULL: f64 = 6.0;
 /// Most that w may rise per unit of `ln u`: the load stays strictly increasing in the area.
 const STEEPEST: f64 = 0.9;
 
@@ -23,28 +25,39 @@ const STEEPEST: f64 = 0.9;
 /// A=\operatorname{erf} u,\qquad \frac{p}{E^*g}=\frac{u}{\sqrt2}\,e^{-w(A)},
 /// ```
 ///
-/// where w is a sum of [`map_terms`] of the area itself: how steep the highest part of the map is, how evenly, and
-/// how that changes with depth, twice as much as touches under light load; under which pressure as much would lie
-/// flat if all were pressed flat; the bandwidth, and the ratio of slopes across and along the lay. w is taken at 65 values of u once
+/// where w is a sum of [`map_terms`] of the area itself: how steep the highest part of the map is, where it is pressed as
+/// well, and how evenly; how round its summits are and how evenly; under which pressure as much would lie
+/// flat if all were pressed flat; and the bandwidth. w is taken at 65 values of u once
 /// per map and is linear in `ln u` between them, nowhere steeper than 0.9; so area and pressure follow from each other
 /// without iteration, and both rise strictly.
 ///
 /// ```
-/// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
+/// use contact_types::{ContactCurves, ContactModel, ContactModulus, SpectralMoments};
 /// use multiscale_models::{MapCurves, MapEquation};
 /// let moments = SpectralMoments { m0: 1e-12, m2: 0.02, m4: 4e9 };
 /// let modulus = ContactModulus::from_pascals(110e9)?;
 /// // Worn: the highest parts have a third of the slope of all.
 /// let mut slope = [0.33; 23];
 /// slope[..3].copy_from_slice(&[1.0, 0.7, 0.45]);
-/// let gaussian = [0.886; 23];
-/// // The same quantiles as a Gaussian surface, (k + 1/2)/20 of the map below each.
-/// let flat: [f64; 20] = std::array::from_fn(|k| {
-///     multiscale_models::special::erf_inv((k as f64 + 0.5) / 20.0) / 2f64.sqrt()
-/// });
-/// let worn = MapCurves::new(slope, gaussian, [1.0; 23], [0.2; 23], flat, 1.0)?;
-/// let worn = MapEquation::new(moments, &worn, modulus)?;
-/// let plain = MapEquation::new(moments, &MapCurves::gaussian(0.5), modulus)?;
+/// let worn = ContactCurves {
+///     slope,
+///     evenness: [0.886; 23],
+///     resolved: [1.0; 23],
+///     pressure: [0.2; 23],
+///     pressure_evenness: [0.5; 23],
+///     pressed: [0.6; 23],
+///     pressed_slope: slope,
+///     curvature_evenness: [0.5; 23],
+///     curvature_difference: [0.8; 23],
+///     curvature_product: [0.05; 23],
+///     level: [0.0; 23],
+///     // The same quantiles as a Gaussian surface, (k + 1/2)/20 of the map below each.
+///     flattened: std::array::from_fn(|k| {
+///         multiscale_models::special::erf_inv((k as f64 + 0.5) / 20.0) / 2f64.sqrt()
+///     }),
+/// };
+/// let worn = MapEquation::new(moments, &MapCurves::new(&worn)?, modulus)?;
+/// let plain = MapEquation::new(moments, &MapCurves::gaussian([0.5, 0.4]), modulus)?;
 /// let area = |law: &MapEquation| law.at_pressure(50e6).map(|s| s.area_fraction);
 /// assert!(area(&worn)? > 2.0 * area(&plain)?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -61,63 +74,58 @@ pub struct MapEquation {
     bandwidth: f64,
     /// `ln(p/(E* g))` at each knot.
     loads: Vec<f64>,
-    /// Half width of the interval in `ln A` at each knot.
-    halves: Vec<f64>,
+    /// The least that reaches the area of a knot or a larger one, and the most that may be needed for it or a smaller one.
+    least: Vec<f64>,
+    most: Vec<f64>,
 }
 
 /// What the constants of the law for a map multiply, at the area `a` of the answer.
 pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TERMS] {
     let light = (1.0 - a).powi(16);
-    let part = touching(a);
-    // Not its logarithm, which has no end where all of the slope is in a few cliffs.
-    let (slope, even) = (curves.log_slope(part), curves.log_evenness(part).exp_m1());
-    let pressure = curves.pressure(part);
-    let below = steeper_below(a, curves);
-    let above = curves.log_slope(0.5 * part) - slope;
+    let [twice, four_times] = [2.0, 4.0].map(|times: f64| (times * a).min(1.0));
+    let slope = curves.log_slope(twice);
+    let even = curves.log_evenness(twice);
+    let round = curves.curvature_evenness(twice);
+    let ridge = curves.curvature_difference(twice);
+    let pressed = curves.log_slope(a) * curves.pressed(twice);
     [
         1.0,
         a * a,
-        log_bandwidth,
+        a * log_bandwidth,
         slope,
-        a * slope,
-        curves.log_slope(a),
-        below,
-        below * below,
-        above,
-        even,
+        a * (1.0 - a) * curves.log_slope(0.5 * a),
+        a * slope * ridge,
+        curves.log_evenness(a),
         a * even,
+        even * ridge,
+        even * round,
+        a * round,
+        curves.curvature_product(0.5 * a),
+        curves.curvature_product(four_times),
+        a * curves.log_pressed_slope(0.5 * a),
+        light * curves.log_pressed_slope(a),
+        curves.log_pressed_slope(four_times),
+        pressed,
+        a * pressed,
+        curves.pressure_evenness(twice) * curves.curvature_evenness(four_times),
         a * curves.log_flattened(a),
-        pressure,
-        a * pressure,
-        light * pressure * slope,
-        light * pressure * curves.log_ratio(),
     ]
 }
 
-/// The part whose slope counts at area `a`: twice that area under light load, the area itself where much touches.
-fn touching(a: f64) -> f64 {
-    (a * (1.0 + (1.0 - a).powi(16))).min(1.0)
-}
-
-/// How much steeper the highest part twice as large is, in the logarithm.
-fn steeper_below(a: f64, curves: &MapCurves) -> f64 {
-    let part = touching(a);
-    curves.log_slope((2.0 * part).min(1.0)) - curves.log_slope(part)
-}
-
 /// What the half width of the interval is made of, in the logarithm of the load at area `a`: a floor, the chance of
-/// few contacts, how unlike a Gaussian surface's the pressure of the highest parts is, and the sizes of evenness,
-/// flattened part, resolution and change of slope with depth.
-fn spread_terms(a: f64, curves: &MapCurves) -> [f64; super::INTERVAL_TERMS] {
-    let part = touching(a);
+/// few contacts, how unlike a Gaussian surface's the pressure of the highest parts is, the sizes of what is flattened and of how
+/// well the highest part is resolved, nearly full contact, uneven slopes, and points without slope.
+pub fn map_spread_terms(a: f64, curves: &MapCurves) -> [f64; super::INTERVAL_TERMS] {
+    let twice = (2.0 * a).min(1.0);
     [
         1.0,
         interval::few(a),
         curves.unlike(),
-        curves.log_evenness(part).abs(),
         (a * curves.log_flattened(a)).abs(),
-        curves.log_resolved(part).abs(),
-        steeper_below(a, curves).abs(),
+        curves.log_resolved(twice).abs(),
+        a.powi(4),
+        (-curves.log_evenness(twice)).min(2.0).exp_m1().max(0.0),
+        curves.level(twice),
     ]
 }
 
@@ -149,7 +157,8 @@ impl MapEquation {
         let gradient = moments.rms_gradient();
         let unit = require::positive(MODEL, "E* times rms gradient", modulus.pascals() * gradient)?;
         let log = bandwidth.clamp(BANDWIDTH_USED[0], BANDWIDTH_USED[1]).ln();
-        let (mut loads, mut halves) = (Vec::with_capacity(KNOTS), Vec::with_capacity(KNOTS));
+        let mut loads = Vec::with_capacity(KNOTS);
+        let (mut least, mut most) = (Vec::with_capacity(KNOTS), Vec::with_capacity(KNOTS));
         let mut before = None;
         for k in 0..KNOTS {
             let log_u = FIRST + STEP * k as f64;
@@ -160,36 +169,18 @@ impl MapEquation {
                 w = w.min(last + STEEPEST * STEP);
             }
             before = Some(w);
-            loads.push(log_u - 0.5 * LN_2 - w);
-            let half: f64 = spread_terms(a, curves).iter().zip(spread).map(|(f, c)| f * c).sum();
-            halves.push(half * curves.wider());
+            let load = log_u - 0.5 * LN_2 - w;
+            let terms = map_spread_terms(a, curves);
+            let half = curves.wider() * terms.iter().zip(spread).map(|(f, c)| f * c).sum::<f64>();
+            loads.push(load);
+            least.push(load - half);
+            most.push(load + half);
         }
-        // From the load to the area: the law's own slope, d ln A/d ln p.
-        for (k, half) in halves.iter_mut().enumerate() {
-            let (low, high) = (k.saturating_sub(1), (k + 1).min(KNOTS - 1));
-            let u = (FIRST + STEP * k as f64).exp();
-            let of_argument = FRAC_2_SQRT_PI * (-u * u).exp() * u / erf(u);
-            *half *= of_argument * STEP * (high - low) as f64 / (loads[high] - loads[low]);
+        for k in 1..KNOTS {
+            most[k] = f64::max(most[k], most[k - 1]);
+            least[KNOTS - 1 - k] = f64::min(least[KNOTS - 1 - k], least[KNOTS - k]);
         }
-        Ok(Self { unit, gradient, bandwidth, loads, halves })
-    }
-
-    /// u at a load x above 0: `ln u` linear in `ln x` between the knots, in proportion beyond them, without the
-    /// logarithm, which would cost digits where it is large.
-    fn argument(&self, x: f64) -> f64 {
-        let last = KNOTS - 1;
-        let at = |k: usize| FIRST + STEP * k as f64;
-        let load = x.ln();
-        let end = if load <= self.loads[0] {
-            0
-        } else if load >= self.loads[last] {
-            last
-        } else {
-            let k = self.loads.partition_point(|l| *l <= load) - 1;
-            let share = (load - self.loads[k]) / (self.loads[k + 1] - self.loads[k]);
-            return (at(k) + STEP * share).exp();
-        };
-        (at(end) - self.loads[end]).exp() * x
+        Ok(Self { unit, gradient, bandwidth, loads, least, most })
     }
 
     /// Real area fraction at nominal pressure `p` (Pa).
@@ -198,7 +189,7 @@ impl MapEquation {
     /// [`ModelError::InvalidInput`] if the pressure is negative or not finite.
     pub fn area_fraction(&self, pressure: f64) -> Result<f64, ModelError> {
         let x = require::pressure(MODEL, pressure)? / self.unit;
-        Ok(if x > 0.0 { erf(self.argument(x)) } else { 0.0 })
+        Ok(if x > 0.0 { erf(argument(&self.loads, x)) } else { 0.0 })
     }
 
     /// The nominal pressure (Pa) at which the area fraction is `area`, below 1.
@@ -208,30 +199,48 @@ impl MapEquation {
     pub fn pressure_at_area(&self, area: f64) -> Result<f64, ModelError> {
         let u = erf_inv(require::fraction(MODEL, "area fraction", area)?);
         let u = require::representable(MODEL, "pressure of full contact", u)?;
-        if u <= 0.0 {
-            return Ok(0.0);
-        }
+        Ok(if u > 0.0 { self.load(u) * self.unit } else { 0.0 })
+    }
+
+    /// p/(E\* g) at an argument u above 0.
+    fn load(&self, u: f64) -> f64 {
         let place = (u.ln() - FIRST) / STEP;
         let k = (place.max(0.0) as usize).min(KNOTS - 2);
         let last = KNOTS - 1;
-        let x = if place < 0.0 {
+        if place < 0.0 {
             (self.loads[0] - FIRST).exp() * u
         } else if place > last as f64 {
             (self.loads[last] - (FIRST + STEP * last as f64)).exp() * u
         } else {
             (self.loads[k] + (place - k as f64) * (self.loads[k + 1] - self.loads[k])).exp()
-        };
-        Ok(x * self.unit)
+        }
     }
 
-    /// Area fractions between which 95 of 100 maps lie where the law answers `area`.
+    /// Area fractions between which 95 of 100 maps lie where the law answers `area`: those for which the load is within its
+    /// half width. Where a little more load is much more area, they are far apart.
     pub fn interval(&self, area: f64) -> [f64; 2] {
-        let u = erf_inv(area.clamp(1e-300, 1.0)).min(SQRT_2 * 10.0);
-        let place = ((u.ln() - FIRST) / STEP).clamp(0.0, (KNOTS - 1) as f64);
-        let k = (place as usize).min(KNOTS - 2);
-        let t = place - k as f64;
-        interval::around(area, self.halves[k] * (1.0 - t) + self.halves[k + 1] * t)
+        let u = erf_inv(area.clamp(f64::MIN_POSITIVE, 1.0)).min(FULL);
+        let x = self.load(u);
+        [&self.most, &self.least].map(|loads| erf(argument(loads, x)))
     }
+}
+
+/// u at a load x above 0: `ln u` linear in `ln x` between the knots, in proportion beyond them, without the
+/// logarithm, which would cost digits where it is large.
+fn argument(loads: &[f64], x: f64) -> f64 {
+    let last = KNOTS - 1;
+    let at = |k: usize| FIRST + STEP * k as f64;
+    let load = x.ln();
+    let end = if load <= loads[0] {
+        0
+    } else if load >= loads[last] {
+        last
+    } else {
+        let k = loads.partition_point(|l| *l <= load) - 1;
+        let share = (load - loads[k]) / (loads[k + 1] - loads[k]);
+        return (at(k) + STEP * share).exp();
+    };
+    (at(end) - loads[end]).exp() * x
 }
 
 impl ContactModel for MapEquation {

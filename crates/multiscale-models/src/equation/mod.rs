@@ -7,7 +7,7 @@ mod map;
 mod numbers;
 
 pub use constants::{MAP_TERMS, NUMBER_TERMS};
-pub use curves::{CURVE_KNOTS, MapCurves, SHARE_KNOTS};
+pub use curves::MapCurves;
 pub use interval::INTERVAL_TERMS;
-pub use map::{MapEquation, map_terms};
+pub use map::{MapEquation, map_spread_terms, map_terms};
 pub use numbers::{Equation, number_terms};

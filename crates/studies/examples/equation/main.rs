@@ -10,12 +10,14 @@ mod families;
 mod fields;
 mod fit;
 mod measure;
+mod met;
 mod page;
 mod table;
 mod unkind;
 
 use clap::Parser;
 use families::{Case, Part};
+use rayon::prelude::*;
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -51,8 +53,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let part = if judge { Part::Judge } else { Part::Fit };
     let cases: Vec<Case> = families::cases(part).into_iter().take(first).collect();
     println!("{}", measure::header());
-    for case in &cases {
-        print!("{}", kept(&folder, case)?);
+    let rows: Vec<Result<String, String>> =
+        cases.par_iter().map(|case| kept(&folder, case).map_err(|e| e.to_string())).collect();
+    for row in rows {
+        print!("{}", row?);
     }
     Ok(())
 }

@@ -2,16 +2,13 @@
 
 use crate::families::Case;
 use contact_accuracy::round_to_digits;
-use contact_types::{ContactModulus, HeightMap};
+use contact_types::{CURVE_LEVELS, CURVE_SHARES, ContactModulus, HeightMap, PartCurve};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solver};
 use std::error::Error;
 use std::fmt::Write as _;
 use surface_stats::clean::resample;
 use surface_stats::spectrum::{PowerSpectrum, Window};
-use surface_stats::{
-    CURVE_LEVELS, CURVE_SHARES, ContactCurves, DirectionalMoments, Edges, HeightStatistics,
-    height_step,
-};
+use surface_stats::{DirectionalMoments, Edges, HeightStatistics, contact_curves, height_step};
 
 const MODULUS: f64 = 1e11;
 /// Relative rms pressure error to reach.
@@ -24,11 +21,13 @@ const REFINED: usize = 7;
 /// Loads p/(E* g): areas of 0.1 to 99 % on Gaussian surfaces.
 pub(crate) const LOADS: [f64; 9] = [0.0005, 0.0016, 0.005, 0.015, 0.045, 0.12, 0.3, 0.65, 1.2];
 
+/// Names of the curves over the highest part, in the order of [`ContactCurves`](contact_types::ContactCurves).
+const PARTS: [&str; 11] = ["s", "e", "r", "q", "qe", "qp", "sp", "ce", "cd", "cp", "lv"];
+
 /// First line of the table.
 pub(crate) fn header() -> String {
     let mut line = String::from("family,seed,n,hurst,alpha,alpha_fd,ratio,step,skew,kurtosis,g_fd");
-    for (name, levels) in
-        ["s", "e", "r", "q"].map(|c| (c, CURVE_LEVELS)).into_iter().chain([("f", CURVE_SHARES)])
+    for (name, levels) in PARTS.map(|c| (c, CURVE_LEVELS)).into_iter().chain([("f", CURVE_SHARES)])
     {
         for k in 0..levels {
             let _ = write!(line, ",{name}{k}");
@@ -54,7 +53,7 @@ pub(crate) fn tells(case: &Case) -> Result<String, Box<dyn Error>> {
     let (gradient, by_points) = (moments.rms_gradient(), seen.rms_gradient());
     let [_, dx] = map.grid().pixel();
     let heights = HeightStatistics::of(&map);
-    let curves = ContactCurves::of(&map, Edges::Periodic).ok_or("a flat map")?;
+    let curves = contact_curves(&map, Edges::Periodic).ok_or("a flat map")?;
     let fixed = [
         moments.bandwidth(),
         seen.bandwidth(),
@@ -71,7 +70,19 @@ pub(crate) fn tells(case: &Case) -> Result<String, Box<dyn Error>> {
         case.draw.n,
         round_to_digits(case.draw.t[0], 4)
     );
-    let over = [curves.slope, curves.evenness, curves.resolved, curves.pressure];
+    let over: [PartCurve; PARTS.len()] = [
+        curves.slope,
+        curves.evenness,
+        curves.resolved,
+        curves.pressure,
+        curves.pressure_evenness,
+        curves.pressed,
+        curves.pressed_slope,
+        curves.curvature_evenness,
+        curves.curvature_difference,
+        curves.curvature_product,
+        curves.level,
+    ];
     for value in fixed.into_iter().chain(over.into_iter().flatten()).chain(curves.flattened) {
         add(&mut line, value);
     }

@@ -1,12 +1,11 @@
 //! The rows of the tables: a map with what it tells, and its solutions.
 
 use crate::measure::{LOADS, header};
-use contact_types::{ContactModulus, SpectralMoments};
+use contact_types::{CURVE_LEVELS, CURVE_SHARES, ContactCurves, ContactModulus, SpectralMoments};
 use multiscale_models::MapCurves;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
-use surface_stats::{CURVE_LEVELS, CURVE_SHARES};
 
 /// One map.
 #[derive(Debug, Clone)]
@@ -40,14 +39,30 @@ impl Row {
         let numbers: Option<Vec<f64>> = cells[1..].iter().map(|c| c.parse().ok()).collect();
         let numbers = numbers?;
         let (fixed, rest) = numbers.split_at_checked(10)?;
-        let (slope, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
-        let (evenness, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
-        let (resolved, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
-        let (pressure, rest) = rest.split_first_chunk::<CURVE_LEVELS>()?;
-        let (flattened, loads) = rest.split_first_chunk::<CURVE_SHARES>()?;
+        let mut rest = rest;
+        let mut part = || {
+            let (curve, after) = rest.split_first_chunk::<CURVE_LEVELS>()?;
+            rest = after;
+            Some(*curve)
+        };
+        // In the order of `measure::header`.
+        let curves = ContactCurves {
+            slope: part()?,
+            evenness: part()?,
+            resolved: part()?,
+            pressure: part()?,
+            pressure_evenness: part()?,
+            pressed: part()?,
+            pressed_slope: part()?,
+            curvature_evenness: part()?,
+            curvature_difference: part()?,
+            curvature_product: part()?,
+            level: part()?,
+            flattened: *rest.first_chunk::<CURVE_SHARES>()?,
+        };
+        let loads = &rest[CURVE_SHARES..];
         (loads.len() == 5 * LOADS.len()).then_some(())?;
-        let curves =
-            MapCurves::new(*slope, *evenness, *resolved, *pressure, *flattened, fixed[5]).ok()?;
+        let curves = MapCurves::new(&curves).ok()?;
         // As in the survey: what is left of the correction, or what refining moved.
         let bar = |l: &[f64]| l[2].max((l[1] - l[4]).abs());
         let load = |l: &[f64]| Load { x: l[0], area: l[1], bar: bar(l), given: l[4] };
