@@ -6,6 +6,7 @@
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
 mod brought;
+mod chance;
 mod families;
 mod fields;
 mod fit;
@@ -33,8 +34,11 @@ struct Options {
     /// Fit the constants to this table and print them
     #[arg(long, value_name = "TABLE")]
     fit: Option<PathBuf>,
-    /// Make the tables of the book from the fitted and the judged table instead, into FOLDER
-    #[arg(long, num_args = 2, value_names = ["FITTED", "JUDGED"])]
+    /// Solve maps of one spectrum that differ by chance alone instead, and print them
+    #[arg(long)]
+    chance: bool,
+    /// Make the tables of the book from the fitted and the judged table and that of chance instead, into FOLDER
+    #[arg(long, num_args = 3, value_names = ["FITTED", "JUDGED", "CHANCE"])]
     page: Option<Vec<PathBuf>>,
     /// Only so many maps from the start of the list
     #[arg(long, default_value_t = usize::MAX)]
@@ -42,12 +46,16 @@ struct Options {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let Options { folder, judge, fit, page, first } = Options::parse();
+    let Options { folder, judge, fit, chance, page, first } = Options::parse();
+    if chance {
+        print!("{}", chance::rows()?);
+        return Ok(());
+    }
     if let Some(table) = fit {
         return constants(&table);
     }
-    if let Some([fitted, judged]) = page.as_deref() {
-        return page::write([fitted, judged], &folder);
+    if let Some([fitted, judged, chance]) = page.as_deref() {
+        return page::write([fitted, judged, chance], &folder);
     }
     fs::create_dir_all(&folder)?;
     let part = if judge { Part::Judge } else { Part::Fit };

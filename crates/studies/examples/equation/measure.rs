@@ -89,36 +89,52 @@ pub(crate) fn tells(case: &Case) -> Result<String, Box<dyn Error>> {
     Ok(line)
 }
 
+/// Nayak's bandwidth by differences \[-\].
+pub(crate) fn bandwidth(map: &HeightMap) -> Result<f64, Box<dyn Error>> {
+    let rms = HeightStatistics::of(map).rms_height;
+    Ok(DirectionalMoments::of(map, Edges::Periodic)?.isotropic(rms * rms).bandwidth())
+}
+
+/// Corrected areas at these loads on the given points.
+pub(crate) fn areas(map: &HeightMap, loads: &[f64]) -> Result<Vec<f64>, Box<dyn Error>> {
+    Ok(solved(map, map, loads)?.into_iter().map(|[area, ..]| area).collect())
+}
+
+/// On `map`, which may have more points than `given`: for each load over E\* g of `given` the corrected area, what is left of
+/// its correction, and the mean gap over the rms height.
+fn solved(
+    map: &HeightMap,
+    given: &HeightMap,
+    loads: &[f64],
+) -> Result<Vec<[f64; 3]>, Box<dyn Error>> {
+    let modulus = ContactModulus::from_pascals(MODULUS)?;
+    let rms = HeightStatistics::of(given).rms_height;
+    let moments = DirectionalMoments::of(given, Edges::Periodic)?.isotropic(rms * rms);
+    let mut solver =
+        Solver::builder().tolerance(TOLERANCE).threads(1).build(map.grid(), modulus)?;
+    let mut list = Vec::new();
+    for x in loads {
+        let pressure = x * MODULUS * moments.rms_gradient();
+        let found = solver.solve(map, Load::MeanPressure(pressure))?;
+        let d = &found.diagnostics;
+        let bar = LEFT_OVER * BOUNDARY_CORRECTION * d.contact_perimeter;
+        let gap = found.state.mean_gap.ok_or("no mean gap")?;
+        list.push([d.area_fraction_corrected, bar, gap / rms]);
+    }
+    Ok(list)
+}
+
 /// Its deterministic solutions: the rest of the line. The area with its half width on the finer grid where there is
 /// one; the mean gap, and the area again, on the given one.
 pub(crate) fn solutions(case: &Case) -> Result<String, Box<dyn Error>> {
     let map = case.map()?;
-    let modulus = ContactModulus::from_pascals(MODULUS)?;
-    let mean = map.mean();
-    let n = map.grid().len() as f64;
-    let rms = (map.heights().iter().map(|h| (h - mean).powi(2)).sum::<f64>() / n).sqrt();
-    let gradient =
-        DirectionalMoments::of(&map, Edges::Periodic)?.isotropic(rms * rms).rms_gradient();
-    let solve = |map: &HeightMap, loads: &[f64]| -> Result<Vec<[f64; 3]>, Box<dyn Error>> {
-        let mut solver =
-            Solver::builder().tolerance(TOLERANCE).threads(1).build(map.grid(), modulus)?;
-        let mut list = Vec::new();
-        for x in loads {
-            let found = solver.solve(map, Load::MeanPressure(x * MODULUS * gradient))?;
-            let d = &found.diagnostics;
-            let bar = LEFT_OVER * BOUNDARY_CORRECTION * d.contact_perimeter;
-            let gap = found.state.mean_gap.ok_or("no mean gap")?;
-            list.push([d.area_fraction_corrected, bar, gap / rms]);
-        }
-        Ok(list)
-    };
-    let given = solve(&map, &LOADS)?;
+    let given = solved(&map, &map, &LOADS)?;
     // What lies between the points of a map in steps is not known: the points are the surface.
     let finer = if matches!(case.family.name, "stepped" | "quantised") {
         Vec::new()
     } else {
         let shape = map.grid().shape().map(|n| 2 * n);
-        solve(&resample(&map, shape, Edges::Periodic)?, &LOADS[..REFINED])?
+        solved(&resample(&map, shape, Edges::Periodic)?, &map, &LOADS[..REFINED])?
     };
     let mut line = String::new();
     for (k, x) in LOADS.into_iter().enumerate() {

@@ -1,5 +1,6 @@
 //! What the book says of the equation, from the two tables.
 
+use crate::chance;
 use crate::fit;
 use crate::table::{Row, one, read};
 use compare::{Inputs, built_in};
@@ -56,7 +57,10 @@ fn fitted_gamma(rows: &[Row]) -> Result<f64, Box<dyn Error>> {
 }
 
 /// Writes `equation.md` into `folder`; fails if the constants of the crate are not those of the fit.
-pub(crate) fn write([fitted, judged]: [&Path; 2], folder: &Path) -> Result<(), Box<dyn Error>> {
+pub(crate) fn write(
+    [fitted, judged, chance]: [&Path; 3],
+    folder: &Path,
+) -> Result<(), Box<dyn Error>> {
     let (fitted, judged) = (read(fitted)?, read(judged)?);
     same_constants(&fitted)?;
     let gamma = fitted_gamma(&fitted)?;
@@ -65,6 +69,7 @@ pub(crate) fn write([fitted, judged]: [&Path; 2], folder: &Path) -> Result<(), B
         families(&answers),
         by_load(&answers),
         bias(&fitted, gamma)?,
+        chance::page(&fs::read_to_string(chance)?)?,
         classes(&answers),
         terms(&fitted, &judged)?,
         others(&answers, gamma),
