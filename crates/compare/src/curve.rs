@@ -1,17 +1,18 @@
 //! The deterministic curve while it is solved.
 
 use crate::EdgesName;
-use crate::distribution::Distributions;
+use crate::distribution::{Distributions, FieldDistributions};
 use crate::first_contact::FirstContact;
 use crate::pressure_maps::PressureMaps;
 use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use crate::sections::Sections;
-use crate::spots::{Spots, spot_list};
+use crate::spots::{Spot, Spots, spot_list};
 use contact_accuracy::budget::{Between, Budget, Map};
 use contact_accuracy::plan::Sink;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Iteration, Solution, SolverError};
+use rayon::join;
 use std::ops::ControlFlow;
 
 /// Area fraction the headline is looked for at.
@@ -62,12 +63,12 @@ impl Curve {
         }
     }
 
-    /// A load; `between` is what is known of the map between its points at this contact.
+    /// A load; `between` says what is known of the map between its points where it is under pressure.
     pub(crate) fn take(
         &mut self,
         mean_pressure: f64,
         result: Result<Solution, SolverError>,
-        between: Option<&Between>,
+        between: impl FnOnce(&[f64]) -> Option<Between> + Send,
     ) {
         let (mut solution, trouble) = match result {
             Ok(solution) => (Some(solution), None),
@@ -85,25 +86,16 @@ impl Curve {
             }
             Err(error) => (None, Some(error.to_string())),
         };
-        let mut answer =
-            solution.as_ref().map(|s| DeterministicAnswer::of(s, trouble.is_none(), &self.map));
-        if let (Some(answer), Some(between)) = (&mut answer, between) {
-            answer.budget = answer.budget.between(between);
-        }
-        let score = self.distance(mean_pressure, answer.as_ref());
         let index = self.points.len();
-        let pressure = solution.as_ref().map_or(&[][..], |s| &s.pressure);
-        self.first = FirstContact::with(self.first.take(), index, pressure);
-        let maps = self.pressures.take();
-        self.pressures =
-            solution.as_ref().and_then(|s| PressureMaps::with(maps, index, s.grid, &s.pressure));
         let section = solution.as_mut().and_then(|s| s.section.take());
         self.sections = Sections::with(self.sections.take(), index, section);
-        let kept = solution.as_ref().filter(|s| !s.gap.is_empty());
-        let repeats = self.edges == EdgesName::Periodic;
-        let list = kept.map_or_else(Vec::new, |s| spot_list(&s.pressure, s.grid, repeats));
-        let found = kept.and_then(|s| Distributions::of(&s.pressure, &s.gap, &list));
-        self.distributions.push(found);
+        let Looked { mut answer, between, list, distributions } =
+            self.look(index, solution.as_ref(), trouble.is_none(), between);
+        if let (Some(answer), Some(between)) = (&mut answer, between) {
+            answer.budget = answer.budget.between(&between);
+        }
+        let score = self.distance(mean_pressure, answer.as_ref());
+        self.distributions.push(distributions);
         self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
         if score < self.score {
             self.score = score;
@@ -111,6 +103,42 @@ impl Curve {
             self.headline = index;
             self.pressure = solution.map_or_else(Vec::new, |s| s.pressure);
         }
+    }
+
+    /// Looks at the fields of a load, each look on a thread of its own if one is free: none waits for another.
+    fn look(
+        &mut self,
+        index: usize,
+        solution: Option<&Solution>,
+        is_converged: bool,
+        between: impl FnOnce(&[f64]) -> Option<Between> + Send,
+    ) -> Looked {
+        let pressure = solution.map_or(&[][..], |s| &s.pressure);
+        let kept = solution.filter(|s| !s.gap.is_empty());
+        let repeats = self.edges == EdgesName::Periodic;
+        let (map, first, maps) = (self.map, self.first.take(), self.pressures.take());
+        let ((list, between), (fields, (answer, maps))) = join(
+            || {
+                let list =
+                    || kept.map_or_else(Vec::new, |s| spot_list(&s.pressure, s.grid, repeats));
+                join(list, || between(pressure))
+            },
+            || {
+                let fields = || kept.and_then(|s| FieldDistributions::of(&s.pressure, &s.gap));
+                let answer = || solution.map(|s| DeterministicAnswer::of(s, is_converged, &map));
+                let maps = || {
+                    let first = FirstContact::with(first, index, pressure);
+                    (
+                        first,
+                        solution.and_then(|s| PressureMaps::with(maps, index, s.grid, pressure)),
+                    )
+                };
+                join(fields, || join(answer, maps))
+            },
+        );
+        (self.first, self.pressures) = maps;
+        let distributions = fields.and_then(|fields| Distributions::with(fields, &list));
+        Looked { answer, between, list, distributions }
     }
 
     /// What happened at a load.
@@ -132,6 +160,14 @@ impl Curve {
             _ => 1e3,
         }
     }
+}
+
+/// What the fields of a load tell.
+struct Looked {
+    answer: Option<DeterministicAnswer>,
+    between: Option<Between>,
+    list: Vec<Spot>,
+    distributions: Option<Distributions>,
 }
 
 /// A plan's solutions, put into the curve.
@@ -162,7 +198,7 @@ impl Sink for ToCurve<'_> {
         result: Result<Solution, SolverError>,
         budget: Option<Budget>,
     ) -> ControlFlow<()> {
-        self.curve.take(self.pressures[index], result, None);
+        self.curve.take(self.pressures[index], result, |_| None);
         if let (Some(answer), Some(budget)) = (&mut self.curve.points[index].answer, budget) {
             answer.budget = budget;
         }

@@ -41,6 +41,7 @@ pub mod survey;
 mod tabulated;
 mod theories;
 mod theory;
+mod threads;
 mod verdict;
 mod yielding;
 

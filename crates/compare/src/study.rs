@@ -3,7 +3,7 @@
 use crate::ask::timed;
 use crate::conducted::Conduction;
 use crate::curve::{Curve, ToCurve};
-use crate::describe::{describe, model_inputs, spectral};
+use crate::describe::{curves, describe, model_inputs, spectral};
 use crate::inputs::Inputs;
 use crate::progress::{Listener, Progress, StudyError};
 use crate::refine::refine;
@@ -15,6 +15,7 @@ use crate::sections::telling_row;
 use crate::solver_of::{builder, elastic};
 use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
+use crate::threads::on_threads;
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
 use crate::{
@@ -26,10 +27,11 @@ use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_accuracy::round_to_digits;
 use contact_types::{ContactModulus, ContactState, HeightMap, ModelError};
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solver, SolverBuilder, SolverError};
+use rayon::join;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
-use surface_stats::SurfaceStatistics;
+use surface_stats::{Spectra, SurfaceStatistics};
 
 impl Comparison {
     /// Runs a study: every surface solved over the loads, and the theories of `registry` that the
@@ -54,28 +56,38 @@ impl Comparison {
         check_pressures(&settings)?;
         check_models(&settings, registry)?;
         check_combinations(&settings)?;
-        let count = surfaces.len();
-        let mut done = Vec::with_capacity(count);
-        let mut refused = Vec::new();
-        let mut first = None;
-        for (index, surface) in surfaces.into_iter().enumerate() {
-            let name = surface.name.clone();
-            match compare(surface, modulus, (&settings, registry), [index, count], progress) {
-                Ok(found) => done.push(found),
-                Err(StudyError::Stopped) => return Err(StudyError::Stopped),
-                Err(why) => {
-                    refused.push(Refused { name, reason: why.to_string() });
-                    first.get_or_insert(why);
-                }
+        let asked = (&settings, registry);
+        let (done, refused) = on_threads(&settings, || all(surfaces, modulus, asked, progress))?;
+        let seconds = start.elapsed().as_secs_f64();
+        Ok(Self { settings, surfaces: done, refused, seconds })
+    }
+}
+
+/// One surface after the other: what was found, and those that are refused. If all are, the first reason is the error.
+fn all(
+    surfaces: Vec<Surface>,
+    modulus: ContactModulus,
+    asked: (&Settings, &Registry),
+    progress: &mut Listener<'_>,
+) -> Result<(Vec<SurfaceComparison>, Vec<Refused>), StudyError> {
+    let count = surfaces.len();
+    let mut done = Vec::with_capacity(count);
+    let mut refused = Vec::new();
+    let mut first = None;
+    for (index, surface) in surfaces.into_iter().enumerate() {
+        let name = surface.name.clone();
+        match compare(surface, modulus, asked, [index, count], progress) {
+            Ok(found) => done.push(found),
+            Err(StudyError::Stopped) => return Err(StudyError::Stopped),
+            Err(why) => {
+                refused.push(Refused { name, reason: why.to_string() });
+                first.get_or_insert(why);
             }
         }
-        match first {
-            Some(why) if done.is_empty() => Err(why),
-            _ => {
-                let seconds = start.elapsed().as_secs_f64();
-                Ok(Self { settings, surfaces: done, refused, seconds })
-            }
-        }
+    }
+    match first {
+        Some(why) if done.is_empty() => Err(why),
+        _ => Ok((done, refused)),
     }
 }
 
@@ -134,14 +146,17 @@ fn compare(
     let Surface { name, origin, heights } = surface;
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
     let setup = Instant::now();
-    let spikes = Spikes::of(&heights); // before levelling, as they are removed
+    let asked = (settings, registry);
     let (map, statistics, spectra) = describe(&heights, &origin, settings).map_err(refused)?;
-    drop(heights);
-    let (spectral, known) = spectral(&map, &spectra.power, &statistics);
-    let mut inputs =
-        model_inputs(&map, &statistics, spectra.amplitudes, modulus, (settings, registry));
+    let Spectra { power, amplitudes, .. } = spectra;
+    let (curves, (spikes, (spectral, known))) = join(
+        || curves(&map, &statistics, asked),
+        // Spikes of the map before levelling, as they are removed.
+        || join(|| Spikes::of(&heights), || spectral(&map, &power, &statistics)),
+    );
+    drop((heights, power));
+    let mut inputs = model_inputs(&map, &statistics, amplitudes, curves, modulus, asked);
     inputs.surface = Some(name.clone());
-    drop(spectra.power);
     let setup_seconds = setup.elapsed().as_secs_f64();
 
     let gradient = inputs.rms_gradient();
@@ -358,8 +373,6 @@ impl Solve<'_> {
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(StudyError::Stopped);
         }
-        let found = result.as_ref().map_or(&[][..], |s| &s.pressure);
-        let between = Between::of(self.map, self.known.repeats, found, self.modulus);
         let set = match &result {
             Ok(solution) if conducts => {
                 let found = Stiffness::of_set(solver, solution).ok().flatten();
@@ -367,7 +380,9 @@ impl Solve<'_> {
             }
             _ => None,
         };
-        curve.take(pressure, result, between.as_ref());
+        let between =
+            |found: &[f64]| Between::of(self.map, self.known.repeats, found, self.modulus);
+        curve.take(pressure, result, between);
         let answer = curve.points.last_mut().and_then(|point| point.answer.as_mut());
         if let (Some((found, line)), Some(answer)) = (set, answer) {
             answer.budget = answer.budget.with_stiffness(&found, self.known, line);

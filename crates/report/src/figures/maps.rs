@@ -7,6 +7,7 @@ use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
 use compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
+use rayon::join;
 
 /// Depth of the hill shading in OKLab lightness.
 const SHADE: f64 = 0.07;
@@ -165,6 +166,30 @@ pub fn thumbnail(heights: &[f64], grid: Grid, limit: usize) -> Picture {
     height_picture(&small, shape).0
 }
 
+/// The picture of [`heights`], packed.
+pub(crate) struct HeightPicture {
+    address: String,
+    /// Heights (m) between which the colours run.
+    limits: [f64; 2],
+}
+
+impl HeightPicture {
+    /// Of heights (m), of at most `limit` pixels along the longer side.
+    ///
+    /// # Errors
+    /// If the picture cannot be encoded.
+    pub(crate) fn of(
+        heights: &[f64],
+        grid: Grid,
+        limit: usize,
+    ) -> Result<Self, png::EncodingError> {
+        let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
+        let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
+        let (image, limits) = height_picture(&small, shape);
+        Ok(Self { address: image.data_address()?, limits })
+    }
+}
+
 /// Heights (m) of the whole map, with a bar of colours and one of length.
 ///
 /// # Errors
@@ -175,9 +200,12 @@ pub fn heights(
     limit: usize,
     key: &str,
 ) -> Result<Figure, png::EncodingError> {
-    let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
-    let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
-    let (image, [lo, hi]) = height_picture(&small, shape);
+    Ok(height_figure(&HeightPicture::of(heights, grid, limit)?, grid, key))
+}
+
+/// The same around a picture that is packed already.
+pub(crate) fn height_figure(picture: &HeightPicture, grid: Grid, key: &str) -> Figure {
+    let [lo, hi] = picture.limits;
     let unit = unit_for(lo.abs().max(hi.abs()), METRES);
     let text = |v: f64| {
         let t = significant(v / unit.scale, 3);
@@ -185,8 +213,8 @@ pub fn heights(
     };
     let title = format!("Height above mean ({})", unit.name);
     let legend = Legend { low: text(lo), high: text(hi), title: &title, ramp: &HEIGHT_RAMP };
-    let figure = map_figure(&image, grid.size(), key, Some(&legend), None, false)?;
-    Ok(Figure {
+    let figure = map_figure(&picture.address, grid.size(), key, Some(&legend), None, false);
+    Figure {
         title: "Shaded height map".into(),
         description: format!(
             "Height map, {} by {}, heights from {} to {} {} between the 0.1 and 99.9 percentiles.",
@@ -197,7 +225,7 @@ pub fn heights(
             unit.name
         ),
         ..figure
-    })
+    }
 }
 
 /// What a contact map points out.
@@ -221,8 +249,10 @@ pub(crate) fn contact(
     key: &str,
 ) -> Result<Figure, png::EncodingError> {
     let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
-    let (p, shape) = reduced(pressure, grid, whole, limit, Reduce::Max);
-    let (h, _) = reduced(heights, grid, whole, limit, Reduce::Mean);
+    let ((p, shape), (h, _)) = join(
+        || reduced(pressure, grid, whole, limit, Reduce::Max),
+        || reduced(heights, grid, whole, limit, Reduce::Mean),
+    );
     let (top, clipped) = pressure_top(pressure);
     let unit = unit_for(top, PASCALS);
     let title = format!("Local pressure ({})", unit.name);
@@ -232,9 +262,9 @@ pub(crate) fn contact(
         title: &title,
         ramp: &PRESSURE_RAMP,
     };
-    let image = contact_picture(&p, &h, shape, top);
-    let figure =
-        map_figure(&image, grid.size(), key, Some(&legend), Some((marks, grid.shape())), false)?;
+    let address = contact_picture(&p, &h, shape, top).data_address()?;
+    let shown = Some((marks, grid.shape()));
+    let figure = map_figure(&address, grid.size(), key, Some(&legend), shown, false);
     let touching = pressure.iter().filter(|p| **p > 0.0).count();
     Ok(Figure {
         title: "Contact map".into(),
@@ -270,13 +300,13 @@ pub(crate) fn enlarged(
     let (p, shape) = reduced(pressure, grid, window, limit, Reduce::Max);
     let (h, _) = reduced(heights, grid, window, limit, Reduce::Mean);
     let (top, _) = pressure_top(pressure);
-    let image = contact_picture(&p, &h, shape, top);
+    let address = contact_picture(&p, &h, shape, top).data_address()?;
     let [dy, dx] = grid.pixel();
     let size = [shape[0] as f64 * dy, shape[1] as f64 * dx];
     let inside = |row: &usize| (window[0]..window[0] + window[2]).contains(row);
     let marks = Marks { window: None, row: row.filter(inside).map(|row| row - window[0]) };
     let shown = Some((&marks, [window[2], window[3]]));
-    let figure = map_figure(&image, size, key, None, shown, true)?;
+    let figure = map_figure(&address, size, key, None, shown, true);
     Ok(Figure {
         title: "Enlargement of the boxed area".into(),
         description: format!(
@@ -288,20 +318,21 @@ pub(crate) fn enlarged(
     })
 }
 
+/// A map around the picture at this address.
 fn map_figure(
-    image: &Picture,
+    address: &str,
     size: [f64; 2],
     key: &str,
     legend: Option<&Legend<'_>>,
     marks: Option<(&Marks, [usize; 2])>,
     squares: bool,
-) -> Result<Figure, png::EncodingError> {
+) -> Figure {
     let [width, height] = map_size(size);
     let mut canvas = Canvas::default();
     canvas.raw(&format!(
         "<image class=\"px\" href=\"{}\" x=\"0\" y=\"0\" width=\"{}\" height=\"{}\" \
          preserveAspectRatio=\"none\"{}/>",
-        image.data_address()?,
+        address,
         num(width),
         num(height),
         if squares { " style=\"image-rendering:pixelated\"" } else { "" }
@@ -338,13 +369,13 @@ fn map_figure(
     if let Some(legend) = legend {
         colour_bar(&mut canvas, height + 9.0, legend, key);
     }
-    Ok(Figure {
+    Figure {
         key: key.into(),
         title: String::new(),
         description: String::new(),
         size: [COLUMN, height + LEGEND],
         canvas,
-    })
+    }
 }
 
 /// A bar of round length, at most a third of the width, on a light ground.

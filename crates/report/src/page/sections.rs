@@ -3,6 +3,7 @@
 use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::figures::curves::{self, Use};
+use crate::figures::maps::HeightPicture;
 use crate::figures::{cost, maps, surface as surface_figures};
 use crate::lines::Lines;
 use crate::looks::look;
@@ -253,26 +254,38 @@ pub(crate) fn reduced_words([ny, nx]: [usize; 2], limit: usize, what: &str) -> S
     format!(" Drawn with {} × {} dots, each {what} of the points it covers.", side(nx), side(ny))
 }
 
+/// The picture of the heights; `None` of a single profile.
+///
+/// # Errors
+/// If it cannot be encoded.
+pub(crate) fn height_picture(
+    surface: &SurfaceComparison,
+    limit: usize,
+) -> Result<Option<HeightPicture>, ReportError> {
+    let grid = surface.surface.grid();
+    let is_map = !grid.shape().contains(&1);
+    let picture = is_map.then(|| HeightPicture::of(surface.surface.heights(), grid, limit));
+    Ok(picture.transpose()?)
+}
+
 /// Height map, statistics, distribution, spectrum.
 pub(crate) fn the_surface(
     page: &mut Page<'_>,
     surface: &SurfaceComparison,
+    heights: Option<&HeightPicture>,
     id: &str,
-) -> Result<String, ReportError> {
+) -> String {
     let h = page.heading();
     let grid = surface.surface.grid();
     let p = chosen(surface.headline_pressure(), PASCALS);
-    let heights = surface.surface.heights();
     let (title, first) = match surface.origin.pair() {
         Some(both) => ("Both surfaces as one", pair::opening(both)),
         None => ("The surface", String::new()),
     };
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
-    if grid.shape().contains(&1) {
-        out.push_str("<p>A single profile: no map is drawn.</p>\n");
-    } else {
+    if let Some(picture) = heights {
         let n = page.next_figure();
-        let map = maps::heights(heights, grid, page.map_limit, &format!("{id}-f{n}"))?;
+        let map = maps::height_figure(picture, grid, &format!("{id}-f{n}"));
         out.push_str(&figure(
             &map.inline(),
             &format!(
@@ -281,6 +294,8 @@ pub(crate) fn the_surface(
                 reduced_words(grid.shape(), page.map_limit, "the mean height")
             ),
         ));
+    } else {
+        out.push_str("<p>A single profile: no map is drawn.</p>\n");
     }
     out.push_str(&statistics::table(surface));
     out.push_str("</div>\n<div class=\"two\">\n");
@@ -324,7 +339,7 @@ pub(crate) fn the_surface(
         ));
     }
     out.push_str("</div>\n");
-    Ok(out)
+    out
 }
 
 /// Error budget of the deterministic area, and what it does not cover.
