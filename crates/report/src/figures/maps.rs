@@ -44,17 +44,20 @@ pub(crate) fn reduced(
     let shape = [ny, nx].map(|n| ((n as f64 / factor).round() as usize).max(1));
     let mut out = Vec::with_capacity(shape[0] * shape[1]);
     // New pixel j covers old pixels [j n/m, (j+1) n/m), the ends in part.
-    let span = |j: usize, n: usize, m: usize| {
+    let span = |j: usize, n: usize, m: usize| -> Vec<(usize, f64)> {
         let (a, b) = (j as f64 * n as f64 / m as f64, (j + 1) as f64 * n as f64 / m as f64);
         let last = (b.ceil() as usize).clamp(1, n);
         (a.floor() as usize..last)
-            .map(move |i| (i, (b.min((i + 1) as f64) - a.max(i as f64)).max(0.0)))
+            .map(|i| (i, (b.min((i + 1) as f64) - a.max(i as f64)).max(0.0)))
+            .collect()
     };
+    let columns: Vec<_> = (0..shape[1]).map(|jx| span(jx, nx, shape[1])).collect();
     for jy in 0..shape[0] {
-        for jx in 0..shape[1] {
+        let rows = span(jy, ny, shape[0]);
+        for columns in &columns {
             let (mut sum, mut weight, mut top) = (0.0, 0.0, f64::NEG_INFINITY);
-            for (iy, wy) in span(jy, ny, shape[0]) {
-                for (ix, wx) in span(jx, nx, shape[1]) {
+            for &(iy, wy) in &rows {
+                for &(ix, wx) in columns {
                     let value = field[(y0 + iy) * stride + x0 + ix];
                     sum += wy * wx * value;
                     weight += wy * wx;
@@ -88,10 +91,9 @@ fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
 
 /// The 0.1 and 99.9 percentiles, between which the height ramp runs.
 fn percentiles(values: &[f64]) -> [f64; 2] {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let at = |q: f64| sorted[((sorted.len() - 1) as f64 * q).round() as usize];
-    [at(0.001), at(0.999)]
+    let mut left = values.to_vec();
+    let place = |q: f64| ((values.len() - 1) as f64 * q).round() as usize;
+    [0.001, 0.999].map(|q| *left.select_nth_unstable_by(place(q), f64::total_cmp).1)
 }
 
 fn picture([ny, nx]: [usize; 2], colour: impl Fn(usize) -> OkLab) -> Picture {

@@ -197,6 +197,10 @@ impl<'a> Window<'a> {
                     near += usize::from((here - h).abs() <= limit);
                 }
             }
+            // Already more than half of all that there may be.
+            if near > self.half.len() {
+                return None;
+            }
         }
         if 2 * near > all {
             return None;
