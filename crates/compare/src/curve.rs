@@ -7,8 +7,9 @@ use crate::pressure_maps::PressureMaps;
 use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use crate::sections::Sections;
-use crate::spots::{Spot, Spots, spot_list};
-use contact_accuracy::budget::{Between, Budget, Map};
+use crate::spots::{Spots, spot_list};
+use contact_accuracy::budget::grid::Line;
+use contact_accuracy::budget::{Between, Budget, Map, Stiffness};
 use contact_accuracy::plan::Sink;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Iteration, Solution, SolverError};
@@ -42,6 +43,7 @@ pub(crate) struct Curve {
     pub(crate) spots: Option<Spots>,
     /// The map on the grid solved on, if it is not the given one.
     pub(crate) solved: Option<HeightMap>,
+    left: Option<Left>,
 }
 
 impl Curve {
@@ -60,15 +62,17 @@ impl Curve {
             distributions: Vec::new(),
             spots: None,
             solved: None,
+            left: None,
         }
     }
 
-    /// A load; `between` says what is known of the map between its points where it is under pressure.
+    /// A load, and the stiffness of its contact set if that was asked. What the progress does not tell is left for
+    /// [`settle`](Self::settle), which is to come before the next load.
     pub(crate) fn take(
         &mut self,
         mean_pressure: f64,
         result: Result<Solution, SolverError>,
-        between: impl FnOnce(&[f64]) -> Option<Between> + Send,
+        set: Option<Stiffness>,
     ) {
         let (mut solution, trouble) = match result {
             Ok(solution) => (Some(solution), None),
@@ -89,56 +93,58 @@ impl Curve {
         let index = self.points.len();
         let section = solution.as_mut().and_then(|s| s.section.take());
         self.sections = Sections::with(self.sections.take(), index, section);
-        let Looked { mut answer, between, list, distributions } =
-            self.look(index, solution.as_ref(), trouble.is_none(), between);
-        if let (Some(answer), Some(between)) = (&mut answer, between) {
-            answer.budget = answer.budget.between(&between);
-        }
+        let found = solution.as_ref();
+        let pressure = found.map_or(&[][..], |s| &s.pressure);
+        let (map, first, maps) = (self.map, self.first.take(), self.pressures.take());
+        let (answer, (first, maps)) = join(
+            || found.map(|s| DeterministicAnswer::of(s, trouble.is_none(), &map)),
+            || {
+                let first = FirstContact::with(first, index, pressure);
+                (first, found.and_then(|s| PressureMaps::with(maps, index, s.grid, pressure)))
+            },
+        );
+        (self.first, self.pressures) = (first, maps);
         let score = self.distance(mean_pressure, answer.as_ref());
-        self.distributions.push(distributions);
         self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
         if score < self.score {
             self.score = score;
-            self.spots = Spots::of(&list);
             self.headline = index;
-            self.pressure = solution.map_or_else(Vec::new, |s| s.pressure);
+            (self.spots, self.pressure) = (None, Vec::new());
+        }
+        match solution {
+            Some(solution) => self.left = Some(Left { index, solution, set }),
+            None => self.distributions.push(None),
         }
     }
 
-    /// Looks at the fields of a load, each look on a thread of its own if one is free: none waits for another.
-    fn look(
-        &mut self,
-        index: usize,
-        solution: Option<&Solution>,
-        is_converged: bool,
-        between: impl FnOnce(&[f64]) -> Option<Between> + Send,
-    ) -> Looked {
-        let pressure = solution.map_or(&[][..], |s| &s.pressure);
-        let kept = solution.filter(|s| !s.gap.is_empty());
+    /// The rest of the last load, each look at its fields on a thread of its own if one is free; `between` says what
+    /// is known of the map between its points where it is under pressure.
+    pub(crate) fn settle(&mut self, between: impl FnOnce(&[f64]) -> Option<Between> + Send) {
+        let Some(Left { index, solution, set }) = self.left.take() else { return };
+        let Solution { pressure, gap, grid, .. } = &solution;
         let repeats = self.edges == EdgesName::Periodic;
-        let (map, first, maps) = (self.map, self.first.take(), self.pressures.take());
-        let ((list, between), (fields, (answer, maps))) = join(
+        let is_kept = !gap.is_empty();
+        let ((list, between), fields) = join(
             || {
                 let list =
-                    || kept.map_or_else(Vec::new, |s| spot_list(&s.pressure, s.grid, repeats));
+                    || if is_kept { spot_list(pressure, *grid, repeats) } else { Vec::new() };
                 join(list, || between(pressure))
             },
-            || {
-                let fields = || kept.and_then(|s| FieldDistributions::of(&s.pressure, &s.gap));
-                let answer = || solution.map(|s| DeterministicAnswer::of(s, is_converged, &map));
-                let maps = || {
-                    let first = FirstContact::with(first, index, pressure);
-                    (
-                        first,
-                        solution.and_then(|s| PressureMaps::with(maps, index, s.grid, pressure)),
-                    )
-                };
-                join(fields, || join(answer, maps))
-            },
+            || if is_kept { FieldDistributions::of(pressure, gap) } else { None },
         );
-        (self.first, self.pressures) = maps;
-        let distributions = fields.and_then(|fields| Distributions::with(fields, &list));
-        Looked { answer, between, list, distributions }
+        self.distributions.push(fields.and_then(|fields| Distributions::with(fields, &list)));
+        if let Some(answer) = &mut self.points[index].answer {
+            if let Some(between) = between {
+                answer.budget = answer.budget.between(&between);
+            }
+            if let Some(set) = set {
+                answer.budget = answer.budget.with_stiffness(&set, &self.map, Line::of(&solution));
+            }
+        }
+        if self.headline == index {
+            self.spots = Spots::of(&list);
+            self.pressure = solution.pressure;
+        }
     }
 
     /// What happened at a load.
@@ -162,12 +168,11 @@ impl Curve {
     }
 }
 
-/// What the fields of a load tell.
-struct Looked {
-    answer: Option<DeterministicAnswer>,
-    between: Option<Between>,
-    list: Vec<Spot>,
-    distributions: Option<Distributions>,
+/// What is left of a load to be looked at.
+struct Left {
+    index: usize,
+    solution: Solution,
+    set: Option<Stiffness>,
 }
 
 /// A plan's solutions, put into the curve.
@@ -198,7 +203,8 @@ impl Sink for ToCurve<'_> {
         result: Result<Solution, SolverError>,
         budget: Option<Budget>,
     ) -> ControlFlow<()> {
-        self.curve.take(self.pressures[index], result, |_| None);
+        self.curve.take(self.pressures[index], result, None);
+        self.curve.settle(|_| None);
         if let (Some(answer), Some(budget)) = (&mut self.curve.points[index].answer, budget) {
             answer.budget = budget;
         }

@@ -101,15 +101,15 @@ impl PressureDistribution {
     /// Of a field (Pa); `None` if nothing touches.
     pub fn of(pressure: &[f64]) -> Option<Self> {
         let all = pressure.len() as f64;
-        let touching = || pressure.iter().copied().filter(|p| *p > 0.0);
-        let (count, sum) = touching().fold((0_usize, 0.0), |(n, sum), p| (n + 1, sum + p));
-        let highest = touching().fold(0.0, f64::max);
+        let touching: Vec<f64> = pressure.iter().copied().filter(|p| *p > 0.0).collect();
+        let (count, sum) = (touching.len(), touching.iter().sum::<f64>());
+        let highest = touching.iter().copied().fold(0.0, f64::max);
         if count == 0 || !highest.is_finite() {
             return None;
         }
         let width = highest / CLASSES as f64;
         let mut counts = [0_usize; CLASSES];
-        for p in touching() {
+        for p in &touching {
             counts[((p / width) as usize).min(CLASSES - 1)] += 1;
         }
         let mut above = vec![count as f64 / all];
@@ -126,7 +126,7 @@ impl PressureDistribution {
             density: counts.iter().map(|&n| n as f64 / all / width).collect(),
             above,
             exponent_at_zero: exponent(count, |part| {
-                touching().filter(|p| *p < part * mean).count()
+                touching.iter().filter(|p| **p < part * mean).count()
             }),
         })
     }

@@ -21,7 +21,6 @@ use crate::yielding::{excess, gradient_of_loads};
 use crate::{
     Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, Surrounded, default_pressures,
 };
-use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Between, Map, Stiffness};
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_accuracy::round_to_digits;
@@ -182,6 +181,7 @@ fn compare(
                 task.load(&mut solver, (i, p), settings.conducts(), &mut curve, &mut tell)?;
                 tell(curve.news(i))?;
             }
+            task.settle(&mut curve);
             None
         }
         Some(accuracy) => {
@@ -225,6 +225,7 @@ fn compare(
             }
             task.load(&mut solver, (i, point.mean_pressure), false, &mut beside, &mut tell)?;
         }
+        task.settle(&mut beside);
         elastic_points = beside.points;
     }
     // A plan says itself what a finer grid would do.
@@ -355,7 +356,8 @@ struct Solve<'a> {
 }
 
 impl Solve<'_> {
-    /// Solves for a load and puts it on the curve; with the stiffness of its contact set, if it `conducts`.
+    /// Solves for a load and puts it on the curve, while what the one before it left there is looked at; with the
+    /// stiffness of its contact set, if it `conducts`.
     fn load(
         &self,
         solver: &mut Solver,
@@ -369,25 +371,22 @@ impl Solve<'_> {
             Err(_) => ControlFlow::Break(()),
         };
         let load = Load::MeanPressure(pressure);
-        let result = self.whole.solve_observed(solver, load, &mut watch);
+        let solve = || self.whole.solve_observed(solver, load, &mut watch);
+        let (result, ()) = join(solve, || self.settle(curve));
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(StudyError::Stopped);
         }
         let set = match &result {
-            Ok(solution) if conducts => {
-                let found = Stiffness::of_set(solver, solution).ok().flatten();
-                found.map(|found| (found, Line::of(solution)))
-            }
+            Ok(solution) if conducts => Stiffness::of_set(solver, solution).ok().flatten(),
             _ => None,
         };
-        let between =
-            |found: &[f64]| Between::of(self.map, self.known.repeats, found, self.modulus);
-        curve.take(pressure, result, between);
-        let answer = curve.points.last_mut().and_then(|point| point.answer.as_mut());
-        if let (Some((found, line)), Some(answer)) = (set, answer) {
-            answer.budget = answer.budget.with_stiffness(&found, self.known, line);
-        }
+        curve.take(pressure, result, set);
         Ok(())
+    }
+
+    /// Looks at what the last load left on the curve.
+    fn settle(&self, curve: &mut Curve) {
+        curve.settle(|found| Between::of(self.map, self.known.repeats, found, self.modulus));
     }
 }
 
