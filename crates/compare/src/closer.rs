@@ -33,7 +33,7 @@ impl Comparison {
     pub fn look_closer(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
         let Self { settings, surfaces, .. } = self;
-        on_threads(settings, || {
+        on_threads(settings.threads, || {
             let mut wanted = surfaces.iter_mut().filter(|s| s.plan.is_none());
             wanted.try_for_each(|surface| look(surface, settings, modulus, progress))
         })

@@ -119,7 +119,7 @@ impl Comparison {
     pub fn remove_octaves(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
         let Self { settings, surfaces, .. } = self;
-        on_threads(settings, || {
+        on_threads(settings.threads, || {
             for surface in surfaces {
                 let start = Instant::now();
                 let mut watch = Watch::new(progress, surface.headline);

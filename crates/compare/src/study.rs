@@ -56,7 +56,8 @@ impl Comparison {
         check_models(&settings, registry)?;
         check_combinations(&settings)?;
         let asked = (&settings, registry);
-        let (done, refused) = on_threads(&settings, || all(surfaces, modulus, asked, progress))?;
+        let (done, refused) =
+            on_threads(settings.threads, || all(surfaces, modulus, asked, progress))?;
         let seconds = start.elapsed().as_secs_f64();
         Ok(Self { settings, surfaces: done, refused, seconds })
     }
@@ -146,14 +147,15 @@ fn compare(
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
     let setup = Instant::now();
     let asked = (settings, registry);
-    let (map, statistics, spectra) = describe(&heights, &origin, settings).map_err(refused)?;
+    // Spikes of the map before levelling, as they are removed.
+    let (described, spikes) =
+        join(|| describe(&heights, &origin, settings), || Spikes::of(&heights));
+    let (map, statistics, spectra) = described.map_err(refused)?;
+    drop(heights);
     let Spectra { power, amplitudes, .. } = spectra;
-    let (curves, (spikes, (spectral, known))) = join(
-        || curves(&map, &statistics, asked),
-        // Spikes of the map before levelling, as they are removed.
-        || join(|| Spikes::of(&heights), || spectral(&map, &power, &statistics)),
-    );
-    drop((heights, power));
+    let (curves, (spectral, known)) =
+        join(|| curves(&map, &statistics, asked), || spectral(&map, &power, &statistics));
+    drop(power);
     let mut inputs = model_inputs(&map, &statistics, amplitudes, curves, modulus, asked);
     inputs.surface = Some(name.clone());
     let setup_seconds = setup.elapsed().as_secs_f64();

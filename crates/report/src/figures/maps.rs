@@ -1,7 +1,7 @@
-//! Pictures of fields: height with hill shading, contact pressure over grey relief.
+//! Pictures of fields on a map: contact pressure over grey relief, and the frame of every map.
 
 use crate::draw::axes::round_step;
-use crate::draw::palette::{HEIGHT_RAMP, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
+use crate::draw::palette::{INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
 use crate::draw::png::{Grey, Picture};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
@@ -9,8 +9,6 @@ use compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
 use rayon::join;
 
-/// Depth of the hill shading in OKLab lightness.
-const SHADE: f64 = 0.07;
 /// Lightness of the relief where nothing touches, and its depth.
 const RELIEF: (f64, f64) = (0.965, 0.022);
 /// Height of the colour bar and its texts below a map.
@@ -71,7 +69,7 @@ pub(crate) fn reduced(
 }
 
 /// Slope towards the light in the upper left, scaled so that two standard deviations are 1.
-fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
+pub(super) fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
     let slope: Vec<f64> = (0..ny * nx)
         .map(|i| {
             let (y, x) = (i / nx, i % nx);
@@ -89,29 +87,10 @@ fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
     }
 }
 
-/// The 0.1 and 99.9 percentiles, between which the height ramp runs.
-fn percentiles(values: &[f64]) -> [f64; 2] {
-    let mut left = values.to_vec();
-    let place = |q: f64| ((values.len() - 1) as f64 * q).round() as usize;
-    [0.001, 0.999].map(|q| *left.select_nth_unstable_by(place(q), f64::total_cmp).1)
-}
-
-fn picture([ny, nx]: [usize; 2], colour: impl Fn(usize) -> OkLab) -> Picture {
+/// A picture whose pixels have these colours.
+pub(super) fn picture([ny, nx]: [usize; 2], colour: impl Fn(usize) -> OkLab) -> Picture {
     let rgb = (0..ny * nx).flat_map(|i| colour(i).to_rgb()).collect();
     Picture { width: nx, height: ny, rgb }
-}
-
-/// Heights by colour, lit from the upper left; the limits of the ramp come back.
-fn height_picture(heights: &[f64], shape: [usize; 2]) -> (Picture, [f64; 2]) {
-    let ramp = ramp_table::<256>(&HEIGHT_RAMP);
-    let [lo, hi] = percentiles(heights);
-    let shade = shading(heights, shape);
-    let image = picture(shape, |i| {
-        let t = if hi > lo { ((heights[i] - lo) / (hi - lo)).clamp(0.0, 1.0) } else { 0.5 };
-        let OkLab(l, a, b) = ramp[(t * 255.0).round() as usize];
-        OkLab((l + SHADE * shade[i]).clamp(0.0, 1.0), a, b)
-    });
-    (image, [lo, hi])
 }
 
 /// Pressure by colour from 0 to `top`; where nothing touches, the relief in faint grey.
@@ -148,86 +127,17 @@ pub(crate) fn relief(heights: &[f64], grid: Grid, window: Window, limit: usize) 
 }
 
 /// What a map figure shows besides its picture.
-struct Legend<'a> {
-    low: String,
-    high: String,
-    title: &'a str,
-    ramp: &'static [u32; 9],
+pub(super) struct Legend<'a> {
+    pub(super) low: String,
+    pub(super) high: String,
+    pub(super) title: &'a str,
+    pub(super) ramp: &'static [u32; 9],
 }
 
 /// Width and height of a map in units: as wide as the column, no taller than wide.
 pub(super) fn map_size([height, width]: [f64; 2]) -> [f64; 2] {
     let scale = (COLUMN / width).min(COLUMN / height);
     [(width * scale).max(8.0), (height * scale).max(8.0)]
-}
-
-/// A map as a picture of at most `limit` pixels along its longer side: heights by colour, lit from the upper left.
-pub fn thumbnail(heights: &[f64], grid: Grid, limit: usize) -> Picture {
-    let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
-    let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
-    height_picture(&small, shape).0
-}
-
-/// The picture of [`heights`], packed.
-pub(crate) struct HeightPicture {
-    address: String,
-    /// Heights (m) between which the colours run.
-    limits: [f64; 2],
-}
-
-impl HeightPicture {
-    /// Of heights (m), of at most `limit` pixels along the longer side.
-    ///
-    /// # Errors
-    /// If the picture cannot be encoded.
-    pub(crate) fn of(
-        heights: &[f64],
-        grid: Grid,
-        limit: usize,
-    ) -> Result<Self, png::EncodingError> {
-        let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
-        let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
-        let (image, limits) = height_picture(&small, shape);
-        Ok(Self { address: image.data_address()?, limits })
-    }
-}
-
-/// Heights (m) of the whole map, with a bar of colours and one of length.
-///
-/// # Errors
-/// If the picture cannot be encoded.
-pub fn heights(
-    heights: &[f64],
-    grid: Grid,
-    limit: usize,
-    key: &str,
-) -> Result<Figure, png::EncodingError> {
-    Ok(height_figure(&HeightPicture::of(heights, grid, limit)?, grid, key))
-}
-
-/// The same around a picture that is packed already.
-pub(crate) fn height_figure(picture: &HeightPicture, grid: Grid, key: &str) -> Figure {
-    let [lo, hi] = picture.limits;
-    let unit = unit_for(lo.abs().max(hi.abs()), METRES);
-    let text = |v: f64| {
-        let t = significant(v / unit.scale, 3);
-        if v > 0.0 { format!("+{t}") } else { t }
-    };
-    let title = format!("Height above mean ({})", unit.name);
-    let legend = Legend { low: text(lo), high: text(hi), title: &title, ramp: &HEIGHT_RAMP };
-    let figure = map_figure(&picture.address, grid.size(), key, Some(&legend), None, false);
-    Figure {
-        title: "Shaded height map".into(),
-        description: format!(
-            "Height map, {} by {}, heights from {} to {} {} between the 0.1 and 99.9 percentiles.",
-            chosen(grid.size()[1], METRES),
-            chosen(grid.size()[0], METRES),
-            legend.low,
-            legend.high,
-            unit.name
-        ),
-        ..figure
-    }
 }
 
 /// What a contact map points out.
@@ -321,7 +231,7 @@ pub(crate) fn enlarged(
 }
 
 /// A map around the picture at this address.
-fn map_figure(
+pub(super) fn map_figure(
     address: &str,
     size: [f64; 2],
     key: &str,

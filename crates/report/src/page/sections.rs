@@ -3,8 +3,8 @@
 use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::figures::curves::{self, Use};
-use crate::figures::maps::HeightPicture;
-use crate::figures::{cost, maps, surface as surface_figures};
+use crate::figures::heights::{HeightPicture, height_figure};
+use crate::figures::{cost, surface as surface_figures};
 use crate::lines::Lines;
 use crate::looks::look;
 use crate::numbers::{
@@ -285,7 +285,7 @@ pub(crate) fn the_surface(
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
     if let Some(picture) = heights {
         let n = page.next_figure();
-        let map = maps::height_figure(picture, grid, &format!("{id}-f{n}"));
+        let map = height_figure(picture, grid, &format!("{id}-f{n}"));
         out.push_str(&figure(
             &map.inline(),
             &format!(
