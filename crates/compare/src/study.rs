@@ -148,8 +148,8 @@ fn compare(
     let setup = Instant::now();
     let asked = (settings, registry);
     // Spikes of the map before levelling, as they are removed.
-    let (described, spikes) =
-        join(|| describe(&heights, &origin, settings), || Spikes::of(&heights));
+    let (spikes, described) =
+        join(|| Spikes::of(&heights), || describe(&heights, &origin, settings));
     let (map, statistics, spectra) = described.map_err(refused)?;
     drop(heights);
     let Spectra { power, amplitudes, .. } = spectra;
@@ -373,8 +373,9 @@ impl Solve<'_> {
             Err(_) => ControlFlow::Break(()),
         };
         let load = Load::MeanPressure(pressure);
+        // In this order one thread alone holds the fields of one load.
         let solve = || self.whole.solve_observed(solver, load, &mut watch);
-        let (result, ()) = join(solve, || self.settle(curve));
+        let ((), result) = join(|| self.settle(curve), solve);
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(StudyError::Stopped);
         }

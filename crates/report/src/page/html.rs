@@ -121,12 +121,12 @@ fn surface_sections(
     let limit = page.map_limit;
     let (touches, heights) = join(
         || contact_map::where_it_touches(page, surface, &id),
-        || sections::height_picture(surface, limit),
+        || sections::Heights::of(surface, limit),
     );
     out.push_str(&touches?);
     out.push_str(&distributions::section(page, surface, &id));
     out.push_str(&conduction::section(page, surface, &id));
-    out.push_str(&sections::the_surface(page, surface, heights?.as_ref(), &id));
+    out.push_str(&sections::the_surface(page, surface, &heights?, &id));
     out.push_str(&sections::accuracy(page, surface));
     out.push_str(&slider::data(surface));
     out.push_str("</div>\n");

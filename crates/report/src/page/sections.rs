@@ -4,6 +4,7 @@ use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::figures::curves::{self, Use};
 use crate::figures::heights::{HeightPicture, height_figure};
+use crate::figures::surface::{Histogram, histogram};
 use crate::figures::{cost, surface as surface_figures};
 use crate::lines::Lines;
 use crate::looks::look;
@@ -254,25 +255,31 @@ pub(crate) fn reduced_words([ny, nx]: [usize; 2], limit: usize, what: &str) -> S
     format!(" Drawn with {} × {} dots, each {what} of the points it covers.", side(nx), side(ny))
 }
 
-/// The picture of the heights; `None` of a single profile.
-///
-/// # Errors
-/// If it cannot be encoded.
-pub(crate) fn height_picture(
-    surface: &SurfaceComparison,
-    limit: usize,
-) -> Result<Option<HeightPicture>, ReportError> {
-    let grid = surface.surface.grid();
-    let is_map = !grid.shape().contains(&1);
-    let picture = is_map.then(|| HeightPicture::of(surface.surface.heights(), grid, limit));
-    Ok(picture.transpose()?)
+/// What takes time in [`the_surface`].
+pub(crate) struct Heights {
+    /// `None` of a single profile.
+    picture: Option<HeightPicture>,
+    /// `None` of a flat map.
+    histogram: Option<Histogram>,
+}
+
+impl Heights {
+    /// # Errors
+    /// If the picture cannot be encoded.
+    pub(crate) fn of(surface: &SurfaceComparison, limit: usize) -> Result<Self, ReportError> {
+        let grid = surface.surface.grid();
+        let is_map = !grid.shape().contains(&1);
+        let picture = is_map.then(|| HeightPicture::of(surface.surface.heights(), grid, limit));
+        let histogram = histogram(surface.solved_map().heights(), &surface.pressure);
+        Ok(Self { picture: picture.transpose()?, histogram })
+    }
 }
 
 /// Height map, statistics, distribution, spectrum.
 pub(crate) fn the_surface(
     page: &mut Page<'_>,
     surface: &SurfaceComparison,
-    heights: Option<&HeightPicture>,
+    heights: &Heights,
     id: &str,
 ) -> String {
     let h = page.heading();
@@ -283,7 +290,7 @@ pub(crate) fn the_surface(
         None => ("The surface", String::new()),
     };
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
-    if let Some(picture) = heights {
+    if let Some(picture) = &heights.picture {
         let n = page.next_figure();
         let map = height_figure(picture, grid, &format!("{id}-f{n}"));
         out.push_str(&figure(
@@ -299,11 +306,9 @@ pub(crate) fn the_surface(
     }
     out.push_str(&statistics::table(surface));
     out.push_str("</div>\n<div class=\"two\">\n");
-    if let Some(histogram) =
-        surface_figures::histogram(surface.solved_map().heights(), &surface.pressure)
-    {
+    if let Some(histogram) = &heights.histogram {
         let n = page.next_figure();
-        let svg = surface_figures::heights(&histogram, &p, &format!("{id}-f{n}")).inline();
+        let svg = surface_figures::heights(histogram, &p, &format!("{id}-f{n}")).inline();
         let lowest = histogram.touching.iter().position(|v| *v > 0.0);
         let words = lowest.map_or(String::new(), |k| {
             format!(
