@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use compare::{Comparison, ProfileComparison, RunFile};
+use rayon::prelude::*;
 use report::{Provenance, ReportError};
 
 /// Names of the documents, in the order in which they are written.
@@ -79,5 +80,6 @@ pub fn documents(
         }
         Ok(out)
     };
-    DOCUMENTS.into_iter().map(|name| Ok((name, made(name)?))).collect()
+    let all: Vec<_> = DOCUMENTS.into_par_iter().map(|name| Ok((name, made(name)?))).collect();
+    all.into_iter().collect()
 }

@@ -5,12 +5,14 @@
 use crate::progress::Watch;
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
+use crate::threads::on_threads;
 use crate::{EdgesName, Listener, Origin, Settings, StudyError, Surrounded};
 use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Map, Stiffness};
 use contact_accuracy::{TwiceFiner, regrid};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Boundary, Load, Solver};
+use fft_bem_solver::{Boundary, Load, Maps, Solver};
+use rayon::join;
 use std::borrow::Cow;
 use std::time::Instant;
 use surface_stats::clean::mirrored;
@@ -30,22 +32,33 @@ impl Comparison {
     /// rules out.
     pub fn look_closer(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
-        for surface in self.surfaces.iter_mut().filter(|s| s.plan.is_none()) {
-            let start = Instant::now();
-            let is_solved = surface.headline_answer().is_some_and(|a| a.converged);
-            if !is_solved || surface.map.rms_height <= 0.0 {
-                continue;
-            }
-            let mut watch = Watch::new(progress, surface.headline);
-            let area = certify(surface, &self.settings, modulus, &mut watch);
-            watch.go_on()?;
-            let choices = choices(surface, &self.settings, modulus, area, &mut watch);
-            watch.go_on()?;
-            let seconds = start.elapsed().as_secs_f64();
-            surface.closer = Some(Closer { choices, seconds });
-        }
-        Ok(())
+        let Self { settings, surfaces, .. } = self;
+        on_threads(settings.threads, || {
+            let mut wanted = surfaces.iter_mut().filter(|s| s.plan.is_none());
+            wanted.try_for_each(|surface| look(surface, settings, modulus, progress))
+        })
     }
+}
+
+fn look(
+    surface: &mut SurfaceComparison,
+    settings: &Settings,
+    modulus: ContactModulus,
+    progress: &mut Listener<'_>,
+) -> Result<(), StudyError> {
+    let start = Instant::now();
+    let is_solved = surface.headline_answer().is_some_and(|a| a.converged);
+    if !is_solved || surface.map.rms_height <= 0.0 {
+        return Ok(());
+    }
+    let mut watch = Watch::new(progress, surface.headline);
+    let area = certify(surface, settings, modulus, &mut watch);
+    watch.go_on()?;
+    let choices = choices(surface, settings, modulus, area, &mut watch);
+    watch.go_on()?;
+    let seconds = start.elapsed().as_secs_f64();
+    surface.closer = Some(Closer { choices, seconds });
+    Ok(())
 }
 
 /// Solves the headline once more with the rigorous bound, then from there the loads beside it, for
@@ -61,7 +74,7 @@ fn certify(
     let pressure = surface.headline_pressure();
     let map: Map = surface.map;
     let whole = Surrounded::new(Cow::Borrowed(&surface.surface), settings.edges).ok()?;
-    let certified = builder(settings).certified(true);
+    let certified = builder(settings).certified(true).maps(Maps::None);
     let mut solver = certified.build(whole.map().grid(), modulus).ok()?;
     let load = Load::MeanPressure(pressure);
     let found = whole.solve_observed(&mut solver, load, |now| watch.iteration(now));
@@ -106,7 +119,7 @@ fn choices(
         let grid = whole.map().grid();
         if last.as_ref().is_none_or(|solver| solver.grid() != grid) {
             last = None; // its memory first
-            last = Some(builder(settings).build(grid, modulus).ok()?);
+            last = Some(builder(settings).maps(Maps::None).build(grid, modulus).ok()?);
         }
         let solver = last.as_mut()?;
         solver.forget();
@@ -123,45 +136,73 @@ fn choices(
     }
     let factor = shape[0].max(shape[1]).div_ceil(MOST_POINTS);
     let used = if factor > 1 {
-        on(&surface.surface, shape.map(|n| (n / factor).max(16)))
+        on(&surface.surface, shape.map(|n| (n / factor).max(16))).map(Cow::Owned)
     } else {
-        Some(surface.surface.clone())
+        Some(Cow::Borrowed(&surface.surface))
     };
-    let Some(used) = used else { return Vec::new() };
+    let Some(used) = used.as_deref() else { return Vec::new() };
     let known = known.filter(|area| factor == 1 && *area > 0.0);
-    let Some(reference) = known.or_else(|| area(&used)) else { return Vec::new() };
-    let mut list = Vec::new();
+    let Some(reference) = known.or_else(|| area(used)) else { return Vec::new() };
+    let mut trials: Vec<Trial<'_>> = Vec::new();
     // Spikes of the map as given: a coarser grid smears them.
     if !surface.spikes.indices.is_empty() {
-        let clean = surface.spikes.without(&surface.surface);
-        let clean =
-            clean.and_then(|m| if factor > 1 { on(&m, used.grid().shape()) } else { Some(m) });
-        let effect = clean.and_then(|m| area(&m)).map(|a| a / reference - 1.0);
         let kind = ChoiceKind::WithoutSpikes(surface.spikes.indices.len());
-        list.extend(effect.map(|effect| Choice { kind, effect }));
+        trials.push(Trial::new(kind, || {
+            let clean = surface.spikes.without(&surface.surface)?;
+            if factor > 1 { on(&clean, used.grid().shape()) } else { Some(clean) }
+        }));
     }
-    let mut tried = |kind, with: Option<f64>, without: f64| {
-        list.extend(with.map(|a| Choice { kind, effect: a / without - 1.0 }));
-    };
     let is_levelled = matches!(surface.statistics.level, Level::Plane);
     if !matches!(surface.origin, Origin::Recipe(_)) && is_levelled {
-        let form = level(&used, Level::Quadratic).ok();
-        tried(ChoiceKind::Paraboloid, form.and_then(|m| area(&m)), reference);
+        trials.push(Trial::new(ChoiceKind::Paraboloid, || level(used, Level::Quadratic).ok()));
     }
     let [dy, dx] = used.grid().pixel();
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
-    let [ny, nx] = used.grid().size().map(|side| (side / shortest).floor() as usize);
-    if ny.min(nx) >= 16 {
-        let smooth = on(&used, [ny, nx]).and_then(|m| on(&m, used.grid().shape()));
-        tried(ChoiceKind::Cutoff(2.0 * shortest), smooth.and_then(|m| area(&m)), reference);
+    let waves = used.grid().size().map(|side| (side / shortest).floor() as usize);
+    if waves[0].min(waves[1]) >= 16 {
+        let kind = ChoiceKind::Cutoff(2.0 * shortest);
+        trials.push(Trial::new(kind, move || on(&on(used, waves)?, used.grid().shape())));
     }
     if !repeats && settings.edges == EdgesName::Periodic {
         // Half the points a side: its mirror images have as many as the map.
-        let half = on(&used, used.grid().shape().map(|n| n / 2));
-        let pair = half.and_then(|h| Some([area(&h)?, area(&mirrored(&h).ok()?)?]));
-        if let Some([as_it_is, mirrored]) = pair {
-            tried(ChoiceKind::Mirrored, Some(mirrored), as_it_is);
+        trials.push(Trial::new(ChoiceKind::Mirrored, || {
+            on(used, used.grid().shape().map(|n| n / 2))
+        }));
+    }
+    try_all(&trials, |kind, map| {
+        if kind != ChoiceKind::Mirrored {
+            return Some(area(map)? / reference - 1.0);
         }
+        let as_it_is = area(map)?;
+        Some(area(&mirrored(map).ok()?)? / as_it_is - 1.0)
+    })
+}
+
+/// A choice, and what makes the map as it would be then.
+struct Trial<'a> {
+    kind: ChoiceKind,
+    map: Box<dyn Fn() -> Option<HeightMap> + Sync + 'a>,
+}
+
+impl<'a> Trial<'a> {
+    fn new(kind: ChoiceKind, map: impl Fn() -> Option<HeightMap> + Sync + 'a) -> Self {
+        Self { kind, map: Box::new(map) }
+    }
+}
+
+/// What each choice does; the map of the next one is made while the `effect` of the one before is found.
+fn try_all(
+    trials: &[Trial<'_>],
+    mut effect: impl FnMut(ChoiceKind, &HeightMap) -> Option<f64> + Send,
+) -> Vec<Choice> {
+    let mut list = Vec::new();
+    let make = |trial: Option<&Trial<'_>>| trial.and_then(|trial| (trial.map)());
+    let mut map = make(trials.first());
+    for (i, &Trial { kind, .. }) in trials.iter().enumerate() {
+        let found = || effect(kind, &map?);
+        let (found, next) = join(found, || make(trials.get(i + 1)));
+        list.extend(found.map(|effect| Choice { kind, effect }));
+        map = next;
     }
     list
 }

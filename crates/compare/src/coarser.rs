@@ -4,10 +4,12 @@
 use crate::progress::Watch;
 use crate::result::{Coarser, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use crate::{Listener, StudyError, Surrounded};
+use crate::threads::on_threads;
+use crate::{Listener, Settings, StudyError, Surrounded};
 use contact_accuracy::regrid;
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::Load;
+use fft_bem_solver::{Load, Maps};
+use rayon::prelude::*;
 use std::borrow::Cow;
 use surface_stats::repeats;
 
@@ -37,29 +39,44 @@ impl Comparison {
     /// out.
     pub fn solve_coarser(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
-        for surface in self.surfaces.iter_mut().filter(|s| s.plan.is_none()) {
-            let mut watch = Watch::new(progress, surface.headline);
-            for factor in COARSER {
-                let found = solve(surface, &self.settings, modulus, factor, &mut watch);
-                watch.go_on()?;
-                surface.coarser.extend(found);
-            }
-        }
-        Ok(())
+        let Self { settings, surfaces, .. } = self;
+        on_threads(settings.threads, || {
+            let mut wanted = surfaces.iter_mut().filter(|s| s.plan.is_none());
+            wanted.try_for_each(|s| solve_all(s, settings, modulus, progress))
+        })
     }
+}
+
+/// The headline load on every coarser grid.
+fn solve_all(
+    surface: &mut SurfaceComparison,
+    settings: &Settings,
+    modulus: ContactModulus,
+    progress: &mut Listener<'_>,
+) -> Result<(), StudyError> {
+    let mut watch = Watch::new(progress, surface.headline);
+    // All maps first: nothing else runs while a solution is timed.
+    let maps: Vec<Option<HeightMap>> =
+        COARSER.into_par_iter().map(|factor| coarsened(&surface.surface, factor)).collect();
+    for (factor, map) in COARSER.into_iter().zip(maps) {
+        let found =
+            map.and_then(|map| solve(surface, settings, modulus, (factor, &map), &mut watch));
+        watch.go_on()?;
+        surface.coarser.extend(found);
+    }
+    Ok(())
 }
 
 fn solve(
     surface: &SurfaceComparison,
-    settings: &crate::Settings,
+    settings: &Settings,
     modulus: ContactModulus,
-    factor: usize,
+    (factor, map): (usize, &HeightMap),
     watch: &mut Watch<'_, '_>,
 ) -> Option<Coarser> {
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction_corrected;
-    let map: HeightMap = coarsened(&surface.surface, factor)?;
-    let whole = Surrounded::new(Cow::Borrowed(&map), settings.edges).ok()?;
-    let mut solver = builder(settings).build(whole.map().grid(), modulus).ok()?;
+    let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
+    let mut solver = builder(settings).maps(Maps::None).build(whole.map().grid(), modulus).ok()?;
     let load = Load::MeanPressure(surface.headline_pressure());
     let solution = whole.solve_observed(&mut solver, load, |now| watch.iteration(now)).ok()?;
     let found = &solution.diagnostics;

@@ -11,6 +11,7 @@ use crate::registry::find;
 use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
 use crate::solver_of::builder;
+use crate::threads::on_threads;
 use crate::{Inputs, Listener, StudyError, Surrounded};
 use asperity_models::thermal_conductance::RoughJoint;
 use contact_accuracy::regrid;
@@ -117,17 +118,20 @@ impl Comparison {
     /// settings is none, which a finished study rules out.
     pub fn remove_octaves(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
-        for surface in &mut self.surfaces {
-            let start = Instant::now();
-            let mut watch = Watch::new(progress, surface.headline);
-            let octaves = octaves(surface, &self.settings, modulus, &mut watch);
-            watch.go_on()?;
-            if let Some(conduction) = &mut surface.conduction {
-                conduction.octaves = octaves;
-                conduction.seconds = start.elapsed().as_secs_f64();
+        let Self { settings, surfaces, .. } = self;
+        on_threads(settings.threads, || {
+            for surface in surfaces {
+                let start = Instant::now();
+                let mut watch = Watch::new(progress, surface.headline);
+                let octaves = octaves(surface, settings, modulus, &mut watch);
+                watch.go_on()?;
+                if let Some(conduction) = &mut surface.conduction {
+                    conduction.octaves = octaves;
+                    conduction.seconds = start.elapsed().as_secs_f64();
+                }
             }
-        }
-        Ok(())
+            Ok(())
+        })
     }
 }
 

@@ -1,17 +1,19 @@
 //! The deterministic curve while it is solved.
 
 use crate::EdgesName;
-use crate::distribution::Distributions;
+use crate::distribution::{Distributions, FieldDistributions};
 use crate::first_contact::FirstContact;
 use crate::pressure_maps::PressureMaps;
 use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use crate::sections::Sections;
 use crate::spots::{Spots, spot_list};
-use contact_accuracy::budget::{Between, Budget, Map};
+use contact_accuracy::budget::grid::Line;
+use contact_accuracy::budget::{Between, Budget, Map, Stiffness};
 use contact_accuracy::plan::Sink;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Iteration, Solution, SolverError};
+use rayon::join;
 use std::ops::ControlFlow;
 
 /// Area fraction the headline is looked for at.
@@ -41,6 +43,7 @@ pub(crate) struct Curve {
     pub(crate) spots: Option<Spots>,
     /// The map on the grid solved on, if it is not the given one.
     pub(crate) solved: Option<HeightMap>,
+    left: Option<Left>,
 }
 
 impl Curve {
@@ -59,15 +62,17 @@ impl Curve {
             distributions: Vec::new(),
             spots: None,
             solved: None,
+            left: None,
         }
     }
 
-    /// A load; `between` is what is known of the map between its points at this contact.
+    /// A load, and the stiffness of its contact set if that was asked. What the progress does not tell is left for
+    /// [`settle`](Self::settle), which is to come before the next load.
     pub(crate) fn take(
         &mut self,
         mean_pressure: f64,
         result: Result<Solution, SolverError>,
-        between: Option<&Between>,
+        set: Option<Stiffness>,
     ) {
         let (mut solution, trouble) = match result {
             Ok(solution) => (Some(solution), None),
@@ -85,31 +90,60 @@ impl Curve {
             }
             Err(error) => (None, Some(error.to_string())),
         };
-        let mut answer =
-            solution.as_ref().map(|s| DeterministicAnswer::of(s, trouble.is_none(), &self.map));
-        if let (Some(answer), Some(between)) = (&mut answer, between) {
-            answer.budget = answer.budget.between(between);
-        }
-        let score = self.distance(mean_pressure, answer.as_ref());
         let index = self.points.len();
-        let pressure = solution.as_ref().map_or(&[][..], |s| &s.pressure);
-        self.first = FirstContact::with(self.first.take(), index, pressure);
-        let maps = self.pressures.take();
-        self.pressures =
-            solution.as_ref().and_then(|s| PressureMaps::with(maps, index, s.grid, &s.pressure));
         let section = solution.as_mut().and_then(|s| s.section.take());
         self.sections = Sections::with(self.sections.take(), index, section);
-        let kept = solution.as_ref().filter(|s| !s.gap.is_empty());
-        let repeats = self.edges == EdgesName::Periodic;
-        let list = kept.map_or_else(Vec::new, |s| spot_list(&s.pressure, s.grid, repeats));
-        let found = kept.and_then(|s| Distributions::of(&s.pressure, &s.gap, &list));
-        self.distributions.push(found);
+        let found = solution.as_ref();
+        let pressure = found.map_or(&[][..], |s| &s.pressure);
+        let (map, first, maps) = (self.map, self.first.take(), self.pressures.take());
+        let (answer, (first, maps)) = join(
+            || found.map(|s| DeterministicAnswer::of(s, trouble.is_none(), &map)),
+            || {
+                let first = FirstContact::with(first, index, pressure);
+                (first, found.and_then(|s| PressureMaps::with(maps, index, s.grid, pressure)))
+            },
+        );
+        (self.first, self.pressures) = (first, maps);
+        let score = self.distance(mean_pressure, answer.as_ref());
         self.points.push(DeterministicPoint { mean_pressure, answer, trouble });
         if score < self.score {
             self.score = score;
-            self.spots = Spots::of(&list);
             self.headline = index;
-            self.pressure = solution.map_or_else(Vec::new, |s| s.pressure);
+            (self.spots, self.pressure) = (None, Vec::new());
+        }
+        match solution {
+            Some(solution) => self.left = Some(Left { index, solution, set }),
+            None => self.distributions.push(None),
+        }
+    }
+
+    /// The rest of the last load, each look at its fields on a thread of its own if one is free; `between` says what
+    /// is known of the map between its points where it is under pressure.
+    pub(crate) fn settle(&mut self, between: impl FnOnce(&[f64]) -> Option<Between> + Send) {
+        let Some(Left { index, solution, set }) = self.left.take() else { return };
+        let Solution { pressure, gap, grid, .. } = &solution;
+        let repeats = self.edges == EdgesName::Periodic;
+        let is_kept = !gap.is_empty();
+        let ((list, between), fields) = join(
+            || {
+                let list =
+                    || if is_kept { spot_list(pressure, *grid, repeats) } else { Vec::new() };
+                join(list, || between(pressure))
+            },
+            || if is_kept { FieldDistributions::of(pressure, gap) } else { None },
+        );
+        self.distributions.push(fields.and_then(|fields| Distributions::with(fields, &list)));
+        if let Some(answer) = &mut self.points[index].answer {
+            if let Some(between) = between {
+                answer.budget = answer.budget.between(&between);
+            }
+            if let Some(set) = set {
+                answer.budget = answer.budget.with_stiffness(&set, &self.map, Line::of(&solution));
+            }
+        }
+        if self.headline == index {
+            self.spots = Spots::of(&list);
+            self.pressure = solution.pressure;
         }
     }
 
@@ -132,6 +166,13 @@ impl Curve {
             _ => 1e3,
         }
     }
+}
+
+/// What is left of a load to be looked at.
+struct Left {
+    index: usize,
+    solution: Solution,
+    set: Option<Stiffness>,
 }
 
 /// A plan's solutions, put into the curve.
@@ -163,6 +204,7 @@ impl Sink for ToCurve<'_> {
         budget: Option<Budget>,
     ) -> ControlFlow<()> {
         self.curve.take(self.pressures[index], result, None);
+        self.curve.settle(|_| None);
         if let (Some(answer), Some(budget)) = (&mut self.curve.points[index].answer, budget) {
             answer.budget = budget;
         }

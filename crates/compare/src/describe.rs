@@ -42,15 +42,15 @@ pub(crate) fn model_inputs(
     map: &HeightMap,
     statistics: &SurfaceStatistics,
     amplitudes: AmplitudeSpectrum,
+    curves: Option<MapCurves>,
     modulus: ContactModulus,
     (settings, registry): (&Settings, &Registry),
 ) -> Inputs {
     let has_use = settings
         .asked_models(registry)
         .any(|t| matches!(t.card().assumes, Assumes::Amplitudes | Assumes::Unstated));
-    let by_curves = settings.asked_models(registry).any(|t| t.card().name == "equation");
     Inputs {
-        curves: by_curves.then(|| curves(map, statistics)).flatten(),
+        curves,
         moments: Some(statistics.moments()).filter(|m| m.m2 > 0.0 && m.m4 > 0.0),
         source: MomentSource::FiniteDifferences,
         amplitudes: Some(amplitudes).filter(|_| has_use),
@@ -63,8 +63,15 @@ pub(crate) fn model_inputs(
     }
 }
 
-/// What the fitted equation takes of a map; `None` for a flat one.
-fn curves(map: &HeightMap, statistics: &SurfaceStatistics) -> Option<MapCurves> {
+/// What the fitted equation takes of a map; `None` for a flat one, and if it is not asked.
+pub(crate) fn curves(
+    map: &HeightMap,
+    statistics: &SurfaceStatistics,
+    (settings, registry): (&Settings, &Registry),
+) -> Option<MapCurves> {
+    if !settings.asked_models(registry).any(|t| t.card().name == "equation") {
+        return None;
+    }
     map_curves(&contact_curves(map, statistics.edges)?, statistics.edges).ok()
 }
 

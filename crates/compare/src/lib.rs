@@ -41,6 +41,7 @@ pub mod survey;
 mod tabulated;
 mod theories;
 mod theory;
+mod threads;
 mod verdict;
 mod yielding;
 
@@ -97,6 +98,7 @@ pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
 pub use surroundings::{Surrounded, on_given};
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};
+pub use threads::on_threads;
 pub use yielding::{
     BULK_YIELD, Hardness, PlasticityIndices, elastic_holds, elastic_limit, hardness_of,
 };

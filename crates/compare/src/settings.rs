@@ -57,7 +57,7 @@ pub struct Settings {
     pub precision: Precision,
     /// Relative rms pressure error at which the solver stops.
     pub tolerance: f64,
-    /// Threads the solver may use.
+    /// Threads that the study may use, its solvers among them.
     pub threads: usize,
     /// Names of the models to ask, of the [`Registry`] of the study; absent: every one that a height
     /// map gives all it needs.

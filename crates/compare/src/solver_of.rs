@@ -1,4 +1,4 @@
-//! The solver that the settings of a study ask for.
+//! The solver that the settings of a study ask for. It uses the threads of the study.
 
 use crate::Settings;
 use fft_bem_solver::{Solver, SolverBuilder};
@@ -14,5 +14,4 @@ pub(crate) fn elastic(settings: &Settings) -> SolverBuilder {
         .method(settings.method)
         .precision(settings.precision)
         .tolerance(settings.tolerance)
-        .threads(settings.threads.max(1))
 }

@@ -3,7 +3,7 @@
 use crate::ask::timed;
 use crate::conducted::Conduction;
 use crate::curve::{Curve, ToCurve};
-use crate::describe::{describe, model_inputs, spectral};
+use crate::describe::{curves, describe, model_inputs, spectral};
 use crate::inputs::Inputs;
 use crate::progress::{Listener, Progress, StudyError};
 use crate::refine::refine;
@@ -15,21 +15,22 @@ use crate::sections::telling_row;
 use crate::solver_of::{builder, elastic};
 use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
+use crate::threads::on_threads;
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
 use crate::{
     Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, Surrounded, default_pressures,
 };
-use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Between, Map, Stiffness};
 use contact_accuracy::plan::{self, PlanError, Request, Task};
 use contact_accuracy::round_to_digits;
 use contact_types::{ContactModulus, ContactState, HeightMap, ModelError};
 use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solver, SolverBuilder, SolverError};
+use rayon::join;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
-use surface_stats::SurfaceStatistics;
+use surface_stats::{Spectra, SurfaceStatistics};
 
 impl Comparison {
     /// Runs a study: every surface solved over the loads, and the theories of `registry` that the
@@ -54,28 +55,39 @@ impl Comparison {
         check_pressures(&settings)?;
         check_models(&settings, registry)?;
         check_combinations(&settings)?;
-        let count = surfaces.len();
-        let mut done = Vec::with_capacity(count);
-        let mut refused = Vec::new();
-        let mut first = None;
-        for (index, surface) in surfaces.into_iter().enumerate() {
-            let name = surface.name.clone();
-            match compare(surface, modulus, (&settings, registry), [index, count], progress) {
-                Ok(found) => done.push(found),
-                Err(StudyError::Stopped) => return Err(StudyError::Stopped),
-                Err(why) => {
-                    refused.push(Refused { name, reason: why.to_string() });
-                    first.get_or_insert(why);
-                }
+        let asked = (&settings, registry);
+        let (done, refused) =
+            on_threads(settings.threads, || all(surfaces, modulus, asked, progress))?;
+        let seconds = start.elapsed().as_secs_f64();
+        Ok(Self { settings, surfaces: done, refused, seconds })
+    }
+}
+
+/// One surface after the other: what was found, and those that are refused. If all are, the first reason is the error.
+fn all(
+    surfaces: Vec<Surface>,
+    modulus: ContactModulus,
+    asked: (&Settings, &Registry),
+    progress: &mut Listener<'_>,
+) -> Result<(Vec<SurfaceComparison>, Vec<Refused>), StudyError> {
+    let count = surfaces.len();
+    let mut done = Vec::with_capacity(count);
+    let mut refused = Vec::new();
+    let mut first = None;
+    for (index, surface) in surfaces.into_iter().enumerate() {
+        let name = surface.name.clone();
+        match compare(surface, modulus, asked, [index, count], progress) {
+            Ok(found) => done.push(found),
+            Err(StudyError::Stopped) => return Err(StudyError::Stopped),
+            Err(why) => {
+                refused.push(Refused { name, reason: why.to_string() });
+                first.get_or_insert(why);
             }
         }
-        match first {
-            Some(why) if done.is_empty() => Err(why),
-            _ => {
-                let seconds = start.elapsed().as_secs_f64();
-                Ok(Self { settings, surfaces: done, refused, seconds })
-            }
-        }
+    }
+    match first {
+        Some(why) if done.is_empty() => Err(why),
+        _ => Ok((done, refused)),
     }
 }
 
@@ -134,14 +146,18 @@ fn compare(
     let Surface { name, origin, heights } = surface;
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
     let setup = Instant::now();
-    let spikes = Spikes::of(&heights); // before levelling, as they are removed
-    let (map, statistics, spectra) = describe(&heights, &origin, settings).map_err(refused)?;
+    let asked = (settings, registry);
+    // Spikes of the map before levelling, as they are removed.
+    let (spikes, described) =
+        join(|| Spikes::of(&heights), || describe(&heights, &origin, settings));
+    let (map, statistics, spectra) = described.map_err(refused)?;
     drop(heights);
-    let (spectral, known) = spectral(&map, &spectra.power, &statistics);
-    let mut inputs =
-        model_inputs(&map, &statistics, spectra.amplitudes, modulus, (settings, registry));
+    let Spectra { power, amplitudes, .. } = spectra;
+    let (curves, (spectral, known)) =
+        join(|| curves(&map, &statistics, asked), || spectral(&map, &power, &statistics));
+    drop(power);
+    let mut inputs = model_inputs(&map, &statistics, amplitudes, curves, modulus, asked);
     inputs.surface = Some(name.clone());
-    drop(spectra.power);
     let setup_seconds = setup.elapsed().as_secs_f64();
 
     let gradient = inputs.rms_gradient();
@@ -167,6 +183,7 @@ fn compare(
                 task.load(&mut solver, (i, p), settings.conducts(), &mut curve, &mut tell)?;
                 tell(curve.news(i))?;
             }
+            task.settle(&mut curve);
             None
         }
         Some(accuracy) => {
@@ -210,6 +227,7 @@ fn compare(
             }
             task.load(&mut solver, (i, point.mean_pressure), false, &mut beside, &mut tell)?;
         }
+        task.settle(&mut beside);
         elastic_points = beside.points;
     }
     // A plan says itself what a finer grid would do.
@@ -340,7 +358,8 @@ struct Solve<'a> {
 }
 
 impl Solve<'_> {
-    /// Solves for a load and puts it on the curve; with the stiffness of its contact set, if it `conducts`.
+    /// Solves for a load and puts it on the curve, while what the one before it left there is looked at; with the
+    /// stiffness of its contact set, if it `conducts`.
     fn load(
         &self,
         solver: &mut Solver,
@@ -354,25 +373,23 @@ impl Solve<'_> {
             Err(_) => ControlFlow::Break(()),
         };
         let load = Load::MeanPressure(pressure);
-        let result = self.whole.solve_observed(solver, load, &mut watch);
+        // In this order one thread alone holds the fields of one load.
+        let solve = || self.whole.solve_observed(solver, load, &mut watch);
+        let ((), result) = join(|| self.settle(curve), solve);
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(StudyError::Stopped);
         }
-        let found = result.as_ref().map_or(&[][..], |s| &s.pressure);
-        let between = Between::of(self.map, self.known.repeats, found, self.modulus);
         let set = match &result {
-            Ok(solution) if conducts => {
-                let found = Stiffness::of_set(solver, solution).ok().flatten();
-                found.map(|found| (found, Line::of(solution)))
-            }
+            Ok(solution) if conducts => Stiffness::of_set(solver, solution).ok().flatten(),
             _ => None,
         };
-        curve.take(pressure, result, between.as_ref());
-        let answer = curve.points.last_mut().and_then(|point| point.answer.as_mut());
-        if let (Some((found, line)), Some(answer)) = (set, answer) {
-            answer.budget = answer.budget.with_stiffness(&found, self.known, line);
-        }
+        curve.take(pressure, result, set);
         Ok(())
+    }
+
+    /// Looks at what the last load left on the curve.
+    fn settle(&self, curve: &mut Curve) {
+        curve.settle(|found| Between::of(self.map, self.known.repeats, found, self.modulus));
     }
 }
 

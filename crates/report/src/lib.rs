@@ -32,7 +32,8 @@ pub use budget_json::keys as budget_keys;
 pub use csv::{write as write_csv, write_spots as write_spots_csv};
 pub use digest::digest;
 pub use error::ReportError;
-pub use figures::maps::{heights as height_map, pressures as pressure_picture, thumbnail};
+pub use figures::heights::{heights as height_map, thumbnail};
+pub use figures::maps::pressures as pressure_picture;
 pub use figures::panels::{write_area_svg, write_pressure_svg};
 pub use figures::profiles::{
     write_area_svg as write_profile_area_svg, write_trace_svg as write_profile_trace_svg,

@@ -20,7 +20,7 @@ use clap::Args;
 use compare::plan::Request;
 use compare::{
     Comparison, EdgesName, Level, Method, Origin, Precision, Refused, Registry, RunFile,
-    RunSurface, STEEL, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison,
+    RunSurface, STEEL, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, on_threads,
 };
 use report::Provenance;
 use std::fmt::Write as _;
@@ -139,20 +139,22 @@ impl Compare {
         let folder = Folder::prepare(&self.out, &names, common.force)?;
         let listed = surfaces.iter().map(|s| (s.name.clone(), s.origin.clone()));
         let run_file = run_file(&settings, listed);
-        let mut comparison = study(surfaces, settings, common)?;
-        comparison.refused.extend(unread);
-        let repeat = repeat_command(folder.path());
-        let provenance = Provenance::here(repeat);
-        let mut reply = Reply::new(
-            describe(&comparison, folder.path()),
-            report::comparison_json(&comparison, &provenance),
-        );
-        reply.trouble = not_met(&comparison);
-        // What was computed is printed even if it cannot be written.
-        if let Err(failure) = write(&folder, &comparison, &provenance, &run_file) {
-            reply.trouble = Some(failure);
-        }
-        Ok(reply)
+        on_threads(settings.threads, || {
+            let mut comparison = study(surfaces, settings, common)?;
+            comparison.refused.extend(unread);
+            let repeat = repeat_command(folder.path());
+            let provenance = Provenance::here(repeat);
+            let mut reply = Reply::new(
+                describe(&comparison, folder.path()),
+                report::comparison_json(&comparison, &provenance),
+            );
+            reply.trouble = not_met(&comparison);
+            // What was computed is printed even if it cannot be written.
+            if let Err(failure) = write(&folder, &comparison, &provenance, &run_file) {
+                reply.trouble = Some(failure);
+            }
+            Ok(reply)
+        })
     }
 
     /// True if every file is answered by itself, and the page shows distributions.

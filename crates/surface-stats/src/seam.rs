@@ -14,17 +14,18 @@ pub fn repeats(map: &HeightMap) -> bool {
 /// axes; 0 for a flat map.
 pub fn seam_jump(map: &HeightMap) -> f64 {
     let [ny, nx] = map.grid().shape();
+    let row = |iy: usize| &map.heights()[iy * nx..(iy + 1) * nx];
+    let square = |(a, b): (&f64, &f64)| (b - a).powi(2);
     let (mut across, mut inside) = ([0.0; 2], [0.0; 2]);
     for iy in 0..ny {
-        for ix in 0..nx {
-            let here = map.at(iy, ix);
-            let down = (map.at((iy + 1) % ny, ix) - here).powi(2);
-            let right = (map.at(iy, (ix + 1) % nx) - here).powi(2);
-            let sums = if iy + 1 == ny { &mut across } else { &mut inside };
-            sums[0] += down / if iy + 1 == ny { 1.0 } else { (ny - 1) as f64 };
-            let sums = if ix + 1 == nx { &mut across } else { &mut inside };
-            sums[1] += right / if ix + 1 == nx { 1.0 } else { (nx - 1) as f64 };
-        }
+        let (here, below) = (row(iy), row((iy + 1) % ny));
+        let is_last = iy + 1 == ny;
+        let (down, steps) =
+            if is_last { (&mut across, 1.0) } else { (&mut inside, ny as f64 - 1.0) };
+        down[0] = here.iter().zip(below).fold(down[0], |sum, pair| sum + square(pair) / steps);
+        let (pairs, steps) = (here.iter().zip(&here[1..]), nx as f64 - 1.0);
+        inside[1] = pairs.fold(inside[1], |sum, pair| sum + square(pair) / steps);
+        across[1] += square((&here[nx - 1], &here[0]));
     }
     let ratio = |axis: usize| {
         if inside[axis] > 0.0 { (across[axis] / inside[axis]).sqrt() } else { 0.0 }

@@ -15,6 +15,7 @@ use crate::{
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, FractalParameters, HeightMap, SpectralMoments,
 };
+use grid_fft::parallel::join;
 
 /// Everything a contact model can ask of a surface. SI units; absent where undefined.
 ///
@@ -174,14 +175,23 @@ impl SurfaceStatistics {
 
         let distribution = HeightStatistics::of(&surface);
         let differences = DirectionalMoments::of(&surface, options.edges)?;
-        let summits = Summits::of(&surface, options.edges)?;
-        let amplitudes = amplitudes_of_levelled(&surface, Axis::X)?;
-        let edge_jump = seam_jump(&surface);
-        // Levelling may take heights at the end of the range beyond it: then rows are not compared.
-        let rows = row_offsets(grid, surface.heights()).ok();
-
-        let power = PowerSpectrum::of_field(grid, surface.heights());
-        let (spectral, _) = power.moments();
+        let ((summits, amplitudes), ((edge_jump, rows), (power, spectral))) = join(
+            || {
+                let summits = || Summits::of(&surface, options.edges);
+                join(summits, || amplitudes_of_levelled(&surface, Axis::X))
+            },
+            || {
+                // Levelling may take heights at the end of the range beyond it: then rows are not compared.
+                let lines = || (seam_jump(&surface), row_offsets(grid, surface.heights()).ok());
+                let waves = || {
+                    let power = PowerSpectrum::of_field(grid, surface.heights());
+                    let (spectral, _) = power.moments();
+                    (power, spectral)
+                };
+                join(lines, waves)
+            },
+        );
+        let (summits, amplitudes) = (summits?, amplitudes?);
         let power = if periodic {
             drop(surface);
             power
@@ -191,12 +201,11 @@ impl SurfaceStatistics {
             Window::Hann.apply(grid, &mut heights);
             PowerSpectrum::of_field(grid, &heights)
         };
-        let resolved = power.resolved_gradient();
+        let (resolved, rings) = join(|| power.resolved_gradient(), || power.rings());
 
         let rms_height = distribution.rms_height;
         let moments = differences.isotropic(rms_height * rms_height);
-        let scales =
-            SpectralScales::of_rings(&power.rings(), grid, rms_height, options.fractal_range);
+        let scales = SpectralScales::of_rings(&rings, grid, rms_height, options.fractal_range);
         let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
 
         let mut statistics = Self {

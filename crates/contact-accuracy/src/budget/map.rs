@@ -4,6 +4,7 @@ use super::area::AreaAccuracy;
 use super::sample;
 use crate::continuation::window_for;
 use contact_types::{Grid, HeightMap};
+use grid_fft::parallel::join;
 use surface_stats::spectrum::PowerSpectrum;
 use surface_stats::{StatsError, height_step, repeats};
 
@@ -72,15 +73,18 @@ impl Map {
         step: Option<f64>,
         repeats: bool,
     ) -> Self {
-        let [height_scatter, gradient_scatter] = sample::height_and_gradient(surface, power);
+        let ([height_scatter, gradient_scatter], (regular, accuracy)) = join(
+            || sample::height_and_gradient(surface, power),
+            || (power.slopes_repeat(), AreaAccuracy::of_waves(surface.grid(), power, step)),
+        );
         Self {
-            accuracy: AreaAccuracy::of_waves(surface.grid(), power, step),
+            accuracy,
             repeats,
             rms_height: power.moments().0.rms_height(),
             height_scatter,
             gradient_scatter,
             highest: sample::highest(surface, sample::PARTS),
-            regular: power.slopes_repeat(),
+            regular,
         }
     }
 }

@@ -176,16 +176,16 @@ pub fn blocks(pressure: &[f64], grid: Grid, parts: usize) -> Option<Blocks> {
         return None;
     }
     let mut blocks = vec![[0.0; 3]; parts * parts]; // points, touching, load
-    let columns: Vec<usize> = (0..nx).map(|ix| ix * parts / nx).collect();
+    // Points ix with ix parts / nx = column.
+    let columns =
+        |column: usize| (column * nx).div_ceil(parts)..((column + 1) * nx).div_ceil(parts);
     for (iy, row) in pressure.chunks_exact(nx).enumerate() {
         let blocks = &mut blocks[iy * parts / ny * parts..][..parts];
-        for (p, column) in row.iter().zip(&columns) {
-            let block = &mut blocks[*column];
-            block[0] += 1.0;
-            if *p > 0.0 {
-                block[1] += 1.0;
-                block[2] += p;
-            }
+        for (column, block) in blocks.iter_mut().enumerate() {
+            let points = &row[columns(column)];
+            block[0] += points.len() as f64;
+            block[1] += points.iter().filter(|p| **p > 0.0).count() as f64;
+            block[2] = points.iter().filter(|p| **p > 0.0).fold(block[2], |load, p| load + p);
         }
     }
     let points: Vec<[f64; 2]> = blocks.iter().map(|b| [b[2] / b[0], b[1] / b[0]]).collect();

@@ -1,15 +1,14 @@
-//! Pictures of fields: height with hill shading, contact pressure over grey relief.
+//! Pictures of fields on a map: contact pressure over grey relief, and the frame of every map.
 
 use crate::draw::axes::round_step;
-use crate::draw::palette::{HEIGHT_RAMP, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
+use crate::draw::palette::{INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
 use crate::draw::png::{Grey, Picture};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
 use compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
+use rayon::join;
 
-/// Depth of the hill shading in OKLab lightness.
-const SHADE: f64 = 0.07;
 /// Lightness of the relief where nothing touches, and its depth.
 const RELIEF: (f64, f64) = (0.965, 0.022);
 /// Height of the colour bar and its texts below a map.
@@ -43,17 +42,20 @@ pub(crate) fn reduced(
     let shape = [ny, nx].map(|n| ((n as f64 / factor).round() as usize).max(1));
     let mut out = Vec::with_capacity(shape[0] * shape[1]);
     // New pixel j covers old pixels [j n/m, (j+1) n/m), the ends in part.
-    let span = |j: usize, n: usize, m: usize| {
+    let span = |j: usize, n: usize, m: usize| -> Vec<(usize, f64)> {
         let (a, b) = (j as f64 * n as f64 / m as f64, (j + 1) as f64 * n as f64 / m as f64);
         let last = (b.ceil() as usize).clamp(1, n);
         (a.floor() as usize..last)
-            .map(move |i| (i, (b.min((i + 1) as f64) - a.max(i as f64)).max(0.0)))
+            .map(|i| (i, (b.min((i + 1) as f64) - a.max(i as f64)).max(0.0)))
+            .collect()
     };
+    let columns: Vec<_> = (0..shape[1]).map(|jx| span(jx, nx, shape[1])).collect();
     for jy in 0..shape[0] {
-        for jx in 0..shape[1] {
+        let rows = span(jy, ny, shape[0]);
+        for columns in &columns {
             let (mut sum, mut weight, mut top) = (0.0, 0.0, f64::NEG_INFINITY);
-            for (iy, wy) in span(jy, ny, shape[0]) {
-                for (ix, wx) in span(jx, nx, shape[1]) {
+            for &(iy, wy) in &rows {
+                for &(ix, wx) in columns {
                     let value = field[(y0 + iy) * stride + x0 + ix];
                     sum += wy * wx * value;
                     weight += wy * wx;
@@ -67,7 +69,7 @@ pub(crate) fn reduced(
 }
 
 /// Slope towards the light in the upper left, scaled so that two standard deviations are 1.
-fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
+pub(super) fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
     let slope: Vec<f64> = (0..ny * nx)
         .map(|i| {
             let (y, x) = (i / nx, i % nx);
@@ -85,30 +87,10 @@ fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
     }
 }
 
-/// The 0.1 and 99.9 percentiles, between which the height ramp runs.
-fn percentiles(values: &[f64]) -> [f64; 2] {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let at = |q: f64| sorted[((sorted.len() - 1) as f64 * q).round() as usize];
-    [at(0.001), at(0.999)]
-}
-
-fn picture([ny, nx]: [usize; 2], colour: impl Fn(usize) -> OkLab) -> Picture {
+/// A picture whose pixels have these colours.
+pub(super) fn picture([ny, nx]: [usize; 2], colour: impl Fn(usize) -> OkLab) -> Picture {
     let rgb = (0..ny * nx).flat_map(|i| colour(i).to_rgb()).collect();
     Picture { width: nx, height: ny, rgb }
-}
-
-/// Heights by colour, lit from the upper left; the limits of the ramp come back.
-fn height_picture(heights: &[f64], shape: [usize; 2]) -> (Picture, [f64; 2]) {
-    let ramp = ramp_table::<256>(&HEIGHT_RAMP);
-    let [lo, hi] = percentiles(heights);
-    let shade = shading(heights, shape);
-    let image = picture(shape, |i| {
-        let t = if hi > lo { ((heights[i] - lo) / (hi - lo)).clamp(0.0, 1.0) } else { 0.5 };
-        let OkLab(l, a, b) = ramp[(t * 255.0).round() as usize];
-        OkLab((l + SHADE * shade[i]).clamp(0.0, 1.0), a, b)
-    });
-    (image, [lo, hi])
 }
 
 /// Pressure by colour from 0 to `top`; where nothing touches, the relief in faint grey.
@@ -145,59 +127,17 @@ pub(crate) fn relief(heights: &[f64], grid: Grid, window: Window, limit: usize) 
 }
 
 /// What a map figure shows besides its picture.
-struct Legend<'a> {
-    low: String,
-    high: String,
-    title: &'a str,
-    ramp: &'static [u32; 9],
+pub(super) struct Legend<'a> {
+    pub(super) low: String,
+    pub(super) high: String,
+    pub(super) title: &'a str,
+    pub(super) ramp: &'static [u32; 9],
 }
 
 /// Width and height of a map in units: as wide as the column, no taller than wide.
 pub(super) fn map_size([height, width]: [f64; 2]) -> [f64; 2] {
     let scale = (COLUMN / width).min(COLUMN / height);
     [(width * scale).max(8.0), (height * scale).max(8.0)]
-}
-
-/// A map as a picture of at most `limit` pixels along its longer side: heights by colour, lit from the upper left.
-pub fn thumbnail(heights: &[f64], grid: Grid, limit: usize) -> Picture {
-    let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
-    let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
-    height_picture(&small, shape).0
-}
-
-/// Heights (m) of the whole map, with a bar of colours and one of length.
-///
-/// # Errors
-/// If the picture cannot be encoded.
-pub fn heights(
-    heights: &[f64],
-    grid: Grid,
-    limit: usize,
-    key: &str,
-) -> Result<Figure, png::EncodingError> {
-    let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
-    let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
-    let (image, [lo, hi]) = height_picture(&small, shape);
-    let unit = unit_for(lo.abs().max(hi.abs()), METRES);
-    let text = |v: f64| {
-        let t = significant(v / unit.scale, 3);
-        if v > 0.0 { format!("+{t}") } else { t }
-    };
-    let title = format!("Height above mean ({})", unit.name);
-    let legend = Legend { low: text(lo), high: text(hi), title: &title, ramp: &HEIGHT_RAMP };
-    let figure = map_figure(&image, grid.size(), key, Some(&legend), None, false)?;
-    Ok(Figure {
-        title: "Shaded height map".into(),
-        description: format!(
-            "Height map, {} by {}, heights from {} to {} {} between the 0.1 and 99.9 percentiles.",
-            chosen(grid.size()[1], METRES),
-            chosen(grid.size()[0], METRES),
-            legend.low,
-            legend.high,
-            unit.name
-        ),
-        ..figure
-    })
 }
 
 /// What a contact map points out.
@@ -221,8 +161,10 @@ pub(crate) fn contact(
     key: &str,
 ) -> Result<Figure, png::EncodingError> {
     let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
-    let (p, shape) = reduced(pressure, grid, whole, limit, Reduce::Max);
-    let (h, _) = reduced(heights, grid, whole, limit, Reduce::Mean);
+    let ((p, shape), (h, _)) = join(
+        || reduced(pressure, grid, whole, limit, Reduce::Max),
+        || reduced(heights, grid, whole, limit, Reduce::Mean),
+    );
     let (top, clipped) = pressure_top(pressure);
     let unit = unit_for(top, PASCALS);
     let title = format!("Local pressure ({})", unit.name);
@@ -232,9 +174,9 @@ pub(crate) fn contact(
         title: &title,
         ramp: &PRESSURE_RAMP,
     };
-    let image = contact_picture(&p, &h, shape, top);
-    let figure =
-        map_figure(&image, grid.size(), key, Some(&legend), Some((marks, grid.shape())), false)?;
+    let address = contact_picture(&p, &h, shape, top).data_address()?;
+    let shown = Some((marks, grid.shape()));
+    let figure = map_figure(&address, grid.size(), key, Some(&legend), shown, false);
     let touching = pressure.iter().filter(|p| **p > 0.0).count();
     Ok(Figure {
         title: "Contact map".into(),
@@ -270,13 +212,13 @@ pub(crate) fn enlarged(
     let (p, shape) = reduced(pressure, grid, window, limit, Reduce::Max);
     let (h, _) = reduced(heights, grid, window, limit, Reduce::Mean);
     let (top, _) = pressure_top(pressure);
-    let image = contact_picture(&p, &h, shape, top);
+    let address = contact_picture(&p, &h, shape, top).data_address()?;
     let [dy, dx] = grid.pixel();
     let size = [shape[0] as f64 * dy, shape[1] as f64 * dx];
     let inside = |row: &usize| (window[0]..window[0] + window[2]).contains(row);
     let marks = Marks { window: None, row: row.filter(inside).map(|row| row - window[0]) };
     let shown = Some((&marks, [window[2], window[3]]));
-    let figure = map_figure(&image, size, key, None, shown, true)?;
+    let figure = map_figure(&address, size, key, None, shown, true);
     Ok(Figure {
         title: "Enlargement of the boxed area".into(),
         description: format!(
@@ -288,20 +230,21 @@ pub(crate) fn enlarged(
     })
 }
 
-fn map_figure(
-    image: &Picture,
+/// A map around the picture at this address.
+pub(super) fn map_figure(
+    address: &str,
     size: [f64; 2],
     key: &str,
     legend: Option<&Legend<'_>>,
     marks: Option<(&Marks, [usize; 2])>,
     squares: bool,
-) -> Result<Figure, png::EncodingError> {
+) -> Figure {
     let [width, height] = map_size(size);
     let mut canvas = Canvas::default();
     canvas.raw(&format!(
         "<image class=\"px\" href=\"{}\" x=\"0\" y=\"0\" width=\"{}\" height=\"{}\" \
          preserveAspectRatio=\"none\"{}/>",
-        image.data_address()?,
+        address,
         num(width),
         num(height),
         if squares { " style=\"image-rendering:pixelated\"" } else { "" }
@@ -338,13 +281,13 @@ fn map_figure(
     if let Some(legend) = legend {
         colour_bar(&mut canvas, height + 9.0, legend, key);
     }
-    Ok(Figure {
+    Figure {
         key: key.into(),
         title: String::new(),
         description: String::new(),
         size: [COLUMN, height + LEGEND],
         canvas,
-    })
+    }
 }
 
 /// A bar of round length, at most a third of the width, on a light ground.

@@ -6,6 +6,7 @@ pub(crate) mod curves;
 pub(crate) mod deformed;
 pub(crate) mod distributions;
 pub mod front;
+pub(crate) mod heights;
 pub(crate) mod maps;
 pub(crate) mod multiples;
 pub(crate) mod panels;

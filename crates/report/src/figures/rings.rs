@@ -1,7 +1,8 @@
 //! A height map with rings round single points of it.
 
 use crate::draw::svg::{Figure, num};
-use crate::figures::maps::{heights as height_map, map_size};
+use crate::figures::heights::heights as height_map;
+use crate::figures::maps::map_size;
 use contact_types::Grid;
 use std::collections::BTreeMap;
 

@@ -8,6 +8,7 @@ use crate::page::deformed;
 use crate::page::moving::{LARGEST, Moving, Pressures};
 use crate::page::sections::{figure, reduced_words};
 use compare::SurfaceComparison;
+use rayon::join;
 
 /// The contact map and an enlargement.
 pub(crate) fn where_it_touches(
@@ -27,16 +28,16 @@ pub(crate) fn where_it_touches(
     let key = format!("{id}-f{n}");
     let row = deformed::cut(surface).and(surface.sections.as_ref()).map(|s| s.row);
     let marks = maps::Marks { window, row };
-    let map = maps::contact(&surface.pressure, heights, grid, &marks, page.map_limit, &key)?;
     let moving = moving(page, surface);
-    let (hidden, moves) = match &moving {
-        Some(moving) => {
-            let pressures = Pressures::of(surface, page.comparison.surfaces.len())?;
-            let words = moves_words(surface, &pressures, &p);
-            (moving.whole(page.map_limit, &pressures)?, words)
-        }
-        None => Default::default(),
-    };
+    let (limit, surfaces) = (page.map_limit, page.comparison.surfaces.len());
+    let (map, hidden) = join(
+        || maps::contact(&surface.pressure, heights, grid, &marks, limit, &key),
+        || moving.as_ref().map(|moving| moving.whole(limit, surfaces)).transpose(),
+    );
+    let map = map?;
+    let (hidden, moves) = hidden?.map_or_else(Default::default, |(hidden, pressures)| {
+        (hidden, moves_words(surface, &pressures, &p))
+    });
     let mut out = format!(
         "<{h}>Where it touches at {}</{h}>\n<div class=\"two maps\">\n{}",
         if moving.is_some() { format!("<span data-k=\"load\">{p}</span>") } else { p },

@@ -11,6 +11,7 @@ use crate::provenance::Provenance;
 use crate::words;
 use compare::{Comparison, SurfaceComparison};
 use contact_types::Citation;
+use rayon::join;
 use std::io::Write;
 
 const STYLE: &str = include_str!("style.css");
@@ -117,10 +118,15 @@ fn surface_sections(
     out.push_str(&sections::key_and_notes(surface, &id));
     out.push_str(&sections::over_load(page, surface, &lines, &id));
     out.push_str(&sections::models(page, surface));
-    out.push_str(&contact_map::where_it_touches(page, surface, &id)?);
+    let limit = page.map_limit;
+    let (touches, heights) = join(
+        || contact_map::where_it_touches(page, surface, &id),
+        || sections::Heights::of(surface, limit),
+    );
+    out.push_str(&touches?);
     out.push_str(&distributions::section(page, surface, &id));
     out.push_str(&conduction::section(page, surface, &id));
-    out.push_str(&sections::the_surface(page, surface, &id)?);
+    out.push_str(&sections::the_surface(page, surface, &heights?, &id));
     out.push_str(&sections::accuracy(page, surface));
     out.push_str(&slider::data(surface));
     out.push_str("</div>\n");

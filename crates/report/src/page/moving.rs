@@ -10,7 +10,11 @@ use crate::error::ReportError;
 use crate::figures::maps::{self, Window};
 use crate::numbers::{METRES, PASCALS, chosen, quantity, unit_for};
 use crate::page::phrases::attribute;
-use compare::{FirstContact, PressureMap, SurfaceComparison, pressure_class, pressure_top};
+use compare::{
+    FirstContact, PressureMap, PressureMaps, SurfaceComparison, pressure_class, pressure_top,
+};
+use rayon::join;
+use rayon::prelude::*;
 use serde_json::json;
 
 /// Longest side drawn point by point; larger maps are reduced.
@@ -43,15 +47,16 @@ impl<'a> Moving<'a> {
         fits.then_some(Self { surface, contact })
     }
 
-    /// Hidden pictures and facts behind the whole map: relief, load of first contact, pressures.
+    /// Hidden pictures and facts behind the whole map: relief, load of first contact, pressures; these also for
+    /// themselves. The page is of so many `surfaces`.
     ///
     /// # Errors
     /// If a picture cannot be encoded.
     pub(crate) fn whole(
         &self,
         relief_limit: usize,
-        pressures: &Pressures,
-    ) -> Result<String, ReportError> {
+        surfaces: usize,
+    ) -> Result<(String, Pressures), ReportError> {
         let grid = self.surface.solved_map().grid();
         let [ny, nx] = grid.shape();
         let loads = self.surface.deterministic.len();
@@ -63,6 +68,15 @@ impl<'a> Moving<'a> {
             height: shape[0],
             values: first.iter().map(|&load| grey(load) as u8).collect(),
         };
+        let whole = [0, 0, ny, nx];
+        let ((pressures, headline), (first, relief)) = join(
+            || join(|| Pressures::of(self.surface, surfaces), || self.pressure(shape)),
+            || {
+                let relief = || self.relief(whole, whole, relief_limit);
+                join(|| picture.data_address_of_classes(), relief)
+            },
+        );
+        let pressures = pressures?;
         let lost: Vec<_> = if shape == [ny, nx] { self.contact.lost.clone() } else { Vec::new() };
         let points = grid.len();
         let titles: Vec<String> = self
@@ -91,16 +105,16 @@ impl<'a> Moving<'a> {
             "across": grid.size()[1] / unit.scale, "unit": unit.name,
             "points": [ny, nx], "block": pressures.block, "tops": pressures.tops,
         });
-        let whole = [0, 0, ny, nx];
-        Ok(format!(
+        let images = format!(
             "<img class=\"first\" hidden alt=\"\" src=\"{}\" data-facts='{}'>\
              <img class=\"pressure\" hidden alt=\"\" src=\"{}\">{}{}",
-            picture.data_address_of_classes()?,
+            first?,
             attribute(&facts),
-            self.pressure(shape)?,
+            headline?,
             pressures.pictures,
-            self.relief(whole, whole, relief_limit)?
-        ))
+            relief?
+        );
+        Ok((images, pressures))
     }
 
     /// The pressure of the headline in the dots of the contact: 0 where nothing touches, else 1 to 255 along the
@@ -161,31 +175,13 @@ impl Pressures {
         let Some(maps) = &surface.pressure_maps else { return Ok(Self::default()) };
         let last = maps.loads.len().saturating_sub(1);
         let most = PRESSURES / surfaces.max(1);
-        let [height, width] = maps.shape;
         let (mut steps, mut encoded) = (0, Vec::new());
         for coarser in STEPS {
-            (steps, encoded) = (coarser, Vec::new());
-            let mut bytes = 0;
-            // The heaviest, which take most, first: what does not fit is soon known.
-            for (load, map) in maps.loads.iter().enumerate().rev() {
-                let values = map.classes.iter().map(|c| stepped(*c, steps)).collect();
-                let there = load != surface.headline;
-                let picture = Grey { width, height, values };
-                encoded.push(if there {
-                    picture.data_address_of_classes()?
-                } else {
-                    String::new()
-                });
-                bytes += encoded.last().map_or(0, String::len);
-                if bytes > most && steps > maps::FEWEST_STEPS {
-                    break;
-                }
-            }
-            if bytes <= most {
+            (steps, encoded) = (coarser, encoded_until(maps, surface.headline, coarser, most)?);
+            if encoded.iter().map(String::len).sum::<usize>() <= most {
                 break;
             }
         }
-        encoded.reverse();
         let bytes: Vec<usize> = encoded.iter().map(String::len).collect();
         let kept = within(&bytes, most);
         let (headline, _) = pressure_top(&surface.pressure);
@@ -203,6 +199,44 @@ impl Pressures {
         }
         Ok(found)
     }
+}
+
+/// Pictures packed at the same time.
+const AT_ONCE: usize = 4;
+
+/// The pictures of all loads but the headline, whose place stays empty. Ends early where they take more than `most`
+/// bytes and there are coarser steps.
+fn encoded_until(
+    maps: &PressureMaps,
+    headline: usize,
+    steps: u8,
+    most: usize,
+) -> Result<Vec<String>, ReportError> {
+    let [height, width] = maps.shape;
+    let table: [u8; 256] = std::array::from_fn(|class| stepped(class as u8, steps));
+    let picture = |load: usize| -> Result<String, ReportError> {
+        if load == headline {
+            return Ok(String::new());
+        }
+        let values = maps.loads[load].classes.iter().map(|c| table[usize::from(*c)]).collect();
+        Ok(Grey { width, height, values }.data_address_of_classes()?)
+    };
+    let mut encoded = Vec::new();
+    let mut bytes = 0;
+    // The heaviest, which take most, first: what does not fit is soon known.
+    let heaviest_first: Vec<usize> = (0..maps.loads.len()).rev().collect();
+    for loads in heaviest_first.chunks(AT_ONCE) {
+        let pictures: Vec<_> = loads.par_iter().map(|load| picture(*load)).collect();
+        for picture in pictures {
+            encoded.push(picture?);
+            bytes += encoded.last().map_or(0, String::len);
+        }
+        if bytes > most && steps > maps::FEWEST_STEPS {
+            break;
+        }
+    }
+    encoded.reverse();
+    Ok(encoded)
 }
 
 /// Of loads that take so many bytes all, or every second, every fourth, until they take no more than `most`; the

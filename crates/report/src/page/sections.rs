@@ -3,7 +3,9 @@
 use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::figures::curves::{self, Use};
-use crate::figures::{cost, maps, surface as surface_figures};
+use crate::figures::heights::{HeightPicture, height_figure};
+use crate::figures::surface::{Histogram, histogram};
+use crate::figures::{cost, surface as surface_figures};
 use crate::lines::Lines;
 use crate::looks::look;
 use crate::numbers::{
@@ -253,26 +255,44 @@ pub(crate) fn reduced_words([ny, nx]: [usize; 2], limit: usize, what: &str) -> S
     format!(" Drawn with {} × {} dots, each {what} of the points it covers.", side(nx), side(ny))
 }
 
+/// What takes time in [`the_surface`].
+pub(crate) struct Heights {
+    /// `None` of a single profile.
+    picture: Option<HeightPicture>,
+    /// `None` of a flat map.
+    histogram: Option<Histogram>,
+}
+
+impl Heights {
+    /// # Errors
+    /// If the picture cannot be encoded.
+    pub(crate) fn of(surface: &SurfaceComparison, limit: usize) -> Result<Self, ReportError> {
+        let grid = surface.surface.grid();
+        let is_map = !grid.shape().contains(&1);
+        let picture = is_map.then(|| HeightPicture::of(surface.surface.heights(), grid, limit));
+        let histogram = histogram(surface.solved_map().heights(), &surface.pressure);
+        Ok(Self { picture: picture.transpose()?, histogram })
+    }
+}
+
 /// Height map, statistics, distribution, spectrum.
 pub(crate) fn the_surface(
     page: &mut Page<'_>,
     surface: &SurfaceComparison,
+    heights: &Heights,
     id: &str,
-) -> Result<String, ReportError> {
+) -> String {
     let h = page.heading();
     let grid = surface.surface.grid();
     let p = chosen(surface.headline_pressure(), PASCALS);
-    let heights = surface.surface.heights();
     let (title, first) = match surface.origin.pair() {
         Some(both) => ("Both surfaces as one", pair::opening(both)),
         None => ("The surface", String::new()),
     };
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
-    if grid.shape().contains(&1) {
-        out.push_str("<p>A single profile: no map is drawn.</p>\n");
-    } else {
+    if let Some(picture) = &heights.picture {
         let n = page.next_figure();
-        let map = maps::heights(heights, grid, page.map_limit, &format!("{id}-f{n}"))?;
+        let map = height_figure(picture, grid, &format!("{id}-f{n}"));
         out.push_str(&figure(
             &map.inline(),
             &format!(
@@ -281,14 +301,14 @@ pub(crate) fn the_surface(
                 reduced_words(grid.shape(), page.map_limit, "the mean height")
             ),
         ));
+    } else {
+        out.push_str("<p>A single profile: no map is drawn.</p>\n");
     }
     out.push_str(&statistics::table(surface));
     out.push_str("</div>\n<div class=\"two\">\n");
-    if let Some(histogram) =
-        surface_figures::histogram(surface.solved_map().heights(), &surface.pressure)
-    {
+    if let Some(histogram) = &heights.histogram {
         let n = page.next_figure();
-        let svg = surface_figures::heights(&histogram, &p, &format!("{id}-f{n}")).inline();
+        let svg = surface_figures::heights(histogram, &p, &format!("{id}-f{n}")).inline();
         let lowest = histogram.touching.iter().position(|v| *v > 0.0);
         let words = lowest.map_or(String::new(), |k| {
             format!(
@@ -324,7 +344,7 @@ pub(crate) fn the_surface(
         ));
     }
     out.push_str("</div>\n");
-    Ok(out)
+    out
 }
 
 /// Error budget of the deterministic area, and what it does not cover.

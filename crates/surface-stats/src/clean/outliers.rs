@@ -115,8 +115,9 @@ pub fn find_outliers(
 struct Window<'a> {
     heights: &'a [f64],
     shape: [isize; 2],
-    /// One of every two opposite offsets, `[y, x]`.
-    half: Vec<[isize; 2]>,
+    reach: isize,
+    /// One of every two opposite offsets, `[y, x]`, and how far on in the list of heights it leads.
+    half: Vec<([isize; 2], isize)>,
     values: Vec<f64>,
 }
 
@@ -124,9 +125,31 @@ impl<'a> Window<'a> {
     fn new(grid: Grid, heights: &'a [f64], reach: usize) -> Self {
         let reach = reach.cast_signed();
         let offsets = (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| [y, x]));
-        let half = offsets.filter(|&[y, x]| y > 0 || (y == 0 && x > 0)).collect();
         let shape = grid.shape().map(usize::cast_signed);
-        Self { heights, shape, half, values: Vec::new() }
+        let half = offsets.filter(|&[y, x]| y > 0 || (y == 0 && x > 0));
+        let half = half.map(|[y, x]| ([y, x], y * shape[1] + x)).collect();
+        Self { heights, shape, reach, half, values: Vec::new() }
+    }
+
+    /// Whether the whole window of a point lies on the map.
+    fn is_whole(&self, [iy, ix]: [isize; 2]) -> bool {
+        let within = |i: isize, n: isize| i >= self.reach && i + self.reach < n;
+        within(iy, self.shape[0]) && within(ix, self.shape[1])
+    }
+
+    /// Heights to both sides of a point, whose window `is_whole` or not; `None` where missing or outside.
+    fn sides(
+        &self,
+        index: usize,
+        is_whole: bool,
+        &(offset, step): &([isize; 2], isize),
+    ) -> [Option<f64>; 2] {
+        if is_whole {
+            let height = |step| Some(self.heights[index.wrapping_add_signed(step)]);
+            [step, -step].map(|step| height(step).filter(|h| !h.is_nan()))
+        } else {
+            [1, -1].map(|side| self.neighbour(self.position(index), offset, side))
+        }
     }
 
     /// Height at `times` an offset from a point; `None` if missing or outside.
@@ -148,23 +171,23 @@ impl<'a> Window<'a> {
         if here.is_nan() {
             return None;
         }
+        let is_whole = self.is_whole(at);
         let mut values = std::mem::take(&mut self.values);
         values.clear();
-        for &offset in &self.half {
-            values.extend([1, -1].into_iter().filter_map(|side| self.neighbour(at, offset, side)));
+        for offset in &self.half {
+            values.extend(self.sides(index, is_whole, offset).into_iter().flatten());
         }
         let middle = values.len() / 2;
         let from_median = select(&mut values, middle).map(|m| (here - m).abs());
 
         values.clear();
-        for &offset in &self.half {
-            let sides = [1, -1].map(|side| self.neighbour(at, offset, side));
-            if let [Some(a), Some(b)] = sides {
+        for offset in &self.half {
+            if let [Some(a), Some(b)] = self.sides(index, is_whole, offset) {
                 values.push((here - f64::midpoint(a, b)).abs());
             }
         }
         if values.len() < 3 {
-            for &offset in &self.half {
+            for &(offset, _) in &self.half {
                 for side in [1, -1] {
                     let line = [1, 2].map(|k| self.neighbour(at, offset, k * side));
                     if let [Some(near), Some(far)] = line {
@@ -190,12 +213,15 @@ impl<'a> Window<'a> {
             return None;
         }
         let (mut near, mut all) = (0, 0);
-        for &offset in &self.half {
-            for side in [1, -1] {
-                if let Some(h) = self.neighbour(at, offset, side) {
-                    all += 1;
-                    near += usize::from((here - h).abs() <= limit);
-                }
+        let is_whole = self.is_whole(at);
+        for offset in &self.half {
+            for h in self.sides(index, is_whole, offset).into_iter().flatten() {
+                all += 1;
+                near += usize::from((here - h).abs() <= limit);
+            }
+            // Already more than half of all that there may be.
+            if near > self.half.len() {
+                return None;
             }
         }
         if 2 * near > all {
