@@ -159,15 +159,16 @@ impl<T: Real> Pairs<T> {
     }
 
     /// Makes the trial the lead: its displacement becomes that of the base, to which the caller adds what
-    /// the change of the pressure adds. Returns the displacement of the base, unless it stands there already,
-    /// the place for that of the lead, and the spare.
+    /// the change of the pressure adds. Returns the pressure of the lead, the displacement of the base, unless it
+    /// stands there already, the place for that of the lead, and the spare.
     pub(super) fn lead<'a>(
         &'a mut self,
         iterate: &'a State<T>,
-    ) -> (Option<&'a [T]>, &'a mut [T], &'a mut [f32]) {
+    ) -> (&'a [T], Option<&'a [T]>, &'a mut [T], &'a mut [f32]) {
         let base = (self.base == Base::Iterate).then_some(&iterate.displacement[..]);
         self.base = Base::Lead;
-        (base, &mut self.trial.displacement, narrowed(&mut self.before.displacement))
+        let Pair { pressure, displacement } = &mut self.trial;
+        (pressure, base, displacement, narrowed(&mut self.before.displacement))
     }
 
     /// Multiplies the pairs that the next step will use by the factor of the load: K is linear.
