@@ -1,6 +1,7 @@
 //! Steps before the first pair, with a cheap stand-in for `K`: a tenth of a pair each.
 
 use super::memory::Known;
+use super::pairs::Lead;
 use super::run::Run;
 use crate::Real;
 use crate::methods::ceiling::Ceiling;
@@ -22,7 +23,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let work = &mut *self.work;
         part("K~", || {
             work.pairs.change(factor, self.iterate, &mut work.residual);
-            let (pressure, base, displacement, spare) = work.pairs.lead(self.iterate);
+            let Lead { pressure, base, displacement, spare } = work.pairs.lead(self.iterate);
             let (rows, h) = (work.rows, self.heights);
             let (change, used) = (&work.residual, h.len().div_ceil(rows * work.columns));
             let partial = &mut work.partial[..used];
