@@ -227,7 +227,7 @@ impl Block {
         }
         let mut loads = [[0.0; 2 * BLOCK]; 2];
         let (mut rest, mut kept) = ([f32::INFINITY; 2 * BLOCK], [0.0; 2 * BLOCK]);
-        // Bytes, doubles and numbers in between in one loop would leave vectors half empty.
+        // Loops over numbers of one size: see `passes`.
         let (mut q, mut is_in, mut drops) = ([0.0; 2 * BLOCK], [0.0; 2 * BLOCK], [0.0; 2 * BLOCK]);
         let mut dropped = 0.0;
         for ((trial, nodes), load) in trial.into_iter().zip(nodes).zip(&mut loads) {

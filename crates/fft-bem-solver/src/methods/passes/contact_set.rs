@@ -184,7 +184,6 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
         let release = self.release as f32;
         let blocks = p.chunks(BLOCK).zip(nodes.chunks_mut(BLOCK)).zip(gap.chunks_mut(BLOCK));
         let (mut active, mut released) = (0, 0);
-        // Numbers of one size in each loop: bytes and doubles among them would leave vectors half empty.
         let (mut load, mut is_in) = ([0.0; BLOCK], [0.0; BLOCK]);
         for (k, ((p, nodes), g)) in blocks.enumerate() {
             let first = first + k * BLOCK;
