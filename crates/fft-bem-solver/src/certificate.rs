@@ -33,11 +33,8 @@ pub(crate) fn level<T: Real>(state: &State<T>, heights: &[T], ceiling: Top<'_, T
         let mut partial = vec![Partial::default(); p.len().div_ceil(TASK)];
         return under!(ceiling, top => passes::level_under(top, [p, u, heights], &mut partial));
     }
-    let weight = fields::sum(p);
-    if weight <= 0.0 {
-        return 0.0;
-    }
-    fields::sum_of(p.len(), |i| p[i].wide() * (u[i].wide() - heights[i].wide())) / weight
+    let [sum, weight] = fields::weighted_difference(p, [u, heights]);
+    if weight > 0.0 { sum / weight } else { 0.0 }
 }
 
 /// A bound on the error in the energy norm.

@@ -2,7 +2,7 @@
 //! does not depend on the number of threads, and is accumulated in `f64`.
 
 use crate::Real;
-use crate::simd::{LANES, four, vectorised};
+use crate::simd::{LANES, four, rest, vectorised};
 use fearless_simd::{Select, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::{join, prelude::*};
 use std::ops::Range;
@@ -128,6 +128,27 @@ pub(crate) fn sum<T: Real>(a: &[T]) -> f64 {
         })
     };
     by_blocks(0..a.len(), &piece, &|a, b| a + b)
+}
+
+/// Sums of `w (a - b)` and of `w`.
+pub(crate) fn weighted_difference<T: Real>(w: &[T], [a, b]: [&[T]; 2]) -> [f64; 2] {
+    let piece = |range: Range<usize>| {
+        let [w, a, b] = [w, a, b].map(|x| &x[range.clone()]);
+        vectorised!(x => {
+            let [mut sum, mut weight] = [f64x4::splat(x, 0.0); 2];
+            let mut add = |w: &[T], a: &[T], b: &[T], i: usize| {
+                let [w, a, b] = [w, a, b].map(|field| T::widened(four(x, field, i)));
+                sum += w * (a - b);
+                weight += w;
+            };
+            for i in (0..w.len() - w.len() % LANES).step_by(LANES) {
+                add(w, a, b, i);
+            }
+            add(&rest(w), &rest(a), &rest(b), 0);
+            [sum, weight].map(|lanes| lanes.iter().sum())
+        })
+    };
+    by_blocks(0..w.len(), &piece, &|a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
 /// Inner product of two fields.

@@ -14,7 +14,7 @@ use super::fitted_stencil::{MAX_REACH, Waves, dot};
 use super::spline::Axis;
 use super::stiffness::{Stiffness, fold_rows};
 use crate::Real;
-use crate::row_work::TASK;
+use crate::row_work::Partial;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 use std::f64::consts::TAU;
@@ -60,7 +60,9 @@ impl CheapCompliance {
         Some(Self { shape, reach: stencil.reach, taps, axes, symbol })
     }
 
-    /// `u += K x`, or `u = base + K x`. `room` is as long as x, at least; what it holds is lost.
+    /// `u += K x`, or `u = base + K x`. `room` is as long as x, at least; what it holds is lost. Pieces of so many
+    /// rows are given to `sums(first pixel, u)`, while they are in cache, and what it returns is kept in order.
+    #[allow(clippy::too_many_arguments, reason = "four fields and what is done with them")]
     pub(crate) fn add<T: Real>(
         &self,
         x: &[f32],
@@ -68,6 +70,9 @@ impl CheapCompliance {
         room: &mut [f32],
         base: Option<&[T]>,
         u: &mut [T],
+        rows: usize,
+        sums: impl Fn(usize, &[T]) -> Partial + Sync + Send,
+        partial: &mut [Partial],
     ) {
         let [my, mx] = stiffness.coarse_shape();
         let (nx, [along_y, along_x]) = (self.shape[1], &self.axes);
@@ -89,23 +94,28 @@ impl CheapCompliance {
             vectorised!(along_x.interpolate(smooth, row));
         });
         let between = &*between;
-        let rows = (TASK / nx).max(1);
-        u.par_chunks_mut(rows * nx).enumerate().for_each(|(task, u)| {
+        let pieces = u.par_chunks_mut(rows * nx).zip(partial.par_iter_mut());
+        pieces.enumerate().for_each(|(task, (u, partial))| {
             vectorised!({
                 for (r, u) in u.chunks_exact_mut(nx).enumerate() {
                     let i = task * rows + r;
-                    if let Some(base) = base {
-                        u.copy_from_slice(&base[i * nx..(i + 1) * nx]);
-                    }
-                    self.add_row(x, between, i, u);
+                    self.add_row(x, between, i, base.map(|base| &base[i * nx..(i + 1) * nx]), u);
                 }
             });
+            *partial = sums(task * rows * nx, u);
         });
     }
 
     /// Row `i` of it, from the smooth part at the rows of cells.
     #[inline(always)]
-    fn add_row<T: Real>(&self, x: &[f32], smooth: &[f32], i: usize, u: &mut [T]) {
+    fn add_row<T: Real>(
+        &self,
+        x: &[f32],
+        smooth: &[f32],
+        i: usize,
+        base: Option<&[T]>,
+        u: &mut [T],
+    ) {
         let nx = self.shape[1];
         let near = self.axes[0].cells_of(i).map(|(j, part)| (&smooth[j * nx..(j + 1) * nx], part));
         for (t, u) in u.chunks_mut(TILE).enumerate() {
@@ -118,8 +128,12 @@ impl CheapCompliance {
                 sum[k] = (s0 * r0[k] + s1 * r1[k]) + (s2 * r2[k] + s3 * r3[k]);
             }
             self.add_stencil(x, i, first, sum);
-            for (u, y) in u.iter_mut().zip(&*sum) {
-                *u += T::of(f64::from(*y));
+            let Some(base) = base else {
+                u.iter_mut().zip(&*sum).for_each(|(u, y)| *u += T::of(f64::from(*y)));
+                continue;
+            };
+            for ((u, base), y) in u.iter_mut().zip(&base[first..]).zip(&*sum) {
+                *u = *base + T::of(f64::from(*y));
             }
         }
     }
@@ -183,7 +197,10 @@ mod tests {
         let mut stiffness = Stiffness::new(shape, pixel);
         let cheap = CheapCompliance::new(&stiffness, pixel).unwrap();
         let mut u = vec![0.0_f32; x.len()];
-        cheap.add(x, &mut stiffness, &mut vec![f32::NAN; x.len()], None, &mut u);
+        let (mut room, rows) = (vec![f32::NAN; x.len()], shape[0]);
+        let mut partial = [Partial::default()];
+        let sums = |_: usize, _: &[f32]| Partial::default();
+        cheap.add(x, &mut stiffness, &mut room, None, &mut u, rows, sums, &mut partial);
         let write = |kx: usize, column: &mut [f32]| {
             for (ky, s) in column.iter_mut().enumerate() {
                 let q = [0, 1].map(|a| TAU * [ky, kx][a] as f64 / shape[a] as f64 / pixel[a]);

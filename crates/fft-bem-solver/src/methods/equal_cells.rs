@@ -86,6 +86,19 @@ impl Cells {
         }
     }
 
+    /// Writes to each pixel `factor` times the value of its cell.
+    #[inline(always)]
+    pub(super) fn spread(&self, factor: f32, cells: &[f32], pixels: &mut [f32]) {
+        if self.whole == Some(4) {
+            for (x, cell) in pixels.as_chunks_mut::<4>().0.iter_mut().zip(cells) {
+                *x = [factor * cell; 4];
+            }
+            return;
+        }
+        pixels.fill(0.0);
+        self.replicate(factor, cells, pixels);
+    }
+
     /// Adds `factor` times the value of its cell to each pixel.
     #[inline(always)]
     pub(super) fn replicate(&self, factor: f32, cells: &[f32], pixels: &mut [f32]) {

@@ -11,8 +11,10 @@ pub(super) struct Axis {
     cells: usize,
     /// The pixels between the centres of cells j - 1 and j, for j from 0 to the number of cells.
     start: Vec<usize>,
-    /// For each pixel how far it is from the one centre to the other, from 0 to 1.
+    /// For each pixel how far it is from the one centre to the other, from 0 to 1, and how much it takes from
+    /// each of the four cells around it.
     offset: Vec<f32>,
+    shares: Vec<[f32; 4]>,
 }
 
 impl Axis {
@@ -22,11 +24,16 @@ impl Axis {
         // cell c at (2 c + 1) n, of 2 n m.
         let position = |i: usize| (2 * i + 1) * cells + pixels;
         let interval = |i: usize| position(i) / (2 * pixels);
-        let start = (0..=cells + 1).map(|j| (0..pixels).take_while(|&i| interval(i) < j).count());
-        let offset = |i: usize| (position(i) % (2 * pixels)) as f32 / (2 * pixels) as f32;
+        let mut before = 0; // pixels before the centre at hand
+        let start = (0..=cells + 1).map(|j| {
+            before += (before..pixels).take_while(|&i| interval(i) < j).count();
+            before
+        });
         let start = start.collect();
-        let offset = (0..pixels).map(offset).collect();
-        Self { pixels, cells, start, offset }
+        let offset = |i: usize| (position(i) % (2 * pixels)) as f32 / (2 * pixels) as f32;
+        let offset: Vec<f32> = (0..pixels).map(offset).collect();
+        let shares = offset.iter().map(|f| shares(*f)).collect();
+        Self { pixels, cells, start, offset, shares }
     }
 
     fn is_identity(&self) -> bool {
@@ -60,7 +67,7 @@ impl Axis {
             return [(i, 1.0), (i, 0.0), (i, 0.0), (i, 0.0)];
         }
         let j = ((2 * i + 1) * self.cells + self.pixels) / (2 * self.pixels);
-        let (cells, shares) = (self.around(j), shares(self.offset[i]));
+        let (cells, shares) = (self.around(j), self.shares[i]);
         std::array::from_fn(|k| (cells[k], shares[k]))
     }
 
@@ -73,9 +80,8 @@ impl Axis {
             let wrapped = (j == 0).then_some(m);
             [j].into_iter().chain(wrapped).map(move |j| (j, k))
         });
-        let taken = move |(j, k): (usize, usize)| {
-            self.interval(j).map(move |i| (i, shares(self.offset[i])[k]))
-        };
+        let taken =
+            move |(j, k): (usize, usize)| self.interval(j).map(move |i| (i, self.shares[i][k]));
         own.into_iter().chain(places.flat_map(taken))
     }
 
@@ -106,8 +112,8 @@ impl Axis {
         for j in 0..=self.cells {
             let mut sum = [0.0_f32; 4];
             let range = self.interval(j);
-            for (x, f) in pixels[range.clone()].iter().zip(&self.offset[range]) {
-                for (sum, share) in sum.iter_mut().zip(shares(*f)) {
+            for (x, shares) in pixels[range.clone()].iter().zip(&self.shares[range]) {
+                for (sum, share) in sum.iter_mut().zip(shares) {
                     *sum += share * x;
                 }
             }

@@ -269,9 +269,12 @@ impl Stiffness {
         let cx = self.transform.shape()[1];
         let [along_y, along_x] = &self.cells;
         let row = |i: usize| &x[i * nx..(i + 1) * nx];
-        y.fill(0.0);
-        for (j, share) in along_y.cells_of(i) {
-            along_x.replicate(share, &self.coarse[j * cx..(j + 1) * cx], y);
+        for (k, (j, share)) in along_y.cells_of(i).enumerate() {
+            let smooth = &self.coarse[j * cx..(j + 1) * cx];
+            match k {
+                0 => along_x.spread(share, smooth, y),
+                _ => along_x.replicate(share, smooth, y),
+            }
         }
         for (t, y) in y.chunks_mut(TILE).enumerate() {
             let (first, width) = (t * TILE, y.len());
@@ -300,16 +303,21 @@ pub(super) fn fold_rows(
     reach: usize,
     line: &mut [f32],
 ) {
-    let (nx, width) = (above.len(), line.len() - 2 * reach);
-    let inner = line[reach..reach + width].iter_mut();
-    for ((l, a), b) in inner.zip(&above[first..][..width]).zip(&below[first..][..width]) {
+    let (nx, length) = (above.len(), line.len());
+    let (begin, end) = (first.saturating_sub(reach), (first + length - reach).min(nx));
+    let skip = begin + reach - first;
+    let inner = skip..skip + end - begin;
+    let rows = above[begin..end].iter().zip(&below[begin..end]);
+    for (l, (a, b)) in line[inner.clone()].iter_mut().zip(rows) {
         *l = factor * (a + b);
     }
-    for d in 1..=reach {
-        let left = (first + nx * reach - d) % nx;
-        line[reach - d] = factor * (above[left] + below[left]);
-        let right = (first + width - 1 + d) % nx;
-        line[reach + width - 1 + d] = factor * (above[right] + below[right]);
+    let before = nx * reach.div_ceil(nx) - reach;
+    for k in (0..inner.start).chain(inner.end..length) {
+        let mut column = first + k + before;
+        while column >= nx {
+            column -= nx; // once or twice, but on narrow grids: a division would cost more
+        }
+        line[k] = factor * (above[column] + below[column]);
     }
 }
 

@@ -6,7 +6,7 @@
 use super::ceiling::Ceiling;
 use super::extension::Capacity;
 use super::node::Node;
-use super::transfer::Transfer;
+use super::transfer::{Transfer, Weight};
 use crate::Real;
 use crate::simd::LANES;
 
@@ -214,7 +214,7 @@ struct Block {
 
 impl Block {
     /// Drops the nodes in tension with `added` to the nodes below each cell. There are two rows of
-    /// nodes, and no ceiling.
+    /// nodes, and no ceiling. In single precision, as `added` is: what rounding leaves is clipped.
     #[inline(always)]
     fn drop_in_tension<T: Real>(
         added: &[f32; BLOCK],
@@ -227,19 +227,25 @@ impl Block {
         }
         let mut loads = [[0.0; 2 * BLOCK]; 2];
         let (mut rest, mut kept) = ([f32::INFINITY; 2 * BLOCK], [0.0; 2 * BLOCK]);
-        let mut dropped = 0_u32;
+        // Loops over numbers of one size: see `passes`.
+        let (mut q, mut is_in, mut drops) = ([0.0; 2 * BLOCK], [0.0; 2 * BLOCK], [0.0; 2 * BLOCK]);
+        let mut dropped = 0.0;
         for ((trial, nodes), load) in trial.into_iter().zip(nodes).zip(&mut loads) {
+            q.iter_mut().zip(trial).for_each(|(q, trial)| *q = trial.narrow());
+            is_in.iter_mut().zip(&*nodes).for_each(|(is_in, node)| *is_in = node.value());
             for i in 0..2 * BLOCK {
-                let p = trial[i].wide() + f64::from(more[i]);
-                let is_in = nodes[i].is_in();
-                let (drops, stays) = (is_in & (p < 0.0), is_in & (p >= 0.0));
-                load[i] = if drops { p as f32 } else { 0.0 };
-                let here = if stays { trial[i].narrow() } else { f32::INFINITY };
+                let p = q[i] + more[i];
+                drops[i] = if p < 0.0 { is_in[i] } else { 0.0 };
+                load[i] = drops[i] * p;
+                let stays = is_in[i] - drops[i];
+                let here = if stays > 0.0 { q[i] } else { f32::INFINITY };
                 rest[i] = if here < rest[i] { here } else { rest[i] };
-                kept[i] += f32::from(u8::from(stays));
-                nodes[i] = nodes[i].or(Node::Dropped, drops);
-                dropped += u32::from(drops);
+                kept[i] += stays;
             }
+            for (node, drops) in nodes.iter_mut().zip(&drops) {
+                *node = node.or(Node::Dropped, *drops > 0.0);
+            }
+            dropped += sum(&drops);
         }
         let (mut smallest, mut filled) = ([0.0; BLOCK], [0.0; BLOCK]);
         let pairs = rest.as_chunks::<2>().0.iter().zip(kept.as_chunks::<2>().0);
@@ -247,15 +253,19 @@ impl Block {
             *s = if rest[1] < rest[0] { rest[1] } else { rest[0] };
             *f = kept[0] + kept[1];
         }
-        let mut lanes = [0.0; LANES];
-        for four in loads.as_flattened().as_chunks::<LANES>().0 {
-            for (sum, load) in lanes.iter_mut().zip(four) {
-                *sum -= f64::from(*load);
-            }
-        }
-        let excess = lanes.iter().sum();
+        let excess = -sum(loads.as_flattened());
         Self { loads, excess, dropped: dropped as usize, smallest, filled }
     }
+}
+
+/// Sum of some loads or counts.
+#[inline(always)]
+fn sum(values: &[f32]) -> f64 {
+    let mut lanes = [0.0; LANES];
+    for four in values.as_chunks::<LANES>().0 {
+        lanes.iter_mut().zip(four).for_each(|(sum, x)| *sum += f64::from(*x));
+    }
+    lanes.iter().sum()
 }
 
 /// Some rows of cells, with the rows of nodes below them.

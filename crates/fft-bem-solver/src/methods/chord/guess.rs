@@ -1,16 +1,18 @@
 //! Steps before the first pair, with a cheap stand-in for `K`: a tenth of a pair each.
 
+use super::memory::Known;
+use super::pairs::Lead;
 use super::run::Run;
 use crate::Real;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::cheap_compliance::CheapCompliance;
-use crate::methods::passes::ContactSet;
+use crate::methods::passes::{self, ContactSet};
 use crate::parts::part;
 
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// Makes the trial the lead: its displacement is that of the base, which is known, and what
-    /// [`CheapCompliance`] makes of the difference. Call it after [`make_trial`](Self::make_trial). False,
-    /// and nothing done, on a grid that is too small for it.
+    /// [`CheapCompliance`] makes of the difference. Its level is known then. Call it after
+    /// [`make_trial`](Self::make_trial). False, and nothing done, on a grid that is too small for it.
     pub(super) fn guess(&mut self, set: ContactSet, level: f64) -> bool {
         let (stiffness, grid) = (&self.work.stiffness, self.work.grid);
         let new = || CheapCompliance::new(stiffness, grid.pixel());
@@ -21,8 +23,17 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let work = &mut *self.work;
         part("K~", || {
             work.pairs.change(factor, self.iterate, &mut work.residual);
-            let (base, displacement, spare) = work.pairs.lead(self.iterate);
-            cheap.add(&work.residual, &mut work.stiffness, spare, base, displacement);
+            let Lead { pressure, base, displacement, spare } = work.pairs.lead(self.iterate);
+            let (rows, h) = (work.rows, self.heights);
+            let (change, used) = (&work.residual, h.len().div_ceil(rows * work.columns));
+            let partial = &mut work.partial[..used];
+            let sums = |first: usize, u: &[T]| {
+                let [p, h] = [pressure, h].map(|x| &x[first..][..u.len()]);
+                passes::contact_sums(p, u, h)
+            };
+            let stiffness = &mut work.stiffness;
+            cheap.add(change, stiffness, spare, base, displacement, rows, sums, partial);
+            self.memory.known = Known::Level(passes::level_of_sums(partial));
         });
         work.cheap = Some(cheap);
         self.transforms += work.stiffness.cost; // a transform on the same coarse grid

@@ -58,6 +58,9 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             let fields = [&p[..], &u[..], self.heights];
             return passes::level_under(self.ceiling, fields, &mut self.work.partial);
         }
+        if let (true, Some(level)) = (self.memory.is_first, self.first_level) {
+            return level;
+        }
         passes::level(p, u, self.heights, &mut self.work.partial)
     }
 

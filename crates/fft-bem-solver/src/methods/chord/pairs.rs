@@ -159,15 +159,12 @@ impl<T: Real> Pairs<T> {
     }
 
     /// Makes the trial the lead: its displacement becomes that of the base, to which the caller adds what
-    /// the change of the pressure adds. Returns the displacement of the base, unless it stands there already,
-    /// the place for that of the lead, and the spare.
-    pub(super) fn lead<'a>(
-        &'a mut self,
-        iterate: &'a State<T>,
-    ) -> (Option<&'a [T]>, &'a mut [T], &'a mut [f32]) {
+    /// the change of the pressure adds.
+    pub(super) fn lead<'a>(&'a mut self, iterate: &'a State<T>) -> Lead<'a, T> {
         let base = (self.base == Base::Iterate).then_some(&iterate.displacement[..]);
         self.base = Base::Lead;
-        (base, &mut self.trial.displacement, narrowed(&mut self.before.displacement))
+        let Pair { pressure, displacement } = &mut self.trial;
+        Lead { pressure, base, displacement, spare: narrowed(&mut self.before.displacement) }
     }
 
     /// Multiplies the pairs that the next step will use by the factor of the load: K is linear.
@@ -195,6 +192,15 @@ impl<T: Real> Pairs<T> {
     pub(super) fn take_combined(&mut self, iterate: &mut State<T>) {
         self.before.swap(iterate);
     }
+}
+
+/// A lead in the making.
+pub(super) struct Lead<'a, T> {
+    pub(super) pressure: &'a [T],
+    /// The displacement of the base, unless it stands in the place of that of the lead already.
+    pub(super) base: Option<&'a [T]>,
+    pub(super) displacement: &'a mut [T],
+    pub(super) spare: &'a mut [f32],
 }
 
 /// The memory of a field, as a field in single precision.

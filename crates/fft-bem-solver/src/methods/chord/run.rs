@@ -24,6 +24,8 @@ pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
     /// If the level is prescribed and not the load.
     pub(super) control: Option<LevelControl>,
     pub(super) memory: Memory,
+    /// Level of the iterate that it began with, where that is a constant pressure without displacement.
+    pub(super) first_level: Option<f64>,
     /// Pairs spent.
     pub(super) transforms: f64,
     pub(super) fallbacks: Fallbacks,
@@ -58,6 +60,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             load,
             control,
             memory: Memory::new(start == Start::Cold, forced),
+            first_level: None,
             transforms: 0.0,
             fallbacks: Fallbacks::default(),
         }
@@ -80,6 +83,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
         }
         if self.operator.boundary() == Boundary::Periodic && !is_cut {
             passes::fill(0.0, &mut state.displacement);
+            self.first_level = Some(-self.mean_height);
         } else {
             self.operator.apply(&state.pressure, &mut state.displacement);
             self.transforms += 1.0;

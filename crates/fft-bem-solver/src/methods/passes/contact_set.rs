@@ -1,11 +1,12 @@
 //! Level of the flat, contact set and residual of an iterate.
 
-use super::step::contact_sums;
+use super::step;
 use super::sums::{Largest, Sum, TILE};
 use crate::Real;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::extension::{Pyramid, pull_rows};
 use crate::methods::node::Node;
+use crate::methods::transfer::Weight;
 use crate::row_work::{Partial, TASK, total};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -18,9 +19,19 @@ pub(crate) fn level<T: Real>(p: &[T], u: &[T], h: &[T], partial: &mut [Partial])
         .zip(p.par_chunks(TASK))
         .zip(u.par_chunks(TASK))
         .zip(h.par_chunks(TASK))
-        .for_each(|(((partial, p), u), h)| *partial = vectorised!(x => contact_sums(x, p, u, h)));
-    let [sum, contact] = total(&partial[..used]);
+        .for_each(|(((partial, p), u), h)| *partial = contact_sums(p, u, h));
+    level_of_sums(&partial[..used])
+}
+
+/// The same from the sums over all pieces.
+pub(crate) fn level_of_sums(partial: &[Partial]) -> f64 {
+    let [sum, contact] = total(partial);
     sum / contact.max(1.0)
+}
+
+/// Sum over the contact (`p > 0`) of `u - h`, and its number of nodes.
+pub(crate) fn contact_sums<T: Real>(p: &[T], u: &[T], h: &[T]) -> Partial {
+    vectorised!(x => step::contact_sums(x, p, u, h))
 }
 
 /// The level of the flat under a pressure with a ceiling: that at which the gap has no mean over the
@@ -124,7 +135,7 @@ pub(crate) fn residual<T: Real, C: Ceiling<T>>(
 ) -> ContactSet {
     let chunk = rows * nx;
     let used = p.len().div_ceil(chunk);
-    let classify = Classify { ceiling, gap, release: T::of(release), closing, nx };
+    let classify = Classify { ceiling, gap, release, closing };
     let fields = partial[..used]
         .par_iter_mut()
         .zip(p.par_chunks(chunk))
@@ -132,7 +143,7 @@ pub(crate) fn residual<T: Real, C: Ceiling<T>>(
         .zip(residual.par_chunks_mut(chunk));
     match pyramid.levels.first_mut() {
         None => fields.enumerate().for_each(|(task, (((partial, p), m), r))| {
-            *partial = vectorised!(classify.rows(task * chunk, p, m, r));
+            *partial = vectorised!(classify.nodes(task * chunk, p, m, r));
         }),
         Some(first) => {
             let (t, capacity) = (first.transfer, first.capacity);
@@ -143,7 +154,7 @@ pub(crate) fn residual<T: Real, C: Ceiling<T>>(
                 .enumerate()
                 .for_each(|(task, (((((partial, p), m), r), weight), value))| {
                     vectorised!({
-                        *partial = classify.rows(task * chunk, p, m, r);
+                        *partial = classify.nodes(task * chunk, p, m, r);
                         pull_rows(&t, capacity, m, r, weight, value);
                     });
                 });
@@ -158,37 +169,42 @@ pub(crate) fn residual<T: Real, C: Ceiling<T>>(
 struct Classify<'a, T, C> {
     ceiling: C,
     gap: Gap<'a, T>,
-    release: T,
+    release: f64,
     closing: Option<&'a [f32]>,
-    nx: usize,
 }
 
+/// Nodes looked at together.
+const BLOCK: usize = 256;
+
 impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
-    /// Marks the nodes of some rows from pixel `first` on and leaves the gap on those of F. Returns
-    /// how many these are, and how many carry load but do not belong.
+    /// Marks the nodes from pixel `first` on and leaves the gap on those of F. Returns how many these
+    /// are, and how many carry load but do not belong. In single precision, as the gap is.
     #[inline(always)]
-    fn rows(&self, first: usize, p: &[T], nodes: &mut [Node], gap: &mut [f32]) -> Partial {
-        let nx = self.nx;
-        let lines =
-            p.chunks_exact(nx).zip(nodes.chunks_exact_mut(nx)).zip(gap.chunks_exact_mut(nx));
+    fn nodes(&self, first: usize, p: &[T], nodes: &mut [Node], gap: &mut [f32]) -> Partial {
+        let release = self.release as f32;
+        let blocks = p.chunks(BLOCK).zip(nodes.chunks_mut(BLOCK)).zip(gap.chunks_mut(BLOCK));
         let (mut active, mut released) = (0, 0);
-        for (i, ((p, nodes), g)) in lines.enumerate() {
-            let first = first + i * nx;
+        let (mut load, mut is_in) = ([0.0; BLOCK], [0.0; BLOCK]);
+        for (k, ((p, nodes), g)) in blocks.enumerate() {
+            let first = first + k * BLOCK;
+            let [load, is_in] = [&mut load, &mut is_in].map(|x| &mut x[..p.len()]);
             match self.gap {
                 Gap::Of { u, h, level } => {
-                    gap_row(&u[first..][..nx], &h[first..][..nx], T::of(level), g);
+                    gap_of(&u[first..][..p.len()], &h[first..][..p.len()], T::of(level), g);
                 }
                 Gap::Known { excess } => g.iter_mut().for_each(|g| *g -= excess as f32),
             }
-            for ((m, p), g) in nodes.iter_mut().zip(p).zip(&*g) {
-                let carries = *p > self.release * T::of(f64::from(g.max(0.0)));
-                *m = Node::of(carries | (*g < 0.0));
+            load.iter_mut().zip(p).for_each(|(load, p)| *load = p.narrow());
+            for ((is_in, load), g) in is_in.iter_mut().zip(&*load).zip(&*g) {
+                let open = if *g > 0.0 { *g } else { 0.0 };
+                *is_in = if (*load > release * open) | (*g < 0.0) { 1.0 } else { 0.0 };
             }
+            nodes.iter_mut().zip(&*is_in).for_each(|(m, is_in)| *m = Node::of(*is_in > 0.0));
             let ceiling = self.ceiling.after(first);
             if C::IS_FINITE {
                 for (i, ((m, p), g)) in nodes.iter_mut().zip(p).zip(&*g).enumerate() {
                     let room = ceiling.at(i) - *p;
-                    let yields = room <= self.release * T::of(f64::from((-g).max(0.0)));
+                    let yields = room <= T::of(self.release * f64::from((-g).max(0.0)));
                     *m = m.or(Node::Full, yields & (*g <= 0.0));
                 }
             }
@@ -197,21 +213,25 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
                     *m = m.or(Node::Contact, (g <= e) & !(C::IS_FINITE && *m == Node::Full));
                 }
             }
-            for (g, m) in g.iter_mut().zip(&*nodes) {
-                *g = if m.is_in() { *g } else { 0.0 };
+            if C::IS_FINITE || self.closing.is_some() {
+                is_in.iter_mut().zip(&*nodes).for_each(|(is_in, m)| *is_in = m.value());
+            }
+            for (g, is_in) in g.iter_mut().zip(&*is_in) {
+                *g = if *is_in > 0.0 { *g } else { 0.0 };
+            }
+            for ((m, load), is_in) in nodes.iter_mut().zip(&*load).zip(&*is_in) {
+                let is_off = (*load > 0.0) & (*is_in <= 0.0) & !(C::IS_FINITE && m.is_full());
+                *m = m.or(Node::Released, is_off);
             }
             active += nodes.iter().map(|m| u32::from(m.is_in())).sum::<u32>();
-            for (m, p) in nodes.iter_mut().zip(p) {
-                let off = (*p > T::zero()) & !m.is_in() & !(C::IS_FINITE && m.is_full());
-                *m = m.or(Node::Released, off);
-            }
             released += nodes.iter().map(|m| u32::from(*m == Node::Released)).sum::<u32>();
             if C::IS_FINITE {
                 for (i, (m, p)) in nodes.iter_mut().zip(p).enumerate() {
                     let top = ceiling.at(i);
-                    *m = m.or(Node::Filled, m.is_full() & ((*p < top) | (*p > top)));
+                    let is_filled = m.is_full() & ((*p < top) | (*p > top));
+                    *m = m.or(Node::Filled, is_filled);
+                    released += u32::from(is_filled);
                 }
-                released += nodes.iter().map(|m| u32::from(*m == Node::Filled)).sum::<u32>();
             }
         }
         [f64::from(active), f64::from(released), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
@@ -220,7 +240,7 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
 
 /// `g = u - h - level`.
 #[inline(always)]
-fn gap_row<T: Real>(u: &[T], h: &[T], level: T, gap: &mut [f32]) {
+fn gap_of<T: Real>(u: &[T], h: &[T], level: T, gap: &mut [f32]) {
     for ((g, u), h) in gap.iter_mut().zip(u).zip(h) {
         *g = (*u - *h - level).narrow();
     }

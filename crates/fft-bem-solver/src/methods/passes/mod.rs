@@ -1,6 +1,8 @@
 //! The passes over the finest grid that a chord iteration is made of. Each reads and writes every
 //! field once, in pieces that belong to one task, and returns sums that do not depend on the
-//! number of threads. A pass costs about what it moves: bytes, not operations.
+//! number of threads. Inner loops have numbers of one size: where bytes (the nodes), single and double precision
+//! meet in one, half of each vector is shuffling, so nodes become 1 or 0 and pressures that are only compared
+//! single precision, a block at a time, in loops of their own.
 
 mod contact_set;
 mod line_search;
@@ -11,7 +13,8 @@ mod sums;
 mod trial;
 
 pub(crate) use contact_set::{
-    ContactSet, Gap, is_rounding, level, level_under, residual, residual_norm2,
+    ContactSet, Gap, contact_sums, is_rounding, level, level_of_sums, level_under, residual,
+    residual_norm2,
 };
 pub(crate) use line_search::{Products, inner_products, reach};
 pub(crate) use pieces::{fill, gap_of_constant, rows_per_task, scale, tasks};

@@ -49,34 +49,33 @@ pub(crate) fn trial<T: Real, C: Ceiling<T>>(
         .zip(y.par_chunks(chunk))
         .zip(nodes.par_chunks(chunk))
         .zip(trial.par_chunks_mut(chunk));
-    let length = T::of(tau);
-    if let Some(first) = first {
-        let t = &first.transfer;
-        let (height, mx) = (t.rows_per_coarse_row(), t.coarse[1]);
-        fields.zip(smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
-            |(task, ((((partial, y), nodes), trial), smallest))| {
-                *partial = vectorised!(x => {
-                    let mut sums = [f64x4::splat(x, 0.0); 4];
-                    let below = y.chunks(height * nx).zip(nodes.chunks(height * nx));
-                    let cells = below.zip(trial.chunks_mut(height * nx)).zip(smallest.chunks_mut(mx));
-                    for (j, (((y, nodes), trial), smallest)) in cells.enumerate() {
-                        let row = task * rows + j * height;
-                        let place = [row, nx];
-                        step_rows(x, ceiling, p, y, length, nodes, Some(first), place, trial, &mut sums);
-                        smallest_below(ceiling.after(row * nx), t, nodes, trial, smallest);
-                    }
-                    totals(sums)
-                });
-            },
-        );
-    } else {
-        fields.enumerate().for_each(|(task, (((partial, y), nodes), trial))| {
+    let step = Step { ceiling, p, tau, level: first, nx };
+    match first.map(|first| first.transfer) {
+        Some(t) => {
+            let (height, mx) = (t.rows_per_coarse_row(), t.coarse[1]);
+            fields.zip(smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
+                |(task, ((((partial, y), nodes), trial), smallest))| {
+                    *partial = vectorised!(x => {
+                        let mut sums = [f64x4::splat(x, 0.0); 4];
+                        let below = y.chunks(height * nx).zip(nodes.chunks(height * nx));
+                        let cells = below.zip(trial.chunks_mut(height * nx));
+                        let cells = cells.zip(smallest.chunks_mut(mx)).enumerate();
+                        for (j, (((y, nodes), trial), smallest)) in cells {
+                            let row = task * rows + j * height;
+                            step.cells(x, row, y, nodes, trial, Some((&t, smallest)), &mut sums);
+                        }
+                        totals(sums)
+                    });
+                },
+            );
+        }
+        None => fields.enumerate().for_each(|(task, (((partial, y), nodes), trial))| {
             *partial = vectorised!(x => {
-                let (mut sums, row) = ([f64x4::splat(x, 0.0); 4], task * rows);
-                step_rows(x, ceiling, p, y, length, nodes, None, [row, nx], trial, &mut sums);
+                let mut sums = [f64x4::splat(x, 0.0); 4];
+                step.cells(x, task * rows, y, nodes, trial, None, &mut sums);
                 totals(sums)
             });
-        });
+        }),
     }
     let [z, z2, off2, p2] = total(&partial[..used]);
     let mean = z / active.max(1) as f64;
@@ -91,134 +90,142 @@ fn totals<S: Simd>(sums: [f64x4<S>; 4]) -> Partial {
     [a, b, c, d, 0.0, 0.0, 0.0, 0.0]
 }
 
-/// The rows of [`trial`] from row `first_row` on; adds up `z`, `z^2` on F, `p^2` off F (of those that are to
-/// carry the ceiling, what they lack), `p^2`.
-#[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "a pass over five fields")]
-fn step_rows<S: Simd, T: Real, C: Ceiling<T>>(
-    vectors: S,
+/// What the rows of a [`trial`] have in common.
+#[derive(Clone, Copy)]
+struct Step<'a, T, C> {
     ceiling: C,
-    p: &[T],
-    y: &[f32],
-    tau: T,
-    nodes: &[Node],
-    level: Option<&Level>,
-    [first_row, nx]: [usize; 2],
-    trial: &mut [T],
-    sums: &mut [f64x4<S>; 4],
-) {
-    let mut z = [0.0; TILE];
-    let lines = y.chunks_exact(nx).zip(nodes.chunks_exact(nx)).zip(trial.chunks_exact_mut(nx));
-    for (i, ((y, nodes), trial)) in lines.enumerate() {
-        let row = first_row + i;
-        for (k, t) in trial.chunks_mut(TILE).enumerate() {
-            let (ix, n) = (k * TILE, t.len());
-            let z = &mut z[..n];
-            z.copy_from_slice(&y[ix..][..n]);
-            if let Some(level) = level {
-                level.transfer.add_down_transposed(row, ix, &level.value, z);
-            }
-            let (p, ceiling) = (&p[row * nx + ix..][..n], ceiling.after(row * nx + ix));
-            step_tile(vectors, ceiling, p, z, tau, &nodes[ix..][..n], t, sums);
-        }
-    }
+    p: &'a [T],
+    tau: f64,
+    level: Option<&'a Level>,
+    nx: usize,
 }
 
-/// One tile of it.
-#[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "a pass over four fields")]
-fn step_tile<S: Simd, T: Real, C: Ceiling<T>>(
-    vectors: S,
-    ceiling: C,
-    p: &[T],
-    z: &mut [f32],
-    tau: T,
-    nodes: &[Node],
-    trial: &mut [T],
-    sums: &mut [f64x4<S>; 4],
-) {
-    let mut off = [0.0; TILE];
-    let off = &mut off[..nodes.len()];
-    for ((z, off), m) in z.iter_mut().zip(&mut *off).zip(nodes) {
-        *z = if m.is_in() { *z } else { 0.0 };
-        *off = if m.is_in() { 0.0 } else { 1.0 };
-    }
-    if C::IS_FINITE {
-        let mut lacking = 0.0;
-        for (i, ((off, m), p)) in off.iter_mut().zip(nodes).zip(p).enumerate() {
-            let lacks = if m.is_full() { (ceiling.at(i) - *p).wide() } else { 0.0 };
-            *off = if m.is_full() { 0.0 } else { *off };
-            lacking += lacks * lacks;
-        }
-        sums[2] += f64x4::from_slice(vectors, &[lacking, 0.0, 0.0, 0.0]);
-    }
-    add_sums(vectors, z, off, p, sums);
-    if !p.len().is_multiple_of(LANES) {
-        add_sums(vectors, &rest(z), &rest(off), &rest(p), sums);
-    }
-    for ((t, p), z) in trial.iter_mut().zip(p).zip(&*z) {
-        *t = *p - tau * T::of(f64::from(*z));
-    }
-}
-
-/// Adds up `z`, `z^2`, `p^2` where `off` is 1 and not 0, and `p^2`, over whole vectors.
-#[inline(always)]
-fn add_sums<S: Simd, T: Real>(
-    vectors: S,
-    z: &[f32],
-    off: &[f32],
-    p: &[T],
-    sums: &mut [f64x4<S>; 4],
-) {
-    for i in (0..p.len() - p.len() % LANES).step_by(LANES) {
-        let z = f32::widened(four(vectors, z, i));
-        let off = f32::widened(four(vectors, off, i));
-        let p = T::widened(four(vectors, p, i));
-        let p2 = p * p;
-        sums[0] += z;
-        sums[1] += z * z;
-        sums[2] += off * p2;
-        sums[3] += p2;
-    }
-}
-
-/// The smallest trial pressure on F, or distance from a bound, below each cell of a row of the first level.
-#[inline(always)]
-fn smallest_below<T: Real, C: Ceiling<T>>(
-    ceiling: C,
-    t: &Transfer,
-    nodes: &[Node],
-    trial: &[T],
-    smallest: &mut [f32],
-) {
-    let nx = t.fine[1];
-    let least = |x: f32, y: f32| if x < y { x } else { y };
-    let mut line = [0.0; TILE];
-    let last = trial.len() - nx; // of two rows, or the single one again
-    for ix in (0..nx).step_by(TILE) {
-        let line = &mut line[..TILE.min(nx - ix)];
-        line.fill(f32::INFINITY);
-        for from in [ix, last + ix] {
-            let fields = line.iter_mut().zip(&trial[from..]).zip(&nodes[from..]);
-            for (i, ((x, p), m)) in fields.enumerate() {
-                let mut here = p.narrow();
-                if C::IS_FINITE {
-                    here = least(here, (ceiling.at(from + i) - *p).narrow());
+impl<T: Real, C: Ceiling<T>> Step<'_, T, C> {
+    /// The rows from `row` on, those below one row of cells if there are cells: the trial, and the smallest of it
+    /// below each cell. Adds up `z`, `z^2` on F, `p^2` off F (of those that are to carry the ceiling, what they
+    /// lack), `p^2`.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments, reason = "a pass over five fields")]
+    fn cells<S: Simd>(
+        &self,
+        vectors: S,
+        row: usize,
+        y: &[f32],
+        nodes: &[Node],
+        trial: &mut [T],
+        mut cells: Option<(&Transfer, &mut [f32])>,
+        sums: &mut [f64x4<S>; 4],
+    ) {
+        let nx = self.nx;
+        let (mut z, mut least) = ([0.0; TILE], [0.0; TILE]);
+        for ix in (0..nx).step_by(TILE) {
+            let n = TILE.min(nx - ix);
+            let (z, least) = (&mut z[..n], &mut least[..n]);
+            least.fill(f32::INFINITY);
+            for (i, trial) in trial.chunks_exact_mut(nx).enumerate() {
+                let (here, row) = (i * nx + ix, row + i);
+                z.copy_from_slice(&y[here..][..n]);
+                if let Some(level) = self.level {
+                    level.transfer.add_down_transposed(row, ix, &level.value, z);
                 }
-                *x = least(*x, if m.is_in() { here } else { f32::INFINITY });
+                let (nodes, trial) = (&nodes[here..][..n], &mut trial[ix..][..n]);
+                self.tile(vectors, row * nx + ix, z, nodes, trial, least, sums);
+            }
+            if let Some((t, smallest)) = &mut cells {
+                smallest_below(t, ix, least, smallest);
             }
         }
-        if t.halved[1] {
-            let (pairs, single) = line.as_chunks::<2>();
-            for (s, x) in smallest[ix / 2..].iter_mut().zip(pairs) {
-                *s = least(x[0], x[1]);
+    }
+
+    /// Part of a row, from pixel `first` on. Brings `least` up to date: the smallest trial pressure on F, or
+    /// distance from a bound, of each column.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments, reason = "a pass over five fields")]
+    fn tile<S: Simd>(
+        &self,
+        vectors: S,
+        first: usize,
+        z: &mut [f32],
+        nodes: &[Node],
+        trial: &mut [T],
+        least: &mut [f32],
+        sums: &mut [f64x4<S>; 4],
+    ) {
+        let (p, ceiling) = (&self.p[first..][..z.len()], self.ceiling.after(first));
+        let mut off = [0.0; TILE];
+        let off = &mut off[..nodes.len()];
+        off.iter_mut().zip(nodes).for_each(|(off, m)| *off = if m.is_in() { 0.0 } else { 1.0 });
+        z.iter_mut().zip(&*off).for_each(|(z, off)| *z *= 1.0 - off);
+        if C::IS_FINITE {
+            let mut lacking = 0.0;
+            for (i, ((off, m), p)) in off.iter_mut().zip(nodes).zip(p).enumerate() {
+                let lacks = if m.is_full() { (ceiling.at(i) - *p).wide() } else { 0.0 };
+                *off = if m.is_full() { 0.0 } else { *off };
+                lacking += lacks * lacks;
             }
-            if let ([x], Some(s)) = (single, smallest.last_mut()) {
-                *s = *x;
-            }
-        } else {
-            smallest[ix..][..line.len()].copy_from_slice(line);
+            sums[2] += f64x4::from_slice(vectors, &[lacking, 0.0, 0.0, 0.0]);
         }
+        self.step(vectors, z, off, p, trial, sums);
+        if !p.len().is_multiple_of(LANES) {
+            let mut last = [T::zero(); LANES];
+            self.step(vectors, &rest(z), &rest(off), &rest(p), &mut last, sums);
+            let whole = p.len() - p.len() % LANES;
+            trial[whole..].iter_mut().zip(last).for_each(|(t, x)| *t = x);
+        }
+        for (((least, t), off), m) in least.iter_mut().zip(&*trial).zip(&*off).zip(nodes) {
+            let is_off = if C::IS_FINITE { !m.is_in() } else { *off > 0.0 };
+            let here = if is_off { f32::INFINITY } else { t.narrow() };
+            *least = if here < *least { here } else { *least };
+        }
+        if C::IS_FINITE {
+            for (i, ((least, t), m)) in least.iter_mut().zip(&*trial).zip(nodes).enumerate() {
+                let room = if m.is_in() { (ceiling.at(i) - *t).narrow() } else { f32::INFINITY };
+                *least = if room < *least { room } else { *least };
+            }
+        }
+    }
+
+    /// The trial `p - tau z`, and the sums of `z`, `z^2`, `p^2` where `off` is 1 and not 0, and `p^2`, over whole
+    /// vectors.
+    #[inline(always)]
+    fn step<S: Simd>(
+        &self,
+        vectors: S,
+        z: &[f32],
+        off: &[f32],
+        p: &[T],
+        trial: &mut [T],
+        sums: &mut [f64x4<S>; 4],
+    ) {
+        let tau = f64x4::splat(vectors, self.tau);
+        for i in (0..p.len() - p.len() % LANES).step_by(LANES) {
+            let z = f32::widened(four(vectors, z, i));
+            let off = f32::widened(four(vectors, off, i));
+            let p = T::widened(four(vectors, p, i));
+            let p2 = p * p;
+            sums[0] += z;
+            sums[1] += z * z;
+            sums[2] += off * p2;
+            sums[3] += p2;
+            let step = p - tau * z;
+            trial[i..i + LANES].iter_mut().zip(step.as_slice()).for_each(|(t, x)| *t = T::of(*x));
+        }
+    }
+}
+
+/// From the smallest of each column to the smallest below each cell, from column `ix` on.
+#[inline(always)]
+fn smallest_below(t: &Transfer, ix: usize, least: &[f32], smallest: &mut [f32]) {
+    if !t.halved[1] {
+        smallest[ix..][..least.len()].copy_from_slice(least);
+        return;
+    }
+    let (pairs, single) = least.as_chunks::<2>();
+    for (s, x) in smallest[ix / 2..].iter_mut().zip(pairs) {
+        *s = if x[1] < x[0] { x[1] } else { x[0] };
+    }
+    if let ([x], Some(s)) = (single, smallest.last_mut()) {
+        *s = *x;
     }
 }
 
