@@ -81,33 +81,34 @@ pub struct MapEquation {
 
 /// What the constants of the law for a map multiply, at the area `a` of the answer.
 pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TERMS] {
-    let light = (1.0 - a).powi(16);
+    let (light, middle) = ((1.0 - a).powi(16), a * (1.0 - a));
     let [twice, four_times] = [2.0, 4.0].map(|times: f64| (times * a).min(1.0));
-    let slope = curves.log_slope(twice);
     let even = curves.log_evenness(twice);
     let round = curves.curvature_evenness(twice);
-    let ridge = curves.curvature_difference(twice);
     let pressed = curves.log_slope(a) * curves.pressed(twice);
+    let pressure = curves.pressure_evenness(twice);
     [
         1.0,
         a * a,
         a * log_bandwidth,
-        slope,
-        a * (1.0 - a) * curves.log_slope(0.5 * a),
-        a * slope * ridge,
-        curves.log_evenness(a),
-        a * even,
-        even * ridge,
+        light * log_bandwidth,
+        curves.log_slope(twice),
+        middle * curves.log_slope(0.5 * a),
+        a * curves.log_slope(a) * round,
+        even * curves.curvature_difference(twice),
         even * round,
+        a * even * even,
         a * round,
+        middle * curves.curvature_evenness(a),
         curves.curvature_product(0.5 * a),
         curves.curvature_product(four_times),
         a * curves.log_pressed_slope(0.5 * a),
         light * curves.log_pressed_slope(a),
+        light * curves.log_pressed_slope(twice) * pressure,
         curves.log_pressed_slope(four_times),
         pressed,
         a * pressed,
-        curves.pressure_evenness(twice) * curves.curvature_evenness(four_times),
+        pressure * curves.curvature_evenness(four_times),
         a * curves.log_flattened(a),
     ]
 }

@@ -10,6 +10,7 @@ mod chance;
 mod families;
 mod fields;
 mod fit;
+mod further;
 mod measure;
 mod met;
 mod page;
