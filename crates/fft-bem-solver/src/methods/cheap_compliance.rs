@@ -11,8 +11,9 @@
 //! pressure whose displacement is known before.
 
 use super::fitted_stencil::{MAX_REACH, Waves, dot};
+use super::folded_rows::fold_rows;
 use super::spline::Axis;
-use super::stiffness::{Stiffness, fold_rows};
+use super::stiffness::Stiffness;
 use crate::Real;
 use crate::row_work::Partial;
 use crate::simd::vectorised;

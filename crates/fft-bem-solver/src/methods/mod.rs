@@ -25,6 +25,7 @@ mod extrapolation;
 #[cfg(test)]
 mod figures;
 mod fitted_stencil;
+mod folded_rows;
 mod free_chord;
 mod level_control;
 mod node;

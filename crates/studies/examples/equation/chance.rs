@@ -53,6 +53,11 @@ pub(crate) fn rows() -> Result<String, Box<dyn Error>> {
     Ok(text)
 }
 
+/// Whether a row is of this Hurst exponent, roll-off and load, which are printed and read to the last bit.
+fn is_row(row: &[f64], keys: [f64; 3]) -> bool {
+    [row[0], row[1], row[4]].iter().zip(keys).all(|(a, b)| a.total_cmp(&b).is_eq())
+}
+
 /// The table of the book: over the loads and roll-offs, between which two maps of one spectrum differ, and how far the law for
 /// numbers is from the mean of them.
 pub(crate) fn page(table: &str) -> Result<String, Box<dyn Error>> {
@@ -71,7 +76,7 @@ pub(crate) fn page(table: &str) -> Result<String, Box<dyn Error>> {
         for x in LOADS {
             let (mut between, mut off, mut spectra) = (0.0, 0.0, 0.0);
             for [hurst, _] in SPECTRA {
-                let own = rows.iter().filter(|r| r[0] == hurst && r[1] == rolloff && r[4] == x);
+                let own = rows.iter().filter(|r| is_row(r, [hurst, rolloff, x]));
                 let mut pairs = Vec::new();
                 for r in own {
                     let moments = SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.25 * r[3] };
