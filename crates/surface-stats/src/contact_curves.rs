@@ -335,16 +335,14 @@ mod tests {
     /// the whole is the mean of both.
     #[test]
     fn a_plateau_is_shared() {
-        let rough = |x: f64| 1e-12 * (TAU * x / 4.0).sin();
-        let curves = curves(|y, x| f64::from(u8::from(y < 32.0)) + rough(x), Edges::Open);
-        assert!(curves.evenness.iter().all(|e| (0.0..=1.0).contains(e)));
-        let flat = curves_of_two_levels();
+        let two_levels = |rough: &dyn Fn(f64) -> f64| {
+            curves(|y, x| f64::from(u8::from(y < 32.0)) + rough(x), Edges::Open)
+        };
+        let rough = two_levels(&|x| 1e-12 * (TAU * x / 4.0).sin());
+        assert!(rough.evenness.iter().all(|e| (0.0..=1.0).contains(e)));
+        let flat = two_levels(&|_| 0.0);
         for k in 3..CURVE_LEVELS {
             assert!((flat.slope[k] - flat.slope[2]).abs() < 1e-12, "{k}");
         }
-    }
-
-    fn curves_of_two_levels() -> ContactCurves {
-        curves(|y, _| f64::from(u8::from(y < 32.0)), Edges::Open)
     }
 }

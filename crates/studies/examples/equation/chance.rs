@@ -36,7 +36,7 @@ pub(crate) fn rows() -> Result<String, Box<dyn Error>> {
     let row = |&(rolloff, hurst, cutoff, seed): &(f64, f64, f64, u64)| {
         let one = || -> Result<String, Box<dyn Error>> {
             let map = map(hurst, cutoff, rolloff, seed)?;
-            let alpha = measure::bandwidth(&map)?;
+            let alpha = measure::moments(&map)?.bandwidth();
             let mut text = String::new();
             for (x, area) in LOADS.into_iter().zip(measure::areas(&map, &LOADS)?) {
                 let _ = writeln!(text, "{hurst},{rolloff},{seed},{alpha:.5},{x},{area:.6}");

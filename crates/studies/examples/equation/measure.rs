@@ -2,7 +2,9 @@
 
 use crate::families::Case;
 use contact_accuracy::round_to_digits;
-use contact_types::{CURVE_LEVELS, CURVE_SHARES, ContactModulus, HeightMap, PartCurve};
+use contact_types::{
+    CURVE_LEVELS, CURVE_SHARES, ContactModulus, HeightMap, PartCurve, SpectralMoments,
+};
 use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solver};
 use std::error::Error;
 use std::fmt::Write as _;
@@ -89,10 +91,10 @@ pub(crate) fn tells(case: &Case) -> Result<String, Box<dyn Error>> {
     Ok(line)
 }
 
-/// Nayak's bandwidth by differences \[-\].
-pub(crate) fn bandwidth(map: &HeightMap) -> Result<f64, Box<dyn Error>> {
+/// Moments by differences.
+pub(crate) fn moments(map: &HeightMap) -> Result<SpectralMoments, Box<dyn Error>> {
     let rms = HeightStatistics::of(map).rms_height;
-    Ok(DirectionalMoments::of(map, Edges::Periodic)?.isotropic(rms * rms).bandwidth())
+    Ok(DirectionalMoments::of(map, Edges::Periodic)?.isotropic(rms * rms))
 }
 
 /// Corrected areas at these loads on the given points.
@@ -108,8 +110,7 @@ fn solved(
     loads: &[f64],
 ) -> Result<Vec<[f64; 3]>, Box<dyn Error>> {
     let modulus = ContactModulus::from_pascals(MODULUS)?;
-    let rms = HeightStatistics::of(given).rms_height;
-    let moments = DirectionalMoments::of(given, Edges::Periodic)?.isotropic(rms * rms);
+    let moments = moments(given)?;
     let mut solver =
         Solver::builder().tolerance(TOLERANCE).threads(1).build(map.grid(), modulus)?;
     let mut list = Vec::new();
@@ -119,7 +120,7 @@ fn solved(
         let d = &found.diagnostics;
         let bar = LEFT_OVER * BOUNDARY_CORRECTION * d.contact_perimeter;
         let gap = found.state.mean_gap.ok_or("no mean gap")?;
-        list.push([d.area_fraction_corrected, bar, gap / rms]);
+        list.push([d.area_fraction_corrected, bar, gap / moments.rms_height()]);
     }
     Ok(list)
 }
