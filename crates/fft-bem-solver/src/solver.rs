@@ -408,7 +408,11 @@ impl Solver {
         })?
     }
 
-    pub(crate) fn extrapolate(&mut self, is_on: bool) {
+    /// Whether the loads from now on are those of a curve, solved one after the other: then each starts from the last
+    /// two, extrapolated, as in [`curve`](Self::curve), and not from the last one alone. With
+    /// [`Method::Chord`](crate::Method), on grids below 8192 x 8192, for two fields more of memory; it changes answers
+    /// within the tolerance.
+    pub fn follow_curve(&mut self, is_on: bool) {
         match &mut self.engine {
             Work::Double(engine) => engine.extrapolate(is_on),
             Work::Single(engine) => engine.extrapolate(is_on),

@@ -42,12 +42,29 @@ fn a_curve_equals_cold_starts_in_any_order() {
         assert!(pairs < 66.4 && pairs < cold_pairs, "{pairs} pairs, cold {cold_pairs}");
     }
     // One solver asked for loads one by one, up and down, warm-starts and agrees as well.
+    for follows in [false, true] {
+        let mut solver = build();
+        solver.follow_curve(follows);
+        for &k in &shuffled {
+            let found = solver.solve(&surface, Load::MeanPressure(loads[k])).unwrap();
+            let gap = (found.state.mean_gap.unwrap(), cold[k].state.mean_gap.unwrap());
+            let scale = cold[0].state.mean_gap.unwrap();
+            assert!((gap.0 - gap.1).abs() < 1e-7 * scale, "load {}", loads[k]);
+        }
+    }
+}
+
+#[test]
+fn loads_one_by_one_along_a_curve_are_the_curve() {
+    let grid = unit_grid(63, 65);
+    let surface = self_affine(grid, 0.8, 16.0, 2.0, 5);
+    let build = || Solver::builder().tolerance(1e-6).build(grid, unit_modulus()).unwrap();
+    let loads = [0.01, 0.03, 0.1, 0.3];
     let mut solver = build();
-    for &k in &shuffled {
-        let found = solver.solve(&surface, Load::MeanPressure(loads[k])).unwrap();
-        let gap = (found.state.mean_gap.unwrap(), cold[k].state.mean_gap.unwrap());
-        let scale = cold[0].state.mean_gap.unwrap();
-        assert!((gap.0 - gap.1).abs() < 1e-7 * scale, "load {}", loads[k]);
+    solver.follow_curve(true);
+    for (result, load) in build().curve(&surface, &loads).into_iter().zip(loads) {
+        let found = solver.solve(&surface, Load::MeanPressure(load)).unwrap();
+        assert_eq!(found.pressure, result.unwrap().pressure, "{load}");
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::float::{Float, Plans};
 use crate::parallel::prelude::*;
 use crate::parallel::{for_each_index, thread_index, threads};
+use crate::rows::RowScratch;
 use rustfft::num_complex::Complex;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -31,8 +32,7 @@ pub struct Convolution<T: Float> {
 }
 
 struct Scratch<T> {
-    /// One row of the field.
-    row: Vec<T>,
+    rows: RowScratch<T>,
     /// Half spectra of a block of rows.
     waves: Vec<Complex<T>>,
     /// A group of columns of the spectrum.
@@ -87,11 +87,11 @@ impl<T: Float> Convolution<T> {
                 tiles.push(Mutex::new(vec![zero; rows * columns]));
             }
         }
-        let fft_scratch = plans.scratch_len();
+        let fft_scratch = plans.column_scratch_len();
         let scratch = (0..threads())
             .map(|_| {
                 Mutex::new(Scratch {
-                    row: vec![T::zero(); px],
+                    rows: plans.rows.scratch(),
                     waves: vec![zero; TILE_ROWS.min(ny) * nq],
                     columns: vec![zero; tile_columns.min(nq) * py],
                     symbol: vec![T::zero(); py / 2 + 1],
@@ -218,16 +218,9 @@ impl<T: Float> Convolution<T> {
     fn analyse(&self, block: usize, rows: &[T]) {
         let nx = self.shape[1];
         let nq = self.padded[1] / 2 + 1;
-        let Scratch { row, waves, fft, .. } = &mut *self.scratch();
-        for (values, wave) in rows.chunks_exact(nx).zip(waves.chunks_exact_mut(nq)) {
-            row[..nx].copy_from_slice(values);
-            row[nx..].fill(T::zero()); // the transform used it as scratch
-            self.plans
-                .row_forward
-                .process_with_scratch(row, wave, fft)
-                .expect("lengths are as planned");
-        }
+        let Scratch { rows: scratch, waves, .. } = &mut *self.scratch();
         let height = rows.len() / nx;
+        self.plans.rows.forward(rows, &mut waves[..height * nq], scratch);
         for group in 0..self.groups() {
             let mut tile = lock(&self.tiles[block * self.groups() + group]);
             for (c, column) in tile.chunks_exact_mut(height).enumerate() {
@@ -281,10 +274,9 @@ impl<T: Float> Convolution<T> {
     /// Inverse transforms of one block of rows.
     fn synthesise(&self, block: usize, rows: &mut [T]) {
         let nx = self.shape[1];
-        let px = self.padded[1];
-        let nq = px / 2 + 1;
+        let nq = self.padded[1] / 2 + 1;
         let height = rows.len() / nx;
-        let Scratch { row, waves, fft, .. } = &mut *self.scratch();
+        let Scratch { rows: scratch, waves, .. } = &mut *self.scratch();
         for group in 0..self.groups() {
             let tile = lock(&self.tiles[block * self.groups() + group]);
             for (c, column) in tile.chunks_exact(height).enumerate() {
@@ -294,20 +286,6 @@ impl<T: Float> Convolution<T> {
                 }
             }
         }
-        for (wave, values) in waves.chunks_exact_mut(nq).zip(rows.chunks_exact_mut(nx)) {
-            // The coefficients that a real row makes real; rounding left a trace of imaginary part.
-            wave[0].im = T::zero();
-            if px.is_multiple_of(2) {
-                wave[nq - 1].im = T::zero();
-            }
-            let out = if px == nx { &mut *values } else { row.as_mut_slice() };
-            self.plans
-                .row_inverse
-                .process_with_scratch(wave, out, fft)
-                .expect("lengths are as planned and the ends are real");
-            if px > nx {
-                values.copy_from_slice(&row[..nx]);
-            }
-        }
+        self.plans.rows.inverse(&mut waves[..height * nq], rows, scratch);
     }
 }

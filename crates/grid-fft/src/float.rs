@@ -1,6 +1,6 @@
 //! The two floating-point types, and where their transforms are planned.
 
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use crate::rows::Rows;
 use rustfft::{Fft, FftNum, FftPlanner};
 use std::sync::Arc;
 
@@ -18,8 +18,7 @@ pub trait Float: FftNum {
 #[derive(Clone)]
 #[doc(hidden)]
 pub struct Plans<T> {
-    pub(crate) row_forward: Arc<dyn RealToComplex<T>>,
-    pub(crate) row_inverse: Arc<dyn ComplexToReal<T>>,
+    pub(crate) rows: Rows<T>,
     pub(crate) column_forward: Arc<dyn Fft<T>>,
     pub(crate) column_inverse: Arc<dyn Fft<T>>,
 }
@@ -32,24 +31,18 @@ impl<T> std::fmt::Debug for Plans<T> {
 
 impl<T: FftNum> Plans<T> {
     fn of([ny, nx]: [usize; 2]) -> Self {
-        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
+        let mut planner = FftPlanner::new();
         Self {
-            row_forward: real.plan_fft_forward(nx),
-            row_inverse: real.plan_fft_inverse(nx),
-            column_forward: complex.plan_fft_forward(ny),
-            column_inverse: complex.plan_fft_inverse(ny),
+            rows: Rows::plan(nx, &mut planner),
+            column_forward: planner.plan_fft_forward(ny),
+            column_inverse: planner.plan_fft_inverse(ny),
         }
     }
 
-    /// The longest scratch that one of them asks for.
-    pub(crate) fn scratch_len(&self) -> usize {
-        let lengths = [
-            self.row_forward.get_scratch_len(),
-            self.row_inverse.get_scratch_len(),
-            self.column_forward.get_inplace_scratch_len(),
-            self.column_inverse.get_inplace_scratch_len(),
-        ];
-        lengths.into_iter().max().unwrap_or(0)
+    /// The longest scratch that a transform of columns asks for.
+    pub(crate) fn column_scratch_len(&self) -> usize {
+        let forward = self.column_forward.get_inplace_scratch_len();
+        forward.max(self.column_inverse.get_inplace_scratch_len())
     }
 }
 

@@ -7,6 +7,7 @@
 mod convolution;
 mod float;
 pub mod parallel;
+mod rows;
 mod transform;
 
 pub use convolution::Convolution;

@@ -1,6 +1,7 @@
 //! Planned row and column transforms.
 
 use crate::float::{Float, Plans};
+use crate::rows::RowScratch;
 use rustfft::Fft;
 use rustfft::num_complex::Complex;
 use std::sync::Arc;
@@ -13,7 +14,7 @@ const COLUMN_BLOCK: usize = 8;
 pub struct GridFft<T: Float> {
     shape: [usize; 2],
     plans: Plans<T>,
-    real_row: Vec<T>,
+    rows: RowScratch<T>,
     columns: Vec<Complex<T>>,
     scratch: Vec<Complex<T>>,
 }
@@ -33,12 +34,12 @@ impl<T: Float> GridFft<T> {
         let [ny, nx] = shape;
         assert!(ny > 0 && nx > 0, "a transform needs at least one pixel along each axis");
         let plans = T::plan(shape);
-        let scratch = plans.scratch_len();
+        let scratch = plans.column_scratch_len();
         let zero = Complex::new(T::zero(), T::zero());
         Self {
             shape,
+            rows: plans.rows.scratch(),
             plans,
-            real_row: vec![T::zero(); nx],
             columns: vec![zero; ny * COLUMN_BLOCK],
             scratch: vec![zero; scratch],
         }
@@ -68,13 +69,7 @@ impl<T: Float> GridFft<T> {
         let [ny, nx] = self.shape;
         let nq = nx / 2 + 1;
         assert!(field.len() == ny * nx && spectrum.len() == ny * nq, "field or spectrum length");
-        for (row, wave) in field.chunks_exact(nx).zip(spectrum.chunks_exact_mut(nq)) {
-            self.real_row.copy_from_slice(row);
-            self.plans
-                .row_forward
-                .process_with_scratch(&mut self.real_row, wave, &mut self.scratch)
-                .expect("lengths are as planned");
-        }
+        self.plans.rows.forward(field, spectrum, &mut self.rows);
         self.transform_columns(spectrum, &self.plans.column_forward.clone());
     }
 
@@ -89,19 +84,9 @@ impl<T: Float> GridFft<T> {
         assert!(field.len() == ny * nx && spectrum.len() == ny * nq, "field or spectrum length");
         self.transform_columns(spectrum, &self.plans.column_inverse.clone());
         let scale = T::one() / T::from_usize(ny * nx).expect("a pixel count fits a float");
-        for (wave, row) in spectrum.chunks_exact_mut(nq).zip(field.chunks_exact_mut(nx)) {
-            // The coefficients that a real row makes real; rounding left a trace of imaginary part.
-            wave[0].im = T::zero();
-            if nx % 2 == 0 {
-                wave[nq - 1].im = T::zero();
-            }
-            self.plans
-                .row_inverse
-                .process_with_scratch(wave, row, &mut self.scratch)
-                .expect("lengths are as planned and the ends are real");
-            for value in row {
-                *value = *value * scale;
-            }
+        self.plans.rows.inverse(spectrum, field, &mut self.rows);
+        for value in field {
+            *value = *value * scale;
         }
     }
 

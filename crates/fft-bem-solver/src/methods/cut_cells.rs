@@ -12,6 +12,14 @@ pub(crate) struct Cut {
     per_pixel: f32,
 }
 
+/// The number of a cell. An axis has less than 2^31 of them, and vectors of `i32` are what processors turn into
+/// numbers at once.
+#[inline(always)]
+#[allow(clippy::cast_possible_wrap, reason = "an axis is shorter")]
+fn number(c: usize) -> f32 {
+    c as i32 as f32
+}
+
 impl Cut {
     /// `None` if the pixels can be paired, or if there is but one.
     pub(crate) fn new(pixels: usize) -> Option<Self> {
@@ -20,13 +28,15 @@ impl Cut {
     }
 
     /// Distance of the centre of pixel `2 c` from that of cell c, in cells: from -1/4 to 1/4.
+    #[inline(always)]
     fn even(&self, c: usize) -> f32 {
-        (c as f32 - 0.5 * (self.cells - 1) as f32) * self.per_pixel
+        (number(c) - 0.5 * number(self.cells - 1)) * self.per_pixel
     }
 
     /// The same of pixel `2 c + 1`: from 1/4 to 3/4.
+    #[inline(always)]
     fn odd(&self, c: usize) -> f32 {
-        (c as f32 + 0.5 * (self.cells + 1) as f32) * self.per_pixel
+        (number(c) + 0.5 * number(self.cells + 1)) * self.per_pixel
     }
 
     fn left(&self, c: usize) -> usize {
@@ -45,6 +55,7 @@ impl Cut {
     }
 
     /// Interpolates the pixels below cells `first..`; `cells` has one more at each end.
+    #[inline(always)]
     pub(crate) fn interpolate(&self, first: usize, cells: &[f32], pixels: &mut [[f32; 2]]) {
         let (left, right) = (cells, &cells[2..]);
         for (k, (((x, l), c), r)) in
@@ -70,24 +81,41 @@ impl Cut {
     }
 
     /// What the cells `first..` gather from `pixels`, which begin at `2 first - 2`.
+    #[inline(always)]
     pub(crate) fn interpolate_transposed(&self, first: usize, pixels: &[f32], cells: &mut [f32]) {
-        for ((k, out), x) in cells.iter_mut().enumerate().zip(pixels.windows(5).step_by(2)) {
-            let taken = self.interpolated(first + k);
-            *out = taken.iter().zip(x).map(|(t, x)| t.1 * x).sum();
+        let Self { cells: count, per_pixel } = *self;
+        let (below, above) = (0.5 * number(count - 1), 0.5 * number(count + 1));
+        let even = |c: f32| (c - below) * per_pixel;
+        let odd = |c: f32| (c + above) * per_pixel;
+        let (x, y, z) = (&pixels.as_chunks::<2>().0, &pixels[2..], &pixels[4..]);
+        let (y, z) = (y.as_chunks::<2>().0, z.as_chunks::<2>().0);
+        for (k, (((out, x), y), z)) in cells.iter_mut().zip(*x).zip(y).zip(z).enumerate() {
+            let c = number(first + k);
+            let left = even(c - 1.0).max(0.0) * x[0] + odd(c - 1.0) * x[1];
+            let own = left + (1.0 - even(c).abs()) * y[0] + (1.0 - odd(c)) * y[1];
+            *out = own + (-even(c + 1.0)).max(0.0) * z[0];
+        }
+        // The cells of an axis whose neighbour is at its other end, and the one that was left out.
+        for k in [0, cells.len() - 1] {
+            let taken = self.interpolated(first + k).into_iter().zip(&pixels[2 * k..]);
+            cells[k] = taken.map(|(t, x)| t.1 * x).sum();
         }
     }
 
     /// Shares of the pixels `2 c - 1`, `2 c`, `2 c + 1` in cell c; the first and the last cell lack
     /// one of them.
+    #[inline(always)]
     pub(crate) fn shares(&self, c: usize) -> [f32; 3] {
-        [c, self.cells, self.cells - 1 - c].map(|x| x as f32 * self.per_pixel)
+        [c, self.cells, self.cells - 1 - c].map(|x| number(x) * self.per_pixel)
     }
 
     /// Means over the cells `first..` of `pixels`, which begin at `2 first - 1`.
+    #[inline(always)]
     pub(crate) fn average(&self, first: usize, pixels: &[f32], cells: &mut [f32]) {
-        for ((k, out), x) in cells.iter_mut().enumerate().zip(pixels.windows(3).step_by(2)) {
+        let (left, both) = (pixels.as_chunks::<2>().0, pixels[1..].as_chunks::<2>().0);
+        for (k, ((out, left), both)) in cells.iter_mut().zip(left).zip(both).enumerate() {
             let [a, b, c] = self.shares(first + k);
-            *out = a * x[0] + b * x[1] + c * x[2];
+            *out = a * left[0] + b * both[0] + c * both[1];
         }
     }
 
@@ -103,13 +131,14 @@ impl Cut {
     }
 
     /// Adds `factor` times the transpose of [`average`](Self::average).
+    #[inline(always)]
     pub(crate) fn average_transposed(&self, factor: f32, cells: &[f32], pixels: &mut [f32]) {
-        let all = factor * self.cells as f32 * self.per_pixel;
+        let all = factor * number(self.cells) * self.per_pixel;
         let (pairs, last) = pixels.as_chunks_mut::<2>();
-        for (c, (x, both)) in pairs.iter_mut().zip(cells.windows(2)).enumerate() {
+        for (c, ((x, own), next)) in pairs.iter_mut().zip(cells).zip(&cells[1..]).enumerate() {
             let (right, left) = (self.shares(c)[2], self.shares(c + 1)[0]);
-            x[0] += all * both[0];
-            x[1] += factor * (right * both[0] + left * both[1]);
+            x[0] += all * own;
+            x[1] += factor * (right * own + left * next);
         }
         if let ([x], Some(c)) = (last, cells.last()) {
             *x += all * c;

@@ -101,24 +101,36 @@ impl Level {
             .enumerate()
             .for_each(|(task, (weight, value))| {
                 let lines = weight.chunks_exact_mut(mx).zip(value.chunks_exact_mut(mx));
-                for (r, (weight, value)) in lines.enumerate() {
-                    let j = task * rows + r;
-                    t.down_row_of(j, weight, |iy, share, ix, line| {
-                        let w = &w[iy * nx + ix..][..line.len()];
-                        line.iter_mut().zip(w).for_each(|(l, w)| *l += share * w);
-                    });
-                    if let Some(v) = v {
-                        t.down_row_of(j, value, |iy, share, ix, line| {
-                            let w = w[iy * nx + ix..][..line.len()].iter();
-                            let fields = line.iter_mut().zip(w.zip(&v[iy * nx + ix..]));
-                            fields.for_each(|(l, (w, v))| *l += share * w * v);
-                        });
-                        value.iter_mut().zip(&*weight).for_each(|(v, m)| *v *= inverse(*m));
+                vectorised!({
+                    for (r, (weight, value)) in lines.enumerate() {
+                        let j = task * rows + r;
+                        t.down_row_of(
+                            j,
+                            weight,
+                            #[inline(always)]
+                            |iy, share, ix, line| {
+                                let w = &w[iy * nx + ix..][..line.len()];
+                                line.iter_mut().zip(w).for_each(|(l, w)| *l += share * w);
+                            },
+                        );
+                        if let Some(v) = v {
+                            t.down_row_of(
+                                j,
+                                value,
+                                #[inline(always)]
+                                |iy, share, ix, line| {
+                                    let w = w[iy * nx + ix..][..line.len()].iter();
+                                    let fields = line.iter_mut().zip(w.zip(&v[iy * nx + ix..]));
+                                    fields.for_each(|(l, (w, v))| *l += share * w * v);
+                                },
+                            );
+                            value.iter_mut().zip(&*weight).for_each(|(v, m)| *v *= inverse(*m));
+                        }
+                        for w in weight {
+                            *w = capacity.of(*w);
+                        }
                     }
-                    for w in weight {
-                        *w = capacity.of(*w);
-                    }
-                }
+                });
             });
     }
 

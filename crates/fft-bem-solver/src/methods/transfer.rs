@@ -243,6 +243,7 @@ impl Transfer {
 
     /// Row `j` of `down`. `add(iy, factor, first column, line)` must add `factor` times the fine
     /// values from that column on to the line.
+    #[inline(always)]
     pub(crate) fn down_row_of(
         &self,
         j: usize,
@@ -281,6 +282,7 @@ impl Transfer {
     }
 
     /// Adds the transpose of `down` to fine row `i`.
+    #[inline(always)]
     pub(crate) fn add_down_row_of_transposed(&self, i: usize, coarse: &[f32], fine: &mut [f32]) {
         let mx = self.coarse[1];
         let two = match (self.halved[0], self.cut[0]) {
