@@ -65,11 +65,16 @@ impl NoiseFloor {
         if psd <= 0.0 || slope < FLAT_SLOPE {
             return None;
         }
-        // Averaged over three rings, so that a single strong wave of noise does not count.
-        let reliable = rings
-            .windows(3)
-            .rfind(|r| mean(&[&r[0], &r[1], &r[2]]) >= SIGNAL * psd)
-            .map(|r| TAU / r[1].wavenumber);
+        // Averaged over three rings, so that a single strong wave of noise does not count. In the octave that was found flat
+        // the middle one of five: a line there, as where every second column is off, is no surface.
+        let is_signal = |r: &&[Ring]| {
+            if r[2].wavenumber > 0.5 * nyquist {
+                r.iter().filter(|r| r.psd >= SIGNAL * psd).count() > r.len() / 2
+            } else {
+                mean(&[&r[1], &r[2], &r[3]]) >= SIGNAL * psd
+            }
+        };
+        let reliable = rings.windows(5).rfind(is_signal).map(|r| TAU / r[2].wavenumber);
         Some(Self { psd, rms: TAU * (psd / (dy * dx)).sqrt(), reliable })
     }
 }
@@ -136,6 +141,19 @@ mod tests {
         assert_relative_eq!(floor.reliable.unwrap(), 8e-6, max_relative = 0.05);
         let rings = PowerSpectrum::of(&noise, Window::None).unwrap().rings();
         assert_eq!(NoiseFloor::of(&rings, pixel).unwrap().reliable, None);
+    }
+
+    /// Every second column off by as much as the noise: a line at the shortest wave, which is no surface.
+    #[test]
+    fn a_line_in_the_noise_is_no_band() {
+        let (clean, noise) = (surface(8e-6, 200e-9, 1), surface(2.4e-6, 2e-9, 2));
+        let [_, nx] = clean.grid().shape();
+        let both = clean.heights().iter().zip(noise.heights()).enumerate();
+        let heights = both.map(|(i, (a, b))| a + b + if i % nx % 2 == 0 { 2e-9 } else { -2e-9 });
+        let map = HeightMap::new(clean.grid(), heights.collect()).unwrap();
+        let rings = PowerSpectrum::of(&map, Window::None).unwrap().rings();
+        let floor = NoiseFloor::of(&rings, map.grid().pixel()).unwrap();
+        assert_relative_eq!(floor.reliable.unwrap(), 8e-6, max_relative = 0.05);
     }
 
     #[test]

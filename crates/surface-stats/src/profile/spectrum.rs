@@ -114,15 +114,20 @@ impl TraceSpectrum {
         for bin in &self.bins {
             sums.push(sums[sums.len() - 1] + bin.psd);
         }
-        let n = self.bins.len();
-        (1..=n)
+        (1..=self.bins.len())
             .map(|k| {
-                let low = ((k as f64 / SMOOTHING).ceil() as usize).clamp(1, k);
-                let high = ((k as f64 * SMOOTHING).floor() as usize).clamp(k, n);
+                let [low, high] = self.band(k);
                 let psd = (sums[high] - sums[low - 1]) / (high + 1 - low) as f64;
                 ProfileBin { frequency: self.bins[k - 1].frequency, psd: psd.max(0.0) }
             })
             .collect()
+    }
+
+    /// First and last number of the bins within a third of an octave around number `k`; the first of all is 1.
+    fn band(&self, k: usize) -> [usize; 2] {
+        let low = (k as f64 / SMOOTHING).ceil() as usize;
+        let high = (k as f64 * SMOOTHING).floor() as usize;
+        [low.clamp(1, k), high.clamp(k, self.bins.len())]
     }
 
     /// Expected amplitudes of the waves of a trace of this length, for the stacked models: a Gaussian
@@ -179,8 +184,22 @@ impl TraceSpectrum {
         if psd <= 0.0 || slope.is_nan() || slope < FLAT_SLOPE {
             return None;
         }
+        // A running mean; in the octave that was found flat most bins of its band: a line there, as where every second point
+        // is off, is no surface.
+        let mut above = vec![0];
+        above.extend(self.bins.iter().scan(0, |count, bin| {
+            *count += usize::from(bin.psd >= SIGNAL * psd);
+            Some(*count)
+        }));
         let smoothed = self.smoothed();
-        let reliable = smoothed.iter().rfind(|b| b.psd >= SIGNAL * psd).map(|b| 1.0 / b.frequency);
+        let is_signal = |&k: &usize| {
+            let [low, high] = self.band(k);
+            smoothed[k - 1].psd >= SIGNAL * psd
+                && (smoothed[k - 1].frequency <= 0.5 * nyquist
+                    || 2 * (above[high] - above[low - 1]) > high + 1 - low)
+        };
+        let shortest = (1..=smoothed.len()).rev().find(is_signal);
+        let reliable = shortest.map(|k| 1.0 / smoothed[k - 1].frequency);
         Some(TraceNoise { psd, rms: (psd * nyquist).sqrt(), reliable })
     }
 }
@@ -223,6 +242,21 @@ mod tests {
         let found = scales.noise.unwrap();
         assert_relative_eq!(found.rms, 3e-9, max_relative = 0.05);
         let reliable = found.reliable.unwrap();
+        assert!((300e-6..700e-6).contains(&reliable), "{reliable:e}");
+    }
+
+    /// Every second point off by as much as the noise: a line at the shortest wave, which is no surface.
+    #[test]
+    fn a_line_in_the_noise_is_no_band() {
+        let mut random = Pcg64::new(4, 1);
+        let noise = 3e-9 * 12f64.sqrt();
+        let mut z = |i: usize| {
+            let line = if i.is_multiple_of(2) { 3e-9 } else { -3e-9 };
+            1e-6 * (TAU * i as f64 / 500.0).sin() + noise * uniform(&mut random) + line
+        };
+        let trace = Trace::new(1e-6, (0..20_000).map(&mut z).collect()).unwrap();
+        let scales = TraceSpectrum::of(&[trace]).unwrap().scales(0.7e-6, None);
+        let reliable = scales.noise.unwrap().reliable.unwrap();
         assert!((300e-6..700e-6).contains(&reliable), "{reliable:e}");
     }
 
