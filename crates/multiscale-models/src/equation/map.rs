@@ -26,8 +26,8 @@ const STEEPEST: f64 = 0.9;
 /// ```
 ///
 /// where w is a sum of [`map_terms`] of the area itself: how steep the highest part of the map is, where it is pressed as
-/// well, and how evenly; how round its summits are and how evenly; under which pressure as much would lie
-/// flat if all were pressed flat; and the bandwidth. w is taken at 65 values of u once
+/// well, and how evenly; how round its summits are and how evenly; how well the points resolve it; under which pressure as
+/// much would lie flat if all were pressed flat; and the bandwidth. w is taken at 65 values of u once
 /// per map and is linear in `ln u` between them, nowhere steeper than 0.9; so area and pressure follow from each other
 /// without iteration, and both rise strictly.
 ///
@@ -81,17 +81,17 @@ pub struct MapEquation {
 
 /// What the constants of the law for a map multiply, at the area `a` of the answer.
 pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TERMS] {
-    let (light, middle) = ((1.0 - a).powi(16), a * (1.0 - a));
+    let (light, lighter, middle) = ((1.0 - a).powi(4), (1.0 - a).powi(16), a * (1.0 - a));
     let [twice, four_times] = [2.0, 4.0].map(|times: f64| (times * a).min(1.0));
     let even = curves.log_evenness(twice);
     let round = curves.curvature_evenness(twice);
     let pressed = curves.log_slope(a) * curves.pressed(twice);
     let pressure = curves.pressure_evenness(twice);
+    let resolved = [a, twice].map(|part| curves.log_resolved(part));
     [
         1.0,
         a * a,
         a * log_bandwidth,
-        light * log_bandwidth,
         curves.log_slope(twice),
         middle * curves.log_slope(0.5 * a),
         a * curves.log_slope(a) * round,
@@ -99,17 +99,20 @@ pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TE
         even * round,
         a * even * even,
         a * round,
-        middle * curves.curvature_evenness(a),
         curves.curvature_product(0.5 * a),
         curves.curvature_product(four_times),
         a * curves.log_pressed_slope(0.5 * a),
-        light * curves.log_pressed_slope(a),
-        light * curves.log_pressed_slope(twice) * pressure,
+        lighter * curves.log_pressed_slope(a),
+        lighter * curves.log_pressed_slope(twice) * pressure,
         curves.log_pressed_slope(four_times),
         pressed,
         a * pressed,
         pressure * curves.curvature_evenness(four_times),
         a * curves.log_flattened(a),
+        resolved[0] * log_bandwidth,
+        light * round * resolved[1],
+        even * curves.curvature_product(twice),
+        pressure * resolved[1],
     ]
 }
 

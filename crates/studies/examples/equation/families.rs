@@ -4,8 +4,10 @@
 use crate::brought;
 use crate::fields::{fine, rough};
 use crate::further;
+use crate::instrument;
 use crate::met;
 use crate::unkind;
+use crate::unseen;
 use contact_types::HeightMap;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -19,11 +21,11 @@ pub(crate) enum Part {
     Judge,
 }
 
-/// A family and how many of its maps are fitted, were judged by the five laws before this one and are fitted since,
+/// A family and how many of its maps are fitted, were judged by the six laws before this one and are fitted since,
 /// are judged.
 pub(crate) struct Family {
     pub(crate) name: &'static str,
-    pub(crate) maps: [usize; 7],
+    pub(crate) maps: [usize; 8],
     make: fn(&Draw) -> Heights,
 }
 
@@ -34,86 +36,95 @@ pub(crate) struct Case {
     pub(crate) draw: Draw,
 }
 
-const fn family(name: &'static str, maps: [usize; 7], make: fn(&Draw) -> Heights) -> Family {
+const fn family(name: &'static str, maps: [usize; 8], make: fn(&Draw) -> Heights) -> Family {
     Family { name, maps, make }
 }
 
 /// All of them. A map keeps its numbers as long as its family keeps its place and its counts grow.
-pub(crate) static FAMILIES: [Family; 68] = [
-    family("gaussian", [32, 8, 6, 5, 4, 12, 12], gaussian),
-    family("wide", [24, 8, 6, 5, 4, 8, 8], wide),
-    family("lay", [13, 8, 6, 5, 4, 12, 12], lay),
-    family("bent", [13, 8, 6, 5, 4, 12, 12], bent),
-    family("worn", [13, 8, 6, 5, 4, 12, 12], worn),
-    family("turned", [13, 8, 6, 5, 4, 12, 12], turned),
-    family("patchy", [13, 8, 6, 5, 4, 12, 12], patchy),
-    family("scratched", [13, 8, 6, 5, 4, 12, 12], scratched),
-    family("stepped", [13, 8, 6, 5, 4, 12, 12], stepped),
-    family("cross-hatched", [0, 8, 6, 5, 4, 4, 3], cross_hatched),
-    family("plateau-honed", [0, 8, 6, 5, 4, 12, 12], plateau_honed),
-    family("log-normal", [0, 8, 6, 5, 4, 4, 3], log_normal),
-    family("pillars", [0, 8, 6, 5, 4, 4, 3], pillars),
-    family("pitted", [0, 8, 6, 5, 4, 4, 3], pitted),
-    family("partly-polished", [0, 8, 6, 5, 4, 4, 3], partly_polished),
-    family("milled", [0, 8, 6, 5, 4, 4, 3], milled),
-    family("two-levels", [0, 8, 6, 5, 4, 4, 3], two_levels),
-    family("weibull", [0, 8, 6, 5, 4, 4, 3], weibull),
-    family("dimpled", [0, 0, 8, 5, 4, 4, 3], dimpled),
-    family("ball-bed", [0, 0, 8, 5, 4, 4, 3], ball_bed),
-    family("craters", [0, 0, 8, 5, 4, 4, 3], craters),
-    family("terraces", [0, 0, 8, 5, 4, 4, 3], terraces),
-    family("creased", [0, 0, 8, 5, 4, 4, 3], creased),
-    family("gritty", [0, 0, 8, 5, 4, 4, 3], gritty),
-    family("banded", [0, 0, 8, 5, 4, 4, 3], banded),
-    family("wavy", [0, 0, 8, 5, 4, 4, 3], wavy),
-    family("knurled", [0, 0, 8, 5, 4, 4, 3], knurled),
-    family("bent-lay", [0, 0, 8, 5, 4, 4, 3], bent_lay),
-    family("worn-wide", [0, 0, 8, 5, 4, 3, 2], worn_wide),
-    family("lapped-lay", [0, 0, 8, 5, 4, 4, 3], lapped_lay),
-    family("laser-dots", [0, 0, 0, 6, 4, 4, 3], unkind::laser_dots),
-    family("orange-peel", [0, 0, 0, 6, 4, 4, 3], unkind::orange_peel),
-    family("peened-ground", [0, 0, 0, 6, 4, 4, 3], unkind::peened_ground),
-    family("burred", [0, 0, 0, 6, 4, 4, 3], unkind::burred),
-    family("woven", [0, 0, 0, 6, 4, 4, 3], unkind::woven),
-    family("sintered-worn", [0, 0, 0, 6, 4, 4, 3], unkind::sintered_worn),
-    family("cracked", [0, 0, 0, 6, 4, 4, 3], unkind::cracked),
-    family("ridged", [0, 0, 0, 6, 4, 4, 3], ridged),
-    family("one-scratch", [0, 0, 0, 6, 4, 4, 3], unkind::one_scratch),
-    family("caps", [0, 0, 0, 6, 4, 4, 3], unkind::caps),
-    family("eroded", [0, 0, 0, 0, 6, 4, 3], brought::eroded),
-    family("blasted-rolled", [0, 0, 0, 0, 6, 4, 3], brought::blasted_rolled),
-    family("hairline", [0, 0, 0, 0, 6, 4, 3], brought::hairline),
-    family("wood", [0, 0, 0, 0, 6, 4, 3], brought::wood),
-    family("layered", [0, 0, 0, 0, 6, 4, 3], brought::layered),
-    family("fretted", [0, 0, 0, 0, 6, 4, 3], brought::fretted),
-    family("etched", [0, 0, 0, 0, 6, 4, 3], brought::etched),
-    family("scaled-islands", [0, 0, 0, 0, 6, 4, 3], brought::scaled_islands),
-    family("formed", [0, 0, 0, 0, 6, 4, 3], brought::formed),
-    family("quantised", [0, 0, 0, 0, 6, 4, 3], brought::quantised),
-    family("posts", [0, 0, 0, 0, 0, 6, 3], met::posts),
-    family("nodules", [0, 0, 0, 0, 0, 6, 3], met::nodules),
-    family("corroded", [0, 0, 0, 0, 0, 6, 3], met::corroded),
-    family("honeycomb", [0, 0, 0, 0, 0, 6, 3], met::honeycomb),
-    family("inclusions", [0, 0, 0, 0, 0, 6, 3], met::inclusions),
-    family("saw-toothed", [0, 0, 0, 0, 0, 6, 3], met::saw_toothed),
-    family("chattered", [0, 0, 0, 0, 0, 6, 3], met::chattered),
-    family("spiky", [0, 0, 0, 0, 0, 6, 3], met::spiky),
-    family("cast", [0, 0, 0, 0, 0, 6, 3], met::cast),
-    family("cascaded", [0, 0, 0, 0, 0, 6, 3], met::cascaded),
-    family("hammered", [0, 0, 0, 0, 0, 0, 6], further::hammered),
-    family("folded", [0, 0, 0, 0, 0, 0, 6], further::folded),
-    family("bricks", [0, 0, 0, 0, 0, 0, 6], further::bricks),
-    family("ploughed", [0, 0, 0, 0, 0, 0, 6], further::ploughed),
-    family("blistered", [0, 0, 0, 0, 0, 0, 6], further::blistered),
-    family("striped", [0, 0, 0, 0, 0, 0, 6], further::striped),
-    family("pulled", [0, 0, 0, 0, 0, 0, 6], further::pulled),
-    family("faceted", [0, 0, 0, 0, 0, 0, 6], further::faceted),
+pub(crate) static FAMILIES: [Family; 77] = [
+    family("gaussian", [32, 8, 6, 5, 4, 12, 12, 12], gaussian),
+    family("wide", [24, 8, 6, 5, 4, 8, 8, 8], wide),
+    family("lay", [13, 8, 6, 5, 4, 12, 12, 16], lay),
+    family("bent", [13, 8, 6, 5, 4, 12, 12, 10], bent),
+    family("worn", [13, 8, 6, 5, 4, 12, 12, 10], worn),
+    family("turned", [13, 8, 6, 5, 4, 12, 12, 10], turned),
+    family("patchy", [13, 8, 6, 5, 4, 12, 12, 10], patchy),
+    family("scratched", [13, 8, 6, 5, 4, 12, 12, 10], scratched),
+    family("stepped", [13, 8, 6, 5, 4, 12, 12, 16], stepped),
+    family("cross-hatched", [0, 8, 6, 5, 4, 4, 3, 2], cross_hatched),
+    family("plateau-honed", [0, 8, 6, 5, 4, 12, 12, 10], plateau_honed),
+    family("log-normal", [0, 8, 6, 5, 4, 4, 3, 2], log_normal),
+    family("pillars", [0, 8, 6, 5, 4, 4, 3, 2], pillars),
+    family("pitted", [0, 8, 6, 5, 4, 4, 3, 2], pitted),
+    family("partly-polished", [0, 8, 6, 5, 4, 4, 3, 2], partly_polished),
+    family("milled", [0, 8, 6, 5, 4, 4, 3, 2], milled),
+    family("two-levels", [0, 8, 6, 5, 4, 4, 3, 2], two_levels),
+    family("weibull", [0, 8, 6, 5, 4, 4, 3, 2], weibull),
+    family("dimpled", [0, 0, 8, 5, 4, 4, 3, 2], dimpled),
+    family("ball-bed", [0, 0, 8, 5, 4, 4, 3, 2], ball_bed),
+    family("craters", [0, 0, 8, 5, 4, 4, 3, 2], craters),
+    family("terraces", [0, 0, 8, 5, 4, 4, 3, 2], terraces),
+    family("creased", [0, 0, 8, 5, 4, 4, 3, 2], creased),
+    family("gritty", [0, 0, 8, 5, 4, 4, 3, 2], gritty),
+    family("banded", [0, 0, 8, 5, 4, 4, 3, 2], banded),
+    family("wavy", [0, 0, 8, 5, 4, 4, 3, 2], wavy),
+    family("knurled", [0, 0, 8, 5, 4, 4, 3, 2], knurled),
+    family("bent-lay", [0, 0, 8, 5, 4, 4, 3, 2], bent_lay),
+    family("worn-wide", [0, 0, 8, 5, 4, 3, 2, 2], worn_wide),
+    family("lapped-lay", [0, 0, 8, 5, 4, 4, 3, 2], lapped_lay),
+    family("laser-dots", [0, 0, 0, 6, 4, 4, 3, 2], unkind::laser_dots),
+    family("orange-peel", [0, 0, 0, 6, 4, 4, 3, 2], unkind::orange_peel),
+    family("peened-ground", [0, 0, 0, 6, 4, 4, 3, 2], unkind::peened_ground),
+    family("burred", [0, 0, 0, 6, 4, 4, 3, 2], unkind::burred),
+    family("woven", [0, 0, 0, 6, 4, 4, 3, 2], unkind::woven),
+    family("sintered-worn", [0, 0, 0, 6, 4, 4, 3, 2], unkind::sintered_worn),
+    family("cracked", [0, 0, 0, 6, 4, 4, 3, 2], unkind::cracked),
+    family("ridged", [0, 0, 0, 6, 4, 4, 3, 2], ridged),
+    family("one-scratch", [0, 0, 0, 6, 4, 4, 3, 2], unkind::one_scratch),
+    family("caps", [0, 0, 0, 6, 4, 4, 3, 2], unkind::caps),
+    family("eroded", [0, 0, 0, 0, 6, 4, 3, 2], brought::eroded),
+    family("blasted-rolled", [0, 0, 0, 0, 6, 4, 3, 2], brought::blasted_rolled),
+    family("hairline", [0, 0, 0, 0, 6, 4, 3, 2], brought::hairline),
+    family("wood", [0, 0, 0, 0, 6, 4, 3, 2], brought::wood),
+    family("layered", [0, 0, 0, 0, 6, 4, 3, 2], brought::layered),
+    family("fretted", [0, 0, 0, 0, 6, 4, 3, 2], brought::fretted),
+    family("etched", [0, 0, 0, 0, 6, 4, 3, 2], brought::etched),
+    family("scaled-islands", [0, 0, 0, 0, 6, 4, 3, 2], brought::scaled_islands),
+    family("formed", [0, 0, 0, 0, 6, 4, 3, 2], brought::formed),
+    family("quantised", [0, 0, 0, 0, 6, 4, 3, 2], brought::quantised),
+    family("posts", [0, 0, 0, 0, 0, 6, 3, 2], met::posts),
+    family("nodules", [0, 0, 0, 0, 0, 6, 3, 2], met::nodules),
+    family("corroded", [0, 0, 0, 0, 0, 6, 3, 2], met::corroded),
+    family("honeycomb", [0, 0, 0, 0, 0, 6, 3, 2], met::honeycomb),
+    family("inclusions", [0, 0, 0, 0, 0, 6, 3, 2], met::inclusions),
+    family("saw-toothed", [0, 0, 0, 0, 0, 6, 3, 2], met::saw_toothed),
+    family("chattered", [0, 0, 0, 0, 0, 6, 3, 2], met::chattered),
+    family("spiky", [0, 0, 0, 0, 0, 6, 3, 2], met::spiky),
+    family("cast", [0, 0, 0, 0, 0, 6, 3, 2], met::cast),
+    family("cascaded", [0, 0, 0, 0, 0, 6, 3, 2], met::cascaded),
+    family("hammered", [0, 0, 0, 0, 0, 0, 6, 2], further::hammered),
+    family("folded", [0, 0, 0, 0, 0, 0, 6, 2], further::folded),
+    family("bricks", [0, 0, 0, 0, 0, 0, 6, 2], further::bricks),
+    family("ploughed", [0, 0, 0, 0, 0, 0, 6, 2], further::ploughed),
+    family("blistered", [0, 0, 0, 0, 0, 0, 6, 2], further::blistered),
+    family("striped", [0, 0, 0, 0, 0, 0, 6, 2], further::striped),
+    family("pulled", [0, 0, 0, 0, 0, 0, 6, 2], further::pulled),
+    family("faceted", [0, 0, 0, 0, 0, 0, 6, 2], further::faceted),
+    family("noisy", [0, 0, 0, 0, 0, 0, 14, 4], instrument::noisy),
+    family("noisy-worn", [0, 0, 0, 0, 0, 0, 14, 4], instrument::noisy_worn),
+    family("noisy-lay", [0, 0, 0, 0, 0, 0, 14, 4], instrument::noisy_lay),
+    family("spiked", [0, 0, 0, 0, 0, 0, 14, 4], instrument::spiked),
+    family("rippled", [0, 0, 0, 0, 0, 0, 0, 6], unseen::rippled),
+    family("sprayed", [0, 0, 0, 0, 0, 0, 0, 6], unseen::sprayed),
+    family("sanded", [0, 0, 0, 0, 0, 0, 0, 6], unseen::sanded),
+    family("grained", [0, 0, 0, 0, 0, 0, 0, 6], unseen::grained),
+    family("gridded", [0, 0, 0, 0, 0, 0, 0, 6], unseen::gridded),
 ];
 
 /// The maps of a part, interleaved so that any first part of the list covers all families.
 pub(crate) fn cases(part: Part) -> Vec<Case> {
     let mut list = Vec::new();
-    let sets = if part == Part::Judge { 6..7 } else { 0..6 };
+    let sets = if part == Part::Judge { 7..8 } else { 0..7 };
     for set in sets {
         for i in 0..FAMILIES.iter().map(|f| f.maps[set]).max().unwrap_or(0) {
             for (place, family) in FAMILIES.iter().enumerate().filter(|(_, f)| i < f.maps[set]) {

@@ -11,11 +11,13 @@ mod families;
 mod fields;
 mod fit;
 mod further;
+mod instrument;
 mod measure;
 mod met;
 mod page;
 mod table;
 mod unkind;
+mod unseen;
 
 use clap::Parser;
 use families::{Case, Part};

@@ -130,8 +130,10 @@ fn solved(
 pub(crate) fn solutions(case: &Case) -> Result<String, Box<dyn Error>> {
     let map = case.map()?;
     let given = solved(&map, &map, &LOADS)?;
-    // What lies between the points of a map in steps is not known: the points are the surface.
-    let finer = if matches!(case.family.name, "stepped" | "quantised") {
+    // What lies between the points of a map in steps, or with noise from point to point, is not known: the points are the
+    // surface.
+    let by_points = ["stepped", "quantised", "noisy", "noisy-worn", "noisy-lay", "spiked"];
+    let finer = if by_points.contains(&case.family.name) {
         Vec::new()
     } else {
         let shape = map.grid().shape().map(|n| 2 * n);

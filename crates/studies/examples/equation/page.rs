@@ -284,25 +284,22 @@ fn classes(answers: &[Answer<'_>]) -> String {
 
 /// What each group of constants buys: fitted without them on the fitted surfaces, asked of the judged.
 fn terms(fitted: &[Row], judged: &[Row]) -> Result<String, Box<dyn Error>> {
-    const WITH_CURVATURE: [usize; 9] = [6, 7, 8, 10, 11, 12, 13, 20, 21];
-    let from = |first: usize, more: &[usize]| -> Vec<usize> {
-        let kept = |i: &usize| *i >= first || WITH_CURVATURE.contains(i) || more.contains(i);
-        (0..MAP_TERMS).filter(kept).collect()
-    };
-    let groups: [(&str, Vec<usize>); 7] = [
-        ("all 22", Vec::new()),
-        ("without the flattened part", vec![21]),
-        ("nor how evenly it is pressed and round", vec![20, 21]),
-        ("nor any curvature", WITH_CURVATURE.to_vec()),
-        ("nor where it is pressed", from(14, &[])),
-        ("nor the evenness of slopes", from(14, &[9])),
-        ("nor any slope of the highest part", from(4, &[])),
+    let steps: [(&str, &[usize]); 7] = [
+        ("all", &[]),
+        ("without how well the part is resolved", &[20, 21, 23]),
+        ("nor the flattened part", &[19]),
+        ("nor any curvature", &[5, 6, 7, 9, 10, 11, 18, 22]),
+        ("nor where it is pressed", &[12, 13, 14, 15, 16, 17]),
+        ("nor the evenness of slopes", &[8]),
+        ("nor any slope of the highest part", &[3, 4]),
     ];
+    let mut left_out = Vec::new();
     let mut page = String::from(
         "\n| constants of the law for a map | number | Gaussian | fitted families | new families |\n|---|---|---|---|---|\n",
     );
-    for (name, left_out) in &groups {
-        let constants = fit::map_without(fitted, left_out);
+    for (name, more) in steps {
+        left_out.extend(more);
+        let constants = fit::map_without(fitted, &left_out);
         let errors = fit::misses(judged, &constants)?;
         let of = |f: &dyn Fn(&str) -> bool| {
             seen(errors.iter().filter(|m| f(&m.family)).map(|m| m.of_area))
