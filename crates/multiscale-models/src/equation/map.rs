@@ -87,7 +87,7 @@ pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TE
     let round = curves.curvature_evenness(twice);
     let pressed = curves.log_slope(a) * curves.pressed(twice);
     let pressure = curves.pressure_evenness(twice);
-    let resolved = [a, twice].map(|part| curves.log_resolved(part));
+    let resolved = curves.log_resolved(twice);
     [
         1.0,
         a * a,
@@ -109,10 +109,10 @@ pub fn map_terms(a: f64, curves: &MapCurves, log_bandwidth: f64) -> [f64; MAP_TE
         a * pressed,
         pressure * curves.curvature_evenness(four_times),
         a * curves.log_flattened(a),
-        resolved[0] * log_bandwidth,
-        light * round * resolved[1],
         even * curves.curvature_product(twice),
-        pressure * resolved[1],
+        even * resolved,
+        light * round * resolved,
+        pressure * resolved,
     ]
 }
 

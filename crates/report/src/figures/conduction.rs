@@ -11,7 +11,7 @@ use crate::numbers::{METRES, PASCALS, significant, times, unit_for};
 use compare::Octave;
 
 const LEFT: f64 = 52.0;
-const RIGHT: f64 = COLUMN - 78.0;
+const RIGHT: f64 = COLUMN - 90.0;
 const TOP: f64 = 12.0;
 const BOTTOM: f64 = 226.0;
 const HEIGHT: f64 = 262.0;

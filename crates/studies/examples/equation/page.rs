@@ -286,9 +286,9 @@ fn classes(answers: &[Answer<'_>]) -> String {
 fn terms(fitted: &[Row], judged: &[Row]) -> Result<String, Box<dyn Error>> {
     let steps: [(&str, &[usize]); 7] = [
         ("all", &[]),
-        ("without how well the part is resolved", &[20, 21, 23]),
+        ("without how well the part is resolved", &[21, 22, 23]),
         ("nor the flattened part", &[19]),
-        ("nor any curvature", &[5, 6, 7, 9, 10, 11, 18, 22]),
+        ("nor any curvature", &[5, 6, 7, 9, 10, 11, 18, 20]),
         ("nor where it is pressed", &[12, 13, 14, 15, 16, 17]),
         ("nor the evenness of slopes", &[8]),
         ("nor any slope of the highest part", &[3, 4]),
