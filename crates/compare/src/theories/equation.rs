@@ -12,7 +12,7 @@ pub(super) fn theory() -> Row {
         label: "Equation",
         title: "The equation (fitted)",
         needs: "m0, m2, m4; from a map also how steep its highest part is",
-        domain: "any area from 0.1 %; off by about 3 % on Gaussian maps, 3 to 22 % on others it was fitted on, more with cracks, coarse height steps or smooth parts among rough ones; measured maps 4 to 41 %, with many filled points 80 %",
+        domain: "any area from 0.1 %; off by about 4 % on Gaussian maps, 3 to 25 % on others it was fitted on, more with cracks, cliffs, coarse height steps or smooth parts among rough ones; measured maps 2 to 30 %, with many filled points 100 %",
         from_map: true,
         yields: false,
         assumes: Assumes::Fitted,

@@ -10,7 +10,7 @@ fn other(d: &Draw) -> f64 {
 }
 
 /// White noise on top, of a part of the mean square gradient; on half of the maps smoothed along the scan.
-fn noisy_as(d: &Draw, heights: Vec<f64>) -> Vec<f64> {
+fn noisy_as(d: &Draw, heights: &[f64]) -> Vec<f64> {
     let n = d.n;
     let share = d.lin(3, 0.05, 0.85);
     let thrice = d.uniform(3 * n * n, 71);
@@ -21,24 +21,24 @@ fn noisy_as(d: &Draw, heights: Vec<f64>) -> Vec<f64> {
     } else {
         white
     };
-    let size = (share / (1.0 - share)).sqrt() * gradient(&heights, n) / gradient(&noise, n);
-    mix(&heights, &noise, |z, w| z + size * w)
+    let size = (share / (1.0 - share)).sqrt() * gradient(heights, n) / gradient(&noise, n);
+    mix(heights, &noise, |z, w| z + size * w)
 }
 
 pub(crate) fn noisy(d: &Draw) -> Heights {
-    Ok(noisy_as(d, rough(d, 1.0, 0)?))
+    Ok(noisy_as(d, &rough(d, 1.0, 0)?))
 }
 
 /// Worn, and measured with noise: it is steepest where the surface is flat.
 pub(crate) fn noisy_worn(d: &Draw) -> Heights {
     let level = -0.5 + 1.7 * other(d);
     let worn = mix(&rough(d, 1.0, 0)?, &fine(d, 1)?, |z, f| softmin(z, level, 0.15) + 0.05 * f);
-    Ok(noisy_as(d, worn))
+    Ok(noisy_as(d, &worn))
 }
 
 /// With a lay, and measured with noise.
 pub(crate) fn noisy_lay(d: &Draw) -> Heights {
-    Ok(noisy_as(d, rough(d, 1.2 * 5f64.powf(other(d)), 0)?))
+    Ok(noisy_as(d, &rough(d, 1.2 * 5f64.powf(other(d)), 0)?))
 }
 
 /// Points far off their neighbours, most of them below: holes where no light comes back.
