@@ -379,7 +379,8 @@ fn sentences_agree_with_the_page_around_them() {
         for said in page.split("The domain of ").skip(1) {
             let name = said.split(" is strained here").next().unwrap();
             let models = comparison.surfaces.iter().flat_map(|s| &s.models);
-            let mut of = models.filter(|m| m.card.title == name);
+            // A title that begins with an article has a small one within a sentence.
+            let mut of = models.filter(|m| m.card.title.replace("The ", "the ") == name);
             assert!(of.any(|m| m.verdict.answer == compare::Applies::Caution), "{name}");
             strained += 1;
         }

@@ -88,7 +88,7 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
     let count = surfaces.len();
     match best {
         Some((k, error)) => {
-            let name = escape(&surfaces[0].models[k].card.title);
+            let name = words::named(&surfaces[0].models[k]);
             let percent = crate::numbers::percent(error);
             if error <= WANTED {
                 format!(

@@ -8,6 +8,15 @@ use crate::words::verdict::reason;
 use compare::survey::FEWEST;
 use compare::{Applies, ModelComparison, ModelCurve, SurfaceComparison, elastic_holds};
 
+/// A model within a sentence, its article small; escaped.
+pub(crate) fn named(model: &ModelComparison) -> String {
+    let title = &model.card.title;
+    match title.strip_prefix("The ") {
+        Some(rest) => format!("the {}", escape(rest)),
+        None => escape(title),
+    }
+}
+
 /// Said where the contact yields.
 pub(crate) const NOT_RANKED: &str = " Theories of elastic bodies are not ranked: where the contact yields they agree by accident at most.";
 
@@ -66,7 +75,7 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
         return format!(
             "{why}, so the closed forms cannot be ranked at \
              10{SPACE}%. By the numbers alone {} is nearest ({}), {}, {}.",
-            escape(&nearest.model.card.title),
+            named(nearest.model),
             signed_percent(nearest.error),
             duration(nearest.seconds),
             faster(nearest)
@@ -80,7 +89,7 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
     match cheapest {
         Some(r) => text.push_str(&format!(
             "Cheapest closed form within 10{SPACE}%: {} ({}), {}, {}.",
-            escape(&r.model.card.title),
+            named(r.model),
             signed_percent(r.error),
             duration(r.seconds),
             faster(r)
@@ -88,7 +97,7 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
         None => text.push_str(&format!(
             "No closed form comes within 10{SPACE}% at this load. The nearest, {}, reads {} {} and \
              takes {}, {}.",
-            escape(&nearest.model.card.title),
+            named(nearest.model),
             percent(nearest.error),
             if nearest.error < 0.0 { "low" } else { "high" },
             duration(nearest.seconds),
@@ -100,7 +109,7 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
     {
         text.push_str(&format!(
             " The nearest, {}, is {} off and takes {}.",
-            escape(&nearest.model.card.title),
+            named(nearest.model),
             percent(nearest.error),
             duration(nearest.seconds)
         ));
@@ -109,7 +118,7 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
     if best.model.verdict.answer == Applies::Caution && best.model.verdict.at_every_load {
         text.push_str(&format!(
             " The domain of {} is strained here: {}.",
-            escape(&best.model.card.title),
+            named(best.model),
             reason(best.model).trim_end_matches('.')
         ));
     }
