@@ -409,7 +409,7 @@ impl Solver {
     }
 
     /// Whether the loads from now on are those of a curve, solved one after the other: then each starts from the last
-    /// two, extrapolated, as in [`curve`](Self::curve), and not from the last one alone. With
+    /// two, extrapolated, as in [`curve`](Self::curve), if it is less than 2.2 times away, and not from the last one alone. With
     /// [`Method::Chord`](crate::Method), on grids below 8192 x 8192, for two fields more of memory; it changes answers
     /// within the tolerance.
     pub fn follow_curve(&mut self, is_on: bool) {

@@ -9,6 +9,9 @@ use grid_fft::parallel::prelude::*;
 
 /// Farthest extrapolation, in steps of the last two loads.
 const FARTHEST: f64 = 4.0;
+/// Widest step in the logarithm of the load, ln 2.2: where loads are a factor of 2 apart a pair is saved, where 2.5 two more are
+/// needed than from the last solution alone.
+const WIDEST: f64 = 0.79;
 
 /// The solution before the last, with its load.
 pub(crate) struct Earlier<T> {
@@ -41,7 +44,8 @@ impl<T: Real> Earlier<T> {
     ) -> bool {
         let present = fields::sum(&last.pressure) / last.pressure.len() as f64;
         let steps = self.load.map(|earlier| (load / present).ln() / (present / earlier).ln());
-        let usable = steps.filter(|t| t.abs() <= FARTHEST);
+        let is_near = (load / present).ln().abs() <= WIDEST;
+        let usable = steps.filter(|t| is_near && t.abs() <= FARTHEST);
         if let (Some(t), Some(earlier)) = (usable, self.load) {
             let factors = [load * (1.0 + t) / present, load * t / earlier];
             let line = Line { factors, least: 0.0 };
