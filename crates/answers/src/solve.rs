@@ -214,7 +214,7 @@ impl Question {
             // What lies between the points is looked at where each load touches.
             let mut errors = Errors { known, whole: surface, part, finer };
             // As a study does, so that both give the same digits.
-            solver.follow_curve(self.loads.len() > 2);
+            solver.follow_curve(self.loads.len());
             for index in rising(&self.loads) {
                 let load = self.loads[index];
                 watch.working_on(load);

@@ -179,7 +179,7 @@ fn compare(
     let plan = match settings.accuracy {
         None => {
             let mut solver = built(builder(settings).maps(Maps::PressureAndGap).section(section))?;
-            solver.follow_curve(pressures.len() > 2);
+            solver.follow_curve(pressures.len());
             for (i, &p) in pressures.iter().enumerate() {
                 task.load(&mut solver, (i, p), settings.conducts(), &mut curve, &mut tell)?;
                 tell(curve.news(i))?;
@@ -218,7 +218,7 @@ fn compare(
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
         let mut solver = built(elastic(settings).maps(Maps::Pressure))?;
-        solver.follow_curve(deterministic.len() > 2);
+        solver.follow_curve(deterministic.len());
         let mut beside = Curve::new(known, settings.headline, settings.edges);
         for (i, point) in deterministic.iter().enumerate() {
             // Where nothing has yielded, the answer is the elastic one.

@@ -45,7 +45,7 @@ impl Solver {
     ) {
         let mut order: Vec<usize> = (0..mean_pressures.len()).collect();
         order.sort_by(|&i, &j| mean_pressures[i].total_cmp(&mean_pressures[j]));
-        self.follow_curve(true);
+        self.extrapolate(true);
         for index in order {
             let load = Load::MeanPressure(mean_pressures[index]);
             let result = self.solve_observed(surface, load, &mut observer);
@@ -53,6 +53,6 @@ impl Solver {
                 break;
             }
         }
-        self.follow_curve(false);
+        self.extrapolate(false);
     }
 }

@@ -408,11 +408,15 @@ impl Solver {
         })?
     }
 
-    /// Whether the loads from now on are those of a curve, solved one after the other: then each starts from the last
-    /// two, extrapolated, as in [`curve`](Self::curve), if it is less than 2.2 times away, and not from the last one alone. With
-    /// [`Method::Chord`](crate::Method), on grids below 8192 x 8192, for two fields more of memory; it changes answers
-    /// within the tolerance.
-    pub fn follow_curve(&mut self, is_on: bool) {
+    /// The next `loads` are those of a curve, solved one after the other: if they are more than two, each starts from the
+    /// last two, extrapolated, as in [`curve`](Self::curve), where it is less than 2.2 times away, and not from the last one alone. With
+    /// [`Method::Chord`](crate::Method), on grids below 8192 x 8192, for two fields more of memory until it is called again
+    /// with fewer; it changes answers within the tolerance.
+    pub fn follow_curve(&mut self, loads: usize) {
+        self.extrapolate(loads > 2);
+    }
+
+    pub(crate) fn extrapolate(&mut self, is_on: bool) {
         match &mut self.engine {
             Work::Double(engine) => engine.extrapolate(is_on),
             Work::Single(engine) => engine.extrapolate(is_on),

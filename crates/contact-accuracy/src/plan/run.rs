@@ -163,7 +163,7 @@ fn attempt(
         .section(section)
         .threads(task.threads.max(1))
         .build(map.grid(), task.modulus)?;
-    solver.follow_curve(task.loads.len() > 2);
+    solver.follow_curve(task.loads.len());
     sink.begin(&map);
     let mut attempt = Attempt { loads: Vec::new(), transforms: 0.0, leave_for: None };
     for (index, &load) in task.loads.iter().enumerate() {

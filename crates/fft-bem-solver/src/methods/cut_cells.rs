@@ -30,13 +30,25 @@ impl Cut {
     /// Distance of the centre of pixel `2 c` from that of cell c, in cells: from -1/4 to 1/4.
     #[inline(always)]
     fn even(&self, c: usize) -> f32 {
-        (number(c) - 0.5 * number(self.cells - 1)) * self.per_pixel
+        self.even_of(number(c))
+    }
+
+    /// The same of the cell of this number.
+    #[inline(always)]
+    fn even_of(&self, c: f32) -> f32 {
+        (c - 0.5 * number(self.cells - 1)) * self.per_pixel
     }
 
     /// The same of pixel `2 c + 1`: from 1/4 to 3/4.
     #[inline(always)]
     fn odd(&self, c: usize) -> f32 {
-        (number(c) + 0.5 * number(self.cells + 1)) * self.per_pixel
+        self.odd_of(number(c))
+    }
+
+    /// The same of the cell of this number.
+    #[inline(always)]
+    fn odd_of(&self, c: f32) -> f32 {
+        (c + 0.5 * number(self.cells + 1)) * self.per_pixel
     }
 
     fn left(&self, c: usize) -> usize {
@@ -83,13 +95,9 @@ impl Cut {
     /// What the cells `first..` gather from `pixels`, which begin at `2 first - 2`.
     #[inline(always)]
     pub(crate) fn interpolate_transposed(&self, first: usize, pixels: &[f32], cells: &mut [f32]) {
-        let Self { cells: count, per_pixel } = *self;
-        let (below, above) = (0.5 * number(count - 1), 0.5 * number(count + 1));
-        let even = |c: f32| (c - below) * per_pixel;
-        let odd = |c: f32| (c + above) * per_pixel;
-        let (x, y, z) = (&pixels.as_chunks::<2>().0, &pixels[2..], &pixels[4..]);
-        let (y, z) = (y.as_chunks::<2>().0, z.as_chunks::<2>().0);
-        for (k, (((out, x), y), z)) in cells.iter_mut().zip(*x).zip(y).zip(z).enumerate() {
+        let (even, odd) = (|c| self.even_of(c), |c| self.odd_of(c));
+        let [x, y, z] = [0, 2, 4].map(|first| pixels[first..].as_chunks::<2>().0);
+        for (k, (((out, x), y), z)) in cells.iter_mut().zip(x).zip(y).zip(z).enumerate() {
             let c = number(first + k);
             let left = even(c - 1.0).max(0.0) * x[0] + odd(c - 1.0) * x[1];
             let own = left + (1.0 - even(c).abs()) * y[0] + (1.0 - odd(c)) * y[1];

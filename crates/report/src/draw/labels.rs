@@ -5,6 +5,8 @@ use crate::draw::svg::{Canvas, Rect, Stroke, Text, overlap};
 
 /// Distance between base lines of neighbouring labels, in units.
 pub const PITCH: f64 = 11.5;
+/// What is left for them beside a figure, in units: the longest, bold, has room in fonts wider than those asked for.
+pub const ROOM: f64 = 90.0;
 
 /// A name for the right end of a line.
 #[derive(Debug, Clone)]

@@ -1,7 +1,7 @@
 //! What the contact conducts: over the load, and without the shortest waves.
 
 use crate::draw::axes::{Axis, Frame};
-use crate::draw::labels::{EndLabel, draw_end_labels};
+use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{
     Colour, DETERMINISTIC, DETERMINISTIC_LOOK, INK2, Look, Marker, PERSSON,
 };
@@ -11,7 +11,7 @@ use crate::numbers::{METRES, PASCALS, significant, times, unit_for};
 use compare::Octave;
 
 const LEFT: f64 = 52.0;
-const RIGHT: f64 = COLUMN - 90.0;
+const RIGHT: f64 = COLUMN - ROOM;
 const TOP: f64 = 12.0;
 const BOTTOM: f64 = 226.0;
 const HEIGHT: f64 = 262.0;

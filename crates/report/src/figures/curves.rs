@@ -1,15 +1,15 @@
 //! The figures over the load: real area, real pressure, error of each closed form.
 
 use crate::draw::axes::{Axis, Frame};
-use crate::draw::labels::{EndLabel, draw_end_labels};
+use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK2};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
 use crate::lines::{Lines, ModelLine, compared, min_max, range_words};
 use crate::numbers::{PASCALS, Unit, signed_range, unit_for};
 
-/// Plot box: left and right edge in units. The longest label beside it, bold, has room in fonts wider than those asked for.
+/// Plot box: left and right edge in units.
 const LEFT: f64 = 44.0;
-const RIGHT: f64 = COLUMN - 90.0;
+const RIGHT: f64 = COLUMN - ROOM;
 const TOP: f64 = 12.0;
 /// Height of a figure, whatever notes it carries, so that neighbours stay level.
 const HEIGHT: f64 = 262.0;

@@ -1,18 +1,13 @@
 //! Families of kinds that people bring, none of them among those the laws were fitted on or judged by before.
 
-use crate::fields::{fine, rough};
+use crate::fields::{fine, other, rough};
 use std::f64::consts::TAU;
 use studies::maps::{Draw, Heights, mix, softmin};
-
-/// Another number between 0 and 1 of the draw.
-fn other(d: &Draw) -> f64 {
-    (5.7 * d.t[3]) % 1.0
-}
 
 /// Eroded by sparks: shallow dishes one upon the other, the last one whole, each with a low rim of melt.
 pub(crate) fn eroded(d: &Draw) -> Heights {
     let count = 150;
-    let (n, u, rim) = (d.n as f64, d.uniform(4 * count, 19), 0.1 + 0.4 * other(d));
+    let (n, u, rim) = (d.n as f64, d.uniform(4 * count, 19), 0.1 + 0.4 * other(d, 5.7));
     let size = d.lin(3, 0.04, 0.08) * n;
     let dishes = d.points(|y, x| {
         let mut height = 0.0;
@@ -35,14 +30,14 @@ pub(crate) fn blasted_rolled(d: &Draw) -> Heights {
     let n = d.n as f64;
     let dents = d.field(0.8, n / 48.0, n / 12.0, 1.0, 0)?;
     let lines = d.field(0.6, 8.0, 48.0, 8.0, 1)?;
-    let (level, share) = (d.lin(3, -0.6, 0.8), 0.02 + 0.08 * other(d));
+    let (level, share) = (d.lin(3, -0.6, 0.8), 0.02 + 0.08 * other(d, 5.7));
     Ok(mix(&dents, &lines, |z, l| softmin(z, level, 0.25) + share * l))
 }
 
 /// Brushed: a long lay, and a few single lines much deeper than the rest.
 pub(crate) fn hairline(d: &Draw) -> Heights {
     let count = 2 + (8.0 * d.t[3]) as usize;
-    let (n, u, depth) = (d.n as f64, d.uniform(3 * count, 23), 2.0 + 6.0 * other(d));
+    let (n, u, depth) = (d.n as f64, d.uniform(3 * count, 23), 2.0 + 6.0 * other(d, 5.7));
     let lines = d.points(|_, x| {
         let one = |u: &[f64]| {
             let r = d.apart(x, u[0] * n) / (6.0 + 6.0 * u[1]);
@@ -50,7 +45,7 @@ pub(crate) fn hairline(d: &Draw) -> Heights {
         };
         u.chunks_exact(3).map(one).sum()
     });
-    Ok(mix(&rough(d, 4.0 + 4.0 * other(d), 0)?, &lines, |z, l| z + l))
+    Ok(mix(&rough(d, 4.0 + 4.0 * other(d, 5.7), 0)?, &lines, |z, l| z + l))
 }
 
 /// The grain of wood: rings cut along the trunk, early wood softer and lower, with open pores along the grain.
@@ -59,7 +54,7 @@ pub(crate) fn wood(d: &Draw) -> Heights {
     let bend = d.field(0.9, n / 6.0, n / 2.0, 4.0, 0)?;
     let fibres = d.field(0.5, 8.0, 40.0, 8.0, 1)?;
     let rings = 4.0 + (8.0 * d.t[3]).round();
-    let (pores, steep) = (0.5 + 2.0 * other(d), 1.5);
+    let (pores, steep) = (0.5 + 2.0 * other(d, 5.7), 1.5);
     let at = |i: usize| {
         let x = (i % d.n) as f64;
         let ring = (steep * (TAU * (rings * x / n + 0.4 * bend[i])).sin()).tanh();
@@ -72,7 +67,7 @@ pub(crate) fn wood(d: &Draw) -> Heights {
 pub(crate) fn layered(d: &Draw) -> Heights {
     let n = d.n as f64;
     let layers = 4 + (12.0 * d.t[3]) as usize;
-    let (heights, drops) = (d.uniform(layers, 29), 12 + (30.0 * other(d)) as usize);
+    let (heights, drops) = (d.uniform(layers, 29), 12 + (30.0 * other(d, 5.7)) as usize);
     let u = d.uniform(3 * drops, 31);
     let pitch = n / layers as f64;
     let beads = d.points(|y, x| {
@@ -90,7 +85,7 @@ pub(crate) fn layered(d: &Draw) -> Heights {
 
 /// Fretted: in a worn ground a scar that is rougher, deeper within and heaped with debris at its edge.
 pub(crate) fn fretted(d: &Draw) -> Heights {
-    let (n, deep) = (d.n as f64, 0.5 + 2.5 * other(d));
+    let (n, deep) = (d.n as f64, 0.5 + 2.5 * other(d, 5.7));
     let (wide, level) = (d.lin(3, 0.15, 0.35) * n, 0.3);
     let (ground, debris) = (rough(d, 1.0, 0)?, fine(d, 1)?);
     let at = |i: usize| {
@@ -108,7 +103,7 @@ pub(crate) fn fretted(d: &Draw) -> Heights {
 /// Etched: grains with straight boundaries, each at a level of its own, a groove between them.
 pub(crate) fn etched(d: &Draw) -> Heights {
     let count = 20 + (60.0 * d.t[3]) as usize;
-    let (n, u, groove) = (d.n as f64, d.uniform(3 * count, 37), 1.5 * other(d));
+    let (n, u, groove) = (d.n as f64, d.uniform(3 * count, 37), 1.5 * other(d, 5.7));
     let grains = d.points(|y, x| {
         // The nearest two: where they are as near as each other runs the boundary.
         let (mut first, mut second) = ((f64::INFINITY, 0.0), (f64::INFINITY, 0.0));
@@ -131,7 +126,7 @@ pub(crate) fn etched(d: &Draw) -> Heights {
 pub(crate) fn scaled_islands(d: &Draw) -> Heights {
     let n = d.n as f64;
     let place = d.field(0.9, n / 20.0, n / 6.0, 1.0, 1)?;
-    let (above, thick) = (d.lin(3, -0.5, 1.0), 0.5 + 2.5 * other(d));
+    let (above, thick) = (d.lin(3, -0.5, 1.0), 0.5 + 2.5 * other(d, 5.7));
     let share = |s: f64| 1.0 / (1.0 + (-10.0 * (s - above)).exp());
     Ok(mix(&rough(d, 1.0, 0)?, &place, |z, s| {
         let island = share(s);
@@ -152,7 +147,7 @@ pub(crate) fn formed(d: &Draw) -> Heights {
 
 /// Heights in a few steps only, several times larger than what neighbours differ by; bent as by a pressed film.
 pub(crate) fn quantised(d: &Draw) -> Heights {
-    let bend = 0.6 * (2.0 * other(d) - 1.0);
+    let bend = 0.6 * (2.0 * other(d, 5.7) - 1.0);
     let z: Vec<f64> = rough(d, 1.0, 0)?.iter().map(|z| (z.asinh() + bend).sinh()).collect();
     let step = d.log(3, 1.5, 4.0) * studies::maps::gradient(&z, d.n);
     Ok(z.iter().map(|z| (z / step).round() * step).collect())

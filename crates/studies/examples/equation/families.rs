@@ -2,7 +2,7 @@
 //! families, of kinds that took no part in the fit.
 
 use crate::brought;
-use crate::fields::{fine, rough};
+use crate::fields::{fine, other, rough};
 use crate::further;
 use crate::instrument;
 use crate::met;
@@ -167,20 +167,20 @@ fn lay(d: &Draw) -> Heights {
 
 /// Through sinh((asinh z + bend) / tails): skewed, with heavier or lighter tails.
 fn bent(d: &Draw) -> Heights {
-    let (bend, tails) = (d.lin(3, -0.7, 0.7), 0.75 + 0.6 * ((7.3 * d.t[3]) % 1.0));
+    let (bend, tails) = (d.lin(3, -0.7, 0.7), 0.75 + 0.6 * other(d, 7.3));
     Ok(rough(d, 1.0, 0)?.iter().map(|z| ((z.asinh() + bend) / tails).sinh()).collect())
 }
 
 /// Summits pressed to a level, and on most of them a fine roughness of the wear.
 fn worn(d: &Draw) -> Heights {
     let level = d.lin(3, -0.5, 1.2);
-    let on_top = 0.15 * ((5.7 * d.t[3]) % 1.0);
+    let on_top = 0.15 * other(d, 5.7);
     Ok(mix(&rough(d, 1.0, 0)?, &fine(d, 1)?, |z, f| softmin(z, level, 0.15) + on_top * f))
 }
 
 fn turned(d: &Draw) -> Heights {
     let marks = (4.0 + 24.0 * d.t[3]).round();
-    let depth = 0.3 + 2.0 * ((5.7 * d.t[3]) % 1.0);
+    let depth = 0.3 + 2.0 * other(d, 5.7);
     let n = d.n as f64;
     let waves = d.points(|_, x| depth * triangle(marks * x / n).powf(1.5));
     Ok(mix(&rough(d, 1.0, 0)?, &waves, |z, w| 0.5 * z + w))
@@ -199,7 +199,7 @@ fn scratched(d: &Draw) -> Heights {
     let count = 3 + (20.0 * d.t[3]) as usize;
     let u = d.uniform(4 * count, 3);
     let n = d.n as f64;
-    let rim = 0.4 * ((5.7 * d.t[3]) % 1.0);
+    let rim = 0.4 * other(d, 5.7);
     let marks = d.points(|y, x| {
         let one = |u: &[f64]| {
             let slope = (7.0 * u[0]).floor() - 3.0;
@@ -279,7 +279,7 @@ fn partly_polished(d: &Draw) -> Heights {
 /// Arcs of a face mill.
 fn milled(d: &Draw) -> Heights {
     let n = d.n as f64;
-    let (pitch, depth) = (n / (5.0 + 20.0 * d.t[3]).round(), 0.3 + 1.5 * ((5.7 * d.t[3]) % 1.0));
+    let (pitch, depth) = (n / (5.0 + 20.0 * d.t[3]).round(), 0.3 + 1.5 * other(d, 5.7));
     let arcs = d.points(|y, x| {
         let bow = 0.15 * n * (TAU * y / n).cos();
         depth * (TAU * (x + bow) / pitch).cos()
@@ -307,7 +307,7 @@ fn weibull(d: &Draw) -> Heights {
 /// Round dimples, as by laser, in rows on a rough ground.
 fn dimpled(d: &Draw) -> Heights {
     let (n, count) = (d.n as f64, (4.0 + 8.0 * d.t[3]).round());
-    let (pitch, depth) = (n / count, 1.0 + 3.0 * ((5.7 * d.t[3]) % 1.0));
+    let (pitch, depth) = (n / count, 1.0 + 3.0 * other(d, 5.7));
     let holes = d.points(|y, x| {
         let apart = |a: f64| (a / pitch).fract() - 0.5;
         let r = apart(y).hypot(apart(x)) / 0.3;
@@ -330,7 +330,7 @@ fn ball_bed(d: &Draw) -> Heights {
         };
         u.chunks_exact(3).map(top).fold(0.0, f64::max)
     });
-    let on_top = 0.02 * size * ((5.7 * d.t[3]) % 1.0);
+    let on_top = 0.02 * size * other(d, 5.7);
     Ok(mix(&balls, &fine(d, 1)?, |b, f| b + on_top * f))
 }
 
@@ -352,7 +352,7 @@ fn craters(d: &Draw) -> Heights {
 fn terraces(d: &Draw) -> Heights {
     let n = d.n as f64;
     let coarse = d.field(0.9, n / 12.0, n / 3.0, 1.0, 0)?;
-    let (step, on_top) = (d.lin(3, 0.4, 1.2), 0.02 + 0.15 * ((5.7 * d.t[3]) % 1.0));
+    let (step, on_top) = (d.lin(3, 0.4, 1.2), 0.02 + 0.15 * other(d, 5.7));
     let stairs = |z: f64| {
         let (whole, part) = ((z / step).floor(), (z / step).rem_euclid(1.0));
         step * (whole + 0.5 + 0.5 * (10.0 * (part - 0.5)).tanh() / 5f64.tanh())
@@ -363,7 +363,7 @@ fn terraces(d: &Draw) -> Heights {
 /// Folded at its mean plane, upwards or downwards: creases as crests or as valleys.
 fn creased(d: &Draw) -> Heights {
     let sign = if d.t[3] < 0.5 { 1.0 } else { -1.0 };
-    let sharp = 0.05 + 0.2 * ((5.7 * d.t[3]) % 1.0);
+    let sharp = 0.05 + 0.2 * other(d, 5.7);
     Ok(rough(d, 1.0, 0)?.iter().map(|z| sign * z.hypot(sharp)).collect())
 }
 
@@ -383,7 +383,7 @@ fn gritty(d: &Draw) -> Heights {
 
 /// Rough in a band, nearly smooth beside it, at the same mean height.
 fn banded(d: &Draw) -> Heights {
-    let (n, calm) = (d.n as f64, 0.1 + 0.4 * ((5.7 * d.t[3]) % 1.0));
+    let (n, calm) = (d.n as f64, 0.1 + 0.4 * other(d, 5.7));
     let wide = d.lin(3, 0.1, 0.4) * n;
     let share = d.points(|y, _| 1.0 / (1.0 + ((d.apart(y, 0.5 * n).abs() - wide) / 4.0).exp()));
     Ok(mix(&rough(d, 1.0, 0)?, &share, |z, s| (calm + (1.0 - calm) * s) * z))
@@ -403,27 +403,27 @@ fn knurled(d: &Draw) -> Heights {
         let [a, b] = [(x + y) * count / n, (x - y) * count / n];
         softmin(triangle(a), triangle(b), 0.1)
     });
-    let on_top = 0.03 + 0.2 * ((5.7 * d.t[3]) % 1.0);
+    let on_top = 0.03 + 0.2 * other(d, 5.7);
     Ok(mix(&ridges, &fine(d, 1)?, |r, f| r + on_top * f))
 }
 
 /// Bent heights on a lay.
 fn bent_lay(d: &Draw) -> Heights {
-    let (bend, stretch) = (d.lin(3, -0.6, 0.6), 2.0 + 4.0 * ((7.3 * d.t[3]) % 1.0));
+    let (bend, stretch) = (d.lin(3, -0.6, 0.6), 2.0 + 4.0 * other(d, 7.3));
     Ok(rough(d, stretch, 0)?.iter().map(|z| (z.asinh() + bend).sinh()).collect())
 }
 
 /// A wide spectrum with its summits worn to a level.
 fn worn_wide(d: &Draw) -> Heights {
     let level = d.lin(3, -0.5, 1.2);
-    let on_top = 0.1 * ((5.7 * d.t[3]) % 1.0);
+    let on_top = 0.1 * other(d, 5.7);
     Ok(mix(&wide(d)?, &fine(d, 1)?, |z, f| softmin(z, level, 0.15) + on_top * f))
 }
 
 /// Ground along a lay, then lapped: its ridges flat, with the lapping's own roughness.
 fn lapped_lay(d: &Draw) -> Heights {
     let level = d.lin(3, -0.3, 1.0);
-    let stretch = 3.0 + 6.0 * ((7.3 * d.t[3]) % 1.0);
+    let stretch = 3.0 + 6.0 * other(d, 7.3);
     Ok(mix(&rough(d, stretch, 0)?, &fine(d, 1)?, |z, f| softmin(z, level, 0.2) + 0.08 * f))
 }
 

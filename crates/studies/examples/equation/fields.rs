@@ -13,3 +13,8 @@ pub(crate) fn rough(d: &Draw, stretch: f64, salt: u64) -> Heights {
 pub(crate) fn fine(d: &Draw, salt: u64) -> Heights {
     d.field(d.lin(0, 0.3, 0.9), 8.0, d.log(1, 12.0, 60.0), 1.0, salt)
 }
+
+/// Another number between 0 and 1 of the draw, as unlike its last as `times` makes it.
+pub(crate) fn other(d: &Draw, times: f64) -> f64 {
+    (times * d.t[3]) % 1.0
+}

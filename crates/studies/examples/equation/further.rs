@@ -1,13 +1,8 @@
 //! Eight further families that took no part in any law before.
 
-use crate::fields::{fine, rough};
+use crate::fields::{fine, other, rough};
 use std::f64::consts::TAU;
 use studies::maps::{Draw, Heights, mix, softmin};
-
-/// Another number between 0 and 1 of the draw.
-fn other(d: &Draw) -> f64 {
-    (9.3 * d.t[3]) % 1.0
-}
 
 /// Hammered: round dents side by side, the crests between them sharp, with the hammer's own roughness.
 pub(crate) fn hammered(d: &Draw) -> Heights {
@@ -21,14 +16,14 @@ pub(crate) fn hammered(d: &Draw) -> Heights {
         };
         u.chunks_exact(3).map(one).fold(f64::INFINITY, f64::min)
     });
-    let on_top = 0.01 + 0.06 * other(d);
+    let on_top = 0.01 + 0.06 * other(d, 9.3);
     Ok(mix(&dents, &fine(d, 1)?, |z, f| z + on_top * f))
 }
 
 /// Folded both ways: creases that stand up and creases that lie low.
 pub(crate) fn folded(d: &Draw) -> Heights {
     let (a, b) = (rough(d, 1.0, 0)?, rough(d, 1.0, 1)?);
-    let sharp = 0.1 + 0.2 * other(d);
+    let sharp = 0.1 + 0.2 * other(d, 9.3);
     let share = d.lin(3, 0.2, 1.0);
     Ok(mix(&a, &b, |a, b| a.hypot(sharp) - share * b.hypot(sharp)))
 }
@@ -38,7 +33,7 @@ pub(crate) fn bricks(d: &Draw) -> Heights {
     let (n, rows) = (d.n as f64, 4 + (8.0 * d.t[3]) as usize);
     let columns = rows.div_ceil(2);
     let u = d.uniform(2 * rows * columns, 53);
-    let deep = 0.5 + 2.0 * other(d);
+    let deep = 0.5 + 2.0 * other(d, 9.3);
     let tiles = d.points(|y, x| {
         let row = ((y / n * rows as f64) as usize).min(rows - 1);
         let across = y / n * rows as f64 - row as f64 - 0.5;
@@ -58,7 +53,7 @@ pub(crate) fn bricks(d: &Draw) -> Heights {
 pub(crate) fn ploughed(d: &Draw) -> Heights {
     let count = 10 + (60.0 * d.t[3]) as usize;
     let (n, u) = (d.n as f64, d.uniform(5 * count, 57));
-    let rim = 1.0 + 2.0 * other(d);
+    let rim = 1.0 + 2.0 * other(d, 9.3);
     let furrows = d.points(|y, x| {
         let one = |u: &[f64]| {
             let (sin, cos) = (TAU * u[2]).sin_cos();
@@ -83,7 +78,7 @@ pub(crate) fn blistered(d: &Draw) -> Heights {
         };
         u.chunks_exact(3).map(one).fold(0.0, f64::max)
     });
-    let skin = 0.02 + 0.1 * other(d);
+    let skin = 0.02 + 0.1 * other(d, 9.3);
     Ok(mix(&domes, &fine(d, 1)?, |z, f| z + skin * f))
 }
 
@@ -91,7 +86,7 @@ pub(crate) fn blistered(d: &Draw) -> Heights {
 pub(crate) fn striped(d: &Draw) -> Heights {
     let stripes = 4 + (14.0 * d.t[3]) as usize;
     let (u, n) = (d.uniform(2 * stripes, 61), d.n);
-    let step = 1.5 * other(d);
+    let step = 1.5 * other(d, 9.3);
     let ground = rough(d, 3.0, 0)?;
     let value = |k: usize, i: usize| u[2 * (i % stripes) + k];
     let at = |i: usize| {
@@ -106,7 +101,7 @@ pub(crate) fn striped(d: &Draw) -> Heights {
 
 /// Torn along a lay: many low ridges, few high ones.
 pub(crate) fn pulled(d: &Draw) -> Heights {
-    let (stretch, uneven) = (2.0 + 4.0 * other(d), d.lin(3, 0.4, 1.0));
+    let (stretch, uneven) = (2.0 + 4.0 * other(d, 9.3), d.lin(3, 0.4, 1.0));
     let (lay, small) = (rough(d, stretch, 0)?, fine(d, 1)?);
     Ok(mix(&lay, &small, |z, f| (uneven * z).exp() + 0.05 * f))
 }
@@ -126,6 +121,6 @@ pub(crate) fn faceted(d: &Draw) -> Heights {
         };
         u.chunks_exact(5).map(one).fold(-10.0, f64::max)
     });
-    let level = 0.1 + 0.6 * other(d);
+    let level = 0.1 + 0.6 * other(d, 9.3);
     Ok(mix(&facets, &fine(d, 1)?, |z, f| softmin(z, level, 0.05) + 0.02 * f))
 }

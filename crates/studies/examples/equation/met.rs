@@ -1,19 +1,14 @@
 //! Families of kinds that one meets and that took no part in any law before: written down with the constants that they are
 //! to judge.
 
-use crate::fields::{fine, rough};
+use crate::fields::{fine, other, rough};
 use std::f64::consts::TAU;
 use studies::maps::{Draw, Heights, mix, softmin};
-
-/// Another number between 0 and 1 of the draw.
-fn other(d: &Draw) -> f64 {
-    (7.9 * d.t[3]) % 1.0
-}
 
 /// Square posts in rows, as of a stamp, with walls of a few points and a rough skin on tops and ground.
 pub(crate) fn posts(d: &Draw) -> Heights {
     let (n, rows) = (d.n as f64, (3.0 + 9.0 * d.t[3]).round());
-    let (pitch, half) = (n / rows, 0.15 + 0.25 * other(d));
+    let (pitch, half) = (n / rows, 0.15 + 0.25 * other(d, 7.9));
     let posts = d.points(|y, x| {
         let inside = |c: f64| {
             let away = ((c / pitch).fract() - 0.5).abs() - half;
@@ -57,7 +52,7 @@ pub(crate) fn corroded(d: &Draw) -> Heights {
 /// Walls between cells, rounded at their tops, the cells' floors smoother and lower.
 pub(crate) fn honeycomb(d: &Draw) -> Heights {
     let count = 15 + (45.0 * d.t[3]) as usize;
-    let (n, u, wide) = (d.n as f64, d.uniform(2 * count, 43), 4.0 + 8.0 * other(d));
+    let (n, u, wide) = (d.n as f64, d.uniform(2 * count, 43), 4.0 + 8.0 * other(d, 7.9));
     let walls = d.points(|y, x| {
         let (mut first, mut second) = (f64::INFINITY, f64::INFINITY);
         for u in u.chunks_exact(2) {
@@ -73,7 +68,7 @@ pub(crate) fn honeycomb(d: &Draw) -> Heights {
 pub(crate) fn inclusions(d: &Draw) -> Heights {
     let n = d.n as f64;
     let place = d.field(0.9, n / 32.0, n / 10.0, 1.0, 1)?;
-    let (above, relief) = (d.lin(3, 0.3, 1.5), 0.3 + 2.0 * other(d));
+    let (above, relief) = (d.lin(3, 0.3, 1.5), 0.3 + 2.0 * other(d, 7.9));
     let hard = |s: f64| 1.0 / (1.0 + (-14.0 * (s - above)).exp());
     Ok(mix(&rough(d, 1.0, 0)?, &place, |z, s| relief * hard(s) + (0.08 + 0.1 * hard(s)) * z))
 }
@@ -81,7 +76,7 @@ pub(crate) fn inclusions(d: &Draw) -> Heights {
 /// Teeth with one steep and one long side, the long side rough.
 pub(crate) fn saw_toothed(d: &Draw) -> Heights {
     let (n, teeth) = (d.n as f64, (4.0 + 12.0 * d.t[3]).round());
-    let steep = 0.08 + 0.2 * other(d);
+    let steep = 0.08 + 0.2 * other(d, 7.9);
     let sides = d.points(|y, x| {
         let at = (teeth * x / n + 0.05 * (TAU * y / n).sin()).rem_euclid(1.0);
         softmin(at / (1.0 - steep), (1.0 - at) / steep, 0.08)
@@ -92,7 +87,7 @@ pub(crate) fn saw_toothed(d: &Draw) -> Heights {
 /// A lay with the waves of a tool that chattered across it.
 pub(crate) fn chattered(d: &Draw) -> Heights {
     let (n, marks) = (d.n as f64, (6.0 + 14.0 * d.t[3]).round());
-    let depth = 0.5 + 2.0 * other(d);
+    let depth = 0.5 + 2.0 * other(d, 7.9);
     let wander = d.field(0.9, n / 6.0, n / 2.0, 1.0, 1)?;
     let lay = rough(d, 4.0, 0)?;
     let at = |i: usize| {
@@ -122,7 +117,7 @@ pub(crate) fn cast(d: &Draw) -> Heights {
     let n = d.n as f64;
     let sand = d.field(0.6, n / 48.0, n / 16.0, 1.0, 0)?;
     let sunk = d.field(0.8, n / 16.0, n / 4.0, 1.0, 1)?;
-    let (share, on_top) = (d.lin(3, 0.3, 1.2), 0.02 + 0.08 * other(d));
+    let (share, on_top) = (d.lin(3, 0.3, 1.2), 0.02 + 0.08 * other(d, 7.9));
     let f = fine(d, 2)?;
     let at = |i: usize| softmin(sand[i].abs(), 1.2, 0.1) + share * sunk[i] + on_top * f[i];
     Ok((0..d.n * d.n).map(at).collect())

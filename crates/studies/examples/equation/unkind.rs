@@ -1,13 +1,8 @@
 //! Families that the law for a map has never seen, of the kinds one would rather not be asked.
 
-use crate::fields::{fine, rough};
+use crate::fields::{fine, other, rough};
 use std::f64::consts::TAU;
 use studies::maps::{Draw, Heights, mix, softmin, triangle};
-
-/// Another number between 0 and 1 of the draw.
-fn other(d: &Draw, times: f64) -> f64 {
-    (times * d.t[3]) % 1.0
-}
 
 /// Flat dots in rows on a rough ground, each with a raised rim, as a laser melts them.
 pub(crate) fn laser_dots(d: &Draw) -> Heights {

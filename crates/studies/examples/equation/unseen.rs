@@ -1,18 +1,13 @@
 //! Five further families that take no part in the law: it is asked once what it says of them.
 
-use crate::fields::{fine, rough};
+use crate::fields::{fine, other, rough};
 use std::f64::consts::TAU;
 use studies::maps::{Draw, Heights, mix, triangle};
-
-/// Another number between 0 and 1 of the draw.
-fn other(d: &Draw) -> f64 {
-    (9.3 * d.t[3]) % 1.0
-}
 
 /// A weld: bowed ripples one after the other, rough in themselves.
 pub(crate) fn rippled(d: &Draw) -> Heights {
     let (n, count) = (d.n as f64, (5.0 + 20.0 * d.t[3]).round());
-    let bow = 0.5 + 2.0 * other(d);
+    let bow = 0.5 + 2.0 * other(d, 9.3);
     let ripples = d.points(|y, x| {
         let across = triangle(x / n);
         (1.0 - triangle(count * y / n + bow * across * across)).powf(1.5)
@@ -24,7 +19,7 @@ pub(crate) fn rippled(d: &Draw) -> Heights {
 pub(crate) fn sprayed(d: &Draw) -> Heights {
     let count = 60 + (200.0 * d.t[3]) as usize;
     let (n, u) = (d.n as f64, d.uniform(3 * count, 61));
-    let rim = 0.2 + 0.6 * other(d);
+    let rim = 0.2 + 0.6 * other(d, 9.3);
     let drops = d.points(|y, x| {
         let mut height = 0.0;
         for u in u.chunks_exact(3) {
@@ -41,7 +36,7 @@ pub(crate) fn sprayed(d: &Draw) -> Heights {
 pub(crate) fn sanded(d: &Draw) -> Heights {
     let count = 20 + (60.0 * d.t[3]) as usize;
     let (n, u) = (d.n as f64, d.uniform(4 * count, 63));
-    let deep = 0.5 + 1.5 * other(d);
+    let deep = 0.5 + 1.5 * other(d, 9.3);
     let arcs = d.points(|y, x| {
         let one = |u: &[f64]| {
             let r = d.apart(y, u[0] * n).hypot(d.apart(x, u[1] * n));
@@ -58,7 +53,7 @@ pub(crate) fn grained(d: &Draw) -> Heights {
     let count = 20 + (80.0 * d.t[3]) as usize;
     let (n, u) = (d.n as f64, d.uniform(5 * count, 67));
     let size = n / (count as f64).sqrt();
-    let terrace = 0.1 + 0.4 * other(d);
+    let terrace = 0.1 + 0.4 * other(d, 9.3);
     let grains = d.points(|y, x| {
         let mut nearest = (f64::INFINITY, 0.0);
         for u in u.chunks_exact(5) {
@@ -78,7 +73,7 @@ pub(crate) fn grained(d: &Draw) -> Heights {
 /// A grid of grooves cut both ways by a laser, with a bead of melt along each.
 pub(crate) fn gridded(d: &Draw) -> Heights {
     let (n, lines) = (d.n as f64, (3.0 + 9.0 * d.t[3]).round());
-    let bead = 0.3 + 0.7 * other(d);
+    let bead = 0.3 + 0.7 * other(d, 9.3);
     let groove = |at: f64| {
         let off = 0.5 * (1.0 - triangle(lines * at / n)) * n / lines / 5.0;
         (bead * off * off - 1.0) * 2.0 * (-off * off).exp()
