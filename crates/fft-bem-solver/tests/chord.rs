@@ -58,13 +58,13 @@ fn threads_change_no_bit() {
 #[test]
 fn units_change_only_rounding() {
     let surface = self_affine(unit_grid(64, 80), 0.8, 20.0, 2.0, 4);
-    let base = solve(&surface, 0.05, Method::Chord, 1e-8);
+    let base = solve(&surface, 0.05, Method::Chord, 1e-10);
     for (height, length, e_star) in [(1e-12, 1e-6, 1e12), (1e3, 1.0, 1.0), (3e-9, 7e-7, 1.1e11)] {
         let grid = Grid::new([64, 80], [length, length]).unwrap();
         let heights = surface.heights().iter().map(|h| height * h).collect();
         let scaled = HeightMap::new(grid, heights).unwrap();
         let modulus = ContactModulus::from_pascals(e_star).unwrap();
-        let mut solver = Solver::builder().tolerance(1e-8).build(grid, modulus).unwrap();
+        let mut solver = Solver::builder().tolerance(1e-10).build(grid, modulus).unwrap();
         let unit = e_star * height / length;
         let found = solver.solve(&scaled, Load::MeanPressure(0.05 * unit)).unwrap();
         assert_eq!(found.diagnostics.iterations, base.diagnostics.iterations);

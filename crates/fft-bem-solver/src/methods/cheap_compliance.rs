@@ -22,6 +22,8 @@ use std::f64::consts::TAU;
 
 /// Most columns handled at a time.
 const TILE: usize = 512;
+/// Partial sums of a tile.
+const SUMS: usize = 16;
 
 /// `K` for one grid, nearly.
 pub(crate) struct CheapCompliance {
@@ -62,7 +64,7 @@ impl CheapCompliance {
     }
 
     /// `u += K x`, or `u = base + K x`. `room` is as long as x, at least; what it holds is lost. Pieces of so many
-    /// rows are given to `sums(first pixel, u)`, while they are in cache, and what it returns is kept in order.
+    /// rows are given to `sums(first pixel, u, <x, K x>)`, while they are in cache, and what it returns is kept in order.
     #[allow(clippy::too_many_arguments, reason = "four fields and what is done with them")]
     pub(crate) fn add<T: Real>(
         &self,
@@ -72,7 +74,7 @@ impl CheapCompliance {
         base: Option<&[T]>,
         u: &mut [T],
         rows: usize,
-        sums: impl Fn(usize, &[T]) -> Partial + Sync + Send,
+        sums: impl Fn(usize, &[T], f64) -> Partial + Sync + Send,
         partial: &mut [Partial],
     ) {
         let [my, mx] = stiffness.coarse_shape();
@@ -97,17 +99,20 @@ impl CheapCompliance {
         let between = &*between;
         let pieces = u.par_chunks_mut(rows * nx).zip(partial.par_iter_mut());
         pieces.enumerate().for_each(|(task, (u, partial))| {
-            vectorised!({
+            let work = vectorised!({
+                let mut work = 0.0;
                 for (r, u) in u.chunks_exact_mut(nx).enumerate() {
                     let i = task * rows + r;
-                    self.add_row(x, between, i, base.map(|base| &base[i * nx..(i + 1) * nx]), u);
+                    let base = base.map(|base| &base[i * nx..(i + 1) * nx]);
+                    work += self.add_row(x, between, i, base, u);
                 }
+                work
             });
-            *partial = sums(task * rows * nx, u);
+            *partial = sums(task * rows * nx, u, work);
         });
     }
 
-    /// Row `i` of it, from the smooth part at the rows of cells.
+    /// Row `i` of it, from the smooth part at the rows of cells. Returns `<x, K x>` of the row.
     #[inline(always)]
     fn add_row<T: Real>(
         &self,
@@ -116,8 +121,9 @@ impl CheapCompliance {
         i: usize,
         base: Option<&[T]>,
         u: &mut [T],
-    ) {
+    ) -> f64 {
         let nx = self.shape[1];
+        let mut work = 0.0;
         let near = self.axes[0].cells_of(i).map(|(j, part)| (&smooth[j * nx..(j + 1) * nx], part));
         for (t, u) in u.chunks_mut(TILE).enumerate() {
             let (first, width) = (t * TILE, u.len());
@@ -129,6 +135,7 @@ impl CheapCompliance {
                 sum[k] = (s0 * r0[k] + s1 * r1[k]) + (s2 * r2[k] + s3 * r3[k]);
             }
             self.add_stencil(x, i, first, sum);
+            work += f64::from(inner_product(sum, &x[i * nx + first..][..width]));
             let Some(base) = base else {
                 u.iter_mut().zip(&*sum).for_each(|(u, y)| *u += T::of(f64::from(*y)));
                 continue;
@@ -137,6 +144,7 @@ impl CheapCompliance {
                 *u = *base + T::of(f64::from(*y));
             }
         }
+        work
     }
 
     /// Adds the stencil to the nodes of row `i` from column `first` on.
@@ -180,6 +188,20 @@ fn add_taps(taps: &[f32], line: &[f32], y: &mut [f32]) {
     }
 }
 
+/// `<a, b>` over a tile.
+#[inline(always)]
+fn inner_product(a: &[f32], b: &[f32]) -> f32 {
+    let mut lanes = [0.0_f32; SUMS];
+    let (wholes, rest) = (a.as_chunks().0.iter().zip(b.as_chunks().0), a.len() % SUMS);
+    for (a, b) in wholes {
+        let both: (&[f32; SUMS], &[f32; SUMS]) = (a, b);
+        lanes.iter_mut().zip(both.0).zip(both.1).for_each(|((sum, a), b)| *sum += a * b);
+    }
+    let whole = a.len() - rest;
+    let last = a[whole..].iter().zip(&b[whole..]).map(|(a, b)| a * b);
+    lanes.into_iter().chain(last).sum()
+}
+
 /// `sum += factor x`.
 #[inline(always)]
 fn add_multiple(factor: f32, x: &[f32], sum: &mut [f32]) {
@@ -200,8 +222,14 @@ mod tests {
         let mut u = vec![0.0_f32; x.len()];
         let (mut room, rows) = (vec![f32::NAN; x.len()], shape[0]);
         let mut partial = [Partial::default()];
-        let sums = |_: usize, _: &[f32]| Partial::default();
+        let sums = |_: usize, _: &[f32], work: f64| [work, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         cheap.add(x, &mut stiffness, &mut room, None, &mut u, rows, sums, &mut partial);
+        let work: f64 = x.iter().zip(&u).map(|(x, u)| f64::from(*x) * f64::from(*u)).sum();
+        assert!(
+            (partial[0][0] / work - 1.0).abs() < 1e-3,
+            "{shape:?}: {} for {work}",
+            partial[0][0]
+        );
         let write = |kx: usize, column: &mut [f32]| {
             for (ky, s) in column.iter_mut().enumerate() {
                 let q = [0, 1].map(|a| TAU * [ky, kx][a] as f64 / shape[a] as f64 / pixel[a]);

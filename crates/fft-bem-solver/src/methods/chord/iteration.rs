@@ -12,7 +12,8 @@
 //! 1  g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}             look.rs
 //! 2  z = E^T S E g on F, less its mean;  trial = p - tau z on F                       trial.rs
 //!    |z on F, p off F| <= tolerance |p|: stop
-//!    before the first pair, while the trial is expected to be wrong by more than 0.9 %: guess.rs
+//!    before the first pair, while the trial is expected to be wrong by more than 1.5 %, and once before each
+//!    other that is not expected to be the last: guess.rs
 //!        u = u + K~ (trial - p),  p = trial swept,  and again from 1       (no pair: a guess)
 //! 3  trial = trial swept, clipped, scaled to the load                                 trial.rs
 //! 4  K trial                                                               (the one pair)  line.rs
@@ -45,13 +46,17 @@ use crate::methods::passes::{self, ContactSet};
 use crate::methods::stiffness::Stiffness;
 use crate::parts::part;
 use crate::problem::Problem;
-use crate::{End, Real, certificate, fields};
+use crate::{Boundary, End, Real, certificate, fields};
 use contact_types::Grid;
 
 /// Most steps with the cheap compliance before the first trial, and the error that this trial is expected to have
-/// when they end: about what the cheap compliance leaves.
+/// when they end: twice what the cheap compliance leaves.
 const GUESSES: u8 = 6;
-const GUESSED: f64 = 0.009;
+const GUESSED: f64 = 0.015;
+
+/// What a step is expected to leave of the estimate. Where that is not enough it is guessed first, and what is
+/// made with a pair is the step after it.
+const CONTRACTION: f64 = 0.1;
 
 /// Relative error from which on a trial does not tell how much the next one gains: where little touches, the first is thousands
 /// of times better than the constant pressure, and still wrong.
@@ -143,8 +148,9 @@ impl<T: Real> Chord<T> {
         let guesses = if C::IS_FINITE { 2 * guesses } else { guesses };
         let Self { work, earlier, force, .. } = self;
         let mut run = Run::new(ceiling, work, task, operator, start, *force, state);
+        run.guesses = guesses;
         part("start", || run.begin(start, earlier.as_deref_mut()));
-        let mut proposal = run.first_proposal(start, guesses, task.tolerance);
+        let mut proposal = run.first_proposal(start, task.tolerance);
         let mut iteration = 0;
         let end = loop {
             let error = run.level_error();
@@ -171,7 +177,7 @@ impl<T: Real> Chord<T> {
                     break End::Exhausted;
                 }
             }
-            run.step(&proposal);
+            run.step(proposal, task.tolerance);
             iteration += 1;
             proposal = run.propose(false, task.tolerance);
         };
@@ -219,7 +225,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
 
     /// The first proposal. Before its trial costs a pair: the same without one, while there is much to
     /// gain.
-    fn first_proposal(&mut self, start: Start, guesses: u8, tolerance: f64) -> Proposal {
+    fn first_proposal(&mut self, start: Start, tolerance: f64) -> Proposal {
         let is_flattening = std::mem::take(&mut self.work.holds_flattening);
         let mut proposal = if is_flattening && start == Start::Cold && self.control.is_none() {
             self.propose_from_constant(tolerance)
@@ -227,21 +233,41 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             // The contact of another load: the step will close much that it leaves open.
             self.propose(start == Start::Warm, tolerance)
         };
+        // With a tolerance a little lower the first pair may be the last.
+        let is_little_lower = tolerance < GUESSED && tolerance > 0.5 * GUESSED;
+        let enough = if is_little_lower { tolerance } else { GUESSED };
         let mut before = self.memory.residual;
-        for guess in 0..guesses {
+        for guess in 0..self.guesses {
             let residual = self.memory.residual;
             // If the next trial gains as much as the last did.
             let expected = if residual > LOST { residual } else { residual * residual / before };
             before = residual;
             let is_lead = self.work.pairs.base == Base::Lead;
             let is_first = guess == 0 && (is_lead || residual > tolerance);
-            if !(expected > GUESSED || is_first) || !self.guess(proposal.set, proposal.level) {
+            if !(expected > enough || is_first) || !self.guess(proposal.set, proposal.level) {
                 break;
             }
-            self.memory.length = 0.0;
-            proposal = self.propose(false, tolerance);
+            proposal = self.propose_from_lead(tolerance);
         }
         proposal
+    }
+
+    /// The proposal from the iterate, or the next one, without a pair, if one step is not expected to be enough.
+    /// On the free half space the cheap compliance, which is periodic, is good for a beginning only.
+    fn refined(&mut self, proposal: Proposal, tolerance: f64) -> Proposal {
+        let is_last = CONTRACTION * self.memory.residual <= tolerance;
+        let is_known = self.operator.boundary() == Boundary::Periodic && self.guesses > 0;
+        let is_lead = self.work.pairs.base == Base::Lead;
+        if is_last || is_lead || !is_known || !self.guess(proposal.set, proposal.level) {
+            return proposal;
+        }
+        self.propose_from_lead(tolerance)
+    }
+
+    /// A proposal from what was just guessed: nodes with little pressure are let go.
+    fn propose_from_lead(&mut self, tolerance: f64) -> Proposal {
+        self.memory.length = 0.0;
+        self.propose(false, tolerance)
     }
 
     /// Residual gap and contact set, with the level prescribed once more at a better load, or once more a
@@ -282,7 +308,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     }
 
     /// Steps 3 to 5, or a step of another kind if the estimate has not been halved for long.
-    fn step(&mut self, proposal: &Proposal) {
+    fn step(&mut self, mut proposal: Proposal, tolerance: f64) {
         let (mut kind, base) = (self.memory.next_kind(), self.work.pairs.base);
         if kind == Kind::FaceCg && base == Base::Iterate {
             self.transforms += face_cg::step(self, proposal.level);
@@ -291,9 +317,13 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             return;
         }
         // The chord is drawn from the iterate, whose displacement is known, also where a lead proposed.
-        let level = match base {
+        let known = (base == Base::Iterate && self.control.is_none()).then_some(proposal.level);
+        if kind == Kind::Chord {
+            proposal = self.refined(proposal, tolerance);
+        }
+        let level = match self.work.pairs.base {
             Base::Iterate => proposal.level,
-            Base::Lead => self.level_of_iterate(),
+            Base::Lead => known.unwrap_or_else(|| self.level_of_iterate()),
         };
         let products = loop {
             let trial = match kind {

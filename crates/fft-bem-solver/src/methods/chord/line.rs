@@ -10,10 +10,6 @@ use crate::{HalfSpace, Real};
 
 /// Below this chord length the step was a poor guess: take it as it is, and release nodes.
 pub(super) const FULL: f64 = 0.7;
-/// Range of the length of the preconditioned step.
-const TAU: [f64; 2] = [0.3, 1.0];
-/// By how much that length may change from one step to the next.
-const CHANGE: [f64; 2] = [0.7, 1.4];
 
 /// How far a trial is made.
 #[derive(Debug, Clone, Copy)]
@@ -84,7 +80,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
                 let reach = passes::reach(self.ceiling, p, trial, &mut self.work.partial);
                 now.length = theta.min(reach.max(1.0));
             }
-            now.tau = (now.tau * theta.clamp(CHANGE[0], CHANGE[1])).clamp(TAU[0], TAU[1]);
+            now.adapt_length(theta);
         } else {
             now.length = theta.clamp(0.0, 1.0);
             if k.sks > 0.0 {

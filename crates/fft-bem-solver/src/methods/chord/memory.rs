@@ -2,6 +2,10 @@
 
 /// Iterations without halving the estimate before another kind of step is tried.
 const STALL: usize = 8;
+/// Range of the length of the preconditioned step.
+const TAU: [f64; 2] = [0.3, 1.0];
+/// By how much that length may change from one step to the next.
+const CHANGE: [f64; 2] = [0.7, 1.4];
 
 /// How the trial of a step is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,6 +70,11 @@ impl Memory {
             kind: forced.unwrap_or(Kind::Chord),
             is_forced: forced.is_some(),
         }
+    }
+
+    /// The next preconditioned step is to be `theta` times as long: so far along the last one the energy fell.
+    pub(super) fn adapt_length(&mut self, theta: f64) {
+        self.tau = (self.tau * theta.clamp(CHANGE[0], CHANGE[1])).clamp(TAU[0], TAU[1]);
     }
 
     /// The ladder of fallbacks: chords, then gradients, then conjugate gradients on the face; back

@@ -24,6 +24,8 @@ pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
     /// If the level is prescribed and not the load.
     pub(super) control: Option<LevelControl>,
     pub(super) memory: Memory,
+    /// Most guesses before the first pair; without any, there are none later.
+    pub(super) guesses: u8,
     /// Level of the iterate that it began with, where that is a constant pressure without displacement.
     pub(super) first_level: Option<f64>,
     /// Pairs spent.
@@ -60,6 +62,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             load,
             control,
             memory: Memory::new(start == Start::Cold, forced),
+            guesses: 0,
             first_level: None,
             transforms: 0.0,
             fallbacks: Fallbacks::default(),

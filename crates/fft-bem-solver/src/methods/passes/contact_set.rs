@@ -30,7 +30,7 @@ pub(crate) fn level_of_sums(partial: &[Partial]) -> f64 {
 }
 
 /// Sum over the contact (`p > 0`) of `u - h`, and its number of nodes.
-pub(crate) fn contact_sums<T: Real>(p: &[T], u: &[T], h: &[T]) -> Partial {
+fn contact_sums<T: Real>(p: &[T], u: &[T], h: &[T]) -> Partial {
     vectorised!(x => step::contact_sums(x, p, u, h))
 }
 
