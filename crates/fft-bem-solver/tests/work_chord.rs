@@ -18,10 +18,10 @@ fn pairs_and_iterations() {
     let expected: [Work; 6] = [
         (0.8, 0.02, [(1, 1.28), (2, 2.42), (3, 3.56)]),
         (0.8, 0.10, [(1, 1.28), (2, 2.42), (3, 3.56)]),
-        (0.8, 0.40, [(1, 1.28), (3, 3.38), (4, 4.52)]),
+        (0.8, 0.40, [(1, 1.28), (2, 2.42), (4, 4.52)]),
         (0.3, 0.02, [(1, 1.28), (2, 2.42), (3, 3.56)]),
         (0.3, 0.10, [(1, 1.28), (2, 2.42), (3, 3.56)]),
-        (0.3, 0.40, [(1, 1.19), (2, 2.33), (3, 3.47)]),
+        (0.3, 0.40, [(1, 1.19), (2, 2.42), (3, 3.47)]),
     ];
     let grid = unit_grid(256, 256);
     let mut found = Vec::new();
@@ -51,5 +51,5 @@ fn iterations_along_a_curve() {
         let points = solver.curve(&surface, &loads);
         points.into_iter().map(|found| found.unwrap().diagnostics.iterations).sum::<usize>()
     });
-    assert_eq!(found, [16, 36, 53], "iterations changed");
+    assert_eq!(found, [16, 34, 49], "iterations changed");
 }

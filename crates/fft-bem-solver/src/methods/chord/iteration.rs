@@ -58,6 +58,9 @@ const GUESSED: f64 = 0.015;
 /// made with a pair is the step after it.
 const CONTRACTION: f64 = 0.1;
 
+/// What the cheap compliance gets wrong of a change, about.
+const CHEAP_ERROR: f64 = 0.006;
+
 /// Relative error from which on a trial does not tell how much the next one gains: where little touches, the first is thousands
 /// of times better than the constant pressure, and still wrong.
 const LOST: f64 = 0.5;
@@ -252,16 +255,23 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         proposal
     }
 
-    /// The proposal from the iterate, or the next one, without a pair, if one step is not expected to be enough.
-    /// On the free half space the cheap compliance, which is periodic, is good for a beginning only.
-    fn refined(&mut self, proposal: Proposal, tolerance: f64) -> Proposal {
-        let is_last = CONTRACTION * self.memory.residual <= tolerance;
-        let is_known = self.operator.boundary() == Boundary::Periodic && self.guesses > 0;
-        let is_lead = self.work.pairs.base == Base::Lead;
-        if is_last || is_lead || !is_known || !self.guess(proposal.set, proposal.level) {
+    /// The proposal from the iterate or, if one step is not expected to be enough, the one after it without a pair;
+    /// once more if that is not enough either, and what the cheap compliance gets wrong of the change may be left. On
+    /// the free half space the cheap compliance, which is periodic, is good for a beginning only.
+    fn refined(&mut self, mut proposal: Proposal, tolerance: f64) -> Proposal {
+        let is_periodic = self.operator.boundary() == Boundary::Periodic;
+        if self.work.pairs.base == Base::Lead || !is_periodic {
             return proposal;
         }
-        self.propose_from_lead(tolerance)
+        let most = if CHEAP_ERROR * self.memory.residual < tolerance { 2 } else { 1 };
+        for _ in 0..most.min(self.guesses) {
+            let is_last = CONTRACTION * self.memory.residual <= tolerance;
+            if is_last || !self.guess(proposal.set, proposal.level) {
+                break;
+            }
+            proposal = self.propose_from_lead(tolerance);
+        }
+        proposal
     }
 
     /// A proposal from what was just guessed: nodes with little pressure are let go.
