@@ -12,8 +12,8 @@
 //! 1  g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}             look.rs
 //! 2  z = E^T S E g on F, less its mean;  trial = p - tau z on F                       trial.rs
 //!    |z on F, p off F| <= tolerance |p|: stop
-//!    before the first pair, while the trial is expected to be wrong by more than 1.5 %, and once before each
-//!    other that is not expected to be the last: guess.rs
+//!    before the first pair, while the trial is expected to be wrong by more than 1.5 %, and once or twice
+//!    before each other that is not expected to be the last: guess.rs
 //!        u = u + K~ (trial - p),  p = trial swept,  and again from 1       (no pair: a guess)
 //! 3  trial = trial swept, clipped, scaled to the load                                 trial.rs
 //! 4  K trial                                                               (the one pair)  line.rs
