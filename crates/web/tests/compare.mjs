@@ -4,9 +4,10 @@ import assert from 'node:assert/strict';
 // The last bits of a transform depend on the processor: with fused multiply-add, as most have, and without, as in
 // WebAssembly. Answers move by less than this, relative to their size.
 const ROUNDING = 1e-6;
-// What an iteration leaves over is a small difference of large numbers, and rounding is a larger part of it.
+// What an iteration leaves over is a small difference of large numbers, and rounding is a larger part of it: steps are guessed in
+// single precision, and after the last one up to 2 % of what is left (1e-7 of the energy, 1e-8 of the area) comes of that.
 const LEFT_OVER = /residuals|iteration|duality_gap|energy_bound|seam|stiffness/;
-const LEFT_OVER_ROUNDING = 1e-3;
+const LEFT_OVER_ROUNDING = 5e-2;
 // What two machines differ in.
 const OWN = /seconds|platform|speed|sha256/;
 
