@@ -39,7 +39,7 @@ fn iterations_allocate_nothing() {
     let with = |method| Solver::builder().method(method);
     let cases = [
         ("chord", with(Method::Chord), pressure),
-        ("chord, f32", with(Method::Chord).precision(Precision::Single), pressure),
+        ("chord, f32", with(Method::Chord).precision(Precision::Single), Load::MeanPressure(0.2)),
         ("chord, mean gap", with(Method::Chord), Load::MeanGap(1.0)),
         ("chord, free", with(Method::Chord).boundary(Boundary::Free), pressure),
         ("Polonsky-Keer", with(Method::PolonskyKeer), pressure),
@@ -49,7 +49,7 @@ fn iterations_allocate_nothing() {
         let fine = if name == "chord, f32" { 1e-4 } else { 1e-6 };
         let (few, first) = cold_solve(builder.clone(), 3e-2, load, false);
         let (many, last) = cold_solve(builder, fine, load, false);
-        assert!(last > first, "{name}: {first} and {last} iterations");
+        assert!(last > first + 1, "{name}: {first} and {last} iterations");
         assert_eq!(few, many, "{name}: allocations in {first} and in {last} iterations");
     }
 }

@@ -191,14 +191,12 @@ fn add_taps(taps: &[f32], line: &[f32], y: &mut [f32]) {
 /// `<a, b>` over a tile.
 #[inline(always)]
 fn inner_product(a: &[f32], b: &[f32]) -> f32 {
+    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<SUMS>(), b.as_chunks::<SUMS>());
     let mut lanes = [0.0_f32; SUMS];
-    let (wholes, rest) = (a.as_chunks().0.iter().zip(b.as_chunks().0), a.len() % SUMS);
-    for (a, b) in wholes {
-        let both: (&[f32; SUMS], &[f32; SUMS]) = (a, b);
-        lanes.iter_mut().zip(both.0).zip(both.1).for_each(|((sum, a), b)| *sum += a * b);
+    for (a, b) in a.iter().zip(b) {
+        lanes.iter_mut().zip(a).zip(b).for_each(|((sum, a), b)| *sum += a * b);
     }
-    let whole = a.len() - rest;
-    let last = a[whole..].iter().zip(&b[whole..]).map(|(a, b)| a * b);
+    let last = a_rest.iter().zip(b_rest).map(|(a, b)| a * b);
     lanes.into_iter().chain(last).sum()
 }
 
