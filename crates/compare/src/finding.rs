@@ -213,6 +213,8 @@ pub enum Fact {
         largest: f64,
         /// Share of the load that they carry \[-\], if it is known.
         share: Option<f64>,
+        /// How many cleaning took out before.
+        taken: usize,
     },
     /// Points that were filled.
     Filled {

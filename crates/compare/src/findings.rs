@@ -216,7 +216,8 @@ pub fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
 pub fn spiky(spikes: &Spikes, share: Option<f64>) -> Option<Finding> {
     let count = spikes.indices.len();
     let weight = if share.is_some_and(|s| s > 0.05) { Weight::Check } else { Weight::Note };
-    let fact = Fact::Spikes { count, of: spikes.points, largest: spikes.largest, share };
+    let Spikes { points: of, largest, taken, .. } = *spikes;
+    let fact = Fact::Spikes { count, of, largest, share, taken };
     let matters = count > 0 && share.is_none_or(|s| s >= 1e-3);
     matters.then_some(Finding { weight, fact })
 }

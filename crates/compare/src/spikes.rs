@@ -2,7 +2,7 @@
 
 use contact_types::HeightMap;
 use serde::Serialize;
-use surface_stats::clean::{OutlierRule, find_outliers};
+use surface_stats::clean::{OutlierRule, Record, find_outliers};
 
 /// Robust standard deviations beyond which a point is a spike; the advice names the same number.
 pub const SPIKE_THRESHOLD: f64 = 8.0;
@@ -20,6 +20,8 @@ pub struct Spikes {
     pub largest: f64,
     /// Points of the map.
     pub points: usize,
+    /// Spikes that cleaning took out before, at this threshold or a lower one.
+    pub taken: usize,
 }
 
 impl Spikes {
@@ -32,8 +34,20 @@ impl Spikes {
                 indices: found.indices,
                 largest: found.largest,
                 points: map.heights().len(),
+                taken: 0,
             },
         )
+    }
+
+    /// Those that are left after these steps of cleaning.
+    #[must_use]
+    pub fn after<'a>(mut self, cleaned: impl IntoIterator<Item = &'a Record>) -> Self {
+        let taken = |record: &Record| match record {
+            Record::Outliers { rule, count, .. } if rule.threshold <= SPIKE_THRESHOLD => *count,
+            _ => 0,
+        };
+        self.taken = cleaned.into_iter().map(taken).sum();
+        self
     }
 
     /// Share of the load that they carry; `None` for a pressure that is not on the `points` of the map, or without load.
@@ -86,6 +100,15 @@ mod tests {
         let map = HeightMap::new(grid, heights).unwrap();
         let spikes = Spikes::of(&map);
         assert_eq!(spikes.indices, [810, 811]);
+        // Taken out at a threshold beyond the one here, others may be left to take.
+        let taken = |threshold, count| Record::Outliers {
+            rule: OutlierRule::beyond(threshold),
+            count,
+            limit: 0.0,
+            largest: 0.0,
+        };
+        let spikes = spikes.after(&[taken(8.0, 5), taken(4.0, 3), taken(12.0, 7)]);
+        assert_eq!(spikes.taken, 8);
         let mut pressure = vec![0.0; 1600];
         (pressure[810], pressure[3]) = (3.0, 1.0);
         assert_eq!(spikes.share(1600, &pressure), Some(0.75));

@@ -148,8 +148,10 @@ fn compare(
     let setup = Instant::now();
     let asked = (settings, registry);
     // Spikes of the map before levelling, as they are removed.
-    let (spikes, described) =
-        join(|| Spikes::of(&heights), || describe(&heights, &origin, settings));
+    let (spikes, described) = join(
+        || Spikes::of(&heights).after(origin.all_cleaned()),
+        || describe(&heights, &origin, settings),
+    );
     let (map, statistics, spectra) = described.map_err(refused)?;
     drop(heights);
     let Spectra { power, amplitudes, .. } = spectra;

@@ -175,6 +175,13 @@ pub struct FileOrigin {
     pub height_step: Option<f64>,
 }
 
+impl PairOrigin {
+    /// What cleaning did to each body, step by step.
+    pub fn cleaned(&self) -> impl Iterator<Item = &Record> {
+        self.bodies.iter().flat_map(Origin::cleaned)
+    }
+}
+
 impl Origin {
     /// What cleaning did, step by step; nothing where no file was read, or two were.
     pub fn cleaned(&self) -> &[Record] {
@@ -182,6 +189,12 @@ impl Origin {
             Self::File(file) => &file.cleaned,
             Self::Recipe(_) | Self::Given(_) | Self::Pair(_) => &[],
         }
+    }
+
+    /// The same, with that of each of two bodies.
+    pub(crate) fn all_cleaned(&self) -> Vec<&Record> {
+        let bodies = self.pair().into_iter().flat_map(PairOrigin::cleaned);
+        self.cleaned().iter().chain(bodies).collect()
     }
 
     /// The pair, if it is one.

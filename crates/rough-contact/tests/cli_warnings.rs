@@ -283,3 +283,34 @@ fn a_spike_that_carries_the_load_is_named() {
     let clean = format!("solve {file} --outliers 8 --fill harmonic --json");
     assert!(spikes(&rough_contact(folder.path(), &clean).answered()["findings"]).is_none());
 }
+
+/// What was taken out is not advised again, though some of a wide spike is left.
+#[test]
+fn what_cleaning_leaves_of_a_wide_spike_is_not_to_be_cleaned_again() {
+    let folder = folder();
+    matrix(folder.path(), "wide.txt", 64, 64, |iy, ix| {
+        let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 16.0).cos();
+        let is_spike = (20..24).contains(&iy) && (40..44).contains(&ix);
+        0.02 * wave(iy) * wave(ix) + if is_spike { 0.5 } else { 0.0 }
+    });
+    let file = "wide.txt --pixel 1um --height-unit um --outliers 8 --fill harmonic --json";
+    let load = "--modulus 110GPa --pressure 100kPa";
+    let lines = [
+        format!("stats {file}"),
+        format!("solve {file} {load}"),
+        format!("model gw {file} {load}"),
+        format!("compare {file} {load} --out out"),
+    ];
+    let mut claims = Vec::new();
+    for line in lines {
+        let json = rough_contact(folder.path(), &line).answered();
+        let found = json.get("findings").unwrap_or_else(|| &json["surfaces"][0]["findings"]);
+        let list = found.as_array().unwrap();
+        let left = list.iter().find(|f| f["claim"].as_str().unwrap().contains("still stand"));
+        let left = left.unwrap_or_else(|| panic!("{line}: {found}"));
+        assert!(!left["text"].as_str().unwrap().contains("--fill"), "{line}: {left}");
+        claims.push(left["claim"].clone());
+    }
+    claims.dedup();
+    assert_eq!(claims.len(), 1, "{claims:?}");
+}

@@ -37,7 +37,9 @@ pub fn finding(finding: &Finding) -> Worded {
         Fact::BulkYield { highest, hardness } => of_two(yielding::bulk(*highest, *hardness)),
         Fact::Adhesion(found) => of_two(adhesion::verdict(found)),
         Fact::Steep(found) => steep(found),
-        Fact::Spikes { count, of, largest, share } => spikes([*count, *of], *largest, *share),
+        Fact::Spikes { count, of, largest, share, taken } => {
+            spikes([*count, *taken, *of], *largest, *share)
+        }
         Fact::NotConverged { loads, of } => worded(
             format!("{loads} of {of} loads did not converge."),
             "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
@@ -194,32 +196,49 @@ fn beyond_yield(found: &Yield) -> Worded {
 /// Part of the points from which spikes of an instrument are not the likely reading.
 const MANY_SPIKES: f64 = 0.01;
 
-fn spikes([count, of]: [usize; 2], largest: f64, share: Option<f64>) -> Worded {
-    let who = if count == 1 { "It carries" } else { "They carry" };
+fn spikes([count, taken, of]: [usize; 3], largest: f64, share: Option<f64>) -> Worded {
+    let (who, stand) = if count == 1 { ("It carries", "stands") } else { ("They carry", "stand") };
     let carried = share.map_or_else(String::new, |s| format!("{who} {} of the load. ", percent(s)));
-    let part = count as f64 / of.max(1) as f64;
-    if part > MANY_SPIKES {
-        return worded(
+    let [part, ever] = [count, count + taken].map(|n| n as f64 / of.max(1) as f64);
+    let up_to = quantity(largest, METRES, 2);
+    let points = if count == 1 { "1 point".to_owned() } else { format!("{count} points") };
+    let many = "So many are seldom spikes of an instrument: a surface of smooth ground with peaks, grains or walls on it \
+                looks so too";
+    match (taken > 0, ever > MANY_SPIKES) {
+        (true, is_many) => worded(
             format!(
-                "{} of the points stand far from their neighbours, up to {}.",
-                percent(part),
-                quantity(largest, METRES, 2)
+                "{points} still {stand} far from the neighbours, up to {up_to}, after {taken} {} taken out.",
+                if taken == 1 { "was" } else { "were" }
             ),
-            format!(
-                "{carried}So many are seldom spikes of an instrument: a surface of smooth ground with peaks, grains or \
-                 walls on it looks so too. Look at the map before --outliers {SPIKE_THRESHOLD} takes them all out."
-            ),
-        );
-    }
-    let points =
-        if count == 1 { "1 point is a spike".into() } else { format!("{count} points are spikes") };
-    worded(
-        format!("{points}, up to {} from the neighbours.", quantity(largest, METRES, 2)),
-        format!(
-            "{carried}If they are errors of the instrument, take them out: --outliers {SPIKE_THRESHOLD} \
-             --fill harmonic."
+            if is_many {
+                format!("{carried}{many}, and --outliers takes peaks from it. Look at the map.")
+            } else {
+                format!(
+                    "{carried}Another round would find others again: rims of wide spikes, peaks and edges of the surface \
+                     itself. Look at the map; what is an error of the instrument can be made a missing point in the file."
+                )
+            },
         ),
-    )
+        (false, true) => worded(
+            format!(
+                "{} of the points stand far from their neighbours, up to {up_to}.",
+                percent(part)
+            ),
+            format!(
+                "{carried}{many}. Look at the map before --outliers {SPIKE_THRESHOLD} takes them all out."
+            ),
+        ),
+        (false, false) => worded(
+            format!(
+                "{points} {}, up to {up_to} from the neighbours.",
+                if count == 1 { "is a spike" } else { "are spikes" }
+            ),
+            format!(
+                "{carried}If they are errors of the instrument, take them out: --outliers {SPIKE_THRESHOLD} \
+                 --fill harmonic."
+            ),
+        ),
+    }
 }
 
 fn unmet(outcome: &Outcome) -> Worded {
@@ -459,12 +478,21 @@ mod tests {
 
     #[test]
     fn half_a_map_is_no_spike() {
-        let told = |count| {
-            let Worded { claim, text } = spikes([count, 1000], 1e-6, None);
+        let told = |count, taken| {
+            let Worded { claim, text } = spikes([count, taken, 1000], 1e-6, None);
             (claim + " " + &text).replace(SPACE, " ")
         };
-        assert!(told(9).contains("9 points are spikes") && told(9).contains("--fill"));
-        assert!(!told(500).contains("are spikes") && told(500).contains("50 % of the points"));
+        assert!(told(9, 0).contains("9 points are spikes") && told(9, 0).contains("--fill"));
+        assert!(
+            !told(500, 0).contains("are spikes") && told(500, 0).contains("50 % of the points")
+        );
+        // What was done is not advised again.
+        for left in [told(1, 8), told(9, 1), told(500, 40)] {
+            assert!(left.contains("still stand") && !left.contains("--fill"), "{left}");
+        }
+        assert!(
+            told(9, 1).contains("Another round") && told(9, 40).contains("takes peaks from it")
+        );
     }
 
     #[test]
