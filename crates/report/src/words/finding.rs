@@ -6,8 +6,9 @@ use crate::words::edges::seam_effect;
 use crate::words::pair;
 use crate::words::plan;
 use crate::words::profile;
+use crate::words::spikes::spikes;
 use crate::words::yielding;
-use compare::{Bare, EdgesName, Fact, Finding, Passed, SPIKE_THRESHOLD, Seam, Steep, Yield};
+use compare::{Bare, EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
 use contact_accuracy::NoAreaInterval;
 use contact_accuracy::plan::Outcome;
 use surface_stats::Warning;
@@ -38,7 +39,8 @@ pub fn finding(finding: &Finding) -> Worded {
         Fact::Adhesion(found) => of_two(adhesion::verdict(found)),
         Fact::Steep(found) => steep(found),
         Fact::Spikes { count, of, largest, share, taken } => {
-            spikes([*count, *taken, *of], *largest, *share)
+            let [claim, text] = spikes([*count, *taken, *of], *largest, *share);
+            worded(claim, text)
         }
         Fact::NotConverged { loads, of } => worded(
             format!("{loads} of {of} loads did not converge."),
@@ -191,54 +193,6 @@ fn beyond_yield(found: &Yield) -> Worded {
             show(high)
         ),
     )
-}
-
-/// Part of the points from which spikes of an instrument are not the likely reading.
-const MANY_SPIKES: f64 = 0.01;
-
-fn spikes([count, taken, of]: [usize; 3], largest: f64, share: Option<f64>) -> Worded {
-    let (who, stand) = if count == 1 { ("It carries", "stands") } else { ("They carry", "stand") };
-    let carried = share.map_or_else(String::new, |s| format!("{who} {} of the load. ", percent(s)));
-    let [part, ever] = [count, count + taken].map(|n| n as f64 / of.max(1) as f64);
-    let up_to = quantity(largest, METRES, 2);
-    let points = if count == 1 { "1 point".to_owned() } else { format!("{count} points") };
-    let many = "So many are seldom spikes of an instrument: a surface of smooth ground with peaks, grains or walls on it \
-                looks so too";
-    match (taken > 0, ever > MANY_SPIKES) {
-        (true, is_many) => worded(
-            format!(
-                "{points} still {stand} far from the neighbours, up to {up_to}, after {taken} {} taken out.",
-                if taken == 1 { "was" } else { "were" }
-            ),
-            if is_many {
-                format!("{carried}{many}, and --outliers takes peaks from it. Look at the map.")
-            } else {
-                format!(
-                    "{carried}Another round would find others again: rims of wide spikes, peaks and edges of the surface \
-                     itself. Look at the map; what is an error of the instrument can be made a missing point in the file."
-                )
-            },
-        ),
-        (false, true) => worded(
-            format!(
-                "{} of the points stand far from their neighbours, up to {up_to}.",
-                percent(part)
-            ),
-            format!(
-                "{carried}{many}. Look at the map before --outliers {SPIKE_THRESHOLD} takes them all out."
-            ),
-        ),
-        (false, false) => worded(
-            format!(
-                "{points} {}, up to {up_to} from the neighbours.",
-                if count == 1 { "is a spike" } else { "are spikes" }
-            ),
-            format!(
-                "{carried}If they are errors of the instrument, take them out: --outliers {SPIKE_THRESHOLD} \
-                 --fill harmonic."
-            ),
-        ),
-    }
 }
 
 fn unmet(outcome: &Outcome) -> Worded {
@@ -474,25 +428,6 @@ mod tests {
         assert_eq!(outside_unit(1.003), "1.003");
         assert_eq!(outside_unit(1.27), "1.3");
         assert_eq!(outside_unit(-0.2), "\u{2212}0.20");
-    }
-
-    #[test]
-    fn half_a_map_is_no_spike() {
-        let told = |count, taken| {
-            let Worded { claim, text } = spikes([count, taken, 1000], 1e-6, None);
-            (claim + " " + &text).replace(SPACE, " ")
-        };
-        assert!(told(9, 0).contains("9 points are spikes") && told(9, 0).contains("--fill"));
-        assert!(
-            !told(500, 0).contains("are spikes") && told(500, 0).contains("50 % of the points")
-        );
-        // What was done is not advised again.
-        for left in [told(1, 8), told(9, 1), told(500, 40)] {
-            assert!(left.contains("still stand") && !left.contains("--fill"), "{left}");
-        }
-        assert!(
-            told(9, 1).contains("Another round") && told(9, 40).contains("takes peaks from it")
-        );
     }
 
     #[test]

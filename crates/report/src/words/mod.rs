@@ -13,6 +13,7 @@ pub(crate) mod pair;
 pub(crate) mod plan;
 pub(crate) mod profile;
 mod ranking;
+mod spikes;
 mod verdict;
 pub(crate) mod yielding;
 
