@@ -62,13 +62,19 @@ pub fn finding(finding: &Finding) -> Worded {
             },
             format!(
                 "{}. The ± is that of one more solution on a twice finer interpolation, whose area \
-                 is {}{SPACE}%; {}.",
+                 is {}{SPACE}%; {}.{}",
                 capital(&why.to_string()),
                 significant(100.0 * area, 3),
                 if *loads > 1 {
                     "so are those of the other loads"
                 } else {
                     "other loads carry none"
+                },
+                if matches!(why, NoAreaInterval::SpotsTooSmall { .. }) {
+                    " It is that of the smooth surface through the points: of ridges sharper than \
+                     these show, two fifths of it were found to touch."
+                } else {
+                    ""
                 }
             ),
         ),
