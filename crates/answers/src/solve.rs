@@ -154,8 +154,7 @@ impl Question {
         };
         let largest = surface.heights().iter().fold(0.0, |most: f64, h| most.max(h.abs()));
         // Before levelling, as they are removed.
-        let bodies = pair.into_iter().flat_map(PairOrigin::cleaned);
-        let spikes = Spikes::of(&surface).after(cleaned.iter().chain(bodies));
+        let spikes = Spikes::left(&surface, cleaned, pair);
         let level = self.level.on(&surface).map_err(refused)?;
         let surface = match level {
             Level::None => surface,

@@ -73,8 +73,7 @@ pub fn statistics(
 ) -> Result<Statistics, Failure> {
     let refused = |e: StatsError| Failure::in_file(path, &e);
     let s = SurfaceStatistics::of(map, options).map_err(refused)?;
-    let bodies = pair.into_iter().flat_map(PairOrigin::cleaned);
-    let spikes = Spikes::of(map).after(cleaned.iter().chain(bodies));
+    let spikes = Spikes::left(map, cleaned, pair);
     let mut findings = compare::measured(&s, &spikes);
     findings.extend(pair.map(compare::of_pair).into_iter().flatten());
     findings.sort_by_key(|f| f.weight);

@@ -1,5 +1,6 @@
 //! Spikes: single points far from their neighbours, and how much of the load they carry.
 
+use crate::PairOrigin;
 use contact_types::HeightMap;
 use serde::Serialize;
 use surface_stats::clean::{OutlierRule, Record, find_outliers};
@@ -39,15 +40,14 @@ impl Spikes {
         )
     }
 
-    /// Those that are left after these steps of cleaning.
-    #[must_use]
-    pub fn after<'a>(mut self, cleaned: impl IntoIterator<Item = &'a Record>) -> Self {
+    /// Those that are left of `map` after these steps of cleaning; of a sum of two bodies, after those of either.
+    pub fn left(map: &HeightMap, cleaned: &[Record], pair: Option<&PairOrigin>) -> Self {
         let taken = |record: &Record| match record {
             Record::Outliers { rule, count, .. } if rule.threshold <= SPIKE_THRESHOLD => *count,
             _ => 0,
         };
-        self.taken = cleaned.into_iter().map(taken).sum();
-        self
+        let bodies = pair.into_iter().flat_map(PairOrigin::cleaned);
+        Self { taken: cleaned.iter().chain(bodies).map(taken).sum(), ..Self::of(map) }
     }
 
     /// Share of the load that they carry; `None` for a pressure that is not on the `points` of the map, or without load.
@@ -107,8 +107,8 @@ mod tests {
             limit: 0.0,
             largest: 0.0,
         };
-        let spikes = spikes.after(&[taken(8.0, 5), taken(4.0, 3), taken(12.0, 7)]);
-        assert_eq!(spikes.taken, 8);
+        let cleaned = [taken(8.0, 5), taken(4.0, 3), taken(12.0, 7)];
+        assert_eq!(Spikes::left(&map, &cleaned, None), Spikes { taken: 8, ..spikes.clone() });
         let mut pressure = vec![0.0; 1600];
         (pressure[810], pressure[3]) = (3.0, 1.0);
         assert_eq!(spikes.share(1600, &pressure), Some(0.75));

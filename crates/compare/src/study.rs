@@ -149,7 +149,7 @@ fn compare(
     let asked = (settings, registry);
     // Spikes of the map before levelling, as they are removed.
     let (spikes, described) = join(
-        || Spikes::of(&heights).after(origin.all_cleaned()),
+        || Spikes::left(&heights, origin.cleaned(), origin.pair()),
         || describe(&heights, &origin, settings),
     );
     let (map, statistics, spectra) = described.map_err(refused)?;

@@ -177,7 +177,7 @@ pub struct FileOrigin {
 
 impl PairOrigin {
     /// What cleaning did to each body, step by step.
-    pub fn cleaned(&self) -> impl Iterator<Item = &Record> {
+    pub(crate) fn cleaned(&self) -> impl Iterator<Item = &Record> {
         self.bodies.iter().flat_map(Origin::cleaned)
     }
 }
@@ -189,12 +189,6 @@ impl Origin {
             Self::File(file) => &file.cleaned,
             Self::Recipe(_) | Self::Given(_) | Self::Pair(_) => &[],
         }
-    }
-
-    /// The same, with that of each of two bodies.
-    pub(crate) fn all_cleaned(&self) -> Vec<&Record> {
-        let bodies = self.pair().into_iter().flat_map(PairOrigin::cleaned);
-        self.cleaned().iter().chain(bodies).collect()
     }
 
     /// The pair, if it is one.

@@ -129,6 +129,9 @@ impl TwiceFiner {
                 finer.stiffness = Some([near.value, near.value * left]);
             }
         }
+        if let Some(bend) = &budget.bend {
+            finer = finer.at_contact(budget.few_spots(), bend);
+        }
         if budget.doubted {
             let finer_map = match surface {
                 Some(surface) => surface,

@@ -5,7 +5,7 @@ use crate::surface::{Laid, Second, surface_of};
 use crate::watched::quietly;
 use answers::model::{Answer, Question, answers as asked, failure, measured, object, scene};
 use answers::{Failure, bodies};
-use compare::{Body, ContactModulus, Inputs, Level, PairOrigin, SpectralMoments, Spikes, Theory};
+use compare::{Body, ContactModulus, Inputs, Level, SpectralMoments, Spikes, Theory};
 use contact_types::{AsperityStatistics, FractalParameters};
 use multiscale_models::SelfAffineSpectrum;
 use numpy::PyReadonlyArray2;
@@ -148,8 +148,8 @@ fn answer(
         } else {
             cleaned = Some(facts.cleaned);
         }
-        let bodies = pair.iter().flat_map(PairOrigin::cleaned);
-        spikes = Spikes::of(&surface.heights).after(cleaned.iter().flatten().chain(bodies));
+        let steps = cleaned.as_deref().unwrap_or_default();
+        spikes = Spikes::left(&surface.heights, steps, pair.as_ref());
         rows = row_offsets(surface.heights.grid(), surface.heights.heights()).ok();
         let used = request.level.on(&surface.heights);
         let used = used.map_err(|e| Failure::in_file(&path, &e))?;

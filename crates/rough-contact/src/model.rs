@@ -12,7 +12,7 @@ use crate::roughness::Source;
 use crate::text::{self, Columns};
 use answers::model::{self, Answer, Question, Said, Unasked};
 use clap::Args;
-use compare::{Card, Inputs, PairOrigin, Spikes, Theory};
+use compare::{Card, Inputs, Spikes, Theory};
 use contact_types::ContactModulus;
 use serde_json::json;
 use std::fmt::Write as _;
@@ -81,8 +81,7 @@ impl Model {
                 }
             };
             cleaned.clone_from(&surface.cleaned);
-            let bodies = pair.iter().flat_map(PairOrigin::cleaned);
-            spikes = Spikes::of(&surface.map).after(cleaned.iter().chain(bodies));
+            spikes = Spikes::left(&surface.map, &cleaned, pair.as_ref());
             rows = row_offsets(surface.map.grid(), surface.map.heights()).ok();
             let used = self.source.level().on(&surface.map);
             let used = used.map_err(|e| Failure::in_file(path, &e))?;

@@ -11,6 +11,7 @@
 //! A share of the whole map, such as the gradient that differences see, does not find flat tops: they
 //! are a few per cent of it.
 
+use super::bend::{self, Bend};
 use crate::monotone::inside;
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::Solution;
@@ -18,6 +19,11 @@ use std::f64::consts::PI;
 
 /// Doubt above which the bar of the grid is not known to hold.
 pub const MOST_DOUBT: f64 = 0.05;
+
+/// Share of the points from which on it matters how sharp what does not touch is.
+const MOST_TOUCHES: f64 = 0.6;
+/// Part of the mean pressure that is little.
+const LITTLE: f64 = 0.3;
 
 /// How much the interpolants differ at the contact of one solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +45,11 @@ pub struct Between {
     pub lifted: f64,
     /// Share of the map that touches so lightly that such a wave would take it off (-).
     pub light: f64,
+    /// How sharply the heights bend there.
+    pub bend: Bend,
+    /// Where most touches and what does not is creased: share of the map that touches under little of the mean pressure (-).
+    /// Slits may stay open there that the points do not show. Else 0.
+    pub slits: f64,
 }
 
 /// Difference of the polynomials through eight and through four points, halfway: weights of the
@@ -83,11 +94,13 @@ impl Between {
             }
         };
         let heights = surface.heights();
+        let mut bends = bend::Sum::default();
         // Halfway to both neighbours along x, then along y; between two that touch only once.
         for (i, &p) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
             touching += 1.0;
             load += p;
             let (iy, ix) = (i / nx, i % nx);
+            bends.add(surface, [iy, ix], |i, k, n| inside(i, k, n, repeats));
             for step in [0, -1] {
                 let along = |k| heights[iy * nx + inside(ix, k + step, nx, repeats)];
                 let next = pressure[iy * nx + inside(ix, 1 + 2 * step, nx, repeats)];
@@ -109,7 +122,9 @@ impl Between {
         let lifted = if line[1] > 0.0 { 0.0 } else { lifted };
         let midpoints = 2.0 * surface.grid().len() as f64;
         let (open, light) = (open / midpoints, light / midpoints);
-        Some(Self { height, at_line, open, deformed, lifted, light })
+        let bend = bends.bend(line[1])?;
+        let slits = slits(surface, repeats, pressure, [touching, load]);
+        Some(Self { height, at_line, open, deformed, lifted, light, bend, slits })
     }
 
     /// The same of a `solution` on another `grid` of the same area: what the given points say at its
@@ -149,6 +164,22 @@ impl Between {
     pub fn doubt(&self) -> f64 {
         (self.height.max(self.at_line) / self.deformed).max(MOST_DOUBT * self.lifted)
     }
+}
+
+/// [`Between::slits`], of so many points that touch and the sum of their pressures.
+fn slits(surface: &HeightMap, repeats: bool, pressure: &[f64], [touching, load]: [f64; 2]) -> f64 {
+    let points = surface.grid().len() as f64;
+    if touching < MOST_TOUCHES * points {
+        return 0.0;
+    }
+    let nx = surface.grid().shape()[1];
+    let little = LITTLE * load / points;
+    let (mut bends, mut pressed) = (bend::Sum::default(), 0.0);
+    for (i, &p) in pressure.iter().enumerate().filter(|(_, p)| **p < little) {
+        bends.add(surface, [i / nx, i % nx], |i, k, n| inside(i, k, n, repeats));
+        pressed += f64::from(u8::from(p > 0.0));
+    }
+    if bends.is_creased() { pressed / points } else { 0.0 }
 }
 
 /// Difference of the interpolants between the points 0 and 1 of a line.

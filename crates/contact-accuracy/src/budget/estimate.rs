@@ -1,6 +1,7 @@
 //! The numbers of one solution, each with its errors by source.
 
 use super::area::iteration_half_width;
+use super::bend::Bend;
 use super::between::Between;
 use super::fall::fall_over_gap;
 use super::floor::Floor;
@@ -110,6 +111,10 @@ pub struct Budget {
     pub between: f64,
     /// Whether what lies between the points decides the answer, whatever else leaves it without a bar of its own.
     pub doubted: bool,
+    /// How sharply the heights bend where something touches, where that is known.
+    pub bend: Option<Bend>,
+    /// Half width of the area that slits in creased valleys leave, which a finer grid does not show either.
+    pub slits: f64,
     /// What the load asks for at least, where the contact yields.
     pub floor: Option<Floor>,
     /// Why the grid of this solution has no bar of its own, if it has none; one from a finer grid
@@ -156,13 +161,13 @@ impl Budget {
                 .map_or(0.0, |gap| if gap > 0.0 { map.highest / gap } else { 0.0 }),
             repeats: map.repeats,
         });
+        let [few, _] = few_spots(sampled.as_ref());
         let relative = sampled.map(|s| s.area_half_width());
         let gap = |gap: f64| Estimate {
             value: gap.max(0.0), // rounding may leave it just below at full contact
             grid: if goes_on {
                 gate.map(|_| {
                     let open = grid::gap_of_open_places(map, line, gap);
-                    let few = sampled.map_or(1.0, |s| grid::of_few_spots(s.blocks.carrying));
                     wide_gap * (few * grid::gap_half_width(map, line)).max(open)
                 })
             } else {
@@ -190,6 +195,8 @@ impl Budget {
             sampled,
             between: 0.0,
             doubted: false,
+            bend: None,
+            slits: 0.0,
             floor,
             own: gate.map(|_| ()),
         }
@@ -199,9 +206,13 @@ impl Budget {
     /// of the grid where that is too much.
     #[must_use]
     pub fn between(mut self, found: &Between) -> Self {
+        self.bend = Some(found.bend);
+        self.slits = grid::area_of_slits(found);
         if found.is_small() {
+            let [few, _] = self.few_spots();
             if let Some(gap) = &mut self.mean_gap {
-                gap.grid = gap.grid.map(|half| half.max(grid::gap_between(found)));
+                let between = grid::gap_between(found).max(few * grid::gap_of_peaks(&found.bend));
+                gap.grid = gap.grid.map(|half| half.max(between));
             }
             self.between = grid::area_between(found, self.area.value);
             self.area.grid = self.area.grid.map(|half| half.hypot(self.between));
@@ -246,9 +257,12 @@ impl Budget {
                 *own = Ok(own.map_or(half, |own| own.max(half)));
             }
         };
-        wider(&mut self.area.grid, Some(finer.area_half_width(self.area.value)));
+        let half = finer.area_half_width(self.area.value).hypot(self.slits);
+        wider(&mut self.area.grid, Some(half));
         if let Some(stiffness) = &mut self.stiffness {
-            wider(&mut stiffness.grid, finer.stiffness_half_width(stiffness.value));
+            let slits = self.slits / (1.0 - self.area.value).max(f64::MIN_POSITIVE);
+            let half = finer.stiffness_half_width(stiffness.value);
+            wider(&mut stiffness.grid, half.map(|half| half.hypot(slits * stiffness.value)));
         }
         match self.given {
             Given::Load => {
@@ -264,6 +278,11 @@ impl Budget {
         self
     }
 
+    /// By how much the bars of gap and stiffness widen where few spots carry the load.
+    pub(crate) fn few_spots(&self) -> [f64; 2] {
+        few_spots(self.sampled.as_ref())
+    }
+
     /// The least area, where it is its distance that makes the bar from the grid.
     pub fn held_by_floor(&self) -> Option<Floor> {
         self.floor.filter(|floor| self.area.grid == Ok(floor.above))
@@ -273,6 +292,10 @@ impl Budget {
     pub fn real_pressure(&self) -> Option<RealPressure<'_>> {
         (self.area.value > 0.0).then_some(RealPressure { budget: self })
     }
+}
+
+fn few_spots(sampled: Option<&sample::Sampled>) -> [f64; 2] {
+    sampled.map_or([1.0; 2], |s| grid::of_few_spots(s.blocks.carrying))
 }
 
 /// Mean real pressure, load over area: its error is that of the area, turned round.

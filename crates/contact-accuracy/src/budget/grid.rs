@@ -4,6 +4,7 @@
 //! their bars are parts of the same measure of resolution, the share of the contact line,
 //! `0.118 S_d / A`.
 
+use super::bend::Bend;
 use super::between::Between;
 use super::map::Map;
 use contact_types::Grid;
@@ -30,11 +31,31 @@ const TAIL: f64 = 2.0;
 const LIGHT: f64 = 1.5;
 /// The same over the square of the doubt inside the contact.
 const SHARP: f64 = 7.0;
+/// Half width of the area over the share of points under little pressure, where valleys are creased.
+const SLITS: f64 = 0.35;
 /// By how much the parts of gap and stiffness from the grid are wider, over the root of the blocks that carry the load: the peaks of few
 /// spots stand beside the points by chance, those of many in the mean.
 const FEW: f64 = 1.5;
+/// By how much more that of the stiffness is, over the blocks that carry the load.
+const VERY_FEW: f64 = 2.0;
+/// Gap error over (rms second difference of the heights where something touches, times share of the contact line), on
+/// smooth peaks and where some of them may be creases.
+const PEAK: [f64; 2] = [0.1, 0.3];
+/// [Growth](Bend::growth) below which that may be.
+const SMOOTH_GROWTH: f64 = 3.5;
+/// Half width of the area on creases over the correction of the finer grid.
+const CREASED: f64 = 2.0;
+/// Relative half width of the stiffness on creases over the share of the line of the finer grid.
+const CREASED_STIFFNESS: f64 = 2.5;
+/// Half width of the gap on creases over the rms second difference there.
+const CREASED_GAP: f64 = 0.12;
+/// Share of the contact line above which a finer grid does not resolve creases.
+const CREASED_SHARE: f64 = 0.1;
 /// Open share of the surface below which the error of the stiffness is counted against it.
 const OPEN: f64 = 0.6;
+/// Relative error of the stiffness over the share of the line in the open places, and what it has on top in the few that
+/// are left near full contact, as `A³⁰`.
+const OPEN_STIFFNESS: [f64; 2] = [0.25, 0.85];
 
 /// Bars of area, mean gap and stiffness over those of elastic contact, where part of the contact has yielded.
 ///
@@ -69,8 +90,9 @@ impl Line {
 }
 
 /// By how much the half widths of mean gap and stiffness widen where so many blocks carry the load.
-pub fn of_few_spots(carrying: f64) -> f64 {
-    1.0 + FEW / carrying.sqrt()
+pub fn of_few_spots(carrying: f64) -> [f64; 2] {
+    let few = 1.0 + FEW / carrying.sqrt();
+    [few, few + VERY_FEW / carrying]
 }
 
 /// Half width of the mean gap (m) at this contact line. Where its edges run alike, on a lay or a
@@ -96,20 +118,37 @@ pub fn gap_between(found: &Between) -> f64 {
     touching.max(TAIL * found.open.abs())
 }
 
+/// Half width of the mean gap (m) that peaks leave which stand beside the points, of a surface that touches with its
+/// sharpest ones only: a part of their second difference, times the share of the line. Elsewhere that of
+/// [`gap_half_width`], which knows the rms height alone, is more.
+pub fn gap_of_peaks(bend: &Bend) -> f64 {
+    let [smooth, sharp] = PEAK;
+    let part = if bend.growth < SMOOTH_GROWTH { sharp } else { smooth };
+    part * bend.height * bend.share
+}
+
 /// Relative half width of the stiffness at this contact line. Near full contact the gap is that of
 /// the few places left open, whose line is of their area and not of the contact.
 pub fn stiffness_half_width(map: &Map, line: Line) -> f64 {
     let part = if map.repeats { STIFFNESS } else { STIFFNESS_AT_SEAM };
-    let open = (OPEN / (1.0 - line.area).max(OPEN * 1e-9)).max(1.0);
-    part * line.share() * open * map.accuracy.widened(line.edges)
+    let open = (1.0 - line.area).max(OPEN * 1e-9);
+    let of_contact = part * line.share() * (OPEN / open).max(1.0);
+    let [most, near_full] = OPEN_STIFFNESS;
+    let of_open = (most + near_full * line.area.powi(30)) * BOUNDARY_CORRECTION * line.edges / open;
+    of_contact.max(of_open) * map.accuracy.widened(line.edges)
 }
 
 /// Half width of the area that ways to interpolate leave where the doubt is small and much touches: points in light
-/// contact that what lies between the points could take off, and slits beside sharp crests that the points do not show. At
-/// light load the bar of the contact line covers both.
+/// contact that what lies between the points could take off, and slits beside sharp crests and in creased valleys that the points do
+/// not show. At light load the bar of the contact line covers them.
 pub fn area_between(found: &Between, area: f64) -> f64 {
     let crests = SHARP * (found.height / found.deformed).powi(2);
-    (LIGHT * found.light).hypot(crests) * area * area
+    ((LIGHT * found.light).hypot(crests) * area * area).hypot(area_of_slits(found))
+}
+
+/// Half width of the area for the slits in creased valleys alone: they stay open on no grid that does not resolve them.
+pub fn area_of_slits(found: &Between) -> f64 {
+    SLITS * found.slits
 }
 
 /// What a solution on twice as many points along each side says of the one on the given grid.
@@ -160,6 +199,32 @@ impl Finer {
             doublings: 0.0,
             monotone: None,
         }
+    }
+
+    /// The same with what is known of the contact on the given grid: few spots that carry the load, by which gap and
+    /// stiffness widen ([`of_few_spots`]), and how sharply the heights bend there.
+    ///
+    /// What touches of a crease is a point or two wide on every grid until one resolves it, and less on each finer one:
+    /// while the line takes more than a tenth of the area here, what is left is not a part of the correction
+    /// but about twice of it.
+    #[must_use]
+    pub fn at_contact(mut self, [gap, stiffness]: [f64; 2], bend: &Bend) -> Self {
+        // On the finer grid a fourth of the bend where it is smooth, half on a crease; and half of the share.
+        let times = if bend.growth < SMOOTH_GROWTH { 4.0 } else { 8.0 };
+        let peaks = gap_of_peaks(bend) / times;
+        self.gap_bar = gap * self.gap_bar.max(peaks);
+        let is_thin = bend.is_creased() && self.correction > CREASED_SHARE * self.area;
+        if is_thin {
+            self.bar = self.bar.max(CREASED * self.correction);
+            self.gap_bar = self.gap_bar.max(CREASED_GAP * bend.height);
+        }
+        if let Some([value, half]) = &mut self.stiffness {
+            *half *= stiffness;
+            if is_thin {
+                *half = half.max(CREASED_STIFFNESS * *value * self.correction / self.area);
+            }
+        }
+        self
     }
 
     /// Half width around the area on the given grid: what refining moved, and what is left on the

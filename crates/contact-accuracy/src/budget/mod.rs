@@ -36,6 +36,7 @@
 //! not known of the gap over to the load, and to the area that follows it.
 
 mod area;
+mod bend;
 mod between;
 mod estimate;
 mod fall;
@@ -52,6 +53,7 @@ mod stiffness;
 pub use area::{
     AREA_PER_RESIDUAL, AreaAccuracy, LEFT_OF_CORRECTION, iteration_half_width, left_of_correction,
 };
+pub use bend::Bend;
 pub use between::{Between, MOST_DOUBT};
 pub use estimate::{Budget, Estimate, Given, RealPressure};
 pub use fall::{area_per_load, least_fall};

@@ -70,7 +70,7 @@ impl Budget {
         let wide = if self.yields { grid::YIELDING[2] } else { 1.0 };
         // Near full contact it follows the places that are open.
         let open = self.between / (1.0 - self.area.value).max(f64::MIN_POSITIVE);
-        let few = self.sampled.map_or(1.0, |s| grid::of_few_spots(s.blocks.carrying));
+        let [_, few] = self.few_spots();
         let relative = (few * wide * grid::stiffness_half_width(map, line)).hypot(open);
         self.stiffness = Some(Estimate {
             value: k,

@@ -62,7 +62,7 @@ pub fn finding(finding: &Finding) -> Worded {
             },
             format!(
                 "{}. The ± is that of one more solution on a twice finer interpolation, whose area \
-                 is {}{SPACE}%; {}.{}",
+                 is {}{SPACE}%; {}.",
                 capital(&why.to_string()),
                 significant(100.0 * area, 3),
                 if *loads > 1 {
@@ -70,12 +70,6 @@ pub fn finding(finding: &Finding) -> Worded {
                 } else {
                     "other loads carry none"
                 },
-                if matches!(why, NoAreaInterval::SpotsTooSmall { .. }) {
-                    " It is that of the smooth surface through the points: of ridges sharper than \
-                     these show, two fifths of it were found to touch."
-                } else {
-                    ""
-                }
             ),
         ),
         Fact::NoBar { why, at } => {
