@@ -16,6 +16,7 @@ pub mod edge_study;
 mod monotone;
 pub mod plan;
 mod refinement;
+mod ringing;
 mod table;
 
 pub use budget::{AreaAccuracy, Budget, Estimate, Map, NoAreaInterval};

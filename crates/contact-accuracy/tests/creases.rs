@@ -6,9 +6,11 @@
 use contact_accuracy::TwiceFiner;
 use contact_accuracy::budget::grid::Line;
 use contact_accuracy::budget::{Between, Budget, Estimate, Map, NoAreaInterval, Stiffness};
+use contact_accuracy::plan::{self, PlanError, Request, Sink, Task};
 use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{Boundary, Load, Solver};
+use fft_bem_solver::{Boundary, Load, Maps, Method, Solution, Solver, SolverError};
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 /// Ridges where a sum of waves is zero, on a unit square; valleys for `side` -1.
 fn ridges(points: usize, side: f64) -> HeightMap {
@@ -86,4 +88,66 @@ fn slits_in_valleys_sharper_than_the_points_show_widen_the_area() {
         would_have_missed += usize::from(!(low..=high).contains(&truth));
     }
     assert!(would_have_missed >= 1, "these valleys are no test");
+}
+
+struct Areas(Vec<f64>);
+
+impl Sink for Areas {
+    fn begin(&mut self, _map: &HeightMap) {
+        self.0.clear();
+    }
+    fn take(
+        &mut self,
+        _index: usize,
+        result: Result<Solution, SolverError>,
+        _budget: Option<Budget>,
+    ) -> ControlFlow<()> {
+        self.0.push(result.unwrap().diagnostics.area_fraction_corrected);
+        ControlFlow::Continue(())
+    }
+}
+
+/// Cusps between spheres ring on the tops of a finer grid by waves; the given grid is gone back to, and its answer is nearer.
+#[test]
+fn no_accuracy_is_claimed_on_waves_that_ring() -> Result<(), PlanError> {
+    let spheres = |points: usize| {
+        let pixel = 1.0 / points as f64;
+        let grid = Grid::new([points, points], [pixel, pixel]).unwrap();
+        let off = |s: f64| s - (s + 0.5).floor();
+        let place = |k: usize, by: f64| (k as f64 * by).fract();
+        let height = |y: f64, x: f64| {
+            let one = |k: usize| {
+                let [dy, dx] = [off(y - place(k, 0.754_877_666)), off(x - place(k, 0.569_840_290))];
+                0.05 - dy * dy - dx * dx
+            };
+            (0..14).map(one).fold(0.0, f64::max).sqrt()
+        };
+        HeightMap::from_fn(grid, |y, x| 0.1 * height(y, x)).unwrap()
+    };
+    let (map, modulus) = (spheres(128), ContactModulus::from_pascals(1.0).unwrap());
+    let known = Map::of(&map).unwrap();
+    let loads = [Load::MeanPressure(3e-4)];
+    let task = Task {
+        map: &map,
+        known: &known,
+        modulus,
+        loads: &loads,
+        boundary: Boundary::Periodic,
+        request: Request::new(0.02).unwrap(),
+        method: Method::Auto,
+        certified: false,
+        maps: Maps::default(),
+        section: None,
+        threads: 1,
+    };
+    let mut found = Areas(Vec::new());
+    let outcome = plan::run(&task, &mut found)?;
+    assert_eq!(outcome.grid, map.grid(), "{outcome:?}");
+    assert!(!outcome.met, "{outcome:?}");
+    let fine = spheres(1024);
+    let mut exact = Solver::builder().build(fine.grid(), modulus).unwrap();
+    let truth = exact.solve(&fine, loads[0]).unwrap().diagnostics.area_fraction_corrected;
+    let half = outcome.half_width.unwrap();
+    assert!((found.0[0] / truth - 1.0).abs() < half, "{:?} {truth} {half}", found.0);
+    Ok(())
 }

@@ -70,6 +70,11 @@ impl Candidates {
         &self.list[self.given]
     }
 
+    /// Whether a map put on another grid is continued by itself.
+    pub(super) fn is_continued(&self) -> bool {
+        self.continued
+    }
+
     /// The map on one of the grids.
     ///
     /// # Errors

@@ -108,6 +108,8 @@ pub enum NoBar {
 pub enum Finest {
     /// The grid used is the finest.
     Used,
+    /// A finer one was tried and given up: what lies between the given points decides on it.
+    BetweenPoints,
     /// A finer one, of so many points `[ny, nx]`.
     Other {
         /// Its points.

@@ -4,6 +4,7 @@ use super::outcome::{Finest, Miss, Next, NoBar, Outcome, Unmet};
 use super::{Candidate, Candidates, Line, Request, budget};
 use crate::budget::iteration::area_error;
 use crate::budget::{Between, Budget, Map, NoAreaInterval};
+use crate::ringing::Ringing;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{
     Boundary, Iteration, Load, Maps, Method, Precision, Solution, Solver, SolverError,
@@ -95,17 +96,20 @@ pub fn run(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Outcome, PlanError> {
     let candidates = Candidates::of(task.map, task.known, task.boundary)?;
     let mut current = first(task, &candidates);
     let (mut given_up, mut work) = (Vec::new(), 0.0);
+    // Whether a finer grid was given up for the one as given.
+    let mut is_back = false;
     loop {
         let begun = Instant::now();
-        let attempt = attempt(task, &candidates, current, sink)?;
+        let attempt = attempt(task, &candidates, current, is_back, sink)?;
         work += attempt.transforms * candidates.list[current].grid.len() as f64 * bytes(task);
-        if let Some(finer) = attempt.leave_for {
+        if let Some(other) = attempt.leave_for {
             given_up.push(candidates.list[current].grid.shape());
-            current = finer;
+            is_back = other < current;
+            current = other;
             continue;
         }
         let last = begun.elapsed().as_secs_f64();
-        let mut outcome = conclude(task, &candidates, current, attempt, last);
+        let mut outcome = conclude(task, &candidates, current, is_back, attempt, last);
         outcome.seconds = start.elapsed().as_secs_f64();
         outcome.given_up = given_up;
         outcome.work = work;
@@ -138,19 +142,22 @@ fn first(task: &Task<'_>, candidates: &Candidates) -> usize {
 struct Attempt {
     loads: Vec<Reached>,
     transforms: f64,
-    /// The finer grid that is expected to do, if this one does not.
+    /// The finer grid that is expected to do, if this one does not; or the given one, if no finer one will.
     leave_for: Option<usize>,
 }
 
-/// Every load on one grid, until one fails that a finer grid is expected to meet.
+/// Every load on one grid, until one fails that a finer grid is expected to meet, unless that was tried (`is_back`).
 fn attempt(
     task: &Task<'_>,
     candidates: &Candidates,
     current: usize,
+    is_back: bool,
     sink: &mut dyn Sink,
 ) -> Result<Attempt, PlanError> {
     let candidate = &candidates.list[current];
     let map = candidates.map(task.map, candidate)?;
+    let is_finer = current > candidates.given;
+    let ringing = is_finer.then(|| Ringing::of(task.map, candidates.is_continued())).transpose()?;
     let rows = [task.map, &*map].map(|m| m.grid().shape()[0]);
     let section = task.section.map(|row| (row * rows[1] / rows[0]).min(rows[1] - 1));
     let mut solver = Solver::builder()
@@ -173,16 +180,20 @@ fn attempt(
             return Err(PlanError::Stopped);
         }
         let budget = result.as_ref().ok().map(|s| {
-            let found =
+            let mut found =
                 Between::on_points_of(task.map, task.known.repeats, s, map.grid(), task.modulus);
+            if let (Some(found), Some(ringing)) = (&mut found, &ringing) {
+                found.height = found.height.max(ringing.at(&s.pressure, map.grid()));
+            }
             budget(s, load, candidate, task.known, found.as_ref())
         });
         let reached = Reached::of(load, &result, budget.as_ref());
         attempt.transforms += result.as_ref().map_or(0.0, |s| s.diagnostics.transforms);
-        if !reached.meets(task.request) {
+        if !reached.meets(task.request) && !is_back {
             attempt.leave_for = if reached.is_between_points() {
-                // No finer grid says what the given points do not; a coarser one is no place to end.
-                (current < candidates.given).then_some(candidates.given)
+                // No finer grid says what the given points do not; a coarser one is no place to end, nor a finer one
+                // whose waves ring.
+                (current != candidates.given).then_some(candidates.given)
             } else {
                 better(task, candidates, current, &reached)
             };
@@ -257,6 +268,7 @@ fn conclude(
     task: &Task<'_>,
     candidates: &Candidates,
     current: usize,
+    is_back: bool,
     attempt: Attempt,
     seconds: f64,
 ) -> Outcome {
@@ -265,7 +277,8 @@ fn conclude(
     let all: Option<Vec<f64>> = loads.iter().map(|l| l.width.clone().ok()).collect();
     let half_width = all.map(|widths| widths.iter().copied().fold(0.0, f64::max));
     let unmet: Vec<&Reached> = loads.iter().filter(|l| !l.meets(task.request)).collect();
-    let is_open = candidates.as_given().accuracy.gate().is_ok()
+    let is_open = !is_back
+        && candidates.as_given().accuracy.gate().is_ok()
         && !loads.iter().any(Reached::is_between_points);
     let next = candidates.list.get(current + 1).filter(|_| is_open);
     let next = next.map(|finer| {
@@ -292,7 +305,7 @@ fn conclude(
         seconds,
         given_up: Vec::new(),
         next: next.filter(|next| half_width.is_none_or(|h| h > 0.0) || next.half_width.is_none()),
-        unmet: reason(task, candidates, current, &unmet),
+        unmet: reason(task, candidates, current, is_back, &unmet),
     }
 }
 
@@ -301,6 +314,7 @@ fn reason(
     task: &Task<'_>,
     candidates: &Candidates,
     current: usize,
+    is_back: bool,
     unmet: &[&Reached],
 ) -> Option<Unmet> {
     let reached = unmet.first()?;
@@ -314,7 +328,9 @@ fn reason(
         Miss::NoContact { first_contact: task.map.range().1 - task.map.mean() }
     } else {
         let last = candidates.list.len() - 1;
-        let finest = if last == current || reached.is_between_points() {
+        let finest = if is_back {
+            Finest::BetweenPoints
+        } else if last == current || reached.is_between_points() {
             Finest::Used
         } else {
             Finest::Other {

@@ -59,6 +59,10 @@ pub fn reason(outcome: &Outcome) -> Option<String> {
     };
     Some(match finest {
         Finest::Used => format!("{here}, and no finer grid is considered"),
+        Finest::BetweenPoints => format!(
+            "{here}, and on a finer grid what lies between the points decides: waves through all of \
+             them ring"
+        ),
         Finest::Other { shape, half_width: Some(width) } => {
             format!("{here}; even {} points would leave {}", points(*shape), plus_minus(*width))
         }
