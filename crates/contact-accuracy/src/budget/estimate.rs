@@ -132,6 +132,7 @@ impl Budget {
         let goes_on = found.boundary == Boundary::Periodic;
         let yields = found.yielded.is_some_and(|y| y.area_fraction > 0.0);
         let [wide, wide_gap, _] = if yields { grid::YIELDING } else { [1.0; 3] };
+        let line = grid::Line::of(solution);
         let gate = if found.contact_pixels == 0 {
             Err(NoAreaInterval::Empty)
         } else if yields && !goes_on {
@@ -139,10 +140,10 @@ impl Budget {
         } else if yields && map.is_regular() {
             Err(NoAreaInterval::NotStudied("a pattern of like cells that has yielded"))
         } else {
-            map.accuracy.grid_half_width(solution).map(|half| wide * half)
+            let seam = if goes_on { grid::area_of_seam(map, line) } else { 0.0 };
+            map.accuracy.grid_half_width(solution).map(|half| wide * half.hypot(seam))
         };
         let floor = Floor::of(solution);
-        let line = grid::Line::of(solution);
         // An isolated contact is no sample of a surface that goes on; how those of one that yields scatter
         // was not studied.
         let blocks = (goes_on && !yields)
@@ -168,7 +169,8 @@ impl Budget {
             grid: if goes_on {
                 gate.map(|_| {
                     let open = grid::gap_of_open_places(map, line, gap);
-                    wide_gap * (few * grid::gap_half_width(map, line)).max(open)
+                    let seam = grid::gap_of_seam(map, line);
+                    wide_gap * (few * grid::gap_half_width(map, line)).max(open).max(seam)
                 })
             } else {
                 Err(NoAreaInterval::NotStudied("the gap of an isolated contact"))

@@ -19,6 +19,10 @@ const STIFFNESS: f64 = 0.2;
 /// The same on a map whose edges do not match.
 const STIFFNESS_AT_SEAM: f64 = 0.33;
 
+/// Half width of the gap over the height of the jumps between edges that do not match.
+const SEAM_GAP: f64 = 0.5;
+/// Half width of the area over the share of the points along them, as `A⁴`.
+const SEAM_AREA: f64 = 0.25;
 /// Share of a pixel's worth of deformation from which the gap errs by all of the difference of the
 /// interpolants.
 const EVENED_OUT: f64 = 0.125;
@@ -111,6 +115,21 @@ pub fn gap_of_open_places(map: &Map, line: Line, gap: f64) -> f64 {
     part * gap.max(0.0) * share.min(1.0) * line.area * line.area
 }
 
+/// Half width of the mean gap (m) beside jumps between edges that do not match: a pixel is as wide as a jump is on the grid, and
+/// the finer it is the steeper they are. Half of their [height](Map::seam), less where much touches.
+pub fn gap_of_seam(map: &Map, line: Line) -> f64 {
+    SEAM_GAP * (1.0 - 0.5 * line.area) * map.seam
+}
+
+/// Half width of the area beside such jumps, where little is open: a quarter of the points along them.
+pub fn area_of_seam(map: &Map, line: Line) -> f64 {
+    let [ny, nx] = map.accuracy.grid().shape();
+    if map.repeats || line.edges <= 0.0 {
+        return 0.0;
+    }
+    SEAM_AREA * (1.0 / ny as f64 + 1.0 / nx as f64) * line.area.powi(4)
+}
+
 /// Half width of the mean gap (m) that ways to interpolate leave: at the contact a part of their
 /// difference, the smaller the more the load evens them out; at open places what they differ by.
 pub fn gap_between(found: &Between) -> f64 {
@@ -193,7 +212,7 @@ impl Finer {
                 let line = Line::of(solution);
                 let open =
                     solution.state.mean_gap.map_or(0.0, |gap| gap_of_open_places(map, line, gap));
-                gap_half_width(&map.on(grid), line).max(open)
+                gap_half_width(&map.on(grid), line).max(open).max(0.5 * gap_of_seam(map, line))
             },
             stiffness: None,
             doublings: 0.0,

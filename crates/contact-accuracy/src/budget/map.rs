@@ -6,7 +6,7 @@ use crate::continuation::window_for;
 use contact_types::{Grid, HeightMap};
 use grid_fft::parallel::join;
 use surface_stats::spectrum::PowerSpectrum;
-use surface_stats::{StatsError, height_step, repeats};
+use surface_stats::{StatsError, height_step, repeats, seam_height};
 
 /// What a map says about the accuracy of answers on it, whatever the load. Made once per surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +17,8 @@ pub struct Map {
     pub accuracy: AreaAccuracy,
     /// Whether its edges match; if not, answers know less about its gap.
     pub repeats: bool,
+    /// Mean jump between opposite edges over the points across ([`seam_height`]) if they do not match, else 0 (m).
+    pub seam: f64,
     /// Rms height (m).
     pub rms_height: f64,
     /// Relative standard error of the rms height over maps of the same surface.
@@ -80,6 +82,7 @@ impl Map {
         Self {
             accuracy,
             repeats,
+            seam: if repeats { 0.0 } else { seam_height(surface) },
             rms_height: power.moments().0.rms_height(),
             height_scatter,
             gradient_scatter,
