@@ -4,6 +4,7 @@
 //! point, the less the farther away, and more than a light load deforms it where that is on smooth tops. The polynomial through eight points in
 //! line knows nothing of what lies farther off. On a map that is band-limited in truth both are the same.
 
+use crate::budget::same_place;
 use crate::continuation::regrid;
 use crate::monotone::inside;
 use contact_types::{Grid, HeightMap};
@@ -29,23 +30,20 @@ impl<'a> Ringing<'a> {
     /// Rms difference of both ways to interpolate (m) where something touches under `pressure`, which stands on `grid`, of
     /// the same area; 0 where nothing does.
     pub(crate) fn at(&self, pressure: &[f64], grid: Grid) -> f64 {
-        let ([ny, nx], [my, mx]) = (self.map.grid().shape(), grid.shape());
+        let nx = self.map.grid().shape()[1];
         // The points of the finer map stand beside one of the map, or on it.
         let places = if self.repeats { [0.0, 0.5] } else { [-0.25, 0.25] };
         let weights = places.map(weights);
         let (mut squares, mut count) = (0.0, 0.0);
-        for i in 0..ny * nx {
+        for i in 0..self.map.grid().len() {
             let (y, x) = (i / nx, i % nx);
-            if pressure.get(y * my / ny * mx + x * mx / nx).is_none_or(|p| *p <= 0.0) {
+            let there = same_place(i, self.map.grid(), grid);
+            if pressure.get(there).is_none_or(|p| *p <= 0.0) {
                 continue;
             }
-            for (k, (wy, wx)) in [(0, 0), (0, 1), (1, 0), (1, 1)]
-                .map(|(a, b)| (weights[a], weights[b]))
-                .iter()
-                .enumerate()
-            {
-                let height = self.polynomial([y, x], [wy, wx]);
-                let difference = self.finer.at(2 * y + k / 2, 2 * x + k % 2) - height;
+            for (a, b) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let height = self.polynomial([y, x], [&weights[a], &weights[b]]);
+                let difference = self.finer.at(2 * y + a, 2 * x + b) - height;
                 squares += difference * difference;
                 count += 1.0;
             }
@@ -85,7 +83,7 @@ mod tests {
         HeightMap::from_fn(Grid::new([n, n], [pixel, pixel]).unwrap(), height).unwrap()
     }
 
-    /// Waves of ten points and more ring by less than a hundred-thousandth of their height; cusps between spheres do.
+    /// Waves of ten points and more ring by less than a ten-thousandth of their height; cusps between spheres do.
     #[test]
     fn waves_do_not_ring_and_cusps_between_tops_do() {
         let waves = map(64, |y, x| (TAU * (5.0 * x + 2.0 * y)).cos() + (TAU * 6.0 * y).sin());

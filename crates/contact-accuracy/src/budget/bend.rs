@@ -3,6 +3,7 @@
 //! A smooth surface bends four times as much over twice the distance, a crease twice as much. Peaks stand beside
 //! the points by up to half a pixel, by a height that is part of the bend.
 
+use crate::monotone::inside;
 use contact_types::HeightMap;
 use fft_bem_solver::BOUNDARY_CORRECTION;
 
@@ -41,15 +42,11 @@ pub(super) struct Sum {
 }
 
 impl Sum {
-    /// Adds the point in row `y` and column `x`; `inside` says which index lies how many from another along a side
-    /// of so many points.
-    pub(super) fn add(
-        &mut self,
-        surface: &HeightMap,
-        [y, x]: [usize; 2],
-        inside: impl Fn(usize, isize, usize) -> usize,
-    ) {
+    /// Adds point `i` of a `surface`. Beyond its edges stands itself if it `repeats`, its mirror image otherwise.
+    pub(super) fn add(&mut self, surface: &HeightMap, i: usize, repeats: bool) {
         let [ny, nx] = surface.grid().shape();
+        let (y, x) = (i / nx, i % nx);
+        let inside = |i, k, n| inside(i, k, n, repeats);
         let bend = |k: isize| {
             let twice = 2.0 * surface.at(y, x);
             let along_y = surface.at(inside(y, k, ny), x) + surface.at(inside(y, -k, ny), x);
@@ -86,8 +83,7 @@ mod tests {
         let grid = Grid::new([20, 20], [1.0, 1.0]).unwrap();
         let map = HeightMap::from_fn(grid, height).unwrap();
         let mut sum = Sum::default();
-        let inside = |i: usize, k: isize, _: usize| (i.cast_signed() + k).cast_unsigned();
-        (4..16).for_each(|y| sum.add(&map, [y, 10], inside));
+        (4..16).for_each(|y| sum.add(&map, 20 * y + 10, true));
         sum.bend(0.0).unwrap()
     }
 

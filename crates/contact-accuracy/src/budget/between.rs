@@ -100,7 +100,7 @@ impl Between {
             touching += 1.0;
             load += p;
             let (iy, ix) = (i / nx, i % nx);
-            bends.add(surface, [iy, ix], |i, k, n| inside(i, k, n, repeats));
+            bends.add(surface, i, repeats);
             for step in [0, -1] {
                 let along = |k| heights[iy * nx + inside(ix, k + step, nx, repeats)];
                 let next = pressure[iy * nx + inside(ix, 1 + 2 * step, nx, repeats)];
@@ -142,9 +142,8 @@ impl Between {
         if solution.pressure.len() != grid.len() {
             return None;
         }
-        let ([ny, nx], [my, mx]) = (surface.grid().shape(), grid.shape());
-        let there = |i: usize| solution.pressure[i / nx * my / ny * mx + i % nx * mx / nx];
-        let pressure: Vec<f64> = (0..ny * nx).map(there).collect();
+        let there = |i: usize| solution.pressure[same_place(i, surface.grid(), grid)];
+        let pressure: Vec<f64> = (0..surface.grid().len()).map(there).collect();
         Self::of(surface, repeats, &pressure, modulus)
     }
 
@@ -166,17 +165,22 @@ impl Between {
     }
 }
 
+/// Index of the point of `on`, a grid of the same area, that stands for point `i` of `given`.
+pub(crate) fn same_place(i: usize, given: Grid, on: Grid) -> usize {
+    let ([ny, nx], [my, mx]) = (given.shape(), on.shape());
+    i / nx * my / ny * mx + i % nx * mx / nx
+}
+
 /// [`Between::slits`], of so many points that touch and the sum of their pressures.
 fn slits(surface: &HeightMap, repeats: bool, pressure: &[f64], [touching, load]: [f64; 2]) -> f64 {
     let points = surface.grid().len() as f64;
     if touching < MOST_TOUCHES * points {
         return 0.0;
     }
-    let nx = surface.grid().shape()[1];
     let little = LITTLE * load / points;
     let (mut bends, mut pressed) = (bend::Sum::default(), 0.0);
     for (i, &p) in pressure.iter().enumerate().filter(|(_, p)| **p < little) {
-        bends.add(surface, [i / nx, i % nx], |i, k, n| inside(i, k, n, repeats));
+        bends.add(surface, i, repeats);
         pressed += f64::from(u8::from(p > 0.0));
     }
     if bends.is_creased() { pressed / points } else { 0.0 }

@@ -54,6 +54,7 @@ pub use area::{
     AREA_PER_RESIDUAL, AreaAccuracy, LEFT_OF_CORRECTION, iteration_half_width, left_of_correction,
 };
 pub use bend::Bend;
+pub(crate) use between::same_place;
 pub use between::{Between, MOST_DOUBT};
 pub use estimate::{Budget, Estimate, Given, RealPressure};
 pub use fall::{area_per_load, least_fall};
