@@ -25,6 +25,7 @@ mod format;
 mod formats;
 mod harmonic;
 mod hdf5;
+mod header;
 mod layout;
 mod limits;
 mod meaning;
