@@ -36,12 +36,12 @@ rows! {
     Zygo, zygo, ["dat"], "phase data; intensity is listed";
     Opd, opd, ["opd"], "all raw data blocks";
     Gwy, gwy, ["gwy"], "all data fields with units; masks are missing points";
-    Nanoscope, nanoscope, ["spm", "001", "di"], "all channels, 2 and 4 bytes per point";
+    Nanoscope, nanoscope, ["spm", "001", "di"], "all channels, 2 and 4 bytes per point, parts of a scan";
     Al3d, al3d, ["al3d"], "depth image with missing points";
     Nms, nms, ["nms"], "height; intensity is listed";
     Tmd, tmd, ["tmd"], "GelSight height maps";
     Bcrf, bcrf, ["bcr", "bcrf"], "Latin-1 and UTF-16 headers, missing points";
-    NetCdf, netcdf, ["nc"], "CDF-1, 2 and 5: every variable of two dimensions";
+    NetCdf, netcdf, ["nc"], "CDF-1, 2 and 5: every variable of two dimensions, or else of one";
     Ibw, ibw, ["ibw"], "version 5: every layer is a channel";
     Opdx, opdx, ["opdx"], "maps and profiles of Vision64";
     Frt, frt, ["frt"], "height with missing points";
@@ -71,7 +71,7 @@ rows! {
         "the profile of a SurfTest tester; checked against made workbooks only";
     Datx, datx, ["datx"], "all maps; not checked against a real file";
     Hdf5, hdf5, ["h5", "hdf5"],
-        "every data set of two axes, also of NetCDF-4 and MATLAB 7.3; unit from its attribute";
+        "every data set of two axes, or else of one, also of NetCDF-4 and MATLAB 7.3; unit from its attribute";
     #[cfg(feature = "zip")]
     Mnt, mnt, ["mnt"], "surfaces as they were loaded, with missing points; results of the document are not read";
     Text, table, ["csv", "asc", "tsv", "txt", "xyz"],

@@ -34,6 +34,7 @@ mod need;
 #[cfg(feature = "zip")]
 mod ole;
 mod options;
+mod packed;
 mod read;
 mod resample;
 mod text;

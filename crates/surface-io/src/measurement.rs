@@ -83,6 +83,13 @@ impl<'a> Channel<'a> {
     ) -> Self {
         let unit = unit.map(str::trim).filter(|u| !u.is_empty());
         let scale = unit.and_then(metres_per);
+        let is_profile = shape[0] == 1 && shape[1] > 1;
+        // The spacing of the lines of a single line is nothing, and often stored as 0.
+        let pixel = match pixel {
+            Pixel::Metres([_, dx]) if is_profile => Pixel::Metres([dx; 2]),
+            Pixel::Steps([_, dx]) if is_profile => Pixel::Steps([dx; 2]),
+            other => other,
+        };
         Self {
             name: name.into(),
             unit: unit.map(str::to_owned),
@@ -90,7 +97,7 @@ impl<'a> Channel<'a> {
             is_height: unit.is_none() || scale.is_some(),
             shape,
             pixel,
-            is_profile: shape[0] == 1 && shape[1] > 1,
+            is_profile,
             uneven: None,
             places: None,
             is_trace: false,

@@ -314,3 +314,81 @@ fn write_fuzz_seeds() {
         std::fs::write(folder.join(number.to_string()), &sample.bytes).unwrap();
     }
 }
+
+/// A profile of SUR whose lines have neither a spacing nor a unit of it; data sets and variables of
+/// one axis, at positions that are even and uneven.
+#[test]
+fn profiles_of_formats_for_maps() {
+    let options = ReadOptions::default();
+    let mut sur = samples().into_iter().find(|s| s.name == "sur").unwrap().bytes;
+    sur[108..116].copy_from_slice(&[35i32, 1].map(i32::to_le_bytes).concat());
+    sur[124..128].fill(0);
+    sur[196..212].fill(b' ');
+    let found = read_bytes(&sur, &options).unwrap();
+    assert!(found.is_profile());
+    assert_eq!(
+        (found.grid().shape(), found.grid().pixel()[1].to_bits()),
+        ([1, 35], 2e-6f64.to_bits())
+    );
+
+    let found = read_bytes(&common::microscopes::hdf5(include_bytes!("data/line.h5.gz")), &options);
+    let found = found.unwrap();
+    assert_eq!((found.channel(), found.grid().shape()), ("z", [1, 5]));
+    assert!((found.grid().pixel()[1] / 0.5e-6 - 1.0).abs() < 1e-12 && found.is_profile());
+
+    let file = line_scan(&[0.0, 1.0, 2.5, 3.0]);
+    let found = read_bytes(&file, &options).unwrap();
+    assert_eq!((found.channel(), found.missing()), ("heights", 1));
+    assert!(found.is_profile() && found.uneven().is_some());
+    // Stored 10, in steps of 0.5 from 100, in the unit of x.
+    assert!((found.heights()[1] / 105e-6 - 1.0).abs() < 1e-12);
+    assert!((found.positions().unwrap()[2] / 2.5e-6 - 1.0).abs() < 1e-12);
+}
+
+/// A line scan in NetCDF classic as contact.engineering writes it, packed: dimension `n`, variables
+/// `x` with a unit and `heights` without one; the last height is missing.
+fn line_scan(x: &[f64]) -> Vec<u8> {
+    let text = |text: &str| {
+        let mut raw = (text.len() as u32).to_be_bytes().to_vec();
+        raw.extend(text.bytes());
+        raw.resize(raw.len().next_multiple_of(4), 0);
+        raw
+    };
+    let words = |words: &[u32]| words.iter().flat_map(|w| w.to_be_bytes()).collect::<Vec<u8>>();
+    let double = |name: &str, value: f64| {
+        [text(name), words(&[6, 1]), value.to_be_bytes().to_vec()].concat()
+    };
+    let n = x.len() as u32;
+    let unit = [text("unit"), words(&[2]), text("um")].concat();
+    let packing =
+        [double("scale_factor", 0.5), double("add_offset", 100.0), double("_FillValue", -1.0)];
+    let mut file = [
+        b"CDF\x01".to_vec(),
+        words(&[0, 10, 1]),
+        text("n"),
+        words(&[n, 0, 0, 11, 2]),
+        [text("x"), words(&[1, 0, 12, 1]), unit, words(&[6, 8 * n, 512])].concat(),
+        [text("heights"), words(&[1, 0, 12, 3])].concat(),
+        [packing.concat(), words(&[6, 8 * n, 512 + 8 * n])].concat(),
+    ]
+    .concat();
+    file.resize(512, 0);
+    let heights = (0..x.len()).map(|i| if i + 1 == x.len() { -1.0 } else { 10.0 * i as f64 });
+    file.extend(x.iter().copied().chain(heights).flat_map(f64::to_be_bytes));
+    file
+}
+
+/// Waves of older versions are named as such.
+#[test]
+fn old_igor_waves_are_called_so() {
+    for (version, size) in [(1i16, 118), (2, 126), (3, 130)] {
+        let mut wave = vec![0; size + 32];
+        wave[..2].copy_from_slice(&version.to_be_bytes());
+        wave[9] = 7;
+        let sum = wave[..size].chunks(2).map(|pair| i16::from_be_bytes([pair[0], pair[1]]));
+        let sum = sum.fold(0i16, i16::wrapping_add);
+        wave[2..4].copy_from_slice(&sum.wrapping_neg().to_be_bytes());
+        let error = read_bytes(&wave, &ReadOptions::default()).unwrap_err().to_string();
+        assert!(error.contains(&format!("wave of version {version}")), "{error}");
+    }
+}

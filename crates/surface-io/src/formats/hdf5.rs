@@ -4,19 +4,25 @@
 //! | attribute of a data set | content |
 //! |---|---|
 //! | `unit`, `units`, `Unit`, `Units` | unit of the numbers |
-//! | `No Data`, `_FillValue`, `missing_value` | the number that marks a missing point; NaN does anyway |
+//! | `scale_factor`, `add_offset`, marks of missing points | as [`Packing`] has them; NaN is missing anyway |
+//! | `MATLAB_class` | MATLAB 7.3 stores by columns: the map is transposed |
 //! | `pixel`, `pixel_unit` | [dy, dx] and its unit, as [`write::hdf5`](crate::write::hdf5) writes them |
 //! | `X Converter`, `Y Converter` | DATX: a compound of category, base unit and parameters, of which the second is the pixel size in metres |
 //!
 //! A data set without them has neither unit nor pixel size, as an array has. Chunks that were
-//! never written are missing points.
+//! never written are missing points. In a file without maps the data sets of one axis are profiles;
+//! a data set `x` beside them has the positions.
 //!
 //! Sources: The HDF Group, *HDF5 File Format Specification*; for DATX SurfaceTopography and prysm (both
 //! open readers). DATX was not checked against a real file.
 
+use super::npy::transpose;
+use super::scattered::Line;
 use crate::binary::{Bytes, find};
+use crate::cells::Digits;
 use crate::hdf5::{self, Dataset, Value};
 use crate::measurement::{Channel, Contents, Pixel};
+use crate::packed::Packing;
 use crate::{Format, Limits, ReadError};
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
@@ -43,12 +49,20 @@ pub(crate) fn parse_as<'a>(
     let file = hdf5::File::open(bytes, format, limits)?;
     let listing = hdf5::datasets(&file)?;
     let mut contents = Contents::default();
+    let mut lines = Vec::new();
     for (path, at) in listing.datasets {
         match Dataset::at(&file, at) {
-            Ok(Some(dataset)) => contents.channels.extend(channel(path, dataset, format, limits)?),
+            Ok(Some(dataset)) => match sides(&dataset)[..] {
+                [_, _] => contents.channels.push(channel(path, dataset, format, limits)?),
+                [_] => lines.push((path, dataset)),
+                _ => {}
+            },
             Ok(None) => {} // texts and compounds
             Err(fault) => contents.channels.push(Channel::unreadable(path, fault)),
         }
+    }
+    if contents.channels.is_empty() {
+        contents.channels = profiles(lines, format, limits)?;
     }
     match listing.fault {
         Some(fault) if contents.channels.is_empty() => Err(fault),
@@ -61,41 +75,85 @@ fn channel<'a>(
     dataset: Dataset<'a>,
     format: Format,
     limits: &Limits,
-) -> Result<Option<Channel<'a>>, ReadError> {
-    let sides: Vec<u64> = dataset.shape.iter().copied().filter(|&side| side != 1).collect();
-    let [ny, nx] = sides[..] else { return Ok(None) };
-    if ny == 0 || nx == 0 {
-        return Ok(None);
-    }
-    let side = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
-    let shape = [side(ny), side(nx)];
-    limits.check_points(format, shape)?;
-    let unit = match dataset.attribute(&["unit", "units", "Unit", "Units"]) {
-        Some(Value::Text(text)) => Some(text.clone()),
-        _ => None,
-    };
+) -> Result<Channel<'a>, ReadError> {
+    let sides = sides(&dataset);
+    let stored = [sides[0], sides[1]];
+    limits.check_points(format, stored)?;
+    let is_by_columns = dataset.attribute(&["MATLAB_class"]).is_some();
+    let shape = if is_by_columns { [stored[1], stored[0]] } else { stored };
+    let unit = unit(&dataset);
     let pixel = match (pixel(&dataset, "Y Converter"), pixel(&dataset, "X Converter")) {
         (Some(dy), Some(dx)) => Pixel::Metres([dy, dx]),
         _ => written_pixel(&dataset).map_or(Pixel::Unknown, Pixel::Metres),
     };
-    let missing = match dataset.attribute(&["No Data", "_FillValue", "missing_value"]) {
-        Some(Value::Numbers(numbers)) => numbers.first().copied(),
-        _ => None,
-    };
-    Ok(Some(Channel::new(path, unit.as_deref(), shape, pixel, move || {
-        let mut values = dataset.values()?;
-        if let Some(missing) = missing {
-            for value in &mut values {
-                if value.to_bits() == missing.to_bits() {
-                    *value = f64::NAN;
-                }
-            }
-        }
+    Ok(Channel::new(path, unit.as_deref(), shape, pixel, move || {
+        let values = values(&dataset)?;
         if values.len() != shape[0] * shape[1] {
             return Err(Bytes::little(&[], format).field("data", "of another size"));
         }
-        Ok(values)
-    })))
+        Ok(if is_by_columns { transpose(&values, stored) } else { values })
+    }))
+}
+
+/// Sizes of the axes of more than one point; none of a data set without points.
+fn sides(dataset: &Dataset<'_>) -> Vec<usize> {
+    if dataset.shape.contains(&0) {
+        return Vec::new();
+    }
+    let side = |&n: &u64| usize::try_from(n).unwrap_or(usize::MAX);
+    dataset.shape.iter().filter(|&&side| side != 1).map(side).collect()
+}
+
+fn unit(dataset: &Dataset<'_>) -> Option<String> {
+    match dataset.attribute(&["unit", "units", "Unit", "Units"]) {
+        Some(Value::Text(text)) => Some(text.clone()),
+        _ => None,
+    }
+}
+
+/// The numbers of a data set, unpacked.
+fn values(dataset: &Dataset<'_>) -> Result<Vec<f64>, ReadError> {
+    let packing = Packing::of(|key| match dataset.attribute(&[key]) {
+        Some(Value::Numbers(numbers)) => Some(&numbers[..]),
+        _ => None,
+    });
+    let mut values = dataset.values()?;
+    packing.unpack(&mut values);
+    Ok(values)
+}
+
+/// Data sets of one axis, and their positions if a data set `x` of as many points is beside them.
+fn profiles<'a>(
+    lines: Vec<(String, Dataset<'a>)>,
+    format: Format,
+    limits: &Limits,
+) -> Result<Vec<Channel<'a>>, ReadError> {
+    let folder = |path: &str| path.rsplit_once('/').map_or(String::new(), |(f, _)| f.to_owned());
+    let is_x = |path: &str| path == "x" || path.ends_with("/x");
+    let (positions, lines): (Vec<_>, Vec<_>) = lines.into_iter().partition(|(path, _)| is_x(path));
+    let mut found = Vec::new();
+    for (path, dataset) in lines {
+        let count = sides(&dataset)[0];
+        limits.check_points(format, [1, count])?;
+        let unit = unit(&dataset);
+        let beside = |(other, x): &&(String, Dataset<'a>)| {
+            folder(other) == folder(&path) && sides(x) == [count]
+        };
+        let line = match positions.iter().find(beside) {
+            None => None,
+            Some((name, x)) => {
+                let line = Line::new(&values(x)?, Digits::NONE);
+                let fault = |what: String| Bytes::little(&[], format).field(name.clone(), what);
+                Some((line.map_err(fault)?, self::unit(x)))
+            }
+        };
+        let decode = move || values(&dataset);
+        found.push(match line {
+            None => Channel::new(path, unit.as_deref(), [1, count], Pixel::Unknown, decode),
+            Some((line, x_unit)) => line.profile(path, unit.as_deref(), x_unit.as_deref(), decode),
+        });
+    }
+    Ok(found)
 }
 
 /// `[dy, dx]` (m), as this crate writes it.

@@ -19,6 +19,8 @@
 //! Every layer is a channel, named by its label. Spacing is stored, so the question of N or
 //! N − 1 intervals does not arise.
 //!
+//! Waves of versions 1 to 3, whose checksum is over 118, 126 and 130 bytes, are refused.
+//!
 //! Source: WaveMetrics, *Technical note 003, Igor binary format* (PTN003).
 
 use crate::binary::{Bytes, Order, Sample};
@@ -29,22 +31,33 @@ use crate::{Format, Limits, ReadError, metres_per};
 const FORMAT: Format = Format::Ibw;
 const DATA: usize = 384;
 
-fn order(bytes: &[u8]) -> Option<Order> {
-    match bytes {
-        [5, 0, ..] => Some(Order::Little),
-        [0, 5, ..] => Some(Order::Big),
+/// Version and byte order.
+fn version(bytes: &[u8]) -> Option<(u8, Order)> {
+    match *bytes {
+        [version @ (1..=3 | 5), 0, ..] => Some((version, Order::Little)),
+        [0, version @ (1..=3 | 5), ..] => Some((version, Order::Big)),
         _ => None,
     }
 }
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    let (Some(order), Some(header)) = (order(bytes), bytes.get(..DATA)) else { return false };
-    let sum = Sample::I16.decode(header, order).iter().sum::<f64>() as i64;
-    sum % 65536 == 0
+    let Some((version, order)) = version(bytes) else { return false };
+    let size = [118, 126, 130, 0, DATA][usize::from(version) - 1];
+    bytes.get(..size).is_some_and(|header| {
+        let sum = Sample::I16.decode(header, order).iter().sum::<f64>() as i64;
+        sum % 65536 == 0
+    })
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let order = order(bytes).unwrap_or(Order::Little);
+    let (version, order) = version(bytes).unwrap_or((5, Order::Little));
+    if version != 5 {
+        let feature = format!(
+            "a wave of version {version} (load it in Igor Pro and save a copy, which is version 5, \
+             or save it as text)"
+        );
+        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+    }
     let b = Bytes { data: bytes, format: FORMAT, order };
     let size = |at: usize| {
         let n = b.i32(at)?;
@@ -102,10 +115,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let labels = next(labels[2])?;
 
     let steps = [b.f64(156)?, b.f64(148)?];
-    let steps = [if ny == 1 { steps[1] } else { steps[0] }, steps[1]];
     let pixel = match (metres_per(&step_units[1]), metres_per(&step_units[0])) {
         (Some(y), Some(x)) => Pixel::Metres([steps[0] * y, steps[1] * x]),
-        (None, Some(x)) if ny == 1 => Pixel::Metres([steps[1] * x; 2]),
+        (None, Some(x)) if ny == 1 => Pixel::Metres([steps[0], steps[1] * x]),
         _ => Pixel::Steps(steps),
     };
     let mut contents = Contents::default();

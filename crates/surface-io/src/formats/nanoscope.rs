@@ -2,19 +2,23 @@
 //!
 //! | what | content |
 //! |---|---|
-//! | header | Latin-1, lines `\key: value`, sections `\*Name`, until `\*File list end` or byte 0x1A |
-//! | `\*Ciao image list` | one section per channel |
-//! | `\Data offset`, `\Bytes/pixel` | where the data are; 2 (i16) or 4 (i32), little endian |
-//! | `\Samps/line`, `\Number of lines` | points along x, along y |
-//! | `\Scan Size: 10 5 ~m` | total size along x, along y: N pixels; `~m` is µm |
+//! | header | Latin-1, lines `\key: value`, sections `\*Name`, until `\*File list end` or byte 0x1A; starts with `\*File list` or `\*EC File list` |
+//! | `\*Ciao image list` | one section per channel; also `AFM`, `STM`, `NCAFM image list` and `Image list` |
+//! | `\Data offset`, `\Data length`, `\Bytes/pixel` | where the data are; 2 (i16) or 4 (i32), little endian; from version 9.2 (0x0920….) always i32, and `\Bytes/pixel` only scales |
+//! | `\Samps/line`, `\Number of lines` | points along x, along y; fewer lines in `\Data length`: the lines that are there |
+//! | `\Scan Size: 10 5 ~m` | total size along x, along y: N pixels; `~m` is µm; where both are equal the next two rows count |
+//! | `\Aspect Ratio: 2:1` | size along x over that along y, of this image |
+//! | `\Slow Axis Size: 5000 nm` | of `\*Ciao scan list`: size along y of all its `\Lines`; of a scan stopped early the lines there are have their share |
 //! | `\@2:Image Data: S [ZSensor] "Height Sensor"` | name |
-//! | `\@2:Z scale: V [Sens. Zsens] (0.006 V/LSB) 24.5 V` | hard scale H: range of all stored values |
+//! | `\@2:Z scale: V [Sens. Zsens] (0.006 V/LSB) 24.5 V` | hard scale H: range of all stored values; `@4:` goes before `@2:` |
 //! | `\@Sens. Zsens: V 33.1 nm/V` | soft scale S of that name, in any other section |
 //!
-//! Height = value × S × H / 2^16 for 2 bytes, / 2^32 for 4 bytes. Rows are stored from the
+//! Height = value × S × H / 2^16 for `\Bytes/pixel: 2`, / 2^32 for 4. Rows are stored from the
 //! bottom upwards. The number of bytes decides, not the number in parentheses, which is rounded.
+//! Files with data as text (`?*File list`) and force curves are refused.
 //!
-//! Source: Veeco, *Nanoscope software 5.12 file formats*, and files of versions 4.3 to 9 and 10.
+//! Sources: Veeco, *Nanoscope software 5.12 file formats*; files of versions 4.3 to 9 and 10; for
+//! aspect ratio, slow axis and version 9.2 Gwyddion and SurfaceTopography (both open readers).
 
 use crate::binary::{Bytes, Sample};
 use crate::measurement::{Channel, Contents, Pixel, Raster};
@@ -24,47 +28,84 @@ use std::collections::BTreeMap;
 
 const FORMAT: Format = Format::Nanoscope;
 
+/// What the scan list says of every image.
+const COMMON: [&str; 7] = [
+    "version",
+    "samps/line",
+    "lines",
+    "slow axis size",
+    "aspect ratio",
+    "operating mode",
+    "start context",
+];
+
+/// From this version on every stored point has 4 bytes.
+const WIDE: u64 = 0x0920_0000;
+
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"\\*File list") || bytes.starts_with(b"?*File list")
+    let Some(rest) = bytes.strip_prefix(b"\\*").or_else(|| bytes.strip_prefix(b"?*")) else {
+        return false;
+    };
+    [&b"File list"[..], b"EC File list", b"Force file list"].iter().any(|s| rest.starts_with(s))
 }
 
 type Section = BTreeMap<String, String>;
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let b = Bytes::little(bytes, FORMAT);
+    let unsupported =
+        |feature: &'static str| ReadError::Unsupported { format: FORMAT, feature: feature.into() };
+    if bytes.starts_with(b"?") {
+        return Err(unsupported("data stored as text (save the image as binary, or export it)"));
+    }
     let (sections, ended) = sections(bytes, limits)?;
     if !ended {
         return Err(b.fault(bytes.len(), "the header has no end"));
     }
     let mut contents = Contents::default();
-    let mut soft_scales = Section::new();
-    for (name, section) in &sections {
-        if name != "ciao image list" {
-            let scales = section.iter().filter(|(key, _)| key.starts_with('@'));
-            soft_scales.extend(scales.map(|(key, value)| (key.clone(), value.clone())));
-            for key in ["date", "version", "microscope", "description", "serial number"] {
-                if let Some(value) = section.get(key) {
-                    contents.metadata.entry(key.into()).or_insert_with(|| value.clone());
-                }
+    // What the sections that are no images say of all of them.
+    let mut common = Section::new();
+    for (_, section) in sections.iter().filter(|(name, _)| !is_image(name)) {
+        for (key, value) in section.iter().filter(|(key, _)| key.starts_with('@')) {
+            common.insert(key.clone(), value.clone());
+        }
+        for key in COMMON {
+            if let Some(value) = section.get(key) {
+                common.entry(key.into()).or_insert_with(|| value.clone());
+            }
+        }
+        for key in ["date", "version", "microscope", "description", "serial number"] {
+            if let Some(value) = section.get(key) {
+                contents.metadata.entry(key.into()).or_insert_with(|| value.clone());
             }
         }
     }
-    for (name, section) in &sections {
-        if name == "ciao image list" {
-            limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
-            // An auxiliary channel that cannot be read must not cost the others.
-            let found = channel(b, section, &soft_scales, limits)
-                .unwrap_or_else(|fault| Channel::unreadable(channel_name(section), fault));
-            contents.channels.push(found);
-        }
+    let says = |key: &str| common.get(key).map_or("", |value| value.trim());
+    if says("operating mode") == "Force" || says("start context") == "FOL" {
+        return Err(unsupported("a force curve (an image is)"));
+    }
+    if says("start context").ends_with("VAR") && says("operating mode") != "Force Volume" {
+        return Err(unsupported("a set of lines of different length (deep trench mode)"));
+    }
+    for (_, section) in sections.iter().filter(|(name, _)| is_image(name)) {
+        limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
+        // An auxiliary channel that cannot be read must not cost the others.
+        let found = channel(b, section, &common, limits)
+            .unwrap_or_else(|fault| Channel::unreadable(channel_name(section), fault));
+        contents.channels.push(found);
     }
     Ok(contents)
+}
+
+fn is_image(section: &str) -> bool {
+    ["ciao image list", "afm image list", "stm image list", "ncafm image list", "image list"]
+        .contains(&section)
 }
 
 /// The sections of the header in order, keys in lower case; and whether its end was found.
 fn sections(bytes: &[u8], limits: &Limits) -> Result<(Vec<(String, Section)>, bool), ReadError> {
     let end = bytes.iter().position(|&byte| byte == 0x1a);
-    let list_end = crate::binary::find(bytes, b"*File list end");
+    let list_end = crate::binary::find(bytes, b"File list end");
     let header = &bytes[..end.into_iter().chain(list_end).min().unwrap_or(bytes.len())];
     let header: String = header.iter().map(|&byte| char::from(byte)).collect();
     let mut sections: Vec<(String, Section)> = Vec::new();
@@ -87,7 +128,7 @@ fn sections(bytes: &[u8], limits: &Limits) -> Result<(Vec<(String, Section)>, bo
 fn channel<'a>(
     b: Bytes<'a>,
     section: &Section,
-    soft_scales: &Section,
+    common: &Section,
     limits: &Limits,
 ) -> Result<Channel<'a>, ReadError> {
     let get = |key: &'static str| {
@@ -95,32 +136,107 @@ fn channel<'a>(
     };
     let whole = |key: &'static str| {
         let text = get(key)?;
-        let first = text.split_whitespace().next().unwrap_or_default();
-        first.parse::<usize>().map_err(|_| b.field(key, format!("{text:?} is no whole number")))
+        whole(text).ok_or_else(|| b.field(key, format!("{text:?} is no whole number")))
     };
-    let shape = [whole("number of lines")?, whole("samps/line")?];
-    limits.check_points(FORMAT, shape)?;
-    let (sample, levels) = match whole("bytes/pixel")? {
+    let stated = [whole("number of lines")?, whole("samps/line")?];
+    limits.check_points(FORMAT, stated)?;
+    let (stored, levels) = match whole("bytes/pixel")? {
         2 => (Sample::I16, 65536.0),
         4 => (Sample::I32, 65536.0 * 65536.0),
         size => return Err(b.field("bytes/pixel", format!("{size}, not 2 or 4"))),
     };
-    let pixel = scan_size(get("scan size")?)
-        .map(|[sx, sy]| Pixel::Metres([sy / shape[0] as f64, sx / shape[1] as f64]))
-        .ok_or_else(|| b.field("scan size", format!("{:?}", get("scan size").ok())))?;
+    let length = section.get("data length").and_then(|text| self::whole(text));
+    let points = stated[0].saturating_mul(stated[1]);
+    let version = common.get("version").map(|text| text.trim_start_matches("0x"));
+    let is_wide = version.and_then(|v| u64::from_str_radix(v, 16).ok()).is_some_and(|v| v >= WIDE);
+    let sample =
+        if is_wide && length != Some(points.saturating_mul(2)) { Sample::I32 } else { stored };
+    let shape = there(length.map(|bytes| bytes / sample.size()), stated, common);
+    if shape[0] == 0 || shape[1] == 0 {
+        return Err(b.field("data length", format!("{length:?} bytes: not a single line")));
+    }
+    let pixel = pixel(section, common, stated, shape)
+        .ok_or_else(|| b.field("scan size", format!("{:?}", section.get("scan size"))))?;
     let name = channel_name(section);
-    let scale = get("@2:z scale")?;
-    let (step, unit) = height_scale(scale, soft_scales)
+    let scale = section.get("@4:z scale").map_or_else(|| get("@2:z scale"), Ok)?;
+    let (step, unit) = height_scale(scale, common)
         .ok_or_else(|| b.field("@2:z scale", format!("{scale:?} cannot be read")))?;
     let step = step / levels;
     let raster = Raster { bytes: b, at: whole("data offset")?, shape, sample };
+    let pixel = Pixel::Metres(pixel);
     let channel = Channel::raster(name, Some(&unit), pixel, raster, move |raw| raw * step)?;
     Ok(channel.flipped())
 }
 
+fn whole(text: &str) -> Option<usize> {
+    text.split_whitespace().next()?.parse().ok()
+}
+
+/// Lines, and points in each, that are stored where `points` are: fewer lines than stated if the
+/// scan was stopped early; those of the scan list if it is the one that fits.
+fn there(points: Option<usize>, stated: [usize; 2], common: &Section) -> [usize; 2] {
+    let count = |key: &str| common.get(key).and_then(|text| whole(text));
+    let Some(points) = points.filter(|&n| n != stated[0].saturating_mul(stated[1])) else {
+        return stated;
+    };
+    match (count("lines"), count("samps/line")) {
+        (Some(ny), Some(nx)) if ny.saturating_mul(nx) == points => [ny, nx],
+        _ => [stated[0].min(points / stated[1].max(1)), stated[1]],
+    }
+}
+
+/// `[dy, dx]` in metres of an image of `stated` points of which `shape` are stored.
+///
+/// The size along y is that of the whole scan where the image holds only a part of its lines.
+fn pixel(
+    section: &Section,
+    common: &Section,
+    stated: [usize; 2],
+    shape: [usize; 2],
+) -> Option<[f64; 2]> {
+    let count = |key: &str| common.get(key).and_then(|text| whole(text));
+    let ratio = |of: &Section| of.get("aspect ratio").and_then(|text| aspect(text));
+    let [lines, samples] = stated;
+    let [fast, second] = scan_size(section.get("scan size")?)?;
+    let slow_axis = common.get("slow axis size").and_then(|text| scan_size(text));
+    let (all, across) = (count("lines"), count("samps/line"));
+    if let (Some([slow, _]), Some(all), Some(across)) = (slow_axis, all, across)
+        && shape[1] != samples
+    {
+        return Some([slow / all as f64, fast / across as f64]); // the scan list is the one that fits
+    }
+    let dx = fast / samples as f64;
+    let image = ratio(section).unwrap_or(1.0);
+    let planned = all.filter(|&all| all > lines && across == Some(samples)).map(|all| all as f64);
+    let lines = lines as f64;
+    let is_near = |a: f64, b: f64| (a / b - 1.0).abs() < 0.02;
+    // The ratio of an image may be its own or that of the scan it is a part of.
+    let scan = ratio(common).unwrap_or(match planned {
+        Some(all) if is_near(image, all / lines) => 1.0,
+        _ => image,
+    });
+    Some(match (slow_axis, planned) {
+        (Some([slow, _]), _) => [slow / planned.unwrap_or(lines), dx],
+        // Two sizes that differ are meant, unless they are those of the whole scan.
+        (None, _) if !is_near(second, fast) && !is_near(second, fast / scan) => {
+            [second / lines, dx]
+        }
+        (None, Some(all)) => [fast / scan / all, dx],
+        (None, None) => [fast / image / lines, dx],
+    })
+}
+
+/// 2 of "2:1".
+fn aspect(text: &str) -> Option<f64> {
+    let (x, y) = text.split_once(':').unwrap_or((text, "1"));
+    let ratio = x.trim().parse::<f64>().ok()? / y.trim().parse::<f64>().ok()?;
+    (ratio.is_finite() && ratio > 0.0).then_some(ratio)
+}
+
 /// `ZSensor` of `V [ZSensor] "Height Sensor"`.
 fn channel_name(section: &Section) -> String {
-    let text = section.get("@2:image data").map_or("", String::as_str);
+    let keys = ["@2:image data", "@3:image data", "@4:image data", "image data"];
+    let text = keys.iter().find_map(|key| section.get(*key)).map_or("", String::as_str);
     between(text, '[', ']').unwrap_or(text).to_owned()
 }
 
@@ -195,5 +311,109 @@ mod tests {
         let [sx, sy] = scan_size("10 5 ~m").unwrap();
         assert!((sx - 1e-5).abs() < 1e-20 && (sy - 5e-6).abs() < 1e-20);
         assert_eq!(scan_size("10 V"), None);
+    }
+
+    /// An image of 8 x 4 points of 10 um along x in sections as a file has them.
+    fn file(scan: &str, image: &str, bytes: usize) -> Vec<u8> {
+        let header = format!(
+            "\\*File list\r\n\\Version: 0x05120000\r\n\\*Ciao scan list\r\n{scan}\
+             \\@Sens. Zsens: V 10.0 nm/V\r\n\\*Ciao image list\r\n\\Data offset: 2048\r\n{image}\
+             \\@2:Image Data: S [Height] \"Height\"\r\n\
+             \\@2:Z scale: V [Sens. Zsens] (0.1 V/LSB) 6553.6 V\r\n\\*File list end\r\n\x1a"
+        );
+        let mut file = header.into_bytes();
+        file.resize(2048, 0);
+        file.extend((0..bytes).map(|i| if i % 2 == 0 { (i / 2) as u8 } else { 0 }));
+        file
+    }
+
+    fn read(file: &[u8]) -> crate::Measurement {
+        crate::read_bytes(file, &crate::ReadOptions::default()).unwrap()
+    }
+
+    /// Sizes of 8 x 4 points: by aspect ratio, slow axis, two numbers, and of a part of a scan.
+    #[test]
+    fn size_along_the_slow_axis() {
+        let image = "\\Bytes/pixel: 2\r\n\\Samps/line: 8\r\n\\Number of lines: 4\r\n";
+        for (scan, of_image, dy) in [
+            ("\\Lines: 4\r\n", "\\Aspect Ratio: 2:1\r\n\\Scan Size: 10 10 ~m\r\n", 10.0 / 8.0),
+            ("\\Lines: 4\r\n", "\\Aspect Ratio: 2:1\r\n\\Scan Size: 10 ~m\r\n", 10.0 / 8.0),
+            ("", "\\Aspect Ratio: 2:1\r\n\\Scan Size: 10 5 ~m\r\n", 10.0 / 8.0),
+            ("", "\\Aspect Ratio: 1:1\r\n\\Scan Size: 10 10 ~m\r\n", 10.0 / 4.0),
+            ("", "\\Scan Size: 10 7 ~m\r\n", 7.0 / 4.0),
+            ("\\Lines: 4\r\n\\Slow Axis Size: 3000 nm\r\n", "\\Scan Size: 10 10 ~m\r\n", 3.0 / 4.0),
+            // Stopped after 4 of 8 lines, of 16 lines.
+            ("\\Lines: 8\r\n\\Samps/line: 8\r\n", "\\Scan Size: 10 10 ~m\r\n", 10.0 / 8.0),
+            (
+                "\\Lines: 8\r\n\\Samps/line: 8\r\n",
+                "\\Aspect Ratio: 2:1\r\n\\Scan Size: 10 10 ~m\r\n",
+                10.0 / 8.0,
+            ),
+            (
+                "\\Lines: 16\r\n\\Samps/line: 8\r\n\\Slow Axis Size: 4 ~m\r\n",
+                "\\Aspect Ratio: 10:1\r\n\\Scan Size: 10 10 ~m\r\n",
+                4.0 / 16.0,
+            ),
+            (
+                "\\Lines: 6\r\n\\Samps/line: 8\r\n\\Aspect Ratio: 2:1\r\n",
+                "\\Aspect Ratio: 3:1\r\n\\Scan Size: 10 10 ~m\r\n",
+                5.0 / 6.0,
+            ),
+        ] {
+            let found = read(&file(scan, &format!("{image}{of_image}"), 64));
+            let [y, x] = found.grid().pixel();
+            assert!((x / 1.25e-6 - 1.0).abs() < 1e-12, "{scan}{of_image}: {x:e}");
+            assert!((y / (1e-6 * dy) - 1.0).abs() < 1e-12, "{scan}{of_image}: {y:e}");
+        }
+    }
+
+    /// 3 of 4 lines are stored: they are read, with the spacing of the whole; the top line of a
+    /// file is its last.
+    #[test]
+    fn lines_that_are_there() {
+        let image = "\\Bytes/pixel: 2\r\n\\Samps/line: 8\r\n\\Number of lines: 4\r\n\
+                     \\Data length: 48\r\n\\Scan Size: 10 10 ~m\r\n";
+        let found = read(&file("", image, 48));
+        assert_eq!(found.grid().shape(), [3, 8]);
+        assert!((found.grid().pixel()[0] / 2.5e-6 - 1.0).abs() < 1e-12);
+        assert!((found.heights()[0] / 16e-9 - 1.0).abs() < 1e-12);
+        // Cut off on the way, which the stated length shows.
+        let cut = file("", &image.replace("48", "64"), 48);
+        assert!(crate::read_bytes(&cut, &crate::ReadOptions::default()).is_err());
+    }
+
+    /// Points of 4 bytes from version 9.2, scaled as if they had 2.
+    #[test]
+    fn four_bytes_whatever_the_header_says() {
+        let image = "\\Bytes/pixel: 2\r\n\\Samps/line: 8\r\n\\Number of lines: 4\r\n\
+                     \\Data length: 128\r\n\\Scan Size: 10 10 ~m\r\n";
+        let mut wide = file("", image, 0);
+        let at = crate::binary::find(&wide, b"0x0512").unwrap();
+        wide[at..at + 6].copy_from_slice(b"0x0920");
+        for i in 0..32i32 {
+            wide.extend((40_000 - 3_000 * i).to_le_bytes());
+        }
+        let found = read(&wide);
+        assert!((found.heights()[7] / -53e-6 - 1.0).abs() < 1e-9);
+        assert!((found.heights()[24] / 40e-6 - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn other_beginnings() {
+        let image = "\\Bytes/pixel: 2\r\n\\Samps/line: 8\r\n\\Number of lines: 4\r\n\
+                     \\Scan Size: 10 10 ~m\r\n";
+        let plain = file("", image, 64);
+        let mut other = b"\\*EC ".to_vec();
+        other.extend(&plain[2..]);
+        let moved = crate::binary::find(&other, b"2048").unwrap();
+        other[moved..moved + 4].copy_from_slice(b"2051");
+        assert_eq!(read(&other).heights(), read(&plain).heights());
+        let mut text = plain.clone();
+        text[0] = b'?';
+        let curve = file("\\Operating mode: Force\r\n", image, 64);
+        for (bytes, word) in [(text, "as text"), (curve, "force curve")] {
+            let error = crate::read_bytes(&bytes, &crate::ReadOptions::default()).unwrap_err();
+            assert!(error.to_string().contains(word), "{error}");
+        }
     }
 }

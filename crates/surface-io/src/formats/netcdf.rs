@@ -13,19 +13,23 @@
 //! Every variable of two dimensions is a channel. A dimension named `x` stored first is the
 //! slow one: the map is transposed so that rows run along x. Spacing: the values of the
 //! coordinate variable, (last − first) / (N − 1); for a single point its attribute `length`.
-//! Units: attribute `unit` or `units`. `_FillValue`, `missing_value`, NaN, and points where a
-//! variable `mask` on the same dimensions is not 0 are missing; `scale_factor` and `add_offset`
-//! apply.
+//! Units: attribute `unit`, `units` or `length_unit`; `heights` without one have that of their
+//! coordinates, as SurfaceTopography and contact.engineering write them. Missing points: NaN, the
+//! marks of [`Packing`], and points where a variable `mask` on the same dimensions is not 0.
 //!
-//! Source: Unidata, *NetCDF classic format specification*,
-//! <https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html>.
-//! NetCDF-4 files are HDF5 and not read.
+//! In a file without them the variables of one dimension are profiles; positions are the variable
+//! called like the dimension, or `x`.
+//!
+//! Sources: Unidata, *NetCDF classic format specification*,
+//! <https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html>; the files of
+//! SurfaceTopography (an open reader and writer). NetCDF-4 files are HDF5.
 
 use super::npy::transpose;
 use super::scattered::Line;
 use crate::binary::{Bytes, Sample, text};
 use crate::cells::Digits;
 use crate::measurement::{Channel, Contents, Pixel};
+use crate::packed::Packing;
 use crate::{Format, Limits, ReadError, metres_per};
 use std::collections::BTreeMap;
 
@@ -35,10 +39,10 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     matches!(bytes, [b'C', b'D', b'F', 1 | 2 | 5, ..])
 }
 
-/// An attribute as text and, if it is numeric, its first number.
+/// An attribute as text and, if it is numeric, its first numbers.
 struct Attribute {
     text: String,
-    number: Option<f64>,
+    numbers: Vec<f64>,
 }
 
 type Attributes = BTreeMap<String, Attribute>;
@@ -53,14 +57,23 @@ struct Variable {
 
 impl Variable {
     fn unit(&self) -> Option<&str> {
-        ["unit", "units"]
+        ["unit", "units", "length_unit"]
             .iter()
             .find_map(|key| self.attributes.get(*key))
             .map(|attribute| attribute.text.as_str())
     }
 
-    fn number(&self, key: &str) -> Option<f64> {
-        self.attributes.get(key)?.number
+    fn packing(&self) -> Packing {
+        Packing::of(|key| {
+            self.attributes.get(key).map(|a| &a.numbers[..]).filter(|numbers| !numbers.is_empty())
+        })
+    }
+
+    /// Its values; NaN where one is missing.
+    fn values(&self, b: Bytes<'_>, sample: Sample, count: usize) -> Result<Vec<f64>, ReadError> {
+        let mut values = b.samples(self.at, count, sample)?;
+        self.packing().unpack(&mut values);
+        Ok(values)
     }
 }
 
@@ -120,15 +133,70 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         };
         contents.channels.push({
             let mask = mask.filter(|mask| mask.dimensions == variable.dimensions).map(|m| m.at);
-            channel(b, variable, axes[0].0 == "x", stored, (sample, mask), pixel)
+            let along = variables.iter().find(|v| axes.iter().any(|(name, _)| v.name == *name));
+            let unit = unit_of(variable, along);
+            channel(b, variable, unit, axes[0].0 == "x", stored, (sample, mask), pixel)
         });
     }
+    if contents.channels.is_empty() {
+        contents.channels = profiles(b, &dimensions, &variables, limits)?;
+    }
     Ok(contents)
+}
+
+/// The unit of a variable along the coordinates `along`.
+fn unit_of<'v>(variable: &'v Variable, along: Option<&'v Variable>) -> Option<&'v str> {
+    let is_silent = |v: &&Variable| v.name == "heights";
+    variable.unit().or_else(|| Some(variable).filter(is_silent).and(along)?.unit())
+}
+
+/// The variables of one dimension that are no positions.
+fn profiles<'a>(
+    b: Bytes<'a>,
+    dimensions: &[(String, usize)],
+    variables: &[Variable],
+    limits: &Limits,
+) -> Result<Vec<Channel<'a>>, ReadError> {
+    let mut found = Vec::new();
+    let is_position = |v: &Variable, name: &str| v.name == name || v.name == "x";
+    for variable in variables {
+        let (&[dimension], Some(sample)) = (&variable.dimensions[..], variable.sample) else {
+            continue;
+        };
+        let (name, count) = &dimensions[dimension];
+        if *count < 2 || is_position(variable, name) {
+            continue;
+        }
+        limits.check_points(FORMAT, [1, *count])?;
+        b.map_length(variable.at, [1, *count], sample)?;
+        let x = variables.iter().find(|v| v.dimensions == [dimension] && is_position(v, name));
+        let line = match x.and_then(|x| Some((x, x.sample?))) {
+            None => None,
+            Some((x, sample)) => {
+                let values = x.values(b, sample, *count)?;
+                let line = Line::new(&values, Digits::NONE);
+                Some(line.map_err(|what| b.field(format!("coordinate {}", x.name), what))?)
+            }
+        };
+        let (packing, at, count) = (variable.packing(), variable.at, *count);
+        let decode = move || {
+            let mut values = b.samples(at, count, sample)?;
+            packing.unpack(&mut values);
+            Ok(values)
+        };
+        let (name, unit) = (variable.name.clone(), unit_of(variable, x));
+        found.push(match line {
+            None => Channel::new(name, unit, [1, count], Pixel::Unknown, decode),
+            Some(line) => line.profile(name, unit, x.and_then(Variable::unit), decode),
+        });
+    }
+    Ok(found)
 }
 
 fn channel<'a>(
     b: Bytes<'a>,
     variable: &Variable,
+    unit: Option<&str>,
     is_x_slow: bool,
     stored: [usize; 2],
     (sample, mask): (Sample, Option<usize>),
@@ -141,16 +209,10 @@ fn channel<'a>(
         _ => Pixel::Unknown,
     };
     let shape = if is_x_slow { [stored[1], stored[0]] } else { stored };
-    let missing = ["_FillValue", "missing_value"].map(|key| variable.number(key));
-    let factor = variable.number("scale_factor").unwrap_or(1.0);
-    let offset = variable.number("add_offset").unwrap_or(0.0);
-    let at = variable.at;
-    Channel::new(variable.name.clone(), variable.unit(), shape, pixel, move || {
+    let (packing, at) = (variable.packing(), variable.at);
+    Channel::new(variable.name.clone(), unit, shape, pixel, move || {
         let mut values = b.samples(at, stored[0] * stored[1], sample)?;
-        for value in &mut values {
-            let is_missing = missing.iter().flatten().any(|m| m.to_bits() == value.to_bits());
-            *value = if is_missing { f64::NAN } else { *value * factor + offset };
-        }
+        packing.unpack(&mut values);
         if let Some(mask) = mask {
             let mask = b.samples(mask, stored[0] * stored[1], Sample::I8)?;
             for (value, mask) in values.iter_mut().zip(mask) {
@@ -175,10 +237,11 @@ fn spacing(
     let variable = variables.iter().find(|v| v.name == name && v.dimensions.len() == 1)?;
     let scale = variable.unit().and_then(metres_per);
     let (true, Some(sample)) = (count > 1, variable.sample) else {
-        return variable.number("length").map(|length| Ok((length / count as f64, scale)));
+        let length = variable.attributes.get("length").and_then(|a| a.numbers.first())?;
+        return Some(Ok((length / count as f64, scale)));
     };
     let place = || format!("coordinate {name}");
-    let values = match b.samples(variable.at, count, sample) {
+    let values = match variable.values(b, sample, count) {
         Ok(values) => values,
         Err(e) => return Some(Err(e)),
     };
@@ -269,10 +332,11 @@ impl Header<'_, '_> {
                 let length = count.checked_mul(sample.size());
                 let length = length.ok_or_else(|| self.b.fault(at, "an endless attribute"))?;
                 let numbers = sample.decode(&self.padded(length)?, self.b.order);
-                let shown: Vec<String> = numbers.iter().take(8).map(f64::to_string).collect();
-                Attribute { text: shown.join(" "), number: numbers.first().copied() }
+                let numbers: Vec<f64> = numbers.into_iter().take(8).collect();
+                let shown: Vec<String> = numbers.iter().map(f64::to_string).collect();
+                Attribute { text: shown.join(" "), numbers }
             } else if code == 2 {
-                Attribute { text: text(&self.padded(count)?), number: None }
+                Attribute { text: text(&self.padded(count)?), numbers: Vec::new() }
             } else {
                 return Err(self.b.fault(at, format!("an attribute of unknown type {code}")));
             };

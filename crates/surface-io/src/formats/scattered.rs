@@ -2,7 +2,8 @@
 
 use crate::binary::Bytes;
 use crate::cells::Digits;
-use crate::{Format, Limits, Place, ReadError};
+use crate::measurement::{Channel, Pixel};
+use crate::{Format, Limits, Place, ReadError, metres_per};
 use std::collections::HashSet;
 
 /// Evenly spaced positions found in a column of coordinates.
@@ -11,6 +12,7 @@ pub(crate) struct Line {
     /// (last - first) / (N - 1).
     pub(crate) step: f64,
     pub(crate) is_falling: bool,
+    count: usize,
     /// Largest deviation in steps, if more than the printed digits explain.
     pub(crate) uneven: Option<f64>,
     /// Distances of the points from the lowest one in steps, rising, if they are uneven.
@@ -54,7 +56,31 @@ impl Line {
             }
             places
         });
-        Ok(Self { step, is_falling, uneven: uneven.then_some(deviation / step), places })
+        Ok(Self {
+            step,
+            is_falling,
+            count: x.len(),
+            uneven: uneven.then_some(deviation / step),
+            places,
+        })
+    }
+
+    /// The profile of heights at these positions, which are in `x_unit`.
+    pub(crate) fn profile<'a>(
+        self,
+        name: impl Into<String>,
+        unit: Option<&str>,
+        x_unit: Option<&str>,
+        decode: impl FnOnce() -> Result<Vec<f64>, ReadError> + 'a,
+    ) -> Channel<'a> {
+        let count = self.count;
+        let pixel = match x_unit.and_then(metres_per) {
+            Some(scale) => Pixel::Metres([self.step * scale; 2]),
+            None => Pixel::Steps([self.step; 2]),
+        };
+        let channel = Channel::new(name, unit, [1, count], pixel, decode);
+        let channel = if self.is_falling { channel.mirrored() } else { channel };
+        Channel { uneven: self.uneven, places: self.places, ..channel }
     }
 }
 

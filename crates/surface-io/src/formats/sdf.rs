@@ -84,7 +84,7 @@ impl Kind {
 impl Header {
     fn channel_pixel(&self) -> Pixel {
         let [dy, dx] = self.pixel;
-        Pixel::Metres([if self.shape[0] == 1 && dy <= 0.0 { dx } else { dy }, dx])
+        Pixel::Metres([dy, dx])
     }
 
     fn scale(&self, b: Bytes<'_>) -> Result<f64, ReadError> {

@@ -85,12 +85,12 @@ fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, 
     };
     let data = HEADER + usize::from(o.u16(334)?) + usize::from(o.u16(336)?);
 
-    let pixel = match (metres_per(&o.text(196, 16)?), metres_per(&o.text(180, 16)?)) {
+    let x = metres_per(&o.text(180, 16)?);
+    // A profile has one line: unit and spacing of y are often empty.
+    let y = if shape[0] == 1 { x } else { metres_per(&o.text(196, 16)?) };
+    let pixel = match (y, x) {
         (Some(y), Some(x)) => {
-            let dx = f64::from(o.f32(120)?) * x;
-            let dy = f64::from(o.f32(124)?) * y;
-            // A profile has one line, whose spacing is often 0.
-            Pixel::Metres([if shape[0] == 1 && dy <= 0.0 { dx } else { dy }, dx])
+            Pixel::Metres([f64::from(o.f32(124)?) * y, f64::from(o.f32(120)?) * x])
         }
         _ => Pixel::Unknown,
     };

@@ -262,20 +262,5 @@ fn profile(
         what: what.into(),
     })?;
     let z_unit = header.value_unit.clone().or(z_unit);
-    let pixel = match x_unit.as_deref().and_then(metres_per) {
-        Some(scale) => Pixel::Metres([line.step * scale; 2]),
-        None => Pixel::Steps([line.step; 2]),
-    };
-    let is_falling = line.is_falling;
-    let mut channel =
-        Channel::new(header.name(), z_unit.as_deref(), [1, x.len()], pixel, move || {
-            let mut z = z;
-            if is_falling {
-                z.reverse();
-            }
-            Ok(z)
-        });
-    channel.uneven = line.uneven;
-    channel.places = line.places;
-    Ok(channel)
+    Ok(line.profile(header.name(), z_unit.as_deref(), x_unit.as_deref(), move || Ok(z)))
 }

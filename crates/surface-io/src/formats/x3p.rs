@@ -199,7 +199,7 @@ impl Document {
         let dx = step("CX")?;
         // The y axis of a profile has no steps.
         let dy = if ny == 1 { step("CY").unwrap_or(dx) } else { step("CY")? };
-        Ok([if ny == 1 && dy <= 0.0 { dx } else { dy }, dx])
+        Ok([dy, dx])
     }
 
     /// Type of the stored z with the factor and offset to metres.

@@ -44,7 +44,10 @@ pub(crate) fn filters(file: &File<'_>, at: usize) -> Result<Vec<Filter>, ReadErr
         let setting = if settings > 0 { b.u32(first)? as usize } else { 0 };
         place = first + 4 * settings + if version == 1 { settings % 2 * 4 } else { 0 };
         if !matches!(id, 1..=3) {
-            let feature = format!("filter {id} (deflate, shuffle and Fletcher-32 are)");
+            let feature = format!(
+                "filter {id} (deflate, shuffle and Fletcher-32 are read; `h5repack -f NONE IN OUT` \
+                 takes it away)"
+            );
             return Err(ReadError::Unsupported { format: b.format, feature: feature.into() });
         }
         filters.push(Filter { id, setting });

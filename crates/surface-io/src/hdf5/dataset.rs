@@ -1,7 +1,7 @@
 //! A data set: what it is, and its numbers.
 
 use super::chunks::{self, Chunked, Filter};
-use super::file::{File, Message};
+use super::file::{File, Message, WAY_OUT};
 use super::types::{Type, Value, read_attribute, read_shape, read_type};
 use crate::binary::{Bytes, Order, Sample};
 use crate::error::ReadError;
@@ -84,7 +84,7 @@ fn read_layout(
         |feature: String| ReadError::Unsupported { format: b.format, feature: feature.into() };
     let (version, class) = (b.u8(at)?, b.u8(at + 1)?);
     if !matches!(version, 3 | 4) {
-        return Err(unsupported(format!("a data layout of version {version}")));
+        return Err(unsupported(format!("a data layout of version {version} ({WAY_OUT})")));
     }
     let contiguous = |at: Option<usize>| at.map_or(Layout::Empty, Layout::Contiguous);
     Ok(match (class, version) {
@@ -115,10 +115,8 @@ fn read_layout(
                 (0..rank).map(|i| file.unsigned(at + 5 + width * i, width)).collect();
             let index = at + 5 + width * axes;
             if b.u8(index)? != 1 {
-                return Err(unsupported(
-                    "chunks with an index of a newer form (`h5repack --high=0` writes the older)"
-                        .into(),
-                ));
+                let feature = format!("chunks with an index of a newer form ({WAY_OUT})");
+                return Err(unsupported(feature));
             }
             let mut place = index + 1;
             let mut packed = None;

@@ -5,6 +5,9 @@ use crate::error::ReadError;
 use crate::format::Format;
 use crate::limits::Limits;
 
+/// What to do about a file of a newer form.
+pub(super) const WAY_OUT: &str = "`h5repack --high=0 IN OUT` writes the older form, which is read";
+
 /// The first bytes of the superblock.
 pub(crate) const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
 
@@ -41,7 +44,10 @@ impl<'a> File<'a> {
             0 => (13, |address, _| 24 + 5 * address),
             1 => (13, |address, _| 28 + 5 * address),
             2 | 3 => (9, |address, _| 12 + 3 * address),
-            _ => return Err(b.fault(8, format!("superblock version {version}"))),
+            _ => {
+                let feature = format!("a superblock of version {version} ({WAY_OUT})").into();
+                return Err(ReadError::Unsupported { format, feature });
+            }
         };
         let (address_size, length_size) = (b.u8(sizes)?.into(), b.u8(sizes + 1)?.into());
         if !matches!((address_size, length_size), (2 | 4 | 8, 2 | 4 | 8)) {
@@ -138,7 +144,7 @@ impl<'a> File<'a> {
         let header = self.b.slice(at, 4)? == b"OHDR";
         let first = if header { None } else { Some(at + 16) };
         let Some(first) = first else {
-            let feature = "a shared message in a header of version 2".into();
+            let feature = format!("a shared message in a header of version 2 ({WAY_OUT})").into();
             return Err(ReadError::Unsupported { format: self.b.format, feature });
         };
         let mut at = first;

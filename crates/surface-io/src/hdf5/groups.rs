@@ -1,6 +1,6 @@
 //! The tree of groups: every data set with its path.
 
-use super::file::{File, Message};
+use super::file::{File, Message, WAY_OUT};
 use crate::error::ReadError;
 
 const LINK_INFO: u16 = 0x02;
@@ -47,8 +47,7 @@ pub(crate) fn datasets(file: &File<'_>) -> Result<Listing, ReadError> {
                     listing.fault.get_or_insert_with(|| ReadError::Unsupported {
                         format: file.b.format,
                         feature: format!(
-                            "group {path:?}, whose links stand in a fractal heap (`h5repack \
-                             --high=0` writes the older form)"
+                            "group {path:?}, whose links stand in a fractal heap ({WAY_OUT})"
                         )
                         .into(),
                     });

@@ -351,7 +351,7 @@ fn zon(is_packed: bool) -> Vec<u8> {
 }
 
 /// Made by h5py 3 from the sample surface, packed to keep them small.
-fn hdf5(packed: &[u8]) -> Vec<u8> {
+pub fn hdf5(packed: &[u8]) -> Vec<u8> {
     let mut file = Vec::new();
     flate2::read::GzDecoder::new(packed).read_to_end(&mut file).unwrap();
     file
@@ -422,6 +422,10 @@ pub fn samples() -> Vec<Sample> {
         Sample::new("hdf5", hdf5(include_bytes!("../data/contiguous.h5.gz"))).with_pixel(),
         Sample::new("hdf5, chunks", hdf5(include_bytes!("../data/chunked.h5.gz"))).with_pixel(),
         Sample::new("hdf5, newest", hdf5(include_bytes!("../data/latest.h5.gz"))).with_pixel(),
+        Sample::new("hdf5, packed", hdf5(include_bytes!("../data/packed.h5.gz"))).with_pixel(),
+        Sample::new("hdf5, MATLAB", hdf5(include_bytes!("../data/matlab.h5.gz")))
+            .with_pixel()
+            .with_unit(1e-9),
         Sample::new("hdf5, one chunk", hdf5(include_bytes!("../data/single_chunk.h5.gz")))
             .with_pixel(),
         Sample::new("datx", hdf5(include_bytes!("../data/made.datx.gz"))),
