@@ -16,8 +16,7 @@ enum Also {
 }
 
 /// Studies whose pages follow from committed tables, which takes seconds: no page may stay behind its table.
-const PAGES: [&str; 8] =
-    ["accuracy", "budget", "equation", "flat-tops", "kappa", "sample", "survey", "tradeoff"];
+const PAGES: [&str; 3] = ["budget", "sample", "tradeoff"];
 
 fn run_all(also: Also) -> TaskResult {
     let mut steps = vec![

@@ -1,30 +1,25 @@
 //! Developer tasks: `cargo xtask <task>`. One `match`, one file per task.
 #![allow(clippy::print_stdout, reason = "a command-line tool prints")]
 
-mod accuracy;
 mod bench;
 mod budget;
 mod ci;
 mod circles;
 mod compare;
 mod costs;
+mod counters;
 mod dependencies;
 mod docs;
-mod edges;
-mod equation;
 mod extremes;
 mod features;
 mod figures;
-mod flat_tops;
 mod generated;
-mod kappa;
 mod licences;
 mod release;
 mod sample;
 mod shell;
 mod strangers;
 mod surfaces;
-mod survey;
 mod tidy;
 mod tradeoff;
 mod validate;
@@ -40,33 +35,21 @@ Usage: cargo xtask <task> [options]
   validate [--check]        the solver against exact solutions; table into the book
   figures [--check]         the figures that README and book show
   docs [--check]            the tables of models and formats in the book
-  extremes [--check]        models, statistics, solver at their extremes; tables into the book
+  extremes [--check]        models, statistics, solver at their extremes; table into the book
   costs [--check | --build] what each crate brings along and each call allocates; with --build
                             how long each takes to build from clean (minutes)
-  edges [--check]           maps that do not repeat: what each treatment of their edges does
-  accuracy [--check]        whether `--accuracy` keeps its word; table, figure, page
-                            (under half an hour, resumable)
   bench [ARGS]              the benchmarks; their table into the book
   surfaces --dir DIR --expected FILE
                             files of instruments against expected values, one line each
-  survey [--check]          every model on an ensemble of surfaces; table, figures, page
-                            (under an hour, resumable)
-  kappa [--check]           area from light load to full contact against theory and published
-                            slopes; table, figures, page (half an hour, resumable)
   budget [--check]          how often the stated error bars held; tables, figure, page
-                            (half an hour, resumable)
-  equation [--check]        the fitted closed form of the area: surfaces, constants, errors on surfaces
-                            kept back; tables, page (half an hour, resumable)
-  flat-tops [--check]       the same on worn, clipped, creased, spiky maps; table, page
                             (half an hour, resumable)
   sample [--check]          how often the finite sample held on unkind surfaces: scratches, few hills,
                             crops; table, page (a few minutes, resumable)
-  tradeoff [--quick | --figures-only | --check | --repeat | --methods]
+  tradeoff [--quick | --figures-only | --check]
                             time against true error, models and solver; table, figures, page
-                            (under 10 minutes; wants a quiet machine); --repeat measures again
-                            and says how far the times moved
-  tidy                      layers, circles of files, citations, pages, file lengths,
-                            dependency counts
+                            (under 10 minutes; wants a quiet machine)
+  tidy                      layers, circles of files, citations, pages, file lengths, dependency counts,
+                            and what the project weighs against xtask/counters.toml
   features                  every crate builds without and with each of its features
   web                       the page that computes in a browser, one file: target/page/rough-contact.html
   licences PACKAGE TARGET   the licences of what a program is linked with, as archives carry them
@@ -90,21 +73,15 @@ fn main() -> ExitCode {
         "figures" => figures::run(rest),
         "costs" => costs::run(rest),
         "docs" => docs::run(rest),
-        "edges" => edges::run(rest),
-        "equation" => equation::run(rest),
         "extremes" => extremes::run(rest),
         "features" => features::run(rest),
         "strangers" => strangers::run(rest),
-        "accuracy" => accuracy::run(rest),
         "bench" => bench::run(rest),
         "budget" => budget::run(rest),
-        "flat-tops" => flat_tops::run(rest),
         "release" if rest == ["--notes"] => release::print_notes(),
         "release" => release::run(rest),
         "sample" => sample::run(rest),
         "surfaces" => surfaces::run(rest),
-        "survey" => survey::run(rest),
-        "kappa" => kappa::run(rest),
         "licences" => licences::run(rest),
         "tradeoff" => tradeoff::run(rest),
         "tidy" => tidy::run(rest),

@@ -1,6 +1,7 @@
 //! Checks of the architecture that no compiler makes. `docs/src/architecture.md` says why.
 
 use crate::circles;
+use crate::counters;
 use crate::dependencies::{LAYERS, brought_along};
 use crate::release;
 use crate::shell::{TaskResult, cargo, files, output, root};
@@ -34,6 +35,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     book(&mut faults);
     release::versions(&mut faults);
     paper(&mut faults);
+    counters::check(&read_sources(), &mut faults);
     if faults.is_empty() {
         println!("tidy: no faults");
         return Ok(());
@@ -138,6 +140,12 @@ fn source_files() -> Vec<PathBuf> {
     found.extend(files(&root().join("xtask"), "rs"));
     found.retain(|path| !path.components().any(|part| part.as_os_str() == "target"));
     found
+}
+
+/// The sources with their paths below the root.
+fn read_sources() -> Vec<(String, String)> {
+    let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap_or_default();
+    source_files().iter().map(|path| (relative(path), text(path))).collect()
 }
 
 /// The files from which the modules of a crate, an example or a test are reached.

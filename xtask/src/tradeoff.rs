@@ -8,13 +8,10 @@ use std::path::Path;
 
 const TABLE: &str = "fixtures/tradeoff.csv";
 const PAGE: &str = "docs/src/tradeoff.md";
-const METHODS: &str = "docs/src/solver/method.md";
 
 /// Measures and writes table, figures and page. `--quick` does so on a small grid, in seconds, into
 /// `target/tradeoff-quick`; `--figures-only` draws the committed table again; `--check` verifies
-/// that figures and page follow from it; `--repeat` measures a second time and writes how far its
-/// times are from those of the committed table; `--methods` measures the methods' work for equal
-/// error.
+/// that figures and page follow from it.
 pub(crate) fn run(args: &[String]) -> TaskResult {
     match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => {
@@ -31,10 +28,8 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
         }
         ["--figures-only"] => redraw(false),
         ["--check"] => redraw(true),
-        ["--repeat"] => repeat(),
-        ["--methods"] => methods(),
         ref other => Err(format!(
-            "unknown arguments {other:?}; one of --quick, --figures-only, --check, --repeat, --methods, or none"
+            "unknown arguments {other:?}; one of --quick, --figures-only, --check, or none"
         )),
     }
 }
@@ -69,20 +64,4 @@ fn measure(args: &[&str]) -> Result<String, String> {
 fn load_average() -> Option<String> {
     let text = std::fs::read_to_string("/proc/loadavg").ok()?;
     text.split_whitespace().next().map(str::to_owned)
-}
-
-/// A second measurement beside the committed one, into the page.
-fn repeat() -> TaskResult {
-    let second = "target/tradeoff-repeat/tradeoff.csv";
-    keep(second, &measure(&[])?, false)?;
-    let found = output(example("studies", "tradeoff").args(["--repeat", TABLE, second]))?;
-    keep_section(PAGE, "repeat", &found, false)
-}
-
-/// Pairs and seconds of each method to equal true errors, into the page on how the solver works.
-fn methods() -> TaskResult {
-    let found = output(example("fft-bem-solver", "work_table").args(["1001", "1024"]))?;
-    let rows: Vec<&str> = found.lines().filter(|line| line.starts_with('|')).collect();
-    let text = format!("{}\n{}", machine()?, rows.join("\n"));
-    keep_section(METHODS, "methods", &text, false)
 }

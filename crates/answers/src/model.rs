@@ -4,13 +4,14 @@ use crate::failure::{Failure, variant};
 use crate::loads::Spread;
 use crate::models::citation;
 use crate::traces::Traces;
+use compare::survey::{ErrorRange, gaussian_errors};
 use compare::{
     BuildError, Card, Finding, Inputs, Level, MomentSource, Origin, Pressed, Scene, Theory,
-    built_in, map_curves,
+    built_in,
 };
 use contact_accuracy::round_to_digits;
 use contact_types::{
-    AmplitudeSpectrum, Caveat, ContactModulus, ContactState, HeightMap, ModelError,
+    AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, HeightMap, ModelError,
 };
 use serde_json::{Value, json};
 use std::path::Path;
@@ -19,8 +20,7 @@ use surface_stats::fractal::PowerLaw;
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{Axis, amplitudes, radial};
 use surface_stats::{
-    DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions,
-    contact_curves, level,
+    DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
 };
 
 /// What is asked of the model.
@@ -69,6 +69,24 @@ pub struct Said {
     pub state: ContactState,
     /// Between which the area lies for 95 of 100 surfaces, if the theory knows its own error.
     pub area_interval: Option<[f64; 2]>,
+    /// Its error on isotropic Gaussian surfaces, if there are numbers and no map.
+    pub survey: Option<ErrorRange>,
+}
+
+impl Said {
+    fn of<M: ContactModel + ?Sized>(
+        model: &M,
+        state: ContactState,
+        card: &Card,
+        inputs: &Inputs,
+    ) -> Self {
+        let typed = inputs.moments.filter(|_| inputs.source == MomentSource::Given);
+        let survey = typed.and_then(|moments| {
+            let load = state.mean_pressure / (inputs.modulus.pascals() * moments.rms_gradient());
+            gaussian_errors(&card.name, moments.bandwidth(), load)
+        });
+        Self { area_interval: model.area_interval(state.area_fraction), state, survey }
+    }
 }
 
 /// That, or why it says nothing.
@@ -100,16 +118,14 @@ pub fn answers(
             None => return Err(Unasked::NoSeparation { model: card.name.to_string() }),
             Some(Ok(model)) => Box::new(move |q| {
                 let state = compare::at_separation(title, model.as_ref(), q.value())?;
-                let area_interval = model.area_interval(state.area_fraction);
-                Ok(Said { state, area_interval })
+                Ok(Said::of(model.as_ref(), state, card, inputs))
             }),
             Some(Err(error)) => refuse_all(error)?,
         },
         _ => match theory.build(inputs) {
             Ok(model) => Box::new(move |q| {
                 let state = compare::at_pressure(title, model.as_ref(), q.value())?;
-                let area_interval = model.area_interval(state.area_fraction);
-                Ok(Said { state, area_interval })
+                Ok(Said::of(model.as_ref(), state, card, inputs))
             }),
             Err(error) => refuse_all(error)?,
         },
@@ -177,11 +193,6 @@ pub fn measured(
     }
     drop(heights);
     match model {
-        "equation" => {
-            let curves = contact_curves(&map, edges).map(|curves| map_curves(&curves, edges));
-            let refused = |e: ModelError| Failure::from_error(&e);
-            inputs.curves = curves.transpose().map_err(refused)?;
-        }
         "persson" => inputs.spectrum = Some(radial(&map).map_err(refused)?),
         "stacked" | "multiscale" => {
             inputs.amplitudes = Some(amplitudes(&map, Axis::X).map_err(refused)?);
@@ -312,10 +323,14 @@ pub fn failure(error: &ModelError) -> Failure {
 
 fn point(question: Question, answer: &Answer) -> Value {
     match answer {
-        Ok(Said { state, area_interval }) => json!({
+        Ok(Said { state, area_interval, survey }) => json!({
             "mean_pressure": state.mean_pressure,
             "area_fraction": state.area_fraction,
             "area_interval": area_interval,
+            "survey": survey.map(|e| json!({
+                "area_error": [e.low, e.high],
+                "surfaces": e.surfaces,
+            })),
             "real_pressure": state.real_pressure(),
             "separation": state.separation,
             "mean_gap": state.mean_gap,
@@ -331,6 +346,7 @@ fn point(question: Question, answer: &Answer) -> Value {
                 "mean_pressure": pressure,
                 "area_fraction": null,
                 "area_interval": null,
+                "survey": null,
                 "real_pressure": null,
                 "separation": separation,
                 "mean_gap": null,

@@ -6,14 +6,10 @@ use crate::theory::Assumes;
 use crate::{Origin, Registry, Settings};
 use contact_accuracy::budget::Map;
 
-use crate::inputs::map_curves;
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
-use multiscale_models::MapCurves;
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
-use surface_stats::{
-    Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, contact_curves, level, repeats,
-};
+use surface_stats::{Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
 /// does not; one that was given, only if who gave it says so.
@@ -42,7 +38,6 @@ pub(crate) fn model_inputs(
     map: &HeightMap,
     statistics: &SurfaceStatistics,
     amplitudes: AmplitudeSpectrum,
-    curves: Option<MapCurves>,
     modulus: ContactModulus,
     (settings, registry): (&Settings, &Registry),
 ) -> Inputs {
@@ -50,7 +45,6 @@ pub(crate) fn model_inputs(
         .asked_models(registry)
         .any(|t| matches!(t.card().assumes, Assumes::Amplitudes | Assumes::Unstated));
     Inputs {
-        curves,
         moments: Some(statistics.moments()).filter(|m| m.m2 > 0.0 && m.m4 > 0.0),
         source: MomentSource::FiniteDifferences,
         amplitudes: Some(amplitudes).filter(|_| has_use),
@@ -61,18 +55,6 @@ pub(crate) fn model_inputs(
         poisson: settings.poisson(),
         ..Inputs::new(modulus)
     }
-}
-
-/// What the fitted equation takes of a map; `None` for a flat one, and if it is not asked.
-pub(crate) fn curves(
-    map: &HeightMap,
-    statistics: &SurfaceStatistics,
-    (settings, registry): (&Settings, &Registry),
-) -> Option<MapCurves> {
-    if !settings.asked_models(registry).any(|t| t.card().name == "equation") {
-        return None;
-    }
-    map_curves(&contact_curves(map, statistics.edges)?, statistics.edges).ok()
 }
 
 /// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann

@@ -1,12 +1,11 @@
 //! Everything a model may be made from.
 
 use contact_types::{
-    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, ModelError,
-    RoughnessSpectrum, SpectralMoments, Wave,
+    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, RoughnessSpectrum,
+    SpectralMoments, Wave,
 };
-use multiscale_models::{MapCurves, SelfAffineSpectrum, SphereLevel};
+use multiscale_models::{SelfAffineSpectrum, SphereLevel};
 use serde::Serialize;
-use surface_stats::{ContactCurves, Edges};
 
 /// Everything a model may be made from. What a case does not have stays `None`.
 #[derive(Debug, Clone, Serialize)]
@@ -25,9 +24,6 @@ pub struct Inputs {
     pub source: MomentSource,
     /// Asperities, if they were given rather than derived from the moments.
     pub asperities: Option<AsperityStatistics>,
-    /// Curves over the highest parts of a map; only the fitted equation needs them.
-    #[serde(skip)]
-    pub curves: Option<MapCurves>,
     /// Radial spectrum; only Persson's mean gap needs it.
     pub spectrum: Option<RoughnessSpectrum>,
     /// A continuous spectrum, in place of a radial one.
@@ -81,7 +77,6 @@ impl Inputs {
             moments: None,
             source: MomentSource::Given,
             asperities: None,
-            curves: None,
             spectrum: None,
             self_affine: None,
             gamma: None,
@@ -119,16 +114,4 @@ impl Inputs {
     pub fn asperities(&self) -> Option<AsperityStatistics> {
         self.asperities.or_else(|| AsperityStatistics::from_moments(self.moments?).ok())
     }
-}
-
-/// What the fitted equation takes of a map, from its curves and whether it repeats.
-///
-/// # Errors
-/// As [`MapCurves::new`].
-pub fn map_curves(curves: &ContactCurves, edges: Edges) -> Result<MapCurves, ModelError> {
-    let curves = MapCurves::new(curves)?;
-    Ok(match edges {
-        Edges::Periodic => curves,
-        Edges::Open => curves.measured(),
-    })
 }

@@ -66,7 +66,7 @@ pub use finding::{
 };
 pub use findings::{Solved, findings, measured, of_pair, seam, spiky, sticking};
 pub use first_contact::FirstContact;
-pub use inputs::{Inputs, MomentSource, map_curves};
+pub use inputs::{Inputs, MomentSource};
 pub use materials::{
     Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
 };

@@ -53,13 +53,6 @@ pub enum Reason {
         /// The first mean pressure at which the area exceeds 5 % (Pa).
         from: f64,
     },
-    /// Fitted on maps that resolve their contacts, which this one does not.
-    NotResolved {
-        /// Loads at which the points do not carry the error bar of the area.
-        loads: usize,
-        /// Of how many.
-        of: usize,
-    },
     /// The input depends on how long the rows of the map are.
     RecordLength {
         /// Where the input sits (m); `None` if no wave stands out.
@@ -119,7 +112,6 @@ impl Reason {
             | Self::Lay { .. }
             | Self::NotGaussian { .. }
             | Self::RecordLength { .. }
-            | Self::NotResolved { .. }
             | Self::FitRange { .. } => false,
         }
     }

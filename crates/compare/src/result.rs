@@ -9,7 +9,6 @@ use crate::inputs::Inputs;
 use crate::pressure_maps::PressureMaps;
 use crate::reason::Verdict;
 use crate::sections::Sections;
-use crate::survey::Experience;
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes, Spots};
 use contact_accuracy::NoAreaInterval;
@@ -300,9 +299,6 @@ pub struct ModelComparison {
     pub outcome: Result<ModelCurve, BuildError>,
     /// Whether its theory covers this surface.
     pub verdict: Verdict,
-    /// Its errors on surfaces of the survey like this one, at the headline load; `None` if the
-    /// survey has too few of them.
-    pub experience: Option<Experience>,
 }
 
 /// A model's answers.

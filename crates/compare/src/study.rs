@@ -3,17 +3,15 @@
 use crate::ask::timed;
 use crate::conducted::Conduction;
 use crate::curve::{Curve, ToCurve};
-use crate::describe::{curves, describe, model_inputs, spectral};
+use crate::describe::{describe, model_inputs, spectral};
 use crate::inputs::Inputs;
 use crate::progress::{Listener, Progress, StudyError};
 use crate::refine::refine;
 use crate::result::{
-    Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, Spectral,
-    SurfaceComparison,
+    Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, SurfaceComparison,
 };
 use crate::sections::telling_row;
 use crate::solver_of::{builder, elastic};
-use crate::survey::{Query, Survey, peak_slope};
 use crate::theory::{BuildError, Theory};
 use crate::threads::on_threads;
 use crate::verdict::{Judged, verdict};
@@ -30,7 +28,7 @@ use rayon::join;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
-use surface_stats::{Spectra, SurfaceStatistics};
+use surface_stats::Spectra;
 
 impl Comparison {
     /// Runs a study: every surface solved over the loads, and the theories of `registry` that the
@@ -155,10 +153,9 @@ fn compare(
     let (map, statistics, spectra) = described.map_err(refused)?;
     drop(heights);
     let Spectra { power, amplitudes, .. } = spectra;
-    let (curves, (spectral, known)) =
-        join(|| curves(&map, &statistics, asked), || spectral(&map, &power, &statistics));
+    let (spectral, known) = spectral(&map, &power, &statistics);
     drop(power);
-    let mut inputs = model_inputs(&map, &statistics, amplitudes, curves, modulus, asked);
+    let mut inputs = model_inputs(&map, &statistics, amplitudes, modulus, asked);
     inputs.surface = Some(name.clone());
     let setup_seconds = setup.elapsed().as_secs_f64();
 
@@ -247,17 +244,12 @@ fn compare(
 
     drop(whole);
     tell(Progress::Models)?;
-    // The survey is of elastic contact.
-    let alike = match settings.hardness {
-        None => likeness(&map, &statistics, &inputs, &spectral, &deterministic[headline]),
-        Some(_) => None,
-    };
     let judged =
         Judged { excess: excess(&deterministic, &elastic_points), ..Judged::of(&statistics) };
     let loads = (&deterministic[..], &elastic_points[..]);
     let models = settings
         .asked_models(registry)
-        .map(|theory| ask(theory, &inputs, loads, &judged, alike.as_ref()))
+        .map(|theory| ask(theory, &inputs, loads, &judged))
         .collect();
     let mut found = SurfaceComparison {
         spikes,
@@ -404,7 +396,6 @@ fn ask(
     inputs: &Inputs,
     (deterministic, elastic): (&[DeterministicPoint], &[DeterministicPoint]),
     judged: &Judged,
-    alike: Option<&Query>,
 ) -> ModelComparison {
     let card = theory.card().clone();
     let beside = if card.yields { &[] } else { elastic };
@@ -426,30 +417,7 @@ fn ask(
     // Whether a theory of elastic bodies has what it assumes, elastic bodies tell.
     let loads = if beside.is_empty() { deterministic } else { beside };
     let verdict = verdict(&card, inputs, &outcome, loads, judged);
-    let experience = alike.and_then(|query| Survey::built_in().ask(&card.name, query));
-    ModelComparison { card, outcome, verdict, experience }
-}
-
-/// This surface at this load as the survey sees it; `None` for a flat map or without a solution.
-fn likeness(
-    map: &HeightMap,
-    statistics: &SurfaceStatistics,
-    inputs: &Inputs,
-    spectral: &Spectral,
-    point: &DeterministicPoint,
-) -> Option<Query> {
-    let gradient = inputs.rms_gradient();
-    let [dy, dx] = map.grid().pixel();
-    Some(Query {
-        bandwidth: inputs.moments?.bandwidth(),
-        resolved: spectral.resolved,
-        anisotropy: statistics.anisotropy?,
-        skewness: statistics.skewness?,
-        kurtosis: statistics.kurtosis?,
-        step: statistics.height_step.map_or(0.0, |q| q / (dy.min(dx) * gradient)),
-        peak_slope: peak_slope(map, point.answer.as_ref()?.area_fraction_corrected),
-        load: point.mean_pressure / (inputs.modulus.pascals() * gradient),
-    })
+    ModelComparison { card, outcome, verdict }
 }
 
 /// Signed relative error of an area.

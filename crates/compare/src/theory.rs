@@ -46,6 +46,9 @@ pub struct Card {
     pub domain: Cow<'static, str>,
     /// The paper.
     pub citation: Citation,
+    /// Its formula, if that fits on a line; empty otherwise.
+    #[serde(default)]
+    pub formula: Cow<'static, str>,
     /// What it assumes of a surface, for the verdict.
     pub assumes: Assumes,
     /// True if a height map gives all it needs.
@@ -75,6 +78,7 @@ impl Card {
             needs: "the statistics of a height map".into(),
             domain: "".into(),
             citation,
+            formula: "".into(),
             assumes: Assumes::Unstated,
             from_map: true,
             yields: false,
@@ -95,9 +99,6 @@ pub enum Assumes {
     Amplitudes,
     /// A fractal profile over the fit range.
     Fractal,
-    /// Surfaces like those that its constants were fitted on: resolved by their points, with heights of a
-    /// shape that was among them.
-    Fitted,
     /// Not known: only what the model itself says of its answers counts.
     Unstated,
 }

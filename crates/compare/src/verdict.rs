@@ -126,7 +126,6 @@ fn strains(
                 reasons.push(Reason::FitRange { dimension, short, long });
             }
         }
-        Assumes::Fitted => reasons.extend(beyond_fit(loads, statistics)),
         Assumes::Gaussian | Assumes::Unstated => {}
     }
     reasons.extend(statistics.excess.filter(|_| !card.yields).map(Reason::Elastic));
@@ -134,32 +133,6 @@ fn strains(
     let failed = curve.points.iter().filter(|p| p.is_err()).count();
     if failed > 0 {
         reasons.push(Reason::NoAnswer { loads: failed, of: curve.points.len() });
-    }
-    reasons
-}
-
-/// Kurtosis of the heights of the maps that the equation was fitted on \[-\].
-const FITTED_KURTOSIS: [f64; 2] = [1.5, 15.0];
-
-/// What sets a map apart from those that a law was fitted on.
-fn beyond_fit(loads: &[DeterministicPoint], statistics: &Judged) -> Vec<Reason> {
-    let mut reasons = Vec::new();
-    if statistics.rows_jump {
-        reasons.push(Reason::RowsJump);
-    }
-    let [low, high] = FITTED_KURTOSIS;
-    if let Some(value) = statistics.kurtosis.filter(|k| !(low..=high).contains(k)) {
-        reasons.push(Reason::Beyond {
-            quantity: "kurtosis".into(),
-            value,
-            limit: value.clamp(low, high),
-            reason: "no such surface was among those it was fitted on".into(),
-        });
-    }
-    let answers = || loads.iter().filter_map(|load| load.answer.as_ref());
-    let bare = answers().filter(|a| a.finer.is_some() || a.uncertainty().is_none()).count();
-    if bare > 0 {
-        reasons.push(Reason::NotResolved { loads: bare, of: answers().count() });
     }
     reasons
 }

@@ -44,7 +44,7 @@ fn summit_models_approach_root_two_pi() {
     }
 }
 
-/// One map of the study `cargo xtask kappa`, small: longest wave 8 times the shortest, H = 0.5,
+/// One small map: longest wave 8 times the shortest, H = 0.5,
 /// 256 x 256 points. Slope of 0.8 to 3.5 % of area within the 2.0 to 2.3 of the literature (Hyun
 /// et al. 2004; Campana & Muser 2007; Putignano et al. 2012; Yastrebov et al. 2017), above
 /// Persson's and below the limit of the summit models by more than its own grid error.

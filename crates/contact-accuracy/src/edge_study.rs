@@ -1,4 +1,4 @@
-//! What `cargo xtask edges` found about maps that do not repeat, and what it says of a map whose
+//! What a study (commit adc1dd6) found about maps that do not repeat, and what it says of a map whose
 //! strip along the edge carries contact like theirs.
 
 use crate::table::quantile;

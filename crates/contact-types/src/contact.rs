@@ -142,6 +142,11 @@ pub trait ContactModel: Send + Sync {
         let _ = area_fraction;
         None
     }
+
+    /// The formula on a line, of a model short enough for a pocket calculator; `None` of others.
+    fn formula(&self) -> Option<String> {
+        None
+    }
 }
 
 /// A model whose natural variable is the separation of the mean planes.

@@ -11,7 +11,6 @@
 #[cfg(feature = "serde")]
 mod any_number;
 mod contact;
-mod contact_curves;
 mod error;
 mod grid;
 mod height_map;
@@ -24,7 +23,6 @@ pub mod require;
 mod spectrum;
 
 pub use contact::{Caveat, Citation, ContactModel, ContactState, SeparationModel};
-pub use contact_curves::{CURVE_LEVELS, CURVE_SHARES, ContactCurves, PartCurve};
 pub use error::{ModelError, SurfaceError};
 pub use grid::Grid;
 pub use height_map::HeightMap;

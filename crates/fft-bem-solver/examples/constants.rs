@@ -1,5 +1,5 @@
 //! What a constant of the solver is worth: FFT pairs over a set of problems, in one line. Change the
-//! constant, run it again; the table in the book (`docs/src/solver/constants.md`) was made so.
+//! constant, run it again; a table in the book was made so (commit adc1dd6).
 //!
 //! ```console
 //! $ cargo run --release -p fft-bem-solver --example constants -- 256

@@ -27,7 +27,7 @@ pub(crate) struct Needs {
 
 impl Needs {
     /// Bytes per pixel at the peak, the maps of one solution included; counted array by array in
-    /// `docs/src/solver/method.md`, within a tenth of what an allocator counts.
+    /// `docs/src/solver/overview.md`, within a tenth of what an allocator counts.
     fn per_pixel(self, points: usize) -> f64 {
         let t = match self.precision {
             Precision::Double => 8.0,

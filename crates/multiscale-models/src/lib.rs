@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | [`Persson`] | moments, or a spectrum | area; with a spectrum also mean gap, stiffness, energy |
 //! | [`PerssonWithYield`] | rms gradient and hardness | elastic and plastic area |
-//! | [`Equation`], [`MapEquation`] | moments; the slopes of a map | area, with an interval |
+//! | [`Equation`] | moments | area, with an interval |
 //! | [`Stacked`] | largest amplitude over wavelength | area |
 //! | [`JacksonStreator`] | amplitude by frequency | area |
 //! | [`Archard`] | spheres on spheres | area |
@@ -31,16 +31,13 @@ mod wide;
 mod yan_komvopoulos;
 
 pub use contact_types::{
-    AmplitudeSpectrum, CURVE_LEVELS, CURVE_SHARES, Caveat, Citation, ContactCurves, ContactModel,
-    ContactModulus, ContactState, Elastic, FractalParameters, ModelError, PsdConvention,
-    RoughnessSpectrum, Shell, SpectralMoments, SurfaceError, Wave,
+    AmplitudeSpectrum, Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic,
+    FractalParameters, ModelError, PsdConvention, RoughnessSpectrum, Shell, SpectralMoments,
+    SurfaceError, Wave,
 };
 
 pub use archard::{Archard, SphereLevel};
-pub use equation::{
-    Equation, INTERVAL_TERMS, MAP_TERMS, MapCurves, MapEquation, NUMBER_TERMS, map_spread_terms,
-    map_terms, number_terms,
-};
+pub use equation::Equation;
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::{MajumdarBhushan, critical_area};
 pub use morag_etsion::{AsperityContact, MoragEtsion};

@@ -192,10 +192,6 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
         "applicable": m.outcome.is_ok(),
         "verdict": m.verdict.answer.word(),
         "reason": words::reason(m),
-        "survey": m.experience.map(|e| json!({
-            "area_error": [e.low, e.high],
-            "surfaces": e.surfaces,
-        })),
         "seconds": curve.map(|c| c.seconds),
         "area_error": curve.map(|c| area_error(c, surface)),
         "points": curve.map_or(Vec::new(), |c| {

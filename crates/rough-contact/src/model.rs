@@ -12,6 +12,7 @@ use crate::roughness::Source;
 use crate::text::{self, Columns};
 use answers::model::{self, Answer, Question, Said, Unasked};
 use clap::Args;
+use compare::survey::{BANDWIDTH_FACTOR, LOAD_FACTOR};
 use compare::{Card, Inputs, Spikes, Theory};
 use contact_types::ContactModulus;
 use serde_json::json;
@@ -240,13 +241,16 @@ fn reply(
     headings.extend(["mean pressure", "area"]);
     headings.extend(has_bar.then_some("for 95 of 100"));
     headings.extend(["real pressure", "separation", "mean gap"]);
+    let surveyed = answers.iter().flatten().any(|said| said.survey.is_some());
+    headings.extend(surveyed.then_some("error"));
     let mut columns = Columns::new(&headings);
     let mut notes: Vec<String> = Vec::new();
     // The first refusal is said on standard error.
     let told = answers.iter().find_map(|answer| answer.as_ref().err());
     for (question, answer) in questions.iter().zip(answers) {
         let force = spread.map(|s| text::force(s.force(question.value())));
-        columns.row(force.into_iter().chain(cells(*question, answer, has_bar)));
+        let error = surveyed.then(|| survey(answer));
+        columns.row(force.into_iter().chain(cells(*question, answer, has_bar)).chain(error));
         let note = match answer {
             Ok(said) => said.state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) if Some(error) == told => None,
@@ -255,6 +259,16 @@ fn reply(
         notes.extend(note.filter(|note| !notes.contains(note)));
     }
     let mut text = format!("{} ({})\n{columns}", card.title, cited(&card.citation));
+    if !card.formula.is_empty() {
+        let _ = writeln!(text, "{}", card.formula); // a String takes everything
+    }
+    if surveyed {
+        let _ = writeln!(
+            text,
+            "error: of the area, on isotropic Gaussian surfaces with this bandwidth (within a factor {BANDWIDTH_FACTOR}) \
+             at this load (within {LOAD_FACTOR}), against the solver; a map tells more"
+        );
+    }
     for note in notes {
         let _ = writeln!(text, "{note}"); // a String takes everything
     }
@@ -264,11 +278,17 @@ fn reply(
     Reply { text, json, trouble }
 }
 
+/// The range of errors of the theory where there is no map.
+fn survey(answer: &Answer) -> String {
+    let range = answer.as_ref().ok().and_then(|said| said.survey);
+    range.map_or_else(|| "–".to_owned(), |e| report::numbers::signed_range(e.low, e.high))
+}
+
 fn cells(question: Question, answer: &Answer, has_bar: bool) -> Vec<String> {
     let absent = || "–".to_owned();
     let length = |x: Option<f64>| x.map_or_else(absent, text::length);
     let (bar, mut cells) = match (answer, question) {
-        (Ok(Said { state, area_interval }), _) => (
+        (Ok(Said { state, area_interval, .. }), _) => (
             area_interval.map(|[a, b]| format!("{} to {}", text::percent(a), text::percent(b))),
             vec![
                 text::pressure(state.mean_pressure),

@@ -4,7 +4,6 @@
 
 pub mod drawing;
 pub mod figures;
-pub mod light_load;
 pub mod maps;
 pub mod rows;
 pub mod tradeoff;

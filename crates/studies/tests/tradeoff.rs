@@ -6,5 +6,3 @@
 mod measure;
 #[path = "../examples/tradeoff/page.rs"]
 mod page;
-#[path = "../examples/tradeoff/repeat.rs"]
-mod repeat;

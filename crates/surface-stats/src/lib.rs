@@ -6,7 +6,6 @@
 
 mod by_distance;
 pub mod clean;
-mod contact_curves;
 mod differences;
 mod error;
 pub mod fractal;
@@ -31,12 +30,11 @@ pub mod synthesis;
 mod warning;
 
 pub use contact_types::{
-    AmplitudeSpectrum, AsperityStatistics, ContactCurves, FractalParameters, Grid, HeightMap,
-    RoughnessSpectrum, Shell, SpectralMoments, SurfaceError, Wave,
+    AmplitudeSpectrum, AsperityStatistics, FractalParameters, Grid, HeightMap, RoughnessSpectrum,
+    Shell, SpectralMoments, SurfaceError, Wave,
 };
 
 pub use by_distance::{ByDistance, by_distance};
-pub use contact_curves::contact_curves;
 pub use differences::{DirectionalMoments, Edges};
 pub use error::StatsError;
 pub use heights::HeightStatistics;

@@ -36,11 +36,12 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// Its card says what the model says of its source.
+    /// Its card says what the model says of its source and formula.
     pub(super) fn theory(self) -> Arc<dyn Theory> {
         let example = self.build.pressure(&Inputs::example());
-        let citation = example.expect("a test makes every row from these inputs").citation();
-        let mut card = Card::new(self.name, self.title, citation);
+        let example = example.expect("a test makes every row from these inputs");
+        let mut card = Card::new(self.name, self.title, example.citation());
+        card.formula = example.formula().unwrap_or_default().into();
         card.label = self.label.into();
         card.needs = self.needs.into();
         card.domain = self.domain.into();

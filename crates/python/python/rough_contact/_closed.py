@@ -191,7 +191,8 @@ class ModelCurve:
 
     def __repr__(self) -> str:
         c = self.citation
-        head = f"ModelCurve({self.name!r}, {c.authors} {c.year}, doi:{c.doi})"
+        doi = f", doi:{c.doi}" if c.doi else ""
+        head = f"ModelCurve({self.name!r}, {c.authors} {c.year}{doi})"
         checks = [f"  {finding}" for finding in self.findings if finding.weight == "check"]
         return "\n".join([head, *checks, *(f"  {row}" for row in self._rows())])
 

@@ -220,11 +220,11 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
     let has_bar = surface.headline_answer().is_some_and(|a| a.interval().is_some());
     let covers = if has_bar { format!("{} alone. ", words::COMPARISON) } else { String::new() };
     format!(
-        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{covers}{} {} {}{}<span class=\"moves\"> A click on a \
+        "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{covers}{} {}{}{}<span class=\"moves\"> A click on a \
          model follows it through all figures; a second one, or Escape, ends that.</span></p>\n",
         source_sentence(surface.inputs.source),
         words::within_ten(surface),
-        words::survey(surface),
+        formulas(surface),
         if surface.inputs.hardness.is_some() {
             " Errors are against the contact that yields; small, “elastic”: those of a theory of elastic \
              bodies against the solution of elastic bodies."
@@ -232,6 +232,12 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
             ""
         }
     )
+}
+
+/// The formula of each model in the table that has one of a line.
+fn formulas(surface: &SurfaceComparison) -> String {
+    let with = surface.models.iter().filter(|m| m.outcome.is_ok() && !m.card.formula.is_empty());
+    with.map(|m| format!(" {}: {}.", escape(&m.card.label), escape(&m.card.formula))).collect()
 }
 
 /// Where the moments come from.

@@ -11,7 +11,6 @@ use crate::page::context::Page;
 use crate::page::phrases::{load_words, spread_words};
 use crate::sources::DETERMINISTIC;
 use crate::words;
-use compare::survey::Experience;
 use compare::{
     Applies, DeterministicAnswer, Estimate, ModelComparison, SurfaceComparison, elastic_holds,
     elastic_limit, hardness_of, is_steep,
@@ -293,15 +292,6 @@ fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
     )
 }
 
-/// What the survey saw of this model on surfaces like this one.
-fn experience(seen: &Experience) -> String {
-    format!(
-        "<small>{} on surfaces like this (<i>n</i> = {})</small>",
-        signed_range(seen.low, seen.high),
-        seen.surfaces
-    )
-}
-
 fn model_row(
     page: &mut Page<'_>,
     surface: &SurfaceComparison,
@@ -319,9 +309,8 @@ fn model_row(
         inputs_html(card)
     );
     let domain = format!(
-        "<td data-l=\"Applies\" class=\"dom\">{}{}</td>",
-        applies(model.verdict.answer, &words::reason(model)),
-        model.experience.as_ref().map_or(String::new(), experience)
+        "<td data-l=\"Applies\" class=\"dom\">{}</td>",
+        applies(model.verdict.answer, &words::reason(model))
     );
     let Ok(curve) = &model.outcome else {
         let dash = |l: &str| format!("<td data-l=\"{l}\" class=\"n\">–</td>");

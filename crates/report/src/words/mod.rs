@@ -23,7 +23,5 @@ pub(crate) use answer::{
     real_pressure_prediction,
 };
 pub(crate) use date::date;
-pub(crate) use ranking::{
-    NOT_RANKED, curves_lead, named, ranked, recommendation, survey, within_ten,
-};
+pub(crate) use ranking::{NOT_RANKED, curves_lead, named, ranked, recommendation, within_ten};
 pub(crate) use verdict::{SMALL_SLOPES, reason, reason_of};

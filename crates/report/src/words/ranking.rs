@@ -5,7 +5,6 @@ use crate::lines::WANTED;
 use crate::numbers::{PASCALS, SPACE, chosen, duration, percent, signed_percent, times};
 use crate::words::coarser;
 use crate::words::verdict::reason;
-use compare::survey::FEWEST;
 use compare::{Applies, ModelComparison, ModelCurve, SurfaceComparison, elastic_holds};
 
 /// A model within a sentence, its article small; escaped.
@@ -307,27 +306,6 @@ pub(crate) fn within_ten(surface: &SurfaceComparison) -> String {
         format!("Within 10{SPACE}% of the deterministic area: {}.", parts.join("; "))
     } else {
         format!("Within 10{SPACE}% of the deterministic area, at {these}: {}.", parts.join("; "))
-    }
-}
-
-/// What "surfaces like this" means below the model table, or that the survey has none.
-pub(crate) fn survey(surface: &SurfaceComparison) -> String {
-    if surface.inputs.hardness.is_some() {
-        return "The survey of 240 surfaces was of elastic contact and says nothing of this one."
-            .into();
-    }
-    let load = chosen(surface.headline_pressure(), PASCALS);
-    if surface.models.iter().any(|m| m.experience.is_some()) {
-        format!(
-            "Surfaces like this: those of a survey of 240 with similar bandwidth, resolution, \
-             heights and slopes at a load like {load}; their whole range of errors is quoted."
-        )
-    } else if surface.headline_answer().is_some() {
-        format!(
-            "A survey of 240 surfaces has fewer than {FEWEST} like this one at a load like {load}."
-        )
-    } else {
-        String::new()
     }
 }
 

@@ -25,7 +25,6 @@ fn within(assumes: Assumes) -> &'static str {
         Assumes::Summits => "light contact on an isotropic Gaussian surface",
         Assumes::Gaussian => "any load; known to read low at light load",
         Assumes::Amplitudes | Assumes::Fractal => "",
-        Assumes::Fitted => "resolved, and of a shape that it was fitted on",
         Assumes::Unstated => "its assumptions are not known here; it names none that is strained",
     }
 }
@@ -48,9 +47,6 @@ fn words(reason: &Reason) -> String {
         Reason::Crowded { from } => format!(
             "area exceeds 5{SPACE}% from {}, where summits no longer act alone",
             pressure(*from)
-        ),
-        Reason::NotResolved { loads, of } => format!(
-            "fitted on maps that resolve their contacts, which this one does not at {loads} of {of} loads"
         ),
         Reason::RecordLength { wavelength, length: record } => format!(
             "its input sits at λ = {} and depends on the record length ({})",

@@ -2,46 +2,34 @@
 //! tolerances, on the built-in surfaces.
 //!
 //! `tradeoff [--quick]` measures and prints a table as CSV; `--quick` does it on 128 x 128 points,
-//! in seconds. `tradeoff --page TABLE FOLDER` makes the figures and the page from that table,
-//! `tradeoff --repeat TABLE SECOND` prints what the book says of a second table beside the first.
+//! in seconds. `tradeoff --page TABLE FOLDER` makes the figures and the page from that table.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
 mod measure;
 mod page;
-mod repeat;
 
 use clap::Parser;
 use measure::Plan;
 use std::error::Error;
-use std::path::{Path, PathBuf};
-use std::{fs, thread};
-use studies::tradeoff::{HEADER, Row, Table};
+use std::path::PathBuf;
+use std::thread;
+use studies::tradeoff::{HEADER, Row};
 
 /// Time against true error of every way to an answer: measures, and prints a table as CSV
 #[derive(Parser)]
 struct Options {
     /// On 128 x 128 points, in seconds
-    #[arg(long, conflicts_with_all = ["page", "repeat"])]
+    #[arg(long, conflicts_with = "page")]
     quick: bool,
     /// Make figures and page of the book from a table instead
-    #[arg(long, num_args = 2, value_names = ["TABLE", "FOLDER"], conflicts_with = "repeat")]
+    #[arg(long, num_args = 2, value_names = ["TABLE", "FOLDER"])]
     page: Option<Vec<PathBuf>>,
-    /// Print what the book says of a second table beside the first instead
-    #[arg(long, num_args = 2, value_names = ["TABLE", "SECOND"])]
-    repeat: Option<Vec<PathBuf>>,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let Options { quick, page, repeat } = Options::parse();
+    let Options { quick, page } = Options::parse();
     if let Some([table, folder]) = page.as_deref() {
         return page::write(table, folder);
-    }
-    if let Some([first, second]) = repeat.as_deref() {
-        let read = |path: &Path| -> Result<Table, Box<dyn Error>> {
-            Ok(Table::parse(&fs::read_to_string(path)?)?)
-        };
-        print!("{}", repeat::compare(&read(first)?, &read(second)?));
-        return Ok(());
     }
     let plan = if quick { Plan::QUICK } else { Plan::FULL };
     let threads = thread::available_parallelism().map_or(1, usize::from);

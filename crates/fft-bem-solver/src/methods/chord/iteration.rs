@@ -23,8 +23,8 @@
 //! ```
 //!
 //! Polonsky and Keer's method has the same five steps with other means: their 2 is the gap itself made
-//! conjugate, their 3 clips and scales. Which field holds what at each step is a table in
-//! `docs/src/solver/buffers.md`.
+//! conjugate, their 3 clips and scales. The fields that it holds are named in
+//! `docs/src/solver/method.md`.
 //!
 //! Two fallbacks guarantee convergence: projected gradients where a chord does not descend or the
 //! estimate stalls, and conjugate gradients on the face where that does not help.

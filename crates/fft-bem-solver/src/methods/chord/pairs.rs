@@ -36,7 +36,7 @@ impl<T: Real> Pair<T> {
 /// The displacement of the trial is known only once a pair has been spent on it. Until then its place
 /// is the *spare*: room for a field in single precision, which holds first `E g`, then the smallest
 /// trial pressure below each cell. Under a lead, whose displacement stands there, the spare is that of the
-/// iterate before, since the first step has none. `docs/src/solver/buffers.md` has the whole table.
+/// iterate before, since the first step has none. `docs/src/solver/method.md` names the fields.
 pub(crate) struct Pairs<T> {
     pub(crate) trial: Pair<T>,
     pub(crate) before: Pair<T>,

@@ -1,9 +1,5 @@
-//! The law for numbers: a pressure over E* g, and a bandwidth.
+//! A closed form fitted to deterministic solutions.
 
-use super::constants::{
-    AREA, BANDWIDTH, BANDWIDTH_USED, NUMBER_TERMS, NUMBERS, NUMBERS_SPREAD, STEEP,
-};
-use super::interval;
 use crate::special::{erf, erf_inv};
 use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, SpectralMoments,
@@ -11,9 +7,22 @@ use contact_types::{
 };
 use std::f64::consts::SQRT_2;
 
-pub(super) const MODEL: &str = "equation";
+const MODEL: &str = "equation";
 
-/// A closed form for the real area of isotropic Gaussian surfaces, fitted to deterministic solutions.
+/// c₀ to c₄ of [`Equation`], by least squares (the book, "The equation").
+const FITTED: [f64; 5] = [0.445, -0.357, -0.059, -0.029, 0.032];
+/// Half width of the interval: floor, and scatter of few contacts at A = 0.1 %.
+const SPREAD: [f64; 2] = [0.002, 0.384];
+/// Bandwidths of the surfaces of the fit, with some room \[-\].
+const BANDWIDTH: [f64; 2] = [1.5, 150.0];
+/// Beyond these the bandwidth counts as the nearer of them.
+const BANDWIDTH_USED: [f64; 2] = [1.5, 1000.0];
+/// Above this rms gradient a half-space with small slopes is no longer meant.
+const STEEP: f64 = 1.0;
+/// Areas of the solutions of the fit.
+const AREA: [f64; 2] = [0.001, 0.995];
+
+/// The real area of isotropic Gaussian surfaces: Persson's law with an argument fitted to deterministic solutions.
 ///
 /// ```math
 /// A = \operatorname{erf}\!\left(\sqrt2\,x\,e^{w}\right),\quad x=\frac{p}{E^* g},\quad
@@ -40,20 +49,14 @@ pub(super) const MODEL: &str = "equation";
 /// ```
 ///
 /// # Source
-/// Fitted by the authors of this program to its own solutions (the book, "The equation"); the form is
-/// Persson's law, doi:10.1063/1.1388626, with a corrected argument.
+/// This program: fitted to its own solutions (the book, "The equation"). The form is that of
+/// Persson (2001), doi:10.1063/1.1388626, with a corrected argument.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Equation {
     /// E* g \[Pa\].
     unit: f64,
     gradient: f64,
     bandwidth: f64,
-}
-
-/// What the constants of the law for numbers multiply, at Persson's area `t` and the logarithm of
-/// the bandwidth.
-pub fn number_terms(t: f64, log_bandwidth: f64) -> [f64; NUMBER_TERMS] {
-    [1.0, t.sqrt(), t * t, log_bandwidth, t * log_bandwidth]
 }
 
 impl Equation {
@@ -72,11 +75,12 @@ impl Equation {
         Ok(Self { unit, gradient, bandwidth })
     }
 
-    /// `ln(√2 x e^w)`-argument of the error function at `x = p/(E* g)`.
+    /// The argument of the error function at `x = p/(E* g)`.
     fn argument(&self, x: f64) -> f64 {
         let t = erf(SQRT_2 * x);
         let log = self.bandwidth.clamp(BANDWIDTH_USED[0], BANDWIDTH_USED[1]).ln();
-        let w: f64 = number_terms(t, log).iter().zip(NUMBERS).map(|(f, c)| f * c).sum();
+        let terms = [1.0, t.sqrt(), t * t, log, t * log];
+        let w: f64 = terms.iter().zip(FITTED).map(|(f, c)| f * c).sum();
         SQRT_2 * x * w.exp()
     }
 
@@ -111,24 +115,17 @@ impl Equation {
     }
 
     /// Area fractions between which 95 of 100 isotropic Gaussian surfaces of these moments lie at a
-    /// load where the law answers `area`, the chance of one sample included.
+    /// load where the law answers `area`, sampling variability included: `area e^(±s)`, at most 1, with
+    /// `s = √(1 − A) [0.002 + 0.384 √(0.001/A)]`.
     pub fn interval(&self, area: f64) -> [f64; 2] {
-        interval::around(area, interval::of_numbers(area, NUMBERS_SPREAD))
-    }
-}
-
-pub(super) fn citation() -> Citation {
-    Citation {
-        authors: "Authors of rough-contact, after Persson (2001)".into(),
-        year: 2026,
-        title: "A fitted closed form of the real area".into(),
-        journal: "this program's book, chapter The equation".into(),
-        doi: "10.1063/1.1388626".into(),
+        let few_contacts = (1e-3 / area.max(1e-4)).sqrt();
+        let half = (1.0 - area).max(0.0).sqrt() * (SPREAD[0] + SPREAD[1] * few_contacts);
+        [area * (-half).exp(), (area * half.exp()).min(1.0)]
     }
 }
 
 /// What must be known of an answer.
-pub(super) fn caveat(area: f64, gradient: f64, bandwidth: f64, pressure: f64) -> Option<Caveat> {
+fn caveat(area: f64, gradient: f64, bandwidth: f64, pressure: f64) -> Option<Caveat> {
     let beyond = |quantity: &'static str, value: f64, limit: f64, reason: &'static str| {
         Some(Caveat::BeyondModel { quantity: quantity.into(), value, limit, reason: reason.into() })
     };
@@ -154,7 +151,22 @@ pub(super) fn caveat(area: f64, gradient: f64, bandwidth: f64, pressure: f64) ->
 
 impl ContactModel for Equation {
     fn citation(&self) -> Citation {
-        citation()
+        Citation {
+            authors: "The rough-contact authors".into(),
+            year: 2026,
+            title: "rough-contact: real area of contact between rough surfaces".into(),
+            journal: format!("software, version {}", env!("CARGO_PKG_VERSION")).into(),
+            doi: "".into(),
+        }
+    }
+
+    fn formula(&self) -> Option<String> {
+        let [c0, c1, c2, c3, c4] = FITTED;
+        let text = format!(
+            "A = erf(√2 x e^w), x = p/(E* h′rms), t = erf(√2 x), \
+             w = {c0} + {c1} √t + {c2} t² + ({c3} + {c4} t) ln α, α = m₀m₄/m₂²"
+        );
+        Some(text.replace("+ -", "− ").replace('-', "−"))
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
