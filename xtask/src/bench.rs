@@ -8,7 +8,8 @@ use std::path::Path;
 use std::process::Command;
 
 /// The benchmarks that the book shows; the others are for who changes the code.
-const SHOWN: [&str; 5] = ["curve/", "kernels/transform", "read/", "solve/chord/f64", "statistics/of/"];
+const SHOWN: [&str; 5] =
+    ["curve/", "kernels/transform", "read/", "solve/chord/f64", "statistics/of/"];
 
 /// Runs `cargo bench ARGS` (by default every benchmark of the workspace), then collects the
 /// results that lie in `target/criterion`.

@@ -153,7 +153,8 @@ fn spread(page: &mut String, found: &[&Way<'_>], one_pair: f64) {
             digits(way.seconds / one_pair)
         );
     }
-    let solved = found.iter().filter(|w| w.area == AreaOf::Corrected && is(w.row.tolerance, DEFAULT));
+    let solved =
+        found.iter().filter(|w| w.area == AreaOf::Corrected && is(w.row.tolerance, DEFAULT));
     for way in solved {
         let count = found
             .iter()
