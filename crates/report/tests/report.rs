@@ -219,6 +219,14 @@ fn plotted_numbers_are_in_the_csv() {
     }
 }
 
+/// A model whose formula is a line has it below the table in which it is ranked.
+#[test]
+fn the_fitted_formula_is_printed() {
+    let page = html(one());
+    let formula = &one().surfaces[0].models.iter().find(|m| m.card.name == "equation").unwrap().card.formula;
+    assert!(formula.contains("0.445") && page.contains(&format!("Equation: {formula}.")));
+}
+
 #[test]
 fn the_headline_agrees_with_table_and_csv() {
     let page = html(one());

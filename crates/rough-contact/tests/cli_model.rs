@@ -72,6 +72,20 @@ fn persson_with_its_mean_gap() {
     assert!(moments["mean_gap"].is_null());
 }
 
+/// Without a map it is said what the model did on Gaussian surfaces like it: p = 0.028 E* h'rms, bandwidth 5.
+#[test]
+fn typed_numbers_tell_the_error_on_other_surfaces() {
+    let line = format!("gw {BGT} --pressure 0.04Pa,1e-9Pa");
+    let ps = points(&line);
+    let [low, high] = [0, 1].map(|k| number(&ps[0]["survey"]["area_error"][k]));
+    assert!(-0.45 < low && low < high && high < -0.05, "{low} {high}");
+    assert!(ps[0]["survey"]["surfaces"].as_u64().unwrap() >= 20);
+    assert!(ps[1]["survey"].is_null()); // no such load was solved
+    let dir = folder();
+    let said = rough_contact(dir.path(), &format!("model {line}")).out;
+    assert!(said.contains("error: of the area, on isotropic Gaussian surfaces"), "{said}");
+}
+
 #[test]
 fn stacked_multiscale_and_archard() {
     let ps = points("stacked --max-amplitude-ratio 0.01 --modulus 1GPa --pressure 1MPa,1TPa");

@@ -1,14 +1,12 @@
 //! What the maps of the studies' families are drawn with: numbers that fix one map, random fields,
 //! shapes. Heights are in any unit, lengths in points, until a map is scaled.
 
-use contact_types::{Grid, HeightMap};
+use contact_types::Grid;
 use std::error::Error;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
 /// Pixel \[m\].
 pub const PIXEL: f64 = 1e-6;
-/// Rms gradient by forward differences \[-\].
-pub const GRADIENT: f64 = 0.1;
 
 /// Heights of a map, row by row.
 pub type Heights = Result<Vec<f64>, Box<dyn Error>>;
@@ -127,25 +125,9 @@ pub fn softmin(z: f64, level: f64, width: f64) -> f64 {
     level - width * softplus
 }
 
-/// A triangular wave: 1 at whole phases, 0 halfway.
-pub fn triangle(phase: f64) -> f64 {
-    2.0 * (phase.rem_euclid(1.0) - 0.5).abs()
-}
-
 /// Two fields, point by point.
 pub fn mix(a: &[f64], b: &[f64], f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| f(*a, *b)).collect()
-}
-
-/// The heights as a map with the rms gradient [`GRADIENT`].
-///
-/// # Errors
-/// Heights that make no map.
-pub fn scaled(heights: &[f64], n: usize) -> Result<HeightMap, Box<dyn Error>> {
-    let g = gradient(heights, n);
-    let mean = heights.iter().sum::<f64>() / heights.len() as f64;
-    let scaled = heights.iter().map(|h| (h - mean) * GRADIENT / g * PIXEL).collect();
-    Ok(HeightMap::new(Grid::new([n, n], [PIXEL, PIXEL])?, scaled)?)
 }
 
 /// Rms gradient by forward differences, heights and pixel in the same unit.
