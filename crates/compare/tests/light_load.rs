@@ -6,7 +6,7 @@
 use compare::{Inputs, find};
 use contact_types::Grid;
 use contact_types::{ContactModulus, SpectralMoments};
-use fft_bem_solver::{BOUNDARY_CORRECTION, Load, Solver};
+use fft_bem_solver::{PERIMETER_CORRECTION, Load, Solver};
 use std::f64::consts::{PI, TAU};
 use surface_stats::spectrum::{PowerSpectrum, Window};
 use surface_stats::synthesis::{Scale, SelfAffine};
@@ -71,7 +71,7 @@ fn deterministic_slope_is_the_published_one() {
         let solution = solver.solve(&map, Load::MeanPressure(load * 1e10)).unwrap();
         let found = &solution.diagnostics;
         slopes.push(found.area_fraction_corrected / load);
-        bars.push(0.3 * BOUNDARY_CORRECTION * found.contact_perimeter / load);
+        bars.push(0.3 * PERIMETER_CORRECTION * found.contact_perimeter / load);
     }
     let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
     let (kappa, bar) = (mean(&slopes), mean(&bars));

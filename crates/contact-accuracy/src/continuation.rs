@@ -6,11 +6,6 @@ use surface_stats::clean::{resample, resample_mirrored};
 use surface_stats::spectrum::Window;
 use surface_stats::{Edges, StatsError};
 
-/// The window under which the waves of a map are looked at: none if it repeats; or the jump at its
-/// edges would count as waves.
-pub(crate) fn window_for(repeats: bool) -> Window {
-    if repeats { Window::None } else { Window::Hann }
-}
 
 /// The map on `shape` points: by its waves if it repeats, by its cosines otherwise, so that the jump
 /// at its edges does not ring.

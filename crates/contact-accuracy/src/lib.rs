@@ -1,34 +1,38 @@
 #![doc = include_str!("../README.md")]
 //!
 //! # What is where
-//! - [`budget`]: the error of area, gap, real pressure and stiffness, by source.
-//! - [`plan`]: the cheapest grid, precision and tolerance for an accuracy that is asked for.
-//! - [`TwiceFiner`]: bars where the map does not resolve its shortest waves, from a finer grid.
-//! - [`EdgeShare`] and [`edge_study`]: what a map that does not repeat does at its edges.
-//!
-//! Every constant comes from studies of many surfaces, which the book shows. Results are numbers
-//! and reasons; words for them are found elsewhere.
+//! - [`Ladder`]: solves a load on a map, on every second point of it, and where needed on twice the points.
+//! - [`Budget`]: the numbers of a solution with their [uncertainties](Estimate), by source.
+//! - [`climb`]: up the ladder until the area is known as well as it is asked for.
+//! - [`EdgeShare`]: what stands at the edge of a map.
 
-pub mod budget;
+mod budget;
+mod climb;
+mod coarser;
 mod continuation;
 mod edge_share;
-pub mod edge_study;
-mod monotone;
-pub mod plan;
-mod refinement;
-mod ringing;
+mod estimate;
+mod indicator;
+mod ladder;
+mod request;
+mod sampling;
 mod table;
+mod uncertainty;
 
-pub use budget::{AreaAccuracy, Budget, Estimate, Map, NoAreaInterval};
+pub use budget::{Budget, Given, Map, RealPressure};
+pub use climb::{Aim, ClimbError, Next, Reached, Sink, Task, Unmet, climb};
+pub use coarser::{Coarser, FEWEST, Numbers, thinned};
 pub use contact_types::{ContactModulus, Grid, HeightMap};
 pub use continuation::regrid;
 pub use edge_share::EdgeShare;
+pub use estimate::{Estimate, NoUncertainty, Parts};
 pub use fft_bem_solver::{
-    BOUNDARY_CORRECTION, Boundary, Load, Maps, Method, Precision, Solution, Solver, SolverBuilder,
+    Boundary, Load, Maps, Method, PERIMETER_CORRECTION, Precision, Solution, Solver, SolverBuilder,
     SolverError,
 };
-pub use refinement::{NotRefined, TwiceFiner, fits};
+pub use indicator::{LIMIT as INDICATOR_LIMIT, indicator};
+pub use ladder::{Answered, Finer, Ladder, LadderError, Setup};
+pub use request::{BadRequest, Request};
 pub use surface_stats::StatsError;
 pub use table::{median, quantile, round_to_digits};
-
-// What the results of this crate are said with.
+pub use uncertainty::{Beside, iteration_of_area};

@@ -6,7 +6,7 @@ use crate::problem::Problem;
 use crate::simd::vectorised;
 use crate::tally::{Fields, tally};
 use crate::{
-    BOUNDARY_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, Yielded,
+    PERIMETER_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, Yielded,
     certificate, fields,
     solution::{Section, coarse},
 };
@@ -110,7 +110,7 @@ impl<T: Real> Engine<T> {
             seconds: run.clock.elapsed().as_secs_f64(),
             contact_pixels: found.contact as usize,
             contact_perimeter,
-            area_fraction_corrected: (area_fraction - BOUNDARY_CORRECTION * cut).max(least),
+            area_fraction_corrected: (area_fraction - PERIMETER_CORRECTION * cut).max(least),
             yielded,
             max_pressure: (found.largest * units.pressure).max(0.0).min(hardest),
             elastic_energy: 0.5 * work * units.pressure * units.height,

@@ -22,7 +22,7 @@
 #![warn(missing_debug_implementations)]
 
 mod assemble;
-mod boundary_correction;
+mod perimeter_correction;
 mod certificate;
 mod control;
 mod curve;
@@ -52,7 +52,7 @@ mod unknown_name;
 pub mod validation;
 mod yield_control;
 
-pub use boundary_correction::BOUNDARY_CORRECTION;
+pub use perimeter_correction::PERIMETER_CORRECTION;
 pub use contact_types::{
     Caveat, ContactModulus, ContactState, Elastic, Grid, HeightMap, ModelError, SurfaceError,
 };

@@ -171,8 +171,8 @@ pub struct Diagnostics {
     /// of the map is none: the body ends there, and no pixel is cut.
     pub contact_perimeter: f64,
     /// Area fraction corrected for the pixels cut by the contact line,
-    /// `A - (pi - 1 + ln 2)/24 S_d` (Yastrebov, Anciaux & Molinari 2017,
-    /// doi:10.1016/j.triboint.2017.04.023). Not below 0, nor below load over hardness. Edges of pixels at the hardness do not
+    /// `A - 0.1013 S_d` ([`PERIMETER_CORRECTION`](crate::PERIMETER_CORRECTION)).
+    /// Not below 0, nor below load over hardness. Edges of pixels at the hardness do not
     /// count.
     pub area_fraction_corrected: f64,
     /// What has yielded, if a hardness was given.

@@ -149,6 +149,16 @@ impl SolverBuilder {
         self
     }
 
+    /// The tolerance that was set.
+    pub fn has_tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// The precision that was set.
+    pub fn has_precision(&self) -> Precision {
+        self.precision
+    }
+
     /// Memory that a solver for this grid takes at its peak, the [maps](Self::maps) of one solution
     /// included (bytes); to a tenth.
     pub fn bytes(&self, grid: Grid) -> u128 {

@@ -8,7 +8,7 @@ use crate::words::plan as plan_words;
 use compare::{
     Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
 };
-use contact_accuracy::BOUNDARY_CORRECTION;
+use contact_accuracy::PERIMETER_CORRECTION;
 use contact_accuracy::plan::Outcome;
 use contact_types::{ContactState, ModelError};
 use serde_json::{Value, json};
@@ -131,7 +131,7 @@ fn refined(s: &SurfaceComparison) -> Value {
         json!({
             "mean_pressure": s.headline_pressure(),
             "area_fraction_corrected": f.area,
-            "contact_perimeter": f.correction / BOUNDARY_CORRECTION,
+            "contact_perimeter": f.correction / PERIMETER_CORRECTION,
             "mean_gap": f.gap,
             "seconds": s.refined_seconds,
             "loads": s.deterministic.iter().filter_map(|p| p.answer.as_ref()?.finer).count(),

@@ -11,7 +11,7 @@ use crate::words::pair::{bodies, lying, moments};
 use crate::words::plan as plan_words;
 use compare::{Body, FileOrigin, Origin, Recipe, Settings};
 use compare::{DeterministicAnswer, SurfaceComparison};
-use contact_accuracy::BOUNDARY_CORRECTION;
+use contact_accuracy::PERIMETER_CORRECTION;
 use contact_accuracy::plan::Outcome;
 use surface_stats::Level;
 
@@ -250,7 +250,7 @@ fn solver_words(page: &Page<'_>) -> String {
         answers().count(),
         significant(pairs, 3),
         duration(seconds),
-        significant(BOUNDARY_CORRECTION, 4)
+        significant(PERIMETER_CORRECTION, 4)
     )
 }
 

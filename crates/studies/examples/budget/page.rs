@@ -8,7 +8,7 @@ use crate::table::Table;
 use compare::budget::{Map, grid, iteration};
 use contact_accuracy::NoAreaInterval;
 use contact_types::Grid;
-use fft_bem_solver::BOUNDARY_CORRECTION;
+use fft_bem_solver::PERIMETER_CORRECTION;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs::{self, File};
@@ -87,7 +87,7 @@ fn cases<S: Surface>(table: &Table, surfaces: &[S]) -> Result<Vec<Case>, Box<dyn
 }
 
 fn corrected(table: &Table, row: usize, grid: &str) -> [f64; 2] {
-    let correction = BOUNDARY_CORRECTION * table.get(row, &format!("edges{grid}"));
+    let correction = PERIMETER_CORRECTION * table.get(row, &format!("edges{grid}"));
     [table.get(row, &format!("count{grid}")) - correction, correction]
 }
 

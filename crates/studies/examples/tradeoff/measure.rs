@@ -5,7 +5,7 @@ use compare::Inputs;
 use compare::{Comparison, Level, Registry, Settings, Surface, built_in, built_in_recipes};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
-    BOUNDARY_CORRECTION, HalfSpace, Iteration, Load, Method, Precision, Real, Solution, Solver,
+    PERIMETER_CORRECTION, HalfSpace, Iteration, Load, Method, Precision, Real, Solution, Solver,
     SolverError,
 };
 use std::error::Error;
@@ -199,7 +199,7 @@ fn truth(
     let solve = |map: &HeightMap| -> Outcome<[f64; 2]> {
         let mut solver = Solver::builder().tolerance(1e-10).build(map.grid(), modulus)?;
         let found = solver.solve(map, Load::MeanPressure(pressure))?.diagnostics;
-        Ok([found.area_fraction_corrected, BOUNDARY_CORRECTION * found.contact_perimeter])
+        Ok([found.area_fraction_corrected, PERIMETER_CORRECTION * found.contact_perimeter])
     };
     let ([before, _], [area, correction]) = (solve(half_way)?, solve(finest)?);
     Ok([area, (0.3 * correction).max((area - before).abs())])

@@ -1,6 +1,6 @@
 //! What is asked for, and what follows for the iteration.
 
-use crate::budget::iteration::area_error;
+use crate::uncertainty::iteration_of_area as area_error;
 use fft_bem_solver::Precision;
 
 /// Part of the request that the iteration may use up.

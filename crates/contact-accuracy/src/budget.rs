@@ -1,0 +1,184 @@
+//! The numbers of one deterministic solution with their uncertainties.
+
+use crate::coarser::Numbers;
+use crate::estimate::{Estimate, NoUncertainty};
+use crate::sampling::{Sampling, height_scatter};
+use crate::uncertainty::{Beside, Uncertain};
+use contact_types::HeightMap;
+use fft_bem_solver::{Boundary, End, Load, SetStiffness, Solution};
+
+/// What a map says of the answers on it before anything is solved. Made once per surface, in two passes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Map {
+    /// Whether opposite edges match.
+    pub repeats: bool,
+    /// Rms height (m).
+    pub rms_height: f64,
+    /// Relative standard error of the rms height over maps of the same surface.
+    pub height_scatter: f64,
+}
+
+impl Map {
+    /// Of a surface as it is solved.
+    pub fn of(surface: &HeightMap) -> Self {
+        let (mean, heights) = (surface.mean(), surface.heights());
+        let square = heights.iter().map(|h| (h - mean).powi(2)).sum::<f64>() / heights.len() as f64;
+        Self {
+            repeats: surface_stats::repeats(surface),
+            rms_height: square.sqrt(),
+            height_scatter: height_scatter(surface),
+        }
+    }
+}
+
+/// What was prescribed, so that it has no uncertainty.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub enum Given {
+    /// The mean pressure.
+    Load,
+    /// The mean gap.
+    Gap,
+}
+
+/// The numbers of one solution with their uncertainties.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Budget {
+    /// Whether the load or the gap was prescribed.
+    pub given: Given,
+    /// Load over nominal area (Pa).
+    pub mean_pressure: Estimate,
+    /// Area fraction, with the perimeter correction (-). Where the contact yields it is at least load over
+    /// hardness.
+    pub area: Estimate,
+    /// Mean gap (m).
+    pub mean_gap: Option<Estimate>,
+    /// Stiffness of the contact set (Pa/m), if it was asked for and there is one. Of elastic contact that is −dp/d(mean gap).
+    pub stiffness: Option<Estimate>,
+    /// [Interpolation-sensitivity indicator](crate::indicator) (-), if it was looked at.
+    pub indicator: Option<f64>,
+}
+
+impl Budget {
+    /// Of a solution and the set that was asked for its stiffness, on a map of which `map` tells.
+    pub fn of(
+        solution: &Solution,
+        set: Option<&SetStiffness>,
+        map: &Map,
+        beside: &Beside<'_>,
+    ) -> Self {
+        let found = &solution.diagnostics;
+        let load = solution.state.mean_pressure;
+        let uncertain = Uncertain::of(solution, map.rms_height);
+        let own = Numbers::of(solution, set);
+        // No pressure exceeds the hardness: on any grid the area is at least P/H.
+        let least = found.yielded.map_or(0.0, |yielded| (load / yielded.hardness).min(1.0));
+        let mut area = uncertain.area(own.area, least, beside);
+        if found.contact_pixels == 0 {
+            area.uncertainty = Err(NoUncertainty::NoContact);
+        }
+        let mut mean_gap = own.mean_gap.map(|gap| uncertain.gap(gap, &area, beside));
+        let residual = set.map_or(0.0, |set| set.residual);
+        let mut stiffness =
+            own.stiffness.map(|k| uncertain.stiffness(k, residual, &area, beside));
+        // An isolated contact is no sample of a surface that goes on.
+        let goes_on = found.boundary == Boundary::Periodic;
+        if let Some(found) = goes_on.then(|| Sampling::of(solution, map.height_scatter)).flatten() {
+            area.sampling = Some(found.area * area.value);
+            if let Some(gap) = &mut mean_gap {
+                gap.sampling = Some(found.gap * gap.value);
+            }
+            if let Some(k) = &mut stiffness {
+                k.sampling = Some(found.stiffness * k.value);
+            }
+        }
+        Self {
+            given: Given::Load,
+            mean_pressure: Estimate::exact(load),
+            area,
+            mean_gap,
+            stiffness,
+            indicator: None,
+        }
+    }
+
+    /// The same where `load` prescribed a gap: the gap is exact, the pressure is not.
+    #[must_use]
+    pub fn under(
+        mut self,
+        load: Load,
+        solution: &Solution,
+        map: &Map,
+        beside: &Beside<'_>,
+    ) -> Self {
+        let (Load::MeanGap(_), Some(gap)) = (load, self.mean_gap) else { return self };
+        let uncertain = Uncertain::of(solution, map.rms_height);
+        let mut pressure = uncertain.pressure(self.mean_pressure.value, &self.area, beside);
+        // By one sampling variability of the gap the load moves by as much as the gap falls per e-fold load: at
+        // least by the elastic energy over the load, while most is out of contact.
+        let fall = solution.diagnostics.elastic_energy / self.mean_pressure.value;
+        pressure.sampling = gap
+            .sampling
+            .filter(|_| fall > 0.0)
+            .map(|half| pressure.value * (half / fall).min(5.0).exp_m1());
+        self.area.sampling = match (self.area.sampling, pressure.sampling) {
+            (Some(half), Some(load)) if pressure.value > 0.0 => {
+                Some(half.hypot(self.area.value * load / pressure.value))
+            }
+            _ => None,
+        };
+        self.area.least = 0.0; // it moves with the load
+        self.mean_pressure = pressure;
+        self.mean_gap = Some(Estimate::exact(gap.value));
+        self.given = Given::Gap;
+        self
+    }
+
+    /// Of an iterate that missed its tolerance: the numbers, and why they have no uncertainty.
+    pub fn of_iterate(solution: &Solution, map: &Map) -> Self {
+        let why = match solution.diagnostics.end {
+            End::Rounding => NoUncertainty::AtRounding,
+            _ => NoUncertainty::NotConverged,
+        };
+        Self::of(solution, None, map, &Beside { coarser: Err(why), finer: None })
+    }
+
+    /// Mean real pressure, load over area, and its intervals; `None` if nothing touches.
+    pub fn real_pressure(&self) -> Option<RealPressure<'_>> {
+        (self.area.value > 0.0).then_some(RealPressure { budget: self })
+    }
+}
+
+/// Mean real pressure, load over area: its interval is that of the area, inverted.
+#[derive(Debug, Clone, Copy)]
+pub struct RealPressure<'a> {
+    budget: &'a Budget,
+}
+
+impl RealPressure<'_> {
+    /// The number (Pa).
+    pub fn value(self) -> f64 {
+        self.budget.mean_pressure.value / self.budget.area.value
+    }
+
+    /// `[low, high]` as the number of this map (Pa); infinite if the area may be 0.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn interval(self) -> Result<[f64; 2], NoUncertainty> {
+        self.budget.area.interval().map(|area| self.inverted(area))
+    }
+
+    /// `[low, high]` as a number of the surface (Pa).
+    pub fn prediction(self) -> Option<[f64; 2]> {
+        self.budget.area.prediction().map(|area| self.inverted(area))
+    }
+
+    fn inverted(self, [low, high]: [f64; 2]) -> [f64; 2] {
+        [high, low].map(|area| self.budget.mean_pressure.value / area)
+    }
+}

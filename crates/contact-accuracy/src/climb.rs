@@ -1,0 +1,294 @@
+//! Climbing the ladder until the area is known as well as it is asked for: every second point, the map, twice its
+//! points.
+
+use crate::budget::Map;
+use crate::coarser::{Coarser, thinned};
+use crate::indicator::LIMIT;
+use crate::ladder::{Answered, Finer, Ladder, LadderError, MOST, Setup};
+use crate::request::Request;
+use crate::regrid;
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::{Boundary, Iteration, Load, Precision, SolverError};
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// How well the area is to be known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Aim {
+    /// As it is at once: every second point of the map.
+    Fast,
+    /// On the first rung whose uncertainty is within this at every load.
+    Within(Request),
+}
+
+/// What is to be solved.
+#[derive(Debug, Clone)]
+pub struct Task<'a> {
+    /// Heights as given.
+    pub map: &'a HeightMap,
+    /// How to solve; an accuracy chooses tolerance and precision itself.
+    pub setup: Setup,
+    /// Mean pressures, rising, or mean gaps, falling.
+    pub loads: &'a [Load],
+    /// How well.
+    pub aim: Aim,
+    /// Whether the stiffness is asked for.
+    pub stiffness: bool,
+    /// Row of the map along which the solutions carry pressure and gap, if one; on another rung the row at its place.
+    pub section: Option<usize>,
+}
+
+/// Where the solutions go.
+pub trait Sink: Send {
+    /// A rung is begun. What was taken before was on a rung that is given up.
+    fn begin(&mut self, map: &HeightMap, known: &Map);
+
+    /// An iteration of the solver on the load of this index is done. `Break` ends everything.
+    fn iterated(&mut self, _index: usize, _now: &Iteration<'_>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    /// A load, by its index among the loads. `Break` ends everything.
+    fn take(&mut self, index: usize, result: Result<Answered, SolverError>) -> ControlFlow<()>;
+}
+
+/// Why nothing was solved to the end.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum ClimbError {
+    /// A rung could not be made.
+    #[error(transparent)]
+    Ladder(#[from] LadderError),
+    /// The sink broke off.
+    #[error("stopped")]
+    Stopped,
+}
+
+/// What the next rung would give.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Next {
+    /// Points `[ny, nx]`.
+    pub shape: [usize; 2],
+    /// Expected relative half width of the area: half of this one, as of a method of first order.
+    pub half_width: Option<f64>,
+    /// Expected time (s): in proportion to the points.
+    pub seconds: f64,
+}
+
+/// Why an accuracy is not met.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Unmet {
+    /// The first load that misses it.
+    pub first: Load,
+    /// How many do.
+    pub missed: usize,
+    /// Loads in all.
+    pub of: usize,
+    /// Relative half width there, or why there is none.
+    pub here: Result<f64, String>,
+    /// Whether the answer depends on what lies between the given points, which no finer rung says.
+    pub between_points: bool,
+}
+
+/// The rung that was reached.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Reached {
+    /// What was asked for; `None` for the fast answer.
+    pub request: Option<Request>,
+    /// True if every load is within the request.
+    pub met: bool,
+    /// The grid of the given map.
+    pub given: Grid,
+    /// The grid solved on.
+    pub grid: Grid,
+    /// Precision of the solver.
+    pub precision: Precision,
+    /// Tolerance of the solver.
+    pub tolerance: f64,
+    /// Widest relative half width of the area over the loads; `None` if a load has none.
+    pub half_width: Option<f64>,
+    /// Wall-clock time on all rungs (s).
+    pub seconds: f64,
+    /// The next rung; `None` if there is none.
+    pub next: Option<Next>,
+    /// Why the request is not met, if it is not.
+    pub unmet: Option<Unmet>,
+}
+
+impl Reached {
+    /// Points per side over those of the given map: ½, 1 or 2.
+    pub fn factor(&self) -> f64 {
+        self.given.pixel()[1] / self.grid.pixel()[1]
+    }
+}
+
+/// Solves every load on the lowest rung whose uncertainties are all within the request. Every second point is left at
+/// the first load that misses it. Twice the points are tried unless an answer depends on what lies between the
+/// given points, and given up again where they tell less than the map as it is.
+///
+/// # Errors
+/// [`ClimbError`]. A load that is not solved or a request that is not met is a result.
+pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, ClimbError> {
+    let start = Instant::now();
+    let grid = task.map.grid();
+    let possible = |factor: f64| match factor {
+        0.5 => Coarser::is_possible(grid) && Coarser::is_possible(half(grid)),
+        _ => grid.len() <= MOST && grid.shape().iter().all(|n| *n >= 4),
+    };
+    if possible(0.5) {
+        let low = attempt(task, 0.5, sink)?;
+        if task.aim == Aim::Fast || low.misses() == 0 {
+            return Ok(low.reached(task, Some(1.0), start));
+        }
+    }
+    let given = attempt(task, 1.0, sink)?;
+    let next = (possible(2.0) && !given.loads.iter().any(|l| l.between_points)).then_some(2.0);
+    if given.misses() == 0 || task.aim == Aim::Fast || next.is_none() {
+        return Ok(given.reached(task, next, start));
+    }
+    let high = attempt(task, 2.0, sink)?;
+    if high.misses() == 0 || high.widest() < given.widest() {
+        return Ok(high.reached(task, None, start));
+    }
+    Ok(attempt(task, 1.0, sink)?.reached(task, None, start))
+}
+
+/// The grid of every second point.
+fn half(grid: Grid) -> Grid {
+    let shape = grid.shape().map(|n| n.div_ceil(2));
+    Grid::new(shape, grid.pixel().map(|d| 2.0 * d)).unwrap_or(grid)
+}
+
+/// The loads on one rung.
+struct Attempt {
+    grid: Grid,
+    precision: Precision,
+    tolerance: f64,
+    loads: Vec<Outcome>,
+    seconds: f64,
+}
+
+/// A load on one rung.
+struct Outcome {
+    load: Load,
+    /// Relative half width of the area, or why there is none.
+    width: Result<f64, String>,
+    meets: bool,
+    between_points: bool,
+}
+
+/// Every load on one rung; of every second point until one misses the request.
+fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt, ClimbError> {
+    let begun = Instant::now();
+    let statistics = |source| ClimbError::Ladder(LadderError::Statistics(source));
+    let repeats =
+        Map::of(task.map).repeats && task.setup.boundary == Boundary::Periodic;
+    let map = match factor {
+        0.5 => thinned(task.map, [0, 0]).map_err(|e| statistics(e.into()))?,
+        2.0 => regrid(task.map, task.map.grid().shape().map(|n| 2 * n), repeats)
+            .map_err(statistics)?,
+        _ => task.map.clone(),
+    };
+    let grid = map.grid();
+    let section = task.section.map(|row| ((factor * row as f64) as usize).min(grid.shape()[0] - 1));
+    let mut builder = task.setup.builder.clone().section(section);
+    if let Aim::Within(request) = task.aim {
+        builder = builder.tolerance(request.tolerance()).precision(request.precision());
+    }
+    let (precision, tolerance) = (builder.has_precision(), builder.has_tolerance());
+    let finer = if factor < 1.0 || factor > 1.0 { Finer::Never } else { task.setup.finer };
+    let setup = Setup { builder, finer, ..task.setup.clone() };
+    let mut ladder = Ladder::new(map, setup)?;
+    ladder.follow_curve(task.loads.len());
+    sink.begin(ladder.map(), ladder.known());
+    let mut loads = Vec::new();
+    for (index, &load) in task.loads.iter().enumerate() {
+        let result = ladder.solve(load, task.stiffness, |now| sink.iterated(index, now));
+        if matches!(result, Err(SolverError::Stopped(_))) {
+            return Err(ClimbError::Stopped);
+        }
+        let outcome = Outcome::of(load, &result, task.aim);
+        let leaves = factor < 1.0 && !outcome.meets;
+        loads.push(outcome);
+        if leaves {
+            break;
+        }
+        if sink.take(index, result).is_break() {
+            return Err(ClimbError::Stopped);
+        }
+    }
+    Ok(Attempt { grid, precision, tolerance, loads, seconds: begun.elapsed().as_secs_f64() })
+}
+
+impl Outcome {
+    fn of(load: Load, result: &Result<Answered, SolverError>, aim: Aim) -> Self {
+        let area = result.as_ref().map_err(ToString::to_string).map(|found| found.budget.area);
+        let width = area.and_then(|area| {
+            let half = area.half_width().map_err(|why| why.to_string())?;
+            Ok(if half > 0.0 { half / area.value } else { 0.0 })
+        });
+        let within = |width: f64| match aim {
+            Aim::Fast => true,
+            Aim::Within(request) => width <= request.relative(),
+        };
+        let meets = match &width {
+            Ok(width) => within(*width),
+            Err(_) => aim == Aim::Fast,
+        };
+        let indicator = result.as_ref().ok().and_then(|found| found.budget.indicator);
+        Self { load, width, meets, between_points: indicator.is_some_and(|i| i > LIMIT) }
+    }
+}
+
+impl Attempt {
+    fn misses(&self) -> usize {
+        self.loads.iter().filter(|load| !load.meets).count()
+    }
+
+    /// Widest relative half width; infinite if a load has none.
+    fn widest(&self) -> f64 {
+        let width = |load: &Outcome| load.width.as_ref().map_or(f64::INFINITY, |w| *w);
+        self.loads.iter().map(width).fold(0.0, f64::max)
+    }
+
+    /// As the result, with the rung above of so many points per side over those of the map.
+    fn reached(self, task: &Task<'_>, above: Option<f64>, start: Instant) -> Reached {
+        let request = match task.aim {
+            Aim::Fast => None,
+            Aim::Within(request) => Some(request),
+        };
+        let half_width = Some(self.widest()).filter(|w| w.is_finite());
+        let next = above.map(|factor| {
+            let shape = task.map.grid().shape().map(|n| (factor * n as f64) as usize);
+            let points = (shape[0] * shape[1]) as f64 / self.grid.len() as f64;
+            Next {
+                shape,
+                half_width: half_width.map(|w| 0.5 * w),
+                seconds: points * self.seconds,
+            }
+        });
+        let missed = self.misses();
+        let first = self.loads.iter().find(|load| !load.meets);
+        let unmet = first.map(|load| Unmet {
+            first: load.load,
+            missed,
+            of: task.loads.len(),
+            here: load.width.clone(),
+            between_points: load.between_points,
+        });
+        Reached {
+            request,
+            met: missed == 0,
+            given: task.map.grid(),
+            grid: self.grid,
+            precision: self.precision,
+            tolerance: self.tolerance,
+            half_width,
+            seconds: start.elapsed().as_secs_f64(),
+            next,
+            unmet,
+        }
+    }
+}

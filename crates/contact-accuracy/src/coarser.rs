@@ -1,0 +1,133 @@
+//! The rung below: every second row and column of the map, solved at the same load.
+//!
+//! Points are left out, not averaged: an average takes gradients away, and the area with them. The map is
+//! thinned twice, from the first point and from the one diagonally beside it, since one choice alone may agree
+//! with the whole map by accident.
+
+use contact_types::{ContactModulus, Grid, HeightMap, SurfaceError};
+use fft_bem_solver::{
+    Answer, Iteration, Load, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
+};
+
+/// First row and column of each thinned map.
+const PHASES: [[usize; 2]; 2] = [[0, 0], [1, 1]];
+/// Fewest points along a side of a thinned map.
+pub const FEWEST: usize = 32;
+
+/// The numbers of one solution that an uncertainty is known of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Numbers {
+    /// Load over nominal area (Pa).
+    pub mean_pressure: f64,
+    /// Area fraction with the perimeter correction (-).
+    pub area: f64,
+    /// Mean gap (m); `None` where the boundary leaves it undefined.
+    pub mean_gap: Option<f64>,
+    /// Stiffness of the contact set (Pa/m), if it was asked for and there is one.
+    pub stiffness: Option<f64>,
+}
+
+impl Numbers {
+    /// Of a solution, with the stiffness of its contact set if that was asked for.
+    pub fn of(solution: &Solution, set: Option<&SetStiffness>) -> Self {
+        let stiffness = set.map(|set| set.per_area).filter(|k| *k > 0.0 && k.is_finite());
+        Self {
+            mean_pressure: solution.state.mean_pressure,
+            area: solution.diagnostics.area_fraction_corrected,
+            mean_gap: solution.state.mean_gap,
+            stiffness,
+        }
+    }
+}
+
+/// Every second row and column, from the row and column of `first` on; a profile keeps its one row.
+///
+/// # Errors
+/// [`SurfaceError`] if nothing is left.
+pub fn thinned(map: &HeightMap, first: [usize; 2]) -> Result<HeightMap, SurfaceError> {
+    let (shape, pixel) = (map.grid().shape(), map.grid().pixel());
+    let step = shape.map(|n| if n == 1 { 1 } else { 2 });
+    let first = [0, 1].map(|k| if step[k] == 1 { 0 } else { first[k] });
+    let count = [0, 1].map(|k| shape[k].saturating_sub(first[k]).div_ceil(step[k]));
+    let grid = Grid::new(count, [0, 1].map(|k| step[k] as f64 * pixel[k]))?;
+    let rows = (first[0]..shape[0]).step_by(step[0]);
+    let row = |iy: usize| {
+        map.heights()[iy * shape[1]..][..shape[1]].iter().skip(first[1]).step_by(step[1]).copied()
+    };
+    HeightMap::new(grid, rows.flat_map(row).collect())
+}
+
+/// Both thinned maps, ready to be solved.
+#[derive(Debug)]
+pub struct Coarser {
+    solvers: Vec<Solver>,
+}
+
+impl Coarser {
+    /// Whether maps on `grid` can be thinned: 32 points are left along each side (of a profile along its one).
+    pub fn is_possible(grid: Grid) -> bool {
+        let enough = |n: usize| n == 1 || n / 2 >= FEWEST;
+        grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
+    }
+
+    /// Thins `map`, to be solved as `builder` says.
+    ///
+    /// # Errors
+    /// [`SolverError`].
+    pub fn of(
+        map: &HeightMap,
+        builder: &SolverBuilder,
+        modulus: ContactModulus,
+    ) -> Result<Self, SolverError> {
+        let solver = |first| {
+            let map = thinned(map, first).map_err(|_| SolverError::NoSurface)?;
+            let mut solver = builder.clone().build(map.grid(), modulus)?;
+            solver.take_surface(map)?;
+            Ok(solver)
+        };
+        let solvers = PHASES.into_iter().map(solver).collect::<Result<_, SolverError>>()?;
+        Ok(Self { solvers })
+    }
+
+    /// That `loads` will follow, each close to the one before it.
+    pub fn follow_curve(&mut self, loads: usize) {
+        self.solvers.iter_mut().for_each(|solver| solver.follow_curve(loads));
+    }
+
+    /// The numbers of both at a load, each from where its last load ended.
+    ///
+    /// # Errors
+    /// [`SolverError`] of the first that is not solved.
+    pub fn solve<A: Answer>(
+        &mut self,
+        load: Load,
+        stiffness: bool,
+        mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
+    ) -> Result<Vec<Numbers>, SolverError> {
+        let one = |solver: &mut Solver| {
+            let solution = solver.solve_again_observed(load, &mut observer)?;
+            let set = stiffness.then(|| solver.contact_stiffness()).transpose()?;
+            Ok(Numbers::of(&solution, set.as_ref()))
+        };
+        self.solvers.iter_mut().map(one).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_second_point_is_kept_with_twice_the_pixel() {
+        let grid = Grid::new([5, 4], [1.0, 3.0]).unwrap();
+        let map = HeightMap::new(grid, (0..20).map(f64::from).collect()).unwrap();
+        let all = thinned(&map, [0, 0]).unwrap();
+        assert_eq!(all.grid(), Grid::new([3, 2], [2.0, 6.0]).unwrap());
+        assert_eq!(all.heights(), [0.0, 2.0, 8.0, 10.0, 16.0, 18.0]);
+        assert_eq!(thinned(&map, [1, 1]).unwrap().heights(), [5.0, 7.0, 13.0, 15.0]);
+        let profile = Grid::new([1, 5], [1.0, 1.0]).unwrap();
+        let profile = HeightMap::new(profile, vec![0.0, 1.0, 2.0, 3.0, 4.0]).unwrap();
+        assert_eq!(thinned(&profile, [1, 1]).unwrap().heights(), [1.0, 3.0]);
+    }
+}

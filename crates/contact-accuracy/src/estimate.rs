@@ -1,0 +1,133 @@
+//! A number and its uncertainty, by source.
+
+/// Why a number has no uncertainty.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum NoUncertainty {
+    /// Half the points are too few to be solved.
+    #[error(
+        "{} × {} points: an uncertainty takes at least {} along each side, since every second point is solved \
+         as well",
+        shape[0], shape[1], 2 * crate::FEWEST
+    )]
+    TooFewPoints {
+        /// Points of the map.
+        shape: [usize; 2],
+    },
+    /// Every second point could not be solved.
+    #[error("the map with every second point was not solved")]
+    CoarserNotSolved,
+    /// On another rung the number does not exist: no stiffness in full contact.
+    #[error("with every second point, or twice the points, the contact is full or empty")]
+    Undefined,
+    /// The iteration stopped too early.
+    #[error(
+        "the pressure is known to {residual:.1e} only; an uncertainty needs a tolerance of {limit:.0e}"
+    )]
+    TooLooselySolved {
+        /// Estimated relative rms error of the pressure.
+        residual: f64,
+        /// What it must not exceed.
+        limit: f64,
+    },
+    /// The iterations ran out.
+    #[error("the solver did not converge")]
+    NotConverged,
+    /// Rounding kept the iteration from its tolerance.
+    #[error("rounding stopped the solver before its tolerance")]
+    AtRounding,
+    /// Nothing touches.
+    #[error("nothing touches")]
+    NoContact,
+    /// Nobody asked for it.
+    #[error("not asked for")]
+    NotAsked,
+}
+
+/// What makes an uncertainty: half widths in the unit of the number.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Parts {
+    /// From what halving the points moves.
+    pub coarser: f64,
+    /// What the contact line leaves: of the area a part of its perimeter correction, of the others what the
+    /// uncertainty of the area brings.
+    pub contact_line: f64,
+    /// Chance of points to fall inside the contact line.
+    pub counting: f64,
+    /// From what doubling the points moves, where that was solved.
+    pub finer: f64,
+    /// Left by stopping the iteration.
+    pub iteration: f64,
+}
+
+impl Parts {
+    /// Half width: the root of the squares, and the iteration on top.
+    pub fn half_width(&self) -> f64 {
+        let squares = [self.coarser, self.contact_line, self.counting, self.finer];
+        squares.into_iter().fold(0.0, f64::hypot) + self.iteration
+    }
+}
+
+/// A number with its uncertainty.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// Its uncertainty as the number of this map, or why there is none.
+    pub uncertainty: Result<Parts, NoUncertainty>,
+    /// Sampling variability: 95 % half width over maps of the same surface, if this map can tell.
+    pub sampling: Option<f64>,
+    /// Smallest value that it can have.
+    pub(crate) least: f64,
+    /// Largest value that it can have.
+    pub(crate) most: f64,
+}
+
+impl Estimate {
+    pub(crate) fn above_zero(value: f64, uncertainty: Result<Parts, NoUncertainty>) -> Self {
+        Self { value, uncertainty, sampling: None, least: 0.0, most: f64::INFINITY }
+    }
+
+    /// A number that was prescribed.
+    pub(crate) fn exact(value: f64) -> Self {
+        Self { sampling: Some(0.0), ..Self::above_zero(value, Ok(Parts::default())) }
+    }
+
+    /// Half width of the uncertainty as the number of this map.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn half_width(&self) -> Result<f64, NoUncertainty> {
+        Ok(self.uncertainty?.half_width())
+    }
+
+    /// The same as a number of the surface, of which the map is a sample. The sampling variability is independent
+    /// of the rest: squares add.
+    pub fn prediction_half_width(&self) -> Option<f64> {
+        Some(self.half_width().ok()?.hypot(self.sampling?))
+    }
+
+    /// `[low, high]` as the number of this map.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn interval(&self) -> Result<[f64; 2], NoUncertainty> {
+        Ok(self.around(self.half_width()?))
+    }
+
+    /// `[low, high]` as a number of the surface.
+    pub fn prediction(&self) -> Option<[f64; 2]> {
+        Some(self.around(self.prediction_half_width()?))
+    }
+
+    fn around(&self, half: f64) -> [f64; 2] {
+        // Rounding may leave a number just below the least, where no end may follow.
+        let low = (self.value - half).max(self.least).min(self.most);
+        [low, (self.value + half).min(self.most).max(low)]
+    }
+}

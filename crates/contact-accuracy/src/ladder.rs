@@ -1,0 +1,255 @@
+//! The one procedure: a load on a map, on every second point of it, and, where the answer depends on what lies
+//! between the points, on twice as many.
+
+use crate::budget::{Budget, Map};
+use crate::coarser::{Coarser, Numbers};
+use crate::estimate::NoUncertainty;
+use crate::indicator::{LIMIT, indicator};
+use crate::regrid;
+use crate::uncertainty::Beside;
+use contact_types::{ContactModulus, Grid, HeightMap};
+use fft_bem_solver::{
+    Answer, Boundary, Iteration, Load, Maps, SetStiffness, Solution, Solver, SolverBuilder,
+    SolverError,
+};
+use std::time::Instant;
+use surface_stats::clean::mirrored;
+use surface_stats::StatsError;
+
+/// Relative uncertainty of the area above which twice the points are solved.
+const WIDE: f64 = 0.2;
+/// Most points of a map that is solved on twice the points along each side without being asked: 1024 × 1024.
+const MOST_UNASKED: usize = 1 << 20;
+/// Most points of one that is asked for: 64 million on the finer grid.
+pub(crate) const MOST: usize = 1 << 24;
+
+/// When a load is also solved on twice the points along each side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Finer {
+    /// Never.
+    Never,
+    /// Where the indicator exceeds its limit or the uncertainty 20 %, on maps of up to 1024² points.
+    #[default]
+    WhenNeeded,
+    /// Where the same is so, on maps of up to 4096² points.
+    Asked,
+}
+
+/// How to solve.
+#[derive(Debug, Clone)]
+pub struct Setup {
+    /// Settings of the solver.
+    pub builder: SolverBuilder,
+    /// What lies beyond the edges.
+    pub boundary: Boundary,
+    /// Whether the map is continued by its mirror images rather than by itself.
+    pub mirrored: bool,
+    /// Contact modulus.
+    pub modulus: ContactModulus,
+    /// When a load is solved on twice the points.
+    pub finer: Finer,
+}
+
+/// A map with the rungs beside it, to be solved at one load after the other.
+#[derive(Debug)]
+pub struct Ladder {
+    setup: Setup,
+    known: Map,
+    /// The map as it was given.
+    given: HeightMap,
+    /// With its mirror images, if those were asked for.
+    whole: Option<HeightMap>,
+    solver: Solver,
+    coarser: Result<Coarser, NoUncertainty>,
+    finer: Option<Solver>,
+}
+
+/// A load that was solved for.
+#[derive(Debug)]
+pub struct Answered {
+    /// On the map.
+    pub solution: Solution,
+    /// Its contact set, if that was asked for its stiffness.
+    pub set: Option<SetStiffness>,
+    /// The numbers with their uncertainties.
+    pub budget: Budget,
+    /// On the thinned maps.
+    pub coarser: Vec<Numbers>,
+    /// On twice the points, if that was needed.
+    pub finer: Option<Numbers>,
+    /// Time on the thinned maps, and on twice the points (s).
+    pub seconds: [f64; 2],
+}
+
+impl Ladder {
+    /// Makes the rungs of `map`.
+    ///
+    /// # Errors
+    /// [`LadderError`].
+    pub fn new(map: HeightMap, setup: Setup) -> Result<Self, LadderError> {
+        let known = Map::of(&map);
+        let whole = setup.mirrored.then(|| mirrored(&map)).transpose()?;
+        let builder = setup.builder.clone().boundary(setup.boundary);
+        let surface = whole.as_ref().unwrap_or(&map);
+        let solver = builder.clone().build(surface.grid(), setup.modulus)?;
+        let grid = map.grid();
+        let coarser = if Coarser::is_possible(grid) {
+            Ok(Coarser::of(surface, &builder.maps(Maps::None).certified(false), setup.modulus)?)
+        } else {
+            Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
+        };
+        Ok(Self { setup, known, given: map, whole, solver, coarser, finer: None })
+    }
+
+    /// What the map says before anything is solved.
+    pub fn known(&self) -> &Map {
+        &self.known
+    }
+
+    /// The map as it was given.
+    pub fn map(&self) -> &HeightMap {
+        &self.given
+    }
+
+    /// That `loads` will follow, each close to the one before it.
+    pub fn follow_curve(&mut self, loads: usize) {
+        self.solver.follow_curve(loads);
+        if let Ok(coarser) = &mut self.coarser {
+            coarser.follow_curve(loads);
+        }
+    }
+
+    /// Solves for a load from where the last one ended, with the stiffness of the contact set if that is asked for.
+    ///
+    /// # Errors
+    /// [`SolverError`] of the map itself, its iterate on the map as it was given; [`SolverError::Stopped`] also
+    /// where the observer stops a thinned map.
+    pub fn solve<A: Answer>(
+        &mut self,
+        load: Load,
+        stiffness: bool,
+        mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
+    ) -> Result<Answered, SolverError> {
+        let clock = Instant::now();
+        let coarser = match &mut self.coarser {
+            Ok(coarser) => match coarser.solve(load, stiffness, &mut observer) {
+                Ok(numbers) => Ok(numbers),
+                Err(SolverError::Stopped(last)) => return Err(SolverError::Stopped(last)),
+                Err(_) => Err(NoUncertainty::CoarserNotSolved),
+            },
+            Err(why) => Err(*why),
+        };
+        let coarse_seconds = clock.elapsed().as_secs_f64();
+        let surface = self.whole.as_ref().unwrap_or(&self.given);
+        let grid = self.given.grid();
+        let solution =
+            on_given(self.solver.solve_observed(surface, load, &mut observer), grid)?;
+        let set = stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
+        let set = set.as_ref();
+        let beside = Beside { coarser: coarser.as_deref().map_err(|why| *why), finer: None };
+        let budget = |beside: &Beside<'_>, known: &Map| {
+            Budget::of(&solution, set, known, beside).under(load, &solution, known, beside)
+        };
+        let mut found = budget(&beside, &self.known);
+        let repeats = self.known.repeats && self.setup.boundary == Boundary::Periodic;
+        found.indicator =
+            indicator(&self.given, repeats, &solution.pressure, self.setup.modulus);
+        let clock = Instant::now();
+        let mut finer = None;
+        if self.needs_finer(&found) {
+            finer = self.on_finer(load, stiffness, observer);
+            let beside = Beside { finer: finer.as_ref(), ..beside };
+            found = Budget { indicator: found.indicator, ..budget(&beside, &self.known) };
+        }
+        let seconds = [coarse_seconds, clock.elapsed().as_secs_f64()];
+        let (set, coarser) = (set.cloned(), coarser.unwrap_or_default());
+        Ok(Answered { solution, set, budget: found, coarser, finer, seconds })
+    }
+
+    fn needs_finer(&self, budget: &Budget) -> bool {
+        let most = match self.setup.finer {
+            Finer::Never => 0,
+            Finer::WhenNeeded => MOST_UNASKED,
+            Finer::Asked => MOST,
+        };
+        let sensitive = budget.indicator.is_some_and(|indicator| indicator > LIMIT);
+        let wide = budget.area.half_width().is_ok_and(|half| half > WIDE * budget.area.value);
+        let [ny, nx] = self.given.grid().shape();
+        (sensitive || wide) && ny.min(nx) >= 4 && self.given.grid().len() <= most
+    }
+
+    /// The numbers of the map on twice the points along each side: by its Fourier components if it repeats, by its
+    /// cosines otherwise. None if they cannot be had: the answer stands without.
+    fn on_finer<A: Answer>(
+        &mut self,
+        load: Load,
+        stiffness: bool,
+        observer: impl FnMut(&Iteration<'_>) -> A + Send,
+    ) -> Option<Numbers> {
+        if self.finer.is_none() {
+            let repeats = self.known.repeats && self.setup.boundary == Boundary::Periodic;
+            let shape = self.given.grid().shape().map(|n| 2 * n);
+            let mut map = regrid(&self.given, shape, repeats).ok()?;
+            if self.whole.is_some() {
+                map = mirrored(&map).ok()?;
+            }
+            let Setup { builder, boundary, modulus, .. } = &self.setup;
+            let builder = builder.clone().boundary(*boundary).maps(Maps::None).certified(false);
+            let mut solver = builder.section(None).build(map.grid(), *modulus).ok()?;
+            solver.take_surface(map).ok()?;
+            self.finer = Some(solver);
+        }
+        let solver = self.finer.as_mut()?;
+        let solution = solver.solve_again_observed(load, observer).ok()?;
+        let set = stiffness.then(|| solver.contact_stiffness()).transpose().ok()?;
+        Some(Numbers::of(&solution, set.as_ref()))
+    }
+}
+
+/// Why a map has no rungs.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum LadderError {
+    /// Its mirror images are too many points.
+    #[error(transparent)]
+    Statistics(#[from] StatsError),
+    /// The solver refuses the settings.
+    #[error(transparent)]
+    Solver(#[from] SolverError),
+}
+
+/// The part of an answer that belongs to the map on `given`, if that is a quarter of what was solved; the answer
+/// itself otherwise. Fields are those of the map. Area, contact line, gap, load and residuals are per pixel, means
+/// over the map and its images; the edges of the map are no contact lines, for each pixel there faces its own
+/// image.
+fn on_given(
+    result: Result<Solution, SolverError>,
+    given: Grid,
+) -> Result<Solution, SolverError> {
+    let quarter = |mut solution: Solution| {
+        if solution.grid.len() != 4 * given.len() {
+            return solution;
+        }
+        solution.grid = given;
+        let [ny, nx] = given.shape();
+        for field in [&mut solution.pressure, &mut solution.gap] {
+            if field.len() == 4 * given.len() {
+                let rows = field.chunks_exact(2 * nx).take(ny);
+                *field = rows.flat_map(|row| row[..nx].iter().copied()).collect();
+            }
+        }
+        if let Some(section) = &mut solution.section {
+            section.pressure.truncate(nx);
+            section.gap.truncate(nx);
+        }
+        // Rounded: the images may differ by what the iteration left.
+        solution.diagnostics.contact_pixels = (solution.diagnostics.contact_pixels + 2) / 4;
+        solution
+    };
+    let boxed = |solution: Box<Solution>| Box::new(quarter(*solution));
+    result.map(quarter).map_err(|error| match error {
+        SolverError::NotConverged(best) => SolverError::NotConverged(boxed(best)),
+        SolverError::Rounding(best) => SolverError::Rounding(boxed(best)),
+        SolverError::Stopped(last) => SolverError::Stopped(boxed(last)),
+        error => error,
+    })
+}

@@ -1,0 +1,129 @@
+//! Sampling variability: how far the numbers of another map of the same surface would lie.
+//!
+//! The solution is cut into 8 × 8 blocks. `n` of them carry the load, (Σ load)² over Σ load². The mean gap has a
+//! standard error `b` by its blocks, the rms height one `h` by the long waves of its square. Relative 95 % half
+//! widths are
+//!
+//! ```math
+//! r_A = \sqrt{(0.96/\sqrt n)^2 + (0.54 h)^2}, \quad r_G = \sqrt{(3.1 b)^2 + (1.7 h)^2}, \quad
+//! r_K = \sqrt{(1.4/\sqrt n)^2 + (3.7 b)^2}
+//! ```
+//!
+//! and `r + r²/2` to the upper side, as for a count (Garwood 1936, doi:10.1093/biomet/28.3-4.437).
+
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::Solution;
+use std::f64::consts::TAU;
+
+/// Blocks along each side.
+const BLOCKS: usize = 8;
+/// Of the area over `1/√n` and `h`.
+const AREA: [f64; 2] = [0.96, 0.54];
+/// Of the gap over `b` and `h`.
+const GAP: [f64; 2] = [3.1, 1.7];
+/// Of the stiffness over `1/√n` and `b`.
+const STIFFNESS: [f64; 2] = [1.4, 3.7];
+
+/// Relative 95 % half widths of area, mean gap and stiffness over maps of the same surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sampling {
+    pub(crate) area: f64,
+    pub(crate) gap: f64,
+    pub(crate) stiffness: f64,
+}
+
+impl Sampling {
+    /// Of a solution on a map whose rms height has this relative standard error; `None` if the pressure is not
+    /// there, nothing touches, or a block has no point.
+    pub(crate) fn of(solution: &Solution, height: f64) -> Option<Self> {
+        let n = carrying(&solution.pressure, solution.grid)?;
+        let b = gap_scatter(&solution.coarse_gap, solution.coarse_grid())?;
+        let half = |[x, y]: [f64; 2]| {
+            let r = x.hypot(y);
+            r + 0.5 * r * r
+        };
+        Some(Self {
+            area: half([AREA[0] / n.sqrt(), AREA[1] * height]),
+            gap: half([GAP[0] * b, GAP[1] * height]),
+            stiffness: half([STIFFNESS[0] / n.sqrt(), STIFFNESS[1] * b]),
+        })
+    }
+}
+
+/// Sums of a field over the blocks, and its points there.
+fn blocks(field: &[f64], grid: Grid) -> Option<Vec<[f64; 2]>> {
+    let [ny, nx] = grid.shape();
+    if field.len() != grid.len() || ny.min(nx) < BLOCKS {
+        return None;
+    }
+    let mut sums = vec![[0.0; 2]; BLOCKS * BLOCKS];
+    for (iy, row) in field.chunks_exact(nx).enumerate() {
+        let blocks = &mut sums[iy * BLOCKS / ny * BLOCKS..][..BLOCKS];
+        for (column, [sum, points]) in blocks.iter_mut().enumerate() {
+            let [from, to] = [column, column + 1].map(|c| (c * nx).div_ceil(BLOCKS));
+            *sum += row[from..to].iter().sum::<f64>();
+            *points += (to - from) as f64;
+        }
+    }
+    Some(sums)
+}
+
+/// How many blocks carry the load.
+fn carrying(pressure: &[f64], grid: Grid) -> Option<f64> {
+    let loads: Vec<f64> = blocks(pressure, grid)?.iter().map(|[sum, _]| sum.max(0.0)).collect();
+    let (sum, squares) = loads.iter().fold((0.0, 0.0), |(s, q), l| (s + l, q + l * l));
+    (squares > 0.0).then(|| sum * sum / squares)
+}
+
+/// Relative standard error of the mean gap by its blocks; 0 in full contact.
+fn gap_scatter(gap: &[f64], grid: Grid) -> Option<f64> {
+    let means: Vec<f64> = blocks(gap, grid)?.iter().map(|[sum, points]| sum / points).collect();
+    let n = means.len() as f64;
+    let mean = means.iter().sum::<f64>() / n;
+    let square = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (n - 1.0);
+    Some(if mean > 0.0 { (square / n).sqrt() / mean } else { 0.0 })
+}
+
+/// Relative standard error of the rms height over maps of the same surface: the variance of the mean of a field over
+/// a map is its power at long waves, here of `h²` at the twelve longest. Widened by Student's quantile, since they
+/// are few.
+pub(crate) fn height_scatter(surface: &HeightMap) -> f64 {
+    const LONGEST: [[usize; 2]; 6] = [[0, 1], [0, 2], [1, 0], [2, 0], [1, 1], [1, 2]];
+    let [ny, nx] = surface.grid().shape();
+    let mean = surface.mean();
+    let turns = |n: usize| -> Vec<[f64; 2]> {
+        (0..n).map(|i| (TAU * i as f64 / n as f64).sin_cos().into()).collect()
+    };
+    let (along_y, along_x) = (turns(ny), turns(nx));
+    let mut sums = [[0.0; 2]; 6]; // of h² exp(i q x)
+    let mut all = 0.0;
+    for (iy, row) in surface.heights().chunks_exact(nx).enumerate() {
+        // Of this row at 0, 1 and 2 periods.
+        let mut periods = [[0.0; 2]; 3];
+        for (ix, h) in row.iter().enumerate() {
+            let square = (h - mean).powi(2);
+            periods[0][0] += square;
+            for k in [1, 2] {
+                let [sin, cos] = along_x[k * ix % nx];
+                periods[k] = [periods[k][0] + square * cos, periods[k][1] + square * sin];
+            }
+        }
+        all += periods[0][0];
+        for ([ky, kx], sum) in LONGEST.iter().zip(&mut sums) {
+            let ([sin, cos], [re, im]) = (along_y[ky * iy % ny], periods[*kx]);
+            *sum = [sum[0] + re * cos - im * sin, sum[1] + re * sin + im * cos];
+        }
+    }
+    if all <= 0.0 {
+        return 0.0;
+    }
+    let power = sums.iter().map(|[re, im]| (re * re + im * im) / (all * all)).sum::<f64>();
+    let h = 0.5 * (power / LONGEST.len() as f64).sqrt(); // a root scatters by half of what is under it
+    h * students(1.0 / (8.0 * h * h))
+}
+
+/// Student's quantile over the normal one at 97.5 %, in its expansion for many degrees of freedom
+/// (Abramowitz & Stegun 26.7.5).
+fn students(freedom: f64) -> f64 {
+    1.0 + (1.21 + 1.44 / freedom) / freedom
+}
