@@ -16,7 +16,7 @@ enum Also {
 }
 
 /// Studies whose pages follow from committed tables, which takes seconds: no page may stay behind its table.
-const PAGES: [&str; 3] = ["budget", "sample", "tradeoff"];
+const PAGES: [&str; 1] = ["tradeoff"];
 
 fn run_all(also: Also) -> TaskResult {
     let mut steps = vec![

@@ -2,7 +2,6 @@
 #![allow(clippy::print_stdout, reason = "a command-line tool prints")]
 
 mod bench;
-mod budget;
 mod ci;
 mod circles;
 mod compare;
@@ -16,7 +15,6 @@ mod figures;
 mod generated;
 mod licences;
 mod release;
-mod sample;
 mod shell;
 mod strangers;
 mod surfaces;
@@ -41,10 +39,6 @@ Usage: cargo xtask <task> [options]
   bench [ARGS]              the benchmarks; their table into the book
   surfaces --dir DIR --expected FILE
                             files of instruments against expected values, one line each
-  budget [--check]          how often the stated error bars held; tables, figure, page
-                            (half an hour, resumable)
-  sample [--check]          how often the finite sample held on unkind surfaces: scratches, few hills,
-                            crops; table, page (a few minutes, resumable)
   tradeoff [--quick | --figures-only | --check]
                             time against true error, models and solver; table, figures, page
                             (under 10 minutes; wants a quiet machine)
@@ -77,10 +71,8 @@ fn main() -> ExitCode {
         "features" => features::run(rest),
         "strangers" => strangers::run(rest),
         "bench" => bench::run(rest),
-        "budget" => budget::run(rest),
         "release" if rest == ["--notes"] => release::print_notes(),
         "release" => release::run(rest),
-        "sample" => sample::run(rest),
         "surfaces" => surfaces::run(rest),
         "licences" => licences::run(rest),
         "tradeoff" => tradeoff::run(rest),

@@ -6,7 +6,6 @@ mod complete;
 mod conduction;
 mod documents;
 mod failure;
-mod finer;
 mod hardness;
 mod info;
 mod iso;
@@ -33,7 +32,6 @@ pub use documents::{
     DOCUMENTS, PROFILE_DOCUMENTS, documents, profile_documents, profile_documents_named,
 };
 pub use failure::{Failure, variant};
-pub use finer::Refined;
 pub use hardness::doubt as hardness_doubt;
 pub use info::info;
 pub use iso::Iso;

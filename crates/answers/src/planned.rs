@@ -1,28 +1,24 @@
-//! Grid, precision and tolerance chosen for an accuracy.
+//! The rung that an accuracy asks for.
 
+use crate::conduction::Conduction;
 use crate::failure::Failure;
 use crate::loads::rising;
 use crate::watch::Watch;
 use crate::work::Work;
-use compare::Method;
-use compare::budget::{Budget, Map};
-use compare::plan::{self, Outcome, PlanError, Request, Sink, Task};
+use compare::Reached;
+use contact_accuracy::{Aim, Answered, ClimbError, Map, Setup, Sink, Task, climb};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solution, SolverError};
+use fft_bem_solver::{Iteration, Load, SolverError};
 use report::plan_reason;
 use std::ops::ControlFlow;
 
 /// What is to be solved, and how well.
 pub(crate) struct Asked<'a> {
     pub(crate) surface: &'a HeightMap,
-    pub(crate) known: &'a Map,
-    pub(crate) boundary: Boundary,
-    pub(crate) modulus: ContactModulus,
-    pub(crate) request: Request,
-    pub(crate) method: Method,
-    pub(crate) certified: bool,
-    pub(crate) maps: Maps,
-    pub(crate) threads: usize,
+    pub(crate) setup: Setup,
+    pub(crate) aim: Aim,
+    /// What the contact conducts, where its stiffness is asked for.
+    pub(crate) conduction: Option<&'a Conduction>,
 }
 
 impl Asked<'_> {
@@ -32,28 +28,29 @@ impl Asked<'_> {
         loads: &[Load],
         work: &mut Work,
         watch: &mut dyn Watch,
-    ) -> Result<Option<Outcome>, Failure> {
+    ) -> Result<Option<Reached>, Failure> {
         let order = rising(loads);
         let risen: Vec<Load> = order.iter().map(|&i| loads[i]).collect();
+        let setup = self.setup.clone();
+        let modulus = setup.modulus;
         let task = Task {
             map: self.surface,
-            known: self.known,
-            modulus: self.modulus,
+            setup,
             loads: &risen,
-            boundary: self.boundary,
-            request: self.request,
-            method: self.method,
-            certified: self.certified,
-            maps: self.maps,
+            aim: self.aim,
+            stiffness: self.conduction.is_some(),
             section: None,
-            threads: self.threads,
         };
-        let mut to = ToWork { loads, order: &order, work, watch };
-        match plan::run(&task, &mut to) {
-            Ok(outcome) => Ok(Some(outcome)),
-            Err(PlanError::Stopped) => Ok(None),
-            Err(PlanError::Statistics(e)) => Err(Failure::from_error(&e)),
-            Err(PlanError::Solver(e)) => Err(Failure::from_error(&e)),
+        let area = self.surface.grid().area();
+        let conduction = self.conduction.map(|c| (c, modulus, area));
+        let (known, trouble) = (None, None);
+        let mut to = ToWork { loads, order: &order, work, watch, conduction, known, trouble };
+        let reached = climb(&task, &mut to);
+        match (to.trouble, reached) {
+            (Some(failure), _) => Err(failure),
+            (None, Ok(reached)) => Ok(Some(reached)),
+            (None, Err(ClimbError::Stopped)) => Ok(None),
+            (None, Err(ClimbError::Ladder(e))) => Err(Failure::from_error(&e)),
         }
     }
 }
@@ -64,10 +61,14 @@ struct ToWork<'a> {
     order: &'a [usize],
     work: &'a mut Work,
     watch: &'a mut dyn Watch,
+    conduction: Option<(&'a Conduction, ContactModulus, f64)>,
+    known: Option<Map>,
+    trouble: Option<Failure>,
 }
 
 impl Sink for ToWork<'_> {
-    fn begin(&mut self, map: &HeightMap) {
+    fn begin(&mut self, map: &HeightMap, known: &Map) {
+        self.known = Some(*known);
         self.work.begin(map.grid());
         self.watch.begin(map.grid(), self.loads.len());
     }
@@ -77,26 +78,26 @@ impl Sink for ToWork<'_> {
         self.watch.iterated(place, self.loads[place], now)
     }
 
-    fn take(
-        &mut self,
-        index: usize,
-        result: Result<Solution, SolverError>,
-        budget: Option<Budget>,
-    ) -> ControlFlow<()> {
+    fn take(&mut self, index: usize, result: Result<Answered, SolverError>) -> ControlFlow<()> {
         let place = self.order[index];
         let load = self.loads[place];
-        self.work.take(place, load, result, budget.as_ref(), None, self.watch);
+        let Some(known) = self.known else { return ControlFlow::Break(()) };
+        if let Err(failure) =
+            self.work.take(place, load, result, &known, self.conduction, self.watch)
+        {
+            self.trouble = Some(failure);
+            return ControlFlow::Break(());
+        }
         self.watch.done(load);
         ControlFlow::Continue(())
     }
 }
 
-/// A request that is not met ends with exit status 1; `way_out` stands behind it.
-pub fn unmet(surface: &str, outcome: &Outcome, way_out: &str) -> Option<Failure> {
-    let reason = plan_reason(outcome)?;
-    let percent = 100.0 * outcome.request.relative();
+/// A request that is not met ends with exit status 1.
+pub fn unmet(surface: &str, reached: &Reached) -> Option<Failure> {
+    let reason = plan_reason(reached)?;
+    let percent = 100.0 * reached.request?.relative();
     let of = if surface.is_empty() { String::new() } else { format!("{surface}: ") };
-    let message =
-        format!("{of}an accuracy of {percent} % of the area is not met: {reason}{way_out}");
+    let message = format!("{of}an accuracy of {percent} % of the area is not met: {reason}");
     Some(Failure::incomplete("accuracy_not_met", message))
 }

@@ -2,9 +2,9 @@
 
 use crate::conduction::Conducted;
 use crate::failure::variant;
-use crate::finer::Refined;
 use crate::hardness;
-use compare::budget::Budget;
+use compare::Budget;
+use contact_accuracy::{Answered, Map, Numbers};
 use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};
 
@@ -21,8 +21,8 @@ pub struct Point {
     pub solution: Option<Solution>,
     /// The errors of its numbers.
     pub budget: Option<Budget>,
-    /// What a twice finer grid says of it.
-    pub refined: Option<Refined>,
+    /// Its numbers on twice the points, if they were solved.
+    pub finer: Option<Numbers>,
     /// What it conducts, if that was asked for.
     pub conducted: Option<Conducted>,
     /// True if it was solved to the tolerance.
@@ -30,26 +30,46 @@ pub struct Point {
 }
 
 impl Point {
-    /// Of a load, with what was found of it.
-    pub(crate) fn new(
-        load: Load,
-        found: Option<(&Solution, &Budget)>,
-        error: Option<&SolverError>,
-        refined: Option<Refined>,
-    ) -> Self {
-        let mut json = object(load, found, error);
-        json["refined"] = json!(refined.as_ref().map(Refined::json));
+    /// Of a load that was solved.
+    pub(crate) fn of(load: Load, answered: &Answered) -> Self {
+        let Answered { solution, budget, coarser, finer, seconds, .. } = answered;
+        let mut json = object(load, Some((solution, budget)), None);
+        json["coarser"] = json!(coarser.iter().map(numbers).collect::<Vec<_>>());
+        json["finer"] = json!(finer.as_ref().map(numbers));
+        json["seconds_coarser"] = json!(seconds[0]);
+        json["seconds_finer"] = json!(seconds[1]);
+        Self { budget: Some(*budget), finer: *finer, converged: true, ..Self::bare(load, json) }
+    }
+
+    /// Of a load that was not.
+    pub(crate) fn of_error(load: Load, error: &SolverError, known: &Map) -> Self {
+        let found = error.solution().map(|s| (s, Budget::of_iterate(s, known)));
+        let json = object(load, found.as_ref().map(|(s, b)| (*s, b)), Some(error));
+        Self { budget: found.map(|(_, budget)| budget), ..Self::bare(load, json) }
+    }
+
+    fn bare(load: Load, json: Value) -> Self {
         Self {
             load,
             json,
             force: None,
             solution: None,
-            budget: found.map(|(_, budget)| *budget),
-            refined,
+            budget: None,
+            finer: None,
             conducted: None,
-            converged: error.is_none() && found.is_some(),
+            converged: false,
         }
     }
+}
+
+/// The numbers of another rung.
+fn numbers(found: &Numbers) -> Value {
+    json!({
+        "area_fraction_corrected": found.area,
+        "mean_pressure": found.mean_pressure,
+        "mean_gap": found.mean_gap,
+        "stiffness": found.stiffness,
+    })
 }
 
 fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverError>) -> Value {

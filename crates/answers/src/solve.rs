@@ -3,7 +3,6 @@
 use crate::adhesion;
 use crate::conduction::Conduction;
 use crate::failure::Failure;
-use crate::finer::{Errors, Finest, Refined, under};
 use crate::hardness;
 use crate::loads::{Spread, rising};
 use crate::planned;
@@ -11,18 +10,15 @@ use crate::point::Point;
 use crate::scene;
 use crate::watch::Watch;
 use crate::work::Work;
-use compare::budget::{Between, Budget, Map, NoAreaInterval, Stiffness, grid};
-use compare::plan::{Outcome, Request};
 use compare::{
-    Adhesion, Body, EdgesName, Finding, Hardness, Level, MaterialUse, Method, NotRefined,
-    PairOrigin, Precision, Solved, Spikes, Surrounded, TwiceFiner, WorkOfAdhesion, on_given,
+    Adhesion, Body, EdgesName, Finding, Hardness, Level, MaterialUse, Method, PairOrigin,
+    Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
 };
+use contact_accuracy::{Aim, Finer, Ladder, LadderError, Setup};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Boundary, Load, Maps, SetStiffness, Solution, Solver, SolverError};
+use fft_bem_solver::{Boundary, Load, Maps, Solver, SolverError};
 use serde_json::{Value, json};
-use std::borrow::Cow;
 use std::path::Path;
-use std::time::Instant;
 use surface_stats::StatsError;
 use surface_stats::clean::Record;
 
@@ -52,10 +48,10 @@ pub struct Question {
     pub precision: Precision,
     /// Relative rms error of the pressure to reach.
     pub tolerance: f64,
-    /// Error of the area to stay within: grid, precision and tolerance are then chosen for it.
+    /// Uncertainty of the area to stay within: grid, precision and tolerance are then chosen for it.
     pub accuracy: Option<Request>,
-    /// Loads without an error interval are solved on a twice finer grid too.
-    pub refine: bool,
+    /// Every second point at once, with its wider uncertainty.
+    pub fast: bool,
     /// Prove how wrong each answer may be.
     pub certify: bool,
     /// The contact stiffness too.
@@ -89,8 +85,6 @@ pub struct Subject<'a> {
     pub fill: &'a str,
     /// Steps of cleaning.
     pub cleaned: &'a [Record],
-    /// Height step that is still in the heights (m).
-    pub height_step: Option<f64>,
     /// The two bodies, if it is a pair.
     pub pair: Option<&'a PairOrigin>,
 }
@@ -106,20 +100,15 @@ pub struct Answer {
     pub points: Vec<Point>,
     /// What may change a conclusion, worst first.
     pub findings: Vec<Finding>,
-    /// What was chosen for an accuracy, if one was asked for.
-    pub plan: Option<Outcome>,
+    /// The rung that was reached, if an accuracy or a fast answer was asked for.
+    pub plan: Option<Reached>,
     /// The hardness, if one was given.
     pub hardness: Option<Hardness>,
-    /// Whether a twice finer grid is possible.
-    pub can_be_refined: bool,
     /// What went wrong although there is an answer.
     pub trouble: Option<Failure>,
     /// True if who watched stopped it: loads are missing.
     pub is_stopped: bool,
 }
-
-/// Most points of a map that is solved on a twice finer grid without being asked: 1024 x 1024.
-const MOST_UNASKED: usize = 1 << 20;
 
 impl Question {
     /// Solves the map for the loads, by rising load, each the start of the next.
@@ -130,18 +119,18 @@ impl Question {
         self.solve_on(subject, &mut None, watch)
     }
 
-    /// The same from where the last call ended: `kept` is the solver of a call of this question on the same grid,
+    /// The same from where the last call ended: `kept` is the ladder of a call of this question on the same grid,
     /// or none, and is that of this call afterwards. With an accuracy to be reached none is kept.
     ///
     /// # Errors
-    /// As [`solve`](Self::solve); then no solver is kept.
+    /// As [`solve`](Self::solve); then none is kept.
     pub fn solve_on(
         &self,
         subject: Subject<'_>,
-        kept: &mut Option<Solver>,
+        kept: &mut Option<Ladder>,
         watch: &mut dyn Watch,
     ) -> Result<Answer, Failure> {
-        let Subject { path, map: surface, missing, fill, cleaned, height_step, pair } = subject;
+        let Subject { path, map: surface, missing, fill, cleaned, pair } = subject;
         let refused = |e: StatsError| Failure::in_file(path, &e);
         let mut solved = Solved {
             // Of two bodies each says its own.
@@ -169,82 +158,65 @@ impl Question {
         let repeats = self.boundary == Boundary::Periodic && self.edges == EdgesName::Periodic;
         work.distributions = self.distributions.then_some(repeats);
         solved.spikes = work.spikes.clone();
-        let known = Map::with_step(&surface, height_step).map_err(refused)?;
-        let given = surface.grid();
-        let part = (self.edges == EdgesName::Mirrored).then(|| surface.clone());
-        let surface = Surrounded::new(Cow::Owned(surface), self.edges).map_err(refused)?.into_map();
-        let can_be_refined = TwiceFiner::is_possible(surface.grid());
-        // The budget of errors looks at the pressure.
+        let grid = surface.grid();
+        // The indicator looks at the pressure.
         let gap_too = self.keep_gap || self.distributions;
-        let maps = if gap_too { Maps::PressureAndGap } else { Maps::Pressure };
-        let mut plan = None;
-        let mut is_stopped = false;
-        if let Some(request) = self.accuracy {
-            let asked = planned::Asked {
-                surface: &surface,
-                known: &known,
-                boundary: self.boundary,
-                modulus: self.modulus,
-                request,
-                method: self.method,
-                certified: self.certify,
-                maps,
-                threads: self.threads,
-            };
-            plan = asked.solve(&self.loads, &mut work, watch)?;
-            is_stopped = plan.is_none();
-        } else {
-            let builder = Solver::builder()
+        let setup = Setup {
+            builder: Solver::builder()
                 .method(self.method)
-                .boundary(self.boundary)
                 .precision(self.precision)
                 .tolerance(self.tolerance)
                 .threads(self.threads)
-                .hardness(self.hardness.unwrap_or(f64::INFINITY));
-            let fresh = builder.clone().certified(self.certify).maps(maps);
-            let known_grid = kept.take().filter(|solver| solver.grid() == surface.grid());
-            let mut solver = match known_grid {
-                Some(solver) => solver,
-                None => fresh
-                    .build(surface.grid(), self.modulus)
-                    .map_err(|e| Failure::from_error(&e))?,
+                .hardness(self.hardness.unwrap_or(f64::INFINITY))
+                .certified(self.certify)
+                .maps(if gap_too { Maps::PressureAndGap } else { Maps::Pressure }),
+            boundary: self.boundary,
+            mirrored: self.edges == EdgesName::Mirrored,
+            modulus: self.modulus,
+            finer: Finer::WhenNeeded,
+        };
+        let of_set = self.stiffness || self.conduction.is_asked();
+        let mut plan = None;
+        let mut is_stopped = false;
+        let aim = match (self.accuracy, self.fast) {
+            (Some(request), _) => Some(Aim::Within(request)),
+            (None, true) => Some(Aim::Fast),
+            (None, false) => None,
+        };
+        if let Some(aim) = aim {
+            let climbed = planned::Asked {
+                surface: &surface,
+                setup,
+                aim,
+                conduction: of_set.then_some(&self.conduction),
             };
-            let builder = builder.maps(Maps::None);
-            let (boundary, modulus) = (self.boundary, self.modulus);
-            let finer = Finest { builder, boundary, modulus, made: None };
-            // What lies between the points is looked at where each load touches.
-            let mut errors = Errors { known, whole: surface, part, finer };
-            // As a study does, so that both give the same digits.
-            solver.follow_curve(self.loads.len());
+            plan = climbed.solve(&self.loads, &mut work, watch)?;
+            is_stopped = plan.is_none();
+        } else {
+            let failed = |e: LadderError| Failure::from_error(&e);
+            let mut ladder = match kept.take().filter(|ladder| ladder.map().grid() == grid) {
+                Some(mut ladder) => {
+                    ladder.take_map(surface).map_err(failed)?;
+                    ladder
+                }
+                None => Ladder::new(surface, setup).map_err(failed)?,
+            };
+            ladder.follow_curve(self.loads.len());
             for index in rising(&self.loads) {
                 let load = self.loads[index];
                 watch.working_on(load);
-                let result = solver
-                    .solve_observed(&errors.whole, load, |now| watch.iterated(index, load, now));
+                let result = ladder.solve(load, of_set, |now| watch.iterated(index, load, now));
                 if matches!(result, Err(SolverError::Stopped(_))) {
                     is_stopped = true;
                     break;
                 }
-                let result = on_given(result, given);
-                let is_asked = self.stiffness || self.conduction.is_asked();
-                let clock = Instant::now();
-                let set = (is_asked && result.is_ok()).then(|| solver.contact_stiffness());
-                let set = set.transpose().map_err(|e| Failure::from_error(&e))?;
-                let seconds = clock.elapsed().as_secs_f64();
-                let set = set.as_ref().map(|set| (set, seconds));
-                let (budget, refined) = self.budget(load, &result, set, &mut solver, &mut errors);
-                let is_solved = result.is_ok();
-                work.take(index, load, result, budget.as_ref(), refined, watch);
-                let point = work.points[index].as_mut().filter(|_| is_solved);
-                if let Some((point, (set, _))) = point.zip(set) {
-                    let (modulus, area) = (self.modulus, given.area());
-                    point.conducted = self.conduction.add(&mut point.json, set, modulus, area)?;
-                }
+                let asked = of_set.then_some((&self.conduction, self.modulus, grid.area()));
+                work.take(index, load, result, ladder.known(), asked, watch)?;
                 watch.done(load);
             }
-            *kept = Some(solver);
+            *kept = Some(ladder);
         }
-        solved.loads = work.found();
+        (solved.loads, solved.indicators) = (work.found(), work.indicators());
         // With a hardness no pressure is beyond it: nothing is left to warn of.
         if self.hardness.is_none() {
             solved.scene.pressed = work.pressed();
@@ -265,64 +237,7 @@ impl Question {
         let trouble = work.trouble.take();
         let found = (hardness, solved.adhesion);
         let (json, points) = self.object(work, &findings, plan.as_ref(), found, (cleaned, pair));
-        Ok(Answer {
-            json,
-            level,
-            points,
-            findings,
-            plan,
-            hardness,
-            can_be_refined,
-            trouble,
-            is_stopped,
-        })
-    }
-
-    /// The errors of a solution: with its stiffness, and with what a twice finer grid says of it, if
-    /// those were asked for.
-    fn budget(
-        &self,
-        load: Load,
-        result: &Result<Solution, SolverError>,
-        set: Option<(&SetStiffness, f64)>,
-        solver: &mut Solver,
-        errors: &mut Errors,
-    ) -> (Option<Budget>, Option<Result<Refined, NotRefined>>) {
-        let solution = match result {
-            Ok(solution) => solution,
-            Err(error) => {
-                let why = |s: &Solution| Err(NoAreaInterval::of_end(s.diagnostics.end));
-                let budget =
-                    error.solution().map(|s| Budget::of(s, &errors.known).with_grid(why(s), 0.0));
-                return (budget, None);
-            }
-        };
-        let mut budget = Budget::of(solution, &errors.known);
-        let given = errors.part.as_ref().unwrap_or(&errors.whole);
-        let repeats = errors.known.repeats && self.boundary != Boundary::Free;
-        let modulus = solver.modulus();
-        if let Some(found) = Between::of(given, repeats, &solution.pressure, modulus) {
-            budget = budget.between(&found);
-        }
-        let surface = &errors.whole;
-        if let Some((set, seconds)) = set
-            && let Some(found) = Stiffness::of(set, solution, seconds)
-        {
-            budget = budget.with_stiffness(&found, &errors.known, grid::Line::of(solution));
-        }
-        let budget = under(load, &budget, solution);
-        // Where the points do not fix what touches, the answer itself may be wrong by factors, and on a
-        // pattern of like cells the points along the contact lines come in together: a finer grid is
-        // solved unasked if it is no more than a few million points.
-        let decides = matches!(budget.area.grid, Err(NoAreaInterval::BetweenPoints { .. }))
-            || errors.known.is_regular();
-        let unasked = decides && surface.grid().len() <= MOST_UNASKED;
-        if !((self.refine || unasked) && TwiceFiner::is_wanted(&budget, &errors.known)) {
-            return (Some(budget), None);
-        }
-        let refined = errors.finer.solve(load, surface, &errors.known, &budget);
-        let budget = refined.as_ref().map_or(budget, |r| budget.refined(&r.found));
-        (Some(budget), Some(refined))
+        Ok(Answer { json, level, points, findings, plan, hardness, trouble, is_stopped })
     }
 
     /// What scripts see, and the points that were taken.
@@ -330,7 +245,7 @@ impl Question {
         &self,
         work: Work,
         findings: &[Finding],
-        plan: Option<&Outcome>,
+        plan: Option<&Reached>,
         (hardness, adhesion): (Option<Hardness>, Option<Adhesion>),
         (cleaned, pair): (&[Record], Option<&PairOrigin>),
     ) -> (Value, Vec<Point>) {

@@ -38,7 +38,7 @@ pub fn not_met(comparison: &Comparison) -> Option<Failure> {
     let unmet = comparison
         .surfaces
         .iter()
-        .filter_map(|surface| unmet(&surface.name, surface.plan.as_ref()?, ""));
+        .filter_map(|surface| unmet(&surface.name, surface.plan.as_ref()?));
     let refused = comparison.refused.iter().map(|r| {
         let message = if r.reason.contains(&r.name) {
             r.reason.clone()

@@ -1,13 +1,13 @@
 //! What is collected while loads are solved: one point each, and what went wrong.
 
+use crate::conduction::Conduction;
 use crate::failure::{Failure, variant};
-use crate::finer::Refined;
 use crate::loads::shown;
 use crate::point::Point;
 use crate::watch::Watch;
-use compare::budget::{Budget, NoAreaInterval};
-use compare::{Distributions, Ended, NotRefined, Pressed, Spikes, spot_list};
-use contact_types::Grid;
+use compare::{Budget, Distributions, Ended, NoUncertainty, Pressed, Spikes, spot_list};
+use contact_accuracy::{Answered, Map};
+use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, Solution, SolverError};
 use serde_json::json;
 use surface_stats::Level;
@@ -29,8 +29,8 @@ pub(crate) struct Work {
     /// Spikes of the map as given, and the largest share of the load they carry on it.
     pub(crate) spikes: Spikes,
     pub(crate) spike_share: Option<f64>,
-    /// How each load ended, and why its area has no bar.
-    found: Vec<Option<(Ended, Option<NoAreaInterval>)>>,
+    /// How each load ended, and why its area has no uncertainty.
+    found: Vec<Option<(Ended, Option<NoUncertainty>)>>,
 }
 
 impl Work {
@@ -51,8 +51,8 @@ impl Work {
         }
     }
 
-    /// Of each load taken: how it ended, and why its area has no bar, if it has none.
-    pub(crate) fn found(&self) -> Vec<(Ended, Option<NoAreaInterval>)> {
+    /// Of each load taken: how it ended, and why its area has no uncertainty, if it has none.
+    pub(crate) fn found(&self) -> Vec<(Ended, Option<NoUncertainty>)> {
         self.found.iter().copied().flatten().collect()
     }
 
@@ -83,36 +83,46 @@ impl Work {
         self.grid = grid;
     }
 
-    /// A load by its place in the list, with the errors of its numbers; its maps go to `watch`.
+    /// Of each load taken: its indicator, and its area on twice the points.
+    pub(crate) fn indicators(&self) -> Vec<(Option<f64>, Option<f64>)> {
+        let of = |p: &Point| (p.budget.and_then(|b| b.indicator), p.finer.map(|n| n.area));
+        self.points.iter().flatten().map(of).collect()
+    }
+
+    /// A load by its place in the list; its maps go to `watch`. What it conducts, if that was asked for, for bodies of
+    /// this modulus and this nominal area (m²).
+    ///
+    /// # Errors
+    /// [`Failure`] of conductors that are none.
     pub(crate) fn take(
         &mut self,
         index: usize,
         load: Load,
-        result: Result<Solution, SolverError>,
-        budget: Option<&Budget>,
-        refined: Option<Result<Refined, NotRefined>>,
+        result: Result<Answered, SolverError>,
+        known: &Map,
+        conduction: Option<(&Conduction, ContactModulus, f64)>,
         watch: &mut dyn Watch,
-    ) {
-        let (solution, error) = match &result {
-            Ok(solution) => (Some(solution), None),
-            Err(error) => (error.solution(), Some(error)),
+    ) -> Result<(), Failure> {
+        let (mut point, set) = match &result {
+            Ok(answered) => (Point::of(load, answered), answered.set.clone()),
+            Err(error) => (Point::of_error(load, error, known), None),
         };
-        let refined = match refined {
-            Some(Err(why)) => {
-                let message = format!("{}: {why}", shown(load));
-                self.report(Failure::incomplete("not_refined", message));
-                None
-            }
-            Some(Ok(refined)) => Some(refined),
-            None => None,
+        if let (Some(set), Some((conduction, modulus, area))) = (&set, conduction) {
+            point.conducted = conduction.add(&mut point.json, set, modulus, area)?;
+        }
+        let budget = point.budget;
+        let (result, error) = match result {
+            Ok(answered) => (Ok(answered.solution), None),
+            Err(error) => (Err(error.clone()), Some(error)),
         };
-        let mut point = Point::new(load, solution.zip(budget), error, refined);
+        let (budget, error) = (budget.as_ref(), error.as_ref());
+        let solution = result.as_ref().map_or_else(SolverError::solution, Some);
         if let (Some(repeats), Some(solution)) = (self.distributions, solution) {
             let spots = spot_list(&solution.pressure, self.grid, repeats);
             let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
             point.json["distributions"] = json!(found);
         }
-        let bare = budget.and_then(|b| b.area.comparison_half_width().err());
+        let bare = budget.and_then(|b: &Budget| b.area.half_width().err());
         let ended = match error {
             None => Ended::Converged,
             Some(SolverError::Rounding(_)) => Ended::AtRounding,
@@ -143,6 +153,7 @@ impl Work {
             point.solution = Some(solution);
         }
         self.points[index] = Some(point);
+        Ok(())
     }
 
     fn report(&mut self, failure: Failure) {

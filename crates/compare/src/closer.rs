@@ -7,9 +7,7 @@ use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
 use crate::threads::on_threads;
 use crate::{EdgesName, Listener, Origin, Settings, StudyError, Surrounded};
-use contact_accuracy::budget::grid::Line;
-use contact_accuracy::budget::{Map, Stiffness};
-use contact_accuracy::{TwiceFiner, regrid};
+use contact_accuracy::{Finer, Ladder, Setup, regrid};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solver};
 use rayon::join;
@@ -61,47 +59,32 @@ fn look(
     Ok(())
 }
 
-/// Solves the headline once more with the rigorous bound, then from there the loads beside it, for
-/// the stiffness. They need a start near by, which the curve has not kept; so the bound costs one FFT
-/// pair here, where it would cost one at every load of the curve. Answers with the area of this solution, if
-/// there is one.
+/// Solves the headline once more with the rigorous bound and the stiffness of its contact set. Answers with the
+/// area of this solution, if there is one.
 fn certify(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     modulus: ContactModulus,
     watch: &mut Watch<'_, '_>,
 ) -> Option<f64> {
-    let pressure = surface.headline_pressure();
-    let map: Map = surface.map;
-    let whole = Surrounded::new(Cow::Borrowed(&surface.surface), settings.edges).ok()?;
-    let certified = builder(settings).certified(true).maps(Maps::None);
-    let mut solver = certified.build(whole.map().grid(), modulus).ok()?;
-    let load = Load::MeanPressure(pressure);
-    let found = whole.solve_observed(&mut solver, load, |now| watch.iteration(now));
-    let solution = found.ok()?;
-    let area = Some(solution.diagnostics.area_fraction_corrected);
-    // With its conductance the stiffness was found already.
-    let near =
-        if settings.conducts() { Ok(None) } else { Stiffness::of_set(&mut solver, &solution) };
+    let load = Load::MeanPressure(surface.headline_pressure());
+    let setup = Setup {
+        builder: builder(settings).certified(true).maps(Maps::Pressure),
+        boundary: Boundary::Periodic,
+        mirrored: settings.edges == EdgesName::Mirrored,
+        modulus,
+        finer: Finer::WhenNeeded,
+    };
+    let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
+    let found = ladder.solve(load, true, |now| watch.iteration(now)).ok()?;
+    let area = found.solution.diagnostics.area_fraction_corrected;
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
-    let Some(answer) = answer else { return area };
-    answer.energy_bound = solution.diagnostics.energy_bound;
-    if let Ok(Some(found)) = near
-        && answer.area_fraction_corrected > 0.0
-    {
-        let line = Line { area: answer.area_fraction_corrected, edges: answer.contact_perimeter };
-        answer.budget = answer.budget.with_stiffness(&found, &map, line);
+    if let Some(answer) = answer {
+        answer.energy_bound = found.solution.diagnostics.energy_bound;
+        // With its conductance the stiffness was found already.
+        answer.budget.stiffness = answer.budget.stiffness.or(found.budget.stiffness);
     }
-    // Where the area has its bar from a finer grid, the stiffness has it from there too.
-    if answer.finer.is_some()
-        && let Ok(mut finer) =
-            TwiceFiner::of(whole.map(), &map, Boundary::Periodic, builder(settings), modulus)
-        && let Ok(found) = finer.solve(Load::MeanPressure(pressure), &answer.budget)
-    {
-        answer.budget = answer.budget.refined(&found);
-        answer.finer = Some(found);
-    }
-    area
+    Some(area)
 }
 
 /// What other choices do to the area, which is `known` of the map as it is; those that cannot be tried on this map

@@ -8,9 +8,7 @@ use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use crate::sections::Sections;
 use crate::spots::{Spots, spot_list};
-use contact_accuracy::budget::grid::Line;
-use contact_accuracy::budget::{Between, Budget, Map, Stiffness};
-use contact_accuracy::plan::Sink;
+use contact_accuracy::{Answered, Map, Sink};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Iteration, Solution, SolverError};
 use rayon::join;
@@ -22,7 +20,7 @@ const TYPICAL_AREA: f64 = 0.02;
 /// The deterministic curve while it grows; of the fields only that of the headline is kept, of the others
 /// what touches, and the pressure in a byte a dot.
 pub(crate) struct Curve {
-    map: Map,
+    pub(crate) map: Map,
     wanted: Option<f64>,
     edges: EdgesName,
     pub(crate) points: Vec<DeterministicPoint>,
@@ -43,6 +41,8 @@ pub(crate) struct Curve {
     pub(crate) spots: Option<Spots>,
     /// The map on the grid solved on, if it is not the given one.
     pub(crate) solved: Option<HeightMap>,
+    /// Seconds on every second point and on twice the points.
+    pub(crate) beside_seconds: [f64; 2],
     left: Option<Left>,
 }
 
@@ -62,46 +62,39 @@ impl Curve {
             distributions: Vec::new(),
             spots: None,
             solved: None,
+            beside_seconds: [0.0; 2],
             left: None,
         }
     }
 
-    /// A load, and the stiffness of its contact set if that was asked. What the progress does not tell is left for
-    /// [`settle`](Self::settle), which is to come before the next load.
-    pub(crate) fn take(
-        &mut self,
-        mean_pressure: f64,
-        result: Result<Solution, SolverError>,
-        set: Option<Stiffness>,
-    ) {
-        let (mut solution, trouble) = match result {
-            Ok(solution) => (Some(solution), None),
-            Err(SolverError::NotConverged(best)) => {
-                let reached = best.diagnostics.residuals.preconditioned;
-                let text =
-                    format!("not converged: relative rms pressure error about {reached:.1e}");
-                (Some(*best), Some(text))
+    /// A load. What the progress does not tell is left for [`settle`](Self::settle), which is to come before the next
+    /// load.
+    pub(crate) fn take(&mut self, mean_pressure: f64, result: Result<Answered, SolverError>) {
+        let of_iterate = |best: Box<Solution>, how: &str| {
+            let reached = best.diagnostics.residuals.preconditioned;
+            let text = format!("{how}: relative rms pressure error about {reached:.1e}");
+            (Some(DeterministicAnswer::of_iterate(&best, &self.map)), Some(*best), Some(text))
+        };
+        let (answer, mut solution, trouble) = match result {
+            Ok(answered) => {
+                let [coarser, finer] = answered.seconds;
+                self.beside_seconds =
+                    [self.beside_seconds[0] + coarser, self.beside_seconds[1] + finer];
+                (Some(DeterministicAnswer::of(&answered)), Some(answered.solution), None)
             }
-            Err(SolverError::Rounding(best)) => {
-                let reached = best.diagnostics.residuals.preconditioned;
-                let text =
-                    format!("stopped at rounding: relative rms pressure error about {reached:.1e}");
-                (Some(*best), Some(text))
-            }
-            Err(error) => (None, Some(error.to_string())),
+            Err(SolverError::NotConverged(best)) => of_iterate(best, "not converged"),
+            Err(SolverError::Rounding(best)) => of_iterate(best, "stopped at rounding"),
+            Err(error) => (None, None, Some(error.to_string())),
         };
         let index = self.points.len();
         let section = solution.as_mut().and_then(|s| s.section.take());
         self.sections = Sections::with(self.sections.take(), index, section);
         let found = solution.as_ref();
         let pressure = found.map_or(&[][..], |s| &s.pressure);
-        let (map, first, maps) = (self.map, self.first.take(), self.pressures.take());
-        let (answer, (first, maps)) = join(
-            || found.map(|s| DeterministicAnswer::of(s, trouble.is_none(), &map)),
-            || {
-                let first = FirstContact::with(first, index, pressure);
-                (first, found.and_then(|s| PressureMaps::with(maps, index, s.grid, pressure)))
-            },
+        let (first, maps) = (self.first.take(), self.pressures.take());
+        let (first, maps) = join(
+            || FirstContact::with(first, index, pressure),
+            || found.and_then(|s| PressureMaps::with(maps, index, s.grid, pressure)),
         );
         (self.first, self.pressures) = (first, maps);
         let score = self.distance(mean_pressure, answer.as_ref());
@@ -112,35 +105,22 @@ impl Curve {
             (self.spots, self.pressure) = (None, Vec::new());
         }
         match solution {
-            Some(solution) => self.left = Some(Left { index, solution, set }),
+            Some(solution) => self.left = Some(Left { index, solution }),
             None => self.distributions.push(None),
         }
     }
 
-    /// The rest of the last load, each look at its fields on a thread of its own if one is free; `between` says what
-    /// is known of the map between its points where it is under pressure.
-    pub(crate) fn settle(&mut self, between: impl FnOnce(&[f64]) -> Option<Between> + Send) {
-        let Some(Left { index, solution, set }) = self.left.take() else { return };
+    /// The rest of the last load, each look at its fields on a thread of its own if one is free.
+    pub(crate) fn settle(&mut self) {
+        let Some(Left { index, solution }) = self.left.take() else { return };
         let Solution { pressure, gap, grid, .. } = &solution;
         let repeats = self.edges == EdgesName::Periodic;
         let is_kept = !gap.is_empty();
-        let ((list, between), fields) = join(
-            || {
-                let list =
-                    || if is_kept { spot_list(pressure, *grid, repeats) } else { Vec::new() };
-                join(list, || between(pressure))
-            },
+        let (list, fields) = join(
+            || if is_kept { spot_list(pressure, *grid, repeats) } else { Vec::new() },
             || if is_kept { FieldDistributions::of(pressure, gap) } else { None },
         );
         self.distributions.push(fields.and_then(|fields| Distributions::with(fields, &list)));
-        if let Some(answer) = &mut self.points[index].answer {
-            if let Some(between) = between {
-                answer.budget = answer.budget.between(&between);
-            }
-            if let Some(set) = set {
-                answer.budget = answer.budget.with_stiffness(&set, &self.map, Line::of(&solution));
-            }
-        }
         if self.headline == index {
             self.spots = Spots::of(&list);
             self.pressure = solution.pressure;
@@ -172,10 +152,9 @@ impl Curve {
 struct Left {
     index: usize,
     solution: Solution,
-    set: Option<Stiffness>,
 }
 
-/// A plan's solutions, put into the curve.
+/// The solutions of a climb, put into the curve.
 pub(crate) struct ToCurve<'a> {
     pub(crate) curve: &'a mut Curve,
     pub(crate) given: Grid,
@@ -184,9 +163,8 @@ pub(crate) struct ToCurve<'a> {
 }
 
 impl Sink for ToCurve<'_> {
-    fn begin(&mut self, map: &HeightMap) {
-        *self.curve =
-            Curve::new(self.curve.map.on(map.grid()), self.curve.wanted, self.curve.edges);
+    fn begin(&mut self, map: &HeightMap, known: &Map) {
+        *self.curve = Curve::new(*known, self.curve.wanted, self.curve.edges);
         self.curve.solved = (map.grid() != self.given).then(|| map.clone());
     }
 
@@ -197,17 +175,9 @@ impl Sink for ToCurve<'_> {
         }
     }
 
-    fn take(
-        &mut self,
-        index: usize,
-        result: Result<Solution, SolverError>,
-        budget: Option<Budget>,
-    ) -> ControlFlow<()> {
-        self.curve.take(self.pressures[index], result, None);
-        self.curve.settle(|_| None);
-        if let (Some(answer), Some(budget)) = (&mut self.curve.points[index].answer, budget) {
-            answer.budget = budget;
-        }
+    fn take(&mut self, index: usize, result: Result<Answered, SolverError>) -> ControlFlow<()> {
+        self.curve.take(self.pressures[index], result);
+        self.curve.settle();
         match (self.tell)(self.curve.news(index)) {
             Ok(()) => ControlFlow::Continue(()),
             Err(_) => ControlFlow::Break(()),

@@ -4,12 +4,10 @@ use crate::inputs::{Inputs, MomentSource};
 use crate::result::Spectral;
 use crate::theory::Assumes;
 use crate::{Origin, Registry, Settings};
-use contact_accuracy::budget::Map;
-
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring};
-use surface_stats::{Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level, repeats};
+use surface_stats::{Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
 /// does not; one that was given, only if who gave it says so.
@@ -59,21 +57,14 @@ pub(crate) fn model_inputs(
 
 /// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann
 /// window otherwise, or the jump at the edges would count as roughness.
-pub(crate) fn spectral(
-    map: &HeightMap,
-    power: &PowerSpectrum,
-    statistics: &SurfaceStatistics,
-) -> (Spectral, Map) {
+pub(crate) fn spectral(power: &PowerSpectrum, statistics: &SurfaceStatistics) -> Spectral {
     let windowed = statistics.edges == Edges::Open;
-    let repeats = !windowed || repeats(map);
-    let known = Map::known(map, power, statistics.height_step, repeats);
-    let spectral = Spectral {
+    Spectral {
         moments: power.moments().0,
         resolved: power.resolved_gradient().unwrap_or(1.0),
         windowed,
         psd: thinned(&power.rings()),
-    };
-    (spectral, known)
+    }
 }
 
 /// The PSD in about 12 bins per octave of wavenumber, `[wavelength, C]`: what a figure can show.

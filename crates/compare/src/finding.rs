@@ -3,9 +3,7 @@
 use crate::EdgesName;
 use crate::adhesion::Adhesion;
 use crate::profile::fact::ProfileFact;
-use contact_accuracy::edge_study::EdgeExperience;
-use contact_accuracy::plan::Outcome;
-use contact_accuracy::{EdgeShare, NoAreaInterval};
+use contact_accuracy::{EdgeShare, NoUncertainty, Reached};
 use serde::Serialize;
 use surface_stats::Warning;
 use surface_stats::clean::Record;
@@ -105,7 +103,7 @@ impl Finding {
             | Fact::Adhesion(_) => Subject::Material,
             Fact::NotConverged { .. } | Fact::AtRounding { .. } => Subject::Solution,
             Fact::PlanUnmet(_) => Subject::Plan,
-            Fact::FinerGrid { .. } | Fact::NoBar { .. } => Subject::Grid,
+            Fact::Interpolation { .. } | Fact::NoUncertainty { .. } => Subject::Grid,
             Fact::EdgeJump { .. } => Subject::Edges,
             Fact::Unit { .. }
             | Fact::Spikes { .. }
@@ -173,20 +171,22 @@ pub enum Fact {
         of: usize,
     },
     /// An accuracy that was asked for and is not met.
-    PlanUnmet(Box<Outcome>),
-    /// The grid does not resolve the contact; the bar is that of a twice finer one.
-    FinerGrid {
-        /// What the given grid lacks.
-        why: NoAreaInterval,
-        /// Area fraction on the finer grid \[-\].
-        area: f64,
-        /// Loads solved there, the headline among them.
+    PlanUnmet(Box<Reached>),
+    /// The answer depends on what lies between the points.
+    Interpolation {
+        /// Largest indicator over the loads (-).
+        indicator: f64,
+        /// Area fraction on twice the points at that load, if it was solved \[-\].
+        finer: Option<f64>,
+        /// Loads whose indicator exceeds its limit.
         loads: usize,
+        /// Of how many.
+        of: usize,
     },
-    /// An area without a bar.
-    NoBar {
+    /// An area without an uncertainty.
+    NoUncertainty {
         /// Why.
-        why: NoAreaInterval,
+        why: NoUncertainty,
         /// Which areas.
         at: Bare,
     },
@@ -322,7 +322,7 @@ pub struct Steep {
     pub is_over: bool,
 }
 
-/// Which areas have no bar.
+/// Which areas have no uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Bare {
@@ -347,17 +347,12 @@ pub struct Seam {
     pub share: EdgeShare,
     /// Its sides `[y, x]` (m).
     pub strip: [f64; 2],
-    /// True if the map was repeated, as those of the study of edges were.
-    pub is_repeated: bool,
-    /// What happened on crops with a like strip; `None` if there are too few.
-    pub experience: Option<EdgeExperience>,
 }
 
 impl Seam {
-    /// Largest size of the relative error of the area to expect.
+    /// Size of the relative error of the area to expect.
     pub fn worst(&self) -> f64 {
-        let direct = self.share.direct_effect();
-        self.experience.map_or(direct.abs(), |e| e.low.abs().max(e.high.abs()))
+        self.share.direct_effect().abs()
     }
 }
 

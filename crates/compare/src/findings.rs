@@ -5,10 +5,8 @@ use crate::finding::{Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Weight, 
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
 use crate::yielding::{BULK_YIELD, hardness_of};
-use crate::{EdgesName, Independence, Origin, PairFound, PairOrigin, Spikes};
-use contact_accuracy::edge_study::EdgeStudy;
-use contact_accuracy::plan::Outcome;
-use contact_accuracy::{EdgeShare, NoAreaInterval};
+use crate::{Independence, Origin, PairFound, PairOrigin, Spikes};
+use contact_accuracy::{Budget, EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
 use surface_stats::clean::Record;
 use surface_stats::{SurfaceStatistics, Warning};
 
@@ -36,11 +34,13 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     found.extend(spiky(&surface.spikes, share));
     found.extend(unsolved_loads(&ends));
     found.extend(surface.plan.as_ref().and_then(unmet));
-    found.extend(bar(surface, unsolved));
-    let said = matches!(surface.map.accuracy.gate(), Err(NoAreaInterval::Unresolved { .. }));
+    found.extend(uncertainty(surface, unsolved));
+    let answers = points.iter().filter_map(|p| p.answer.as_ref());
+    found.extend(interpolation(
+        answers.map(|a| (a.budget.indicator, a.finer.as_ref().map(|n| n.area))),
+    ));
     let warnings = surface.statistics.warnings.iter();
     found.extend(warnings.filter_map(|w| match w {
-        Warning::Unresolved { .. } if said => None,
         Warning::EdgeJump { ratio } => Some(edge_jump(*ratio, surface)),
         other => Some(warned(other)),
     }));
@@ -135,10 +135,12 @@ pub struct Solved<'a> {
     pub spikes: Spikes,
     /// Largest share of the load that they carry \[-\], if it is known.
     pub spike_share: Option<f64>,
-    /// Of each load: how its solution ended, and why its area has no bar, if it has none.
-    pub loads: Vec<(Ended, Option<NoAreaInterval>)>,
-    /// What was chosen for an accuracy, if one was asked for.
-    pub plan: Option<&'a Outcome>,
+    /// Of each load: how its solution ended, and why its area has no uncertainty, if it has none.
+    pub loads: Vec<(Ended, Option<NoUncertainty>)>,
+    /// Of each load: its indicator, and the area on twice the points if it was solved.
+    pub indicators: Vec<(Option<f64>, Option<f64>)>,
+    /// The rung that was reached, if an accuracy was asked for.
+    pub plan: Option<&'a Reached>,
     /// Points that were filled.
     pub missing: usize,
     /// Points of the map.
@@ -162,12 +164,13 @@ impl Solved<'_> {
         found.extend(spiky(&self.spikes, self.spike_share));
         found.extend(unsolved_loads(&self.loads.iter().map(|l| l.0).collect::<Vec<_>>()));
         found.extend(self.plan.and_then(unmet));
-        let bare: Vec<NoAreaInterval> =
+        found.extend(interpolation(self.indicators.iter().copied()));
+        let bare: Vec<NoUncertainty> =
             self.loads.iter().filter(|l| l.0 == Ended::Converged).filter_map(|l| l.1).collect();
         if let Some(why) = bare.first().copied() {
             let loads = bare.len();
             let at = if loads == of { Bare::Every } else { Bare::Some { loads, of } };
-            found.push(check(Fact::NoBar { why, at }));
+            found.push(check(Fact::NoUncertainty { why, at }));
         }
         found.extend(filled(self.missing, self.points, self.fill, self.cleaned));
         found.extend(cleaned(self.cleaned));
@@ -232,35 +235,31 @@ fn unsolved_loads(ends: &[Ended]) -> impl Iterator<Item = Finding> {
     short.into_iter().chain(rounded)
 }
 
-fn unmet(plan: &Outcome) -> Option<Finding> {
+fn unmet(plan: &Reached) -> Option<Finding> {
     plan.unmet.as_ref().map(|_| check(Fact::PlanUnmet(Box::new(plan.clone()))))
 }
 
-/// Whether the area has a bar, and whether a finer grid had to give it.
-fn bar(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> {
-    if surface.statistics.rms_height <= 0.0 {
+/// Whether the areas have an uncertainty.
+fn uncertainty(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> {
+    if surface.statistics.rms_height <= 0.0 || unsolved > 0 {
         return None;
     }
-    let headline = surface.headline_answer();
-    let finer = headline.and_then(|a| a.finer);
-    let bar = headline.map(|a| a.budget.area.comparison_half_width());
-    let own = headline.and_then(|a| a.budget.own.err());
-    let gate = match (surface.map.accuracy.gate(), own, finer) {
-        // The map would do, this contact on it does not.
-        (Ok(()), Some(why), Some(_)) if unsolved == 0 => Err(why),
-        (gate, ..) => gate,
-    };
-    Some(check(match (gate, finer, bar) {
-        (Err(why), Some(finer), _) => {
-            let points = surface.deterministic.iter();
-            let loads = points.filter_map(|p| p.answer.as_ref()?.finer).count();
-            Fact::FinerGrid { why, area: finer.area, loads }
-        }
-        (Err(_), None, Some(Ok(_))) => return None, // what yields has an area of its own account
-        (Err(why), None, _) => Fact::NoBar { why, at: Bare::Every },
-        (Ok(()), _, Some(Err(why))) if unsolved == 0 => Fact::NoBar { why, at: Bare::Headline },
-        _ => return None,
-    }))
+    let why = |budget: &Budget| budget.area.half_width().err();
+    let budgets = surface.deterministic.iter().filter_map(|p| Some(&p.answer.as_ref()?.budget));
+    let (all, bare) = (surface.deterministic.len(), budgets.filter_map(why).count());
+    let why = why(&surface.headline_answer()?.budget)?;
+    let at = if bare == all { Bare::Every } else { Bare::Headline };
+    Some(check(Fact::NoUncertainty { why, at }))
+}
+
+/// Whether an answer depends on what lies between the points: of each load its indicator, and its area on twice the
+/// points.
+fn interpolation(loads: impl Iterator<Item = (Option<f64>, Option<f64>)>) -> Option<Finding> {
+    let all: Vec<(f64, Option<f64>)> = loads.map(|(i, finer)| (i.unwrap_or(0.0), finer)).collect();
+    let (indicator, finer) = all.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let count = all.iter().filter(|(i, _)| *i > INDICATOR_LIMIT).count();
+    let fact = Fact::Interpolation { indicator, finer, loads: count, of: all.len() };
+    (count > 0).then(|| check(fact))
 }
 
 pub(crate) fn warned(warning: &Warning) -> Finding {
@@ -291,14 +290,8 @@ fn edge_jump(ratio: f64, surface: &SurfaceComparison) -> Finding {
 pub fn seam(surface: &SurfaceComparison) -> Option<Seam> {
     let grid = surface.solved_map().grid();
     let share = EdgeShare::of(&surface.pressure, grid)?;
-    let gradient = surface.inputs.rms_gradient();
-    let load = surface.headline_pressure() / (surface.inputs.modulus.pascals() * gradient);
-    // The rows of the study are those of crops that were repeated.
-    let is_repeated = surface.edges == EdgesName::Periodic;
-    let direct = share.direct_effect();
-    let experience = is_repeated.then(|| EdgeStudy::built_in().ask(load, direct)).flatten();
     let strip = grid.pixel().map(|d| share.width as f64 * d);
-    Some(Seam { share, strip, is_repeated, experience })
+    Some(Seam { share, strip })
 }
 
 pub(crate) fn filled(missing: usize, all: usize, how: &str, cleaned: &[Record]) -> Option<Finding> {
@@ -352,7 +345,7 @@ fn independence(surface: &SurfaceComparison) -> Option<Independence> {
 /// Whether the grid resolves the slopes and, at the headline, the contacts.
 fn resolves(surface: &SurfaceComparison) -> bool {
     let interval = surface.headline_answer().and_then(DeterministicAnswer::interval);
-    surface.map.accuracy.gate().is_ok() && nothing_against(&surface.statistics.warnings, interval)
+    nothing_against(&surface.statistics.warnings, interval)
 }
 
 /// No warning of the slopes, and a bar of the area that has a lower end.
@@ -388,7 +381,7 @@ mod tests {
 
     #[test]
     fn the_worst_comes_first_and_counts_its_loads() {
-        let why = NoAreaInterval::Empty;
+        let why = NoUncertainty::NoContact;
         let loads = vec![
             (Ended::Converged, None),
             (Ended::Converged, Some(why)),
@@ -402,7 +395,7 @@ mod tests {
             [
                 (Weight::Check, Fact::NotConverged { loads: 1, of: 4 }),
                 (Weight::Check, Fact::AtRounding { loads: 1, of: 4 }),
-                (Weight::Check, Fact::NoBar { why, at: Bare::Some { loads: 1, of: 4 } }),
+                (Weight::Check, Fact::NoUncertainty { why, at: Bare::Some { loads: 1, of: 4 } }),
                 (
                     Weight::Note,
                     Fact::Filled { share: 0.02, spikes: false, how: "nearest".to_owned() }

@@ -24,7 +24,6 @@ mod profile;
 mod progress;
 mod reason;
 mod recipe;
-mod refine;
 mod registry;
 mod result;
 mod run_file;
@@ -50,9 +49,7 @@ pub use ask::{at_pressure, at_separation};
 pub use cleaning::{Cleaning, CleaningError};
 pub use coarser::COARSER;
 pub use conducted::{Conduction, Octave, TheoryStiffness};
-pub use contact_accuracy::{
-    Budget, EdgeShare, Estimate, NotRefined, TwiceFiner, budget, edge_study, plan,
-};
+pub use contact_accuracy::{Budget, EdgeShare, Estimate, NoUncertainty, Reached, Request};
 pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
     SeparationModel, SpectralMoments, SurfaceError,
@@ -95,7 +92,7 @@ pub use surface::{
 };
 pub use surface_stats::Level;
 pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
-pub use surroundings::{Surrounded, on_given};
+pub use surroundings::Surrounded;
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};
 pub use threads::on_threads;

@@ -1,7 +1,7 @@
 //! What a study says while it works, and why there may be none.
 
 use crate::pressure_maps::PressureMaps;
-use contact_accuracy::plan::BadRequest;
+use contact_accuracy::BadRequest;
 use contact_types::SurfaceError;
 use fft_bem_solver::{Iteration, SolverError};
 use std::ops::ControlFlow;
@@ -155,12 +155,6 @@ pub enum StudyError {
         /// Why.
         source: BadRequest,
     },
-    /// An accuracy with mirror images at the edges.
-    #[error(
-        "an accuracy cannot be planned with mirror images at the edges: the error of the area was \
-         studied for maps that are repeated; give a tolerance, or leave the edges periodic"
-    )]
-    PlannedMirrored,
     /// A hardness that no pressure is held to.
     #[error(
         "hardness {value:e} Pa: a hardness is a finite pressure above 0; leave it out for elastic bodies"
@@ -169,22 +163,16 @@ pub enum StudyError {
         /// The value (Pa).
         value: f64,
     },
-    /// An accuracy of bodies that yield.
-    #[error(
-        "an accuracy cannot be planned for bodies that yield: the error of the area was studied for elastic \
-         contact; give a tolerance, or leave the hardness out"
-    )]
-    PlannedYielding,
     /// A resistivity or conductivity that is none.
     #[error("{value} is no resistivity or conductivity: it must not be negative")]
     BadConductor {
         /// The value.
         value: f64,
     },
-    /// A conductance with an accuracy, or of profiles.
+    /// A conductance of profiles.
     #[error(
-        "what a contact conducts is found on maps with a tolerance: its error was not studied with a planned \
-         accuracy, and of profiles no contact is solved; leave resistivities and conductivities out"
+        "what a contact conducts is found on maps: of profiles no contact is solved; leave resistivities and \
+         conductivities out"
     )]
     NoConductance,
     /// A hardness with profiles, whose contact is not solved.

@@ -11,9 +11,7 @@ use crate::reason::Verdict;
 use crate::sections::Sections;
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes, Spots};
-use contact_accuracy::NoAreaInterval;
-use contact_accuracy::budget::{Budget, Map, grid};
-use contact_accuracy::plan::Outcome;
+use contact_accuracy::{Answered, Budget, Map, Numbers, Reached};
 use contact_types::{ContactModel, ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{End, Residuals, Solution, Yielded};
 use serde::Serialize;
@@ -71,8 +69,8 @@ pub struct SurfaceComparison {
     pub spikes: Spikes,
     /// What the map says about the accuracy of answers on it.
     pub map: Map,
-    /// Seconds spent on solutions on a twice finer grid, for loads that have no bar of their own.
-    pub refined_seconds: f64,
+    /// Seconds spent on every second point, and on twice the points, for the uncertainties.
+    pub beside_seconds: [f64; 2],
     /// The headline load on coarser grids; empty unless asked for, see
     /// [`Comparison::solve_coarser`].
     pub coarser: Vec<Coarser>,
@@ -82,8 +80,8 @@ pub struct SurfaceComparison {
     pub conduction: Option<Conduction>,
     /// Whether the bodies stick, if a work of adhesion was given.
     pub adhesion: Option<Adhesion>,
-    /// What was chosen for the accuracy asked for, if one was.
-    pub plan: Option<Outcome>,
+    /// The rung that was reached, if an accuracy or a fast answer was asked for.
+    pub plan: Option<Reached>,
     /// The heights on the grid that was solved, if it is not the given one.
     pub solved: Option<HeightMap>,
     /// Index of the load of headline and maps.
@@ -140,8 +138,10 @@ pub struct DeterministicAnswer {
     pub area_fraction_corrected: f64,
     /// Area, gap, real pressure and stiffness with their errors by source.
     pub budget: Budget,
-    /// The same load on a twice finer grid, where the given one has no bar of its own.
-    pub finer: Option<grid::Finer>,
+    /// The same load on every second point.
+    pub coarser: Vec<Numbers>,
+    /// The same load on twice the points, where the answer depends on what lies between them.
+    pub finer: Option<Numbers>,
     /// Rigorous bound of the relative error in the energy norm, where it was asked for.
     pub energy_bound: Option<f64>,
     /// Mean gap (m).
@@ -175,17 +175,25 @@ pub struct DeterministicAnswer {
 }
 
 impl DeterministicAnswer {
-    /// From a solution; `map` is what is known of the map it was found on.
-    pub fn of(solution: &Solution, converged: bool, map: &Map) -> Self {
+    /// From what the ladder answered.
+    pub fn of(answered: &Answered) -> Self {
+        let Answered { solution, budget, coarser, finer, .. } = answered;
+        let solved = Self::of_solution(solution, *budget, true);
+        Self { coarser: coarser.clone(), finer: *finer, ..solved }
+    }
+
+    /// From an iterate that missed the tolerance, on a map of which `map` tells.
+    pub fn of_iterate(solution: &Solution, map: &Map) -> Self {
+        Self::of_solution(solution, Budget::of_iterate(solution, map), false)
+    }
+
+    fn of_solution(solution: &Solution, budget: Budget, converged: bool) -> Self {
         let d = &solution.diagnostics;
-        let mut budget = Budget::of(solution, map);
-        if !converged {
-            budget = budget.with_grid(Err(NoAreaInterval::of_end(d.end)), 0.0);
-        }
         Self {
             area_fraction: solution.state.area_fraction,
             area_fraction_corrected: d.area_fraction_corrected,
             budget,
+            coarser: Vec::new(),
             finer: None,
             energy_bound: d.energy_bound,
             mean_gap: solution.state.mean_gap,
@@ -214,14 +222,14 @@ impl DeterministicAnswer {
         }
     }
 
-    /// Half width of the interval around the corrected area from grid and iteration.
+    /// Uncertainty of the area as that of this map.
     pub fn uncertainty(&self) -> Option<f64> {
-        self.budget.area.comparison_half_width().ok()
+        self.budget.area.half_width().ok()
     }
 
-    /// `[low, high]` around the corrected area, from grid and iteration.
+    /// `[low, high]` of the area as that of this map.
     pub fn interval(&self) -> Option<[f64; 2]> {
-        self.budget.area.comparison().ok()
+        self.budget.area.interval().ok()
     }
 }
 

@@ -48,11 +48,13 @@ pub struct Settings {
     pub edges: EdgesName,
     /// Solver method: `auto`, `chord`, `polonsky-keer` or `stanley-kato`.
     pub method: Method,
-    /// Half width of the interval around the area to stay within, relative to it, as 0.02. If
-    /// given, grid, precision and tolerance are chosen for each surface, and the two below are
-    /// not used.
+    /// Uncertainty of the area to stay within, relative to it, as 0.02. If given, grid, precision and
+    /// tolerance are chosen for each surface, and the two below are not used.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<f64>,
+    /// Every second point of the map at once, with its wider uncertainty.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub fast: bool,
     /// Floating-point precision of the solver: `f64` or `f32`.
     pub precision: Precision,
     /// Relative rms pressure error at which the solver stops.
@@ -87,6 +89,7 @@ impl Default for Settings {
             edges: EdgesName::Periodic,
             method: Method::Auto,
             accuracy: None,
+            fast: false,
             precision: Precision::Double,
             tolerance: 1e-4,
             threads: 1,

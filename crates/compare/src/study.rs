@@ -6,7 +6,6 @@ use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
 use crate::inputs::Inputs;
 use crate::progress::{Listener, Progress, StudyError};
-use crate::refine::refine;
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, SurfaceComparison,
 };
@@ -16,16 +15,13 @@ use crate::theory::{BuildError, Theory};
 use crate::threads::on_threads;
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
-use crate::{
-    Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, Surrounded, default_pressures,
+use crate::{Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, default_pressures};
+use contact_accuracy::{
+    Aim, ClimbError, Finer, Ladder, LadderError, Map, Request, Setup, Task, climb, round_to_digits,
 };
-use contact_accuracy::budget::{Between, Map, Stiffness};
-use contact_accuracy::plan::{self, PlanError, Request, Task};
-use contact_accuracy::round_to_digits;
-use contact_types::{ContactModulus, ContactState, HeightMap, ModelError};
-use fft_bem_solver::{Boundary, Iteration, Load, Maps, Solver, SolverBuilder, SolverError};
+use contact_types::{ContactModulus, ContactState, ModelError};
+use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverBuilder, SolverError};
 use rayon::join;
-use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
 use surface_stats::Spectra;
@@ -94,16 +90,9 @@ fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
     if let Some(&value) = given.clone().find(|v| v.is_nan() || **v < 0.0) {
         return Err(StudyError::BadConductor { value });
     }
-    if settings.conducts() && settings.accuracy.is_some() {
-        return Err(StudyError::NoConductance);
-    }
-    match (settings.accuracy, settings.hardness) {
-        (_, Some(value)) if !(value > 0.0 && value.is_finite()) => {
+    match settings.hardness {
+        Some(value) if !(value > 0.0 && value.is_finite()) => {
             Err(StudyError::BadHardness { value })
-        }
-        (Some(_), Some(_)) => Err(StudyError::PlannedYielding),
-        (Some(_), None) if settings.edges == EdgesName::Mirrored => {
-            Err(StudyError::PlannedMirrored)
         }
         _ => Ok(()),
     }
@@ -153,7 +142,7 @@ fn compare(
     let (map, statistics, spectra) = described.map_err(refused)?;
     drop(heights);
     let Spectra { power, amplitudes, .. } = spectra;
-    let (spectral, known) = spectral(&map, &power, &statistics);
+    let spectral = spectral(&power, &statistics);
     drop(power);
     let mut inputs = model_inputs(&map, &statistics, amplitudes, modulus, asked);
     inputs.surface = Some(name.clone());
@@ -167,57 +156,62 @@ fn compare(
     };
     tell(Progress::Surface { name: &name, index, count, loads: pressures.len() })?;
 
-    let whole = Surrounded::new(Cow::Borrowed(&map), settings.edges).map_err(refused)?;
-    let mut curve = Curve::new(known, settings.headline, settings.edges);
-    let built = |builder: SolverBuilder| {
-        let built = builder.build(whole.map().grid(), modulus);
-        built.map_err(|e| StudyError::Solver { surface: name.clone(), source: Box::new(e) })
-    };
     let section = Some(telling_row(&map));
-    let task = Solve { whole: &whole, map: &map, known: &known, modulus };
-    let plan = match settings.accuracy {
-        None => {
-            let mut solver = built(builder(settings).maps(Maps::PressureAndGap).section(section))?;
-            solver.follow_curve(pressures.len());
-            for (i, &p) in pressures.iter().enumerate() {
-                task.load(&mut solver, (i, p), settings.conducts(), &mut curve, &mut tell)?;
-                tell(curve.news(i))?;
-            }
-            task.settle(&mut curve);
-            None
-        }
-        Some(accuracy) => {
+    let setup = |builder: SolverBuilder, finer: Finer| Setup {
+        builder,
+        boundary: Boundary::Periodic,
+        mirrored: settings.edges == EdgesName::Mirrored,
+        modulus,
+        finer,
+    };
+    let rungs = |builder, finer| {
+        Ladder::new(map.clone(), setup(builder, finer)).map_err(|e| refused_ladder(e, &name))
+    };
+    let whole = builder(settings).maps(Maps::PressureAndGap).section(section);
+    let aim = match (settings.accuracy, settings.fast) {
+        (Some(accuracy), _) => {
             let request =
                 Request::new(accuracy).map_err(|source| StudyError::Accuracy { source })?;
+            Some(Aim::Within(request))
+        }
+        (None, true) => Some(Aim::Fast),
+        (None, false) => None,
+    };
+    let (curve, plan) = match aim {
+        None => {
+            let mut ladder = rungs(whole, Finer::WhenNeeded)?;
+            let mut curve = Curve::new(*ladder.known(), settings.headline, settings.edges);
+            ladder.follow_curve(pressures.len());
+            for (i, &p) in pressures.iter().enumerate() {
+                solve(&mut ladder, (i, p), settings.conducts(), &mut curve, &mut tell)?;
+                tell(curve.news(i))?;
+            }
+            curve.settle();
+            (curve, None)
+        }
+        Some(aim) => {
             let loads: Vec<Load> = pressures.iter().map(|&p| Load::MeanPressure(p)).collect();
-            let task = Task {
-                map: &map,
-                known: &known,
-                modulus,
-                loads: &loads,
-                boundary: Boundary::Periodic,
-                request,
-                method: settings.method,
-                certified: false,
-                maps: Maps::PressureAndGap,
-                section,
-                threads: settings.threads,
-            };
+            let setup = setup(whole, Finer::WhenNeeded);
+            let stiffness = settings.conducts();
+            let task = Task { map: &map, setup, loads: &loads, aim, stiffness, section };
+            let mut curve = Curve::new(Map::of(&map), settings.headline, settings.edges);
             let mut sink = ToCurve {
                 curve: &mut curve,
                 given: map.grid(),
                 pressures: &pressures,
                 tell: &mut tell,
             };
-            Some(plan::run(&task, &mut sink).map_err(|e| refused_plan(e, &name))?)
+            let plan = climb(&task, &mut sink).map_err(|e| refused_climb(e, &name))?;
+            (curve, Some(plan))
         }
     };
-    let Curve { points: mut deterministic, headline, pressure, spots, distributions, .. } = curve;
+    let (known, beside_seconds) = (curve.map, curve.beside_seconds);
+    let Curve { points: deterministic, headline, pressure, spots, distributions, .. } = curve;
     let Curve { first, pressures: pressure_maps, sections, solved, .. } = curve;
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
-        let mut solver = built(elastic(settings).maps(Maps::Pressure))?;
-        solver.follow_curve(deterministic.len());
+        let mut ladder = rungs(elastic(settings).maps(Maps::Pressure), Finer::WhenNeeded)?;
+        ladder.follow_curve(deterministic.len());
         let mut beside = Curve::new(known, settings.headline, settings.edges);
         for (i, point) in deterministic.iter().enumerate() {
             // Where nothing has yielded, the answer is the elastic one.
@@ -226,23 +220,17 @@ fn compare(
                 beside.points.push(point.clone());
                 continue;
             }
-            task.load(&mut solver, (i, point.mean_pressure), false, &mut beside, &mut tell)?;
+            solve(&mut ladder, (i, point.mean_pressure), false, &mut beside, &mut tell)?;
         }
-        task.settle(&mut beside);
+        beside.settle();
         elastic_points = beside.points;
     }
-    // A plan says itself what a finer grid would do.
-    let refined_seconds = match plan {
-        None => refine(whole.map(), &known, modulus, settings, &mut deterministic, headline),
-        Some(_) => 0.0,
-    };
     if let Some(value) = settings.headline
         && !named(deterministic[headline].mean_pressure, value)
     {
         return Err(StudyError::HeadlineNotComputed { value });
     }
 
-    drop(whole);
     tell(Progress::Models)?;
     let judged =
         Judged { excess: excess(&deterministic, &elastic_points), ..Judged::of(&statistics) };
@@ -264,7 +252,7 @@ fn compare(
         deterministic,
         elastic: elastic_points,
         map: known,
-        refined_seconds,
+        beside_seconds,
         coarser: Vec::new(),
         closer: None,
         conduction: None,
@@ -313,12 +301,18 @@ fn sticking(found: &SurfaceComparison, settings: &Settings) -> Option<Adhesion> 
     Some(Adhesion::of(given, &rough, spectrum, &contacts))
 }
 
-fn refused_plan(error: PlanError, name: &str) -> StudyError {
+fn refused_ladder(error: LadderError, name: &str) -> StudyError {
     let surface = name.to_owned();
     match error {
-        PlanError::Statistics(source) => StudyError::Statistics { surface, source },
-        PlanError::Solver(source) => StudyError::Solver { surface, source: Box::new(source) },
-        PlanError::Stopped => StudyError::Stopped,
+        LadderError::Statistics(source) => StudyError::Statistics { surface, source },
+        LadderError::Solver(source) => StudyError::Solver { surface, source: Box::new(source) },
+    }
+}
+
+fn refused_climb(error: ClimbError, name: &str) -> StudyError {
+    match error {
+        ClimbError::Ladder(error) => refused_ladder(error, name),
+        ClimbError::Stopped => StudyError::Stopped,
     }
 }
 
@@ -345,48 +339,27 @@ pub(crate) fn named(load: f64, value: f64) -> bool {
         || same(round_to_digits(load, 4), value)
 }
 
-/// What the solutions of a surface share.
-struct Solve<'a> {
-    whole: &'a Surrounded<'a>,
-    map: &'a HeightMap,
-    known: &'a Map,
-    modulus: ContactModulus,
-}
-
-impl Solve<'_> {
-    /// Solves for a load and puts it on the curve, while what the one before it left there is looked at; with the
-    /// stiffness of its contact set, if it `conducts`.
-    fn load(
-        &self,
-        solver: &mut Solver,
-        (index, pressure): (usize, f64),
-        conducts: bool,
-        curve: &mut Curve,
-        tell: &mut (dyn FnMut(Progress<'_>) -> Result<(), StudyError> + Send),
-    ) -> Result<(), StudyError> {
-        let mut watch = |now: &Iteration<'_>| match tell(Progress::of_iteration(index, now)) {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(_) => ControlFlow::Break(()),
-        };
-        let load = Load::MeanPressure(pressure);
-        // In this order one thread alone holds the fields of one load.
-        let solve = || self.whole.solve_observed(solver, load, &mut watch);
-        let ((), result) = join(|| self.settle(curve), solve);
-        if matches!(result, Err(SolverError::Stopped(_))) {
-            return Err(StudyError::Stopped);
-        }
-        let set = match &result {
-            Ok(solution) if conducts => Stiffness::of_set(solver, solution).ok().flatten(),
-            _ => None,
-        };
-        curve.take(pressure, result, set);
-        Ok(())
+/// Solves for a load and puts it on the curve, while what the one before it left there is looked at; with the
+/// stiffness of its contact set, if it `conducts`.
+fn solve(
+    ladder: &mut Ladder,
+    (index, pressure): (usize, f64),
+    conducts: bool,
+    curve: &mut Curve,
+    tell: &mut (dyn FnMut(Progress<'_>) -> Result<(), StudyError> + Send),
+) -> Result<(), StudyError> {
+    let watch = |now: &Iteration<'_>| match tell(Progress::of_iteration(index, now)) {
+        Ok(()) => ControlFlow::Continue(()),
+        Err(_) => ControlFlow::Break(()),
+    };
+    // In this order one thread alone holds the fields of one load.
+    let solve = || ladder.solve(Load::MeanPressure(pressure), conducts, watch);
+    let ((), result) = join(|| curve.settle(), solve);
+    if matches!(result, Err(SolverError::Stopped(_))) {
+        return Err(StudyError::Stopped);
     }
-
-    /// Looks at what the last load left on the curve.
-    fn settle(&self, curve: &mut Curve) {
-        curve.settle(|found| Between::of(self.map, self.known.repeats, found, self.modulus));
-    }
+    curve.take(pressure, result);
+    Ok(())
 }
 
 /// Asks a model at every load, with its time. `deterministic` is what it is judged by, `elastic` the

@@ -6,7 +6,7 @@
 use compare::{Inputs, find};
 use contact_types::Grid;
 use contact_types::{ContactModulus, SpectralMoments};
-use fft_bem_solver::{PERIMETER_CORRECTION, Load, Solver};
+use fft_bem_solver::{Load, PERIMETER_CORRECTION, Solver};
 use std::f64::consts::{PI, TAU};
 use surface_stats::spectrum::{PowerSpectrum, Window};
 use surface_stats::synthesis::{Scale, SelfAffine};

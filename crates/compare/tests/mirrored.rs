@@ -5,10 +5,10 @@
     reason = "tests: a panic is the report, and the errors are worth seeing"
 )]
 
-use compare::budget::{Budget, Map};
 use compare::{EdgesName, Surrounded};
+use contact_accuracy::{Finer, Ladder, Setup};
 use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{Load, Solution, Solver};
+use fft_bem_solver::{Boundary, Load, Solution, Solver};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 use surface_stats::clean::resample;
@@ -91,20 +91,26 @@ fn the_intervals_hold() {
             level(&HeightMap::new(grid, heights).unwrap(), Level::Plane).unwrap()
         };
         let (map, finer) = (crop(1), crop(4));
-        let known = Map::of(&map).unwrap();
+        let setup = Setup {
+            builder: Solver::builder().threads(2),
+            boundary: Boundary::Periodic,
+            mirrored: true,
+            modulus: ContactModulus::from_pascals(1e9).unwrap(),
+            finer: Finer::WhenNeeded,
+        };
+        let mut ladder = Ladder::new(map, setup).unwrap();
         for load in [0.02, 0.2] {
             let load = Load::MeanPressure(load * 1e9 * 0.1);
-            let given = Budget::of(&solve(&map, EdgesName::Mirrored, load, 1e-4), &known);
+            let given = ladder.solve(load, false, |_| ()).unwrap().budget;
             let truth = solve(&finer, EdgesName::Mirrored, load, 1e-5);
             let gap = given.mean_gap.unwrap();
             let off = |found: f64, exact: f64, bar: f64| (found - exact).abs() / bar;
             let area = off(
                 given.area.value,
                 truth.diagnostics.area_fraction_corrected,
-                given.area.comparison_half_width().unwrap(),
+                given.area.half_width().unwrap(),
             );
-            let gap =
-                off(gap.value, truth.state.mean_gap.unwrap(), gap.comparison_half_width().unwrap());
+            let gap = off(gap.value, truth.state.mean_gap.unwrap(), gap.half_width().unwrap());
             println!("seed {seed}: errors over half widths: area {area:.2}, gap {gap:.2}");
             answers += 1;
             areas += usize::from(area <= 1.0);

@@ -1,5 +1,5 @@
 //! A map by the recipe of the contact-mechanics challenge (Müser et al. 2017, doi:10.1007/s11249-017-0900-2), without its
-//! adhesion, from light load to full contact: area, gap and stiffness with their ±, pairs, time and memory.
+//! adhesion, from light load to full contact: area, gap and stiffness, pairs, time and memory.
 //!
 //! ```console
 //! $ cargo run --release -p contact-accuracy --example challenge -- 2048 4096 8192
@@ -12,8 +12,7 @@
 
 #![allow(clippy::print_stdout, reason = "a program that prints a table")]
 
-use contact_accuracy::budget::grid::Line;
-use contact_accuracy::budget::{Budget, Estimate, Map, Stiffness};
+use contact_accuracy::{Map, Numbers};
 use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{
     Diagnostics, HalfSpace, Load, Maps, Precision, Real, Solution, Solver, SolverError,
@@ -57,7 +56,7 @@ fn table(n: usize, precision: Precision) -> Result<(), Box<dyn Error>> {
         quantise: None,
     };
     let surface = recipe.generate()?;
-    let (grid, known) = (surface.grid(), Map::of(&surface)?);
+    let (grid, known) = (surface.grid(), Map::of(&surface));
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let pair = match precision {
         Precision::Double => pair::<f64>(grid, modulus)?,
@@ -107,30 +106,22 @@ fn table(n: usize, precision: Precision) -> Result<(), Box<dyn Error>> {
 
 /// Area, gap and stiffness.
 fn numbers(solver: &mut Solver, solution: &Solution, known: &Map) -> Result<String, SolverError> {
-    let mut budget = Budget::of(solution, known);
-    match Stiffness::of_set(solver, solution) {
-        Ok(Some(found)) => budget = budget.with_stiffness(&found, known, Line::of(solution)),
-        Ok(None) => {}
+    let set = match solver.contact_stiffness() {
+        Ok(set) => Some(set),
         // The largest grids: beside the solver there is no room for it.
-        Err(error @ SolverError::Memory { .. }) => eprintln!("no stiffness: {error}"),
+        Err(error @ SolverError::Memory { .. }) => {
+            eprintln!("no stiffness: {error}");
+            None
+        }
         Err(error) => return Err(error),
-    }
-    let show = |estimate: Option<Estimate>, unit: f64| {
-        estimate.map_or("–".to_owned(), |estimate| with_bar(&estimate, unit))
+    };
+    let found = Numbers::of(solution, set.as_ref());
+    let show = |number: Option<f64>, unit: f64| {
+        number.map_or("–".to_owned(), |number| format!("{:.5}", unit * number))
     };
     let rms = known.rms_height;
-    let (gap, stiffness) =
-        (show(budget.mean_gap, 1.0 / rms), show(budget.stiffness, rms / MODULUS));
-    Ok(format!("{} | {gap} | {stiffness}", with_bar(&budget.area, 1.0)))
-}
-
-/// With what grid and iteration leave.
-fn with_bar(estimate: &Estimate, unit: f64) -> String {
-    let value = unit * estimate.value;
-    match estimate.comparison_half_width() {
-        Ok(half) => format!("{value:.5} ± {:.5}", unit * half),
-        Err(_) => format!("{value:.5}, no bar"),
-    }
+    let gap = show(found.mean_gap, 1.0 / rms);
+    Ok(format!("{:.5} | {gap} | {}", found.area, show(found.stiffness, rms / MODULUS)))
 }
 
 /// Seconds of one FFT pair, the least of a few.

@@ -83,10 +83,10 @@ impl Budget {
         }
         let mut mean_gap = own.mean_gap.map(|gap| uncertain.gap(gap, &area, beside));
         let residual = set.map_or(0.0, |set| set.residual);
-        let mut stiffness =
-            own.stiffness.map(|k| uncertain.stiffness(k, residual, &area, beside));
-        // An isolated contact is no sample of a surface that goes on.
-        let goes_on = found.boundary == Boundary::Periodic;
+        let mut stiffness = own.stiffness.map(|k| uncertain.stiffness(k, residual, &area, beside));
+        // An isolated contact is no sample of a surface that goes on; of one that yields it was not studied.
+        let yields = found.yielded.is_some_and(|yielded| yielded.area_fraction > 0.0);
+        let goes_on = found.boundary == Boundary::Periodic && !yields;
         if let Some(found) = goes_on.then(|| Sampling::of(solution, map.height_scatter)).flatten() {
             area.sampling = Some(found.area * area.value);
             if let Some(gap) = &mut mean_gap {

@@ -5,8 +5,8 @@ use crate::budget::Map;
 use crate::coarser::{Coarser, thinned};
 use crate::indicator::LIMIT;
 use crate::ladder::{Answered, Finer, Ladder, LadderError, MOST, Setup};
-use crate::request::Request;
 use crate::regrid;
+use crate::request::Request;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Precision, SolverError};
 use std::ops::ControlFlow;
@@ -183,12 +183,12 @@ struct Outcome {
 fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt, ClimbError> {
     let begun = Instant::now();
     let statistics = |source| ClimbError::Ladder(LadderError::Statistics(source));
-    let repeats =
-        Map::of(task.map).repeats && task.setup.boundary == Boundary::Periodic;
+    let repeats = Map::of(task.map).repeats && task.setup.boundary == Boundary::Periodic;
     let map = match factor {
         0.5 => thinned(task.map, [0, 0]).map_err(|e| statistics(e.into()))?,
-        2.0 => regrid(task.map, task.map.grid().shape().map(|n| 2 * n), repeats)
-            .map_err(statistics)?,
+        2.0 => {
+            regrid(task.map, task.map.grid().shape().map(|n| 2 * n), repeats).map_err(statistics)?
+        }
         _ => task.map.clone(),
     };
     let grid = map.grid();
@@ -263,11 +263,7 @@ impl Attempt {
         let next = above.map(|factor| {
             let shape = task.map.grid().shape().map(|n| (factor * n as f64) as usize);
             let points = (shape[0] * shape[1]) as f64 / self.grid.len() as f64;
-            Next {
-                shape,
-                half_width: half_width.map(|w| 0.5 * w),
-                seconds: points * self.seconds,
-            }
+            Next { shape, half_width: half_width.map(|w| 0.5 * w), seconds: points * self.seconds }
         });
         let missed = self.misses();
         let first = self.loads.iter().find(|load| !load.meets);

@@ -90,6 +90,17 @@ impl Coarser {
         Ok(Self { solvers })
     }
 
+    /// Another map on the same grid.
+    ///
+    /// # Errors
+    /// [`SolverError`].
+    pub fn take_map(&mut self, map: &HeightMap) -> Result<(), SolverError> {
+        for (solver, first) in self.solvers.iter_mut().zip(PHASES) {
+            solver.take_surface(thinned(map, first).map_err(|_| SolverError::NoSurface)?)?;
+        }
+        Ok(())
+    }
+
     /// That `loads` will follow, each close to the one before it.
     pub fn follow_curve(&mut self, loads: usize) {
         self.solvers.iter_mut().for_each(|solver| solver.follow_curve(loads));

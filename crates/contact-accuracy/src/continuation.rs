@@ -3,9 +3,7 @@
 
 use contact_types::HeightMap;
 use surface_stats::clean::{resample, resample_mirrored};
-use surface_stats::spectrum::Window;
 use surface_stats::{Edges, StatsError};
-
 
 /// The map on `shape` points: by its waves if it repeats, by its cosines otherwise, so that the jump
 /// at its edges does not ring.

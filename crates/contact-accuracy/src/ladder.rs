@@ -13,14 +13,14 @@ use fft_bem_solver::{
     SolverError,
 };
 use std::time::Instant;
-use surface_stats::clean::mirrored;
 use surface_stats::StatsError;
+use surface_stats::clean::mirrored;
 
 /// Relative uncertainty of the area above which twice the points are solved.
 const WIDE: f64 = 0.2;
 /// Most points of a map that is solved on twice the points along each side without being asked: 1024 × 1024.
 const MOST_UNASKED: usize = 1 << 20;
-/// Most points of one that is asked for: 64 million on the finer grid.
+/// Most points of one that an accuracy is asked for: 64 million on the finer grid.
 pub(crate) const MOST: usize = 1 << 24;
 
 /// When a load is also solved on twice the points along each side.
@@ -31,8 +31,6 @@ pub enum Finer {
     /// Where the indicator exceeds its limit or the uncertainty 20 %, on maps of up to 1024² points.
     #[default]
     WhenNeeded,
-    /// Where the same is so, on maps of up to 4096² points.
-    Asked,
 }
 
 /// How to solve.
@@ -111,6 +109,20 @@ impl Ladder {
         &self.given
     }
 
+    /// Another map on the same grid, to be solved from where the last one ended.
+    ///
+    /// # Errors
+    /// [`LadderError`].
+    pub fn take_map(&mut self, map: HeightMap) -> Result<(), LadderError> {
+        self.known = Map::of(&map);
+        self.whole = self.setup.mirrored.then(|| mirrored(&map)).transpose()?;
+        if let Ok(coarser) = &mut self.coarser {
+            coarser.take_map(self.whole.as_ref().unwrap_or(&map))?;
+        }
+        (self.given, self.finer) = (map, None);
+        Ok(())
+    }
+
     /// That `loads` will follow, each close to the one before it.
     pub fn follow_curve(&mut self, loads: usize) {
         self.solver.follow_curve(loads);
@@ -142,8 +154,7 @@ impl Ladder {
         let coarse_seconds = clock.elapsed().as_secs_f64();
         let surface = self.whole.as_ref().unwrap_or(&self.given);
         let grid = self.given.grid();
-        let solution =
-            on_given(self.solver.solve_observed(surface, load, &mut observer), grid)?;
+        let solution = on_given(self.solver.solve_observed(surface, load, &mut observer), grid)?;
         let set = stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
         let set = set.as_ref();
         let beside = Beside { coarser: coarser.as_deref().map_err(|why| *why), finer: None };
@@ -152,8 +163,7 @@ impl Ladder {
         };
         let mut found = budget(&beside, &self.known);
         let repeats = self.known.repeats && self.setup.boundary == Boundary::Periodic;
-        found.indicator =
-            indicator(&self.given, repeats, &solution.pressure, self.setup.modulus);
+        found.indicator = indicator(&self.given, repeats, &solution.pressure, self.setup.modulus);
         let clock = Instant::now();
         let mut finer = None;
         if self.needs_finer(&found) {
@@ -167,11 +177,7 @@ impl Ladder {
     }
 
     fn needs_finer(&self, budget: &Budget) -> bool {
-        let most = match self.setup.finer {
-            Finer::Never => 0,
-            Finer::WhenNeeded => MOST_UNASKED,
-            Finer::Asked => MOST,
-        };
+        let most = if self.setup.finer == Finer::Never { 0 } else { MOST_UNASKED };
         let sensitive = budget.indicator.is_some_and(|indicator| indicator > LIMIT);
         let wide = budget.area.half_width().is_ok_and(|half| half > WIDE * budget.area.value);
         let [ny, nx] = self.given.grid().shape();
@@ -221,7 +227,7 @@ pub enum LadderError {
 /// itself otherwise. Fields are those of the map. Area, contact line, gap, load and residuals are per pixel, means
 /// over the map and its images; the edges of the map are no contact lines, for each pixel there faces its own
 /// image.
-fn on_given(
+pub fn on_given(
     result: Result<Solution, SolverError>,
     given: Grid,
 ) -> Result<Solution, SolverError> {

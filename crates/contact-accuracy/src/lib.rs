@@ -31,7 +31,7 @@ pub use fft_bem_solver::{
     SolverError,
 };
 pub use indicator::{LIMIT as INDICATOR_LIMIT, indicator};
-pub use ladder::{Answered, Finer, Ladder, LadderError, Setup};
+pub use ladder::{Answered, Finer, Ladder, LadderError, Setup, on_given};
 pub use request::{BadRequest, Request};
 pub use surface_stats::StatsError;
 pub use table::{median, quantile, round_to_digits};

@@ -19,7 +19,7 @@
 
 use crate::coarser::Numbers;
 use crate::estimate::{Estimate, NoUncertainty, Parts};
-use fft_bem_solver::{PERIMETER_CORRECTION, Diagnostics, Solution};
+use fft_bem_solver::{Diagnostics, PERIMETER_CORRECTION, Solution};
 
 /// F: uncertainty over what halving the points moves.
 const MOVED: f64 = 2.0;

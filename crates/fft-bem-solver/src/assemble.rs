@@ -6,7 +6,7 @@ use crate::problem::Problem;
 use crate::simd::vectorised;
 use crate::tally::{Fields, tally};
 use crate::{
-    PERIMETER_CORRECTION, Boundary, Diagnostics, Load, Maps, Real, Residuals, Solution, Yielded,
+    Boundary, Diagnostics, Load, Maps, PERIMETER_CORRECTION, Real, Residuals, Solution, Yielded,
     certificate, fields,
     solution::{Section, coarse},
 };

@@ -22,7 +22,6 @@
 #![warn(missing_debug_implementations)]
 
 mod assemble;
-mod perimeter_correction;
 mod certificate;
 mod control;
 mod curve;
@@ -36,6 +35,7 @@ mod methods;
 mod mixed_problem;
 mod observer;
 mod parts;
+mod perimeter_correction;
 mod pool;
 mod problem;
 mod projection;
@@ -52,7 +52,6 @@ mod unknown_name;
 pub mod validation;
 mod yield_control;
 
-pub use perimeter_correction::PERIMETER_CORRECTION;
 pub use contact_types::{
     Caveat, ContactModulus, ContactState, Elastic, Grid, HeightMap, ModelError, SurfaceError,
 };
@@ -63,6 +62,7 @@ pub use mixed_problem::{Conductors, SetStiffness};
 pub use observer::{Answer, Iteration};
 #[cfg(feature = "parts")]
 pub use parts::take_parts;
+pub use perimeter_correction::PERIMETER_CORRECTION;
 pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};
 pub use solution::{Diagnostics, End, Fallbacks, Residuals, Section, Solution, Yielded};

@@ -4,11 +4,12 @@ use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, array, surface_of};
 use crate::watched::{News, Outcome, Reporter, watched};
 use answers::{Conduction, Failure, Question, Subject, Watch, bodies};
-use compare::plan::Request as Accuracy;
+use compare::Request as Accuracy;
 use compare::{
-    Body, EdgesName, Iteration, Level, Load, Method, Origin, Precision, Solution, Solver, Surface,
+    Body, EdgesName, Iteration, Level, Load, Method, Origin, Precision, Solution, Surface,
     WorkOfAdhesion,
 };
+use contact_accuracy::Ladder;
 use contact_types::Grid;
 use fft_bem_solver::Boundary;
 use numpy::{PyArray2, PyReadonlyArray2};
@@ -39,7 +40,7 @@ struct Request {
     precision: Precision,
     tolerance: f64,
     accuracy: Option<String>,
-    refine: bool,
+    fast: bool,
     certify: bool,
     stiffness: bool,
     hardness: Option<f64>,
@@ -86,7 +87,7 @@ impl Request {
             precision: self.precision,
             tolerance: self.tolerance,
             accuracy,
-            refine: self.refine,
+            fast: self.fast,
             certify: self.certify,
             stiffness: self.stiffness,
             hardness: self.hardness,
@@ -161,7 +162,7 @@ type Solved<'py> =
 /// A solver that keeps its last solution, for the next call on the same grid. Private.
 #[pyclass(frozen)]
 #[derive(Default)]
-pub(crate) struct Keep(Arc<Mutex<Option<Solver>>>);
+pub(crate) struct Keep(Arc<Mutex<Option<Ladder>>>);
 
 #[pymethods]
 impl Keep {
@@ -246,7 +247,6 @@ pub(crate) fn solve<'py>(
             missing: if is_pair { surface.origin.missing() } else { facts.missing },
             fill: &facts.fill,
             cleaned: if is_pair { &[] } else { &facts.cleaned },
-            height_step: if is_pair { surface.origin.height_step() } else { facts.height_step },
             pair: surface.origin.pair(),
         };
         let answer = match &kept {
@@ -268,7 +268,7 @@ pub(crate) fn solve<'py>(
         };
         maps.push((index, of(pressure)?, of(gap)?));
     }
-    let unmet = answer.plan.as_ref().and_then(|plan| answers::unmet("", plan, ""));
+    let unmet = answer.plan.as_ref().and_then(|plan| answers::unmet("", plan));
     let trouble = answer.trouble.into_iter().chain(unmet).reduce(Failure::and);
     let trouble = trouble.map(|t| (t.kind().to_owned(), t.message().to_owned()));
     Ok((answer.json.to_string(), maps, trouble, stopped_by))

@@ -1,12 +1,12 @@
 //! A budget as keys of a point in JSON, the same for `solve --json` and `results.json`.
 
-use contact_accuracy::budget::{Budget, Estimate, RealPressure};
+use contact_accuracy::{Budget, Estimate, RealPressure};
 use serde_json::{Map, Value, json};
 
-/// Intervals `[low, high]` of every number: `NAME_interval` from grid and iteration, to compare
-/// with (of what was prescribed, a load or a gap, the number itself twice); `NAME_prediction_interval` with the finite sample on top; `null` where there is none.
-/// Stiffness (Pa/m) and its intervals are `null` if it was not computed. `budget` lists the half
-/// widths by source.
+/// Intervals `[low, high]` of every number: `NAME_interval` as the number of this map (of what was prescribed, a load
+/// or a gap, the number itself twice); `NAME_prediction_interval` as a number of the surface, with the sampling
+/// variability; `null` where there is none. Stiffness (Pa/m) and its intervals are `null` if it was not computed.
+/// `budget` lists the half widths by source.
 pub fn keys(budget: Option<&Budget>) -> Map<String, Value> {
     let mut keys = Map::new();
     let area = budget.map(|b| b.area);
@@ -16,35 +16,41 @@ pub fn keys(budget: Option<&Budget>) -> Map<String, Value> {
     let all =
         [("mean_pressure", load), ("area", area), ("mean_gap", gap), ("stiffness", stiffness)];
     for (name, estimate) in all {
-        let comparison = estimate.and_then(|e| e.comparison().ok());
+        let comparison = estimate.and_then(|e| e.interval().ok());
         keys.insert(format!("{name}_interval"), json!(comparison));
         let prediction = estimate.and_then(|e| e.prediction());
         keys.insert(format!("{name}_prediction_interval"), json!(prediction));
     }
-    let reason = area.and_then(|a| Some(a.comparison_half_width().err()?.to_string()));
+    let reason = area.and_then(|a| Some(a.half_width().err()?.to_string()));
     keys.insert("area_interval_reason".into(), json!(reason));
     let real = budget.and_then(Budget::real_pressure);
     // An area that may be 0 leaves the pressure without an upper end.
     let bounded = |interval: [f64; 2]| Some(interval).filter(|i| i[1].is_finite());
-    let comparison = real.and_then(|r| bounded(r.comparison().ok()?));
+    let comparison = real.and_then(|r| bounded(r.interval().ok()?));
     let prediction = real.and_then(|r| bounded(r.prediction()?));
     keys.insert("real_pressure_corrected".into(), json!(real.map(RealPressure::value)));
     keys.insert("real_pressure_interval".into(), json!(comparison));
     keys.insert("real_pressure_prediction_interval".into(), json!(prediction));
     keys.insert("stiffness".into(), json!(stiffness.map(|s| s.value)));
+    let indicator = budget.and_then(|b| b.indicator);
     let budget = json!({
         "area": area.map(sources),
         "mean_gap": gap.map(sources),
         "stiffness": stiffness.map(sources),
     });
     keys.insert("budget".into(), budget);
+    keys.insert("interpolation_indicator".into(), json!(indicator));
     keys
 }
 
 fn sources(estimate: Estimate) -> Value {
+    let parts = estimate.uncertainty.ok();
     json!({
-        "grid": estimate.grid.ok(),
-        "iteration": estimate.iteration.ok(),
-        "finite_sample": estimate.sample,
+        "coarser": parts.map(|p| p.coarser),
+        "contact_line": parts.map(|p| p.contact_line),
+        "counting": parts.map(|p| p.counting),
+        "finer": parts.map(|p| p.finer),
+        "iteration": parts.map(|p| p.iteration),
+        "sampling": estimate.sampling,
     })
 }

@@ -75,7 +75,7 @@ fn write_surface(
             answer.and_then(|a| a.mean_gap),
         ];
         let prediction = answer.and_then(|a| a.budget.area.prediction());
-        let gap = answer.and_then(|a| a.budget.mean_gap?.comparison().ok());
+        let gap = answer.and_then(|a| a.budget.mean_gap?.interval().ok());
         for range in [prediction, gap] {
             cells.extend([range.map(|r| r[0]), range.map(|r| r[1])]);
         }

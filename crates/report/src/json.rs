@@ -8,8 +8,7 @@ use crate::words::plan as plan_words;
 use compare::{
     Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
 };
-use contact_accuracy::PERIMETER_CORRECTION;
-use contact_accuracy::plan::Outcome;
+use contact_accuracy::{Reached, Request};
 use contact_types::{ContactState, ModelError};
 use serde_json::{Value, json};
 use std::io::Write;
@@ -86,7 +85,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "largest_area": c.largest_area,
         })),
         "distributions": s.headline_distributions(),
-        "refined": refined(s),
+        "finer": finer(s),
         "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|c| json!({
             "choice": c.kind.name(),
             "area_effect": c.effect,
@@ -124,16 +123,15 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     })
 }
 
-/// The headline load on a twice finer grid, if it was solved there.
-fn refined(s: &SurfaceComparison) -> Value {
+/// The headline load on twice the points, if it was solved there.
+fn finer(s: &SurfaceComparison) -> Value {
     let finer = s.headline_answer().and_then(|a| a.finer);
     finer.map_or(Value::Null, |f| {
         json!({
             "mean_pressure": s.headline_pressure(),
             "area_fraction_corrected": f.area,
-            "contact_perimeter": f.correction / PERIMETER_CORRECTION,
-            "mean_gap": f.gap,
-            "seconds": s.refined_seconds,
+            "mean_gap": f.mean_gap,
+            "seconds": s.beside_seconds[1],
             "loads": s.deterministic.iter().filter_map(|p| p.answer.as_ref()?.finer).count(),
         })
     })
@@ -156,7 +154,7 @@ fn point(p: &DeterministicPoint) -> Value {
     "area_fraction": a.area_fraction,
     "area_fraction_corrected": a.area_fraction_corrected,
     "area_interval_covers": "grid and iteration",
-    "no_interval_because": a.budget.area.comparison_half_width().err().map(|r| r.to_string()),
+    "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
     "mean_gap": a.mean_gap,
     "approach": a.approach,
     "max_pressure": a.max_pressure,
@@ -242,28 +240,24 @@ fn answer(
 }
 
 /// What was chosen for a request, and why.
-pub fn accuracy(outcome: &Outcome) -> Value {
+pub fn accuracy(reached: &Reached) -> Value {
     json!({
-        "requested": outcome.request.relative(),
-        "met": outcome.met,
-        "given": outcome.given.shape(),
-        "grid": outcome.grid.shape(),
-        "factor": outcome.factor,
-        "precision": outcome.precision.name(),
-        "tolerance": outcome.tolerance,
-        "half_width": outcome.half_width,
-        "transforms": outcome.transforms,
-        "work": outcome.work,
-        "seconds": outcome.seconds,
-        "given_up": outcome.given_up,
-        "next": outcome.next.map(|next| json!({
+        "requested": reached.request.map(Request::relative),
+        "met": reached.met,
+        "given": reached.given.shape(),
+        "grid": reached.grid.shape(),
+        "factor": reached.factor(),
+        "precision": reached.precision.name(),
+        "tolerance": reached.tolerance,
+        "half_width": reached.half_width,
+        "seconds": reached.seconds,
+        "next": reached.next.map(|next| json!({
             "grid": next.shape,
-            "factor": next.factor,
             "half_width": next.half_width,
             "seconds": next.seconds,
         })),
-        "reason": plan_words::reason(outcome),
-        "explanation": plan_words::explanation(outcome),
+        "reason": plan_words::reason(reached),
+        "explanation": plan_words::explanation(reached),
     })
 }
 

@@ -144,24 +144,21 @@ pub(crate) fn edges() -> impl TypedValueParser<Value = EdgesName> {
     one_of(EdgesName::ALL, EdgesName::name)
 }
 
-/// Mirror images at the edges are for periodic maps solved to a tolerance.
-pub(crate) fn refuse_mirrored(
-    edges: EdgesName,
-    is_planned: bool,
-    is_free: bool,
-) -> Result<(), Failure> {
-    let message = match (edges, is_planned, is_free) {
-        (EdgesName::Periodic, _, _) | (EdgesName::Mirrored, false, false) => return Ok(()),
-        (EdgesName::Mirrored, _, true) => {
-            "--edges mirrored puts mirror images beyond the edges and --boundary free nothing; give \
-             one of them"
-        }
-        (EdgesName::Mirrored, true, _) => {
-            "--accuracy cannot be planned with --edges mirrored: the error of the area was studied \
-             for maps that are repeated; give --tolerance, or leave out --edges"
-        }
-    };
+/// Mirror images at the edges are for periodic maps.
+pub(crate) fn refuse_mirrored(edges: EdgesName, is_free: bool) -> Result<(), Failure> {
+    if edges == EdgesName::Periodic || !is_free {
+        return Ok(());
+    }
+    let message = "--edges mirrored puts mirror images beyond the edges and --boundary free nothing; give \
+                   one of them";
     Err(Failure::refused("combination", message))
+}
+
+/// Takes `--refine`, which is gone, and names what does its work.
+pub(crate) fn refine_is_gone(_: &str) -> Result<bool, String> {
+    Err("twice the points are solved where the answer depends on them, unasked; --accuracy A% climbs \
+         until the area is known as well"
+        .to_owned())
 }
 
 pub(crate) fn flip() -> impl TypedValueParser<Value = Flip> {

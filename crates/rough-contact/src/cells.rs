@@ -4,7 +4,7 @@ use crate::conduction;
 use crate::loads::shown;
 use crate::text;
 use answers::Point;
-use compare::budget::{Given, RealPressure};
+use contact_accuracy::{Given, RealPressure};
 use fft_bem_solver::Yielded;
 
 /// The cells of its row.
@@ -18,15 +18,13 @@ pub(crate) fn cells(point: &Point) -> Vec<String> {
     let mut cells = vec![text::pressure(state.mean_pressure)];
     if budget.given == Given::Gap {
         let load = budget.mean_pressure;
-        let half = load.comparison_half_width().ok();
+        let half = load.half_width().ok();
         cells.push(text::relative(half, load.value, text::pressure));
     }
     cells.extend([
         text::percent(state.area_fraction),
         text::percent(d.area_fraction_corrected),
-        text::relative(area.comparison_half_width().ok(), area.value, |most| {
-            text::percent(most.min(1.0))
-        }),
+        text::relative(area.half_width().ok(), area.value, |most| text::percent(most.min(1.0))),
         text::relative(area.prediction_half_width(), area.value, |most| {
             text::percent(most.min(1.0))
         }),

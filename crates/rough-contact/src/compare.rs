@@ -13,11 +13,10 @@ use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::progress::Progress;
 use crate::shell::quoted;
-use crate::solve::PLANNED_YIELD;
 use crate::text::{self, Columns};
 pub(crate) use answers::not_met;
 use clap::Args;
-use compare::plan::Request;
+use compare::Request;
 use compare::{
     Comparison, EdgesName, Level, Method, Origin, Precision, Refused, Registry, RunFile,
     RunSurface, STEEL, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, on_threads,
@@ -79,15 +78,18 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
     #[arg(default_value = "1e-4")]
     tolerance: f64,
-    /// Error of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
+    /// Uncertainty of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
     #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["tolerance", "precision"])]
     accuracy: Option<Request>,
+    /// Every second point of the map at once, with its wider uncertainty
+    #[arg(long, conflicts_with = "accuracy")]
+    fast: bool,
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
         "headline", "models", "hardness", "resistivity", "conductivity", "level", "fractal_range", "edges", "method",
-        "precision", "tolerance", "accuracy", "modulus", "young", "material", "work_of_adhesion", "channel", "pixel",
+        "precision", "tolerance", "accuracy", "fast", "modulus", "young", "material", "work_of_adhesion", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
@@ -164,12 +166,8 @@ impl Compare {
     }
 
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
-        args::refuse_mirrored(self.edges, self.accuracy.is_some(), false)?;
         self.forces.given()?; // refused before any work
         let hardness = self.bodies.hardness(self.hardness)?;
-        if hardness.is_some() && self.accuracy.is_some() {
-            return Err(Failure::refused("combination", PLANNED_YIELD));
-        }
         let (modulus, bodies) = match self.bodies.given()? {
             Some(modulus) => (modulus.pascals(), self.bodies.listed()),
             None if self.files.is_empty() => (STEEL_ON_STEEL, vec![STEEL; 2]),
@@ -193,6 +191,7 @@ impl Compare {
             precision: self.precision,
             tolerance: self.tolerance,
             accuracy: self.accuracy.map(Request::relative),
+            fast: self.fast,
             fractal_range: self.fractal_range,
             ..Settings::default()
         })

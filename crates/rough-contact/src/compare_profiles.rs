@@ -32,6 +32,7 @@ pub(crate) fn from_traces(
 /// Options that say how to solve for a map.
 pub(crate) fn refuse_solver(settings: &Settings) -> Result<(), Failure> {
     let option = match (settings.accuracy, settings.edges) {
+        _ if settings.fast => "--fast",
         (Some(_), _) => "--accuracy",
         (None, EdgesName::Mirrored) => "--edges mirrored",
         _ => return Ok(()),

@@ -7,8 +7,8 @@ use crate::text;
 use crate::units::Dimension;
 use answers::Conducted;
 use clap::Args;
+use compare::Estimate;
 use compare::Property;
-use compare::budget::Estimate;
 
 /// A number of each body.
 #[derive(Clone, Copy, Debug)]
@@ -23,12 +23,10 @@ pub(crate) struct Conduction {
     /// Resistivity of both bodies, or of each, as 22nohm.m,70nohm.m; `table` for that of two materials: the
     /// electrical conductance of each contact
     #[arg(long, value_name = "RHO[,RHO]", value_parser = resistivities, allow_hyphen_values = true)]
-    #[arg(conflicts_with = "accuracy")]
     resistivity: Option<Both>,
     /// Thermal conductivity of both bodies, or of each, as 400W/m/K,50W/m/K; `table` for that of two
     /// materials: the thermal conductance of each contact
     #[arg(long, value_name = "K[,K]", value_parser = conductivities, allow_hyphen_values = true)]
-    #[arg(conflicts_with = "accuracy")]
     conductivity: Option<Both>,
 }
 
@@ -101,7 +99,7 @@ pub(crate) fn line(asked: &answers::Conduction) -> &'static str {
 pub(crate) fn cells(found: &Conducted, stiffness: Option<Estimate>) -> Vec<String> {
     let per_area = |unit: &'static str| move |value: f64| format!("{value:.3e} {unit}");
     let bar = |half: Option<f64>| text::relative(half, found.stiffness, text::stiffness);
-    let own = stiffness.and_then(|k| k.comparison_half_width().ok());
+    let own = stiffness.and_then(|k| k.half_width().ok());
     let sample = stiffness.and_then(|k| k.prediction_half_width());
     let mut cells = vec![shown(found.stiffness, text::stiffness), bar(own), bar(sample)];
     cells.extend(found.electrical.map(|value| shown(value, per_area("S/m²"))));

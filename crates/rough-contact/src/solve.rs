@@ -10,7 +10,7 @@ use crate::fields::{Fields, Sink};
 use crate::files::folder_name;
 use crate::hardness;
 use crate::input::{Complete, Input, Measured};
-use crate::intervals::Intervals;
+use crate::intervals;
 use crate::loads::{Loads, carried, shown};
 use crate::outcome::{Failure, Reply};
 use crate::planned;
@@ -20,7 +20,7 @@ use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use answers::{Answer, Question, Subject, Watch};
 use clap::Args;
-use compare::plan::Request;
+use compare::Request;
 use compare::{EdgesName, Level, Method, PairOrigin, Precision};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Solution};
@@ -55,19 +55,20 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
     #[arg(default_value = "1e-4")]
     tolerance: f64,
-    /// Error of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
+    /// Uncertainty of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
     #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
-    #[arg(conflicts_with_all = ["tolerance", "precision", "refine"])]
+    #[arg(conflicts_with_all = ["tolerance", "precision"])]
     accuracy: Option<Request>,
-    /// Solve loads that have no error interval once more on a twice finer grid, which gives one:
-    /// four times the points, about five times the time
-    #[arg(long)]
-    refine: bool,
+    /// Every second point of the map at once, with its wider uncertainty
+    #[arg(long, conflicts_with = "accuracy")]
+    fast: bool,
+    #[arg(long, hide = true, num_args = 0, default_missing_value = "", value_parser = args::refine_is_gone)]
+    refine: Option<bool>,
     /// Prove how wrong each answer may be, for one more FFT pair: energy_bound in the JSON
     #[arg(long)]
     certify: bool,
     /// Contact stiffness too, of the contact set of each load
-    #[arg(long, conflicts_with = "accuracy")]
+    #[arg(long)]
     stiffness: bool,
     /// Highest pressure that the softer body bears, as 2GPa: metals yield there, and the area grows;
     /// `elastic` to leave out that of --material
@@ -98,12 +99,8 @@ differently. Mean pressure is load per length of ridge over the length of the tr
 of the trace differ in height, --edges mirrored takes the jump between them out.\n";
 
 /// Why heights and displacements are not written on a chosen grid.
-const CHOSEN_GRID: &str = "--fields heights and displacement are on the grid of the file, and --accuracy chooses \
-                           a grid of its own; leave them out, or give --tolerance";
-
-/// Why nothing is planned for bodies that yield.
-pub(crate) const PLANNED_YIELD: &str = "--accuracy was studied on elastic bodies, and these have a hardness; give --tolerance, or \
-                             --hardness elastic for bodies that do not yield";
+const CHOSEN_GRID: &str = "--fields heights and displacement are on the grid of the file, and --accuracy and \
+                           --fast choose a grid of their own; leave them out, or give --tolerance";
 
 /// Why an isolated contact is not solved for its gap.
 const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mean gap of an isolated \
@@ -161,9 +158,6 @@ impl PerFile for Solve {
     fn answer(&self, common: &Common) -> Result<Reply, Failure> {
         let modulus = self.bodies.required()?;
         let hardness = self.bodies.hardness(self.hardness)?;
-        if hardness.is_some() && self.accuracy.is_some() {
-            return Err(Failure::refused("combination", PLANNED_YIELD));
-        }
         let conduction = self.conduction.asked(&self.bodies)?;
         let adhesion = self.adhesion.asked()?;
         let count = self.loads.count()?;
@@ -174,14 +168,14 @@ impl PerFile for Solve {
             "free" => Boundary::Free,
             _ => Boundary::Periodic,
         };
-        args::refuse_mirrored(self.edges, self.accuracy.is_some(), self.boundary == "free")?;
+        args::refuse_mirrored(self.edges, self.boundary == "free")?;
         let repeats = boundary == Boundary::Periodic && self.edges == EdgesName::Periodic;
-        if self.accuracy.is_some() && self.fields.needs_heights() {
+        if (self.accuracy.is_some() || self.fast) && self.fields.needs_heights() {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
         let (complete, pair) = self.section()?;
         let maps = Sink::prepare(&self.fields, count, repeats, common.force)?;
-        let Complete { map, cleaned, height_step, missing, .. } = complete;
+        let Complete { map, cleaned, missing, .. } = complete;
         let spread = self.loads.forces.spread([map.grid().area()])?;
         let question = Question {
             loads: self.loads.each(spread.as_ref()),
@@ -196,7 +190,7 @@ impl PerFile for Solve {
             precision: self.precision,
             tolerance: self.tolerance,
             accuracy: self.accuracy,
-            refine: self.refine,
+            fast: self.fast,
             certify: self.certify,
             stiffness: self.stiffness,
             hardness,
@@ -213,23 +207,20 @@ impl PerFile for Solve {
             missing,
             fill: self.input.reading.fill.name(),
             cleaned: &cleaned,
-            height_step,
             pair: pair.as_ref(),
         };
         let progress = Progress::new(common.quiet, question.loads.len());
         let mut terminal = Terminal { progress, maps, needs_heights: self.fields.needs_heights() };
         let answer = question.solve(subject, &mut terminal)?;
         drop(terminal);
-        let intervals = Intervals::of(&answer.points);
-        let refinable = intervals.refinable.is_some() && answer.can_be_refined;
         let notes = match answer.plan {
-            None => intervals.notes(!self.refine && answer.can_be_refined),
+            None => intervals::notes(&answer.points),
             Some(_) => String::new(),
         };
         let plan = answer.plan.clone();
         let mut reply = self.reply(answer, &notes, &question, (&cleaned, pair.as_ref()));
         if let Some(outcome) = plan {
-            planned::state(&outcome, refinable, &mut reply);
+            planned::state(&outcome, &mut reply);
         }
         Ok(reply)
     }
@@ -318,10 +309,10 @@ impl Solve {
                  not: leave it out",
             ),
             (Measured::Profile(_), true)
-                if self.accuracy.is_some() || self.refine || self.asks_set()? =>
+                if self.accuracy.is_some() || self.fast || self.asks_set()? =>
             {
                 refused(
-                    "--accuracy, --refine, --stiffness, --resistivity, --conductivity and --work-of-adhesion \
+                    "--accuracy, --fast, --stiffness, --resistivity, --conductivity and --work-of-adhesion \
                      are for maps; give --tolerance with --plane-strain",
                 )
             }

@@ -185,9 +185,13 @@ pub(crate) fn family(name: &str, seed: u64) -> Option<Heights> {
             Box::new(move |y, x| rough(y, x).min(other(y, x)))
         }
         "two levels" => Box::new(move |y, x| (6.0 * rough(y, x)).tanh() + 0.1 * rough(y, x)),
-        "pillars" => Box::new(move |y, x| {
-            if d(y, x)[0] < 0.08 { 1.0 + 0.1 * rough(y, x) } else { 0.1 * rough(y, x) }
-        }),
+        "pillars" => {
+            Box::new(
+                move |y, x| {
+                    if d(y, x)[0] < 0.08 { 1.0 + 0.1 * rough(y, x) } else { 0.1 * rough(y, x) }
+                },
+            )
+        }
         "pores" => Box::new(move |y, x| {
             let depth = if d(y, x)[0] < 0.04 { 2.0 } else { 0.0 };
             0.3 * rough(y, x) - depth

@@ -17,7 +17,6 @@ __all__ = [
     "MissingPoints",
     "ModelError",
     "NotConverged",
-    "NotRefined",
     "ReadError",
     "SettingError",
     "SurfaceError",
@@ -83,9 +82,6 @@ class AccuracyNotMet(Error, RuntimeError):
     """The accuracy asked for is not reached; ``result`` has what was found."""
 
 
-class NotRefined(Error, RuntimeError):
-    """A twice finer grid gives no interval; ``result`` has what was found."""
-
 
 class InternalError(RuntimeError):
     """A bug of this package. Please report it."""
@@ -120,7 +116,6 @@ _KINDS: dict[str, type[Error]] = {
     "not_converged": NotConverged,
     "stopped_at_rounding": NotConverged,
     "accuracy_not_met": AccuracyNotMet,
-    "not_refined": NotRefined,
 }
 
 

@@ -71,7 +71,11 @@ class Point:
     energy_bound: Any = _n()
     exact: Any = _n()
     budget: dict[str, Any] | None = _n()
-    refined: dict[str, Any] | None = _n()
+    coarser: Any = _n()
+    finer: dict[str, Any] | None = _n()
+    interpolation_indicator: float | None = _n("1")
+    seconds_coarser: float | None = _n("s")
+    seconds_finer: float | None = _n("s")
     distributions: dict[str, Any] | None = _n()
     error: dict[str, str] | None = _n()
     #: Pressure (Pa) of every point, shape (ny, nx), if maps were kept.

@@ -38,7 +38,7 @@ def solve(
     precision: Literal["f64", "f32"] | None = None,
     tolerance: float | None = None,
     accuracy: float | str | None = None,
-    refine: bool = False,
+    fast: bool = False,
     certify: bool = False,
     stiffness: bool = False,
     hardness: Q | None = None,
@@ -77,8 +77,10 @@ def solve(
     method, precision, tolerance
         How to solve; ``'f64'`` and 1e-4 by default.
     accuracy : float or str, optional
-        Error of the area to stay within, as ``'3%'``: grid, precision and tolerance are chosen for it.
-    refine, certify, stiffness, distributions : bool
+        Uncertainty of the area to stay within, as ``'3%'``: grid, precision and tolerance are chosen for it.
+    fast : bool
+        Every second point of the map at once, with its wider uncertainty.
+    certify, stiffness, distributions : bool
         As the options of the command.
     hardness : quantity, optional
         Highest pressure that the softer body bears.
@@ -110,7 +112,7 @@ def solve(
 
     Raises
     ------
-    NotConverged, AccuracyNotMet, NotRefined
+    NotConverged, AccuracyNotMet
         With what was found in ``.result``.
     Interrupted
         Ctrl-C; the loads that were done are in ``.partial``.
@@ -139,11 +141,7 @@ def solve(
     _refuse(
         ("accuracy", accuracy is not None, "tolerance", tolerance is not None),
         ("accuracy", accuracy is not None, "precision", precision is not None),
-        ("accuracy", accuracy is not None, "refine", refine),
-        ("accuracy", accuracy is not None, "stiffness", stiffness),
-        ("accuracy", accuracy is not None, "hardness", hardness is not None),
-        ("accuracy", accuracy is not None, "edges='mirrored'", edges == "mirrored"),
-        ("resistivity or conductivity", conduction, "accuracy", accuracy is not None),
+        ("accuracy", accuracy is not None, "fast", fast),
         ("edges='mirrored'", edges == "mirrored", "boundary='free'", boundary == "free"),
         ("gap", gap is not None, "boundary='free'", boundary == "free"),
         # Ridges have a load on a length, do not end, and have no more answers than these.
@@ -151,7 +149,7 @@ def solve(
         ("plane_strain", plane_strain, "boundary='free'", boundary == "free"),
         ("plane_strain", plane_strain, "against", against is not None),
         ("plane_strain", plane_strain, "accuracy", accuracy is not None),
-        ("plane_strain", plane_strain, "refine", refine),
+        ("plane_strain", plane_strain, "fast", fast),
         ("plane_strain", plane_strain, "stiffness", stiffness),
         ("plane_strain", plane_strain, "resistivity or conductivity", conduction),
         ("plane_strain", plane_strain, "work_of_adhesion", work_of_adhesion is not None),
@@ -168,7 +166,7 @@ def solve(
         "precision": precision or "f64",
         "tolerance": 1e-4 if tolerance is None else _units.number(tolerance, "tolerance"),
         "accuracy": _accuracy(accuracy),
-        "refine": bool(refine),
+        "fast": bool(fast),
         "certify": bool(certify),
         "stiffness": bool(stiffness),
         "hardness": _hardness(hardness),

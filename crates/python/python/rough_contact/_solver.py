@@ -91,7 +91,7 @@ class Solver:
             "precision": precision,
             "tolerance": _units.number(tolerance, "tolerance"),
             "accuracy": None,
-            "refine": False,
+            "fast": False,
             "certify": False,
             "stiffness": False,
             "hardness": None if hardness is None else _units.scalar(hardness, "pressure", "hardness"),

@@ -2,13 +2,13 @@
 
 use crate::draw::svg::escape;
 use crate::numbers::{
-    METRES, SPACE, duration, percent, quantity, relative_bar, signed_percent, significant,
+    METRES, SPACE, duration, quantity, relative_bar, signed_percent, significant,
 };
 use crate::page::phrases::tolerance_words;
 use crate::words::edges::edge_words;
 use compare::ChoiceKind;
 use compare::{DeterministicAnswer, SurfaceComparison};
-use contact_accuracy::budget::Estimate;
+use contact_accuracy::{Estimate, Parts};
 
 /// A half width as a share of its value.
 fn share(half: Option<f64>, value: f64) -> String {
@@ -21,7 +21,7 @@ fn share(half: Option<f64>, value: f64) -> String {
 /// Rows by source, columns by number, and how each part was obtained.
 pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, at: &str) -> String {
     let budget = &answer.budget;
-    let row = |class: &str, name: &str, part: fn(&Estimate) -> Option<f64>, how: &str| {
+    let row = |class: &str, name: &str, part: &dyn Fn(&Estimate) -> Option<f64>, how: &str| {
         let of = |e: Option<Estimate>| e.map_or("–".into(), |e| share(part(&e), e.value));
         let area = of(Some(budget.area));
         format!(
@@ -36,30 +36,39 @@ pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, a
         format!("; proven: energy error at most {} (η)", tolerance_words(eta.max(1e-16)))
     });
     let left = tolerance_words(answer.residuals.preconditioned.max(1e-16));
+    let part = |e: &Estimate, of: fn(&Parts) -> f64| Some(of(&e.uncertainty.ok()?));
     let rows = [
-        row("", "Grid", |e| e.grid.ok(), &grid_words(answer, surface)),
+        row("", "Half the points", &|e| part(e, |p| p.coarser), &coarser_words(answer)),
         row(
             "",
-            "Iteration stopped early",
-            |e| e.iteration.ok(),
+            "Contact line",
+            &|e| part(e, |p| p.contact_line.hypot(p.counting)),
+            "a tenth of the perimeter correction, and the chance of points to fall inside; of the others what the \
+             uncertainty of the area brings",
+        ),
+        row("", "Twice the points", &|e| part(e, |p| p.finer), &finer_words(answer, surface)),
+        row(
+            "",
+            "Iteration",
+            &|e| part(e, |p| p.iteration),
             &format!("from the relative rms pressure error left, {left}{eta}"),
         ),
         row(
             " class=\"sum\"",
-            "Comparison ±",
-            |e| e.comparison_half_width().ok(),
-            "their sum: Figs. 1 to 4, both sides see this map",
+            "Of this map ±",
+            &|e| e.half_width().ok(),
+            "root of the squares, and the iteration on top: Figs. 1 to 4, both sides see this map",
         ),
         row(
             "",
-            "Finite sample, 95{SPACE}%",
-            |e| e.sample,
-            "area: 8 × 8 parts of this solution; gap and stiffness: the waves of this map",
+            "Sampling variability, 95{SPACE}%",
+            &|e| e.sampling,
+            "from 8 × 8 blocks of this solution and the long waves of the map",
         ),
         row(
             " class=\"sum\"",
-            "Prediction ±",
-            Estimate::prediction_half_width,
+            "Of the surface ±",
+            &Estimate::prediction_half_width,
             "root of the squares: the ± of the headline",
         ),
     ];
@@ -75,43 +84,28 @@ pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, a
     )
 }
 
-/// How the part of the grid was obtained.
-fn grid_words(answer: &DeterministicAnswer, surface: &SurfaceComparison) -> String {
-    if let Some(finer) = answer.finer {
-        let loads = surface.deterministic.iter().filter_map(|p| p.answer.as_ref()?.finer).count();
-        let other = finer.monotone.map_or(String::new(), |(area, ..)| {
-            let area = significant(100.0 * area, 3);
-            format!(
-                ", and the {area}{SPACE}% of a surface through the same points that does not ring"
-            )
-        });
-        return format!(
-            "one more solution on the twice finer interpolation of the map reads {}{SPACE}%; the \
-             bar covers the difference twice{other} ({loads} loads in {})",
-            significant(100.0 * finer.area, 3),
-            duration(surface.refined_seconds)
-        );
+/// What every second point said.
+fn coarser_words(answer: &DeterministicAnswer) -> String {
+    let areas: Vec<String> =
+        answer.coarser.iter().map(|n| significant(100.0 * n.area, 3)).collect();
+    if areas.is_empty() {
+        return "the map was not solved on every second point".into();
     }
-    if let Some(floor) = answer.budget.held_by_floor() {
-        return format!(
-            "no pressure exceeds the hardness, so the area is at least {}, on any grid; the bar is what the touching \
-             points are above that",
-            percent(floor.area)
-        );
-    }
-    if let Some(plan) = &surface.plan {
-        let [ny, nx] = plan.grid.shape();
-        return format!(
-            "what the contact-line correction leaves, chance, and the gradient that {nx} × {ny} \
-             points cannot hold"
-        );
-    }
-    let left = surface.map.accuracy.left_of_correction();
     format!(
-        "{} of the contact-line correction, for maps whose finite differences see \
-         94{SPACE}% of the gradient (here {})",
-        significant(left, 2),
-        percent(surface.spectral.resolved)
+        "twice what every second point moves; two choices of them read {}{SPACE}%",
+        areas.join(" and ")
+    )
+}
+
+/// What twice the points said.
+fn finer_words(answer: &DeterministicAnswer, surface: &SurfaceComparison) -> String {
+    let Some(finer) = answer.finer else {
+        return "not needed: the answer does not depend on what lies between the points".into();
+    };
+    format!(
+        "twice what twice the points move; they read {}{SPACE}% ({})",
+        significant(100.0 * finer.area, 3),
+        duration(surface.beside_seconds[1])
     )
 }
 

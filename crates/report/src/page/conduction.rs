@@ -18,7 +18,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     let at_headline = found.stiffness.get(surface.headline).copied().flatten();
     let area = surface.surface.grid().area();
     let bar = surface.headline_answer().and_then(|a| a.budget.stiffness).and_then(|k| {
-        let half = k.prediction_half_width().or_else(|| k.comparison_half_width().ok())?;
+        let half = k.prediction_half_width().or_else(|| k.half_width().ok())?;
         Some((half / k.value, k.prediction_half_width().is_some()))
     });
     let mut rows = String::new();

@@ -12,7 +12,7 @@ use crate::words::plan as plan_words;
 use compare::{Body, FileOrigin, Origin, Recipe, Settings};
 use compare::{DeterministicAnswer, SurfaceComparison};
 use contact_accuracy::PERIMETER_CORRECTION;
-use contact_accuracy::plan::Outcome;
+use contact_accuracy::Reached;
 use surface_stats::Level;
 
 /// Program, inputs, settings, the command that repeats it.
@@ -215,13 +215,14 @@ fn map_words(surface: &SurfaceComparison) -> String {
 }
 
 /// What was asked for, what was chosen for it, and where the models were asked.
-fn plan_words(plan: &Outcome) -> String {
+fn plan_words(plan: &Reached) -> String {
     let [ny, nx] = plan.given.shape();
     let order = if ny == nx { "" } else { " (rows × columns)" };
+    let asked = plan.request.map_or("a fast answer".to_owned(), |request| {
+        format!("{}{SPACE}% of the area", significant(100.0 * request.relative(), 2))
+    });
     format!(
-        "{}{SPACE}% of the area asked for at every load; chosen: {}{order}. Models were given the \
-         map as it is",
-        significant(100.0 * plan.request.relative(), 2),
+        "{asked} asked for at every load; chosen: {}{order}. Models were given the map as it is",
         escape(&plan_words::explanation(plan))
     )
 }

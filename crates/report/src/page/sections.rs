@@ -382,11 +382,10 @@ pub(crate) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> Stri
     } else {
         String::new()
     };
-    let budget = match answer.budget.area.comparison_half_width() {
+    let budget = match answer.budget.area.half_width() {
         Ok(_) => budget::table(answer, surface, &p),
         Err(reason) => format!(
-            "<p class=\"keep\"><b>The area carries no ±:</b> {}. Outside this limit no bar that \
-             is free of further solving holds.</p>\n",
+            "<p class=\"keep\"><b>The area is without uncertainty estimate:</b> {}.</p>\n",
             escape(&reason.to_string())
         ),
     };

@@ -23,19 +23,15 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
     let mut rows: Vec<(String, String, String)> = Vec::new();
     if let Some(a) = surface.headline_answer() {
         let alone = a.uncertainty().filter(|u| *u > 0.0).map(|u| u / a.area_fraction_corrected);
-        let covers = match (a.budget.area.comparison_half_width(), a.budget.area.sample) {
+        let covers = match (a.budget.area.half_width(), a.budget.area.sampling) {
             (Ok(_), Some(_)) => format!(
-                "grid, iteration and finite sample (95{SPACE}%); without the sample {}",
+                "of this map and of its sampling variability (95{SPACE}%); of this map alone {}",
                 alone.map_or("±0".into(), |share| escape(&relative_bar(share)))
             ),
-            (Ok(_), None) => format!(
-                "{}grid and iteration; not another map of the same surface",
-                a.budget.held_by_floor().map_or(String::new(), |floor| format!(
-                    "at least load over hardness, {}; ",
-                    percent(floor.area)
-                ))
-            ),
-            (Err(reason), _) => format!("no ±: {}", escape(&reason.to_string())),
+            (Ok(_), None) => "of this map; not of another map of the same surface".to_owned(),
+            (Err(reason), _) => {
+                format!("without uncertainty estimate: {}", escape(&reason.to_string()))
+            }
         };
         rows.push((
             "Real contact area <i>A</i><sub>r</sub>/<i>A</i><sub>n</sub>".into(),
@@ -143,7 +139,7 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
 
 /// With the finite sample where this map can tell, else of grid and iteration.
 fn half_width(number: Estimate) -> Option<f64> {
-    number.prediction_half_width().or_else(|| number.comparison_half_width().ok())
+    number.prediction_half_width().or_else(|| number.half_width().ok())
 }
 
 /// The highest pressure; with a hardness what has yielded, and what elastic bodies would do.
@@ -277,10 +273,10 @@ fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
         answer.map_or("–".into(), words::area),
         spread_words(surface),
         answer.map_or("–".into(), |a| duration(a.seconds)),
-        match (answer, surface.map.accuracy.gate()) {
+        match (answer, answer.and_then(|a| a.budget.area.half_width().err())) {
             (None, _) => applies(Applies::No, "no solution at this load"),
             (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),
-            (_, Err(reason)) => applies(Applies::Caution, &reason.to_string()),
+            (_, Some(reason)) => applies(Applies::Caution, &reason.to_string()),
             _ if is_steep(surface.statistics.rms_gradient) => {
                 applies(Applies::Caution, words::SMALL_SLOPES)
             }

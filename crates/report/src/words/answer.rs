@@ -59,7 +59,7 @@ fn real_pressure_of(load: f64, area: f64, half: Option<f64>) -> String {
 
 /// What the ± of [`area_prediction`] covers; empty if there is none.
 pub(crate) fn covers(answer: &DeterministicAnswer) -> &'static str {
-    match (answer.uncertainty(), answer.budget.area.sample) {
+    match (answer.uncertainty(), answer.budget.area.sampling) {
         (None, _) => "",
         (Some(_), Some(_)) => "± of grid, iteration and finite sample",
         (Some(_), None) => COMPARISON,

@@ -1,6 +1,6 @@
 //! What lay beyond the edges of a measured map, and how much it matters on this map.
 
-use crate::numbers::{METRES, percent, quantity, signed_percent, signed_range};
+use crate::numbers::{METRES, percent, quantity, signed_percent};
 use compare::{EdgesName, Origin, Seam, SurfaceComparison, seam};
 use surface_stats::Edges;
 
@@ -33,18 +33,10 @@ pub(crate) fn edge_words(surface: &SurfaceComparison) -> String {
 
 /// What the strip along the edges does to the area, in one sentence.
 pub(crate) fn seam_effect(seam: &Seam) -> String {
-    match seam.experience {
-        Some(e) => format!(
-            "On {} crops of larger surfaces with a like strip, the area differed by {} from that \
-             in natural surroundings (nine of ten).",
-            e.crops,
-            signed_range(e.low, e.high)
-        ),
-        None => format!(
-            "The strip along the edges moves the area by {}.",
-            signed_percent(seam.share.direct_effect())
-        ),
-    }
+    format!(
+        "The strip along the edges moves the area by {}.",
+        signed_percent(seam.share.direct_effect())
+    )
 }
 
 /// What the strip along the edges holds and does.
@@ -57,21 +49,9 @@ fn seam_words(seam: &Seam) -> String {
     } else {
         "no more than their share: the seam does not attract contact"
     };
-    let experience = match seam.experience {
-        Some(e) => format!(
-            " On {} crops of larger surfaces with a like strip, the area differed by {} from that \
-             in natural surroundings (nine of ten).",
-            e.crops,
-            signed_range(e.low, e.high)
-        ),
-        None if seam.is_repeated => {
-            " The study of edges has too few maps like it to say what follows.".to_owned()
-        }
-        None => String::new(),
-    };
     format!(
         "Its outer {strip} hold {} of the map, {} of the touching points and {} of the load, \
-         {verdict}. By itself that moves the area by {}.{experience}",
+         {verdict}. By itself that moves the area by {}.",
         percent(share.map),
         percent(share.contact),
         percent(share.load),

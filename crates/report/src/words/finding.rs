@@ -9,8 +9,7 @@ use crate::words::profile;
 use crate::words::spikes::spikes;
 use crate::words::yielding;
 use compare::{Bare, EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
-use contact_accuracy::NoAreaInterval;
-use contact_accuracy::plan::Outcome;
+use contact_accuracy::{INDICATOR_LIMIT, NoUncertainty, Reached};
 use surface_stats::Warning;
 use surface_stats::clean::{FormParameters, Record};
 
@@ -54,33 +53,30 @@ pub fn finding(finding: &Finding) -> Worded {
              precision.",
         ),
         Fact::PlanUnmet(outcome) => unmet(outcome),
-        Fact::FinerGrid { why, area, loads } => worded(
-            if matches!(why, NoAreaInterval::BetweenPoints { .. }) {
-                "What lies between the points decides what touches."
-            } else {
-                "The grid does not resolve the contact."
-            },
+        Fact::Interpolation { indicator, finer, loads, of } => worded(
             format!(
-                "{}. The ± is that of one more solution on a twice finer interpolation, whose area \
-                 is {}{SPACE}%; {}.",
-                capital(&why.to_string()),
-                significant(100.0 * area, 3),
-                if *loads > 1 {
-                    "so are those of the other loads"
-                } else {
-                    "other loads carry none"
-                },
+                "Result depends on interpolation between points (indicator {}, limit {INDICATOR_LIMIT}).",
+                significant(*indicator, 2)
+            ),
+            format!(
+                "{}{} Measure on a finer grid.",
+                if of > loads { format!("At {loads} of {of} loads. ") } else { String::new() },
+                finer.map_or(String::new(), |area| format!(
+                    "If the surface is band-limited between the points, the area is {}{SPACE}%; the uncertainty \
+                     covers both.",
+                    significant(100.0 * area, 3)
+                )),
             ),
         ),
-        Fact::NoBar { why, at } => {
+        Fact::NoUncertainty { why, at } => {
             let claim = match at {
-                Bare::Every => "The area carries no ±.".to_owned(),
-                Bare::Headline => "The area at this load carries no ±.".to_owned(),
+                Bare::Every => "The area is without uncertainty estimate.".to_owned(),
+                Bare::Headline => "The area at this load is without uncertainty estimate.".to_owned(),
                 Bare::Some { loads, of } => {
-                    format!("The area carries no ± at {loads} of {of} loads.")
+                    format!("The area is without uncertainty estimate at {loads} of {of} loads.")
                 }
             };
-            worded(claim, no_bar(*why))
+            worded(claim, no_uncertainty(*why))
         }
         Fact::Profile(found) => {
             let (claim, text) = profile::fact(found);
@@ -195,8 +191,8 @@ fn beyond_yield(found: &Yield) -> Worded {
     )
 }
 
-fn unmet(outcome: &Outcome) -> Worded {
-    let asked = percent(outcome.request.relative());
+fn unmet(outcome: &Reached) -> Worded {
+    let asked = outcome.request.map_or_else(String::new, |request| percent(request.relative()));
     worded(
         format!("The accuracy of {asked} asked for is not met at every load."),
         plan::reason(outcome).map_or_else(String::new, |why| format!("{}.", capital(&why))),
@@ -252,22 +248,13 @@ fn capital(text: &str) -> String {
     text
 }
 
-fn no_bar(reason: NoAreaInterval) -> String {
-    let text = capital(&reason.to_string());
-    // Of what was not studied nobody knows how far off it may be.
-    if let NoAreaInterval::NotStudied(_) = reason {
-        return format!("{text}.");
-    }
+fn no_uncertainty(reason: NoUncertainty) -> String {
     let advice = match reason {
-        NoAreaInterval::Unresolved { .. } | NoAreaInterval::SpotsTooSmall { .. } => {
-            " Measure finer, or remove short wavelengths and quote the cut-off."
-        }
-        NoAreaInterval::Stepped { .. } => " Measure with finer steps.",
+        NoUncertainty::TooFewPoints { .. } => " Measure on a finer grid.",
+        NoUncertainty::TooLooselySolved { .. } => " Solve to a smaller tolerance.",
         _ => "",
     };
-    format!(
-        "{text}. Outside this limit the error of the area has reached tens of per cent.{advice}"
-    )
+    format!("{}.{advice}", capital(&reason.to_string()))
 }
 
 /// The words of what statistics warn of.

@@ -1,74 +1,55 @@
-//! A plan for an accuracy in words: what was chosen, what it reached, why it does not suffice.
+//! The rung of the ladder that was reached, in words: what it is, what it reached, why it does not suffice.
 
 use crate::numbers::{METRES, PASCALS, chosen};
-use contact_accuracy::Load;
-use contact_accuracy::plan::{Finest, Miss, NoBar, Outcome, Unmet};
+use contact_accuracy::{Load, Reached};
 
 /// All of it in one line.
-pub fn explanation(outcome: &Outcome) -> String {
-    let grid = if outcome.grid == outcome.given {
-        format!("{} points as given", points(outcome.grid.shape()))
-    } else if outcome.factor < 1.0 {
-        format!("{} of {} points", points(outcome.grid.shape()), points(outcome.given.shape()))
-    } else {
-        format!("{} points from {}", points(outcome.grid.shape()), points(outcome.given.shape()))
+pub fn explanation(reached: &Reached) -> String {
+    let grid = points(reached.grid.shape());
+    let given = points(reached.given.shape());
+    let grid = match reached.factor() {
+        f if f < 0.75 => format!("{grid} of {given} points"),
+        f if f > 1.5 => format!("{grid} points from {given}"),
+        _ => format!("{grid} points as given"),
     };
-    let reached = outcome.half_width.map_or_else(|| "no error bar".to_owned(), plus_minus);
+    let width =
+        reached.half_width.map_or_else(|| "without uncertainty estimate".to_owned(), plus_minus);
     let line = format!(
-        "{grid}, {}, tolerance {}: {reached}, {}",
-        outcome.precision,
-        tolerance(outcome.tolerance),
-        time(outcome.seconds)
+        "{grid}, {}, tolerance {}: {width}, {}",
+        reached.precision,
+        tolerance(reached.tolerance),
+        time(reached.seconds)
     );
-    match (reason(outcome), &outcome.next) {
-        (Some(why), _) => {
-            format!("{line}; {} not met: {why}", percent(outcome.request.relative()))
-        }
-        (None, Some(next)) => {
+    if let (Some(why), Some(request)) = (reason(reached), reached.request) {
+        return format!("{line}; {} not met: {why}", percent(request.relative()));
+    }
+    match &reached.next {
+        Some(next) => {
             let better = next.half_width.map_or_else(String::new, |h| plus_minus(h) + ", ");
-            format!("{line}; next better: {}, {better}{}", points(next.shape), time(next.seconds))
+            format!("{line}; next: {}, about {better}{}", points(next.shape), time(next.seconds))
         }
-        (None, None) => format!("{line}; no better grid"),
+        None => line,
     }
 }
 
 /// Why a request is not met: the first load that misses it; `None` if it is met.
-pub fn reason(outcome: &Outcome) -> Option<String> {
-    let (first, missed, of, why) = match outcome.unmet.as_ref()? {
-        Unmet::Map(why) => return Some(why.to_string()),
-        Unmet::Loads { first, missed, of, why } => (first, *missed, *of, why),
-    };
-    let others = match missed {
+pub fn reason(reached: &Reached) -> Option<String> {
+    let unmet = reached.unmet.as_ref()?;
+    let others = match unmet.missed {
         1 => String::new(),
-        n => format!(" ({n} of {of} loads miss it)"),
+        n => format!(" ({n} of {} loads miss it)", unmet.of),
     };
-    let at = shown(*first);
-    let (here, finest) = match why {
-        Miss::NoContact { first_contact } => {
-            let touch = chosen(*first_contact, METRES);
-            return Some(format!(
-                "nothing touches at {at}{others}; the first contact of this map is at {touch}"
-            ));
-        }
-        Miss::Bar { here, finest } => (here, finest),
-    };
-    let here = match here {
+    let at = shown(unmet.first);
+    let here = match &unmet.here {
         Ok(width) => format!("{} at {at}{others}", plus_minus(*width)),
-        Err(NoBar::Area(why)) => format!("at {at}{others} {why}"),
-        Err(NoBar::Unsolved(why)) => format!("at {at}{others} {why}"),
+        Err(why) => format!("at {at}{others} {why}"),
     };
-    Some(match finest {
-        Finest::Used => format!("{here}, and no finer grid is considered"),
-        Finest::BetweenPoints => format!(
-            "{here}, and on a finer grid what lies between the points decides: waves through all of \
-             them ring"
-        ),
-        Finest::Other { shape, half_width: Some(width) } => {
-            format!("{here}; even {} points would leave {}", points(*shape), plus_minus(*width))
-        }
-        Finest::Other { shape, half_width: None } => {
-            format!("{here}; even {} points would not resolve the contacts", points(*shape))
-        }
+    Some(if unmet.between_points {
+        format!(
+            "{here}; the result depends on interpolation between points: measure on a finer grid"
+        )
+    } else {
+        format!("{here}, and no finer grid is considered")
     })
 }
 
@@ -130,53 +111,6 @@ fn time(seconds: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use contact_accuracy::NoAreaInterval;
-    use contact_accuracy::Precision;
-    use contact_accuracy::plan::{Next, Request};
-    use contact_types::Grid;
-
-    fn outcome() -> Outcome {
-        let grid = |n: usize| Grid::new([n, n], [1.0 / n as f64; 2]).unwrap();
-        Outcome {
-            request: Request::new(0.02).unwrap(),
-            met: true,
-            given: grid(1024),
-            grid: grid(512),
-            factor: 0.5,
-            precision: Precision::Single,
-            tolerance: 1e-3,
-            half_width: Some(0.0153),
-            transforms: 5.2,
-            work: 5.2 * 262_144.0 * 4.0,
-            seconds: 0.0494,
-            given_up: Vec::new(),
-            next: Some(Next {
-                shape: [1024, 1024],
-                factor: 1.0,
-                half_width: Some(0.007),
-                seconds: 0.21,
-            }),
-            unmet: None,
-        }
-    }
-
-    #[test]
-    fn one_line_says_it_all() {
-        assert_eq!(
-            explanation(&outcome()),
-            "512² of 1024² points, f32, tolerance 1e−3: ±1.6 %, 0.05 s; next better: 1024², \
-             ±0.7 %, 0.21 s"
-        );
-        let refused = Outcome {
-            unmet: Some(Unmet::Map(NoAreaInterval::Empty)),
-            met: false,
-            half_width: None,
-            ..outcome()
-        };
-        assert!(
-            explanation(&refused).ends_with("no error bar, 0.05 s; 2 % not met: nothing touches")
-        );
-    }
 
     #[test]
     fn digits_round_up() {

@@ -5,7 +5,7 @@ use compare::Inputs;
 use compare::{Comparison, Level, Registry, Settings, Surface, built_in, built_in_recipes};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
-    PERIMETER_CORRECTION, HalfSpace, Iteration, Load, Method, Precision, Real, Solution, Solver,
+    HalfSpace, Iteration, Load, Method, PERIMETER_CORRECTION, Precision, Real, Solution, Solver,
     SolverError,
 };
 use std::error::Error;

@@ -1,4 +1,3 @@
 //! The figures of the programs, drawn with the kit of the report.
 
-pub mod budget;
 pub mod tradeoff;

@@ -1,0 +1,194 @@
+//! The uncertainties hold on surfaces given by formulas, whatever is asked, and an accuracy is climbed to.
+#![allow(clippy::unwrap_used, reason = "tests: a panic is the report")]
+
+#[path = "../examples/coverage/families.rs"]
+#[allow(dead_code, reason = "the study uses all of it")]
+mod families;
+
+use contact_accuracy::{
+    Aim, Answered, Boundary, ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Load, Map,
+    NoUncertainty, Reached, Request, Setup, Sink, Solver, SolverBuilder, SolverError, Task, climb,
+};
+use families::{family, map};
+use std::ops::ControlFlow;
+
+fn setup(builder: SolverBuilder) -> Setup {
+    Setup {
+        builder,
+        boundary: Boundary::Periodic,
+        mirrored: false,
+        modulus: ContactModulus::from_pascals(1.0).unwrap(),
+        finer: Finer::WhenNeeded,
+    }
+}
+
+/// Distance of the truth over the half width.
+fn off(stated: &Estimate, truth: f64) -> f64 {
+    (stated.value - truth).abs() / stated.half_width().unwrap().max(f64::MIN_POSITIVE)
+}
+
+/// Eight families at three loads, on seeds that took part in nothing, by pressure and by gap: every interval of
+/// area, gap, stiffness and pressure holds the surface of the formula on four times the points.
+#[test]
+fn uncertainties_hold_the_surface_of_the_formula() {
+    let names = [
+        "waves, 8 points",
+        "short waves",
+        "lay",
+        "log-normal",
+        "balls",
+        "two levels",
+        "cones",
+        "crop",
+    ];
+    let (mut all, mut missed) = (0, Vec::new());
+    for name in names {
+        let heights = family(name, 31).unwrap();
+        let (given, fine) = (map(128, &heights), map(512, &heights));
+        let rms = Map::of(&given).rms_height;
+        let mut ladder = Ladder::new(given, setup(Solver::builder())).unwrap();
+        let mut exact =
+            Solver::builder().build(fine.grid(), setup(Solver::builder()).modulus).unwrap();
+        for load in [0.3, 3.0, 20.0].map(|p| Load::MeanPressure(p * rms)) {
+            let found = ladder.solve(load, true, |_| ()).unwrap().budget;
+            let truth = exact.solve(&fine, load).unwrap();
+            let set = exact.contact_stiffness().unwrap();
+            let gap = found.mean_gap.unwrap();
+            let by_gap = ladder.solve(Load::MeanGap(gap.value), false, |_| ()).unwrap().budget;
+            let of_gap = exact.solve(&fine, Load::MeanGap(gap.value)).unwrap();
+            for (what, off) in [
+                ("area", off(&found.area, truth.diagnostics.area_fraction_corrected)),
+                ("gap", off(&gap, truth.state.mean_gap.unwrap())),
+                ("stiffness", off(&found.stiffness.unwrap(), set.per_area)),
+                ("pressure", off(&by_gap.mean_pressure, of_gap.state.mean_pressure)),
+                ("area by gap", off(&by_gap.area, of_gap.diagnostics.area_fraction_corrected)),
+            ] {
+                all += 1;
+                if off > 1.0 {
+                    missed.push((name, what, load, off));
+                }
+            }
+        }
+    }
+    assert!(missed.len() * 50 <= all, "{} of {all}: {missed:?}", missed.len());
+}
+
+/// Bodies that yield, an isolated ball, pixels three times as long as wide: no number is without an uncertainty, and it
+/// holds four times the points.
+#[test]
+fn no_map_is_without_an_uncertainty() {
+    let heights = family("waves, 8 points", 32).unwrap();
+    let rms = Map::of(&map(128, &heights)).rms_height;
+    let hard = |hardness| setup(Solver::builder().hardness(hardness));
+    let oblong = |n: usize| {
+        let grid = Grid::new([n, n], [1.0 / n as f64, 3.0 / n as f64]).unwrap();
+        HeightMap::from_fn(grid, |y, x| heights(y, x / 3.0)).unwrap()
+    };
+    let ball = |n: usize| {
+        let grid = Grid::new([n, n], [1.0 / n as f64; 2]).unwrap();
+        HeightMap::from_fn(grid, |y, x| -0.5 * ((y - 0.51).powi(2) + (x - 0.48).powi(2))).unwrap()
+    };
+    let square = |n: usize| map(n, &heights);
+    let free = Setup { boundary: Boundary::Free, ..setup(Solver::builder()) };
+    let cases: [(&dyn Fn(usize) -> HeightMap, Setup, f64); 3] = [
+        (&square, hard(30.0 * rms), 3.0 * rms),
+        (&oblong, setup(Solver::builder()), rms),
+        (&ball, free, 0.01),
+    ];
+    for (case, (map, setup, pressure)) in cases.into_iter().enumerate() {
+        let load = Load::MeanPressure(pressure);
+        let found =
+            Ladder::new(map(128), setup.clone()).unwrap().solve(load, false, |_| ()).unwrap();
+        let builder = setup.builder.clone().boundary(setup.boundary);
+        let fine = map(512);
+        let truth = builder.build(fine.grid(), setup.modulus).unwrap().solve(&fine, load).unwrap();
+        let area = off(&found.budget.area, truth.diagnostics.area_fraction_corrected);
+        assert!(area <= 1.0, "{case}: {area}");
+        if case == 0 {
+            let [low, _] = found.budget.area.interval().unwrap();
+            assert!(low >= 3.0 / 30.0, "at least P/H: {low}");
+        }
+    }
+}
+
+#[test]
+fn too_few_points_and_no_contact_say_so() {
+    let heights = family("waves, long", 33).unwrap();
+    let solve = |n: usize, load| {
+        let mut ladder = Ladder::new(map(n, &heights), setup(Solver::builder())).unwrap();
+        ladder.solve(load, false, |_| ()).unwrap().budget.area.half_width()
+    };
+    let light = Load::MeanPressure(1e-3);
+    assert_eq!(solve(63, light), Err(NoUncertainty::TooFewPoints { shape: [63, 63] }));
+    assert!(solve(64, light).is_ok());
+    assert_eq!(solve(64, Load::MeanGap(1e3)), Err(NoUncertainty::NoContact));
+}
+
+/// Where the formula has a crease, the uncertainty covers both ways to read the points.
+#[test]
+fn an_answer_that_depends_on_interpolation_is_solved_on_twice_the_points() {
+    let heights = family("cut", 34).unwrap();
+    let mut ladder = Ladder::new(map(128, &heights), setup(Solver::builder())).unwrap();
+    let found = ladder.solve(Load::MeanPressure(1.0), false, |_| ()).unwrap();
+    let [low, high] = found.budget.area.interval().unwrap();
+    assert!(found.budget.indicator.unwrap() > contact_accuracy::INDICATOR_LIMIT);
+    assert!((low..=high).contains(&found.finer.unwrap().area));
+}
+
+/// A ladder that takes another map answers as a fresh one does.
+#[test]
+fn another_map_is_taken() {
+    let (a, b) =
+        (map(64, &family("waves, long", 1).unwrap()), map(64, &family("waves, long", 2).unwrap()));
+    let load = Load::MeanPressure(1.0);
+    let tight = setup(Solver::builder().tolerance(1e-9));
+    let mut kept = Ladder::new(a, tight.clone()).unwrap();
+    kept.solve(load, false, |_| ()).unwrap();
+    kept.take_map(b.clone()).unwrap();
+    let again = kept.solve(load, false, |_| ()).unwrap().budget;
+    let fresh = Ladder::new(b, tight).unwrap().solve(load, false, |_| ()).unwrap().budget;
+    assert!((again.area.value - fresh.area.value).abs() < 1e-9);
+    let [again, fresh] = [again, fresh].map(|b| b.area.half_width().unwrap());
+    assert!((again / fresh - 1.0).abs() < 1e-6, "{again} {fresh}");
+}
+
+/// Takes nothing.
+struct Nowhere(usize);
+
+impl Sink for Nowhere {
+    fn begin(&mut self, _: &HeightMap, _: &Map) {
+        self.0 = 0;
+    }
+
+    fn take(&mut self, _: usize, result: Result<Answered, SolverError>) -> ControlFlow<()> {
+        self.0 += usize::from(result.is_ok());
+        ControlFlow::Continue(())
+    }
+}
+
+/// The tighter the request, the narrower the answer, down to what the map can say; the fast one is the widest.
+#[test]
+fn asking_for_more_never_gives_less() {
+    let heights = family("waves, 8 points", 35).unwrap();
+    let map = map(128, &heights);
+    let loads = [1.0, 3.0].map(Load::MeanPressure);
+    let reach = |aim| -> Reached {
+        let setup = setup(Solver::builder());
+        let task = Task { map: &map, setup, loads: &loads, aim, stiffness: false, section: None };
+        let mut sink = Nowhere(0);
+        let reached = climb(&task, &mut sink).unwrap();
+        assert_eq!(sink.0, loads.len());
+        reached
+    };
+    let fast = reach(Aim::Fast);
+    assert!(fast.factor() < 0.6 && fast.met && fast.next.is_some_and(|n| n.shape == [128, 128]));
+    let mut last = f64::INFINITY;
+    for percent in [40.0, 8.0, 4.0, 1.0, 0.1] {
+        let request = Request::new(percent / 100.0).unwrap();
+        let reached = reach(Aim::Within(request));
+        let width = reached.half_width.unwrap();
+        assert!(reached.met == (width <= request.relative()), "{reached:?}");
+        assert!(width <= 1.05 * last, "{percent} %: {width} after {last}");
+        last = width;
+    }
+}
