@@ -223,7 +223,8 @@ fn plotted_numbers_are_in_the_csv() {
 #[test]
 fn the_fitted_formula_is_printed() {
     let page = html(one());
-    let formula = &one().surfaces[0].models.iter().find(|m| m.card.name == "equation").unwrap().card.formula;
+    let formula =
+        &one().surfaces[0].models.iter().find(|m| m.card.name == "equation").unwrap().card.formula;
     assert!(formula.contains("0.445") && page.contains(&format!("Equation: {formula}.")));
 }
 
