@@ -15,15 +15,15 @@ pub(crate) fn reason(model: &ModelComparison) -> String {
 /// The same of a card and a verdict.
 pub(crate) fn reason_of(card: &Card, verdict: &Verdict) -> String {
     if verdict.reasons.is_empty() {
-        return within(card.assumes).into();
+        return within(card).into();
     }
     verdict.reasons.iter().map(words).collect::<Vec<_>>().join("; ")
 }
 
-fn within(assumes: Assumes) -> &'static str {
-    match assumes {
+fn within(card: &Card) -> &str {
+    match card.assumes {
         Assumes::Summits => "light contact on an isotropic Gaussian surface",
-        Assumes::Gaussian => "any load; known to read low at light load",
+        Assumes::Gaussian => &card.domain,
         Assumes::Amplitudes | Assumes::Fractal => "",
         Assumes::Unstated => "its assumptions are not known here; it names none that is strained",
     }
