@@ -33,8 +33,8 @@ rows! {
     Npy, npy, ["npy"], "real numbers of any type and order; pixel size and unit are to be given";
     Sur, sur, ["sur", "pro"], "surfaces and profiles, plain and compressed, several layers";
     Sdf, sdf, ["sdf"], "text and binary, also BCR-1.0";
-    Zygo, zygo, ["dat"], "phase data; intensity is listed";
-    Opd, opd, ["opd"], "all raw data blocks";
+    Zygo, zygo, ["dat", "xyz", "asc"], "phase data; intensity is listed; also exports as text";
+    Opd, opd, ["opd", "asc"], "all raw data blocks; also exports as text";
     Gwy, gwy, ["gwy"], "all data fields with units; masks are missing points";
     Nanoscope, nanoscope, ["spm", "001", "di"], "all channels, 2 and 4 bytes per point, parts of a scan";
     Al3d, al3d, ["al3d"], "depth image with missing points";
@@ -74,6 +74,8 @@ rows! {
         "every data set of two axes, or else of one, also of NetCDF-4 and MATLAB 7.3; unit from its attribute";
     #[cfg(feature = "zip")]
     Mnt, mnt, ["mnt"], "surfaces as they were loaded, with missing points; results of the document are not read";
+    #[cfg(feature = "zip")]
+    Softgauge, softgauge, ["xml"], "profiles of NIST's algorithm testing system";
     Text, table, ["csv", "asc", "tsv", "txt", "xyz"],
         "matrices, lists of x y z, profiles, several traces beside each other; any separator, decimal comma, missing cells";
 }

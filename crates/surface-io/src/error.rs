@@ -96,12 +96,14 @@ pub enum ReadError {
         limit: u64,
     },
     /// The file does not say how large a pixel is, or what unit its numbers have.
-    #[error("{}", missing_scale(*format, needs))]
+    #[error("{}", missing_scale(*format, needs, unused.as_deref()))]
     MissingScale {
         /// The format.
         format: Format,
         /// What it does not say: never empty.
         needs: Vec<Need>,
+        /// Entries of its header that look like a size, a scale or a unit and are not understood.
+        unused: Option<String>,
     },
     /// A pixel size was given that contradicts the coordinates in the file.
     #[error(
@@ -233,13 +235,16 @@ impl ReadError {
     }
 }
 
-fn missing_scale(format: Format, needs: &[Need]) -> String {
+fn missing_scale(format: Format, needs: &[Need], unused: Option<&str>) -> String {
     let names: Vec<String> = needs.iter().map(Need::to_string).collect();
     let mut text = format!("{format}: the file gives no {}", names.join(" and no "));
     if needs.contains(&Need::PixelSize) {
         text += " (the pixel size is the distance between neighbouring points: 1001 points over \
                  1 mm are 1 mm / 1000 if they stand on both ends, 1 mm / 1001 if each stands for \
                  one cell)";
+    }
+    if let Some(unused) = unused {
+        text = text + "; its header says " + unused + ", which was not used";
     }
     text
 }

@@ -3,7 +3,7 @@
 
 use crate::error::{Place, ReadError};
 use crate::format::Format;
-use crate::meaning::Meaning;
+use crate::meaning::{Meaning, UNUSED};
 use crate::measurement::{Channel, ChannelInfo, Contents, KEPT_UNIT, Measurement, Pixel};
 use crate::need::Need;
 use crate::options::{HeightUnit, ReadOptions};
@@ -85,7 +85,8 @@ pub(crate) fn finish(
         let mut needs = Vec::new();
         needs.extend(pixel.is_none().then_some(lateral));
         needs.extend(scale.is_none().then_some(Need::HeightUnit));
-        return Err(ReadError::MissingScale { format, needs });
+        let unused = metadata.remove(UNUSED);
+        return Err(ReadError::MissingScale { format, needs, unused });
     };
 
     options.limits.check_points(format, channel.shape)?;

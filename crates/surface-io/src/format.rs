@@ -56,6 +56,7 @@ formats! {
     Datx, "Zygo DATX";
     Hdf5, "HDF5";
     Mnt, "Digital Surf MNT";
+    Softgauge, "NIST softgauge";
     Text, "text";
     Zip, "ZIP or gzip";
 }

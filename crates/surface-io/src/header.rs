@@ -1,6 +1,7 @@
 //! What the lines before the numbers of a text file say: sizes, units, titles of the columns.
 
 use crate::cells::Separator;
+use crate::meaning::{self, UNUSED};
 use crate::text::Table;
 use crate::units::{length, metres_per, quantity};
 use std::collections::BTreeMap;
@@ -20,13 +21,130 @@ pub(crate) struct Header {
     pub(crate) size: Option<[f64; 2]>,
     /// `[dy, dx]` in metres.
     pub(crate) pixel: Option<[f64; 2]>,
+    /// Unit of x and y where the columns do not name theirs.
+    pub(crate) lateral_unit: Option<String>,
     pub(crate) value_unit: Option<String>,
     /// Metres per stored number, as SPIP writes it.
     pub(crate) value_scale: Option<f64>,
+    /// Factor and offset from stored numbers to the unit.
+    pub(crate) value_line: Option<[f64; 2]>,
     pub(crate) missing_value: Option<f64>,
+    /// Rows of the map, behind which as many rows say with 0 which points are missing (SPIP).
+    pub(crate) rows_before_mask: Option<usize>,
     pub(crate) columns: Vec<Title>,
     pub(crate) metadata: BTreeMap<String, String>,
 }
+
+/// What a key of a header is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Key {
+    Channel,
+    Width,
+    Height,
+    Pixel,
+    Dx,
+    Dy,
+    UnitX,
+    UnitY,
+    UnitLateral,
+    UnitValue,
+    Missing,
+}
+
+/// Keys in lower case as instruments and programs write them: Gwyddion (in its languages, as its
+/// translations have them), SPIP, Attocube, Nova, and what people write by hand.
+const KEYS: &[(Key, &[&str])] = &[
+    (
+        Key::Channel,
+        &["channel", "title", "kanál", "kanal", "canal", "canale", "チャネル", "채널", "канал"],
+    ),
+    (
+        Key::Width,
+        &[
+            "width",
+            "šířka",
+            "breite",
+            "anchura",
+            "largeur",
+            "larghezza",
+            "largura",
+            "幅",
+            "폭",
+            "ширина",
+            "x-length",
+            "x length",
+            "xlength",
+            "x size",
+        ],
+    ),
+    (
+        Key::Height,
+        &[
+            "height",
+            "výška",
+            "höhe",
+            "altura",
+            "hauteur",
+            "altezza",
+            "高さ",
+            "높이",
+            "высота",
+            "y-length",
+            "y length",
+            "ylength",
+            "y size",
+        ],
+    ),
+    (Key::Pixel, &["pixel size", "pixel_size", "pixel", "spacing"]),
+    (Key::Dx, &["dx", "x step", "x spacing", "x pixel size", "pixel size x", "scale x"]),
+    (Key::Dy, &["dy", "y step", "y spacing", "y pixel size", "pixel size y", "scale y"]),
+    (Key::UnitX, &["x-unit", "x unit", "xunit", "unit x"]),
+    (Key::UnitY, &["y-unit", "y unit", "yunit", "unit y"]),
+    (
+        Key::UnitLateral,
+        &[
+            "lateral units",
+            "lateral unit",
+            "xy unit",
+            "xy units",
+            "jednotky rozměrů",
+            "laterale einheiten",
+            "_laterale einheiten",
+            "unités latérales",
+            "unità laterali",
+            "unidades laterales",
+            "unidades laterais",
+            "единицы горизонтальных размеров",
+        ],
+    ),
+    (
+        Key::UnitValue,
+        &[
+            "value units",
+            "value unit",
+            "z unit",
+            "z units",
+            "z-unit",
+            "zunit",
+            "height unit",
+            "height units",
+            "unit z",
+            "unit data",
+            "jednotky hodnot",
+            "einheiten",
+            "werteinheiten",
+            "werteeinheiten",
+            "unités",
+            "unités de valeur",
+            "unità valore",
+            "unidades de valor",
+            "値の単位",
+            "값 단위",
+            "единицы измерения",
+        ],
+    ),
+    (Key::Missing, &["nodata_value", "nodata", "missing value", "missing"]),
+];
 
 impl Header {
     pub(crate) fn name(&self) -> String {
@@ -35,52 +153,102 @@ impl Header {
 
     pub(crate) fn parse(table: &Table<'_>) -> Self {
         let mut header = Self::default();
+        let lines: Vec<(String, String)> =
+            table.header.iter().filter_map(|(_, line)| key_value(line)).collect();
+        let has = |key: &str, value: &str| {
+            lines.iter().any(|(k, v)| k.eq_ignore_ascii_case(key) && v.starts_with(value))
+        };
+        let program = Program {
+            is_keyence: has("data type", "ImageDataCsv")
+                || has("model", "VK-")
+                || has("model", "VR-"),
+            is_spip: has("file format", "ASCII"),
+        };
         // Lengths as written; a unit may stand in another line.
-        let [mut width, mut height, mut dx, mut dy] = [const { None::<String> }; 4];
-        let [mut x_unit, mut y_unit] = [const { None::<String> }; 2];
-        for (_, line) in &table.header {
-            let line = line.trim().trim_start_matches(['#', '%', '!', '/', ' ', '\t']).trim();
-            let Some((key, value)) = key_value(line) else { continue };
-            let text = || Some(value.to_owned());
-            match key.to_lowercase().as_str() {
-                "channel" | "title" | "kanal" | "canal" => header.channel = text(),
-                "width" | "breite" | "largeur" | "x-length" | "x length" | "xlength" | "x size" => {
-                    width = text();
+        let mut said: Vec<(Key, &str)> = Vec::new();
+        let mut unused = Vec::new();
+        for (key, value) in &lines {
+            let name = key.to_lowercase();
+            let number = || value.replace(',', ".").parse::<f64>().ok();
+            let known = program.key(&name).or_else(|| {
+                KEYS.iter().find(|(_, names)| names.contains(&&name[..])).map(|(key, _)| *key)
+            });
+            match (known, &name[..]) {
+                (Some(Key::Channel), _) => header.channel = Some(value.clone()),
+                (Some(Key::Missing), _) => header.missing_value = number(),
+                (Some(key), _) => said.push((key, value)),
+                (None, "bit2nm" | "scale data") => {
+                    header.value_line.get_or_insert([1.0, 0.0])[0] = number().unwrap_or(f64::NAN);
                 }
-                "height" | "höhe" | "hauteur" | "y-length" | "y length" | "ylength" | "y size" => {
-                    height = text();
+                (None, "bias data") => {
+                    header.value_line.get_or_insert([1.0, 0.0])[1] = number().unwrap_or(f64::NAN);
                 }
-                "pixel size" | "pixel" | "spacing" => (dx, dy) = (text(), text()),
-                "dx" | "x step" | "x spacing" | "x pixel size" | "pixel size x" => dx = text(),
-                "dy" | "y step" | "y spacing" | "y pixel size" | "pixel size y" => dy = text(),
-                "x-unit" | "x unit" | "xunit" => x_unit = text(),
-                "y-unit" | "y unit" | "yunit" => y_unit = text(),
-                "value units" | "value unit" | "z unit" | "z units" | "z-unit" | "zunit"
-                | "height unit" | "height units" | "unit z" | "werteinheiten"
-                | "werteeinheiten" | "unités de valeur" => header.value_unit = text(),
-                "nodata_value" | "nodata" | "missing value" | "missing" => {
-                    header.missing_value = value.parse().ok();
-                }
-                key if key.contains("conversion factor")
-                    && key.replace(' ', "").ends_with("(->m)") =>
+                (None, name)
+                    if name.contains("conversion factor")
+                        && name.replace(' ', "").ends_with("(->m)") =>
                 {
-                    header.value_scale = value.parse().ok();
+                    header.value_scale = number();
+                }
+                _ if meaning::is_scale(&name, value) && !table.counts(value) => {
+                    unused.push(format!("{key} = {value}"));
                 }
                 _ => {}
             }
-            header.metadata.insert(key.to_owned(), value.to_owned());
         }
-        let metres = |text: Option<String>, unit: &Option<String>| {
+        let last = |key: Key| said.iter().rev().find(|(k, _)| *k == key).map(|(_, text)| *text);
+        header.value_unit = last(Key::UnitValue).map(str::to_owned);
+        let x_unit = last(Key::UnitX).or(last(Key::UnitLateral));
+        let y_unit = last(Key::UnitY).or(last(Key::UnitLateral)).or(x_unit);
+        header.lateral_unit = x_unit.map(str::to_owned);
+        let total = program.is_spip.then_some("nm");
+        let metres = |text: Option<&str>, unit: Option<&str>| {
             let text = text?.replace(',', ".");
             length(&text).or_else(|| {
                 let (value, written) = quantity(&text)?;
-                (written.is_empty()).then_some(value * metres_per(unit.as_deref()?)?)
+                (written.is_empty()).then_some(value.abs() * metres_per(unit?)?)
             })
         };
-        header.size = metres(height, &y_unit).zip(metres(width, &x_unit)).map(|(h, w)| [h, w]);
-        header.pixel = metres(dy, &y_unit).zip(metres(dx, &x_unit)).map(|(y, x)| [y, x]);
+        header.size = metres(last(Key::Height), y_unit.or(total))
+            .zip(metres(last(Key::Width), x_unit.or(total)))
+            .map(|(h, w)| [h, w]);
+        header.pixel = metres(last(Key::Dy).or(last(Key::Pixel)), y_unit)
+            .zip(metres(last(Key::Dx).or(last(Key::Pixel)), x_unit))
+            .map(|(y, x)| [y, x]);
+        if header.size.is_none() && header.pixel.is_none() {
+            let sizes = [Key::Width, Key::Height, Key::Pixel, Key::Dx, Key::Dy];
+            let silent = said.iter().filter(|(key, _)| sizes.contains(key));
+            unused.extend(silent.map(|(key, text)| format!("{key:?} = {text}")));
+        }
+        header.scales(&lines);
+        let count = |key: &str| {
+            let value = lines.iter().find(|(k, _)| k.eq_ignore_ascii_case(key));
+            value.and_then(|(_, value)| value.parse::<usize>().ok())
+        };
+        header.rows_before_mask =
+            count("voidpixels").filter(|&n| n > 0).and_then(|_| count("y-pixels"));
+        unused.truncate(8);
+        if !unused.is_empty() {
+            header.metadata.insert(UNUSED.into(), unused.join("; "));
+        }
+        header.metadata.extend(lines);
         header.titles(table);
         header
+    }
+
+    /// Which of the factors count: SPIP's without a unit of its own, Nova's if it says so.
+    fn scales(&mut self, lines: &[(String, String)]) {
+        let find = |key: &str| {
+            lines.iter().find(|(k, _)| k.eq_ignore_ascii_case(key)).map(|(_, v)| v.as_str())
+        };
+        if find("bit2nm").is_some() {
+            if self.value_unit.is_some() {
+                self.value_line = None;
+            } else {
+                self.value_unit = Some("nm".into());
+            }
+        } else if !find("DataScaleNeeded").is_some_and(|value| value.eq_ignore_ascii_case("yes")) {
+            self.value_line = None;
+        }
     }
 
     /// Titles and units of the columns from the last two lines before the numbers.
@@ -117,15 +285,51 @@ impl Header {
     }
 }
 
-/// "key: value", "key = value", or "key value" for the two words of a grid file.
-fn key_value(line: &str) -> Option<(&str, &str)> {
-    let at = line.find([':', '=']);
-    let (key, value) = match at {
-        Some(at) => (&line[..at], &line[at + 1..]),
-        None => line.split_once([',', ' ', '\t'])?,
+/// Programs whose headers have keys of their own.
+struct Program {
+    /// The export of a laser microscope: every cell between quotation marks, in the language of
+    /// the program.
+    is_keyence: bool,
+    /// Image Metrology's SPIP and what writes its form: lengths are in nm.
+    is_spip: bool,
+}
+
+impl Program {
+    /// What a key in lower case means in this program and no other.
+    fn key(&self, name: &str) -> Option<Key> {
+        const UNIT: [&str; 7] = ["unit", "einheit", "unité", "unità", "unidad", "单位", "単位"];
+        let is_xy = name.starts_with("xy") || name.ends_with("xy");
+        match name {
+            "output image data" if self.is_keyence => Some(Key::Channel),
+            _ if self.is_keyence && UNIT.contains(&name) => Some(Key::UnitValue),
+            _ if self.is_keyence && is_xy => Some(Key::Pixel),
+            _ => None,
+        }
+    }
+}
+
+/// "key: value", "key = value", cells between quotation marks, or "key value" for the two words of
+/// a grid file.
+fn key_value(line: &str) -> Option<(String, String)> {
+    let line = line.trim().trim_start_matches(['#', '%', '!', '/', ' ', '\t']).trim();
+    let (key, value) = match line.strip_prefix('"').and_then(|rest| rest.split_once('"')) {
+        Some((key, rest)) => {
+            let separator = rest.trim_start().chars().next()?;
+            let cells = rest.split(separator).map(|cell| cell.trim().trim_matches('"').trim());
+            let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty()).collect();
+            (key.to_owned(), cells.join(" "))
+        }
+        None => {
+            let (key, value) = match line.split_once([':', '=', '：']) {
+                Some(pair) => pair,
+                None => line.split_once([',', ' ', '\t'])?,
+            };
+            (key.to_owned(), value.to_owned())
+        }
     };
     let (key, value) = (key.trim(), value.trim());
-    (!key.is_empty() && !value.is_empty() && key.len() <= 64).then_some((key, value))
+    (!key.is_empty() && !value.is_empty() && key.len() <= 64)
+        .then(|| (key.to_owned(), value.to_owned()))
 }
 
 /// Name and unit in a column title.
@@ -139,4 +343,119 @@ fn title(cell: &str) -> (String, Option<String>) {
         _ => words.first().map(|w| (*w).to_owned()).unwrap_or_default(),
     };
     (name, unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Measurement, ReadError, ReadOptions, read_bytes};
+
+    /// 2 rows of 4 heights.
+    const ROWS: &str = "1 2 3 4\n5 6 7 8\n";
+
+    fn read(text: &str) -> Result<Measurement, ReadError> {
+        read_bytes(text.as_bytes(), &ReadOptions::default())
+    }
+
+    /// `[dy, dx]` and the last height in nm.
+    fn nanometres(text: &str) -> [f64; 3] {
+        let found = read(text).unwrap_or_else(|e| panic!("{text}: {e}"));
+        let [dy, dx] = found.grid().pixel();
+        let last = found.heights().last().copied().unwrap();
+        [dy, dx, last].map(|metres| (metres * 1e9 * 1e6).round() / 1e6)
+    }
+
+    /// Gwyddion translates the keys of its export; those of XYZ have the unit of x and y.
+    #[test]
+    fn gwyddion_in_its_languages() {
+        for [channel, width, height, unit] in [
+            ["Channel:", "Width:", "Height:", "Value units:"],
+            ["Kanál:", "Šířka:", "Výška:", "Jednotky hodnot:"],
+            ["Kanal:", "Breite:", "Höhe:", "Einheiten:"],
+            ["Canal :", "Largeur :", "Hauteur :", "Unités :"],
+            ["Canale:", "Larghezza:", "Altezza:", "unità valore:"],
+            ["Canal:", "Anchura:", "Altura:", "Unidades de valor:"],
+            ["Canal:", "Largura:", "Altura:", "Unidades de valor:"],
+            ["チャネル：", "幅:", "高さ：", "値の単位:"],
+            ["채널:", "폭:", "높이:", "값 단위:"],
+            ["Канал:", "Ширина:", "Высота:", "Единицы измерения:"],
+        ] {
+            let head =
+                format!("# {channel} Topo\n# {width} 8.0 µm\n# {height} 3.0 µm\n# {unit} nm\n");
+            let text = format!("{head}{ROWS}");
+            assert_eq!(nanometres(&text), [1500.0, 2000.0, 8.0], "{head}");
+            assert_eq!(read(&text).unwrap().channel(), "Topo");
+        }
+        for key in ["Lateral units:", "Laterale Einheiten:", "Unités latérales :"] {
+            let text = format!(
+                "# Channel: Topo\n# {key} um\n# Value units: nm\n0 0 1\n2 0 2\n0 3 3\n2 3 4\n"
+            );
+            assert_eq!(nanometres(&text), [3000.0, 2000.0, 4.0], "{key}");
+            assert!(read(&text).unwrap().ambiguity().is_none());
+        }
+    }
+
+    /// SPIP: lengths in nm if no unit says other, `Bit2nm` if no unit of heights does. Nova: factor
+    /// and offset if it says that they are needed.
+    #[test]
+    fn spip_and_nova() {
+        let spip = "# File Format = ASCII\n# x-pixels = 4\n# y-pixels = 2\n# x-length = 2000\n\
+                    # y-length = 500\n";
+        for (more, right) in [
+            ("# Bit2nm = 0.5\n", [250.0, 500.0, 4.0]),
+            ("# z-unit = um\n", [250.0, 500.0, 8000.0]),
+            ("# z-unit = um\n# Bit2nm = 0.5\n", [250.0, 500.0, 8000.0]),
+            ("# x-unit = um\n# y-unit = um\n# z-unit = nm\n", [250e3, 500e3, 8.0]),
+        ] {
+            assert_eq!(
+                nanometres(&format!("{spip}{more}# Start of Data:\n{ROWS}")),
+                right,
+                "{more}"
+            );
+        }
+        let masked = "# Bit2nm = 1\n# voidpixels = 1\n# Start of Data:\n";
+        let found = read(&format!("{spip}{masked}{ROWS}1 1 1 1\n1 0 1 1\n")).unwrap();
+        assert_eq!((found.grid().shape(), found.missing()), ([2, 4], 1));
+        assert!(found.heights()[5].is_nan());
+        let nova = "File Format = ASCII\nCreated by Nova\nNX = 4\nNY = 2\nScale X = 0.5\n\
+                    Scale Y = -0.25\nUnit X = um\nUnit Data = nm\nScale Data = 0.1\nBias Data = 2\n";
+        for (needed, last) in [("yes", 2.8), ("Yes", 2.8), ("no", 8.0)] {
+            let text = format!("{nova}DataScaleNeeded = {needed}\nStart of Data :\n{ROWS}");
+            assert_eq!(nanometres(&text), [250.0, 500.0, last], "{needed}");
+        }
+    }
+
+    /// Also with semicolons, decimal commas and in other languages.
+    #[test]
+    fn keyence() {
+        let english = "\"Measured date\",\"2025-12-10 12:00:00\"\n\"Data type\",\"ImageDataCsv\"\n\
+                       \"XY Calibration\",\"277.5\",\"nm\"\n\"Output image data\",\"Height\"\n\
+                       \"Horizontal\",\"4\"\n\"Unit\",\"um\"\n\"Reference data name\",\"\"\n\n\
+                       \"Height\"\n\"1\",\"2\",\"3\",\"4.5\"\n\"5\",\"6\",\"7\",\"8.25\"\n";
+        assert_eq!(nanometres(english), [277.5, 277.5, 8250.0]);
+        assert_eq!(read(english).unwrap().channel(), "Height");
+        let german = "\"Data type\";\"ImageDataCsv\"\n\"XY-Kalibrierung\";\"277,5\";\"nm\"\n\
+                      \"Einheit\";\"um\"\n\"1\";\"2\";\"3\";\"4,5\"\n\"5\";\"6\";\"7\";\"8,25\"\n";
+        assert_eq!(nanometres(german), [277.5, 277.5, 8250.0]);
+    }
+
+    /// What looks like a size, a scale or a unit and is not used is said, in a refusal and with what
+    /// was read.
+    #[test]
+    fn what_is_not_used_is_named() {
+        let text = format!("# Sampling = 0.5 um\n# Z calibration: 2.5\n# Speed: 3\n{ROWS}");
+        let error = read(&text).unwrap_err().to_string();
+        assert!(error.contains("Sampling = 0.5 um; Z calibration = 2.5,"), "{error}");
+        let text = format!("# Width: 8\n# Height: 2\n# Value units: nm\n{ROWS}");
+        let error = read(&text).unwrap_err().to_string();
+        assert!(error.contains("Width = 8"), "{error}");
+        let text = format!("# pixel size: 1 um\n# z unit: nm\n# z calibration: 2.5\n{ROWS}");
+        let found = read(&text).unwrap();
+        assert_eq!(found.metadata()[crate::meaning::UNUSED], "z calibration = 2.5");
+        assert!(
+            !read(&text.replace("2.5", "none"))
+                .unwrap()
+                .metadata()
+                .contains_key(crate::meaning::UNUSED)
+        );
+    }
 }

@@ -4,6 +4,7 @@ use crate::binary::{Bytes, Sample};
 use crate::cut::Cut;
 use crate::error::ReadError;
 use crate::format::Format;
+use crate::meaning::{self, UNUSED};
 use crate::need::Ambiguity;
 use crate::units::metres_per;
 use contact_types::Grid;
@@ -195,6 +196,20 @@ fn flip_rows(mut values: Vec<f64>, nx: usize) -> Vec<f64> {
 pub(crate) struct Contents<'a> {
     pub(crate) channels: Vec<Channel<'a>>,
     pub(crate) metadata: BTreeMap<String, String>,
+}
+
+impl Contents<'_> {
+    /// Keeps an entry that no reader understands if it looks like a size, a scale or a unit.
+    pub(crate) fn not_used(&mut self, key: &str, value: &str) {
+        let name = key.rsplit('/').next().unwrap_or(key);
+        if meaning::is_scale(name, value) {
+            let list = self.metadata.entry(UNUSED.into()).or_default();
+            if list.len() < 512 {
+                let separator = if list.is_empty() { "" } else { "; " };
+                *list += &[separator, key, " = ", value].concat();
+            }
+        }
+    }
 }
 
 /// A measured surface: heights in metres, some of which may be missing.

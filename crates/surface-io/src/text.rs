@@ -77,6 +77,11 @@ impl<'a> Table<'a> {
         self.values.len() / self.columns.max(1)
     }
 
+    /// True if `text` is how many rows or columns there are.
+    pub(crate) fn counts(&self, text: &str) -> bool {
+        text.parse::<usize>().is_ok_and(|n| n == self.rows() || n == self.columns)
+    }
+
     /// Finds the table in `text` and reads it, in one pass over the numbers.
     pub(crate) fn parse(text: &'a str, format: Format) -> Result<Self, ReadError> {
         let mut table = Self {

@@ -392,3 +392,22 @@ fn old_igor_waves_are_called_so() {
         assert!(error.contains(&format!("wave of version {version}")), "{error}");
     }
 }
+
+/// Numbers beside a map that may be its pixel are named where one is asked for.
+#[test]
+fn numbers_beside_a_map_are_named() {
+    let head =
+        |shape: &str, value: f64| common::binary::npy("<f8", false, shape, &value.to_le_bytes());
+    let map: Vec<u8> = (0..4).flat_map(|i| f64::from(i).to_le_bytes()).collect();
+    let map = common::binary::npy("<f8", false, "(2, 2)", &map);
+    let file = common::binary::zip(&[
+        ("z.npy", &map),
+        ("dx.npy", &head("()", 0.5)),
+        ("pixel_size.npy", &head("(1,)", 2.0)),
+        ("speed.npy", &head("()", 3.0)),
+    ]);
+    let error = read_bytes(&file, &ReadOptions::default()).unwrap_err().to_string();
+    assert!(error.contains("says dx = 0.5; pixel_size = 2, which was not used"), "{error}");
+    let options = ReadOptions::default().with_pixel([1e-6; 2]).with_height_unit(1.0);
+    assert_eq!(read_bytes(&file, &options).unwrap().channels().len(), 1);
+}

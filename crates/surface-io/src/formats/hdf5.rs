@@ -25,6 +25,10 @@ use crate::measurement::{Channel, Contents, Pixel};
 use crate::packed::Packing;
 use crate::{Format, Limits, ReadError};
 
+/// Attributes that are understood, and have a number or a unit.
+const USED: [&str; 8] =
+    ["unit", "units", "Unit", "Units", "pixel", "pixel_unit", "scale_factor", "add_offset"];
+
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     [0, 512, 1024, 2048]
         .iter()
@@ -53,8 +57,29 @@ pub(crate) fn parse_as<'a>(
     for (path, at) in listing.datasets {
         match Dataset::at(&file, at) {
             Ok(Some(dataset)) => match sides(&dataset)[..] {
-                [_, _] => contents.channels.push(channel(path, dataset, format, limits)?),
+                [_, _] => {
+                    for (name, value) in &dataset.attributes {
+                        let value = match value {
+                            Value::Text(text) => text.clone(),
+                            Value::Numbers(numbers) if numbers.len() <= 3 => {
+                                let numbers = numbers.iter().map(f64::to_string);
+                                numbers.collect::<Vec<_>>().join(" ")
+                            }
+                            _ => continue,
+                        };
+                        if !USED.contains(&name.as_str()) {
+                            contents.not_used(&format!("{path}/{name}"), &value);
+                        }
+                    }
+                    contents.channels.push(channel(path, dataset, format, limits)?);
+                }
                 [_] => lines.push((path, dataset)),
+                // A single number beside the maps, as MATLAB saves a variable.
+                [] if !dataset.shape.contains(&0) => {
+                    if let Some(number) = dataset.values().ok().and_then(|v| v.first().copied()) {
+                        contents.not_used(&path, &number.to_string());
+                    }
+                }
                 _ => {}
             },
             Ok(None) => {} // texts and compounds

@@ -38,6 +38,8 @@ pub(crate) mod plu;
 pub(crate) mod plux;
 pub(crate) mod scattered;
 pub(crate) mod sdf;
+#[cfg(feature = "zip")]
+pub(crate) mod softgauge;
 pub(crate) mod sur;
 pub(crate) mod sxm;
 pub(crate) mod table;
@@ -51,3 +53,4 @@ pub(crate) mod zmg;
 #[cfg(feature = "zip")]
 pub(crate) mod zon;
 pub(crate) mod zygo;
+pub(crate) mod zygo_text;

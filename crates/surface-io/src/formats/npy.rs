@@ -88,6 +88,7 @@ impl Array {
             })
             .collect::<Result<Vec<_>, _>>()?;
         let shape = match sides[..] {
+            [] => [1, 1],
             [nx] => [1, nx],
             [ny, nx] => [ny, nx],
             _ => {

@@ -1,5 +1,6 @@
 //! NPZ: a ZIP archive of NPY arrays, as `numpy.savez` writes it. Every array of one or two axes
-//! is a channel; none has a unit or a pixel size.
+//! is a channel; none has a unit or a pixel size. Single numbers called like one are named where
+//! they are asked for, and not used: their unit is nowhere.
 //!
 //! Source: <https://numpy.org/doc/stable/reference/generated/numpy.savez.html>.
 
@@ -27,6 +28,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         total += member.len() as u64;
         limits.check_unpacked(FORMAT, total)?;
         match Array::parse(&member, FORMAT, limits) {
+            Ok(number) if number.shape == [1, 1] => {
+                if let Some(value) = number.values(&member)?.first() {
+                    contents.not_used(&name[..name.len() - ".npy".len()], &value.to_string());
+                }
+            }
             Ok(array) => {
                 let name = name[..name.len() - ".npy".len()].to_owned();
                 let channel = Channel::new(name, None, array.shape, Pixel::Unknown, move || {
@@ -34,7 +40,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
                 });
                 contents.channels.push(channel);
             }
-            // Texts and single numbers beside a map are no reason to refuse it.
+            // Texts beside a map are no reason to refuse it.
             Err(e @ ReadError::Unsupported { .. }) => {
                 first_error.get_or_insert(e);
             }

@@ -16,21 +16,32 @@
 //!
 //! Missing points: 255, 32766 and above, and beyond 10^32 or not finite, for 1, 2 and 4 bytes.
 //!
+//! The export as text starts with `Wyko ASCII Data File Format 0 0 1`; lines `X Size`, `Y Size`, then
+//! blocks of name, type, length and value between tabs. Behind the name of a map every line is a
+//! column of it, from the top downwards; `Bad` is a missing point. Where the second number of the
+//! first line is 1 the heights are in nm, not in waves.
+//!
 //! Source: Wyko, *Vision 32 OPD file format* as implemented by several free readers; the files.
 
 use super::npy::transpose;
 use crate::binary::{Bytes, Sample};
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError};
+use crate::{Format, Limits, Place, ReadError, text};
+use std::collections::BTreeMap;
 
 const FORMAT: Format = Format::Opd;
 const ENTRY: usize = 24;
+const TEXT: &[u8] = b"Wyko ASCII Data File Format";
+const MAPS: [&str; 5] = ["RAW DATA", "RAW_DATA", "OPD", "Raw", "SAMPLE_DATA"];
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.get(2..12) == Some(b"Directory\0")
+    bytes.get(2..12) == Some(b"Directory\0") || bytes.starts_with(TEXT)
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    if bytes.starts_with(TEXT) {
+        return parse_text(bytes, limits);
+    }
     let b = Bytes::little(bytes, FORMAT);
     let length = |at: usize| {
         let length = b.i32(at + 18)?;
@@ -52,7 +63,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         }
         b.slice(at, size)?;
         match name.as_str() {
-            "RAW DATA" | "RAW_DATA" | "OPD" | "Raw" => maps.push((name, at)),
+            map if MAPS.contains(&map) => maps.push((name, at)),
             "Wavelength" => wavelength = Some(f64::from(b.f32(at)?)),
             "Mult" => multiplier = f64::from(b.i16(at)?),
             "Aspect" => aspect = f64::from(b.f32(at)?),
@@ -91,4 +102,112 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         contents.channels.push(channel.flipped());
     }
     Ok(contents)
+}
+
+/// The export as text.
+fn parse_text<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let content = text::decode(bytes);
+    let mut lines = text::lines(&content);
+    let fault = |line: usize, what: String| ReadError::Malformed {
+        format: FORMAT,
+        place: Place::Line(line),
+        what: what.into(),
+    };
+    let first = lines.next().map_or("", |(_, line)| line);
+    let is_in_nm = first.split_whitespace().nth(6) == Some("1");
+    let mut fields = BTreeMap::<String, String>::new();
+    let mut maps = Vec::new();
+    while let Some((number, line)) = lines.next() {
+        limits.check_items(FORMAT, fields.len() as u64)?;
+        let mut cells = line.split('\t').map(str::trim);
+        let (Some(name), Some(value)) = (cells.next(), cells.next_back()) else { continue };
+        let is_other = ["Image", "Intensity", "SecArr_0"].contains(&name);
+        if !MAPS.contains(&name) && !is_other {
+            fields.insert(name.to_owned(), value.to_owned());
+            continue;
+        }
+        let side = |key: &str| fields.get(key).and_then(|text| text.parse::<usize>().ok());
+        let (Some(nx), Some(ny)) = (side("X Size"), side("Y Size")) else {
+            return Err(fault(number, "neither X Size nor Y Size before the map".into()));
+        };
+        limits.check_points(FORMAT, [ny, nx])?;
+        let mut values = Vec::new();
+        for _ in 0..nx {
+            let (number, line) =
+                lines.next().ok_or_else(|| fault(number, format!("not {nx} columns follow")))?;
+            let before = values.len();
+            for cell in line.split_whitespace() {
+                values.push(match cell.replace(',', ".").parse::<f64>() {
+                    Ok(value) => value,
+                    Err(_) if cell.eq_ignore_ascii_case("bad") => f64::NAN,
+                    Err(_) => return Err(fault(number, format!("{cell:?} is no number"))),
+                });
+            }
+            if values.len() - before != ny {
+                let what = format!("{} points, a column has {ny}", values.len() - before);
+                return Err(fault(number, what));
+            }
+        }
+        maps.push((name.to_owned(), is_other, [nx, ny], values));
+    }
+    let b = Bytes::little(&[], FORMAT);
+    let number = |key: &'static str, default: Option<f64>| match fields.get(key) {
+        None => default.ok_or_else(|| b.field(key, "the block is missing")),
+        Some(text) => text
+            .replace(',', ".")
+            .parse::<f64>()
+            .ok()
+            .filter(|value| value.is_finite() && *value > 0.0)
+            .ok_or_else(|| b.field(key, format!("{text:?} is no number above 0"))),
+    };
+    let step =
+        if is_in_nm { 1.0 } else { number("Wavelength", None)? / number("Mult", Some(1.0))? };
+    let pixel = if fields.contains_key("Pixel_size") {
+        let dx = 1e-3 * number("Pixel_size", None)?;
+        Pixel::Metres([dx * number("Aspect", Some(1.0))?, dx])
+    } else {
+        Pixel::Unknown
+    };
+    let mut contents = Contents::default();
+    for (name, is_other, stored, values) in maps {
+        let (unit, step) = if is_other { ("counts", 1.0) } else { ("nm", step) };
+        let shape = [stored[1], stored[0]];
+        contents.channels.push(Channel::new(name, Some(unit), shape, pixel, move || {
+            let scaled: Vec<f64> = values.into_iter().map(|value| value * step).collect();
+            Ok(transpose(&scaled, stored))
+        }));
+    }
+    contents.metadata = fields;
+    Ok(contents)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{ReadOptions, read_bytes};
+
+    /// 2 rows of 3 points: a line is a column.
+    #[test]
+    fn the_export_as_text() {
+        let file = "Wyko ASCII Data File Format 0\t0\t1\nX Size\t3\nY Size\t2\n\
+                    Block Name\tType\tLength\tValue\nPixel_size\t7\t4\t0.002\nAspect\t7\t4\t1.5\n\
+                    Wavelength\t7\t4\t500\nMult\t7\t4\t2\nRAW_DATA\t3\t24\t\n1\t4\n2\tBad\n3\t6\n";
+        let options = ReadOptions::default();
+        for (flag, unit) in [("0\t0\t1", 250e-9), ("0\t1\t1", 1e-9)] {
+            let found = read_bytes(file.replace("0\t0\t1", flag).as_bytes(), &options).unwrap();
+            assert_eq!((found.grid().shape(), found.missing()), ([2, 3], 1));
+            let [dy, dx] = found.grid().pixel();
+            assert!((dx / 2e-6 - 1.0).abs() < 1e-12 && (dy / 3e-6 - 1.0).abs() < 1e-12);
+            for (i, right) in [(0, 1.0), (1, 2.0), (2, 3.0), (3, 4.0), (5, 6.0)] {
+                assert!((found.heights()[i] / (right * unit) - 1.0).abs() < 1e-12);
+            }
+        }
+        for (from, to, word) in [
+            ("3\t6\n", "3\n", "line 12"),
+            ("3\t6\n", "", "not 3 columns"),
+            ("500", "0", "Wavelength"),
+        ] {
+            let error = read_bytes(file.replace(from, to).as_bytes(), &options).unwrap_err();
+            assert!(error.to_string().contains(word), "{error}");
+        }
+    }
 }

@@ -6,9 +6,12 @@
 //! | decimal comma | where the comma is not the separator; both marks in one file are refused |
 //! | encodings | UTF-8, UTF-16 with byte order mark, Latin-1; `\n`, `\r\n`, `\r`, also mixed |
 //! | header | the lines before the first two lines with equally many numbers; lines starting with `#`, `%`, `!`, `//` |
-//! | `Width`, `Height` with unit | total size of a matrix: the pixel is size / N (Gwyddion's export, also in German and French; SPIP's `x-length`, `x-unit`) |
-//! | `pixel size`, `dx`, `dy` with unit | spacing of a matrix |
-//! | `Value units`, `z-unit` | unit of the heights |
+//! | `Width`, `Height` with unit | total size of a matrix: the pixel is size / N (Gwyddion's export in its languages; SPIP's `x-length`, `x-unit`, nm if absent) |
+//! | `pixel size`, `dx`, `dy` with unit | spacing of a matrix; Nova's `Scale X`, `Unit X`; Keyence's `XY Calibration` |
+//! | `Lateral units` | unit of x and y (Gwyddion's XYZ export) |
+//! | `Value units`, `z-unit`, `Unit Data` | unit of the heights; in a Keyence export also `Unit` |
+//! | `Bit2nm`; `Scale Data`, `Bias Data` if `DataScaleNeeded` | nm per stored number (SPIP); factor and offset (Nova) |
+//! | `voidpixels` above 0, twice `y-pixels` rows | the second half is 0 where a point is missing (SPIP) |
 //! | `height conversion factor (-> m)` | metres per stored number (SPIP) |
 //! | units in column titles | `X [mm]`, `X_(microns)`, `x in µm`, `µm µm` |
 //! | three columns | x y z on a grid in any order (row 0 = smallest y); `X;Y;valid` is a profile; unless the layout is given |
@@ -75,6 +78,13 @@ pub(crate) fn parse_as<'a>(
         (rows, kept) = (rows - 1, kept - 1);
         header.metadata.insert("left out".into(), "running numbers of rows and columns".into());
     }
+    if let Some(half) = header.rows_before_mask.filter(|&half| rows == 2 * half) {
+        let mask = values.split_off(half * kept);
+        for (value, _) in values.iter_mut().zip(mask).filter(|(_, is_there)| *is_there == 0.0) {
+            *value = f64::NAN;
+        }
+        rows = half;
+    }
     let unit = |column: usize| titles.get(column).and_then(|c| c.unit.clone());
     let named = |column: usize, names: &[&str]| {
         titles.get(column).is_some_and(|c| names.iter().any(|n| c.name.eq_ignore_ascii_case(n)))
@@ -107,12 +117,13 @@ pub(crate) fn parse_as<'a>(
         // Coordinates have units, or are called so; other columns may be heights.
         let is_told = layout.is_some()
             || unit(0).is_some()
+            || header.lateral_unit.is_some()
             || ["x", "y"].iter().enumerate().all(|(i, name)| named(i, &[name]));
         let map = scattered::grid(&values, [digits[0], digits[1]], limits)
             .map_err(|error| if is_told { error } else { or_matrix(error, 3) })?;
         let is_plain = map.is_complete && map.shape.iter().all(|&n| n > 2);
         let z_unit = header.value_unit.clone().or_else(|| unit(2));
-        let scale = unit(0).as_deref().and_then(metres_per);
+        let scale = unit(0).or(header.lateral_unit.clone()).as_deref().and_then(metres_per);
         let scale_y = unit(1).as_deref().and_then(metres_per).or(scale);
         let pixel = match (scale, scale_y) {
             (Some(x), Some(y)) => Pixel::Metres([map.step[0] * y, map.step[1] * x]),
@@ -230,15 +241,13 @@ fn matrix(header: &Header, values: Vec<f64>, shape: [usize; 2]) -> Channel<'stat
         (None, None) => Pixel::Unknown,
     };
     let missing = header.missing_value;
+    let [factor, offset] = header.value_line.unwrap_or([1.0, 0.0]);
     let unit = header.value_unit.as_deref();
     let mut channel = Channel::new(header.name(), unit, shape, pixel, move || {
         let mut values = values;
-        if let Some(missing) = missing {
-            for value in &mut values {
-                if value.to_bits() == missing.to_bits() {
-                    *value = f64::NAN;
-                }
-            }
+        for value in &mut values {
+            let is_missing = missing.is_some_and(|mark| value.to_bits() == mark.to_bits());
+            *value = if is_missing { f64::NAN } else { *value * factor + offset };
         }
         Ok(values)
     });
@@ -262,5 +271,6 @@ fn profile(
         what: what.into(),
     })?;
     let z_unit = header.value_unit.clone().or(z_unit);
+    let x_unit = x_unit.or(header.lateral_unit.clone());
     Ok(line.profile(header.name(), z_unit.as_deref(), x_unit.as_deref(), move || Ok(z)))
 }

@@ -17,8 +17,11 @@
 //!
 //! Height = phase × S W O / R; a phase of 2147483640 or more is a missing point.
 //!
+//! Exports as text have [a reader of their own](super::zygo_text).
+//!
 //! Source: Zygo, *MetroPro Reference Guide* OMP-0347, appendix on the data format.
 
+use super::zygo_text;
 use crate::binary::{Bytes, Sample};
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::{Format, Limits, ReadError};
@@ -26,10 +29,13 @@ use crate::{Format, Limits, ReadError};
 const FORMAT: Format = Format::Zygo;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    matches!(bytes, [0x88, 0x1b, 0x03, 0x6f..=0x71, ..])
+    matches!(bytes, [0x88, 0x1b, 0x03, 0x6f..=0x71, ..]) || zygo_text::sniff(bytes)
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    if zygo_text::sniff(bytes) {
+        return zygo_text::parse(bytes, limits);
+    }
     let b = Bytes::big(bytes, FORMAT);
     let header = b.u32(6)? as usize;
     if !matches!(header, 834 | 4096) {

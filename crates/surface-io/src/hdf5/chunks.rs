@@ -1,6 +1,6 @@
 //! Chunks: pieces of a data set, each packed by a chain of filters.
 
-use super::file::File;
+use super::file::{File, WAY_OUT};
 use crate::binary::{Order, Sample};
 use crate::error::ReadError;
 use std::borrow::Cow;
@@ -44,10 +44,7 @@ pub(crate) fn filters(file: &File<'_>, at: usize) -> Result<Vec<Filter>, ReadErr
         let setting = if settings > 0 { b.u32(first)? as usize } else { 0 };
         place = first + 4 * settings + if version == 1 { settings % 2 * 4 } else { 0 };
         if !matches!(id, 1..=3) {
-            let feature = format!(
-                "filter {id} (deflate, shuffle and Fletcher-32 are read; `h5repack -f NONE IN OUT` \
-                 takes it away)"
-            );
+            let feature = format!("filter {id} (deflate, shuffle and Fletcher-32 are; {WAY_OUT})");
             return Err(ReadError::Unsupported { format: b.format, feature: feature.into() });
         }
         filters.push(Filter { id, setting });

@@ -6,7 +6,7 @@ use crate::format::Format;
 use crate::limits::Limits;
 
 /// What to do about a file of a newer form.
-pub(super) const WAY_OUT: &str = "`h5repack --high=0 IN OUT` writes the older form, which is read";
+pub(super) const WAY_OUT: &str = "`h5repack -f NONE -l CONTI IN OUT` writes the form that is";
 
 /// The first bytes of the superblock.
 pub(crate) const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";

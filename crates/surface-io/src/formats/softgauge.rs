@@ -1,0 +1,100 @@
+//! Softgauges of NIST's surface metrology algorithm testing system (SMATS): a profile in XML.
+//!
+//! | element | content |
+//! |---|---|
+//! | `DATA/DATAFILE/UNITS` | unit of spacing and heights |
+//! | `…/SPACING`, `…/NUMPOINTS` | distance of the points, their number |
+//! | `…/DATA_TYPE` | `2D`: a profile |
+//! | `…/DATA_POINT_VALUES` | heights, one a line |
+//! | `DATA/PART`, `PROCESS`, `MEASUREMENT` | what was measured |
+//!
+//! Spacing is stored, so the question of N or N − 1 intervals does not arise.
+//!
+//! Source: the softgauges of <https://physics.nist.gov/VSC/jsp/Database.jsp>.
+
+use crate::binary::{Bytes, find};
+use crate::measurement::{Channel, Contents, Pixel};
+use crate::units::metres_per;
+use crate::{Format, Limits, ReadError, text, xml};
+
+const FORMAT: Format = Format::Softgauge;
+
+pub(crate) fn sniff(bytes: &[u8]) -> bool {
+    let start = &bytes[..bytes.len().min(4096)];
+    start.starts_with(b"<") && find(start, b"<DATAFILE").is_some() && text::is_text(bytes)
+}
+
+pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+    let fields = xml::fields(bytes, FORMAT, "the softgauge", limits)?;
+    let b = Bytes::little(&[], FORMAT);
+    let get = |key: &'static str| {
+        let value = fields.get(&format!("DATAFILE/{key}")).map(String::as_str);
+        value.ok_or_else(|| b.field(key, "the element is missing or empty"))
+    };
+    let number = |key: &'static str| {
+        let text = get(key)?;
+        text.parse::<f64>().map_err(|_| b.field(key, format!("{text:?} is no number")))
+    };
+    let kind = get("DATA_TYPE").unwrap_or("2D");
+    if kind != "2D" {
+        let feature = format!("a softgauge of type {kind} (profiles 2D are)").into();
+        return Err(ReadError::Unsupported { format: FORMAT, feature });
+    }
+    let unit = get("UNITS")?;
+    let heights: Vec<f64> = get("DATA_POINT_VALUES")?
+        .split_whitespace()
+        .enumerate()
+        .map(|(i, cell)| {
+            let fault = |_| b.field(format!("point {}", i + 1), format!("{cell:?} is no number"));
+            cell.parse().map_err(fault)
+        })
+        .collect::<Result<_, _>>()?;
+    let count = number("NUMPOINTS")?;
+    if (heights.len() as f64 - count).abs() > 0.0 {
+        return Err(b.field("NUMPOINTS", format!("{count}, but {} heights", heights.len())));
+    }
+    let shape = [1, heights.len()];
+    limits.check_points(FORMAT, shape)?;
+    let spacing = number("SPACING")?;
+    let pixel = match metres_per(unit) {
+        Some(metres) => Pixel::Metres([spacing * metres; 2]),
+        None => Pixel::Steps([spacing; 2]),
+    };
+    let mut contents = Contents::default();
+    contents.channels.push(Channel::new("Profile", Some(unit), shape, pixel, || Ok(heights)));
+    for (path, value) in fields.iter().filter(|(path, _)| !path.starts_with("DATAFILE/")) {
+        contents.metadata.insert(path.clone(), value.clone());
+    }
+    Ok(contents)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{ReadOptions, read_bytes};
+
+    #[test]
+    fn a_profile_in_xml() {
+        let file = "<?xml version='1.0' encoding='UTF-8'?>\n<?xml-stylesheet type=\"text/xsl\" \
+                    href=\"data.xsl\"?>\n<!DOCTYPE DATA SYSTEM \"data.dtd\">\n<DATA><PART><PART_NAME>sine\
+                    </PART_NAME></PART><DATAFILE>\n<UNITS>um</UNITS><NUMPOINTS>4</NUMPOINTS>\
+                    <SPACING>0.5</SPACING>\n<KCAL>1um/mv</KCAL><DATA_TYPE>2D</DATA_TYPE>\n\
+                    <DATA_POINT_VALUES>0.0\n0.0079\n-1.0E-4\n2</DATA_POINT_VALUES></DATAFILE></DATA>\n";
+        let options = ReadOptions::default();
+        let found = read_bytes(file.as_bytes(), &options).unwrap();
+        assert!(found.is_profile());
+        assert_eq!(found.metadata()["PART/PART_NAME"], "sine");
+        assert!((found.grid().pixel()[1] / 0.5e-6 - 1.0).abs() < 1e-12);
+        for (i, right) in [(1, 7.9e-9), (2, -1e-10), (3, 2e-6)] {
+            assert!((found.heights()[i] / right - 1.0).abs() < 1e-12);
+        }
+        for (from, to, word) in [
+            ("<NUMPOINTS>4", "<NUMPOINTS>5", "4 heights"),
+            ("2D", "3D", "type 3D"),
+            ("0.0079", "0.oo79", "point 2"),
+            ("\"data.dtd\">", "\"data.dtd\" [<!ENTITY e \"1\">]>", "document type"),
+        ] {
+            let error = read_bytes(file.replace(from, to).as_bytes(), &options).unwrap_err();
+            assert!(error.to_string().contains(word), "{error}");
+        }
+    }
+}
