@@ -53,97 +53,25 @@ enum Key {
 
 /// Keys in lower case as instruments and programs write them: Gwyddion (in its languages, as its
 /// translations have them), SPIP, Attocube, Nova, and what people write by hand.
-const KEYS: &[(Key, &[&str])] = &[
-    (
-        Key::Channel,
-        &["channel", "title", "kanál", "kanal", "canal", "canale", "チャネル", "채널", "канал"],
-    ),
-    (
-        Key::Width,
-        &[
-            "width",
-            "šířka",
-            "breite",
-            "anchura",
-            "largeur",
-            "larghezza",
-            "largura",
-            "幅",
-            "폭",
-            "ширина",
-            "x-length",
-            "x length",
-            "xlength",
-            "x size",
-        ],
-    ),
-    (
-        Key::Height,
-        &[
-            "height",
-            "výška",
-            "höhe",
-            "altura",
-            "hauteur",
-            "altezza",
-            "高さ",
-            "높이",
-            "высота",
-            "y-length",
-            "y length",
-            "ylength",
-            "y size",
-        ],
-    ),
-    (Key::Pixel, &["pixel size", "pixel_size", "pixel", "spacing"]),
-    (Key::Dx, &["dx", "x step", "x spacing", "x pixel size", "pixel size x", "scale x"]),
-    (Key::Dy, &["dy", "y step", "y spacing", "y pixel size", "pixel size y", "scale y"]),
-    (Key::UnitX, &["x-unit", "x unit", "xunit", "unit x"]),
-    (Key::UnitY, &["y-unit", "y unit", "yunit", "unit y"]),
-    (
-        Key::UnitLateral,
-        &[
-            "lateral units",
-            "lateral unit",
-            "xy unit",
-            "xy units",
-            "jednotky rozměrů",
-            "laterale einheiten",
-            "_laterale einheiten",
-            "unités latérales",
-            "unità laterali",
-            "unidades laterales",
-            "unidades laterais",
-            "единицы горизонтальных размеров",
-        ],
-    ),
-    (
-        Key::UnitValue,
-        &[
-            "value units",
-            "value unit",
-            "z unit",
-            "z units",
-            "z-unit",
-            "zunit",
-            "height unit",
-            "height units",
-            "unit z",
-            "unit data",
-            "jednotky hodnot",
-            "einheiten",
-            "werteinheiten",
-            "werteeinheiten",
-            "unités",
-            "unités de valeur",
-            "unità valore",
-            "unidades de valor",
-            "値の単位",
-            "값 단위",
-            "единицы измерения",
-        ],
-    ),
-    (Key::Missing, &["nodata_value", "nodata", "missing value", "missing"]),
+const KEYS: &[(Key, &str)] = &[
+    (Key::Channel, "channel|title|kanál|kanal|canal|canale|チャネル|채널|канал"),
+    (Key::Width, "width|šířka|breite|anchura|largeur|larghezza|largura|幅|폭|ширина"),
+    (Key::Width, "x-length|x length|xlength|x size"),
+    (Key::Height, "height|výška|höhe|altura|hauteur|altezza|高さ|높이|высота"),
+    (Key::Height, "y-length|y length|ylength|y size"),
+    (Key::Pixel, "pixel size|pixel_size|pixel|spacing"),
+    (Key::Dx, "dx|x step|x spacing|x pixel size|pixel size x|scale x"),
+    (Key::Dy, "dy|y step|y spacing|y pixel size|pixel size y|scale y"),
+    (Key::UnitX, "x-unit|x unit|xunit|unit x"),
+    (Key::UnitY, "y-unit|y unit|yunit|unit y"),
+    (Key::UnitLateral, "lateral units|lateral unit|xy unit|xy units|jednotky rozměrů"),
+    (Key::UnitLateral, "laterale einheiten|_laterale einheiten|unités latérales|unità laterali"),
+    (Key::UnitLateral, "unidades laterales|unidades laterais|единицы горизонтальных размеров"),
+    (Key::UnitValue, "value units|value unit|z unit|z units|z-unit|zunit|height unit"),
+    (Key::UnitValue, "height units|unit z|unit data|jednotky hodnot|einheiten|werteinheiten"),
+    (Key::UnitValue, "werteeinheiten|unités|unités de valeur|unità valore|unidades de valor"),
+    (Key::UnitValue, "値の単位|값 단위|единицы измерения"),
+    (Key::Missing, "nodata_value|nodata|missing value|missing"),
 ];
 
 impl Header {
@@ -165,23 +93,23 @@ impl Header {
             is_spip: has("file format", "ASCII"),
         };
         // Lengths as written; a unit may stand in another line.
-        let mut said: Vec<(Key, &str)> = Vec::new();
+        let mut said: Vec<(Key, &str, &str)> = Vec::new();
         let mut unused = Vec::new();
         for (key, value) in &lines {
             let name = key.to_lowercase();
             let number = || value.replace(',', ".").parse::<f64>().ok();
             let known = program.key(&name).or_else(|| {
-                KEYS.iter().find(|(_, names)| names.contains(&&name[..])).map(|(key, _)| *key)
+                KEYS.iter()
+                    .find(|(_, names)| names.split('|').any(|one| one == name))
+                    .map(|(key, _)| *key)
             });
             match (known, &name[..]) {
                 (Some(Key::Channel), _) => header.channel = Some(value.clone()),
                 (Some(Key::Missing), _) => header.missing_value = number(),
-                (Some(key), _) => said.push((key, value)),
-                (None, "bit2nm" | "scale data") => {
-                    header.value_line.get_or_insert([1.0, 0.0])[0] = number().unwrap_or(f64::NAN);
-                }
-                (None, "bias data") => {
-                    header.value_line.get_or_insert([1.0, 0.0])[1] = number().unwrap_or(f64::NAN);
+                (Some(about), _) => said.push((about, key, value)),
+                (None, "bit2nm" | "scale data" | "bias data") if number().is_some() => {
+                    let line = header.value_line.get_or_insert([1.0, 0.0]);
+                    line[usize::from(name == "bias data")] = number().unwrap_or_default();
                 }
                 (None, name)
                     if name.contains("conversion factor")
@@ -195,7 +123,7 @@ impl Header {
                 _ => {}
             }
         }
-        let last = |key: Key| said.iter().rev().find(|(k, _)| *k == key).map(|(_, text)| *text);
+        let last = |key: Key| said.iter().rev().find(|said| said.0 == key).map(|said| said.2);
         header.value_unit = last(Key::UnitValue).map(str::to_owned);
         let x_unit = last(Key::UnitX).or(last(Key::UnitLateral));
         let y_unit = last(Key::UnitY).or(last(Key::UnitLateral)).or(x_unit);
@@ -216,14 +144,27 @@ impl Header {
             .map(|(y, x)| [y, x]);
         if header.size.is_none() && header.pixel.is_none() {
             let sizes = [Key::Width, Key::Height, Key::Pixel, Key::Dx, Key::Dy];
-            let silent = said.iter().filter(|(key, _)| sizes.contains(key));
-            unused.extend(silent.map(|(key, text)| format!("{key:?} = {text}")));
+            let silent = said.iter().filter(|said| sizes.contains(&said.0));
+            unused.extend(silent.map(|(_, key, text)| format!("{key} = {text}")));
         }
-        header.scales(&lines);
-        let count = |key: &str| {
-            let value = lines.iter().find(|(k, _)| k.eq_ignore_ascii_case(key));
-            value.and_then(|(_, value)| value.parse::<usize>().ok())
+        let find = |key: &str| {
+            lines.iter().find(|(k, _)| k.eq_ignore_ascii_case(key)).map(|(_, v)| v.as_str())
         };
+        // SPIP's factor counts without a unit of the heights, Nova's if it says so.
+        let is_nova = find("DataScaleNeeded").is_some_and(|v| v.eq_ignore_ascii_case("yes"));
+        match (header.value_line, find("bit2nm")) {
+            (Some(_), Some(_)) if header.value_unit.is_none() => {
+                header.value_unit = Some("nm".into());
+            }
+            (Some([factor, _]), Some(text)) => {
+                header.value_line = None;
+                unused.extend(
+                    (factor.to_bits() != 1f64.to_bits()).then(|| format!("Bit2nm = {text}")),
+                );
+            }
+            _ => header.value_line = header.value_line.filter(|_| is_nova),
+        }
+        let count = |key: &str| find(key).and_then(|text| text.parse::<usize>().ok());
         header.rows_before_mask =
             count("voidpixels").filter(|&n| n > 0).and_then(|_| count("y-pixels"));
         unused.truncate(8);
@@ -233,22 +174,6 @@ impl Header {
         header.metadata.extend(lines);
         header.titles(table);
         header
-    }
-
-    /// Which of the factors count: SPIP's without a unit of its own, Nova's if it says so.
-    fn scales(&mut self, lines: &[(String, String)]) {
-        let find = |key: &str| {
-            lines.iter().find(|(k, _)| k.eq_ignore_ascii_case(key)).map(|(_, v)| v.as_str())
-        };
-        if find("bit2nm").is_some() {
-            if self.value_unit.is_some() {
-                self.value_line = None;
-            } else {
-                self.value_unit = Some("nm".into());
-            }
-        } else if !find("DataScaleNeeded").is_some_and(|value| value.eq_ignore_ascii_case("yes")) {
-            self.value_line = None;
-        }
     }
 
     /// Titles and units of the columns from the last two lines before the numbers.
@@ -312,20 +237,16 @@ impl Program {
 /// a grid file.
 fn key_value(line: &str) -> Option<(String, String)> {
     let line = line.trim().trim_start_matches(['#', '%', '!', '/', ' ', '\t']).trim();
-    let (key, value) = match line.strip_prefix('"').and_then(|rest| rest.split_once('"')) {
-        Some((key, rest)) => {
-            let separator = rest.trim_start().chars().next()?;
-            let cells = rest.split(separator).map(|cell| cell.trim().trim_matches('"').trim());
-            let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty()).collect();
-            (key.to_owned(), cells.join(" "))
-        }
-        None => {
-            let (key, value) = match line.split_once([':', '=', '：']) {
-                Some(pair) => pair,
-                None => line.split_once([',', ' ', '\t'])?,
-            };
-            (key.to_owned(), value.to_owned())
-        }
+    let quoted = line.strip_prefix('"').and_then(|rest| rest.split_once('"'));
+    let (key, value) = if let Some((key, rest)) = quoted {
+        let separator = rest.trim_start().chars().next()?;
+        let cells = rest.split(separator).map(|cell| cell.trim().trim_matches('"').trim());
+        let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty()).collect();
+        (key, cells.join(" "))
+    } else {
+        let pair = line.split_once([':', '=', '：']);
+        let (key, value) = pair.or_else(|| line.split_once([',', ' ', '\t']))?;
+        (key, value.to_owned())
     };
     let (key, value) = (key.trim(), value.trim());
     (!key.is_empty() && !value.is_empty() && key.len() <= 64)
@@ -356,12 +277,12 @@ mod tests {
         read_bytes(text.as_bytes(), &ReadOptions::default())
     }
 
-    /// `[dy, dx]` and the last height in nm.
-    fn nanometres(text: &str) -> [f64; 3] {
+    /// `[dy, dx]` and the last height in pm.
+    fn picometres(text: &str) -> [i64; 3] {
         let found = read(text).unwrap_or_else(|e| panic!("{text}: {e}"));
         let [dy, dx] = found.grid().pixel();
         let last = found.heights().last().copied().unwrap();
-        [dy, dx, last].map(|metres| (metres * 1e9 * 1e6).round() / 1e6)
+        [dy, dx, last].map(|metres| (metres * 1e12).round() as i64)
     }
 
     /// Gwyddion translates the keys of its export; those of XYZ have the unit of x and y.
@@ -382,14 +303,14 @@ mod tests {
             let head =
                 format!("# {channel} Topo\n# {width} 8.0 µm\n# {height} 3.0 µm\n# {unit} nm\n");
             let text = format!("{head}{ROWS}");
-            assert_eq!(nanometres(&text), [1500.0, 2000.0, 8.0], "{head}");
+            assert_eq!(picometres(&text), [1_500_000, 2_000_000, 8_000], "{head}");
             assert_eq!(read(&text).unwrap().channel(), "Topo");
         }
         for key in ["Lateral units:", "Laterale Einheiten:", "Unités latérales :"] {
             let text = format!(
                 "# Channel: Topo\n# {key} um\n# Value units: nm\n0 0 1\n2 0 2\n0 3 3\n2 3 4\n"
             );
-            assert_eq!(nanometres(&text), [3000.0, 2000.0, 4.0], "{key}");
+            assert_eq!(picometres(&text), [3_000_000, 2_000_000, 4_000], "{key}");
             assert!(read(&text).unwrap().ambiguity().is_none());
         }
     }
@@ -401,13 +322,13 @@ mod tests {
         let spip = "# File Format = ASCII\n# x-pixels = 4\n# y-pixels = 2\n# x-length = 2000\n\
                     # y-length = 500\n";
         for (more, right) in [
-            ("# Bit2nm = 0.5\n", [250.0, 500.0, 4.0]),
-            ("# z-unit = um\n", [250.0, 500.0, 8000.0]),
-            ("# z-unit = um\n# Bit2nm = 0.5\n", [250.0, 500.0, 8000.0]),
-            ("# x-unit = um\n# y-unit = um\n# z-unit = nm\n", [250e3, 500e3, 8.0]),
+            ("# Bit2nm = 0.5\n", [250_000, 500_000, 4_000]),
+            ("# z-unit = um\n", [250_000, 500_000, 8_000_000]),
+            ("# z-unit = um\n# Bit2nm = 0.5\n", [250_000, 500_000, 8_000_000]),
+            ("# x-unit = um\n# y-unit = um\n# z-unit = nm\n", [250_000_000, 500_000_000, 8_000]),
         ] {
             assert_eq!(
-                nanometres(&format!("{spip}{more}# Start of Data:\n{ROWS}")),
+                picometres(&format!("{spip}{more}# Start of Data:\n{ROWS}")),
                 right,
                 "{more}"
             );
@@ -418,9 +339,9 @@ mod tests {
         assert!(found.heights()[5].is_nan());
         let nova = "File Format = ASCII\nCreated by Nova\nNX = 4\nNY = 2\nScale X = 0.5\n\
                     Scale Y = -0.25\nUnit X = um\nUnit Data = nm\nScale Data = 0.1\nBias Data = 2\n";
-        for (needed, last) in [("yes", 2.8), ("Yes", 2.8), ("no", 8.0)] {
+        for (needed, last) in [("yes", 2_800), ("Yes", 2_800), ("no", 8_000)] {
             let text = format!("{nova}DataScaleNeeded = {needed}\nStart of Data :\n{ROWS}");
-            assert_eq!(nanometres(&text), [250.0, 500.0, last], "{needed}");
+            assert_eq!(picometres(&text), [250_000, 500_000, last], "{needed}");
         }
     }
 
@@ -431,11 +352,11 @@ mod tests {
                        \"XY Calibration\",\"277.5\",\"nm\"\n\"Output image data\",\"Height\"\n\
                        \"Horizontal\",\"4\"\n\"Unit\",\"um\"\n\"Reference data name\",\"\"\n\n\
                        \"Height\"\n\"1\",\"2\",\"3\",\"4.5\"\n\"5\",\"6\",\"7\",\"8.25\"\n";
-        assert_eq!(nanometres(english), [277.5, 277.5, 8250.0]);
+        assert_eq!(picometres(english), [277_500, 277_500, 8_250_000]);
         assert_eq!(read(english).unwrap().channel(), "Height");
         let german = "\"Data type\";\"ImageDataCsv\"\n\"XY-Kalibrierung\";\"277,5\";\"nm\"\n\
                       \"Einheit\";\"um\"\n\"1\";\"2\";\"3\";\"4,5\"\n\"5\";\"6\";\"7\";\"8,25\"\n";
-        assert_eq!(nanometres(german), [277.5, 277.5, 8250.0]);
+        assert_eq!(picometres(german), [277_500, 277_500, 8_250_000]);
     }
 
     /// What looks like a size, a scale or a unit and is not used is said, in a refusal and with what

@@ -201,11 +201,9 @@ mod tests {
                 assert!((found.heights()[i] / (right * unit) - 1.0).abs() < 1e-12);
             }
         }
-        for (from, to, word) in [
-            ("3\t6\n", "3\n", "line 12"),
-            ("3\t6\n", "", "not 3 columns"),
-            ("500", "0", "Wavelength"),
-        ] {
+        for (from, to, word) in
+            [("3\t6\n", "3\n", "line 12"), ("3\t6\n", "", "line 12"), ("500", "0", "Wavelength")]
+        {
             let error = read_bytes(file.replace(from, to).as_bytes(), &options).unwrap_err();
             assert!(error.to_string().contains(word), "{error}");
         }

@@ -60,7 +60,8 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         let end = ends.get(1).copied().unwrap_or(lines.len());
         let mut values = vec![f64::NAN; ny * nx];
         let mut listed = 0;
-        for (i, line) in lines[..end].iter().enumerate().skip(start + 1) {
+        let listed_lines = lines[..end].iter().enumerate().skip(start + 1);
+        for (i, line) in listed_lines.filter(|(_, line)| !line.is_empty()) {
             let mut cells = line.splitn(3, char::is_whitespace).map(str::trim);
             let (Some(x), Some(y), Some(z)) = (cells.next(), cells.next(), cells.next()) else {
                 return Err(place(i, format!("{line:?} is no x, y, height")));
