@@ -16,7 +16,7 @@ enum Also {
 }
 
 /// Studies whose pages follow from committed tables, which takes seconds: no page may stay behind its table.
-const PAGES: [&str; 1] = ["tradeoff"];
+const PAGES: [&str; 2] = ["coverage", "tradeoff"];
 
 fn run_all(also: Also) -> TaskResult {
     let mut steps = vec![

@@ -7,6 +7,7 @@ mod circles;
 mod compare;
 mod costs;
 mod counters;
+mod coverage;
 mod dependencies;
 mod docs;
 mod extremes;
@@ -36,6 +37,7 @@ Usage: cargo xtask <task> [options]
   extremes [--check]        models, statistics, solver at their extremes; table into the book
   costs [--check | --build] what each crate brings along and each call allocates; with --build
                             how long each takes to build from clean (minutes)
+  coverage [--check]        how often the uncertainties hold; tables into the book (ten minutes)
   bench [ARGS]              the benchmarks; their table into the book
   surfaces --dir DIR --expected FILE
                             files of instruments against expected values, one line each
@@ -66,6 +68,7 @@ fn main() -> ExitCode {
         "validate" => validate::run(rest),
         "figures" => figures::run(rest),
         "costs" => costs::run(rest),
+        "coverage" => coverage::run(rest),
         "docs" => docs::run(rest),
         "extremes" => extremes::run(rest),
         "features" => features::run(rest),

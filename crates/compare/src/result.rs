@@ -279,8 +279,7 @@ impl ChoiceKind {
     }
 }
 
-/// The map on fewer points: its waves up to the shortest the coarse grid holds (its cosines if it
-/// does not repeat), the others dropped; solved from nothing, to the tolerance of the study.
+/// The map with points left out, solved from nothing, to the tolerance of the study.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Coarser {
     /// Point spacing over that of the map.

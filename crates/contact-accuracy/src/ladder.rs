@@ -92,7 +92,8 @@ impl Ladder {
         let solver = builder.clone().build(surface.grid(), setup.modulus)?;
         let grid = map.grid();
         let coarser = if Coarser::is_possible(grid) {
-            Ok(Coarser::of(surface, &builder.maps(Maps::None).certified(false), setup.modulus)?)
+            let builder = builder.maps(Maps::None).certified(false).section(None);
+            Ok(Coarser::of(surface, &builder, setup.modulus)?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };

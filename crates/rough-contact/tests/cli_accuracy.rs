@@ -54,22 +54,21 @@ fn areas(answer: &Value) -> Vec<f64> {
     points.iter().map(|p| p["area_fraction_corrected"].as_f64().unwrap()).collect()
 }
 
-/// An oversampled map is coarsened for a loose request and refined for a tight one. The areas lie
-/// within the request of those on a grid four times as fine as the given one, and every point
-/// comes with its interval.
+/// Every second point for a loose request, twice the points for a tight one. The areas lie within the request of
+/// those of the tightest, and every point comes with its interval.
 #[test]
-fn the_grid_follows_the_request() {
+fn the_rung_follows_the_request() {
     let folder = folder();
     let solve = surface(folder.path(), 12.0, "");
     let loads = "--pressure 8MPa,2MPa,30MPa";
-    let reference = rough_contact(folder.path(), &format!("{solve} {loads} --accuracy 0.7%"));
-    let truth = areas(&reference.json());
+    let truth: Vec<f64> =
+        truths(folder.path(), &[8e6, 2e6, 30e6]).iter().map(|truth| truth.area).collect();
     let mut sides = Vec::new();
-    for (percent, met) in [(20.0, true), (5.0, true), (2.0, true)] {
+    for percent in [20.0, 5.0, 2.0] {
         let line = format!("{solve} {loads} --accuracy {percent}%");
         let answer = rough_contact(folder.path(), &line).answered();
         let plan = &answer["accuracy"];
-        assert_eq!(plan["met"], met, "{plan}");
+        assert_eq!(plan["met"], true, "{plan}");
         assert!(plan["half_width"].as_f64().unwrap() <= percent / 100.0);
         assert_eq!(plan["grid"], answer["shape"]);
         assert_eq!(plan["precision"], answer["precision"]);
@@ -84,27 +83,40 @@ fn the_grid_follows_the_request() {
         }
         sides.push(plan["grid"][0].as_u64().unwrap());
     }
-    assert!(sides[0] < 192 && sides[0] < sides[1] && sides[1] < sides[2], "{sides:?}");
+    assert!(sides[0] < sides[2] && sides.is_sorted(), "{sides:?}");
     // The same choice again, on other threads, and without JSON one line of it.
     let line = format!("{solve} {loads} --accuracy 5%");
     let again = rough_contact(folder.path(), &line.replace("--threads 1", "--threads 3"));
     assert_eq!(again.answered()["accuracy"]["grid"][0].as_u64(), Some(sides[1]));
     let text = rough_contact(folder.path(), &line.replace("--json", "")).out;
     let last = text.trim_end().lines().last().unwrap().to_owned();
-    assert!(last.contains("f32, tolerance 1e−3: ±") && last.contains("next better: "), "{last}");
+    assert!(last.contains("f32, tolerance 1e−3: ±") && last.contains("next: "), "{last}");
 }
 
-/// Stepped heights, waves of two points, contacts of a few points: what was computed is printed,
-/// marked, with exit status 1 and the reason; nothing finer than the given grid is computed.
+/// `--fast` answers on every second point and says what the map itself would give.
+#[test]
+fn a_fast_answer_says_what_the_next_rung_gives() {
+    let folder = folder();
+    let solve = surface(folder.path(), 12.0, "").replace("--json ", "");
+    let said = rough_contact(folder.path(), &format!("{solve} --pressure 8MPa --fast"));
+    assert_eq!(said.status, 0, "{}", said.err);
+    assert!(
+        said.out.contains("96² of 192² points") && said.out.contains("next: 192², about ±"),
+        "{}",
+        said.out
+    );
+}
+
+/// Waves of two points, contacts of a few points: what was computed is printed, marked, with exit status 1 and the
+/// reason.
 #[test]
 fn what_the_data_cannot_support_is_said() {
-    for (cutoff, more, load, why) in [
-        (8.0, "--quantise 200nm", "5MPa", "height step is"),
-        (2.0, "", "5MPa", "shortest waves are not resolved"),
-        (4.0, "", "0.1MPa", "even 768² points would"),
+    for (cutoff, load, why) in [
+        (2.0, "5MPa", "the result depends on interpolation between points"),
+        (4.0, "0.1MPa", "0.1\u{202F}MPa"),
     ] {
         let folder = folder();
-        let solve = surface(folder.path(), cutoff, more);
+        let solve = surface(folder.path(), cutoff, "");
         let said =
             rough_contact(folder.path(), &format!("{solve} --pressure {load} --accuracy 1%"));
         let answer = said.json();
@@ -115,7 +127,6 @@ fn what_the_data_cannot_support_is_said() {
         assert!(reason.contains(why), "{reason}");
         assert!(said.err.contains(reason), "{}", said.err);
         assert_eq!(answer["error"]["kind"], "accuracy_not_met");
-        assert_eq!(plan["grid"], serde_json::json!([192, 192]));
         assert!(answer["points"][0]["area_fraction"].as_f64().unwrap() > 0.0);
     }
 }
@@ -129,7 +140,7 @@ fn one_point_of_contact_is_no_accuracy_and_full_contact_is() {
     let said = rough_contact(folder.path(), &format!("{solve} --pressure 1mPa --accuracy 5%"));
     let answer = said.json();
     assert_eq!((said.status, &answer["accuracy"]["met"]), (1, &Value::Bool(false)), "{answer}");
-    assert_eq!(answer["accuracy"]["half_width"], Value::Null);
+    assert!(answer["accuracy"]["half_width"].as_f64().is_none_or(|width| width > 0.05));
     let full = format!("{solve} --pressure 10GPa --accuracy 0.1%");
     let answer = rough_contact(folder.path(), &full).answered();
     assert_eq!(answer["points"][0]["area_fraction"], 1.0);
@@ -145,7 +156,8 @@ fn what_cannot_be_planned_is_refused() {
     refused(folder.path(), &line("--accuracy 0%"), 2, &["0 %", "greater than 0"]);
     refused(folder.path(), &line("--accuracy 2% --tolerance 1e-3"), 2, &["--tolerance"]);
     refused(folder.path(), &line("--accuracy 2% --precision f32"), 2, &["--precision"]);
-    refused(folder.path(), &line("--accuracy 2% --refine"), 2, &["--refine", "--accuracy"]);
+    refused(folder.path(), &line("--accuracy 2% --fast"), 2, &["--fast", "--accuracy"]);
+    refused(folder.path(), &line("--refine"), 2, &["--refine", "unasked", "--accuracy"]);
     refused(folder.path(), &line("--accuracy 200%"), 2, &["200 %", "at most 50 %"]);
     let free = format!("{solve} --gap 10nm --accuracy 2% --boundary free");
     refused(folder.path(), &free, 2, &["--gap", "--boundary free", "--pressure"]);
@@ -176,49 +188,36 @@ fn a_given_gap_has_an_area_and_a_load_with_their_intervals() {
     }
     let said = rough_contact(folder.path(), &format!("{solve} --gap 1mm --accuracy 5%"));
     assert_eq!((said.status, said.json()["points"][0]["area_fraction"].as_f64()), (1, Some(0.0)));
-    assert!(
-        said.err.contains("nothing touches at a mean gap of 1\u{202F}mm; the first contact"),
-        "{}",
-        said.err
-    );
+    assert!(said.err.contains("at a mean gap of 1\u{202F}mm nothing touches"), "{}", said.err);
 }
 
-/// Loads outside the gate, by pressure and by gap: without --refine no interval, the reason, and the
-/// option that buys one; with it an interval that holds the area on four times the points, and what
-/// it cost. A load that has its interval is not solved twice.
+/// Waves of two points, by pressure and by gap: twice the points are solved unasked, the interval holds the area on
+/// four times the points, and the text says what they read. A load that does not depend on them is not solved twice.
 #[test]
-fn refining_buys_the_interval_that_the_map_does_not_have() {
+fn twice_the_points_are_solved_where_the_answer_depends_on_them() {
     let folder = folder();
     let solve = surface(folder.path(), 2.0, "");
-    let plain = format!("{solve} --pressure 3MPa,15MPa");
-    let none = rough_contact(folder.path(), &plain).answered();
-    assert_eq!(none["points"][0]["area_interval"], Value::Null);
-    assert_eq!(none["points"][0]["refined"], Value::Null);
-    let text = rough_contact(folder.path(), &plain.replace("--json", "")).out;
-    assert!(text.contains("no ± at 3.00 MPa, 15.0 MPa: finite differences"), "{text}");
-    assert!(text.contains("--refine gives one from a twice finer grid"), "{text}");
-
+    let text =
+        rough_contact(folder.path(), &format!("{solve} --pressure 3MPa").replace("--json", ""));
+    assert!(text.out.contains("twice the points read"), "{}", text.out);
     let fine = truths(folder.path(), &[3e6, 15e6]);
-    for more in ["--pressure 3MPa,15MPa --refine", "--gap GAPS --refine"] {
-        let gaps: Vec<String> = fine.iter().map(|t| format!("{}m", t.gap)).collect();
-        let line = format!("{solve} {}", more.replace("GAPS", &gaps.join(",")));
-        let answer = rough_contact(folder.path(), &line).answered();
+    let gaps: Vec<String> = fine.iter().map(|t| format!("{}m", t.gap)).collect();
+    for loads in ["--pressure 3MPa,15MPa".to_owned(), format!("--gap {}", gaps.join(","))] {
+        let answer = rough_contact(folder.path(), &format!("{solve} {loads}")).answered();
         for (point, truth) in answer["points"].as_array().unwrap().iter().zip(&fine) {
-            let [low, high] = [0, 1].map(|i| point["area_interval"][i].as_f64().unwrap());
-            assert!(low < truth.area && truth.area < high, "{more}: {low} {} {high}", truth.area);
-            let [low, high] = [0, 1].map(|i| point["mean_pressure_interval"][i].as_f64().unwrap());
-            let load = truth.pressure;
-            assert!(
-                low <= load * (1.0 + 1e-9) && load <= high * (1.0 + 1e-9),
-                "{more}: {low} {load} {high}"
-            );
-            assert_eq!(point["refined"]["shape"], serde_json::json!([384, 384]));
-            assert!(point["refined"]["seconds"].as_f64().unwrap() > 0.0);
+            for (name, exact) in [("area", truth.area), ("mean_pressure", truth.pressure)] {
+                let interval = &point[format!("{name}_interval")];
+                let [low, high] = [0, 1].map(|i| interval[i].as_f64().unwrap());
+                let rounding = 1e-9 * exact;
+                assert!(low <= exact + rounding && exact <= high + rounding, "{loads} {name}");
+            }
+            assert!(point["finer"]["area_fraction_corrected"].as_f64().unwrap() > 0.0);
+            assert!(point["interpolation_indicator"].as_f64().unwrap() > 0.05);
         }
     }
     let resolved = surface(folder.path(), 12.0, "");
-    let answer = rough_contact(folder.path(), &format!("{resolved} --pressure 10MPa --refine"));
-    assert_eq!(answer.answered()["points"][0]["refined"], Value::Null);
+    let answer = rough_contact(folder.path(), &format!("{resolved} --pressure 10MPa"));
+    assert_eq!(answer.answered()["points"][0]["finer"], Value::Null);
 }
 
 /// A study: its deterministic side on the grid that was chosen, models on the map as it is, the

@@ -52,10 +52,7 @@ fn what_has_yielded_carries_the_hardness_and_has_no_sample() {
         assert!(area >= number(&elastic["area_fraction"]), "{point}");
         // How it scatters from map to map was not studied. A few waves have no bar of their own, but the area
         // is at least load over hardness: where that says enough, it is the bar.
-        assert!(
-            point["area_prediction_interval"].is_null() && point["refined"].is_null(),
-            "{point}"
-        );
+        assert!(point["area_prediction_interval"].is_null() && point["finer"].is_null(), "{point}");
         let above = area - load / hard;
         if above <= 0.5 * number(&point["area_fraction_corrected"]) {
             let low = number(&point["area_interval"][0]);

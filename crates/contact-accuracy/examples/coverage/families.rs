@@ -90,7 +90,7 @@ pub(crate) enum Half {
 }
 
 /// Every family, and its half.
-pub(crate) const FAMILIES: [(&str, Half); 44] = {
+pub(crate) const FAMILIES: [(&str, Half); 43] = {
     use Half::{Training as T, Validation as V};
     [
         ("waves, long", T),
@@ -136,7 +136,6 @@ pub(crate) const FAMILIES: [(&str, Half); 44] = {
         ("crop", V),
         ("crop, long waves", T),
         ("crop of a lay", V),
-        ("rounded to steps", T),
     ]
 };
 
@@ -264,15 +263,11 @@ pub(crate) fn family(name: &str, seed: u64) -> Option<Heights> {
             let whole = waves(dice, 0.7, [3.0, 24.0], 0.2);
             Box::new(move |y, x| whole(0.61 * y, 0.61 * x))
         }
-        "rounded to steps" => {
-            let whole = self_affine(0.8, [3.0, 12.0]);
-            Box::new(move |y, x| (25.0 * whole(y, x)).round() / 25.0)
-        }
         _ => return None,
     })
 }
 
-/// The family on `points` a side of a pixel that is `oblong` times as wide as high.
+/// The surface on `points` points along each side.
 pub(crate) fn map(points: usize, heights: &Heights) -> HeightMap {
     let pixel = 1.0 / points as f64;
     let grid = Grid::new([points, points], [pixel, pixel]).unwrap();

@@ -1,0 +1,267 @@
+//! What is solved: a family on given points, and as the truth on four times as many.
+
+use crate::families::{FAMILIES, Heights, family, map};
+use contact_accuracy::{
+    Boundary, ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Load, Map, Maps, Setup,
+    Solver, SolverBuilder, median, thinned,
+};
+
+const POINTS: usize = 128;
+const FINER: usize = 4;
+/// Area fractions on the given map that the loads are looked for at.
+const AREAS: [f64; 5] = [0.005, 0.03, 0.15, 0.5, 0.95];
+/// Families of the cases that not all take part in.
+const FEW: [&str; 8] = [
+    "waves, 8 points",
+    "short waves",
+    "lay",
+    "log-normal",
+    "balls",
+    "two levels",
+    "cones",
+    "ridges",
+];
+
+/// How a family is asked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Case {
+    /// At pressures.
+    Pressure,
+    /// At the gaps of these pressures.
+    Gap,
+    /// With a hardness of half of E* times the rms gradient.
+    Yielding,
+    /// Pixels 2.7 times as long as wide.
+    Oblong,
+    /// 127 points along each side.
+    Odd,
+    /// Heights rounded to a twentieth of their rms, as an instrument may; the truth is the surface that was measured.
+    Rounded,
+    /// On every second point.
+    Fast,
+}
+
+impl Case {
+    /// Those that a family takes part in.
+    pub(crate) fn all(name: &str) -> Vec<Self> {
+        let mut all = vec![Self::Pressure, Self::Gap, Self::Fast];
+        if FEW.contains(&name) {
+            all.extend([Self::Yielding, Self::Oblong, Self::Odd, Self::Rounded]);
+        }
+        all
+    }
+}
+
+/// Distances over half widths, and half widths over the value (of a gap over the rms height), of one number.
+#[derive(Default, Clone)]
+pub(crate) struct Held {
+    pub(crate) off: Vec<f64>,
+    pub(crate) widths: Vec<f64>,
+    /// Errors over the same.
+    pub(crate) errors: Vec<f64>,
+}
+
+impl Held {
+    fn take(&mut self, stated: &Estimate, truth: f64, unit: f64) {
+        let Ok(half) = stated.half_width() else { return };
+        let error = (stated.value - truth).abs();
+        self.off.push(error / half.max(f64::MIN_POSITIVE));
+        self.widths.push(half / unit);
+        self.errors.push(error / unit);
+    }
+
+    pub(crate) fn share(&self) -> f64 {
+        self.off.iter().filter(|off| **off <= 1.0).count() as f64 / self.off.len() as f64
+    }
+
+    pub(crate) fn median_width(&self) -> f64 {
+        median(self.widths.iter().copied()).unwrap_or(f64::NAN)
+    }
+}
+
+/// Of one family or more: area, gap (at a gap the pressure), stiffness; seconds on the map and beside it.
+#[derive(Default, Clone)]
+pub(crate) struct Coverage {
+    pub(crate) held: [Held; 3],
+    /// Share of area, gap and stiffness that held in the family where that is least.
+    pub(crate) worst: Option<[f64; 3]>,
+    pub(crate) seconds: [f64; 3],
+}
+
+impl Coverage {
+    /// Adds another family, or another map of the same.
+    pub(crate) fn add(&mut self, other: &Self) {
+        for (a, b) in self.held.iter_mut().zip(&other.held) {
+            a.off.extend(&b.off);
+            a.widths.extend(&b.widths);
+            a.errors.extend(&b.errors);
+        }
+        let of = [0, 1, 2].map(|k| other.held[k].share());
+        // Five answers of one map are no family.
+        if other.held[0].off.len() > AREAS.len() {
+            let least = |k: usize| self.worst.map_or(of[k], |w| w[k].min(of[k]));
+            self.worst = Some([0, 1, 2].map(least));
+        }
+        (0..3).for_each(|k| self.seconds[k] += other.seconds[k]);
+    }
+}
+
+/// One map of a family, asked as `case` says.
+pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
+    let points = if case == Case::Odd { POINTS - 1 } else { POINTS };
+    let on = |n: usize| {
+        if case != Case::Oblong {
+            return map(n, heights);
+        }
+        let grid = Grid::new([n, n], [1.0 / n as f64, 2.7 / n as f64]).unwrap();
+        HeightMap::from_fn(grid, |y, x| heights(y, x / 2.7)).unwrap()
+    };
+    let (mut given, fine) = (on(points), on(FINER * points));
+    if case == Case::Rounded {
+        let step = 0.05 * Map::of(&given).rms_height;
+        let rounded = given.heights().iter().map(|h| (h / step).round() * step).collect();
+        given = HeightMap::new(given.grid(), rounded).unwrap();
+    }
+    let setup = |builder: SolverBuilder| Setup {
+        builder: builder.threads(1),
+        boundary: Boundary::Periodic,
+        mirrored: false,
+        modulus: ContactModulus::from_pascals(1.0).unwrap(),
+        finer: if case == Case::Fast { Finer::Never } else { Finer::WhenNeeded },
+    };
+    let half = thinned(&given, [0, 0]).unwrap();
+    let unit = Map::of(&given).rms_height;
+    let mut probe = setup(Solver::builder().tolerance(1e-3))
+        .builder
+        .build(half.grid(), setup(Solver::builder()).modulus)
+        .unwrap();
+    probe.take_surface(half.clone()).unwrap();
+    let pressures: Vec<f64> =
+        AREAS.iter().map(|a| pressure_for(&mut probe, *a, 10.0 * unit)).collect();
+    // Between the pressures of 15 and 50 % of the area.
+    let hardness = if case == Case::Yielding { 1.5 * pressures[3] } else { f64::INFINITY };
+    let builder = Solver::builder().hardness(hardness);
+    let mut ladder =
+        Ladder::new(if case == Case::Fast { half } else { given }, setup(builder.clone())).unwrap();
+    let builder = setup(builder.tolerance(1e-5).maps(Maps::None)).builder;
+    let mut exact = builder.build(fine.grid(), setup(Solver::builder()).modulus).unwrap();
+    exact.take_surface(fine).unwrap();
+    let mut found = Coverage::default();
+    let mut loads: Vec<Load> =
+        pressures.into_iter().filter(|p| *p < 0.9 * hardness).map(Load::MeanPressure).collect();
+    if case == Case::Gap {
+        let mut gap =
+            |load| ladder.solve(load, false, |_| ()).unwrap().solution.state.mean_gap.unwrap();
+        loads = loads.into_iter().map(|load| Load::MeanGap(gap(load))).collect();
+    }
+    for load in loads {
+        let answered = ladder.solve(load, true, |_| ()).unwrap();
+        let Ok(truth) = exact.solve_again(load) else { continue };
+        let set = exact.contact_stiffness().unwrap();
+        let (budget, true_area) = (answered.budget, truth.diagnostics.area_fraction_corrected);
+        found.held[0].take(&budget.area, true_area, true_area);
+        if case == Case::Gap {
+            let pressure = truth.state.mean_pressure;
+            found.held[1].take(&budget.mean_pressure, pressure, pressure);
+        } else if let (Some(gap), Some(truth)) = (&budget.mean_gap, truth.state.mean_gap) {
+            found.held[1].take(gap, truth, unit);
+        }
+        if let Some(stiffness) = &budget.stiffness
+            && set.per_area.is_finite()
+        {
+            found.held[2].take(stiffness, set.per_area, set.per_area);
+        }
+        let [coarser, finer] = answered.seconds;
+        found.seconds[0] += answered.solution.diagnostics.seconds;
+        found.seconds[1] += coarser;
+        found.seconds[2] += finer;
+    }
+    found
+}
+
+/// Pressure at which the area on the map of `solver` is `area`, about.
+fn pressure_for(solver: &mut Solver, area: f64, guess: f64) -> f64 {
+    let mut at = |p: f64| {
+        let solution = solver.solve_again(Load::MeanPressure(p)).unwrap();
+        solution.diagnostics.area_fraction_corrected
+    };
+    let (mut low, mut high) = (guess, guess);
+    while at(low) > area && low > 1e-9 * guess {
+        low *= 0.3;
+    }
+    while at(high) < area && high < 1e3 * guess {
+        high *= 2.0;
+    }
+    for _ in 0..7 {
+        let middle = (low * high).sqrt();
+        if at(middle) < area { low = middle } else { high = middle }
+    }
+    (low * high).sqrt()
+}
+
+/// Maps of each family whose mean stands for the surface.
+const MAPS: u64 = 20;
+
+/// The sampling variability: of each map of a family, whether it holds the mean of all.
+pub(crate) fn sampling() -> String {
+    let families: Vec<&str> = FAMILIES
+        .iter()
+        .map(|f| f.0)
+        .filter(|name| !name.starts_with("egg box") && *name != "sawtooth" && *name != "turned")
+        .collect();
+    let mut all: [Vec<[f64; 2]>; 3] = Default::default(); // distance over half width, half width
+    let mut worst = [(1.0, ""); 3];
+    for name in families {
+        let mut numbers: Vec<Vec<[Option<[f64; 2]>; 3]>> = vec![Vec::new(); 3];
+        let pressures: Vec<f64> = {
+            let given = map(POINTS, &family(name, 100).unwrap());
+            let unit = Map::of(&given).rms_height;
+            let builder = Solver::builder().tolerance(1e-3).threads(1);
+            let mut probe =
+                builder.build(given.grid(), ContactModulus::from_pascals(1.0).unwrap()).unwrap();
+            probe.take_surface(given).unwrap();
+            [0.01, 0.1, 0.5].map(|a| pressure_for(&mut probe, a, 10.0 * unit)).to_vec()
+        };
+        for seed in 100..100 + MAPS {
+            let setup = Setup {
+                builder: Solver::builder().tolerance(1e-3).threads(1),
+                boundary: Boundary::Periodic,
+                mirrored: false,
+                modulus: ContactModulus::from_pascals(1.0).unwrap(),
+                finer: Finer::Never,
+            };
+            let mut ladder = Ladder::new(map(POINTS, &family(name, seed).unwrap()), setup).unwrap();
+            for (k, p) in pressures.iter().enumerate() {
+                let b = ladder.solve(Load::MeanPressure(*p), true, |_| ()).unwrap().budget;
+                let of = |e: Option<Estimate>| e.and_then(|e| Some([e.value, e.sampling?]));
+                numbers[k].push([of(Some(b.area)), of(b.mean_gap), of(b.stiffness)]);
+            }
+        }
+        for k in 0..3 {
+            let mut here = Vec::new();
+            for maps in &numbers {
+                let known: Vec<[f64; 2]> = maps.iter().filter_map(|m| m[k]).collect();
+                let mean = known.iter().map(|v| v[0]).sum::<f64>() / known.len() as f64;
+                here.extend(known.iter().map(|[v, half]| [(v - mean).abs() / half, half / v]));
+            }
+            let share = here.iter().filter(|h| h[0] <= 1.0).count() as f64 / here.len() as f64;
+            if share < worst[k].0 {
+                worst[k] = (share, name);
+            }
+            all[k].extend(here);
+        }
+    }
+    let mut text = "| sampling variability of | held | worst family | median half width |\n|---|---:|---|---:|".to_owned();
+    for (k, name) in ["area", "mean gap", "stiffness"].into_iter().enumerate() {
+        let held = all[k].iter().filter(|h| h[0] <= 1.0).count() as f64 / all[k].len() as f64;
+        let width = median(all[k].iter().map(|h| h[1])).unwrap();
+        let (least, family) = worst[k];
+        text += &format!(
+            "\n| {name} | {:.1} % | {:.0} % ({family}) | ±{:.0} % |",
+            100.0 * held,
+            100.0 * least,
+            100.0 * width
+        );
+    }
+    text
+}

@@ -1,0 +1,40 @@
+//! Rows of the tables.
+
+use crate::cases::{Coverage, Held};
+use contact_accuracy::median;
+
+pub(crate) const HEADER: &str = "| surfaces | answers | area held, worst family, median ± | gap (at a gap: pressure) | stiffness | error of the area, median |\n|---|---:|---|---|---|---:|";
+
+/// Held, worst family, median half width of each number.
+pub(crate) fn row(name: &str, found: &Coverage) -> String {
+    let cell = |k: usize| {
+        let held = &found.held[k];
+        let worst = found.worst.map_or(String::new(), |w| format!(", {:.0} %", 100.0 * w[k]));
+        format!("{:.1} %{worst}, ±{:.2} %", 100.0 * held.share(), 100.0 * held.median_width())
+    };
+    let Held { errors, off, .. } = &found.held[0];
+    let error = 100.0 * median(errors.iter().copied()).unwrap_or(f64::NAN);
+    format!("| {name} | {} | {} | {} | {} | {error:.2} % |", off.len(), cell(0), cell(1), cell(2))
+}
+
+/// What a rung costs and gives.
+pub(crate) fn ladder(fast: &Coverage, given: &Coverage) -> String {
+    let time = |c: &Coverage| c.seconds.iter().sum::<f64>();
+    let all = time(given) - given.seconds[2];
+    let row = |name: &str, c: &Coverage, seconds: f64| {
+        format!(
+            "| {name} | {:.2} | {:.1} % | ±{:.1} % |\n",
+            seconds / all,
+            100.0 * c.held[0].share(),
+            100.0 * c.held[0].median_width()
+        )
+    };
+    let mut text = "| rung | time | area held | median ± |\n|---|---:|---:|---:|\n".to_owned();
+    text += &row("every second point (`--fast`)", fast, time(fast));
+    text += &row("the map (default), with twice the points where needed", given, time(given));
+    text + &format!(
+        "| of it: twice the points | {:.2} | | |\n| of it: every second point | {:.2} | | |",
+        given.seconds[2] / all,
+        given.seconds[1] / all
+    )
+}

@@ -1,0 +1,26 @@
+//! How often the uncertainties hold: solves the families and puts the tables into the book.
+
+use crate::generated::keep_section;
+use crate::shell::{TaskResult, example, output, read, root};
+
+const PAGE: &str = "docs/src/uncertainty.md";
+/// The family that `--check` solves again.
+const CHECKED: &str = "waves, long";
+
+/// Solves all families and writes the tables (minutes); `--check` solves one and compares its row, times aside.
+pub(crate) fn run(args: &[String]) -> TaskResult {
+    if !crate::generated::check_flag(args)? {
+        return keep_section(
+            PAGE,
+            "coverage",
+            &output(&mut example("contact-accuracy", "coverage"))?,
+            false,
+        );
+    }
+    let row = output(example("contact-accuracy", "coverage").arg(CHECKED))?;
+    let page = read(&root().join(PAGE))?;
+    if page.contains(row.trim()) {
+        return Ok(());
+    }
+    Err(format!("{PAGE} does not have this row; run the task without --check:\n{row}"))
+}
