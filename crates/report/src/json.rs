@@ -153,7 +153,7 @@ fn point(p: &DeterministicPoint) -> Value {
     "mean_pressure": p.mean_pressure,
     "area_fraction": a.area_fraction,
     "area_fraction_corrected": a.area_fraction_corrected,
-    "area_interval_covers": "grid and iteration",
+    "area_interval_covers": "this map",
     "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
     "mean_gap": a.mean_gap,
     "approach": a.approach,

@@ -28,7 +28,7 @@ pub(crate) struct Lines {
     pub pressures: Vec<f64>,
     /// Deterministic area fraction at each; `None` where there is none.
     pub area: Vec<Option<f64>>,
-    /// Its interval from grid and iteration.
+    /// Its interval as that of this map.
     pub interval: Vec<Option<[f64; 2]>>,
     /// The closed forms that answer at one load at least; before them the solution of elastic bodies, where
     /// that of bodies that yield is the reference.

@@ -204,7 +204,7 @@ fn whether_bodies_stick_is_said() {
 }
 
 /// The ± of a conductance is that of the stiffness of its set: around the value, in JSON and in the table; with the
-/// finite sample for elastic bodies.
+/// sampling variability for elastic bodies.
 #[test]
 fn a_conductance_has_its_bars() {
     let dir = folder();

@@ -73,7 +73,7 @@ pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, a
         ),
     ];
     format!(
-        "<table class=\"bud\"><caption>Error budget at {at}, shares of each number</caption>\
+        "<table class=\"bud\"><caption>Uncertainty at {at}, shares of each number</caption>\
          <thead><tr><th scope=\"col\">Source</th><th scope=\"col\" class=\"n\">Area</th>\
          <th scope=\"col\" class=\"n\">Real pressure</th><th scope=\"col\" class=\"n\">Mean \
          gap</th><th scope=\"col\" class=\"n\">Stiffness</th><th scope=\"col\">How \

@@ -40,8 +40,8 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
         ));
     }
     let covers = match bar {
-        Some((_, true)) => "± of grid, iteration and finite sample. ",
-        Some((_, false)) => "± of grid and iteration. ",
+        Some((_, true)) => "± of the surface. ",
+        Some((_, false)) => "± of this map. ",
         None => "",
     };
     let lead = octaves(found).map_or_else(String::new, |text| format!("<p>{text}</p>\n"));

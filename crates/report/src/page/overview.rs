@@ -189,8 +189,8 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
         })
         .collect();
     format!(
-        "<table class=\"over\"><caption>Each surface at one load; ± of grid, iteration and \
-         finite sample</caption><thead><tr><th \
+        "<table class=\"over\"><caption>Each surface at one load; ± with sampling \
+         variability</caption><thead><tr><th \
          scope=\"col\">Surface</th><th scope=\"col\" class=\"n\"><i>Sq</i></th><th scope=\"col\" \
          class=\"n\"><i>Sdq</i></th><th scope=\"col\" class=\"n\">Load</th><th scope=\"col\" \
          class=\"n\">Area</th><th scope=\"col\" class=\"n\">Real pressure</th><th \

@@ -18,6 +18,7 @@ use crate::page::phrases::levelled;
 use crate::page::slider::dial;
 use crate::page::{statistics, tables};
 use crate::sources::AREA_CORRECTION;
+use crate::words::edges::edge_words;
 use crate::words::finding::finding;
 use crate::words::{self, coarser};
 use compare::{Finding, MomentSource, SurfaceComparison, Weight, findings};
@@ -91,7 +92,7 @@ pub(crate) fn over_load(
     let h = page.heading();
     let p = chosen(surface.headline_pressure(), PASCALS);
     let has_band = lines.interval.iter().flatten().count() > 1;
-    let band = if has_band { " Grey band: ± from grid and iteration." } else { "" };
+    let band = if has_band { " Grey band: ± of this map." } else { "" };
     let yields = surface.inputs.hardness.is_some();
     let one = page.next_figure();
     let area = figure(
@@ -385,8 +386,9 @@ pub(crate) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> Stri
     let budget = match answer.budget.area.half_width() {
         Ok(_) => budget::table(answer, surface, &p),
         Err(reason) => format!(
-            "<p class=\"keep\"><b>The area is without uncertainty estimate:</b> {}.</p>\n",
-            escape(&reason.to_string())
+            "<p class=\"keep\"><b>The area is without uncertainty estimate:</b> {}. Edges: {}</p>\n",
+            escape(&reason.to_string()),
+            edge_words(surface)
         ),
     };
     format!(

@@ -137,7 +137,7 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
     )
 }
 
-/// With the finite sample where this map can tell, else of grid and iteration.
+/// With the sampling variability where this map can tell.
 fn half_width(number: Estimate) -> Option<f64> {
     number.prediction_half_width().or_else(|| number.half_width().ok())
 }

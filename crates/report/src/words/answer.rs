@@ -12,7 +12,7 @@ pub(crate) fn area(answer: &DeterministicAnswer) -> String {
     percent_with(answer.area_fraction_corrected, answer.uncertainty())
 }
 
-/// "1.96 ± 0.25 %": with the finite sample on top, where this map can tell.
+/// "1.96 ± 0.25 %": with the sampling variability, where this map can tell.
 pub(crate) fn area_prediction(answer: &DeterministicAnswer) -> String {
     let half = answer.budget.area.prediction_half_width().or_else(|| answer.uncertainty());
     percent_with(answer.area_fraction_corrected, half)
@@ -35,7 +35,7 @@ pub(crate) fn real_pressure(mean_pressure: f64, answer: &DeterministicAnswer) ->
     real_pressure_of(mean_pressure, answer.area_fraction_corrected, answer.uncertainty())
 }
 
-/// Mean real pressure with the finite sample on top, where this map can tell.
+/// Mean real pressure with the sampling variability, where this map can tell.
 pub(crate) fn real_pressure_prediction(answer: &DeterministicAnswer) -> String {
     let half = answer.budget.area.prediction_half_width().or_else(|| answer.uncertainty());
     let load = answer.budget.mean_pressure.value;
@@ -61,13 +61,13 @@ fn real_pressure_of(load: f64, area: f64, half: Option<f64>) -> String {
 pub(crate) fn covers(answer: &DeterministicAnswer) -> &'static str {
     match (answer.uncertainty(), answer.budget.area.sampling) {
         (None, _) => "",
-        (Some(_), Some(_)) => "± of grid, iteration and finite sample",
+        (Some(_), Some(_)) => "± with sampling variability",
         (Some(_), None) => COMPARISON,
     }
 }
 
 /// What the ± of an area covers that is compared with models of the same map.
-pub(crate) const COMPARISON: &str = "± of grid and iteration";
+pub(crate) const COMPARISON: &str = "± of this map";
 
 /// The highest pressure of a point, and what it means. A mean over the contact cannot exceed it:
 /// where it seems to, the contacts are smaller than the points.

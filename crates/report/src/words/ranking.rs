@@ -148,7 +148,7 @@ enum Side {
     Agrees,
 }
 
-/// A curve against the deterministic one and its ± of grid and iteration.
+/// A curve against the deterministic one and its ± of this map.
 struct Against {
     side: Side,
     /// Whether it lies outside the ± at every load.
