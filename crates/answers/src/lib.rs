@@ -21,6 +21,7 @@ mod solve;
 mod statistics;
 mod study;
 mod traces;
+pub mod typed;
 pub mod units;
 mod validated;
 mod watch;

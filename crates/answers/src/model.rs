@@ -6,8 +6,8 @@ use crate::models::citation;
 use crate::traces::Traces;
 use compare::survey::{ErrorRange, gaussian_errors};
 use compare::{
-    BuildError, Card, Finding, Inputs, Level, MomentSource, Origin, Pressed, Scene, Theory,
-    built_in,
+    BuildError, Card, Finding, Input, Inputs, Level, MomentSource, OfMap, Origin, Pressed, Scene,
+    Theory, built_in,
 };
 use contact_accuracy::round_to_digits;
 use contact_types::{
@@ -150,11 +150,12 @@ pub fn scene(inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> S
         answers.iter().flatten().filter_map(|said| pressed(&said.state)).collect();
     pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
     let moments = inputs.moments;
+    let gradient = inputs.m2().map(|_| inputs.rms_gradient());
     Scene {
         rows,
         spacing: 0.0,
         modulus: inputs.modulus.pascals(),
-        gradient: moments.map(|m| m.rms_gradient()),
+        gradient,
         rms_height: moments.map(|m| m.m0.sqrt()),
         radius: inputs.asperities().map(|a| a.radius),
         pressed,
@@ -166,7 +167,7 @@ pub fn scene(inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> S
 /// # Errors
 /// [`Failure`] of a map without statistics.
 pub fn measured(
-    model: &str,
+    card: &Card,
     given: Inputs,
     path: &Path,
     heights: HeightMap,
@@ -182,7 +183,7 @@ pub fn measured(
     let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
     inputs.source = MomentSource::FiniteDifferences;
     inputs.moments = Some(differences.isotropic(rms * rms));
-    if model == "majumdar-bhushan" {
+    if card.of_map == OfMap::Fractal {
         let options =
             StatsOptions::default().with_level(form).with_edges(edges).with_missing(missing);
         let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
@@ -192,12 +193,12 @@ pub fn measured(
         return Ok(inputs);
     }
     drop(heights);
-    match model {
-        "persson" => inputs.spectrum = Some(radial(&map).map_err(refused)?),
-        "stacked" | "multiscale" => {
+    match card.of_map {
+        OfMap::Spectrum => inputs.spectrum = Some(radial(&map).map_err(refused)?),
+        OfMap::Amplitudes => {
             inputs.amplitudes = Some(amplitudes(&map, Axis::X).map_err(refused)?);
         }
-        _ => {}
+        OfMap::Moments | OfMap::Fractal => {}
     }
     Ok(inputs)
 }
@@ -294,7 +295,7 @@ pub fn object(
         "model": card.name,
         "citation": citation(&card.citation),
         "modulus": inputs.modulus.pascals(),
-        "inputs": given(inputs),
+        "inputs": given(card, inputs),
         "load_area": spread.map(|s| s.area),
         "points": points,
     })
@@ -391,8 +392,11 @@ fn refusal(error: &ModelError) -> Value {
 }
 
 /// What the model was given, for the JSON.
-fn given(inputs: &Inputs) -> Value {
+fn given(card: &Card, inputs: &Inputs) -> Value {
+    let has_gap = card.takes(Input::Gamma) && inputs.has_gap();
+    let alone = || inputs.mean_square_slope.map(|m2| json!({ "m0": null, "m2": m2, "m4": null }));
     let moments = inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 }));
+    let moments = moments.or_else(alone);
     let asperities = inputs.asperities.map(|a| {
         json!({
             "density": a.density, "radius": a.radius,
@@ -402,7 +406,7 @@ fn given(inputs: &Inputs) -> Value {
     let amplitudes = inputs.amplitudes.as_ref();
     json!({
         "moments": moments,
-        "source": inputs.moments.map(|_| inputs.source.name()),
+        "source": inputs.m2().map(|_| inputs.source.name()),
         "asperities": asperities,
         "max_amplitude_ratio":
             inputs.max_amplitude_ratio.or(amplitudes.map(AmplitudeSpectrum::max_amplitude_ratio)),
@@ -412,6 +416,7 @@ fn given(inputs: &Inputs) -> Value {
         "nominal_area": inputs.nominal_area,
         "critical_area": inputs.critical_area,
         "hardness": inputs.hardness,
+        "gamma": has_gap.then(|| inputs.gamma()),
     })
 }
 

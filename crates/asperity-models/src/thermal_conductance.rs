@@ -15,8 +15,8 @@
 //! them. For a current put `2/(ρ₁ + ρ₂)` in the place of k_s.
 //!
 //! # Source
-//! Cooper, Mikic & Yovanovich (1969) with Yovanovich's exponent 0.95; Mikic (1974). Their papers could not be read here:
-//! the constants are those of public codes, and confirmed as fits of the expressions above.
+//! Cooper, Mikic & Yovanovich (1969), with 1.25 and 0.95 of Yovanovich (1982) in the place of their 1.45 and 0.985; Mikic (1974).
+//! From memory: their papers could not be read here. Public codes have these constants, and they fit the expressions above.
 
 use contact_types::{ModelError, require};
 use gw_closed_form::partial_moments::{self, Order};

@@ -80,10 +80,9 @@ mod tests {
     /// Every built-in theory at a load that closes any contact: full contact at most, or no answer.
     #[test]
     fn no_model_answers_more_than_everything() {
-        let inputs = Inputs::example();
         let mut refused = Vec::new();
         for theory in built_in().iter() {
-            let model = theory.build(&inputs).unwrap();
+            let model = Inputs::examples().iter().find_map(|i| theory.build(i).ok()).unwrap();
             for exponent in 6..=13 {
                 match at_pressure("it", model.as_ref(), 10f64.powi(exponent)) {
                     Ok(state) => assert!(state.area_fraction <= 1.0 + 1e-12, "{state:?}"),
@@ -105,7 +104,7 @@ mod tests {
     #[test]
     fn a_separation_inside_the_surface_has_no_answer() {
         let theory = find("gw").unwrap();
-        let model = theory.build_separation(&Inputs::example()).unwrap().unwrap();
+        let model = theory.build_separation(&Inputs::examples()[0]).unwrap().unwrap();
         assert!(at_separation("it", model.as_ref(), 2e-7).is_ok());
         let refused = at_separation("it", model.as_ref(), -1e-5);
         assert!(matches!(refused, Err(ModelError::OutsideDomain { .. })), "{refused:?}");

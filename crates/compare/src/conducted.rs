@@ -39,6 +39,8 @@ pub struct TheoryStiffness {
     pub name: String,
     /// What figures call it.
     pub label: String,
+    /// γ of the mean gap that it was taken from, if it has one \[-\].
+    pub gamma: Option<f64>,
     /// At each load (Pa/m).
     pub stiffness: Vec<Option<f64>>,
 }

@@ -12,7 +12,7 @@ use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
 use crate::solver_of::builder;
 use crate::threads::on_threads;
-use crate::{Inputs, Listener, StudyError, Surrounded};
+use crate::{Input, Inputs, Listener, StudyError, Surrounded};
 use asperity_models::thermal_conductance::RoughJoint;
 use contact_accuracy::regrid;
 use contact_types::{ContactModel, ContactModulus, HeightMap};
@@ -83,8 +83,9 @@ fn theories(surface: &SurfaceComparison) -> Vec<TheoryStiffness> {
         let model = theory.build(&inputs).ok()?;
         let loads = surface.deterministic.iter();
         let stiffness = loads.map(|p| slope(name, &*model, p.mean_pressure)).collect();
-        let (name, label) = (name.to_owned(), theory.card().label.to_string());
-        Some(TheoryStiffness { name, label, stiffness })
+        let gamma = theory.card().takes(Input::Gamma).then(|| inputs.gamma());
+        let label = theory.card().label.to_string();
+        Some(TheoryStiffness { name: name.to_owned(), label, gamma, stiffness })
     };
     THEORIES.into_iter().filter_map(of).collect()
 }

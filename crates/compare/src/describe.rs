@@ -6,7 +6,7 @@ use crate::theory::Assumes;
 use crate::{Origin, Registry, Settings};
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
-use surface_stats::spectrum::{PowerSpectrum, Ring};
+use surface_stats::spectrum::{PowerSpectrum, Ring, radial};
 use surface_stats::{Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
@@ -50,6 +50,9 @@ pub(crate) fn model_inputs(
         dimension: statistics.dimension,
         nominal_area: Some(map.grid().area()),
         hardness: settings.hardness,
+        gamma: settings.gamma,
+        // The mean gap is told where its weight was asked for.
+        spectrum: settings.gamma.and_then(|_| radial(map).ok()),
         poisson: settings.poisson(),
         ..Inputs::new(modulus)
     }

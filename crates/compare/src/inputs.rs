@@ -4,7 +4,7 @@ use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, RoughnessSpectrum,
     SpectralMoments, Wave,
 };
-use multiscale_models::{SelfAffineSpectrum, SphereLevel};
+use multiscale_models::{Persson, SelfAffineSpectrum, SphereLevel};
 use serde::Serialize;
 
 /// Everything a model may be made from. What a case does not have stays `None`.
@@ -20,6 +20,8 @@ pub struct Inputs {
     pub surface: Option<String>,
     /// Profile spectral moments.
     pub moments: Option<SpectralMoments>,
+    /// m2 alone, where the other moments are not known \[-\].
+    pub mean_square_slope: Option<f64>,
     /// Where they come from.
     pub source: MomentSource,
     /// Asperities, if they were given rather than derived from the moments.
@@ -28,7 +30,7 @@ pub struct Inputs {
     pub spectrum: Option<RoughnessSpectrum>,
     /// A continuous spectrum, in place of a radial one.
     pub self_affine: Option<SelfAffineSpectrum>,
-    /// Weight of partial contact in Persson's mean gap; 1 if not given \[-\].
+    /// Weight of partial contact in Persson's mean gap; [`Persson::GAMMA`] if not given \[-\].
     pub gamma: Option<f64>,
     /// Amplitudes of the rows.
     pub amplitudes: Option<AmplitudeSpectrum>,
@@ -75,6 +77,7 @@ impl Inputs {
             poisson: 0.3,
             surface: None,
             moments: None,
+            mean_square_slope: None,
             source: MomentSource::Given,
             asperities: None,
             spectrum: None,
@@ -90,24 +93,44 @@ impl Inputs {
         }
     }
 
-    /// Inputs that every model takes, to ask a model for what does not depend on them.
-    pub(crate) fn example() -> Self {
+    /// Inputs that every model takes, to ask a model for what does not depend on them; the fractal dimension is
+    /// that of a profile, or of a surface.
+    pub(crate) fn examples() -> [Self; 2] {
+        [1.3, 2.3].map(Self::example)
+    }
+
+    fn example(dimension: f64) -> Self {
         let wave = Wave { frequency: 1e4, amplitude: 1e-7 };
         let steel = ContactModulus::from_pascals(1e11).expect("a positive modulus");
         Self {
             hardness: Some(2e9),
             moments: Some(SpectralMoments { m0: 1e-14, m2: 1e-3, m4: 1e9 }),
             amplitudes: AmplitudeSpectrum::new(vec![wave], 1e-3).ok(),
-            fractal: Some(FractalParameters { dimension: 1.3, roughness: 1e-10 }),
+            fractal: Some(FractalParameters { dimension, roughness: 1e-10 }),
             nominal_area: Some(1e-6),
             spheres: vec![SphereLevel { radius: 1e-3, density: 1e6 }],
             ..Self::new(steel)
         }
     }
 
+    /// Whether Persson's mean gap can be made from these.
+    pub fn has_gap(&self) -> bool {
+        self.spectrum.is_some() || self.self_affine.is_some()
+    }
+
+    /// The weight that Persson's mean gap has \[-\].
+    pub fn gamma(&self) -> f64 {
+        self.gamma.unwrap_or(Persson::GAMMA)
+    }
+
+    /// The moment m2 \[-\].
+    pub fn m2(&self) -> Option<f64> {
+        self.moments.map(|m| m.m2).or(self.mean_square_slope)
+    }
+
     /// Rms gradient of the moments \[-\]; 0 without them.
     pub fn rms_gradient(&self) -> f64 {
-        self.moments.map_or(0.0, |m| m.rms_gradient())
+        self.m2().map_or(0.0, |m2| (2.0 * m2).sqrt())
     }
 
     /// Asperities given, or those of the moments.

@@ -19,6 +19,7 @@ mod findings;
 mod first_contact;
 mod inputs;
 mod materials;
+mod needs;
 mod pressure_maps;
 mod profile;
 mod progress;
@@ -67,6 +68,7 @@ pub use inputs::{Inputs, MomentSource};
 pub use materials::{
     Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
 };
+pub use needs::{INPUTS, Input, InputFact, InputSet, OfMap, Unit};
 pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
     ProfileComparison, ProfileFact, ProfileModel, ProfileSurface, Unevenness, area_interval,

@@ -163,6 +163,14 @@ pub enum StudyError {
         /// The value (Pa).
         value: f64,
     },
+    /// A weight of partial contact that Persson's theory has not.
+    #[error(
+        "gamma {value}: the weight of partial contact in Persson's mean gap is from 0.01 to 1; published are 1, 0.45 and 0.42"
+    )]
+    BadGamma {
+        /// The value.
+        value: f64,
+    },
     /// A resistivity or conductivity that is none.
     #[error("{value} is no resistivity or conductivity: it must not be negative")]
     BadConductor {

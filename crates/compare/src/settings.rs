@@ -24,6 +24,9 @@ pub struct Settings {
     /// Work of adhesion: whether the bodies stick is said, by formulas.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adhesion: Option<WorkOfAdhesion>,
+    /// Weight γ of partial contact in Persson's mean gap, 0.01 to 1; absent: that of Yang and Persson, 0.45.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gamma: Option<f64>,
     /// Materials of the [table](crate::materials()) whose numbers are among these.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub materials: Vec<MaterialUse>,
@@ -80,6 +83,7 @@ impl Default for Settings {
             resistivities: None,
             conductivities: None,
             adhesion: None,
+            gamma: None,
             materials: Vec::new(),
             bodies: Vec::new(),
             pressures: None,

@@ -90,6 +90,9 @@ fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
     if let Some(&value) = given.clone().find(|v| v.is_nan() || **v < 0.0) {
         return Err(StudyError::BadConductor { value });
     }
+    if let Some(value) = settings.gamma.filter(|g| !(0.01..=1.0).contains(g)) {
+        return Err(StudyError::BadGamma { value });
+    }
     match settings.hardness {
         Some(value) if !(value > 0.0 && value.is_finite()) => {
             Err(StudyError::BadHardness { value })
@@ -372,7 +375,10 @@ fn ask(
 ) -> ModelComparison {
     let card = theory.card().clone();
     let beside = if card.yields { &[] } else { elastic };
-    let outcome = theory.build(inputs).and_then(|model| {
+    // A theory of elastic bodies is asked as one, also if it could take a hardness.
+    let hardness = inputs.hardness.filter(|_| card.yields);
+    let asked = Inputs { hardness, ..inputs.clone() };
+    let outcome = theory.build(&asked).and_then(|model| {
         let pressures: Vec<f64> = deterministic.iter().map(|p| p.mean_pressure).collect();
         let (points, seconds) = timed(&card.title, model.as_ref(), &pressures);
         // A theory that refuses every load does not apply: its reason is the outcome.

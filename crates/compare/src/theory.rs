@@ -1,6 +1,7 @@
 //! What a study asks of a model: a card that says what it is, and a way to make it.
 
 use crate::inputs::Inputs;
+use crate::needs::{Input, InputSet, OfMap};
 use contact_types::{Citation, ContactModel, ModelError, SeparationModel};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -42,6 +43,12 @@ pub struct Card {
     pub title: Cow<'static, str>,
     /// What it needs, in words.
     pub needs: Cow<'static, str>,
+    /// Sets of numbers that it can be made from, the usual one first.
+    #[serde(default)]
+    pub inputs: Vec<InputSet>,
+    /// What a map is read for, beside the moments.
+    #[serde(default)]
+    pub of_map: OfMap,
     /// Where the theory holds.
     pub domain: Cow<'static, str>,
     /// The paper.
@@ -76,6 +83,8 @@ impl Card {
             label: title.clone(),
             title,
             needs: "the statistics of a height map".into(),
+            inputs: Vec::new(),
+            of_map: OfMap::Moments,
             domain: "".into(),
             citation,
             formula: "".into(),
@@ -84,6 +93,18 @@ impl Card {
             yields: false,
             has_separation: false,
         }
+    }
+}
+
+impl Card {
+    /// Whether any of its sets of numbers holds `input`.
+    pub fn takes(&self, input: Input) -> bool {
+        self.inputs.iter().any(|set| set.takes(input))
+    }
+
+    /// Whether every one of its sets needs `input`.
+    pub fn requires(&self, input: Input) -> bool {
+        !self.inputs.is_empty() && self.inputs.iter().all(|set| set.required.contains(&input))
     }
 }
 

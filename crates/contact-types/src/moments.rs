@@ -3,7 +3,8 @@
 use crate::ModelError;
 use std::f64::consts::PI;
 
-/// Profile spectral moments of the equivalent rough surface (Nayak 1971, doi:10.1115/1.3451608).
+/// Profile spectral moments of the equivalent rough surface (Nayak 1971, doi:10.1115/1.3451608). Of a surface with
+/// a lay or a pattern they are the means of the profiles along both axes of its map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SpectralMoments {
@@ -11,7 +12,7 @@ pub struct SpectralMoments {
     pub m0: f64,
     /// Mean square slope of a profile, `<|grad h|^2> / 2` \[-\].
     pub m2: f64,
-    /// Mean square second derivative of a profile, `3 <(laplace h)^2> / 8` \[m⁻²\].
+    /// Mean square second derivative of a profile; of an isotropic surface `3 <(laplace h)^2> / 8` \[m⁻²\].
     pub m4: f64,
 }
 

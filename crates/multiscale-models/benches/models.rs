@@ -104,6 +104,7 @@ fn persson_gap(c: &mut Criterion) {
     let spectrum =
         SelfAffineSpectrum::from_wavenumbers(0.8, [1.0, 1.0, 100.0], 1.0).expect("a spectrum");
     let model = Persson::from_self_affine(spectrum, unit()).expect("a model");
+    let model = model.with_gamma(1.0).expect("published gamma");
     let gap = |p: f64| model.mean_gap(p).unwrap_or(0.0);
     let group = "Persson mean gap";
     point(c, group, "model", &exact, gap);

@@ -13,7 +13,6 @@
 //! | [`Archard`] | spheres on spheres | area |
 //! | [`MajumdarBhushan`] | profile dimension and roughness | area |
 //! | [`YanKomvopoulos`] | surface dimension and roughness | area |
-//! | [`MoragEtsion`] | profile dimension and roughness | one asperity |
 //!
 
 mod archard;
@@ -21,7 +20,6 @@ mod equation;
 pub mod fractal;
 mod jackson_streator;
 mod majumdar_bhushan;
-mod morag_etsion;
 mod persson;
 mod sinusoid;
 pub mod special;
@@ -40,7 +38,6 @@ pub use archard::{Archard, SphereLevel};
 pub use equation::Equation;
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::{MajumdarBhushan, critical_area};
-pub use morag_etsion::{AsperityContact, MoragEtsion};
 pub use persson::{
     AreaLaw, Persson, PerssonWithYield, PressureDistribution, SelfAffineSpectrum, YieldShares,
 };

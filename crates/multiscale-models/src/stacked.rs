@@ -36,8 +36,8 @@ const MODEL: &str = "stacked multiscale";
 /// # Source
 /// Jackson, Wilson & Angadi (2008), STLE/ASME IJTC, Miami; Jackson & Green (2009),
 /// IJTC2009-15106, eqs (3)-(4); `p*`: Johnson, Greenwood & Higginson (1985),
-/// doi:10.1016/0020-7403(85)90029-3. In print the root is sometimes drawn over `2 pi E* Δ`;
-/// only `sqrt(2)` under it gives a pressure.
+/// doi:10.1016/0020-7403(85)90029-3. In the copy at hand the root covers `2 pi E* Δ`, which is
+/// no pressure; `p*` of Johnson, Greenwood & Higginson has it over the 2 alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stacked {
     max_amplitude_ratio: f64,

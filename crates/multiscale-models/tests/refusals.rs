@@ -7,8 +7,8 @@ use contact_types::{
 };
 use multiscale_models::fractal::WeierstrassMandelbrot;
 use multiscale_models::{
-    Archard, JacksonStreator, MajumdarBhushan, MoragEtsion, Persson, SelfAffineSpectrum,
-    SphereLevel, Stacked, YanKomvopoulos, critical_area,
+    Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SphereLevel, Stacked,
+    YanKomvopoulos, critical_area,
 };
 
 fn modulus() -> ContactModulus {
@@ -82,7 +82,6 @@ fn divergent_fractal_loads_name_the_way_out() {
     for dimension in [1.0, 2.0, 0.3, f64::NAN] {
         let surface = FractalParameters { dimension, roughness: 1e-11 };
         outside(MajumdarBhushan::new(surface, 1e-6, modulus()), &["D", "strictly"]);
-        outside(MoragEtsion::new(surface, 1e-6, modulus()), &["D", "strictly"]);
         outside(WeierstrassMandelbrot::new(surface), &["D", "strictly"]);
     }
     outside(

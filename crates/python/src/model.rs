@@ -4,14 +4,14 @@ use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, surface_of};
 use crate::watched::quietly;
 use answers::model::{Answer, Question, answers as asked, failure, measured, object, scene};
+use answers::typed::{Typed, Untyped};
 use answers::{Failure, bodies};
-use compare::{Body, ContactModulus, Inputs, Level, SpectralMoments, Spikes, Theory};
-use contact_types::{AsperityStatistics, FractalParameters};
-use multiscale_models::SelfAffineSpectrum;
+use compare::{Body, Card, ContactModulus, Input, Inputs, Level, Spikes, Theory};
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use serde::Deserialize;
 use serde_json::json;
+use std::collections::BTreeMap;
 use surface_stats::Edges;
 use surface_stats::clean::row_offsets;
 
@@ -23,55 +23,18 @@ pub(crate) struct Request {
     modulus: Option<f64>,
     bodies: Vec<Body>,
     hardness: Option<f64>,
+    /// Of the softer body, for a model that cannot do without one.
+    body_hardness: Option<f64>,
+    gamma: Option<f64>,
     pressures: Option<Vec<f64>>,
     separations: Option<Vec<f64>>,
     pub(crate) level: Level,
-    roughness: Option<Roughness>,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum Roughness {
-    Moments { m0: f64, m2: f64, m4: f64 },
-    Asperities { density: f64, radius: f64, height_std: f64, mean_offset: f64 },
-    SelfAffine { hurst: f64, rolloff: f64, cutoff: f64, m0: f64 },
-    Fractal { dimension: f64, roughness: f64, area: f64, critical_area: Option<f64> },
-}
-
-impl Roughness {
-    fn add(&self, model: &str, inputs: &mut Inputs) -> Result<(), Failure> {
-        match *self {
-            Self::Moments { m0, m2, m4 } => {
-                inputs.moments = Some(SpectralMoments { m0, m2, m4 });
-            }
-            Self::Asperities { density, radius, height_std, mean_offset } => {
-                let given = AsperityStatistics { density, radius, height_std, mean_offset };
-                inputs.asperities = Some(given);
-            }
-            Self::SelfAffine { hurst, rolloff, cutoff, m0 } => {
-                let refused = |e| Failure::from_error(&e);
-                let spectrum = SelfAffineSpectrum::from_wavelengths(hurst, rolloff, cutoff, m0)
-                    .map_err(refused)?;
-                inputs.self_affine = Some(spectrum);
-                inputs.moments = Some(spectrum.moments());
-                if matches!(model, "stacked" | "multiscale") {
-                    let amplitudes = spectrum.profile_amplitudes(rolloff).map_err(refused)?;
-                    inputs.amplitudes = Some(amplitudes);
-                }
-            }
-            Self::Fractal { dimension, roughness, area, critical_area } => {
-                inputs.fractal = Some(FractalParameters { dimension, roughness });
-                inputs.nominal_area = Some(area);
-                inputs.critical_area = critical_area;
-            }
-        }
-        Ok(())
-    }
+    roughness: Option<BTreeMap<Input, Vec<f64>>>,
 }
 
 /// What helps where a model lacks something.
 pub(crate) const WAY_OUT: &str = "give pressure, or what the model needs: rc.Moments, rc.Asperities, rc.SelfAffine, \
-                                  rc.Fractal or a surface; rc.models() lists the inputs";
+                                  rc.Fractal, rc.Numbers or a surface; rc.models() lists the inputs";
 
 impl Request {
     pub(crate) fn theory(&self) -> Result<&'static dyn Theory, Failure> {
@@ -91,16 +54,54 @@ impl Request {
         }
     }
 
-    /// With what no roughness says.
-    pub(crate) fn complete(&self, inputs: Inputs) -> Inputs {
-        let hardness = self.hardness.or(inputs.hardness);
-        Inputs { hardness, poisson: compare::poisson(&self.bodies), ..inputs }
+    /// The hardness, that of the bodies where the model cannot do without one.
+    fn hardness(&self, card: &Card) -> Option<f64> {
+        let needed = card.requires(Input::Hardness);
+        self.hardness.or(self.body_hardness.filter(|_| needed))
+    }
+
+    /// With what no surface says.
+    ///
+    /// # Errors
+    /// [`Failure`] of what the model has no use for.
+    pub(crate) fn complete(&self, card: &Card, inputs: Inputs) -> Result<Inputs, Failure> {
+        for (given, input) in [(self.hardness, Input::Hardness), (self.gamma, Input::Gamma)] {
+            if given.is_some() && !card.takes(input) {
+                return Err(refused(card, &Untyped::Unused(input)));
+            }
+        }
+        let (hardness, gamma) = (self.hardness(card), self.gamma);
+        Ok(Inputs { hardness, gamma, poisson: compare::poisson(&self.bodies), ..inputs })
+    }
+
+    /// What the model is made from, of numbers typed in.
+    fn typed(&self, card: &Card, given: &BTreeMap<Input, Vec<f64>>) -> Result<Inputs, Failure> {
+        let lists = given.iter().fold(Typed::default(), |typed, (input, values)| {
+            typed.with_list(*input, Some(values.clone()))
+        });
+        let typed = match self.hardness(card).filter(|_| lists.one(Input::Hardness).is_none()) {
+            Some(hardness) => lists.with(Input::Hardness, Some(hardness)),
+            None => lists,
+        };
+        let typed = typed.with(Input::Gamma, self.gamma);
+        let inputs = typed.inputs(card, self.modulus()?).map_err(|e| refused(card, &e))?;
+        Ok(Inputs { poisson: compare::poisson(&self.bodies), ..inputs })
     }
 
     pub(crate) fn questions(&self) -> Vec<Question> {
         let pressures = self.pressures.iter().flatten().map(|&p| Question::Pressure(p));
         let separations = self.separations.iter().flatten().map(|&d| Question::Separation(d));
         pressures.chain(separations).collect()
+    }
+}
+
+/// Numbers that make no model, each called as Python does.
+fn refused(card: &Card, untyped: &Untyped) -> Failure {
+    let name = |input: Input| input.name().replace('-', "_");
+    match untyped {
+        Untyped::Model(error) => Failure::from_error(error),
+        Untyped::Incomplete { .. } => Failure::refused("missing_input", untyped.told(card, name)),
+        _ => Failure::refused("usage", untyped.told(card, name)),
     }
 }
 
@@ -135,10 +136,11 @@ fn answer(
     laid: Option<Laid>,
 ) -> Result<Answered, Failure> {
     let theory = request.theory()?;
-    let mut inputs = request.complete(Inputs::new(request.modulus()?));
+    let card = theory.card();
     let (mut rows, mut spikes, mut cleaned, mut level) = (None, Spikes::default(), None, None);
     let mut pair = None;
-    if let Some((mut surface, facts)) = surface {
+    let inputs = if let Some((mut surface, facts)) = surface {
+        let given = request.complete(card, Inputs::new(request.modulus()?))?;
         let mut missing = facts.missing;
         let path = facts.path().to_owned();
         if let Some(laid) = laid {
@@ -154,12 +156,11 @@ fn answer(
         let used = request.level.on(&surface.heights);
         let used = used.map_err(|e| Failure::in_file(&path, &e))?;
         let how = (used, Edges::Open);
-        inputs = measured(&request.name, inputs, &path, surface.heights, missing, how)?;
         level = Some(used.name());
-    }
-    if let Some(roughness) = &request.roughness {
-        roughness.add(&request.name, &mut inputs)?;
-    }
+        measured(card, given, &path, surface.heights, missing, how)?
+    } else {
+        request.typed(card, request.roughness.as_ref().unwrap_or(&BTreeMap::new()))?
+    };
     let questions = request.questions();
     let found = asked(theory, &inputs, &questions).map_err(|e| e.failure(WAY_OUT))?;
     let mut json = object(theory.card(), &inputs, &questions, &found, None);

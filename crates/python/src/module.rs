@@ -22,7 +22,7 @@ mod _rough_contact {
     #[pymodule_export]
     use crate::statistics::statistics;
     #[pymodule_export]
-    use crate::study::{default_pressures, models, study};
+    use crate::study::{default_pressures, model_inputs, models, study};
     #[pymodule_export]
     use crate::summary::{digest, summary};
     #[pymodule_export]

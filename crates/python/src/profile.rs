@@ -121,7 +121,7 @@ pub(crate) fn profile_model(
             request.theory()?,
             request.modulus()?,
             (facts.path(), &traces, &facts.origin, request.level),
-            |inputs| Ok((request.complete(inputs), request.questions(), None)),
+            |inputs| Ok((request.complete(theory.card(), inputs)?, request.questions(), None)),
             |unasked| unasked.failure(crate::model::WAY_OUT),
         )?;
         Ok((found.json.to_string(), crate::model::trouble(&found.answers)))

@@ -82,6 +82,12 @@ pub(crate) fn models() -> String {
     serde_json::Value::Array(all.collect()).to_string()
 }
 
+/// Every number that a model may be made from, as JSON: its name, unit, and what it is.
+#[pyfunction]
+pub(crate) fn model_inputs() -> String {
+    serde_json::json!(compare::INPUTS).to_string()
+}
+
 /// Nominal pressures (Pa) for a surface nobody chose loads for.
 #[pyfunction]
 pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {

@@ -27,6 +27,22 @@ TYPED = {
         "stacked",
         lambda: rc.SelfAffine(hurst=0.8, rolloff="20um", cutoff="1um", m0="0.1um^2"),
     ),
+    "archard": (
+        ["archard", "--sphere-radius", "1mm,10um", "--sphere-density", "1mm^-2,1e4mm^-2"],
+        "archard",
+        lambda: rc.Numbers(sphere_radius="1mm,10um", sphere_density="1mm^-2,1e4mm^-2"),
+    ),
+    "m2 alone": (["persson", "--m2", "0.006"], "persson", lambda: rc.Moments(m2=0.006)),
+    "a hardness": (
+        ["persson-yield", "--m2", "0.006", "--hardness", "2GPa"],
+        "persson-yield",
+        lambda: rc.Numbers(m2=0.006, hardness="2GPa"),
+    ),
+    "yan-komvopoulos": (
+        ["yan-komvopoulos", "--dimension", "2.4", "--roughness", "0.1nm", "--area", "1mm^2"],
+        "yan-komvopoulos",
+        lambda: rc.Fractal(dimension=2.4, roughness="0.1nm", area="1mm^2"),
+    ),
     "fractal": (
         ["majumdar-bhushan", "--dimension", "1.3", "--roughness", "0.1nm", "--area", "1mm^2"],
         "majumdar-bhushan",

@@ -34,7 +34,7 @@ pub(crate) fn conduction(surface: &SurfaceComparison) -> Value {
     json!({
         "points": points,
         "theories": found.theories.iter().map(|theory| json!({
-            "model": theory.name, "points": line(&theory.stiffness),
+            "model": theory.name, "gamma": theory.gamma, "points": line(&theory.stiffness),
         })).collect::<Vec<_>>(),
         "mikic": line(&found.mikic),
         "cooper_mikic_yovanovich": (!found.yovanovich.is_empty()).then(|| line(&found.yovanovich)),

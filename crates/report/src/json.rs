@@ -76,6 +76,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "inputs": {
             "moments": s.inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })),
             "source": s.inputs.source.name(),
+            "gamma": s.inputs.has_gap().then(|| s.inputs.gamma()),
         },
         "headline_pressure": s.headline_pressure(),
         "resolved": s.spectral.resolved,

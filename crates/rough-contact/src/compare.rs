@@ -67,6 +67,10 @@ pub(crate) struct Compare {
     /// with the elastic one beside; `elastic` to leave out that of --material
     #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
     hardness: Option<f64>,
+    /// Weight of partial contact in Persson's mean gap: 0.45 (Yang & Persson 2008) or 1 (Persson 2007); given, the
+    /// gap is among the results [default: 0.45, where his stiffness is asked for]
+    #[arg(long, value_name = "G", value_parser = args::number, allow_hyphen_values = true)]
+    gamma: Option<f64>,
     #[command(flatten)]
     conduction: Conduction,
     #[command(flatten)]
@@ -88,7 +92,7 @@ pub(crate) struct Compare {
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
-        "headline", "models", "hardness", "resistivity", "conductivity", "level", "fractal_range", "edges", "method",
+        "headline", "models", "hardness", "gamma", "resistivity", "conductivity", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "fast", "modulus", "young", "material", "work_of_adhesion", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
@@ -192,6 +196,7 @@ impl Compare {
             tolerance: self.tolerance,
             accuracy: self.accuracy.map(Request::relative),
             fast: self.fast,
+            gamma: self.gamma,
             fractal_range: self.fractal_range,
             ..Settings::default()
         })

@@ -88,7 +88,8 @@ pub(crate) fn forecast(
         "the contact yields: solve and compare take --hardness"
     };
     let mut text = format!(
-        "E* g/H = {}: {verdict}\nplasticity indices: Greenwood–Williamson {}, Mikic {}\n",
+        "E* g/H = {}: {verdict}\nplasticity indices: Greenwood–Williamson {} (summits elastic below 0.6, plastic above 1: \
+         1966), Mikic {} (E* m/H, = E* g/H over √π; no limit of it could be read)\n",
         number(found.modulus_gradient_over_hardness),
         number(found.greenwood_williamson),
         number(found.mikic)

@@ -8,13 +8,14 @@ use crate::loads::{self, Spread};
 use crate::model_list::{self, cited};
 use crate::outcome::{Failure, Reply};
 use crate::profiles::{self, Traces};
-use crate::roughness::Source;
+use crate::roughness::{Source, ways};
 use crate::text::{self, Columns};
 use answers::model::{self, Answer, Question, Said, Unasked};
 use clap::Args;
 use compare::survey::{BANDWIDTH_FACTOR, LOAD_FACTOR};
-use compare::{Card, Inputs, Spikes, Theory};
+use compare::{Card, Input, Inputs, Spikes, Theory};
 use contact_types::ContactModulus;
+use multiscale_models::Persson;
 use serde_json::json;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -66,7 +67,8 @@ impl Model {
         let mut pair = None;
         let (mut cleaned, mut rows, mut spikes) = (Vec::new(), None, Spikes::default());
         let mut level = None;
-        self.source.refuse_unused(&card.name, self.file.as_deref(), self.load.is_some())?;
+        self.source.refuse_unused(card, self.file.as_deref(), self.load.is_some())?;
+        let hardness = self.hardness(card)?;
         let inputs = if let Some(path) = &self.file {
             let how = (&self.reading, self.cleaning.asked());
             let surface = if self.against.given()?.is_some() {
@@ -87,7 +89,8 @@ impl Model {
             let used = self.source.level().on(&surface.map);
             let used = used.map_err(|e| Failure::in_file(path, &e))?;
             level = Some(used);
-            self.source.measured(&card.name, modulus, path, surface, used)?
+            let given = self.source.beside_file(Inputs::new(modulus), hardness);
+            self.source.measured(card, given, path, surface, used)?
         } else {
             self.cleaning.refuse_without_file()?;
             if self.against.given()?.is_some() {
@@ -95,7 +98,7 @@ impl Model {
                                moments typed in, add those of the two";
                 return Err(Failure::refused("usage", message));
             }
-            self.source.typed(&card.name, modulus)?
+            self.source.typed(card, modulus, hardness, self.load.is_some())?
         };
         let inputs = self.with_poisson(inputs);
         let (questions, spread) = self.questions(inputs.nominal_area)?;
@@ -131,13 +134,14 @@ impl Model {
         traces: &Traces,
     ) -> Result<Reply, Failure> {
         let level = self.source.level().of_profile();
+        let hardness = self.hardness(theory.card())?;
         let origin = self.reading.origin(path, traces, String::new());
         let found = model::of_profile(
             theory,
             modulus,
             (path, traces, &origin, level),
             |inputs| {
-                let inputs = self.with_poisson(self.source.for_profile(inputs));
+                let inputs = self.with_poisson(self.source.beside_file(inputs, hardness));
                 let (questions, spread) = self.questions(None)?;
                 Ok((inputs, questions, spread))
             },
@@ -170,6 +174,11 @@ impl Model {
         reply.text += text::MOMENTS;
         reply.json = found.json;
         Ok(reply)
+    }
+
+    /// The hardness of the softer body out of the table, for a model that cannot do without one.
+    fn hardness(&self, card: &Card) -> Result<Option<f64>, Failure> {
+        if card.requires(Input::Hardness) { self.bodies.hardness(None) } else { Ok(None) }
     }
 
     /// With Poisson's ratio of the bodies, if they were given.
@@ -221,8 +230,7 @@ fn no_answer(theory: &dyn Theory, unasked: &Unasked) -> Failure {
     match unasked {
         Unasked::NoSeparation { .. } => unasked.failure("give --pressure"),
         Unasked::Missing(error) => {
-            let way_out = crate::roughness::options_of(&theory.card().name).join(", or ");
-            let message = format!("{error}; give a surface FILE, or {way_out}");
+            let message = format!("{error}; give {}", ways(theory.card()));
             Failure::refused("missing_input", message)
         }
     }
@@ -268,6 +276,12 @@ fn reply(
             "error: of the area, on isotropic Gaussian surfaces with this bandwidth (within a factor {BANDWIDTH_FACTOR}) \
              at this load (within {LOAD_FACTOR}), against the solver; a map tells more"
         );
+    }
+    if card.takes(Input::Gamma) && inputs.has_gap() {
+        let gamma = inputs.gamma();
+        let whose = [(1.0, " (Persson 2007)"), (Persson::GAMMA, " (Yang & Persson 2008)")];
+        let whose = whose.iter().find(|(g, _)| (g - gamma).abs() < 1e-12).map_or("", |w| w.1);
+        let _ = writeln!(text, "mean gap with γ = {}{whose}", text::number(gamma));
     }
     for note in notes {
         let _ = writeln!(text, "{note}"); // a String takes everything

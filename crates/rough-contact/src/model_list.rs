@@ -20,7 +20,7 @@ pub(crate) fn list() -> Reply {
     for card in built_in().iter().map(Theory::card) {
         let c = &card.citation;
         let doi = if c.doi.is_empty() { String::new() } else { format!(" doi:{}", c.doi) };
-        let options = crate::roughness::options_of(&card.name).join(", or ");
+        let options = crate::roughness::options_of(card).join(", or ");
         let separation = if card.has_separation { "; --separation as well" } else { "" };
         // A String takes everything.
         let _ = writeln!(
@@ -29,7 +29,7 @@ pub(crate) fn list() -> Reply {
             card.name, card.title, c.authors, c.year, c.title, c.journal, card.needs, card.domain,
         );
         let mut object = answers::models::card(card);
-        object["options"] = json!(crate::roughness::options_of(&card.name));
+        object["options"] = json!(crate::roughness::options_of(card));
         models.push(object);
     }
     Reply::new(text, json!({ "models": models }))

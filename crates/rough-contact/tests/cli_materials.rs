@@ -33,7 +33,7 @@ fn the_table_is_shown_and_names_are_looked_up() {
     let text = rough_contact(at, "materials");
     assert!(text.out.contains("steel-304") && text.out.contains("typical values"), "{}", text.out);
     let copper = rough_contact(at, "materials Copper");
-    for word in ["117 GPa", "annealed", "shlionmetal.com", "condition uncertain"] {
+    for word in ["117 GPa", "annealed", "makeitfrom.com", "condition uncertain"] {
         assert!(copper.out.contains(word), "{}", copper.out);
     }
     refused(at, "materials steel", 2, &["steel-304", "steel-1020"]);
@@ -129,7 +129,7 @@ fn a_study_says_its_materials_and_whether_they_stick() {
     assert!(said.out.contains("copper (copper, pure"), "{}", said.out);
     let read = |name: &str| std::fs::read_to_string(at.join(name)).expect("a file");
     let page = read("r/report.html");
-    for word in ["copper (copper, pure", "shlionmetal.com", "Adhesion is negligible", "Pastewka"] {
+    for word in ["copper (copper, pure", "makeitfrom.com", "Adhesion is negligible", "Pastewka"] {
         assert!(page.contains(word), "{word}");
     }
     let found: Value = serde_json::from_str(&read("r/results.json")).expect("JSON");

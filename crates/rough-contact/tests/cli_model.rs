@@ -57,15 +57,23 @@ fn bush_gibson_thomas_and_the_elliptical_model() {
 fn persson_with_its_mean_gap() {
     let line = "persson --hurst 0.8 --rolloff 6.283185307179586m --cutoff 0.06283185307179586m \
                 --m0 1m^2 --modulus 1GPa --pressure 46.09956908378556555884MPa";
-    let point = &points(line)[0];
+    let point = &points(&format!("{line} --gamma 1"))[0];
     close(&point["area_fraction"], 0.015_956_627_433_803_93, 1e-13);
     close(&point["mean_gap"], 2.111_701_497_55, 1e-10);
-    let yang = &points(&format!("{line} --gamma 0.45"))[0];
-    close(&yang["mean_gap"], 1.585_714_286_02, 1e-10);
+    for gamma in ["", " --gamma 0.45"] {
+        let yang = &points(&format!("{line}{gamma}"))[0];
+        close(&yang["mean_gap"], 1.585_714_286_02, 1e-10);
+    }
+    // γ stands beside the number.
+    let dir = folder();
+    let shown = rough_contact(dir.path(), &format!("model {line}"));
+    assert!(shown.out.contains("γ = 0.45 (Yang & Persson 2008)"), "{}", shown.out);
+    let shown = rough_contact(dir.path(), &format!("model {line} --gamma 1 --json")).answered();
+    close(&shown["inputs"]["gamma"], 1.0, 1e-15);
     // With a plateau from wavenumber 1 to 4: longest, roll-off, cut-off wavelength.
     let plateau = "persson --hurst 0.8 --longest 6.283185307179586m \
                    --rolloff 1.5707963267948966m --cutoff 0.02454369260617026m --m0 1m^2 \
-                   --modulus 1Pa --pressure 0.1265758890927133379836Pa";
+                   --modulus 1Pa --pressure 0.1265758890927133379836Pa --gamma 1";
     close(&points(plateau)[0]["mean_gap"], 2.086_273_388_100_949, 1e-10);
     // Moments alone: the area, and no mean gap.
     let moments = &points("persson --m2 0.02 --modulus 1GPa --pressure 1MPa")[0];

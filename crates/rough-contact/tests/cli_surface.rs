@@ -122,7 +122,7 @@ fn stats_of_a_wave_are_those_of_the_formula() {
         ("m4_x", m0 * transfer * transfer),
         ("m0_spectral", m0),
         ("m2_spectral", 0.5 * m0 * (q / dx).powi(2)),
-        ("m4_spectral", 0.375 * m0 * (q / dx).powi(4)),
+        ("m4_spectral", 0.5 * m0 * (q / dx).powi(4)),
         ("max_amplitude_ratio", 1e-6 / 20e-6),
     ] {
         let found = number(&stats[key]);

@@ -73,7 +73,7 @@ pub struct SurfaceStatistics {
     pub m0: f64,
     /// Mean of `m2_x` and `m2_y` (-).
     pub m2: f64,
-    /// Mean of `m4_x` and `m4_y` (m⁻²).
+    /// Mean of `m4_x` and `m4_y` (m⁻²): of a lay or a pattern it depends on how it lies on the axes.
     pub m4: f64,
     /// Mean square forward slope along x (-).
     pub m2_x: f64,
@@ -87,7 +87,7 @@ pub struct SurfaceStatistics {
     pub m0_spectral: f64,
     /// `½ Σ S q²` over the waves of the map as it repeats (-).
     pub m2_spectral: f64,
-    /// `⅜ Σ S q⁴` over the waves of the map as it repeats (m⁻²).
+    /// `½ Σ S (qx⁴ + qy⁴)` over the waves of the map as it repeats (m⁻²).
     pub m4_spectral: f64,
     /// Nayak's αN = m0 m4 / m2² by finite differences (-); absent for a flat map.
     pub bandwidth: Option<f64>,

@@ -200,6 +200,7 @@ mod tests {
             RoughnessSpectrum::new(shells).unwrap(),
             ContactModulus::from_pascals(e).unwrap(),
         )
+        .and_then(|model| model.with_gamma(1.0))
         .unwrap();
         let slope = q * f64::sqrt(variance / 2.0);
         for (x, tolerance) in [

@@ -73,6 +73,9 @@ pub struct Persson {
 }
 
 impl Persson {
+    /// gamma of Yang & Persson (2008), the default: a test of the crate `compare` holds it against solutions.
+    pub const GAMMA: f64 = 0.45;
+
     /// The theory of a surface of which only the mean square slope is known: area and pressures,
     /// no mean gap. Of the moments, only `m2` is used.
     ///
@@ -123,14 +126,14 @@ impl Persson {
             slope,
             slope_error: 0.0,
             scales: scales.map(Arc::new),
-            gamma: 1.0,
+            gamma: Self::GAMMA,
             area_law: AreaLaw::Diffusion,
         }
     }
 
     /// Sets the factor gamma of the elastic energy in partial contact,
-    /// `U ~ P [gamma + (1 - gamma) P^2]`: 1 (the default) is Persson 2007, 0.45 Yang & Persson
-    /// 2008; 0.42 is also in use.
+    /// `U ~ P [gamma + (1 - gamma) P^2]`: 1 is Persson 2007, 0.45 ([`GAMMA`](Self::GAMMA), the default) Yang &
+    /// Persson 2008; 0.42 is also in use.
     ///
     /// # Errors
     /// [`ModelError::OutsideDomain`] unless `0.01 <= gamma <= 1`.

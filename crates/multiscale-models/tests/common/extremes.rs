@@ -107,7 +107,7 @@ fn answer(q: &Question<'_>) -> Answer {
         "persson gap of one line" => {
             let shell = Shell { wavenumber: q.number("q"), variance: q.number("S") };
             let spectrum = RoughnessSpectrum::new(vec![shell]).expect("one line");
-            gap(&Persson::from_spectrum(spectrum, q.modulus())?, q)
+            gap(&Persson::from_spectrum(spectrum, q.modulus())?.with_gamma(1.0)?, q)
         }
         "persson gap of a self-affine surface" => {
             let wavenumbers = [q.number("qL"), q.number("qr"), q.number("qs")];

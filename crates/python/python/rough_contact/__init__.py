@@ -11,7 +11,7 @@ Quantities go in as text or with a unit, ``'110 GPa'`` or ``110 * rc.GPa``, and 
 
 from ._again import Validation, rerun, validate
 from ._bodies import Body, contact_modulus, material, materials
-from ._closed import Asperities, Fractal, ModelCurve, Moments, SelfAffine, model
+from ._closed import Asperities, Fractal, ModelCurve, Moments, Numbers, SelfAffine, model
 from ._errors import (
     AccuracyNotMet,
     ContactWarning,
@@ -86,6 +86,7 @@ __all__ = [
     "ModelError",
     "ModelInfo",
     "Moments",
+    "Numbers",
     "N",
     "NotConverged",
     "Pa",

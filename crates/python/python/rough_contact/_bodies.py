@@ -77,6 +77,12 @@ def elastic(bodies: Bodies) -> list[dict[str, float]]:
     return [{"young": b.young, "poisson": b.poisson} for b in listed(bodies)]
 
 
+def softest(bodies: Bodies | None) -> float | None:
+    """The lowest hardness that is known of the bodies (Pa)."""
+    known = [] if bodies is None else [b.hardness for b in listed(bodies) if b.hardness is not None]
+    return min(known, default=None)
+
+
 def contact_modulus(first: Body, second: Body | None = None) -> float:
     """Contact modulus E* (Pa): 1/E* is the sum of (1 - nu^2)/E; without `second` the other body is rigid."""
     bodies = [first] if second is None else [first, second]

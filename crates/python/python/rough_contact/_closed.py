@@ -23,41 +23,45 @@ from ._surface import LEVELS, Flip, Level, Surface, check, laid
 from ._threads import count
 from ._units import Q
 
-__all__ = ["Asperities", "Fractal", "ModelCurve", "Moments", "SelfAffine", "model"]
+__all__ = ["Asperities", "Fractal", "ModelCurve", "Moments", "Numbers", "SelfAffine", "model"]
+
+
+def _kinds() -> dict[str, tuple[str, str]]:
+    """Unit and meaning of every number that a model may be made from, by its name here."""
+    found = json.loads(_rust.model_inputs())
+    return {fact["name"].replace("-", "_"): (fact["unit"], fact["help"]) for fact in found}
 
 
 class _Roughness:
     """Numbers typed in; SI floats as attributes."""
 
-    _key = ""
-    _fields: dict[str, str] = {}
+    _fields: dict[str, str] = {}  # attribute: name of the input
 
     def _set(self, **values: Q | float | None) -> None:
+        kinds = _kinds()
         for name, value in values.items():
-            kind = self._fields[name]
-            if value is None:
-                found = None
-            elif kind == "number":
-                found = _units.number(value, name)
-            else:
-                found = _units.scalar(value, kind, name)
-            object.__setattr__(self, name, found)
+            object.__setattr__(self, name, None if value is None else _one(value, kinds[self._fields[name]][0], name))
 
-    def _given(self) -> dict[str, dict[str, float | None]]:
-        return {self._key: {name: getattr(self, name) for name in self._fields}}
+    def _given(self) -> dict[str, list[float]]:
+        named = ((name, getattr(self, name)) for name in self._fields)
+        return {self._fields[name].replace("_", "-"): [value] for name, value in named if value is not None}
+
+
+def _one(value: Any, unit: str, name: str) -> float:
+    return _units.number(value, name) if unit == "number" else _units.scalar(value, unit, name)
 
 
 @dataclass(frozen=True, init=False)
 class Moments(_Roughness):
-    """Spectral moments of profiles (Nayak, 1971): mean square height (an area), slope (a number), second derivative (per area)."""
+    """Spectral moments of profiles (Nayak, 1971), mean of both axes: mean square height (an area), slope (a number), second
+    derivative (per area). Persson's theories need m2 only."""
 
-    m0: float
+    m0: float | None
     m2: float
-    m4: float
-    _key = "moments"
-    _fields = {"m0": "area", "m2": "number", "m4": "per_area"}
+    m4: float | None
+    _fields = {"m0": "m0", "m2": "m2", "m4": "m4"}
 
-    def __init__(self, *, m0: Q, m2: float, m4: Q) -> None:
+    def __init__(self, *, m0: Q | None = None, m2: float, m4: Q | None = None) -> None:
         self._set(m0=m0, m2=m2, m4=m4)
 
 
@@ -69,8 +73,12 @@ class Asperities(_Roughness):
     radius: float
     height_std: float
     mean_offset: float
-    _key = "asperities"
-    _fields = {"density": "per_area", "radius": "length", "height_std": "length", "mean_offset": "length"}
+    _fields = {
+        "density": "asperity_density",
+        "radius": "asperity_radius",
+        "height_std": "asperity_height_std",
+        "mean_offset": "mean_offset",
+    }
 
     def __init__(self, *, density: Q, radius: Q, height_std: Q, mean_offset: Q = "0m") -> None:
         self._set(density=density, radius=radius, height_std=height_std, mean_offset=mean_offset)
@@ -78,35 +86,73 @@ class Asperities(_Roughness):
 
 @dataclass(frozen=True, init=False)
 class SelfAffine(_Roughness):
-    """A self-affine spectrum: Hurst exponent, longest and shortest wavelength, mean square height."""
+    """A self-affine spectrum: Hurst exponent, longest and shortest wavelength of its power law, mean square height, and the longest
+    wavelength of all where a plateau lies above the power law."""
 
     hurst: float
     rolloff: float
     cutoff: float
     m0: float
-    _key = "self_affine"
-    _fields = {"hurst": "number", "rolloff": "length", "cutoff": "length", "m0": "area"}
+    longest: float | None
+    _fields = {"hurst": "hurst", "rolloff": "rolloff", "cutoff": "cutoff", "m0": "m0", "longest": "longest"}
 
-    def __init__(self, *, hurst: float, rolloff: Q, cutoff: Q, m0: Q) -> None:
-        self._set(hurst=hurst, rolloff=rolloff, cutoff=cutoff, m0=m0)
+    def __init__(self, *, hurst: float, rolloff: Q, cutoff: Q, m0: Q, longest: Q | None = None) -> None:
+        self._set(hurst=hurst, rolloff=rolloff, cutoff=cutoff, m0=m0, longest=longest)
 
 
 @dataclass(frozen=True, init=False)
 class Fractal(_Roughness):
-    """A fractal profile: dimension between 1 and 2, roughness G, nominal area, area below which spots are not counted."""
+    """A fractal surface: dimension (of a profile, 1 to 2, for majumdar-bhushan; of the surface, 2 to 3, for yan-komvopoulos), roughness
+    G, nominal area, area below which spots carry nothing."""
 
     dimension: float
     roughness: float
     area: float
     critical_area: float | None
-    _key = "fractal"
-    _fields = {"dimension": "number", "roughness": "length", "area": "area", "critical_area": "area"}
+    _fields = {"dimension": "dimension", "roughness": "roughness", "area": "area", "critical_area": "critical_area"}
 
     def __init__(self, *, dimension: float, roughness: Q, area: Q, critical_area: Q | None = None) -> None:
         self._set(dimension=dimension, roughness=roughness, area=area, critical_area=critical_area)
 
 
-Source = Union[Surface, Profile, Moments, Asperities, SelfAffine, Fractal]
+class Numbers(_Roughness):
+    """Any numbers that a model is made from, by the names of the command's options with underscores, lists as lists.
+
+    Examples
+    --------
+    >>> import rough_contact as rc
+    >>> spheres = rc.Numbers(sphere_radius='1mm,10um', sphere_density='1mm^-2,1e4mm^-2')
+    >>> found = rc.model('archard', spheres, modulus='110 GPa', pressure='1MPa')
+    """
+
+    def __init__(self, **values: Q | float) -> None:
+        kinds = _kinds()
+        unknown = [name for name in values if name not in kinds]
+        if unknown:
+            raise TypeError(f"{unknown[0]} is no input of a model; there are {', '.join(kinds)}")
+        self._values = {}
+        for name, value in values.items():
+            unit = kinds[name][0]
+            if unit.endswith("s"):
+                found = _units.several(value, {"lengths": "length", "per_areas": "per_area"}[unit], name)
+            else:
+                found = [_one(value, unit, name)]
+            self._values[name] = found
+
+    def __repr__(self) -> str:
+        return f"Numbers({', '.join(f'{k}={v if len(v) > 1 else v[0]!r}' for k, v in self._values.items())})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Numbers) and self._values == other._values
+
+    def __hash__(self) -> int:
+        return hash(repr(self))
+
+    def _given(self) -> dict[str, list[float]]:
+        return {name.replace("_", "-"): values for name, values in self._values.items()}
+
+
+Source = Union[Surface, Profile, Moments, Asperities, SelfAffine, Fractal, Numbers]
 
 _NUMBERS = ("mean_pressure", "area_fraction", "real_pressure", "separation", "mean_gap")
 
@@ -210,6 +256,7 @@ def model(
     pressure: Q | None = None,
     separation: Q | None = None,
     hardness: Q | None = None,
+    gamma: float | None = None,
     level: Level = "auto",
     against: Surface | None = None,
     flip: Flip = "columns",
@@ -221,14 +268,16 @@ def model(
     ----------
     name : str
         Which model; `models` lists them.
-    source : Surface, Profile, Moments, Asperities, SelfAffine or Fractal
+    source : Surface, Profile, Moments, Asperities, SelfAffine, Fractal or Numbers
         The roughness. Of traces the model is that of the isotropic surface with their moments.
     modulus : quantity
         Contact modulus E*; or `bodies`.
     pressure, separation : quantity or list
         Nominal pressures, or distances of the undeformed planes; exactly one.
     hardness : quantity, optional
-        Of the softer body, for models of bodies that yield.
+        Of the softer body, for models of bodies that yield; by default that of `bodies`.
+    gamma : float, optional
+        Weight of partial contact in Persson's mean gap: 0.45 (Yang & Persson 2008, the default) or 1 (Persson 2007).
     level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
         Form that is taken off a surface first, or off each trace; 'auto' is the plane, but the mean of a map that repeats.
     against, flip, shift
@@ -266,6 +315,8 @@ def model(
         "name": name,
         **_bodies.given(modulus, bodies),
         "hardness": None if hardness is None else _units.scalar(hardness, "pressure", "hardness"),
+        "body_hardness": _bodies.softest(bodies),
+        "gamma": None if gamma is None else _units.number(gamma, "gamma"),
         "pressures": None if pressure is None else _units.several(pressure, "pressure", "pressure"),
         "separations": None if separation is None else _units.several(separation, "length", "separation"),
         "level": level,

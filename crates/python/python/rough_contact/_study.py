@@ -269,6 +269,7 @@ def compare(
     level: Level = "auto",
     edges: Literal["periodic", "mirrored"] = "periodic",
     hardness: Q | None = None,
+    gamma: float | None = None,
     resistivity: Q | None = None,
     conductivity: Q | None = None,
     work_of_adhesion: Q | None = None,
@@ -299,7 +300,7 @@ def compare(
     models : list, optional
         Names of built-in models and models of one's own (`ContactModel`); every built-in one by default. Those of one's
         own are called once for each surface, with all loads, on this thread, before the solver.
-    level, edges, hardness, resistivity, conductivity, precision, tolerance, accuracy, fractal_range
+    level, edges, hardness, gamma, resistivity, conductivity, precision, tolerance, accuracy, fractal_range
         As the options of the command.
     work_of_adhesion, attraction_range : quantity, optional
         As the options of the command.
@@ -341,6 +342,8 @@ def compare(
         settings["headline"] = _units.scalar(headline, "pressure", "headline")
     if hardness is not None:
         settings["hardness"] = _units.scalar(hardness, "pressure", "hardness")
+    if gamma is not None:
+        settings["gamma"] = _units.number(gamma, "gamma")
     if resistivity is not None:
         settings["resistivities"] = _units.pair(resistivity, "resistivity", "resistivity")
     if conductivity is not None:

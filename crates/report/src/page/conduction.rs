@@ -2,7 +2,7 @@
 
 use crate::figures::conduction::{self as figures, Line};
 use crate::looks::look;
-use crate::numbers::{PASCALS, chosen, relative_bar};
+use crate::numbers::{PASCALS, chosen, relative_bar, significant};
 use crate::page::context::Page;
 use crate::page::sections::figure;
 use crate::sources::CONDUCTANCE;
@@ -68,6 +68,10 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
         let stranger =
             |label, place, values| Line { label, series: "", look: look("", place), values };
         lines.push(stranger("Mikic", 1, of(&found.mikic)));
+        let gamma = found.theories.iter().find_map(|theory| theory.gamma);
+        let gamma = gamma.map_or_else(String::new, |g| {
+            format!(" Persson’s gap with γ = {}.", significant(g, 3))
+        });
         let yields = !found.yovanovich.is_empty();
         if yields {
             lines.push(stranger("CMY", 0, of(&found.yovanovich)));
@@ -87,7 +91,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
                 "<b>Fig. {n}. {} conductance of the contact</b> per nominal area. Dots: of the contact set of \
                  each solution. Coloured: stiffness of theories of elastic contact, by the same factor. Grey: Mikic’s correlation \
                  for elastic bodies{}, with the rms height σ of the map and the mean absolute slope <i>g</i>/√π of a \
-                 Gaussian one; Mikic’s ends where half the surface is cut.",
+                 Gaussian one; Mikic’s ends where half the surface is cut.{gamma}",
                 capital(kind.name),
                 if yields { " and Cooper, Mikic and Yovanovich’s (CMY) for bodies that yield" } else { "" }
             ),

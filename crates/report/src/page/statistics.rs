@@ -117,14 +117,14 @@ fn rows(surface: &SurfaceComparison) -> Vec<Row> {
         ),
         pair(
             "<i>m</i><sub>2</sub>",
-            "Mean square slope of a profile",
+            "Mean square slope of profiles, mean of both axes",
             "Slope variance",
             [s.m2, spectral.m2],
             none,
         ),
         pair(
             "<i>m</i><sub>4</sub>",
-            "Mean square second derivative of a profile",
+            "Mean square second derivative of profiles, mean of both axes",
             "Curvature variance",
             [s.m4, spectral.m4],
             (micrometre, -2),

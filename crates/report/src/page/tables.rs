@@ -168,7 +168,8 @@ fn yield_rows(
             "<i>E</i>* <i>g</i> / <i>H</i>".into(),
             significant(found.modulus_gradient_over_hardness?, 2),
             format!(
-                "elastic up to 1; plasticity indices of Greenwood–Williamson {}, Mikic {}",
+                "elastic up to 1; plasticity indices of Greenwood–Williamson {} (summits elastic below 0.6, \
+                 plastic above 1), Mikic {}",
                 two(found.greenwood_williamson),
                 two(found.mikic)
             ),

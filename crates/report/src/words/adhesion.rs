@@ -5,7 +5,7 @@ use compare::{Adhesion, NO_PULL_OFF};
 
 pub(crate) fn verdict(found: &Adhesion) -> [String; 2] {
     let claim = if found.negligible {
-        "Adhesion is negligible.".to_owned()
+        "Adhesion is negligible (dry).".to_owned()
     } else {
         "Adhesion is not negligible: this program does not model it.".to_owned()
     };
@@ -51,7 +51,9 @@ pub(crate) fn verdict(found: &Adhesion) -> [String; 2] {
         .shortest
         .map_or_else(String::new, |wave| format!(", the shortest wave being {}", length(wave)));
     let text = format!(
-        "With {} over {}: {}. All of it depends on the shortest waves measured (rms gradient {}{shortest}).",
+        "With {} over {}: {}. All of it depends on the shortest waves measured (rms gradient {}{shortest}). Water is not \
+         in it: in humid air it condenses where the gap is below about 1.5\u{202F}nm (Kelvin, 50\u{202F}% humidity) and \
+         pulls by capillary forces.",
         joules(found.given.work),
         quantity(found.given.range, METRES, 2),
         parts.join("; "),

@@ -71,8 +71,9 @@ impl PowerSpectrum {
         debug_assert_eq!(self.waves.len(), ny * nq);
     }
 
-    /// Moments by the spectrum: `m0 = Σ S`, `m2 = ½ Σ S q²`, `m4 = ⅜ Σ S q⁴`, and the parts of
-    /// m2 along the axes, `[Σ S qx², Σ S qy²]`.
+    /// Moments by the spectrum, as by differences the means of profiles along both axes: `m0 = Σ S`,
+    /// `m2 = ½ Σ S (qx² + qy²)`, `m4 = ½ Σ S (qx⁴ + qy⁴)`, and the parts of m2 along the axes, `[Σ S qx², Σ S qy²]`.
+    /// Of an isotropic surface `m4 = ⅜ Σ S q⁴`; of a lay or a pattern m4 depends on how it lies on the axes.
     pub fn moments(&self) -> (SpectralMoments, [f64; 2]) {
         let mut m = SpectralMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
         let mut along = [0.0; 2];
@@ -81,7 +82,7 @@ impl PowerSpectrum {
             let q2 = qx2 + qy2;
             m.m0 += s;
             m.m2 += 0.5 * s * q2;
-            m.m4 += 0.375 * s * q2 * q2;
+            m.m4 += 0.5 * s * (qx2 * qx2 + qy2 * qy2);
             along[0] += s * qx2;
             along[1] += s * qy2;
         });
@@ -205,6 +206,7 @@ pub fn radial_psd(map: &HeightMap, window: Window) -> Result<Vec<Ring>, StatsErr
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{DirectionalMoments, Edges};
     use approx::assert_relative_eq;
     use proptest::prelude::*;
 
@@ -233,6 +235,26 @@ mod tests {
             assert_relative_eq!(m.m4, variance * q2 * q2 * 0.375, max_relative = rounding);
             let shell = spectrum.shells().iter().max_by(|a, b| a.variance.total_cmp(&b.variance));
             assert_relative_eq!(shell.unwrap().wavenumber, q2.sqrt(), max_relative = rounding);
+        }
+    }
+
+    /// A pattern, straight and turned by 45°: the moments of the spectrum are those of the differences, to what
+    /// differences see of the waves.
+    #[test]
+    fn a_pattern_has_one_m4() {
+        let grid = Grid::new([128; 2], [1e-6; 2]).unwrap();
+        let q = TAU / 64e-6;
+        let patterns: [fn(f64, f64) -> f64; 2] =
+            [|x, y| x.cos() * y.cos(), |x, y| 0.5 * (x.cos() + y.cos())];
+        for (pattern, bandwidth) in patterns.into_iter().zip([1.0, 2.0]) {
+            let map = HeightMap::from_fn(grid, |y, x| 1e-7 * pattern(q * x, q * y)).unwrap();
+            let (m, _) = PowerSpectrum::of(&map, Window::None).unwrap().moments();
+            let seen = DirectionalMoments::of(&map, Edges::Periodic).unwrap().isotropic(m.m0);
+            let half = 0.5 * q * 1e-6;
+            let share = (half.sin() / half).powi(2);
+            assert_relative_eq!(m.bandwidth(), bandwidth, max_relative = 1e-12);
+            assert_relative_eq!(seen.m2, share * m.m2, max_relative = 1e-12);
+            assert_relative_eq!(seen.m4, share * share * m.m4, max_relative = 1e-12);
         }
     }
 

@@ -94,14 +94,14 @@ impl Wave {
         ])
     }
 
-    /// Found against `m2 = m0 q^2 / 2`, `m4 = 3 m0 q^4 / 8`.
+    /// Found against `m2 = m0 q^2 / 2`, `m4 = m0 (qx^4 + qy^4) / 2`.
     fn by_spectrum(&self, found: &SurfaceStatistics) -> f64 {
         let [qy, qx] = [0, 1].map(|a| 2.0 * self.half_angles()[a] / self.pixel[a]);
         let (m0, q2) = (self.m0(), qy * qy + qx * qx);
         worst(&[
             (found.m0_spectral, m0),
             (found.m2_spectral, 0.5 * m0 * q2),
-            (found.m4_spectral, 0.375 * m0 * q2 * q2),
+            (found.m4_spectral, 0.5 * m0 * (qx.powi(4) + qy.powi(4))),
         ])
     }
 }
@@ -229,7 +229,7 @@ fn thin_maps() -> Vec<Case> {
         (rows.max_amplitude_ratio(), wave.amplitude * q / TAU),
         (spectral.m0, wave.m0()),
         (spectral.m2, 0.5 * wave.m0() * q * q),
-        (spectral.m4, 0.375 * wave.m0() * q.powi(4)),
+        (spectral.m4, 0.5 * wave.m0() * q.powi(4)),
     ]);
     let four = HeightStatistics::of(&map([2, 2], [1e-9, 1.0], |iy, ix| (4 * iy * ix) as f64));
     // 0, 0, 0, 4: mean 1, variance 3, third moment 6, fourth 21.

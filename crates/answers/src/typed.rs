@@ -1,0 +1,290 @@
+//! A model made from numbers typed in: which of its sets of inputs they are, and what they lack.
+
+use compare::{Card, ContactModulus, Input, InputSet, Inputs, SpectralMoments};
+use contact_types::{AsperityStatistics, FractalParameters, ModelError};
+use multiscale_models::{SelfAffineSpectrum, SphereLevel};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Numbers typed in, SI.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Typed(BTreeMap<Input, Vec<f64>>);
+
+/// Why numbers make no model. Front ends call the inputs by their own options.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Untyped {
+    /// The model has no use for this one.
+    Unused(Input),
+    /// These do not go together.
+    Apart(Input, Vec<Input>),
+    /// Of the set that is nearest to what was given, these are missing.
+    Incomplete {
+        /// Given.
+        given: Vec<Input>,
+        /// Missing.
+        missing: Vec<Input>,
+    },
+    /// Lists of other lengths.
+    Lengths {
+        /// How many radii.
+        radii: usize,
+        /// How many densities.
+        densities: usize,
+    },
+    /// The numbers have no meaning.
+    Model(ModelError),
+}
+
+impl Typed {
+    /// The same with another input, if there is one.
+    #[must_use]
+    pub fn with(self, input: Input, value: Option<f64>) -> Self {
+        self.with_list(input, value.map(|v| vec![v]))
+    }
+
+    /// The same with another list, if there is one.
+    #[must_use]
+    pub fn with_list(mut self, input: Input, values: Option<Vec<f64>>) -> Self {
+        if let Some(values) = values {
+            self.0.insert(input, values);
+        }
+        self
+    }
+
+    /// Inputs given.
+    pub fn given(&self) -> impl Iterator<Item = Input> {
+        self.0.keys().copied()
+    }
+
+    /// The same without one.
+    #[must_use]
+    pub fn without(mut self, input: Input) -> Self {
+        self.0.remove(&input);
+        self
+    }
+
+    /// The number given, of a list the first.
+    pub fn one(&self, input: Input) -> Option<f64> {
+        self.0.get(&input).and_then(|values| values.first().copied())
+    }
+
+    /// The set of `card` that holds all that is given and lacks nothing.
+    fn set<'a>(&self, card: &'a Card) -> Result<&'a InputSet, Untyped> {
+        if let Some(unused) = self.given().find(|input| !card.takes(*input)) {
+            return Err(Untyped::Unused(unused));
+        }
+        let has = |input: &Input| self.0.contains_key(input);
+        let complete = |set: &&InputSet| set.required.iter().all(has);
+        let holds = |set: &&InputSet| self.given().all(|input| set.takes(input));
+        if let Some(set) = card.inputs.iter().find(|set| complete(set) && holds(set)) {
+            return Ok(set);
+        }
+        if let Some(set) = card.inputs.iter().find(complete) {
+            let foreign = self.given().find(|input| !set.takes(*input));
+            let foreign = foreign.expect("no set holds all that is given");
+            let own = set.required.clone();
+            return Err(Untyped::Apart(foreign, own));
+        }
+        // The one that most was given of, then the one that lacks least; the first of equals.
+        let rank = |set: &&InputSet| {
+            let given = self.given().filter(|input| set.takes(*input)).count();
+            let missing = set.required.iter().filter(|input| !has(input)).count();
+            (usize::MAX - given, missing)
+        };
+        let nearest = card.inputs.iter().min_by_key(rank);
+        let missing = nearest.map_or_else(Vec::new, |set| {
+            set.required.iter().copied().filter(|input| !has(input)).collect()
+        });
+        Err(Untyped::Incomplete { given: self.given().collect(), missing })
+    }
+
+    /// What the model of `card` is made from.
+    ///
+    /// # Errors
+    /// [`Untyped`].
+    pub fn inputs(&self, card: &Card, modulus: ContactModulus) -> Result<Inputs, Untyped> {
+        self.set(card)?;
+        let one = |input| self.one(input);
+        let all = |input| self.0.get(&input).cloned().unwrap_or_default();
+        let mut inputs = Inputs {
+            gamma: one(Input::Gamma),
+            max_amplitude_ratio: one(Input::MaxAmplitudeRatio),
+            nominal_area: one(Input::Area),
+            critical_area: one(Input::CriticalArea),
+            hardness: one(Input::Hardness),
+            ..Inputs::new(modulus)
+        };
+        if let Some(hurst) = one(Input::Hurst) {
+            let spectrum = self.self_affine(hurst).map_err(Untyped::Model)?;
+            inputs.self_affine = Some(spectrum);
+            inputs.moments = Some(spectrum.moments());
+            if card.takes(Input::RecordLength) {
+                let longest = one(Input::Longest).or(one(Input::Rolloff)).unwrap_or(f64::NAN);
+                let record = one(Input::RecordLength).unwrap_or(longest);
+                let amplitudes = spectrum.profile_amplitudes(record).map_err(Untyped::Model)?;
+                inputs.amplitudes = Some(amplitudes);
+            }
+        } else if let Some(m2) = one(Input::M2) {
+            match (one(Input::M0), one(Input::M4)) {
+                (Some(m0), Some(m4)) => inputs.moments = Some(SpectralMoments { m0, m2, m4 }),
+                _ => inputs.mean_square_slope = Some(m2),
+            }
+        }
+        if let (Some(density), Some(radius), Some(height_std)) =
+            (one(Input::AsperityDensity), one(Input::AsperityRadius), one(Input::AsperityHeightStd))
+        {
+            let mean_offset = one(Input::MeanOffset).unwrap_or(0.0);
+            let given = AsperityStatistics { density, radius, height_std, mean_offset };
+            inputs.asperities = Some(given);
+        }
+        if let (Some(dimension), Some(roughness)) = (one(Input::Dimension), one(Input::Roughness)) {
+            inputs.fractal = Some(FractalParameters { dimension, roughness });
+        }
+        let (radii, densities) = (all(Input::SphereRadius), all(Input::SphereDensity));
+        if radii.len() != densities.len() {
+            let (radii, densities) = (radii.len(), densities.len());
+            return Err(Untyped::Lengths { radii, densities });
+        }
+        let level = |(radius, density)| SphereLevel { radius, density };
+        inputs.spheres = radii.into_iter().zip(densities).map(level).collect();
+        Ok(inputs)
+    }
+
+    fn self_affine(&self, hurst: f64) -> Result<SelfAffineSpectrum, ModelError> {
+        let one = |input| self.one(input).unwrap_or(f64::NAN);
+        let [rolloff, cutoff, m0] = [Input::Rolloff, Input::Cutoff, Input::M0].map(one);
+        match self.one(Input::Longest) {
+            None => SelfAffineSpectrum::from_wavelengths(hurst, rolloff, cutoff, m0),
+            Some(longest) => {
+                let wavenumbers = [longest, rolloff, cutoff].map(|l| TAU / l);
+                SelfAffineSpectrum::from_wavenumbers(hurst, wavenumbers, m0)
+            }
+        }
+    }
+}
+
+impl Untyped {
+    /// In words, with each input as `name` calls it; `sets` are the ways to ask the model.
+    pub fn told(&self, card: &Card, name: impl Fn(Input) -> String) -> String {
+        let model = &card.name;
+        let sets = || {
+            let each = card.inputs.iter().map(|set| set.shown(&name, " "));
+            each.collect::<Vec<_>>().join(", or ")
+        };
+        let list = |all: &[Input]| all.iter().map(|i| name(*i)).collect::<Vec<_>>().join(" ");
+        match self {
+            Self::Unused(input) => {
+                format!("{} is no input of {model}, which takes {}", name(*input), sets())
+            }
+            Self::Apart(input, own) => {
+                format!(
+                    "{} and {} do not go together; {model} takes {}",
+                    list(own),
+                    name(*input),
+                    sets()
+                )
+            }
+            Self::Incomplete { given, missing } if given.is_empty() => {
+                format!("{model} needs {}; it takes {}", list(missing), sets())
+            }
+            Self::Incomplete { given, missing } => format!(
+                "{model} needs {} beside {}; it takes {}",
+                list(missing),
+                list(given),
+                sets()
+            ),
+            Self::Lengths { radii, densities } => format!(
+                "{} has {radii} levels and {} {densities}; give both for each level, coarse to fine",
+                name(Input::SphereRadius),
+                name(Input::SphereDensity)
+            ),
+            Self::Model(error) => error.to_string(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn made(model: &str, given: &[(Input, f64)]) -> Result<Inputs, Untyped> {
+        let theory = compare::find(model).expect("a model");
+        let modulus = ContactModulus::from_pascals(1e11).expect("a modulus");
+        let typed = given.iter().fold(Typed::default(), |t, (i, v)| t.with(*i, Some(*v)));
+        typed.inputs(theory.card(), modulus)
+    }
+
+    /// Every set of every model, with nothing but what it requires, makes the model; without any one of
+    /// these, that one is named.
+    #[test]
+    fn every_set_is_enough_and_nothing_in_it_too_much() {
+        let value = |input: Input, model: &str| match input {
+            Input::M0 | Input::CriticalArea => 1e-14,
+            Input::M2 => 1e-3,
+            Input::M4 | Input::AsperityDensity => 1e10,
+            Input::AsperityRadius | Input::Rolloff | Input::RecordLength => 1e-4,
+            Input::AsperityHeightStd => 1e-7,
+            Input::Hurst | Input::Gamma => 0.8,
+            Input::Cutoff => 1e-6,
+            Input::Longest | Input::SphereRadius => 1e-3,
+            Input::SphereDensity => 1e6,
+            Input::MaxAmplitudeRatio => 1e-2,
+            Input::Dimension if model == "yan-komvopoulos" => 2.3,
+            Input::Dimension => 1.3,
+            Input::Roughness => 1e-10,
+            Input::Area => 1e-6,
+            Input::Hardness => 2e9,
+            _ => 0.0,
+        };
+        for theory in compare::built_in().iter() {
+            let card = theory.card();
+            let model = card.name.as_ref();
+            for set in &card.inputs {
+                let numbers = |inputs: &[Input]| -> Vec<(Input, f64)> {
+                    inputs.iter().map(|i| (*i, value(*i, model))).collect()
+                };
+                let least = numbers(&set.required);
+                let inputs = made(model, &least).unwrap_or_else(|e| panic!("{model}: {e:?}"));
+                let built = theory.build(&inputs).unwrap_or_else(|e| panic!("{model}: {e}"));
+                assert!(built.at_pressure(1e6).is_ok(), "{model}");
+                let all = [least.clone(), numbers(&set.optional)].concat();
+                let inputs = made(model, &all).unwrap_or_else(|e| panic!("{model}: {e:?}"));
+                assert!(theory.build(&inputs).is_ok(), "{model}");
+                for (i, (absent, _)) in least.iter().enumerate() {
+                    let rest = [&least[..i], &least[i + 1..]].concat();
+                    match made(model, &rest) {
+                        Err(Untyped::Incomplete { missing, .. }) => {
+                            assert!(
+                                !missing.is_empty()
+                                    && !missing.iter().any(|m| rest.iter().any(|r| r.0 == *m))
+                            );
+                        }
+                        // What is left may be another set of the model, or the start of one.
+                        Ok(_) => assert!(card.inputs.len() > 1, "{model} without {absent:?}"),
+                        Err(other) => panic!("{model} without {absent:?}: {other:?}"),
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_lacks_and_what_is_foreign_is_named() {
+        let hardness = (Input::Hardness, 2e9);
+        let found = made("persson-yield", &[hardness, (Input::M2, 0.006)]).expect("all it needs");
+        assert_eq!((found.m2(), found.moments), (Some(0.006), None));
+        let name = |input: Input| format!("--{}", input.name());
+        let told = |model: &str, given: &[(Input, f64)]| {
+            let card = compare::find(model).expect("a model").card();
+            made(model, given).expect_err("a refusal").told(card, name)
+        };
+        let lacks = told("gw", &[(Input::M0, 1e-12), (Input::M2, 0.01)]);
+        assert!(lacks.starts_with("gw needs --m4 beside --m0 --m2; it takes"), "{lacks}");
+        let lacks = told("persson-yield", &[(Input::M2, 0.01)]);
+        assert!(lacks.starts_with("persson-yield needs --hardness beside --m2"), "{lacks}");
+        let foreign = told("gw", &[(Input::Dimension, 1.4)]);
+        assert!(foreign.starts_with("--dimension is no input of gw"), "{foreign}");
+        let apart = told("persson", &[(Input::M2, 0.01), (Input::Gamma, 0.5)]);
+        assert!(apart.starts_with("--m2 and --gamma do not go together"), "{apart}");
+    }
+}

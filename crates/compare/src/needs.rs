@@ -1,0 +1,281 @@
+//! What models are made from, as data: options, refusals, lists and the book say what stands here.
+
+use serde::{Deserialize, Serialize};
+
+/// One number, or one list, that a model may be made from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs, reason = "INPUTS says of each what it is")]
+pub enum Input {
+    M0,
+    M2,
+    M4,
+    AsperityDensity,
+    AsperityRadius,
+    AsperityHeightStd,
+    MeanOffset,
+    Hurst,
+    Rolloff,
+    Cutoff,
+    Longest,
+    Gamma,
+    MaxAmplitudeRatio,
+    RecordLength,
+    Dimension,
+    Roughness,
+    Area,
+    CriticalArea,
+    Hardness,
+    SphereRadius,
+    SphereDensity,
+}
+
+/// Dimension of an input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Unit {
+    /// Pure number.
+    Number,
+    /// m.
+    Length,
+    /// m².
+    Area,
+    /// m⁻².
+    PerArea,
+    /// Pa.
+    Pressure,
+    /// A list in m.
+    Lengths,
+    /// A list in m⁻².
+    PerAreas,
+}
+
+/// What is known of an input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct InputFact {
+    /// Which.
+    pub input: Input,
+    /// The name of its option, `--asperity-density`; in Python `asperity_density`.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: Unit,
+    /// What it is, in a list.
+    pub words: &'static str,
+    /// What it is, in the help.
+    pub help: &'static str,
+}
+
+/// Every input that can be typed.
+pub const INPUTS: &[InputFact] = &[
+    fact(Input::M0, "m0", Unit::Area, "m0", "Mean square height (profile moment), such as 0.2um^2"),
+    fact(Input::M2, "m2", Unit::Number, "m2", "Mean square slope of a profile, a pure number"),
+    fact(
+        Input::M4,
+        "m4",
+        Unit::PerArea,
+        "m4",
+        "Mean square second derivative of a profile, such as 1e9m^-2; of a lay or a pattern the mean of both axes",
+    ),
+    fact(
+        Input::AsperityDensity,
+        "asperity-density",
+        Unit::PerArea,
+        "density",
+        "Asperities per area, such as 3e10m^-2",
+    ),
+    fact(
+        Input::AsperityRadius,
+        "asperity-radius",
+        Unit::Length,
+        "radius",
+        "Radius of the asperities",
+    ),
+    fact(
+        Input::AsperityHeightStd,
+        "asperity-height-std",
+        Unit::Length,
+        "height deviation",
+        "Standard deviation of the asperity heights",
+    ),
+    fact(
+        Input::MeanOffset,
+        "mean-offset",
+        Unit::Length,
+        "mean offset",
+        "Mean asperity height above the mean plane of the surface [default: 0]",
+    ),
+    fact(Input::Hurst, "hurst", Unit::Number, "Hurst", "Hurst exponent of a self-affine spectrum"),
+    fact(
+        Input::Rolloff,
+        "rolloff",
+        Unit::Length,
+        "roll-off",
+        "Longest wavelength of its power law",
+    ),
+    fact(Input::Cutoff, "cutoff", Unit::Length, "cut-off", "Shortest wavelength"),
+    fact(
+        Input::Longest,
+        "longest",
+        Unit::Length,
+        "longest",
+        "Longest wavelength, of a plateau above --rolloff [default: no plateau]",
+    ),
+    fact(
+        Input::Gamma,
+        "gamma",
+        Unit::Number,
+        "γ",
+        "Weight of partial contact in Persson's mean gap: 1 (Persson 2007) or 0.45 (Yang & Persson 2008)",
+    ),
+    fact(
+        Input::MaxAmplitudeRatio,
+        "max-amplitude-ratio",
+        Unit::Number,
+        "B_max",
+        "Largest amplitude over wavelength, B_max",
+    ),
+    fact(
+        Input::RecordLength,
+        "record-length",
+        Unit::Length,
+        "record length",
+        "Length of the profiles whose amplitudes are taken [default: longest wavelength]",
+    ),
+    fact(
+        Input::Dimension,
+        "dimension",
+        Unit::Number,
+        "D",
+        "Fractal dimension: of a profile, between 1 and 2 (majumdar-bhushan); of a surface, between 2 and 3 \
+         (yan-komvopoulos)",
+    ),
+    fact(Input::Roughness, "roughness", Unit::Length, "G", "Fractal roughness G"),
+    fact(
+        Input::Area,
+        "area",
+        Unit::Area,
+        "nominal area",
+        "Nominal area; with --load the area that carries it",
+    ),
+    fact(
+        Input::CriticalArea,
+        "critical-area",
+        Unit::Area,
+        "critical area",
+        "Fractal models: spots larger than this are elastic, smaller ones carry nothing",
+    ),
+    fact(
+        Input::Hardness,
+        "hardness",
+        Unit::Pressure,
+        "hardness",
+        "Hardness of the softer body, for models of bodies that yield [default: that of --material where the model \
+         needs one]",
+    ),
+    fact(
+        Input::SphereRadius,
+        "sphere-radius",
+        Unit::Lengths,
+        "sphere radii",
+        "Radii of the spheres of each level, coarse to fine, such as 1mm,10um",
+    ),
+    fact(
+        Input::SphereDensity,
+        "sphere-density",
+        Unit::PerAreas,
+        "sphere densities",
+        "Spheres per area of each level, coarse to fine, such as 1mm^-2,1e4mm^-2",
+    ),
+];
+
+const fn fact(
+    input: Input,
+    name: &'static str,
+    unit: Unit,
+    words: &'static str,
+    help: &'static str,
+) -> InputFact {
+    InputFact { input, name, unit, words, help }
+}
+
+impl Input {
+    /// What is known of it.
+    pub fn fact(self) -> &'static InputFact {
+        &INPUTS[self as usize] // a test holds that they stand in the order of the names
+    }
+
+    /// The name of its option, `asperity-density`.
+    pub fn name(self) -> &'static str {
+        self.fact().name
+    }
+
+    /// What it is.
+    pub fn words(self) -> &'static str {
+        self.fact().words
+    }
+}
+
+/// Inputs that together make a model.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct InputSet {
+    /// All of these.
+    pub required: Vec<Input>,
+    /// And any of these.
+    pub optional: Vec<Input>,
+}
+
+impl InputSet {
+    /// Whether it holds `input`.
+    pub fn takes(&self, input: Input) -> bool {
+        self.required.contains(&input) || self.optional.contains(&input)
+    }
+
+    /// "m2, hardness \[m0, m4\]", with each input as `name` calls it and `between` them.
+    pub fn shown(&self, name: impl Fn(Input) -> String, between: &str) -> String {
+        let list = |all: &[Input]| all.iter().map(|i| name(*i)).collect::<Vec<_>>();
+        let mut words = list(&self.required).join(between);
+        let optional = list(&self.optional);
+        if between == " " {
+            words.extend(optional.iter().map(|o| format!(" [{o}]")));
+        } else if !optional.is_empty() {
+            words += &format!(" [{}]", optional.join(between));
+        }
+        words
+    }
+}
+
+/// "m0, m2, m4; or …".
+pub(crate) fn in_words(sets: &[InputSet]) -> String {
+    let each = sets.iter().map(|set| set.shown(|i| i.words().to_owned(), ", "));
+    each.collect::<Vec<_>>().join("; or ")
+}
+
+/// What a map must be read for, beside the moments, before the model can be made from it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum OfMap {
+    /// Nothing, or the model is not made from a map.
+    #[default]
+    Moments,
+    /// The radial spectrum.
+    Spectrum,
+    /// Amplitudes of the rows.
+    Amplitudes,
+    /// The power law of the radial spectrum.
+    Fractal,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_input_is_in_its_place() {
+        for (i, row) in INPUTS.iter().enumerate() {
+            assert_eq!(row.input as usize, i, "{}", row.name);
+            assert!(!INPUTS[..i].iter().any(|other| other.name == row.name), "{}", row.name);
+        }
+    }
+}

@@ -1,0 +1,398 @@
+//! The built-in theories: one row each, in the order of tables and figures. A new one is a row here.
+
+use crate::inputs::Inputs;
+use crate::needs::{Input, InputSet, OfMap, in_words};
+use crate::theory::{Assumes, BuildError, Card, Theory};
+use Input::{
+    Area, AsperityDensity, AsperityHeightStd, AsperityRadius, CriticalArea, Cutoff, Dimension,
+    Gamma, Hardness, Hurst, Longest, M0, M2, M4, MaxAmplitudeRatio, MeanOffset, RecordLength,
+    Rolloff, Roughness, SphereDensity, SphereRadius,
+};
+use asperity_models::{BushGibsonThomas, ChangEtsionBogy, GreenwoodElliptical};
+use contact_types::{
+    AmplitudeSpectrum, Citation, ContactModel, ContactState, FractalParameters, ModelError,
+    SeparationModel, SpectralMoments,
+};
+use gw_closed_form::GreenwoodWilliamson;
+use multiscale_models::{
+    Archard, Equation, JacksonStreator, MajumdarBhushan, Persson, PerssonWithYield, Stacked,
+    YanKomvopoulos,
+};
+use std::sync::Arc;
+
+/// One set of inputs: all of the first, any of the second.
+type Set = (&'static [Input], &'static [Input]);
+
+const MOMENTS: Set = (&[M0, M2, M4], &[]);
+const SELF_AFFINE: Set = (&[Hurst, Rolloff, Cutoff, M0], &[Longest]);
+const OF_RECORD: Set = (&[Hurst, Rolloff, Cutoff, M0], &[Longest, RecordLength]);
+
+/// One theory; see [`Card`] for the words. `needs` are the sets of numbers it can be made from, the usual first.
+struct Row {
+    name: &'static str,
+    label: &'static str,
+    title: &'static str,
+    needs: &'static [Set],
+    of_map: OfMap,
+    domain: &'static str,
+    from_map: bool,
+    yields: bool,
+    assumes: Assumes,
+    build: Build,
+}
+
+/// How a model is made: one whose theory has a separation of the undeformed planes, or one that
+/// knows the pressure only.
+#[derive(Clone, Copy)]
+enum Build {
+    Separation(fn(&Inputs) -> Result<Box<dyn SeparationModel>, BuildError>),
+    Pressure(fn(&Inputs) -> Result<Box<dyn ContactModel>, BuildError>),
+}
+
+const ROWS: &[Row] = &[
+    Row {
+        name: "gw",
+        label: "GW",
+        title: "Greenwood–Williamson, exact",
+        needs: &[
+            MOMENTS,
+            (&[AsperityDensity, AsperityRadius, AsperityHeightStd], &[MeanOffset]),
+            SELF_AFFINE,
+        ],
+        of_map: OfMap::Moments,
+        domain: "isotropic Gaussian surface, contact below about 10 % of it",
+        from_map: true,
+        yields: false,
+        assumes: Assumes::Summits,
+        build: Build::Separation(|inputs| {
+            if let Some(asperities) = inputs.asperities {
+                return Ok(Box::new(GreenwoodWilliamson::new(asperities, inputs.modulus)?));
+            }
+            let moments = moments(inputs, "Greenwood-Williamson")?;
+            Ok(Box::new(GreenwoodWilliamson::from_moments(moments, inputs.modulus)?))
+        }),
+    },
+    Row {
+        name: "bgt",
+        label: "BGT",
+        title: "Bush–Gibson–Thomas",
+        needs: &[MOMENTS, SELF_AFFINE],
+        of_map: OfMap::Moments,
+        domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
+        from_map: true,
+        yields: false,
+        assumes: Assumes::Summits,
+        build: Build::Separation(|inputs| {
+            let moments = moments(inputs, "Bush-Gibson-Thomas")?;
+            Ok(Box::new(BushGibsonThomas::new(moments, inputs.modulus)?))
+        }),
+    },
+    Row {
+        name: "greenwood-elliptical",
+        label: "Elliptical",
+        title: "Greenwood simplified elliptical",
+        needs: &[MOMENTS, SELF_AFFINE],
+        of_map: OfMap::Moments,
+        domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
+        from_map: true,
+        yields: false,
+        assumes: Assumes::Summits,
+        build: Build::Separation(|inputs| {
+            let moments = moments(inputs, "Greenwood simplified elliptical")?;
+            Ok(Box::new(GreenwoodElliptical::new(moments, inputs.modulus)?))
+        }),
+    },
+    Row {
+        name: "persson",
+        label: "Persson",
+        title: "Persson",
+        needs: &[(&[Hurst, Rolloff, Cutoff, M0], &[Longest, Gamma]), (&[M2], &[M0, M4])],
+        of_map: OfMap::Spectrum,
+        domain: "isotropic Gaussian surface, any load; reads low at light load; the mean gap needs a spectrum",
+        from_map: true,
+        yields: false,
+        assumes: Assumes::Gaussian,
+        build: Build::Pressure(persson),
+    },
+    Row {
+        name: "stacked",
+        label: "Stacked",
+        title: "Stacked multiscale",
+        needs: &[(&[MaxAmplitudeRatio], &[]), OF_RECORD],
+        of_map: OfMap::Amplitudes,
+        domain: "depends on the record length and on the direction of the rows",
+        from_map: true,
+        yields: false,
+        assumes: Assumes::Amplitudes,
+        build: Build::Pressure(|inputs| {
+            if let Some(ratio) = inputs.max_amplitude_ratio {
+                return Ok(Box::new(Stacked::new(ratio, inputs.modulus)?));
+            }
+            let amplitudes = amplitudes(inputs, "Stacked multiscale")?;
+            Ok(Box::new(Stacked::from_amplitudes(amplitudes, inputs.modulus)?))
+        }),
+    },
+    Row {
+        name: "multiscale",
+        label: "Multiscale",
+        title: "Jackson–Streator multiscale",
+        needs: &[OF_RECORD],
+        of_map: OfMap::Amplitudes,
+        domain: "depends on the record length and on the direction of the rows",
+        from_map: true,
+        yields: false,
+        assumes: Assumes::Amplitudes,
+        build: Build::Pressure(|inputs| {
+            let amplitudes = amplitudes(inputs, "Jackson-Streator multiscale")?;
+            Ok(Box::new(JacksonStreator::new(amplitudes.clone(), inputs.modulus)?))
+        }),
+    },
+    Row {
+        name: "archard",
+        label: "Archard",
+        title: "Archard, spheres on spheres",
+        needs: &[(&[SphereRadius, SphereDensity], &[])],
+        of_map: OfMap::Moments,
+        domain: "many spheres per contact of the level above, and far apart",
+        from_map: false,
+        yields: false,
+        assumes: Assumes::Amplitudes,
+        build: Build::Pressure(|inputs| {
+            let spheres = Some(&inputs.spheres).filter(|spheres| !spheres.is_empty());
+            let spheres = missing(spheres, "Archard", "the radius and density of its spheres")?;
+            Ok(Box::new(Archard::new(spheres, inputs.modulus)?))
+        }),
+    },
+    Row {
+        name: "majumdar-bhushan",
+        label: "MB",
+        title: "Majumdar–Bhushan",
+        needs: &[
+            (&[Dimension, Roughness, Area], &[CriticalArea]),
+            (&[Dimension, Roughness, Area, Hardness], &[]),
+        ],
+        of_map: OfMap::Fractal,
+        domain: "profile with 1 < D < 1.5, with a critical area or hardness D < 2; elastic without hardness",
+        from_map: true,
+        yields: false,
+        assumes: Assumes::Fractal,
+        build: Build::Pressure(|inputs| {
+            let (fractal, area) = fractal(inputs, "Majumdar-Bhushan")?;
+            let model = MajumdarBhushan::new(fractal, area, inputs.modulus)?;
+            Ok(Box::new(match (inputs.critical_area, inputs.hardness) {
+                (Some(critical), _) => model.with_critical_area(critical)?,
+                (None, Some(hardness)) => model.with_hardness(hardness)?,
+                (None, None) => model,
+            }))
+        }),
+    },
+    Row {
+        name: "yan-komvopoulos",
+        label: "YK",
+        title: "Yan–Komvopoulos",
+        needs: &[
+            (&[Dimension, Roughness, Area], &[CriticalArea]),
+            (&[Dimension, Roughness, Area, Hardness], &[]),
+        ],
+        of_map: OfMap::Moments,
+        domain: "surface with 2 < D < 2.5, with a critical area or hardness D < 3; elastic without hardness",
+        from_map: false,
+        yields: false,
+        assumes: Assumes::Fractal,
+        build: Build::Pressure(|inputs| {
+            let (fractal, area) = fractal(inputs, "Yan-Komvopoulos")?;
+            let FractalParameters { dimension, roughness } = fractal;
+            let model = YanKomvopoulos::new(dimension, roughness, area, inputs.modulus)?;
+            Ok(Box::new(match (inputs.critical_area, inputs.hardness) {
+                (Some(critical), _) => model.with_critical_area(critical)?,
+                (None, Some(hardness)) => model.with_hardness(hardness)?,
+                (None, None) => model,
+            }))
+        }),
+    },
+    Row {
+        name: "equation",
+        label: "Equation",
+        title: "The equation (fitted)",
+        needs: &[MOMENTS, SELF_AFFINE],
+        of_map: OfMap::Moments,
+        domain: "isotropic Gaussian surface, area from 0.1 %: within 15 % at light load, 5 % at heavy load",
+        from_map: true,
+        yields: false,
+        assumes: Assumes::Gaussian,
+        build: Build::Pressure(|inputs| {
+            let moments = moments(inputs, "The equation")?;
+            Ok(Box::new(Equation::from_moments(moments, inputs.modulus)?))
+        }),
+    },
+    Row {
+        name: "ceb",
+        label: "CEB",
+        title: "Chang–Etsion–Bogy",
+        needs: &[
+            (&[Hardness, M0, M2, M4], &[]),
+            (&[Hardness, AsperityDensity, AsperityRadius, AsperityHeightStd], &[MeanOffset]),
+            (&[Hardness, Hurst, Rolloff, Cutoff, M0], &[Longest]),
+        ],
+        of_map: OfMap::Moments,
+        domain: "isotropic Gaussian surface whose summits yield, contact below about 10 % of it",
+        from_map: false,
+        yields: true,
+        assumes: Assumes::Summits,
+        build: Build::Separation(|inputs| {
+            const NAME: &str = "Chang-Etsion-Bogy";
+            let what = "asperities, or the spectral moments m0, m2 and m4";
+            let asperities = missing(inputs.asperities(), NAME, what)?;
+            let hardness = missing(inputs.hardness, NAME, "a hardness")?;
+            let (modulus, poisson) = (inputs.modulus, inputs.poisson);
+            Ok(Box::new(ChangEtsionBogy::new(asperities, modulus, hardness, poisson)?))
+        }),
+    },
+    Row {
+        name: "persson-yield",
+        label: "Persson, H",
+        title: "Persson with yield",
+        needs: &[
+            (&[Hardness, M2], &[M0, M4]),
+            (&[Hardness, Hurst, Rolloff, Cutoff, M0], &[Longest]),
+        ],
+        of_map: OfMap::Moments,
+        domain: "isotropic Gaussian surface that yields, any load below the hardness; reads low",
+        from_map: false,
+        yields: true,
+        assumes: Assumes::Gaussian,
+        build: Build::Pressure(|inputs| {
+            const NAME: &str = "Persson with yield";
+            let m2 = missing(inputs.m2(), NAME, "the moment m2")?;
+            let hardness = missing(inputs.hardness, NAME, "a hardness")?;
+            let gradient = (2.0 * m2).sqrt();
+            Ok(Box::new(PerssonWithYield::new(gradient, inputs.modulus, hardness)?))
+        }),
+    },
+];
+
+fn persson(inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
+    let with_gamma = |model: Persson| model.with_gamma(inputs.gamma());
+    if let Some(spectrum) = inputs.self_affine {
+        let model = Persson::from_self_affine(spectrum, inputs.modulus)?;
+        return Ok(Box::new(with_gamma(model)?));
+    }
+    let of_m2 = |m2| {
+        let moments = SpectralMoments { m0: 0.0, m2, m4: 0.0 };
+        Persson::from_moments(moments, inputs.modulus)
+    };
+    let Some(spectrum) = &inputs.spectrum else {
+        let m2 = missing(inputs.m2(), "Persson", "a spectrum or the moment m2")?;
+        return Ok(Box::new(of_m2(m2)?));
+    };
+    let whole = with_gamma(Persson::from_spectrum(spectrum, inputs.modulus)?)?;
+    Ok(match inputs.m2() {
+        Some(m2) => Box::new(AreaAndGap { area: of_m2(m2)?, gap: whole }),
+        None => Box::new(whole),
+    })
+}
+
+/// The area by the moments that every model is given, the mean gap by the spectrum, which has
+/// another m2: it sees the waves near two points in full.
+struct AreaAndGap {
+    area: Persson,
+    gap: Persson,
+}
+
+impl ContactModel for AreaAndGap {
+    fn citation(&self) -> Citation {
+        self.area.citation()
+    }
+
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        let gap = self.gap.at_pressure(mean_pressure)?;
+        let area = self.area.at_pressure(mean_pressure)?;
+        Ok(ContactState { separation: gap.separation, mean_gap: gap.mean_gap, ..area })
+    }
+}
+
+/// An input, or that it is missing.
+fn missing<T>(value: Option<T>, model: &'static str, needs: &'static str) -> Result<T, BuildError> {
+    value.ok_or_else(|| BuildError::missing(model, needs))
+}
+
+fn moments(inputs: &Inputs, model: &'static str) -> Result<SpectralMoments, BuildError> {
+    missing(inputs.moments, model, "the spectral moments m0, m2 and m4")
+}
+
+fn amplitudes<'a>(
+    inputs: &'a Inputs,
+    model: &'static str,
+) -> Result<&'a AmplitudeSpectrum, BuildError> {
+    missing(inputs.amplitudes.as_ref(), model, "the amplitudes of profiles")
+}
+
+fn fractal(inputs: &Inputs, model: &'static str) -> Result<(FractalParameters, f64), BuildError> {
+    let what = "a fractal fit with 1 < D < 2 over at least an octave, or dimension and roughness";
+    let parameters = missing(inputs.fractal, model, what)?;
+    Ok((parameters, missing(inputs.nominal_area, model, "the nominal area")?))
+}
+
+/// Every built-in theory.
+pub(crate) fn all() -> Vec<Arc<dyn Theory>> {
+    ROWS.iter().map(|row| Arc::new(row.theory()) as Arc<dyn Theory>).collect()
+}
+
+impl Row {
+    /// Its card says what the model says of its source.
+    fn theory(&self) -> BuiltIn {
+        let example = Inputs::examples().iter().find_map(|i| self.build.pressure(i).ok());
+        let example = example.expect("a test makes every row from these inputs");
+        let set = |(required, optional): &Set| InputSet {
+            required: required.to_vec(),
+            optional: optional.to_vec(),
+        };
+        let inputs: Vec<InputSet> = self.needs.iter().map(set).collect();
+        let mut card = Card::new(self.name, self.title, example.citation());
+        card.formula = example.formula().unwrap_or_default().into();
+        card.label = self.label.into();
+        card.needs = in_words(&inputs).into();
+        card.inputs = inputs;
+        card.of_map = self.of_map;
+        card.domain = self.domain.into();
+        card.assumes = self.assumes;
+        card.from_map = self.from_map;
+        card.yields = self.yields;
+        card.has_separation = matches!(self.build, Build::Separation(_));
+        BuiltIn { card, build: self.build }
+    }
+}
+
+impl Build {
+    fn pressure(self, inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
+        match self {
+            Self::Separation(build) => Ok(build(inputs)?),
+            Self::Pressure(build) => build(inputs),
+        }
+    }
+}
+
+struct BuiltIn {
+    card: Card,
+    build: Build,
+}
+
+impl Theory for BuiltIn {
+    fn card(&self) -> &Card {
+        &self.card
+    }
+
+    fn build(&self, inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
+        self.build.pressure(inputs)
+    }
+
+    fn build_separation(
+        &self,
+        inputs: &Inputs,
+    ) -> Option<Result<Box<dyn SeparationModel>, BuildError>> {
+        match self.build {
+            Build::Separation(build) => Some(build(inputs)),
+            Build::Pressure(_) => None,
+        }
+    }
+}
