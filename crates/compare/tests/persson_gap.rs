@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-use contact_types::{ContactModel, ContactModulus, Grid};
+use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, Solver};
 use multiscale_models::Persson;
 use surface_stats::spectrum::radial;
