@@ -17,6 +17,8 @@ pub(crate) struct Asked<'a> {
     pub(crate) surface: &'a HeightMap,
     pub(crate) setup: Setup,
     pub(crate) aim: Aim,
+    /// Relative half widths of modulus and hardness.
+    pub(crate) materials: [f64; 2],
     /// What the contact conducts, where its stiffness is asked for.
     pub(crate) conduction: Option<&'a Conduction>,
 }
@@ -44,7 +46,9 @@ impl Asked<'_> {
         let area = self.surface.grid().area();
         let conduction = self.conduction.map(|c| (c, modulus, area));
         let (known, trouble) = (None, None);
-        let mut to = ToWork { loads, order: &order, work, watch, conduction, known, trouble };
+        let materials = self.materials;
+        let mut to =
+            ToWork { loads, order: &order, work, watch, conduction, materials, known, trouble };
         let reached = climb(&task, &mut to);
         match (to.trouble, reached) {
             (Some(failure), _) => Err(failure),
@@ -62,6 +66,7 @@ struct ToWork<'a> {
     work: &'a mut Work,
     watch: &'a mut dyn Watch,
     conduction: Option<(&'a Conduction, ContactModulus, f64)>,
+    materials: [f64; 2],
     known: Option<Map>,
     trouble: Option<Failure>,
 }
@@ -81,6 +86,7 @@ impl Sink for ToWork<'_> {
     fn take(&mut self, index: usize, result: Result<Answered, SolverError>) -> ControlFlow<()> {
         let place = self.order[index];
         let load = self.loads[place];
+        let result = result.map(|found| found.with_materials(self.materials));
         let Some(known) = self.known else { return ControlFlow::Break(()) };
         if let Err(failure) =
             self.work.take(place, load, result, &known, self.conduction, self.watch)

@@ -178,6 +178,7 @@ impl Question {
         let of_set = self.stiffness || self.conduction.is_asked();
         let mut plan = None;
         let mut is_stopped = false;
+        let materials = compare::spreads(&self.materials);
         let aim = match (self.accuracy, self.fast) {
             (Some(request), _) => Some(Aim::Within(request)),
             (None, true) => Some(Aim::Fast),
@@ -188,6 +189,7 @@ impl Question {
                 surface: &surface,
                 setup,
                 aim,
+                materials,
                 conduction: of_set.then_some(&self.conduction),
             };
             plan = climbed.solve(&self.loads, &mut work, watch)?;
@@ -206,6 +208,7 @@ impl Question {
                 let load = self.loads[index];
                 watch.working_on(load);
                 let result = ladder.solve(load, of_set, |now| watch.iterated(index, load, now));
+                let result = result.map(|found| found.with_materials(materials));
                 if matches!(result, Err(SolverError::Stopped(_))) {
                     is_stopped = true;
                     break;

@@ -21,6 +21,8 @@ const TYPICAL_AREA: f64 = 0.02;
 /// what touches, and the pressure in a byte a dot.
 pub(crate) struct Curve {
     pub(crate) map: Map,
+    /// Relative half widths of modulus and hardness.
+    materials: [f64; 2],
     wanted: Option<f64>,
     edges: EdgesName,
     pub(crate) points: Vec<DeterministicPoint>,
@@ -47,9 +49,15 @@ pub(crate) struct Curve {
 }
 
 impl Curve {
-    pub(crate) fn new(map: Map, wanted: Option<f64>, edges: EdgesName) -> Self {
+    pub(crate) fn new(
+        map: Map,
+        wanted: Option<f64>,
+        edges: EdgesName,
+        materials: [f64; 2],
+    ) -> Self {
         Self {
             map,
+            materials,
             wanted,
             edges,
             points: Vec::new(),
@@ -77,6 +85,7 @@ impl Curve {
         };
         let (answer, mut solution, trouble) = match result {
             Ok(answered) => {
+                let answered = answered.with_materials(self.materials);
                 let [coarser, finer] = answered.seconds;
                 self.beside_seconds =
                     [self.beside_seconds[0] + coarser, self.beside_seconds[1] + finer];
@@ -164,7 +173,8 @@ pub(crate) struct ToCurve<'a> {
 
 impl Sink for ToCurve<'_> {
     fn begin(&mut self, map: &HeightMap, known: &Map) {
-        *self.curve = Curve::new(*known, self.curve.wanted, self.curve.edges);
+        let Curve { wanted, edges, materials, .. } = *self.curve;
+        *self.curve = Curve::new(*known, wanted, edges, materials);
         self.curve.solved = (map.grid() != self.given).then(|| map.clone());
     }
 

@@ -67,6 +67,7 @@ pub use first_contact::FirstContact;
 pub use inputs::{Inputs, MomentSource};
 pub use materials::{
     Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
+    spreads,
 };
 pub use needs::{INPUTS, Input, InputFact, InputSet, OfMap, Unit};
 pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};

@@ -131,6 +131,29 @@ pub fn materials() -> &'static [Material] {
     })
 }
 
+/// Relative half widths of contact modulus and hardness that the table leaves, of what was taken from it: half of
+/// the logarithm of the range, of one source alone the median of the others. The least known modulus counts, and the
+/// hardness of the softest.
+pub fn spreads(used: &[MaterialUse]) -> [f64; 2] {
+    let taken = |property: Property| {
+        let of = used.iter().filter(move |u| u.taken.contains(&property));
+        of.filter_map(move |u| material(&u.name).ok()?.get(property))
+    };
+    let modulus =
+        taken(Property::Young).map(|listed| spread(listed, Property::Young)).fold(0.0, f64::max);
+    let softest = taken(Property::Hardness).min_by(|a, b| a.value.total_cmp(&b.value));
+    [modulus, softest.map_or(0.0, |listed| spread(listed, Property::Hardness))]
+}
+
+fn spread(listed: &Listed, property: Property) -> f64 {
+    let own = |listed: &Listed| 0.5 * (listed.range[1] / listed.range[0]).ln();
+    if own(listed) > 0.0 {
+        return own(listed);
+    }
+    let all = materials().iter().filter_map(|m| m.get(property)).map(own);
+    contact_accuracy::median(all.filter(|s| *s > 0.0)).unwrap_or(0.0)
+}
+
 /// The material of this name, in any case.
 ///
 /// # Errors

@@ -5,6 +5,7 @@ use crate::conducted::Conduction;
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
 use crate::inputs::Inputs;
+use crate::materials::spreads;
 use crate::progress::{Listener, Progress, StudyError};
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, SurfaceComparison,
@@ -171,6 +172,8 @@ fn compare(
         Ladder::new(map.clone(), setup(builder, finer)).map_err(|e| refused_ladder(e, &name))
     };
     let whole = builder(settings).maps(Maps::PressureAndGap).section(section);
+    let materials = spreads(&settings.materials);
+    let new_curve = |known| Curve::new(known, settings.headline, settings.edges, materials);
     let aim = match (settings.accuracy, settings.fast) {
         (Some(accuracy), _) => {
             let request =
@@ -183,7 +186,7 @@ fn compare(
     let (curve, plan) = match aim {
         None => {
             let mut ladder = rungs(whole, Finer::WhenNeeded)?;
-            let mut curve = Curve::new(*ladder.known(), settings.headline, settings.edges);
+            let mut curve = new_curve(*ladder.known());
             ladder.follow_curve(pressures.len());
             for (i, &p) in pressures.iter().enumerate() {
                 solve(&mut ladder, (i, p), settings.conducts(), &mut curve, &mut tell)?;
@@ -197,7 +200,7 @@ fn compare(
             let setup = setup(whole, Finer::WhenNeeded);
             let stiffness = settings.conducts();
             let task = Task { map: &map, setup, loads: &loads, aim, stiffness, section };
-            let mut curve = Curve::new(Map::of(&map), settings.headline, settings.edges);
+            let mut curve = new_curve(Map::of(&map));
             let mut sink = ToCurve {
                 curve: &mut curve,
                 given: map.grid(),
@@ -215,7 +218,7 @@ fn compare(
     if settings.hardness.is_some() {
         let mut ladder = rungs(elastic(settings).maps(Maps::Pressure), Finer::WhenNeeded)?;
         ladder.follow_curve(deterministic.len());
-        let mut beside = Curve::new(known, settings.headline, settings.edges);
+        let mut beside = new_curve(known);
         for (i, point) in deterministic.iter().enumerate() {
             // Where nothing has yielded, the answer is the elastic one.
             let yielded = point.answer.as_ref().and_then(|a| a.yielded);

@@ -131,10 +131,23 @@ impl Budget {
             }
             _ => None,
         };
-        self.area.least = 0.0; // it moves with the load
+        self.area.least = [0.0; 2]; // it moves with the load
         self.mean_pressure = pressure;
         self.mean_gap = Some(Estimate::exact(gap.value));
         self.given = Given::Gap;
+        self
+    }
+
+    /// The same where the contact modulus and the hardness are known to these relative half widths only. Elastic
+    /// contact goes as 1/E\*, yielded contact as 1/H: each by its share of area and load.
+    #[must_use]
+    pub fn with_materials(mut self, [modulus, hardness]: [f64; 2], solution: &Solution) -> Self {
+        let touching = solution.state.area_fraction;
+        let yielded = solution.diagnostics.yielded.filter(|_| touching > 0.0);
+        let [load, area] =
+            yielded.map_or([0.0; 2], |y| [y.load_share, (y.area_fraction / touching).min(1.0)]);
+        self.area.materials = self.area.value * ((1.0 - area) * modulus).hypot(load * hardness);
+        self.area.least[1] = self.area.least[0] * (-hardness).exp();
         self
     }
 

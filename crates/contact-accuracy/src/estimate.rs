@@ -82,15 +82,18 @@ pub struct Estimate {
     pub uncertainty: Result<Parts, NoUncertainty>,
     /// Sampling variability: 95 % half width over maps of the same surface, if this map can tell.
     pub sampling: Option<f64>,
-    /// Smallest value that it can have.
-    pub(crate) least: f64,
+    /// Half width from the spread of the materials' numbers.
+    pub materials: f64,
+    /// Smallest value that it can have, as a number of this map and of these materials.
+    pub(crate) least: [f64; 2],
     /// Largest value that it can have.
     pub(crate) most: f64,
 }
 
 impl Estimate {
     pub(crate) fn above_zero(value: f64, uncertainty: Result<Parts, NoUncertainty>) -> Self {
-        Self { value, uncertainty, sampling: None, least: 0.0, most: f64::INFINITY }
+        let (sampling, materials, least) = (None, 0.0, [0.0; 2]);
+        Self { value, uncertainty, sampling, materials, least, most: f64::INFINITY }
     }
 
     /// A number that was prescribed.
@@ -106,10 +109,11 @@ impl Estimate {
         Ok(self.uncertainty?.half_width())
     }
 
-    /// The same as a number of the surface, of which the map is a sample. The sampling variability is independent
-    /// of the rest: squares add.
+    /// The same as a number of the surface and its materials, of which the map is a sample. Sampling variability and
+    /// materials are independent of the rest: squares add. `None` if neither is known.
     pub fn prediction_half_width(&self) -> Option<f64> {
-        Some(self.half_width().ok()?.hypot(self.sampling?))
+        let beside = self.sampling.or((self.materials > 0.0).then_some(0.0))?;
+        Some(self.half_width().ok()?.hypot(beside).hypot(self.materials))
     }
 
     /// `[low, high]` as the number of this map.
@@ -117,17 +121,17 @@ impl Estimate {
     /// # Errors
     /// Why there is none.
     pub fn interval(&self) -> Result<[f64; 2], NoUncertainty> {
-        Ok(self.around(self.half_width()?))
+        Ok(self.around(self.half_width()?, self.least[0]))
     }
 
-    /// `[low, high]` as a number of the surface.
+    /// `[low, high]` as a number of the surface and its materials.
     pub fn prediction(&self) -> Option<[f64; 2]> {
-        Some(self.around(self.prediction_half_width()?))
+        Some(self.around(self.prediction_half_width()?, self.least[1]))
     }
 
-    fn around(&self, half: f64) -> [f64; 2] {
+    fn around(&self, half: f64, least: f64) -> [f64; 2] {
         // Rounding may leave a number just below the least, where no end may follow.
-        let low = (self.value - half).max(self.least).min(self.most);
+        let low = (self.value - half).max(least).min(self.most);
         [low, (self.value + half).min(self.most).max(low)]
     }
 }

@@ -79,6 +79,14 @@ pub struct Answered {
     pub seconds: [f64; 2],
 }
 
+impl Answered {
+    /// The same where contact modulus and hardness are known to these relative half widths only.
+    #[must_use]
+    pub fn with_materials(self, spreads: [f64; 2]) -> Self {
+        Self { budget: self.budget.with_materials(spreads, &self.solution), ..self }
+    }
+}
+
 impl Ladder {
     /// Makes the rungs of `map`.
     ///

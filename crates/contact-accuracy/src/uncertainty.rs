@@ -76,7 +76,8 @@ impl Uncertain {
             Ok(Parts { contact_line: self.line, counting: self.counting, iteration, ..moved })
         };
         let uncertainty = self.iteration.and_then(|[area, _]| parts(area * value));
-        Estimate { value, uncertainty, sampling: None, least, most: 1.0 }
+        let (sampling, materials, least) = (None, 0.0, [least; 2]);
+        Estimate { value, uncertainty, sampling, materials, least, most: 1.0 }
     }
 
     /// Of the mean gap, with that of the area.

@@ -52,5 +52,6 @@ fn sources(estimate: Estimate) -> Value {
         "finer": parts.map(|p| p.finer),
         "iteration": parts.map(|p| p.iteration),
         "sampling": estimate.sampling,
+        "materials": estimate.materials,
     })
 }

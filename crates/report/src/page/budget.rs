@@ -66,6 +66,12 @@ pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, a
             "from 8 × 8 blocks of this solution and the long waves of the map",
         ),
         row(
+            "",
+            "Materials",
+            &|e| (e.materials > 0.0).then_some(e.materials),
+            "spread of the table's modulus and hardness",
+        ),
+        row(
             " class=\"sum\"",
             "Of the surface ±",
             &Estimate::prediction_half_width,

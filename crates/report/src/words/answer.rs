@@ -59,10 +59,13 @@ fn real_pressure_of(load: f64, area: f64, half: Option<f64>) -> String {
 
 /// What the ± of [`area_prediction`] covers; empty if there is none.
 pub(crate) fn covers(answer: &DeterministicAnswer) -> &'static str {
-    match (answer.uncertainty(), answer.budget.area.sampling) {
-        (None, _) => "",
-        (Some(_), Some(_)) => "± with sampling variability",
-        (Some(_), None) => COMPARISON,
+    let area = &answer.budget.area;
+    match (answer.uncertainty(), area.sampling, area.materials > 0.0) {
+        (None, ..) => "",
+        (Some(_), Some(_), true) => "± with sampling variability and materials",
+        (Some(_), Some(_), false) => "± with sampling variability",
+        (Some(_), None, true) => "± with materials",
+        (Some(_), None, false) => COMPARISON,
     }
 }
 
