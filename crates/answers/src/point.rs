@@ -32,12 +32,10 @@ pub struct Point {
 impl Point {
     /// Of a load that was solved.
     pub(crate) fn of(load: Load, answered: &Answered) -> Self {
-        let Answered { solution, budget, coarser, finer, seconds, .. } = answered;
+        let Answered { solution, budget, coarser, finer, .. } = answered;
         let mut json = object(load, Some((solution, budget)), None);
         json["coarser"] = json!(coarser.iter().map(numbers).collect::<Vec<_>>());
         json["finer"] = json!(finer.as_ref().map(numbers));
-        json["seconds_coarser"] = json!(seconds[0]);
-        json["seconds_finer"] = json!(seconds[1]);
         Self { budget: Some(*budget), finer: *finer, converged: true, ..Self::bare(load, json) }
     }
 

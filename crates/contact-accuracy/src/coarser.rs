@@ -12,7 +12,7 @@ use fft_bem_solver::{
 /// First row and column of each thinned map.
 const PHASES: [[usize; 2]; 2] = [[0, 0], [1, 1]];
 /// Fewest points along a side of a thinned map.
-pub const FEWEST: usize = 32;
+pub const FEWEST: usize = 8;
 
 /// The numbers of one solution that an uncertainty is known of.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -65,7 +65,7 @@ pub struct Ladder {
 /// A load that was solved for.
 #[derive(Debug)]
 pub struct Answered {
-    /// On the map.
+    /// On the map; its seconds are those of all rungs.
     pub solution: Solution,
     /// Its contact set, if that was asked for its stiffness.
     pub set: Option<SetStiffness>,
@@ -75,7 +75,7 @@ pub struct Answered {
     pub coarser: Vec<Numbers>,
     /// On twice the points, if that was needed.
     pub finer: Option<Numbers>,
-    /// Time on the thinned maps, and on twice the points (s).
+    /// Of its seconds those on the thinned maps, and on twice the points (s).
     pub seconds: [f64; 2],
 }
 
@@ -181,6 +181,7 @@ impl Ladder {
             found = Budget { indicator: found.indicator, ..budget(&beside, &self.known) };
         }
         let seconds = [coarse_seconds, clock.elapsed().as_secs_f64()];
+        solution.diagnostics.seconds += seconds[0] + seconds[1];
         let (set, coarser) = (set.cloned(), coarser.unwrap_or_default());
         Ok(Answered { solution, set, budget: found, coarser, finer, seconds })
     }

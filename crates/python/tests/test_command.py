@@ -12,8 +12,6 @@ def without_times(answer):
     plan.pop("explanation", None)  # in words, with its time
     for point in answer["points"]:
         point["seconds"] = None
-        for key in ("seconds_coarser", "seconds_finer"):
-            point[key] = None
     return answer
 
 

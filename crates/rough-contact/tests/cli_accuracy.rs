@@ -113,7 +113,7 @@ fn a_fast_answer_says_what_the_next_rung_gives() {
 fn what_the_data_cannot_support_is_said() {
     for (cutoff, load, why) in [
         (2.0, "5MPa", "the result depends on interpolation between points"),
-        (4.0, "0.1MPa", "0.1\u{202F}MPa"),
+        (4.0, "0.1MPa", "at 100\u{202F}kPa, and no finer grid"),
     ] {
         let folder = folder();
         let solve = surface(folder.path(), cutoff, "");

@@ -103,13 +103,6 @@ fn mirror_images_at_the_edges() {
 
     let solve = format!("solve {file} --pressure 1MPa --edges mirrored");
     refused(at, &format!("{solve} --boundary free"), 2, &["--edges mirrored", "--boundary free"]);
-    refused(at, &format!("{solve} --accuracy 5%"), 2, &["--accuracy", "--tolerance"]);
-    refused(
-        at,
-        &format!("compare {file} --edges mirrored --accuracy 5% --out no"),
-        2,
-        &["--edges"],
-    );
 
     let study = |more: &str, out: &str| {
         let line = format!("compare {file} --pressure 1GPa {more} --out {out}");
@@ -208,7 +201,7 @@ fn a_study_can_be_told_apart_and_repeated_as_its_page_says() {
                 --poisson 0.35 --pressure 10MPa..100MPa:3 --headline 31.6MPa --out out";
     let said = rough_contact(at, line);
     assert_eq!(said.status, 0, "{}", said.err);
-    for text in ["one/s.x3p, ", "two/s.x3p, ", "± of grid"] {
+    for text in ["one/s.x3p, ", "two/s.x3p, ", "± "] {
         assert!(said.out.contains(text), "{text}: {}", said.out);
     }
     let read = |name: &str| std::fs::read_to_string(at.join("out").join(name)).unwrap();

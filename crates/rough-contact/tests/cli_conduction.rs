@@ -121,8 +121,6 @@ fn nothing_is_said_unasked_and_limits_are_allowed() {
     assert!(number(&short["conduction"]["points"][1]["stiffness"]) > 0.0);
     let none = study(dir.path(), "--conductivity 0W/m/K,50W/m/K");
     assert!(number(&none["conduction"]["points"][1]["thermal_conductance"]).abs() < 1e-300);
-    let line = format!("compare a.x3p {LOADS} --accuracy 5% --resistivity 5nohm.m --out q");
-    refused(dir.path(), &line, 2, &["--accuracy"]);
     let line = format!("compare a.x3p {LOADS} --resistivity 5 --out q");
     refused(dir.path(), &line, 2, &["unit"]);
 }

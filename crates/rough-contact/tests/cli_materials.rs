@@ -105,7 +105,6 @@ fn what_the_table_does_not_know_is_asked_for() {
         ),
         ("--material copper --material gold --young 100GPa", ["--young given 1", "2 times"]),
         ("--material copper --material gold --material tin", ["3 times", "two bodies"]),
-        ("--material copper --accuracy 2%", ["--accuracy", "--hardness elastic"]),
         ("--conductivity table --modulus 1GPa", ["--material twice", "--conductivity"]),
     ] {
         refused(at, &format!("solve {FILE} {options} --pressure 1MPa"), 2, &words);

@@ -105,12 +105,8 @@ fn an_elastic_study_does_not_know_of_it() {
 fn what_a_study_cannot_do_with_a_hardness_is_refused() {
     let dir = folder();
     surface(dir.path());
-    for (line, said) in [
-        (STUDY.replace("3GPa", "0Pa"), "above 0 Pa"),
-        (format!("{STUDY} --accuracy 2%"), "--accuracy"),
-    ] {
-        refused(dir.path(), &format!("{line} --out report"), 2, &[said]);
-    }
+    let line = format!("{} --out report", STUDY.replace("3GPa", "0Pa"));
+    refused(dir.path(), &line, 2, &["above 0 Pa"]);
     let trace: Vec<String> = (0..400).map(|i| format!("{i} {}\n", (i * 37) % 11)).collect();
     cli::file(dir.path(), "p.txt", &trace.concat());
     let line =

@@ -172,7 +172,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
             found.held[2].take(stiffness, set.per_area, set.per_area);
         }
         let [coarser, finer] = answered.seconds;
-        found.seconds[0] += answered.solution.diagnostics.seconds;
+        found.seconds[0] += answered.solution.diagnostics.seconds - coarser - finer;
         found.seconds[1] += coarser;
         found.seconds[2] += finer;
     }

@@ -74,8 +74,6 @@ class Point:
     coarser: Any = _n()
     finer: dict[str, Any] | None = _n()
     interpolation_indicator: float | None = _n("1")
-    seconds_coarser: float | None = _n("s")
-    seconds_finer: float | None = _n("s")
     distributions: dict[str, Any] | None = _n()
     error: dict[str, str] | None = _n()
     #: Pressure (Pa) of every point, shape (ny, nx), if maps were kept.
