@@ -9,7 +9,7 @@ use crate::draw::svg::escape;
 use compare::Card;
 
 /// Name, look, and inputs as HTML symbols.
-const LOOKS: [(&str, Look, &str); 11] = [
+const LOOKS: [(&str, Look, &str); 12] = [
     ("gw", Look::model(GW, "6 2.5", Marker::Square, 1), MOMENTS),
     ("bgt", Look::model(BGT, "2 2", Marker::TriangleUp, 2), MOMENTS),
     ("greenwood-elliptical", Look::model(ELLIPTICAL, "", Marker::Diamond, 3), MOMENTS),
@@ -23,9 +23,14 @@ const LOOKS: [(&str, Look, &str); 11] = [
         "<i>D</i>, <i>G</i>",
     ),
     (
+        "yan-komvopoulos",
+        Look::model(MAJUMDAR_BHUSHAN, "6 1 1 1", Marker::Square, 2),
+        "<i>D</i>, <i>G</i>",
+    ),
+    (
         "equation",
         Look::model(EQUATION, "", Marker::TriangleDown, 0),
-        "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>, <i>s</i>(<i>A</i>)",
+        "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
     ),
     (
         "ceb",

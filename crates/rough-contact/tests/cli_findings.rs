@@ -41,7 +41,10 @@ fn solve_says_on_the_terminal_what_its_json_says() {
     let line = "solve noise.txt --pixel 1um --height-unit um --modulus 1GPa --pressure 1MPa,9MPa";
     let json = rough_contact(folder.path(), &format!("{line} --json")).answered();
     let found = open(&json["findings"]);
-    assert!(found.iter().any(|(claim, _)| claim.starts_with("Result depends on interpolation")), "{found:?}");
+    assert!(
+        found.iter().any(|(claim, _)| claim.starts_with("Result depends on interpolation")),
+        "{found:?}"
+    );
     let found_of = |subject: &str| {
         json["findings"].as_array().unwrap().iter().any(|f| f["subject"] == subject)
     };
