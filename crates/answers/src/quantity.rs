@@ -58,8 +58,8 @@ pub enum QuantityError {
         unit: String,
         /// The kind of quantity.
         kind: &'static str,
-        /// The unit of these letters.
-        meant: &'static str,
+        /// The units of these letters, those that differ by powers of ten with their size.
+        meant: String,
     },
     /// A decimal comma: the decimal mark is the point, the comma separates the items of a list.
     #[error("'{text}' has a decimal comma; write {meant}")]
@@ -257,10 +257,19 @@ fn is_decimal_comma(text: &str) -> bool {
 /// Why `unit` is none of this dimension.
 fn unknown(unit: String, dimension: Dimension) -> QuantityError {
     let kind = dimension.kind();
-    match dimension.near(&unit) {
-        Some(meant) => QuantityError::Misspelt { unit, kind, meant },
-        None => QuantityError::UnknownUnit { unit, kind, units: dimension.units() },
-    }
+    let meant = match dimension.near(&unit)[..] {
+        [] => return QuantityError::UnknownUnit { unit, kind, units: dimension.units() },
+        [only] => only.to_owned(),
+        ref several => {
+            let sized = |name: &&str| {
+                let (factor, exponent) = dimension.scale(name).unwrap_or((1.0, 0));
+                let size = in_si("1", factor, exponent);
+                format!("{name} ({size:e} {})", dimension.si())
+            };
+            several.iter().map(sized).collect::<Vec<_>>().join(" or ")
+        }
+    };
+    QuantityError::Misspelt { unit, kind, meant }
 }
 
 fn decimal_comma(text: &str) -> QuantityError {
@@ -388,7 +397,10 @@ mod tests {
         for (text, dimension, part) in [
             ("110Gpa", Pressure, "did you mean GPa?"),
             ("5Mpa", Pressure, "did you mean MPa?"),
-            ("5mpa", Pressure, "did you mean mPa?"),
+            // A factor of 10⁹ lies between the two: the hint says so.
+            ("5mpa", Pressure, "did you mean MPa (1e6 Pa) or mPa (1e-3 Pa)?"),
+            ("5mn", Force, "did you mean MN (1e6 N) or mN (1e-3 N)?"),
+            ("5Mn", Force, "did you mean MN?"),
             ("5KSI", Pressure, "did you mean ksi?"),
             ("3MM", Length, "did you mean mm?"),
             ("1,5um", Length, "write 1.5um"),

@@ -63,14 +63,21 @@ pub fn stiffness(pascals_per_metre: f64) -> String {
     format!("{pascals_per_metre:.2e} Pa/m")
 }
 
-/// A half width as a share of its value, such as `±2.1 %`; a dash where there is none. Of a number
-/// that may be zero only the upper end is known, as it is `shown`.
-pub fn relative(half_width: Option<f64>, value: f64, shown: impl Fn(f64) -> String) -> String {
-    match half_width {
-        Some(half) if half >= value && half > 0.0 => format!("at most {}", shown(value + half)),
-        Some(half) if value > 0.0 => format!("±{} %", significant(100.0 * half / value, 2)),
-        _ => "–".to_owned(),
+/// The ends between which a number lies, as a share of it where they are even, such as `±2.1 %`; a dash where there
+/// are none, and what is known where one of them is not.
+pub fn relative(value: f64, ends: Option<[f64; 2]>, shown: impl Fn(f64) -> String) -> String {
+    let Some([low, high]) = ends.filter(|_| value > 0.0) else { return "–".to_owned() };
+    match (low > 0.0, high.is_finite()) {
+        (false, false) => "–".to_owned(),
+        (false, true) => format!("at most {}", shown(high)),
+        (true, false) => format!("at least {}", shown(low)),
+        (true, true) => plain(&report::numbers::relative_interval(value, [low, high])),
     }
+}
+
+/// With the spaces of a terminal.
+fn plain(text: &str) -> String {
+    text.replace(report::numbers::SPACE, " ")
 }
 
 /// The highest pressure of a point. The mean over the contact cannot exceed it: where it seems to,
@@ -152,9 +159,11 @@ mod tests {
 
     #[test]
     fn a_bar_that_reaches_zero_is_one_sided() {
-        assert_eq!(relative(Some(0.016), 0.012, percent), "at most 2.80 %");
-        assert_eq!(relative(Some(0.001), 0.01, percent), "±10 %");
-        assert_eq!(relative(None, 0.01, percent), "–");
+        assert_eq!(relative(0.012, Some([0.0, 0.028]), percent), "at most 2.80 %");
+        assert_eq!(relative(0.01, Some([0.009, 0.011]), percent), "±10 %");
+        assert_eq!(relative(0.01, None, percent), "–");
+        assert_eq!(relative(35e9, Some([20e9, 166e9]), pressure), "−43 to +374 %");
+        assert_eq!(relative(35e9, Some([20e9, f64::INFINITY]), pressure), "at least 20.0 GPa");
     }
 
     #[test]

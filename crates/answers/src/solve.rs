@@ -220,6 +220,7 @@ impl Question {
             *kept = Some(ladder);
         }
         (solved.loads, solved.indicators) = (work.found(), work.indicators());
+        solved.small = work.small();
         // With a hardness no pressure is beyond it: nothing is left to warn of.
         if self.hardness.is_none() {
             solved.scene.pressed = work.pressed();

@@ -156,6 +156,21 @@ impl Dimension {
         }
     }
 
+    /// The unit of SI.
+    pub(crate) fn si(self) -> &'static str {
+        match self {
+            Self::Number => "",
+            Self::Length => "m",
+            Self::Area => "m^2",
+            Self::PerArea => "m^-2",
+            Self::Pressure => "Pa",
+            Self::Force => "N",
+            Self::Resistivity => "ohm.m",
+            Self::Conductivity => "W/m/K",
+            Self::Adhesion => "J/m^2",
+        }
+    }
+
     /// One spelling that works.
     pub fn example(self) -> &'static str {
         match self {
@@ -199,22 +214,26 @@ impl Dimension {
         }
     }
 
-    /// The unit with these letters in other cases, if there is one: of `MPa` and `mPa` the one
-    /// whose first letter is as it was typed. Of a mass the weight.
-    pub fn near(self, unit: &str) -> Option<&'static str> {
+    /// The units with these letters in other cases. An `M` is mega and an `m` may be meant for it, so that of
+    /// `mpa` there are two. Of a mass the weight.
+    pub fn near(self, unit: &str) -> Vec<&'static str> {
         let table = match self {
             Self::Length => LENGTHS,
             Self::Pressure => PRESSURES,
             Self::Force => FORCES,
-            _ => return None,
+            _ => return Vec::new(),
         };
         let is_meant = |m: &&(Self, &str, &str)| m.0 == self && m.1.eq_ignore_ascii_case(unit);
         if let Some((_, _, meant)) = MEANT.iter().find(is_meant) {
-            return Some(meant);
+            return vec![meant];
         }
-        let mut near = table.iter().filter(|(name, _, _)| name.eq_ignore_ascii_case(unit));
-        let first = near.clone().find(|(name, _, _)| name.chars().next() == unit.chars().next());
-        first.or_else(|| near.next()).map(|(name, _, _)| *name)
+        let names = table.iter().map(|(name, _, _)| *name);
+        let near: Vec<&str> = names.filter(|name| name.eq_ignore_ascii_case(unit)).collect();
+        let capital = unit.get(..1).filter(|first| first.starts_with(char::is_uppercase));
+        match near.iter().find(|name| capital.is_some_and(|first| name.starts_with(first))) {
+            Some(only) => vec![only],
+            None => near,
+        }
     }
 }
 

@@ -5,7 +5,9 @@ use crate::failure::{Failure, variant};
 use crate::loads::shown;
 use crate::point::Point;
 use crate::watch::Watch;
-use compare::{Budget, Distributions, Ended, NoUncertainty, Pressed, Spikes, spot_list};
+use compare::{
+    Budget, Distributions, Ended, NoUncertainty, Pressed, Spikes, is_below_a_point, spot_list,
+};
 use contact_accuracy::{Answered, Map};
 use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, Solution, SolverError};
@@ -54,6 +56,15 @@ impl Work {
     /// Of each load taken: how it ended, and why its area has no uncertainty, if it has none.
     pub(crate) fn found(&self) -> Vec<(Ended, Option<NoUncertainty>)> {
         self.found.iter().copied().flatten().collect()
+    }
+
+    /// How many loads have a contact that is smaller than a point.
+    pub(crate) fn small(&self) -> usize {
+        let areas =
+            self.points.iter().flatten().filter_map(|point| {
+                Some(point.solution.as_ref()?.diagnostics.area_fraction_corrected)
+            });
+        areas.filter(|area| is_below_a_point(*area, self.grid)).count()
     }
 
     /// Mean pressure and area fraction of each load that converged.

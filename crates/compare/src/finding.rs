@@ -103,7 +103,9 @@ impl Finding {
             | Fact::Adhesion(_) => Subject::Material,
             Fact::NotConverged { .. } | Fact::AtRounding { .. } => Subject::Solution,
             Fact::PlanUnmet(_) => Subject::Plan,
-            Fact::Interpolation { .. } | Fact::NoUncertainty { .. } => Subject::Grid,
+            Fact::Interpolation { .. } | Fact::NoUncertainty { .. } | Fact::BelowPoint { .. } => {
+                Subject::Grid
+            }
             Fact::EdgeJump { .. } => Subject::Edges,
             Fact::Unit { .. }
             | Fact::Spikes { .. }
@@ -179,6 +181,13 @@ pub enum Fact {
         /// Area fraction on twice the points at that load, if it was solved \[-\].
         finer: Option<f64>,
         /// Loads whose indicator exceeds its limit.
+        loads: usize,
+        /// Of how many.
+        of: usize,
+    },
+    /// Loads so light that the contact is smaller than a point of the map.
+    BelowPoint {
+        /// How many.
         loads: usize,
         /// Of how many.
         of: usize,

@@ -7,6 +7,7 @@ use crate::scene::{Scene, is_steep};
 use crate::yielding::{BULK_YIELD, hardness_of};
 use crate::{Independence, Origin, PairFound, PairOrigin, Spikes};
 use contact_accuracy::{Budget, EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
+use contact_types::Grid;
 use surface_stats::clean::Record;
 use surface_stats::{SurfaceStatistics, Warning};
 
@@ -33,6 +34,10 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let share = surface.spikes.share(surface.surface.grid().len(), &surface.pressure);
     found.extend(spiky(&surface.spikes, share));
     found.extend(unsolved_loads(&ends));
+    let grid = surface.solved_map().grid();
+    let answers = points.iter().filter_map(|p| p.answer.as_ref());
+    let small = answers.filter(|a| is_below_a_point(a.area_fraction_corrected, grid)).count();
+    found.extend(below_a_point(small, points.len()));
     found.extend(surface.plan.as_ref().and_then(unmet));
     found.extend(uncertainty(surface, unsolved));
     let answers = points.iter().filter_map(|p| p.answer.as_ref());
@@ -141,6 +146,8 @@ pub struct Solved<'a> {
     pub indicators: Vec<(Option<f64>, Option<f64>)>,
     /// The rung that was reached, if an accuracy was asked for.
     pub plan: Option<&'a Reached>,
+    /// How many loads have a contact that [`is_below_a_point`].
+    pub small: usize,
     /// Points that were filled.
     pub missing: usize,
     /// Points of the map.
@@ -163,6 +170,7 @@ impl Solved<'_> {
         found.extend(self.adhesion.map(sticking));
         found.extend(spiky(&self.spikes, self.spike_share));
         found.extend(unsolved_loads(&self.loads.iter().map(|l| l.0).collect::<Vec<_>>()));
+        found.extend(below_a_point(self.small, of));
         found.extend(self.plan.and_then(unmet));
         found.extend(interpolation(self.indicators.iter().copied()));
         let bare: Vec<NoUncertainty> =
@@ -233,6 +241,15 @@ fn unsolved_loads(ends: &[Ended]) -> impl Iterator<Item = Finding> {
     let short = (short > 0).then(|| check(Fact::NotConverged { loads: short, of }));
     let rounded = (rounded > 0).then(|| check(Fact::AtRounding { loads: rounded, of }));
     short.into_iter().chain(rounded)
+}
+
+/// Whether something touches, and less than a point of the map has: no number of it is one of the surface.
+pub fn is_below_a_point(area_fraction: f64, grid: Grid) -> bool {
+    area_fraction > 0.0 && area_fraction * (grid.len() as f64) < 1.0
+}
+
+fn below_a_point(loads: usize, of: usize) -> Option<Finding> {
+    (loads > 0).then(|| check(Fact::BelowPoint { loads, of }))
 }
 
 fn unmet(plan: &Reached) -> Option<Finding> {
@@ -402,6 +419,8 @@ mod tests {
                 ),
             ]
         );
+        let light = Solved { small: 2, ..Solved { missing: 0, ..solved.clone() } };
+        assert!(facts(&light).contains(&(Weight::Check, Fact::BelowPoint { loads: 2, of: 4 })));
         // More than a twentieth of guessed points may change a conclusion.
         let many = Solved { missing: 6, ..solved };
         assert_eq!(many.findings().last().map(|f| f.weight), Some(Weight::Check));

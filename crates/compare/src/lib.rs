@@ -62,7 +62,7 @@ pub use fft_bem_solver::{
 pub use finding::{
     Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield, Yielding,
 };
-pub use findings::{Solved, findings, measured, of_pair, seam, spiky, sticking};
+pub use findings::{Solved, findings, is_below_a_point, measured, of_pair, seam, spiky, sticking};
 pub use first_contact::FirstContact;
 pub use inputs::{Inputs, MomentSource};
 pub use materials::{

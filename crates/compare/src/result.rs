@@ -316,11 +316,9 @@ pub struct ModelCurve {
     pub points: Vec<Result<ContactState, ModelError>>,
     /// Seconds per load, the median of repeated runs.
     pub seconds: f64,
-    /// Signed relative error of the area at each load, where both sides answer.
+    /// Signed relative error of the area at each load, where both sides answer: against the solution for the
+    /// bodies the theory is about, which are elastic or yield.
     pub errors: Vec<Option<f64>>,
-    /// Of a theory of elastic bodies beside bodies that yield: its errors against the elastic solution.
-    /// Empty otherwise.
-    pub elastic_errors: Vec<Option<f64>>,
     /// Between which the area lies for 95 of 100 surfaces at each load it answers, of a theory that knows its own
     /// error ([`contact_types::ContactModel::area_interval`]). Empty otherwise.
     pub area_intervals: Vec<Option<[f64; 2]>>,
@@ -341,7 +339,7 @@ impl ModelCurve {
             area_intervals.clear();
         }
         let errors = vec![None; points.len()];
-        Self { points, seconds, errors, elastic_errors: Vec::new(), area_intervals }
+        Self { points, seconds, errors, area_intervals }
     }
 
     /// Signed relative error of largest size, and mean size, over the loads.

@@ -368,8 +368,8 @@ fn solve(
     Ok(())
 }
 
-/// Asks a model at every load, with its time. `deterministic` is what it is judged by, `elastic` the
-/// solution of elastic bodies beside one of bodies that yield, if there is one.
+/// Asks a model at every load, with its time. It is judged by the solution for the bodies it is about:
+/// `deterministic`, or `elastic`, that of elastic bodies beside one of bodies that yield, if there is one.
 fn ask(
     theory: &dyn Theory,
     inputs: &Inputs,
@@ -377,7 +377,7 @@ fn ask(
     judged: &Judged,
 ) -> ModelComparison {
     let card = theory.card().clone();
-    let beside = if card.yields { &[] } else { elastic };
+    let loads = if card.yields || elastic.is_empty() { deterministic } else { elastic };
     // A theory of elastic bodies is asked as one, also if it could take a hardness.
     let hardness = inputs.hardness.filter(|_| card.yields);
     let asked = Inputs { hardness, ..inputs.clone() };
@@ -390,14 +390,9 @@ fn ask(
         {
             return Err(BuildError::Model(first.clone()));
         }
-        let against = |loads: &[DeterministicPoint]| {
-            points.iter().zip(loads).map(|(m, d)| error(m, d)).collect()
-        };
-        let (errors, elastic_errors) = (against(deterministic), against(beside));
-        Ok(ModelCurve { errors, elastic_errors, ..ModelCurve::of(model.as_ref(), points, seconds) })
+        let errors = points.iter().zip(loads).map(|(m, d)| error(m, d)).collect();
+        Ok(ModelCurve { errors, ..ModelCurve::of(model.as_ref(), points, seconds) })
     });
-    // Whether a theory of elastic bodies has what it assumes, elastic bodies tell.
-    let loads = if beside.is_empty() { deterministic } else { beside };
     let verdict = verdict(&card, inputs, &outcome, loads, judged);
     ModelComparison { card, outcome, verdict }
 }

@@ -131,7 +131,7 @@ impl Surface {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FileOrigin {
-    /// Path as given.
+    /// Path as given; in a run file from the folder it lies in.
     pub path: String,
     /// SHA-256 of the bytes, in hexadecimal.
     pub sha256: String,
@@ -173,6 +173,29 @@ pub struct FileOrigin {
     /// in the heights. Not part of a run file either.
     #[serde(skip)]
     pub height_step: Option<f64>,
+}
+
+impl Origin {
+    /// The same with the names of its files alone: what lists an origin and reads nothing from it.
+    #[must_use]
+    pub fn without_folders(&self) -> Self {
+        let mut shown = self.clone();
+        match &mut shown {
+            Self::File(file) => file.path = file.name().to_owned(),
+            Self::Pair(pair) => {
+                pair.bodies.iter_mut().for_each(|body| *body = body.without_folders());
+            }
+            Self::Given(_) | Self::Recipe(_) => {}
+        }
+        shown
+    }
+}
+
+impl FileOrigin {
+    /// The name of the file, without the folders it lies in.
+    pub fn name(&self) -> &str {
+        self.path.rsplit(['/', '\\']).next().unwrap_or_default()
+    }
 }
 
 impl PairOrigin {

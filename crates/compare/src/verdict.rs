@@ -172,7 +172,6 @@ mod tests {
             points: vec![Ok(state)],
             seconds: 0.0,
             errors: vec![None],
-            elastic_errors: Vec::new(),
             area_intervals: Vec::new(),
         };
         (curve, [load])

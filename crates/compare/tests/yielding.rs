@@ -50,8 +50,8 @@ fn model<'a>(surface: &'a SurfaceComparison, name: &str) -> &'a ModelComparison 
 
 const LOADS: [f64; 3] = [20e6, 100e6, 500e6];
 
-/// The curve is that of bodies that yield; beside it stands what a study of elastic ones finds, and theories
-/// of elastic bodies are judged by both.
+/// The curve is that of bodies that yield; beside it stands what a study of elastic ones finds, by which theories
+/// of elastic bodies are judged.
 #[test]
 fn the_elastic_study_stands_beside_that_of_bodies_that_yield() {
     let (yielding, elastic) = (at(Some(4e9), &LOADS), at(None, &LOADS));
@@ -75,12 +75,10 @@ fn the_elastic_study_stands_beside_that_of_bodies_that_yield() {
     for name in ["gw", "persson", "bgt"] {
         let (here, there) = (model(&yielding, name), model(&elastic, name));
         let [here_curve, there_curve] = [here, there].map(|m| m.outcome.as_ref().unwrap());
-        assert!(there_curve.elastic_errors.is_empty());
         for i in 0..LOADS.len() {
             let [of_elastic, alone] =
-                [here_curve.elastic_errors[i].unwrap(), there_curve.errors[i].unwrap()];
+                [here_curve.errors[i].unwrap(), there_curve.errors[i].unwrap()];
             assert!((of_elastic - alone).abs() < 1e-3, "{name}: {of_elastic} {alone}");
-            assert!(here_curve.errors[i].unwrap() < of_elastic, "{name}");
         }
         let is_told = |r: &Reason| matches!(r, Reason::Elastic(e) if e.everywhere && e.most > 0.02);
         assert!(
@@ -88,14 +86,17 @@ fn the_elastic_study_stands_beside_that_of_bodies_that_yield() {
         );
         assert!(!there.verdict.reasons.iter().any(|r| matches!(r, Reason::Elastic(_))));
     }
-    // Persson with yield keeps to its wall, and reads low by less than Persson without.
-    let walled = model(&yielding, "persson-yield");
-    let curve = walled.outcome.as_ref().unwrap();
-    assert!(curve.elastic_errors.is_empty());
-    let without = model(&yielding, "persson").outcome.as_ref().unwrap();
-    for (with, without) in curve.errors.iter().zip(&without.errors) {
-        let [with, without] = [with, without].map(|e| e.unwrap().abs());
-        assert!(with < without, "{with} {without}");
+    // Persson with yield keeps to its wall, and is nearer to the contact that yields than Persson without.
+    let [with, without] =
+        ["persson-yield", "persson"].map(|name| model(&yielding, name).outcome.as_ref().unwrap());
+    for (i, point) in yielding.deterministic.iter().enumerate() {
+        let off = |points: &[Result<_, _>]| {
+            let state: &contact_types::ContactState = points[i].as_ref().unwrap();
+            (state.area_fraction / area(point) - 1.0).abs()
+        };
+        assert!(off(&with.points) < off(&without.points), "at {:e}", point.mean_pressure);
+        let own = with.errors[i].unwrap();
+        assert!((own.abs() - off(&with.points)).abs() < 1e-12, "judged by the contact that yields");
     }
     let said = findings(&yielding);
     let found = said.iter().find_map(|f| match &f.fact {
@@ -120,8 +121,6 @@ fn a_hardness_out_of_reach_changes_nothing() {
     }
     // Where nothing yields the elastic answer is that answer: nothing was solved for it.
     assert_eq!(hard.deterministic, hard.elastic);
-    let same = model(&hard, "gw").outcome.as_ref().unwrap();
-    assert_eq!(same.errors, same.elastic_errors);
     assert!(model(&hard, "gw").verdict.reasons.iter().all(|r| !matches!(r, Reason::Elastic(_))));
     assert!(!findings(&hard).iter().any(|f| matches!(f.fact, Fact::Yielding(_))));
 }

@@ -191,6 +191,11 @@ impl RealPressure<'_> {
         self.budget.area.prediction().map(|area| self.inverted(area))
     }
 
+    /// The interval that is stated with the number, as [`Estimate::stated`].
+    pub fn stated(self) -> Option<[f64; 2]> {
+        self.budget.area.stated().map(|area| self.inverted(area))
+    }
+
     fn inverted(self, [low, high]: [f64; 2]) -> [f64; 2] {
         [high, low].map(|area| self.budget.mean_pressure.value / area)
     }

@@ -129,6 +129,11 @@ impl Estimate {
         Some(self.around(self.prediction_half_width()?, self.least[1]))
     }
 
+    /// The interval that is stated with the number: of the surface where the map can tell, else of this map.
+    pub fn stated(&self) -> Option<[f64; 2]> {
+        self.prediction().or_else(|| self.interval().ok())
+    }
+
     fn around(&self, half: f64, least: f64) -> [f64; 2] {
         // Rounding may leave a number just below the least, where no end may follow.
         let low = (self.value - half).max(least).min(self.most);

@@ -163,7 +163,8 @@ impl Ladder {
         let coarse_seconds = clock.elapsed().as_secs_f64();
         let surface = self.whole.as_ref().unwrap_or(&self.given);
         let grid = self.given.grid();
-        let solution = on_given(self.solver.solve_observed(surface, load, &mut observer), grid)?;
+        let mut solution =
+            on_given(self.solver.solve_observed(surface, load, &mut observer), grid)?;
         let set = stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
         let set = set.as_ref();
         let beside = Beside { coarser: coarser.as_deref().map_err(|why| *why), finer: None };

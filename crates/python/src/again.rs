@@ -8,6 +8,7 @@ use compare::{Method, Origin, RunFile, Settings};
 use fft_bem_solver::validation::{self, Options};
 use pyo3::prelude::*;
 use serde::Serialize;
+use std::path::Path;
 
 /// What Python has to read or make again.
 #[derive(Serialize)]
@@ -22,6 +23,14 @@ struct Again {
     /// Of a file: its path, its SHA-256, what is said of it.
     file: Option<(String, String, Reading)>,
     recipe: Option<compare::Recipe>,
+}
+
+/// A run file as it stands in a folder.
+#[pyfunction]
+pub(crate) fn run_file_in(text: &str, folder: &str) -> PyResult<String> {
+    // Of heights that a program handed over nothing is named, and nothing can be repeated.
+    let Ok(run) = RunFile::parse(text) else { return Ok(text.to_owned()) };
+    answers::run_file_in(run, Path::new(folder)).to_toml().map_err(|e| bug(&e))
 }
 
 /// A run file as JSON.

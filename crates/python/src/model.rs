@@ -21,7 +21,7 @@ use surface_stats::clean::row_offsets;
 pub(crate) struct Request {
     name: String,
     modulus: Option<f64>,
-    bodies: Vec<Body>,
+    pub(crate) bodies: Vec<Body>,
     hardness: Option<f64>,
     /// Of the softer body, for a model that cannot do without one.
     body_hardness: Option<f64>,

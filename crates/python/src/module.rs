@@ -10,7 +10,7 @@ mod _rough_contact {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::again::{run_file, validate};
+    use crate::again::{run_file, run_file_in, validate};
     #[pymodule_export]
     use crate::failure::Refused;
     #[pymodule_export]
@@ -47,6 +47,32 @@ mod _rough_contact {
             if many { several(text, dimension) } else { one(text, dimension).map(|v| vec![v]) };
         let refused = |e| crate::failure::raise(&answers::Failure::refused("unit", format!("{e}")));
         found.map_err(|e: answers::quantity::QuantityError| refused(e))
+    }
+
+    /// A fraction and the ends between which it lies, in per cent.
+    #[pyfunction]
+    fn percent_within(fraction: f64, interval: Option<[f64; 2]>) -> String {
+        plain(&report::numbers::percent_within(fraction, interval))
+    }
+
+    /// A pressure (Pa) and the ends between which it lies; a dash where there is none.
+    #[pyfunction]
+    fn pressure_within(pascals: Option<f64>, interval: Option<[f64; 2]>) -> String {
+        use report::numbers::{PASCALS, quantity_within};
+        pascals.map_or("–".to_owned(), |p| plain(&quantity_within(p, interval, PASCALS)))
+    }
+
+    /// E* (Pa), and which bodies press on each other.
+    #[pyfunction]
+    fn bodies_line(modulus: f64, bodies: &str) -> PyResult<String> {
+        let bodies: Vec<compare::Body> =
+            serde_json::from_str(bodies).map_err(|e| crate::failure::bug(&e))?;
+        Ok(report::bodies_line(modulus, &bodies))
+    }
+
+    /// With the spaces of a terminal.
+    fn plain(text: &str) -> String {
+        text.replace(report::numbers::SPACE, " ")
     }
 
     /// Contact modulus (Pa) of one elastic body against a rigid one, or of two.

@@ -117,13 +117,14 @@ pub(crate) fn profile_model(
     let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (traces, facts) = kept(&heights, facts)?;
     let found = quietly(py, threads, move || -> Result<Answered, Failure> {
-        let found = of_profile(
+        let mut found = of_profile(
             request.theory()?,
             request.modulus()?,
             (facts.path(), &traces, &facts.origin, request.level),
             |inputs| Ok((request.complete(theory.card(), inputs)?, request.questions(), None)),
             |unasked| unasked.failure(crate::model::WAY_OUT),
         )?;
+        found.json["bodies"] = report::bodies_json(None, &request.bodies);
         Ok((found.json.to_string(), crate::model::trouble(&found.answers)))
     })?;
     found.map_err(|e| raise(&e))

@@ -113,11 +113,12 @@ impl Laid {
             }
         }
         // Files of one name are told apart by where they lie.
-        if first.name == self.second.name {
+        if first.name == self.second.name
+            && let (Origin::File(a), Origin::File(b)) = (&first.origin, &self.second.origin)
+        {
+            let mut names = answers::told_apart(&[&a.path, &b.path]).into_iter();
             for body in [&mut first, &mut self.second] {
-                if let Origin::File(file) = &body.origin {
-                    body.name.clone_from(&file.path);
-                }
+                body.name = names.next().unwrap_or_default();
             }
         }
         if first.name == self.second.name {

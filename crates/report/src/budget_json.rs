@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 /// Intervals `[low, high]` of every number: `NAME_interval` as the number of this map (of what was prescribed, a load
 /// or a gap, the number itself twice); `NAME_prediction_interval` as a number of the surface, with the sampling
 /// variability; `null` where there is none. Stiffness (Pa/m) and its intervals are `null` if it was not computed.
-/// `budget` lists the half widths by source.
+/// An end that is not known is 0 or `null`. `budget` lists the half widths by source.
 pub fn keys(budget: Option<&Budget>) -> Map<String, Value> {
     let mut keys = Map::new();
     let area = budget.map(|b| b.area);
@@ -24,10 +24,9 @@ pub fn keys(budget: Option<&Budget>) -> Map<String, Value> {
     let reason = area.and_then(|a| Some(a.half_width().err()?.to_string()));
     keys.insert("area_interval_reason".into(), json!(reason));
     let real = budget.and_then(Budget::real_pressure);
-    // An area that may be 0 leaves the pressure without an upper end.
-    let bounded = |interval: [f64; 2]| Some(interval).filter(|i| i[1].is_finite());
-    let comparison = real.and_then(|r| bounded(r.interval().ok()?));
-    let prediction = real.and_then(|r| bounded(r.prediction()?));
+    // An area that may be 0 leaves the pressure without an upper end, which JSON writes as null.
+    let comparison = real.and_then(|r| r.interval().ok());
+    let prediction = real.and_then(RealPressure::prediction);
     keys.insert("real_pressure_corrected".into(), json!(real.map(RealPressure::value)));
     keys.insert("real_pressure_interval".into(), json!(comparison));
     keys.insert("real_pressure_prediction_interval".into(), json!(prediction));

@@ -56,7 +56,8 @@ fn write_surface(
     yields: bool,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let lines = Lines::of(surface);
+    let panels = Lines::panels(surface);
+    let lines = &panels[0];
     let name = quoted(&surface.name);
     for (i, &p) in lines.pressures.iter().enumerate() {
         let area = lines.area[i];
@@ -96,9 +97,10 @@ fn write_surface(
             cells.extend(kinds(found).into_iter().map(|kind| Some(conductance(kind, stiffness?))));
         }
         for model in models {
-            let line = lines.models.iter().find(|l| l.name == *model);
-            let area = line.and_then(|l| l.area[i]);
-            let error = line.and_then(|l| lines.errors(l)[i]);
+            let mut all = panels.iter().flat_map(|p| p.models.iter().map(move |line| (p, line)));
+            let found = all.find(|(_, line)| line.name == *model);
+            let area = found.and_then(|(_, line)| line.area[i]);
+            let error = found.and_then(|(panel, line)| panel.errors(line)[i]);
             cells.extend([area, real(area), error]);
         }
         let row: Vec<String> = cells.into_iter().map(cell).collect();

@@ -67,7 +67,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     let method = s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.method.clone()));
     json!({
         "name": s.name,
-        "origin": s.origin,
+        "origin": s.origin.without_folders(),
         "pair": s.origin.pair().map(crate::pair_json::pair),
         "bodies": crate::pair_json::bodies(s.origin.pair(), &settings.bodies),
         "cleaning": cleaning(s.origin.cleaned()),
@@ -192,7 +192,7 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
         "verdict": m.verdict.answer.word(),
         "reason": words::reason(m),
         "seconds": curve.map(|c| c.seconds),
-        "area_error": curve.map(|c| area_error(c, surface)),
+        "area_error": curve.map(|c| area_error(c, m, surface)),
         "points": curve.map_or(Vec::new(), |c| {
             let points = c.points.iter().zip(&surface.deterministic).enumerate();
             points.map(|(k, (r, p))| answer(p.mean_pressure, r, c.area_intervals.get(k).copied().flatten())).collect()
@@ -205,14 +205,15 @@ fn citation(m: &ModelComparison) -> Value {
     json!({ "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi })
 }
 
-fn area_error(curve: &ModelCurve, surface: &SurfaceComparison) -> Value {
+fn area_error(curve: &ModelCurve, m: &ModelComparison, surface: &SurfaceComparison) -> Value {
     let summary = curve.worst_and_mean();
+    let of_elastic = !m.card.yields && !surface.elastic.is_empty();
     json!({
+        "against": if of_elastic { "elastic" } else { "deterministic" },
         "signed": curve.errors,
         "headline": curve.errors.get(surface.headline),
         "worst": summary.map(|(worst, _)| worst),
         "mean_absolute": summary.map(|(_, mean)| mean),
-        "against_elastic": (!curve.elastic_errors.is_empty()).then_some(&curve.elastic_errors),
     })
 }
 

@@ -44,6 +44,7 @@ pub use json::{
     findings as findings_json, statistics as statistics_json, surface as surface_json,
     write as write_json,
 };
+pub use lines::{Reference, references};
 pub use page::html::{style, write as write_html};
 pub use page::profile::write as write_profile_html;
 pub use page::profile_tables::setting_words;
@@ -60,7 +61,7 @@ pub use words::finding::{Worded, finding, warning};
 pub use words::headline_line;
 pub use words::loads::loads_line;
 pub use words::materials::{material_in_full, material_json, material_line, materials_json};
-pub use words::pair::pair_lines;
+pub use words::pair::{bodies_line, pair_lines};
 pub use words::plan::{explanation as plan_explanation, reason as plan_reason};
 pub use words::profile::profile_headline;
 pub use words::yielding::elastic_line;

@@ -3,7 +3,7 @@
 use crate::draw::palette::{ELASTIC_LOOK, Look};
 use crate::looks::look;
 use crate::numbers::{PASCALS, Unit, signed_range, significant, unit_for};
-use compare::{DeterministicAnswer, SurfaceComparison};
+use compare::{DeterministicAnswer, DeterministicPoint, ModelComparison, SurfaceComparison};
 
 /// Error within which a closed form counts as an answer.
 pub(crate) const WANTED: f64 = 0.10;
@@ -30,25 +30,63 @@ pub(crate) struct Lines {
     pub area: Vec<Option<f64>>,
     /// Its interval as that of this map.
     pub interval: Vec<Option<[f64; 2]>>,
-    /// The closed forms that answer at one load at least; before them the solution of elastic bodies, where
-    /// that of bodies that yield is the reference.
+    /// The closed forms of these bodies that answer at one load at least; before them the solution of elastic
+    /// bodies, where that of bodies that yield is the reference.
     pub models: Vec<ModelLine>,
     /// Index of the load read off.
     pub headline: usize,
+    /// Which bodies they are of, where a study is of two kinds; else empty.
+    pub of: &'static str,
+}
+
+/// What theories are judged by: the solution for the bodies that they are about.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Reference<'a> {
+    /// Which bodies, where a study is of two kinds; else empty.
+    pub of: &'static str,
+    /// The solution at each load.
+    pub points: &'a [DeterministicPoint],
+    /// The theories of these bodies, each with its place in the list.
+    pub models: Vec<(usize, &'a ModelComparison)>,
+}
+
+/// The contact of bodies that yield, and theories of them.
+pub(crate) const YIELDING: &str = "bodies that yield";
+/// That of elastic bodies beside it.
+pub(crate) const ELASTIC: &str = "elastic bodies";
+
+/// What the theories of a study are judged by: one solution, or of bodies that yield two, theirs first.
+pub fn references(surface: &SurfaceComparison) -> Vec<Reference<'_>> {
+    let two = !surface.elastic.is_empty();
+    let kinds = if two { vec![YIELDING, ELASTIC] } else { vec![""] };
+    let of_kind = |of: &'static str| {
+        let points = if of == ELASTIC { &surface.elastic } else { &surface.deterministic };
+        let models = surface.models.iter().enumerate();
+        let models = models.filter(|(_, m)| !two || m.card.yields == (of == YIELDING));
+        Reference { of, points, models: models.collect() }
+    };
+    kinds.into_iter().map(of_kind).collect()
 }
 
 impl Lines {
-    /// The numbers of a surface.
-    pub(crate) fn of(surface: &SurfaceComparison) -> Self {
-        let answers = || surface.deterministic.iter().map(|p| p.answer.as_ref());
-        let models = surface.models.iter().enumerate().filter_map(|(place, m)| {
+    /// The numbers of a surface; of bodies that yield those of the elastic ones apart, so that each theory is
+    /// beside the solution of the bodies it is about.
+    pub(crate) fn panels(surface: &SurfaceComparison) -> Vec<Self> {
+        references(surface).into_iter().map(|reference| Self::of(surface, reference)).collect()
+    }
+
+    fn of(surface: &SurfaceComparison, reference: Reference<'_>) -> Self {
+        let Reference { of, points, models } = reference;
+        let answers = || points.iter().map(|p| p.answer.as_ref());
+        let models = models.into_iter().filter_map(|(place, m)| {
             let curve = m.outcome.as_ref().ok()?;
             let area = curve.points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction));
             let (name, label) = (m.card.name.to_string(), m.card.label.to_string());
             let look = look(&name, place);
             Some(ModelLine { name, label, look, area: area.collect() })
         });
-        let elastic = (!surface.elastic.is_empty()).then(|| ModelLine {
+        let elastic = (of == YIELDING).then(|| ModelLine {
             name: "elastic".into(),
             label: "Elastic".into(),
             look: ELASTIC_LOOK,
@@ -59,12 +97,21 @@ impl Lines {
                 .collect(),
         });
         Self {
-            pressures: surface.deterministic.iter().map(|p| p.mean_pressure).collect(),
+            pressures: points.iter().map(|p| p.mean_pressure).collect(),
             area: answers().map(|a| a.map(|a| a.area_fraction_corrected)).collect(),
             interval: answers().map(|a| a.and_then(DeterministicAnswer::interval)).collect(),
             models: elastic.into_iter().chain(models).collect(),
             headline: surface.headline,
+            of,
         }
+    }
+
+    /// The surface, and which bodies these are of where a study is of two kinds.
+    pub(crate) fn named(&self, surface: &SurfaceComparison) -> String {
+        if self.of.is_empty() {
+            return surface.name.clone();
+        }
+        format!("{}, {}", surface.name, self.of)
     }
 
     /// Unit in which this surface's nominal pressures are read.

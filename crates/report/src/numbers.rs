@@ -100,37 +100,73 @@ pub fn plus_minus(value: f64, uncertainty: f64) -> String {
     format!("{} ± {}", round(value), round(uncertainty))
 }
 
-/// "at most 0.8", where an interval has no lower end but zero: two digits, rounded up.
-pub fn at_most(high: f64) -> String {
-    format!("at most {}", significant(rounded_up(high), 2))
+/// A number that cannot be negative and the ends between which it lies: "1.96 ± 0.12"; "20 to 166" where one side is
+/// longer than the other, as of a quotient; "at most 0.80" or "at least 31" where one end is not known, 0 or
+/// infinite. Ends are rounded outwards, so that what is known is inside.
+pub fn with_interval(value: f64, [low, high]: [f64; 2]) -> String {
+    let sides = [value - low, high - value];
+    let half = sides[0].max(sides[1]);
+    match (low > 0.0, high.is_finite()) {
+        _ if half.is_nan() || half <= 0.0 => significant(value, 3),
+        (false, false) => significant(value, 3),
+        (false, true) => format!("at most {}", end(high, f64::ceil, 1 - exponent(high, 2))),
+        (true, false) => format!("at least {}", end(low, f64::floor, 1 - exponent(low, 2))),
+        _ if is_even(sides) => plus_minus(value, half),
+        _ => {
+            let decimals = |x: f64| (decimals_of(x) + 1).max(decimals_of(0.5 * (high - low)));
+            let [from, to] = [low, high].map(decimals);
+            format!("{} to {}", end(low, f64::floor, from), end(high, f64::ceil, to))
+        }
+    }
 }
 
-/// The next number up with two significant digits.
-fn rounded_up(value: f64) -> f64 {
-    if !(value > 0.0 && value.is_finite()) {
-        return value;
-    }
-    let place = 10f64.powf(value.log10().floor() - 1.0);
-    // A number that has two digits already stays what it is.
-    (value / place - 1e-9).ceil() * place
+/// Whether one half width stands for both sides.
+fn is_even([below, above]: [f64; 2]) -> bool {
+    below.max(above) <= 1.25 * below.min(above)
 }
 
-/// The next number down with two significant digits.
-pub(crate) fn rounded_down(value: f64) -> f64 {
-    if !(value > 0.0 && value.is_finite()) {
-        return value;
+/// An end of an interval with these decimals, negative for tens, hundreds….
+fn end(value: f64, round: fn(f64) -> f64, decimals: i32) -> String {
+    let place = 10f64.powi(-decimals);
+    // A number that has these digits already stays what it is.
+    let nudge = if round(0.5) > 0.5 { -1e-9 } else { 1e-9 };
+    let rounded = round(value / place + nudge) * place;
+    let e = exponent(rounded, 1);
+    if (-3..6).contains(&e) {
+        fixed(rounded, usize::try_from(decimals).unwrap_or(0))
+    } else {
+        significant(rounded, decimals + e + 1)
     }
-    let place = 10f64.powf(value.log10().floor() - 1.0);
-    (value / place + 1e-9).floor() * place
 }
 
-/// "1.96 ± 0.12", or "at most 2.8" where the interval around a number that cannot be negative
-/// reaches zero.
-pub fn with_bar(value: f64, uncertainty: f64) -> String {
-    if uncertainty >= value && uncertainty.is_finite() && uncertainty > 0.0 {
-        return at_most(value + uncertainty);
+/// "1.96 ± 0.12 %" of a fraction, its interval where there is one; "1.96 %" without.
+pub fn percent_within(fraction: f64, interval: Option<[f64; 2]>) -> String {
+    let ends = interval.map_or([100.0 * fraction; 2], |ends| ends.map(|end| 100.0 * end));
+    format!("{}{SPACE}%", with_interval(100.0 * fraction, ends))
+}
+
+/// The ends of an interval as shares of its number: "±12 %", "−14 to +27 %", "at most +133 %", "at least −57 %".
+pub fn relative_interval(value: f64, [low, high]: [f64; 2]) -> String {
+    let [below, above] = [low, high].map(|end| end / value - 1.0);
+    match (low > 0.0, high.is_finite()) {
+        (false, false) => "–".into(),
+        (false, true) => format!("at most +{}", percent(above)),
+        (true, false) => format!("at least {MINUS}{}", percent(below)),
+        _ if is_even([-below, above]) => {
+            let shown = percent(above.max(-below));
+            shown.strip_prefix('<').map_or_else(
+                || format!("±{shown}"),
+                |rest| format!("<{SPACE}±{}", rest.trim_start()),
+            )
+        }
+        _ => signed_range(below, above),
     }
-    plus_minus(value, uncertainty)
+}
+
+/// "1 thread", "3 threads".
+pub fn counted(count: usize, one: &str) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{} {one}{ending}", fixed(count as f64, 0))
 }
 
 /// "+399 %", "−4.3 %": a signed relative error, whole per cent from 10, one decimal below, three
@@ -166,18 +202,6 @@ pub fn percent(fraction: f64) -> String {
     }
     let digits = fixed_significant(p, if p >= 100.0 { 3 } else { 2 });
     format!("{digits}{SPACE}%")
-}
-
-/// "±12 %": a half width as a share of its number. From all of it on the number may be zero, and only
-/// the upper end says something: "at most +133 %".
-pub fn relative_bar(relative: f64) -> String {
-    if relative >= 1.0 {
-        return format!("at most +{}", percent(relative));
-    }
-    let shown = percent(relative);
-    shown
-        .strip_prefix('<')
-        .map_or_else(|| format!("±{shown}"), |rest| format!("<{SPACE}±{}", rest.trim_start()))
 }
 
 /// "58 µs": a duration with two significant digits.
@@ -289,11 +313,18 @@ pub fn chosen(value: f64, units: &[Unit]) -> String {
     format!("{}{SPACE}{}", fixed_significant(number, digits), unit.name)
 }
 
-/// "510 ± 30 MPa", "at most 42 MPa": the multiple follows the value alone, so that the same number
-/// with another uncertainty has the same unit.
-pub fn quantity_plus_minus(value: f64, uncertainty: f64, units: &[Unit]) -> String {
-    let unit = unit_for(value, units);
-    format!("{}{SPACE}{}", with_bar(value / unit.scale, uncertainty / unit.scale), unit.name)
+/// "510 ± 30 MPa", "20 to 166 GPa", "at most 42 MPa": the multiple follows the value alone, so that the same number
+/// with another uncertainty has the same unit; that of an end that stands alone follows it.
+pub fn quantity_within(value: f64, interval: Option<[f64; 2]>, units: &[Unit]) -> String {
+    let Some([low, high]) = interval else { return quantity(value, units, 3) };
+    let leading = match (low > 0.0, high.is_finite()) {
+        (false, true) => high,
+        (true, false) => low,
+        _ => value,
+    };
+    let unit = unit_for(leading, units);
+    let text = with_interval(value / unit.scale, [low, high].map(|end| end / unit.scale));
+    format!("{text}{SPACE}{}", unit.name)
 }
 
 /// A pressure as the report writes it, "10 MPa".
@@ -329,8 +360,6 @@ mod tests {
         assert_eq!(plus_minus(5.0, 0.0961), "5.00 ± 0.10");
         assert_eq!(plus_minus(5.0, 0.099_9), "5.00 ± 0.10");
         assert_eq!(plus_minus(5.0, f64::NAN), "5.00");
-        assert_eq!(quantity_plus_minus(510.2e6, 31e6, PASCALS), "510 ± 30\u{202F}MPa");
-        assert_eq!(quantity_plus_minus(510.2e6, 12e6, PASCALS), "510 ± 12\u{202F}MPa");
     }
 
     #[test]
@@ -347,19 +376,49 @@ mod tests {
     }
 
     #[test]
-    fn one_number_has_one_unit_whatever_its_bar() {
-        assert_eq!(quantity_plus_minus(33e6, 9e6, PASCALS), "33 ± 9\u{202F}MPa");
-        assert_eq!(quantity_plus_minus(33e6, 21e6, PASCALS), "30 ± 20\u{202F}MPa");
+    fn one_number_has_one_unit_whatever_its_interval() {
+        let around = |value: f64, half| Some([value - half, value + half]);
+        let shown = |value, interval| quantity_within(value, interval, PASCALS);
+        assert_eq!(shown(510.2e6, around(510.2e6, 31e6)), "510 ± 30\u{202F}MPa");
+        assert_eq!(shown(510.2e6, around(510.2e6, 12e6)), "510 ± 12\u{202F}MPa");
+        assert_eq!(shown(33e6, around(33e6, 9e6)), "33 ± 9\u{202F}MPa");
+        assert_eq!(shown(33e6, around(33e6, 21e6)), "30 ± 20\u{202F}MPa");
+        assert_eq!(shown(33e6, None), "33.0\u{202F}MPa");
+    }
+
+    /// A load of 630 MPa on 1.8 ± 1.4 % of the area: 630/0.032 to 630/0.004 MPa.
+    #[test]
+    fn an_interval_is_said_as_it_is() {
+        assert_eq!(with_interval(1.2, [-0.4, 2.8]), "at most 2.8");
+        assert_eq!(with_interval(1.2, [0.1, 2.3]), "1.2 ± 1.1");
+        assert_eq!(with_interval(0.5, [0.219, 0.781]), "0.5 ± 0.3");
+        assert_eq!(with_interval(1.96, [1.96, 1.96]), "1.96");
+        assert_eq!(with_interval(0.0, [0.0, 0.0]), "0");
+        assert_eq!(with_interval(35.0, [19.7, 157.5]), "19 to 158");
+        assert_eq!(with_interval(1.59, [1.585, 1.6056]), "1.585 to 1.606");
+        assert_eq!(with_interval(1.35, [0.1, f64::INFINITY]), "at least 0.10");
+        // Never rounded below what is known.
+        assert_eq!(with_interval(0.4, [0.0, 0.8012]), "at most 0.81");
+        assert_eq!(with_interval(0.4, [0.0, 0.8]), "at most 0.80");
+        assert_eq!(percent_within(0.6, Some([0.0, 1.0])), "at most 100\u{202F}%");
+        assert_eq!(percent_within(0.0196, None), "1.96\u{202F}%");
+        let pressure = [630e6 / 0.032, 630e6 / 0.004];
+        assert_eq!(quantity_within(35e9, Some(pressure), PASCALS), "19 to 158\u{202F}GPa");
+        let open = Some([98e6, f64::INFINITY]);
+        assert_eq!(quantity_within(1.35e9, open, PASCALS), "at least 98\u{202F}MPa");
     }
 
     #[test]
-    fn a_bar_that_reaches_zero_is_one_sided() {
-        assert_eq!(with_bar(1.2, 1.6), "at most 2.8");
-        assert_eq!(with_bar(1.2, 1.1), "1.2 ± 1.1");
-        assert_eq!(with_bar(0.5, 0.281), "0.5 ± 0.3");
-        // Never rounded below what is known.
-        assert_eq!(at_most(0.8012), "at most 0.81");
-        assert_eq!(at_most(0.8), "at most 0.80");
+    fn ends_as_shares_of_their_number() {
+        let of = |low: f64, high: f64| relative_interval(1.0, [low, high]).replace(SPACE, " ");
+        assert_eq!(of(0.88, 1.12), "±12 %");
+        assert_eq!(of(1.0, 1.0), "±0 %");
+        assert_eq!(of(1.0 - 1e-6, 1.0 + 1e-6), "< ±0.01 %");
+        assert_eq!(of(0.56, 4.6), "\u{2212}44 to +360 %");
+        assert_eq!(of(0.0, 13.2), "at most +1220 %");
+        assert_eq!(of(0.076, f64::INFINITY), "at least \u{2212}92 %");
+        assert_eq!(counted(1, "thread"), "1 thread");
+        assert_eq!(counted(12_000, "thread"), "12\u{202F}000 threads");
     }
 
     #[test]

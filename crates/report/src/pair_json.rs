@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 /// Both bodies, how they lie, and how far their moments are from adding up. Lengths `[y, x]`.
 pub fn pair(pair: &PairOrigin) -> Value {
     let mut object = json!({
-        "first": { "name": pair.names[0], "origin": pair.bodies[0] },
-        "second": { "name": pair.names[1], "origin": pair.bodies[1] },
+        "first": { "name": pair.names[0], "origin": pair.bodies[0].without_folders() },
+        "second": { "name": pair.names[1], "origin": pair.bodies[1].without_folders() },
         "flip": pair.placing.flip.name(),
         "shift_asked": pair.placing.shift,
     });

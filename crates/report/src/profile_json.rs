@@ -136,7 +136,7 @@ pub fn profile_comparison(studies: &[ProfileComparison], provenance: &Provenance
     let one = |s: &ProfileComparison| {
         json!({
             "name": s.name,
-            "origin": s.origin,
+            "origin": s.origin.without_folders(),
             "uneven": unevenness(s.uneven),
             "cleaning": cleaning(s.origin.cleaned()),
             "findings": findings(&s.findings()),

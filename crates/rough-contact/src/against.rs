@@ -7,6 +7,7 @@ use crate::input::{Complete, Reading};
 use crate::outcome::Failure;
 use crate::quantity;
 use crate::units::Dimension;
+use answers::told_apart;
 use clap::{Args, Parser};
 use compare::{Body, Cleaning, Flip, Level, Origin, PairOrigin, Placing, Settings, Surface};
 use serde_json::Value;
@@ -113,11 +114,12 @@ impl Against {
             One::Profile(_) => return Err(profile(path)),
         };
         // Files of one name are told apart by where they lie.
-        if first.name == second.name {
+        if first.name == second.name
+            && let (Origin::File(a), Origin::File(b)) = (&first.origin, &second.origin)
+        {
+            let mut names = told_apart(&[&a.path, &b.path]).into_iter();
             for body in [&mut first, &mut second] {
-                if let Origin::File(file) = &body.origin {
-                    body.name.clone_from(&file.path);
-                }
+                body.name = names.next().unwrap_or_default();
             }
         }
         if first.name == second.name {
@@ -169,9 +171,13 @@ pub(crate) fn profile(path: &Path) -> Failure {
     Failure::refused("profile", message)
 }
 
-/// The lines of a terminal on a pair, and the modulus its bodies make; nothing for one body.
+/// The lines of a terminal on a pair; on the modulus its bodies make, which those of one body have too.
 pub(crate) fn lines(pair: Option<&PairOrigin>, made_of: Option<(f64, Vec<Body>)>) -> String {
-    let Some(pair) = pair else { return String::new() };
+    let Some(pair) = pair else {
+        return made_of.map_or_else(String::new, |(modulus, bodies)| {
+            format!("bodies: {}\n", report::bodies_line(modulus, &bodies))
+        });
+    };
     let settings =
         made_of.map(|(modulus, bodies)| Settings { modulus, bodies, ..Settings::default() });
     report::pair_lines(pair, settings.as_ref()).join("\n") + "\n"

@@ -3,7 +3,7 @@
 use crate::args::Common;
 use crate::files::{Files, Kept, expand};
 use crate::outcome::{Failure, Reply};
-use crate::output::{self, Folder};
+use crate::output::Folder;
 use crate::progress::Progress;
 use crate::rows::{self, Outcome, Shown};
 use compare::sha256_hex;
@@ -33,6 +33,11 @@ pub(crate) trait PerFile: Clone + Debug + Sync {
 
     /// Content of other files that an answer depends on, as a hash.
     fn beside(&self) -> String {
+        String::new()
+    }
+
+    /// What is said of all files below their table.
+    fn about(&self) -> String {
         String::new()
     }
 
@@ -67,6 +72,7 @@ pub(crate) fn run<C: PerFile>(
     let outcomes = outcomes(command, &files.paths, store.as_ref(), common)?;
     let mut reply =
         Reply::new(rows::table(&outcomes, C::SHOWN), json!({ "files": objects(&outcomes) }));
+    reply.text += &command.about();
     reply.trouble = trouble(&outcomes);
     if let Some(store) = &store {
         store.folder.write("table.csv", |out| rows::csv(&outcomes, out))?;
@@ -224,7 +230,7 @@ fn one<C: PerFile>(
 /// The folder of a run: its results, and under `answers` what each file gave.
 pub(crate) struct Store {
     pub(crate) folder: Folder,
-    answers: PathBuf,
+    answers: Folder,
     resume: bool,
 }
 
@@ -244,15 +250,14 @@ impl Store {
     ) -> Result<Self, Failure> {
         let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
         let folder = Folder::prepare(out, &names, force || resume)?;
-        let answers = out.join("answers");
-        Folder::prepare(&answers, &[], true)?;
+        let answers = Folder::prepare(&out.join("answers"), &[], true)?;
         Ok(Self { folder, answers, resume })
     }
 
     /// The whole answer of a file, as it was kept.
     pub(crate) fn whole(&self, outcome: &Outcome) -> std::io::Result<Value> {
         let name = outcome.kept_as.as_deref().unwrap_or_default();
-        let text = std::fs::read_to_string(self.answers.join(name))?;
+        let text = std::fs::read_to_string(self.answers.path().join(name))?;
         let mut kept: Value = serde_json::from_str(&text).map_err(std::io::Error::other)?;
         Ok(kept["answer"].take())
     }
@@ -273,7 +278,7 @@ impl Store {
         if !self.resume {
             return None;
         }
-        let text = std::fs::read_to_string(self.answers.join(name)).ok()?;
+        let text = std::fs::read_to_string(self.answers.path().join(name)).ok()?;
         let mut kept: Value = serde_json::from_str(&text).ok()?;
         let trouble = kept.get("trouble").and_then(Failure::of_json);
         let answer = kept.get_mut("answer")?.take();
@@ -285,7 +290,7 @@ impl Store {
         let kept = json!({
             "answer": reply.json, "trouble": reply.trouble.as_ref().map(Failure::json_with_status),
         });
-        output::write(&self.answers.join(name), |out| {
+        self.answers.write(name, |out| {
             serde_json::to_writer(&mut *out, &kept).map_err(std::io::Error::other)?;
             writeln!(out)
         })
@@ -328,9 +333,9 @@ mod tests {
             trouble.map(|t| t.json_with_status()),
             reply.trouble.map(|t| t.json_with_status())
         );
-        let whole = std::fs::read(store.answers.join("a.json")).expect("there");
+        let whole = std::fs::read(store.answers.path().join("a.json")).expect("there");
         for length in 0..whole.len() - 1 {
-            std::fs::write(store.answers.join("a.json"), &whole[..length]).expect("written");
+            std::fs::write(store.answers.path().join("a.json"), &whole[..length]).expect("written");
             assert!(store.kept("a.json").is_none(), "{length} of {} bytes", whole.len());
         }
     }

@@ -18,16 +18,13 @@ pub(crate) fn cells(point: &Point) -> Vec<String> {
     let mut cells = vec![text::pressure(state.mean_pressure)];
     if budget.given == Given::Gap {
         let load = budget.mean_pressure;
-        let half = load.half_width().ok();
-        cells.push(text::relative(half, load.value, text::pressure));
+        cells.push(text::relative(load.value, load.interval().ok(), text::pressure));
     }
     cells.extend([
         text::percent(state.area_fraction),
         text::percent(d.area_fraction_corrected),
-        text::relative(area.half_width().ok(), area.value, |most| text::percent(most.min(1.0))),
-        text::relative(area.prediction_half_width(), area.value, |most| {
-            text::percent(most.min(1.0))
-        }),
+        text::relative(area.value, area.interval().ok(), text::percent),
+        text::relative(area.value, area.prediction(), text::percent),
         state.mean_gap.map_or_else(|| "–".to_owned(), text::length),
         mean.map_or_else(|| "–".to_owned(), text::pressure),
         text::highest(d.max_pressure, mean),

@@ -15,6 +15,7 @@ use crate::progress::Progress;
 use crate::shell::quoted;
 use crate::text::{self, Columns};
 pub(crate) use answers::not_met;
+use answers::run_file_in;
 use clap::Args;
 use compare::Request;
 use compare::{
@@ -129,7 +130,7 @@ impl Compare {
             Given::Maps(surfaces) => surfaces,
             Given::Profiles(profiles) => {
                 let listed = profiles.iter().map(|p| (p.name.clone(), p.origin.clone()));
-                let run_file = run_file(&settings, listed);
+                let run_file = run_file_in(run_file(&settings, listed), &self.out);
                 let out = &self.out;
                 return compare_profiles::run(
                     profiles,
@@ -144,7 +145,7 @@ impl Compare {
         let names = answers::DOCUMENTS.map(str::to_owned);
         let folder = Folder::prepare(&self.out, &names, common.force)?;
         let listed = surfaces.iter().map(|s| (s.name.clone(), s.origin.clone()));
-        let run_file = run_file(&settings, listed);
+        let run_file = run_file_in(run_file(&settings, listed), &self.out);
         on_threads(settings.threads, || {
             let mut comparison = study(surfaces, settings, common)?;
             comparison.refused.extend(unread);
@@ -257,8 +258,11 @@ impl Compare {
                 match self.read(path) {
                     Ok(one) => all.push(one),
                     Err(failure) => {
-                        let reason = failure.message().to_owned();
-                        unread.push(Refused { name: path.display().to_string(), reason });
+                        let shown = path.display().to_string();
+                        let message = failure.message();
+                        let reason = message.strip_prefix(&format!("{shown}: ")).unwrap_or(message);
+                        let name = path.file_name().map_or(shown, |n| n.to_string_lossy().into());
+                        unread.push(Refused { name, reason: reason.to_owned() });
                         first.get_or_insert(failure);
                     }
                 }
@@ -362,54 +366,62 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     }
     out.push_str(text::MOMENTS);
     out.push_str(&text::loads(&comparison.settings));
+    let made_of = (comparison.settings.modulus, comparison.settings.bodies.clone());
+    // Of pairs each says what its bodies are made of.
+    if comparison.surfaces.iter().any(|s| s.origin.pair().is_none()) {
+        out.push_str(&against::lines(None, Some(made_of.clone())));
+    }
     out.push_str(&text::materials(&comparison.settings.materials));
     for surface in &comparison.surfaces {
         let _ = writeln!(out, "{}", headline(surface));
         if let Some(line) = report::elastic_line(surface) {
             let _ = writeln!(out, "{line}");
         }
-        let made_of = (comparison.settings.modulus, comparison.settings.bodies.clone());
-        out.push_str(&against::lines(surface.origin.pair(), Some(made_of)));
+        if let Some(pair) = surface.origin.pair() {
+            out.push_str(&against::lines(Some(pair), Some(made_of.clone())));
+        }
         out.push_str(&text::cleaning(surface.origin.cleaned()));
         out.push_str(&text::findings(&compare::findings(surface)));
         if let Some(plan) = &surface.plan {
             let _ = writeln!(out, "{}", report::plan_explanation(plan));
         }
         out.push('\n');
-        let mut columns = Columns::new(&[
-            "model",
-            "mean |area error|",
-            "range over the loads",
-            "time",
-            "applies",
-        ]);
-        for model in &surface.models {
-            let label = model.card.title.to_string();
-            let applies = model.verdict.answer.word().to_owned();
-            let Ok(curve) = &model.outcome else {
-                columns.row([label, "–".into(), "–".into(), "–".into(), applies]);
-                continue;
-            };
-            let mean = curve
-                .worst_and_mean()
-                .map_or_else(|| "–".to_owned(), |(_, mean)| plain(&report::numbers::percent(mean)));
-            let range = curve.range().map_or_else(
-                || "–".to_owned(),
-                |(low, high)| plain(&report::numbers::signed_range(low, high)),
-            );
-            columns.row([label, mean, range, text::seconds(curve.seconds), applies]);
+        for reference in report::references(surface) {
+            if !reference.of.is_empty() {
+                let _ = writeln!(out, "against the solution of {}:", reference.of);
+            }
+            let _ = writeln!(out, "{}", models(&reference));
         }
-        let solved: Vec<f64> =
-            surface.deterministic.iter().filter_map(|p| Some(p.answer.as_ref()?.seconds)).collect();
-        if !solved.is_empty() {
-            let mean = solved.iter().sum::<f64>() / solved.len() as f64;
-            let dash = || "–".to_owned();
-            columns.row(["Deterministic".into(), dash(), dash(), text::seconds(mean), dash()]);
-        }
-        let _ = writeln!(out, "{columns}");
     }
     let _ = writeln!(out, "report: {}", folder.join("report.html").display());
     out
+}
+
+/// The models that one solution judges, and that solution.
+fn models(reference: &report::Reference<'_>) -> Columns {
+    let heads = ["model", "mean |area error|", "range over the loads", "time", "applies"];
+    let mut columns = Columns::new(&heads);
+    let dash = || "–".to_owned();
+    for (_, model) in &reference.models {
+        let label = model.card.title.to_string();
+        let applies = model.verdict.answer.word().to_owned();
+        let Ok(curve) = &model.outcome else {
+            columns.row([label, dash(), dash(), dash(), applies]);
+            continue;
+        };
+        let mean = curve.worst_and_mean();
+        let mean = mean.map_or_else(dash, |(_, mean)| plain(&report::numbers::percent(mean)));
+        let range = |(low, high)| plain(&report::numbers::signed_range(low, high));
+        let range = curve.range().map_or_else(dash, range);
+        columns.row([label, mean, range, text::seconds(curve.seconds), applies]);
+    }
+    let solved: Vec<f64> =
+        reference.points.iter().filter_map(|p| Some(p.answer.as_ref()?.seconds)).collect();
+    if !solved.is_empty() {
+        let mean = solved.iter().sum::<f64>() / solved.len() as f64;
+        columns.row(["Deterministic".into(), dash(), dash(), text::seconds(mean), dash()]);
+    }
+    columns
 }
 
 fn headline(surface: &SurfaceComparison) -> String {

@@ -97,7 +97,8 @@ pub(crate) fn run(command: &Compare, common: &Common) -> Result<Reply, Failure> 
 }
 
 fn summary<'a>(outcomes: &'a [Outcome], settings: &'a Settings, seconds: f64) -> Summary<'a> {
-    let name = |o: &Outcome| o.file.display().to_string();
+    let folder = rows::common_folder(outcomes);
+    let name = |o: &Outcome| o.file.strip_prefix(&folder).unwrap_or(&o.file).display().to_string();
     let map = |o: &'a Outcome| Some((name(o), &o.result.as_ref().ok()?.0));
     let failed = |o: &Outcome| o.result.is_err().then(|| (name(o), o.why().unwrap_or_default()));
     Summary {

@@ -1,5 +1,6 @@
 //! `rough-contact compare` of profiles.
 
+use crate::against;
 use crate::args::Common;
 use crate::input::Reading;
 use crate::outcome::{Failure, Reply};
@@ -87,6 +88,10 @@ fn write(
 
 fn describe(studies: &[ProfileComparison], folder: &Path) -> String {
     let mut out = String::new();
+    if let Some(ProfileComparison { settings, .. }) = studies.first() {
+        let made_of = (settings.modulus, settings.bodies.clone());
+        out.push_str(&against::lines(None, Some(made_of)));
+    }
     for study in studies {
         let headline = plain(&report::profile_headline(study));
         let _ = writeln!(out, "{}: {headline}", study.name); // a String takes everything

@@ -98,9 +98,9 @@ pub(crate) fn line(asked: &answers::Conduction) -> &'static str {
 /// What a load conducts, as cells of its row, with the errors of its stiffness.
 pub(crate) fn cells(found: &Conducted, stiffness: Option<Estimate>) -> Vec<String> {
     let per_area = |unit: &'static str| move |value: f64| format!("{value:.3e} {unit}");
-    let bar = |half: Option<f64>| text::relative(half, found.stiffness, text::stiffness);
-    let own = stiffness.and_then(|k| k.half_width().ok());
-    let sample = stiffness.and_then(|k| k.prediction_half_width());
+    let bar = |ends: Option<[f64; 2]>| text::relative(found.stiffness, ends, text::stiffness);
+    let own = stiffness.and_then(|k| k.interval().ok());
+    let sample = stiffness.and_then(|k| k.prediction());
     let mut cells = vec![shown(found.stiffness, text::stiffness), bar(own), bar(sample)];
     cells.extend(found.electrical.map(|value| shown(value, per_area("S/m²"))));
     cells.extend(found.thermal.map(|value| shown(value, per_area("W/m²/K"))));

@@ -97,7 +97,7 @@ fn walk(
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         entries.push(entry.map_err(unreadable)?);
     }
-    entries.sort_by_key(std::fs::DirEntry::file_name);
+    entries.sort_by_cached_key(|entry| natural(&entry.file_name().to_string_lossy()));
     for entry in entries {
         let path = entry.path();
         if entry.file_name().to_string_lossy().starts_with('.') {
@@ -112,6 +112,22 @@ fn walk(
         }
     }
     Ok(())
+}
+
+/// A key by which `part2` comes before `part10`: text and the numbers in it by turns, each number by how many
+/// digits it has, then by them; names that differ by zeros alone by themselves.
+fn natural(name: &str) -> (Vec<(String, usize, String)>, String) {
+    let mut parts = Vec::new();
+    let mut rest = name;
+    while !rest.is_empty() {
+        let (text, after) =
+            rest.split_at(rest.find(|c: char| c.is_ascii_digit()).unwrap_or(rest.len()));
+        let digits = after.len() - after.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+        let number = after[..digits].trim_start_matches('0');
+        parts.push((text.to_owned(), number.len(), number.to_owned()));
+        rest = &after[digits..];
+    }
+    (parts, name.to_owned())
 }
 
 /// True of endings that a format has, of the running numbers of microscopes, and of no ending.
@@ -141,11 +157,21 @@ mod tests {
     fn a_folder_is_walked_in_the_order_of_names() {
         let dir = tempfile::tempdir().expect("a folder");
         std::fs::create_dir(dir.path().join("b")).expect("a folder in it");
-        for name in ["c.x3p", "b/a.sdf", "a.x3p", "b/.hidden.x3p", "b/picture.png"] {
+        for name in [
+            "part10.x3p",
+            "part1.x3p",
+            "part2.x3p",
+            "c.x3p",
+            "b/a.sdf",
+            "a.x3p",
+            "b/.hidden.x3p",
+            "b/picture.png",
+        ] {
             std::fs::write(dir.path().join(name), "").expect("a file");
         }
         let found = expand(&[dir.path().to_owned()]).expect("files");
         let names: Vec<_> = found.iter().map(|p| p.strip_prefix(dir.path()).unwrap()).collect();
-        assert_eq!(names, ["a.x3p", "b/a.sdf", "c.x3p"].map(Path::new));
+        let order = ["a.x3p", "b/a.sdf", "c.x3p", "part1.x3p", "part2.x3p", "part10.x3p"];
+        assert_eq!(names, order.map(Path::new));
     }
 }

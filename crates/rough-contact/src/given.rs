@@ -3,6 +3,7 @@
 use crate::compare_profiles;
 use crate::input::{Complete, Fill, Measured, Reading};
 use crate::outcome::Failure;
+use answers::told_apart;
 use compare::{
     Cleaning, FileOrigin, Level, Origin, PairOrigin, Placing, ProfileSurface, RunFile, RunSurface,
     Settings, Surface, sha256_hex,
@@ -176,7 +177,9 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
         fill,
         crop: file.crop.map(Cut::Rectangle),
     };
-    let path = Path::new(&file.path);
+    // From the folder of the run file; as it is written, where nothing lies there.
+    let beside = run_file.parent().unwrap_or(Path::new("")).join(&file.path);
+    let path = if beside.exists() { beside.as_path() } else { Path::new(&file.path) };
     let surface = from_file(path, &reading, file.cleaning)?;
     let origin = match &surface {
         One::Map(map) => &map.origin,
@@ -198,16 +201,22 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
     }
 }
 
-/// Names that tell the surfaces apart: of files with the same name, the whole path; the same file
+/// Names that tell the surfaces apart: of files with the same name, as much of the path as it takes; the same file
 /// twice is numbered.
 fn distinct(surfaces: Vec<(&mut String, &Origin)>) {
     let names: Vec<String> = surfaces.iter().map(|(name, _)| (*name).clone()).collect();
+    let path_of = |origin: &Origin| match origin {
+        Origin::File(file) => Some(file.path.clone()),
+        _ => None,
+    };
+    let paths: Vec<Option<String>> = surfaces.iter().map(|(_, origin)| path_of(origin)).collect();
     let mut given: Vec<String> = Vec::with_capacity(names.len());
-    for (name, origin) in surfaces {
-        if let Origin::File(file) = origin
-            && names.iter().filter(|n| *n == name).count() > 1
-        {
-            name.clone_from(&file.path);
+    for (i, (name, _)) in surfaces.into_iter().enumerate() {
+        let alike = |k: &usize| names[*k] == names[i] && paths[*k].is_some();
+        let group: Vec<usize> = (0..names.len()).filter(alike).collect();
+        if let Some(at) = group.iter().position(|k| *k == i) {
+            let paths: Vec<&str> = group.iter().filter_map(|k| paths[*k].as_deref()).collect();
+            name.clone_from(&told_apart(&paths)[at]);
         }
         let before = given.iter().filter(|n| **n == *name).count();
         given.push(name.clone());

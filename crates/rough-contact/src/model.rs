@@ -170,9 +170,12 @@ impl Model {
                 );
             }
         }
+        let made_of = (modulus.pascals(), self.bodies.listed());
         reply.text += &text::level(level, level);
         reply.text += text::MOMENTS;
         reply.json = found.json;
+        reply.json["bodies"] = report::bodies_json(None, &made_of.1);
+        reply.text += &against::lines(None, Some(made_of));
         Ok(reply)
     }
 

@@ -11,7 +11,8 @@ pub(crate) struct Folder {
 }
 
 impl Folder {
-    /// Makes the folder and looks for what is in the way, before any work is done.
+    /// Looks for what is in the way before any work is done. A folder that is not there yet is made with its
+    /// first file, so that a run which is stopped leaves none.
     pub(crate) fn prepare(path: &Path, names: &[String], force: bool) -> Result<Self, Failure> {
         if !force {
             for name in names {
@@ -21,8 +22,8 @@ impl Folder {
                 }
             }
         }
-        fs::create_dir_all(path).map_err(|e| outcome::unwritable(path, &e))?;
-        let probe = path.join(".rough-contact-probe");
+        let there = path.ancestors().find(|folder| folder.exists()).unwrap_or(Path::new("."));
+        let probe = there.join(format!(".rough-contact-probe.{}", std::process::id()));
         File::create(&probe).map_err(|e| outcome::unwritable(path, &e))?;
         // The probe has told what it was for; if it cannot be removed, writing will tell.
         let _ = fs::remove_file(&probe);
@@ -39,6 +40,7 @@ impl Folder {
         name: &str,
         content: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>,
     ) -> Result<(), Failure> {
+        fs::create_dir_all(&self.path).map_err(|e| outcome::unwritable(&self.path, &e))?;
         write(&self.path.join(name), content)
     }
 }
@@ -80,4 +82,25 @@ fn partial_name(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{}.partial", std::process::id()));
     path.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_made_with_its_first_file() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let out = dir.path().join("a/b");
+        let folder = Folder::prepare(&out, &["x".to_owned()], false).expect("writable");
+        assert_eq!(
+            fs::read_dir(dir.path()).expect("a folder").count(),
+            0,
+            "nothing is left behind"
+        );
+        folder.write("x", |file| file.write_all(b"1")).expect("written");
+        assert!(out.join("x").is_file());
+        assert!(Folder::prepare(&out, &["x".to_owned()], false).is_err(), "not over it");
+        assert!(Folder::prepare(&out.join("x/c"), &[], true).is_err(), "a file is no folder");
+    }
 }

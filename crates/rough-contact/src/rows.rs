@@ -137,7 +137,7 @@ pub(crate) fn table(outcomes: &[Outcome], shown: &[Shown]) -> String {
 }
 
 /// The folder that all files are in.
-fn common_folder(outcomes: &[Outcome]) -> PathBuf {
+pub(crate) fn common_folder(outcomes: &[Outcome]) -> PathBuf {
     let folders = outcomes.iter().map(|o| o.file.parent().unwrap_or(Path::new("")).to_owned());
     let both = |a: PathBuf, b: PathBuf| {
         let shared = a.components().zip(b.components()).take_while(|(x, y)| x == y);

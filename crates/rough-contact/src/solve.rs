@@ -148,6 +148,13 @@ impl PerFile for Solve {
         self.against.content()
     }
 
+    fn about(&self) -> String {
+        self.bodies.required().map_or_else(
+            |_| String::new(),
+            |modulus| against::lines(None, Some((modulus.pascals(), self.bodies.listed()))),
+        )
+    }
+
     fn is_complete(&self, file: &Path) -> bool {
         let loads = self.loads.count().unwrap_or(0);
         let names = self.fields.names(loads);

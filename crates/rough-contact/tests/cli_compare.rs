@@ -215,4 +215,10 @@ fn a_study_can_be_told_apart_and_repeated_as_its_page_says() {
     let again = rough_contact(at, command.strip_prefix("rough-contact ").unwrap());
     assert_eq!(again.status, 0, "{command}: {}", again.err);
     assert!(at.join("out-again/report.html").exists());
+    // A run file names its files from where it lies, so it is repeated from anywhere; a report has their names.
+    assert!(read("run.toml").contains("path = \"../one/s.x3p\""), "{}", read("run.toml"));
+    assert_eq!(settings["surfaces"][1]["origin"]["file"]["path"], "s.x3p");
+    let line = "compare --from ../out/run.toml --out third --quiet";
+    let elsewhere = rough_contact(&at.join("one"), line);
+    assert_eq!(elsewhere.status, 0, "{}", elsewhere.err);
 }

@@ -273,3 +273,40 @@ fn the_page_has_the_table() {
         }
     }
 }
+
+/// One material presses on a rigid flat, two on each other: half the area of the one. Every command says which.
+#[test]
+fn modulus_and_the_other_body_are_said() {
+    let dir = folder();
+    let at = dir.path();
+    surface(at);
+    let one = "--material steel-304 --hardness elastic --pressure 100MPa";
+    let two = "--material steel-304,steel-304 --hardness elastic --pressure 100MPa";
+    for (command, out) in [
+        (format!("solve {FILE}"), ""),
+        (format!("model gw {FILE}"), ""),
+        (format!("compare {FILE} --models gw,persson"), " --out of"),
+    ] {
+        for (name, bodies, e_star, against) in [
+            ("-one", one, 193e9 / (1.0 - 0.29f64.powi(2)), "ν = 0.29, against a rigid flat"),
+            ("-two", two, 96.5e9 / (1.0 - 0.29f64.powi(2)), "ν = 0.29, against E = 193 GPa"),
+        ] {
+            let out = if out.is_empty() { String::new() } else { format!("{out}{name}") };
+            let line = format!("{command} {bodies}{out} --quiet --force");
+            // What is left out of the hardness is an option that `model` does not have.
+            let line = if command.starts_with("model") {
+                line.replace(" --hardness elastic", "")
+            } else {
+                line
+            };
+            let said = rough_contact(at, &line).out;
+            let modulus = format!("E* = {:.1} GPa", e_star / 1e9);
+            assert!(said.contains(&modulus) && said.contains(against), "{line}: {said}");
+            let json = answer(at, &line);
+            let surface = if command.starts_with("compare") { &json["surfaces"][0] } else { &json };
+            assert_eq!(surface["bodies"][1]["rigid"], name == "-one", "{line}");
+        }
+    }
+    let page = std::fs::read_to_string(at.join("of-one/report.html")).expect("a page");
+    assert!(page.contains(", against a rigid flat ·"), "in the head");
+}

@@ -314,3 +314,24 @@ fn what_cleaning_leaves_of_a_wide_spike_is_not_to_be_cleaned_again() {
     claims.dedup();
     assert_eq!(claims.len(), 1, "{claims:?}");
 }
+
+/// Nine orders lie between MPa and mPa: the hint says so, and what the smaller one gives is no contact of a surface.
+#[test]
+fn a_load_below_a_point_is_said() {
+    let folder = folder();
+    waves(folder.path());
+    let file = "waves.txt --pixel 1um --height-unit um --modulus 110GPa --quiet";
+    let refused = rough_contact(folder.path(), &format!("solve {file} --pressure 10mpa"));
+    assert_eq!(refused.status, 2);
+    assert!(refused.err.contains("MPa (1e6 Pa) or mPa (1e-3 Pa)"), "{}", refused.err);
+    let claim = "the contact is smaller than a point of the map";
+    let solve = rough_contact(folder.path(), &format!("solve {file} --pressure 10mPa,100MPa"));
+    assert!(solve.out.contains(&format!("At 1 of 2 loads {claim}")), "{}", solve.out);
+    let compare = format!("compare {file} --models gw,persson --pressure 10mPa --out out --json");
+    let found = rough_contact(folder.path(), &compare).json();
+    let all = found["surfaces"][0]["findings"].as_array().unwrap();
+    let is_said = |f: &Value| f["claim"] == format!("At 1 of 1 load {claim}.");
+    assert!(all.iter().any(is_said), "{all:?}");
+    let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    assert!(page.contains(claim));
+}

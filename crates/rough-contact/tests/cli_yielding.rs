@@ -57,8 +57,14 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
     assert!(names.contains(&"ceb") && names.contains(&"persson-yield"), "{names:?}");
     for model in models {
         let is_elastic = !matches!(model["model"].as_str(), Some("ceb" | "persson-yield"));
-        let has = model["area_error"]["against_elastic"].is_array();
-        assert!(has == (is_elastic && model["applicable"] == true), "{model}");
+        if model["applicable"] == true {
+            let by = if is_elastic { "elastic" } else { "deterministic" };
+            assert_eq!(model["area_error"]["against"], by, "{model}");
+            let error = number(&model["area_error"]["signed"][2]);
+            let area = |points: &Value| number(&points["points"][2]["area_fraction_corrected"]);
+            let off = number(&model["points"][2]["area_fraction"]) / area(&surface[by]) - 1.0;
+            assert!((error - off).abs() < 1e-12, "{error} {off} {}", model["model"]);
+        }
     }
     let claim = surface["findings"].as_array().expect("findings").iter().find_map(|f| {
         f["fact"].get("yielding").and_then(|_| f["claim"].as_str().map(str::to_owned))
@@ -66,7 +72,13 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
     let claim = claim.expect("what has yielded");
     assert!(page.contains(&claim) && said.out.contains(&claim.replace('\u{202f}', " ")), "{claim}");
     assert!(said.out.contains("at the hardness") && page.contains("Area of elastic bodies"));
-    assert!(page.contains("Theories of elastic bodies are not ranked"));
+    assert!(page.contains("Theories of elastic bodies are compared with the elastic solution"));
+    // Each kind of theories has its panel, its part of the table and its sentence.
+    for of in ["bodies that yield", "elastic bodies"] {
+        assert!(page.contains(&format!("Error of each closed form, {of}")), "{of}");
+        assert!(said.out.contains(&format!("against the solution of {of}:")), "{}", said.out);
+    }
+    assert!(page.contains("<b>Elastic bodies:</b>"));
 
     let again = rough_contact(at, "compare --from report/run.toml --out again");
     assert_eq!(again.status, 0, "{}", again.err);

@@ -59,6 +59,8 @@ def rerun(
             named[surface["name"]] = Surface._made(*_rust.synth(json.dumps(surface["recipe"]), used))
             continue
         at, content, reading = surface["file"]
+        beside = os.path.join(os.path.dirname(os.fspath(path)), at)
+        at = beside if os.path.exists(beside) else at
         with sorted_as(ReadError):
             heights, facts, said = _rust.read(at, json.dumps(reading), used)
         made = Surface._made(heights, facts, json.dumps({**json.loads(said), "path": at}))

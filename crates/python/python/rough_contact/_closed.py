@@ -18,7 +18,7 @@ from ._errors import ModelError, SettingError, made, sorted_as
 from ._findings import Finding, findings_html
 from ._models import Citation
 from ._profile import Profile
-from ._results import flat, pressure as shown
+from ._results import flat, made_of, pressure as shown
 from ._surface import LEVELS, Flip, Level, Surface, check, laid
 from ._threads import count
 from ._units import Q
@@ -238,7 +238,7 @@ class ModelCurve:
     def __repr__(self) -> str:
         c = self.citation
         doi = f", doi:{c.doi}" if c.doi else ""
-        head = f"ModelCurve({self.name!r}, {c.authors} {c.year}{doi})"
+        head = f"ModelCurve({self.name!r}, {c.authors} {c.year}{doi}; {made_of(self.json)})"
         checks = [f"  {finding}" for finding in self.findings if finding.weight == "check"]
         return "\n".join([head, *checks, *(f"  {row}" for row in self._rows())])
 

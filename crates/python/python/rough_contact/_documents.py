@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from . import _rough_contact as _rust
+
 __all__ = ["Documents"]
 
 
@@ -53,5 +55,7 @@ class Documents:
             if os.path.lexists(path) and not overwrite:
                 raise FileExistsError(f"{path} exists; give overwrite=True or another folder")
         for path, text in paths.items():
+            if os.path.basename(path) == "run.toml":
+                text = _rust.run_file_in(text, os.fspath(folder))
             with open(path, "w", encoding="utf-8", newline="") as file:
                 file.write(text)

@@ -49,7 +49,7 @@ class ProfileComparison(Documents):
         return len(self.json["profiles"])
 
     def __repr__(self) -> str:
-        lines = [f"ProfileComparison({len(self)} profiles)"]
+        lines = [f"ProfileComparison({'1 profile' if len(self) == 1 else f'{len(self)} profiles'})"]
         for name, profile in self.profiles.items():
             span = profile["span"]
             said = "no model answers"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import json
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields
 from html import escape
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _rough_contact as _rust
 from ._findings import Finding, findings_html
 
 if TYPE_CHECKING:
@@ -90,7 +92,7 @@ class Point:
     ) -> Point:
         known = {f.name for f in fields(cls)}
         values: dict[str, Any] = {
-            k: tuple(v) if isinstance(v, list) else v for k, v in json.items() if k in known
+            k: ends(v) if isinstance(v, list) else v for k, v in json.items() if k in known
         }
         return cls(**values, pressure=pressure, gap=gap)
 
@@ -129,8 +131,13 @@ def _vector(points: Sequence[dict[str, Any]], key: str) -> NDArray[np.float64]:
     return made
 
 
+def ends(pair: Sequence[Any]) -> tuple[Any, ...]:
+    """An interval of JSON, which has no infinity: an upper end that is not known is ``None`` there."""
+    return tuple(float("inf") if end is None else end for end in pair)
+
+
 def _pairs(points: Sequence[dict[str, Any]], key: str) -> NDArray[np.float64]:
-    values = [p.get(key) or (np.nan, np.nan) for p in points]
+    values = [ends(p.get(key) or (np.nan, np.nan)) for p in points]
     made = np.array(values, dtype=np.float64).reshape(len(points), 2)
     made.setflags(write=False)
     return made
@@ -334,7 +341,8 @@ class LoadCurve:
 
     def __repr__(self) -> str:
         ny, nx = self.shape
-        lines = [f"LoadCurve({len(self)} loads on {ny} x {nx} points, {self.json['method']})"]
+        loads = "1 load" if len(self) == 1 else f"{len(self)} loads"
+        lines = [f"LoadCurve({loads} on {ny} x {nx} points, {self.json['method']}; {made_of(self.json)})"]
         lines += [f"  {finding}" for finding in self.findings if finding.weight == "check"]
         lines += [f"  {repr(point)[6:-1]}" for point in self]
         return "\n".join(lines)
@@ -352,13 +360,14 @@ class LoadCurve:
                 pressure(p.mean_pressure),
                 percent(p.area_fraction_corrected, p.area_interval) + ("" if p.converged else " (not converged)"),
                 "–" if p.mean_gap is None else f"{p.mean_gap * 1e9:.4g} nm",
-                pressure(p.real_pressure_corrected),
+                _rust.pressure_within(p.real_pressure_corrected, p.real_pressure_interval),
                 f"{residual:.1e}",
                 f"{p.seconds or 0:.2g} s",
             )
             rows.append("<tr>" + "".join(f"<td style='text-align:right'>{escape(c)}</td>" for c in cells) + "</tr>")
         heads = "".join(f"<th>{h}</th>" for h in head)
-        return f"{findings_html(self.findings)}<table><tr>{heads}</tr>{''.join(rows)}</table>"
+        about = f"<p>{escape(made_of(self.json))}</p>"
+        return f"{findings_html(self.findings)}{about}<table><tr>{heads}</tr>{''.join(rows)}</table>"
 
 
 def flat(value: dict[str, Any], above: str = "") -> dict[str, Any]:
@@ -387,10 +396,14 @@ def pressure(pascals: float | None) -> str:
 
 
 def percent(value: float | None, interval: Interval | None) -> str:
-    """A fraction with its bar."""
+    """A fraction and the ends between which it lies, as the command says them."""
     if value is None:
         return "–"
-    if interval is None:
-        return f"{100 * value:.3g} % (no ±)"
-    half = max(value - interval[0], interval[1] - value)
-    return f"{100 * value:.3g} % ± {100 * half:.2g} %"
+    return _rust.percent_within(value, interval) + (" (no ±)" if interval is None else "")
+
+
+def made_of(answer: dict[str, Any]) -> str:
+    """E*, and which bodies press on each other."""
+    elastic = [body for body in answer.get("bodies") or [] if not body["rigid"]]
+    bodies = [{"young": body["young"], "poisson": body["poisson"]} for body in elastic]
+    return _rust.bodies_line(answer["modulus"], json.dumps(bodies))

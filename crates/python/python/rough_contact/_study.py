@@ -233,13 +233,15 @@ class Comparison(Documents):
                 rows.append((model.title, "–" if mean is None else f"{100 * mean:.3g} %", model.verdict))
             points = surface.json["deterministic"]["points"]
             at = [p for p in points if p["mean_pressure"] == surface.headline_pressure]
-            interval = at[0]["area_interval"] if at else None
+            interval = (at[0]["area_prediction_interval"] or at[0]["area_interval"]) if at else None
             area = percent(at[0]["area_fraction_corrected"], interval) if at else "–"
             found.append((f"{name}: area {area} at {pressure(surface.headline_pressure)}", rows))
         return found
 
     def __repr__(self) -> str:
-        lines = [f"Comparison({len(self)} surfaces)"]
+        settings = self.json["settings"]
+        about = _rust.bodies_line(settings["modulus"], json.dumps(settings["bodies"]))
+        lines = [f"Comparison({'1 surface' if len(self) == 1 else f'{len(self)} surfaces'}; {about})"]
         for head, rows in self._lines():
             lines.append(f"  {head}")
             lines += [f"    {title}: mean |area error| {mean}, {verdict}" for title, mean, verdict in rows]

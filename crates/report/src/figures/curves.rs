@@ -5,7 +5,7 @@ use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK2};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
 use crate::lines::{Lines, ModelLine, compared, min_max, range_words};
-use crate::numbers::{PASCALS, Unit, signed_range, unit_for};
+use crate::numbers::{PASCALS, Unit, counted, signed_range, unit_for};
 
 /// Plot box: left and right edge in units.
 const LEFT: f64 = 44.0;
@@ -34,8 +34,8 @@ pub(crate) fn area(lines: &Lines, key: &str, usage: Use) -> Figure {
     let models: Vec<_> =
         lines.models.iter().map(|m| m.area.iter().map(|a| a.map(percent)).collect()).collect();
     let description = format!(
-        "Log-log plot over {} loads. Deterministic area: {}. {}",
-        lines.pressures.len(),
+        "Log-log plot over {}. Deterministic area: {}. {}",
+        counted(lines.pressures.len(), "load"),
         range_words(&reference, " %"),
         compared(lines)
     );
@@ -369,7 +369,8 @@ fn cursor(canvas: &mut Canvas, lines: &Lines, frame: &Frame, cells: char) {
     let places: Vec<String> =
         lines.pressures.iter().map(|p| num(frame.x.at(p / unit.scale))).collect();
     canvas.raw(&format!(
-        "<g class=\"cur\" data-v=\"{cells}\" data-x=\"{}\" transform=\"translate({} 0)\">",
+        "<g class=\"cur\" data-v=\"{cells}\" data-of=\"{}\" data-x=\"{}\" transform=\"translate({} 0)\">",
+        lines.of,
         places.join(" "),
         places[lines.headline]
     ));

@@ -30,7 +30,7 @@ pub(crate) enum Quantity {
 
 /// One panel's numbers.
 struct Panel<'a> {
-    name: &'a str,
+    name: String,
     /// p / (E* g).
     load: Vec<f64>,
     reference: Vec<Option<f64>>,
@@ -59,7 +59,7 @@ impl<'a> Panel<'a> {
             _ => values(&lines.area),
         };
         Self {
-            name: &surface.name,
+            name: lines.named(surface),
             load: lines.pressures.iter().map(|p| p / scale).collect(),
             reference,
             models: lines.models.iter().map(|m| (m, of_model(m))).collect(),
@@ -101,9 +101,9 @@ pub(crate) fn figure(
     description: String,
     key: &str,
 ) -> Figure {
-    let lines: Vec<Lines> = surfaces.iter().map(Lines::of).collect();
-    let panels: Vec<Panel<'_>> =
-        surfaces.iter().zip(&lines).map(|(s, l)| Panel::new(s, l, quantity)).collect();
+    let lines: Vec<(&SurfaceComparison, Lines)> =
+        surfaces.iter().flat_map(|s| Lines::panels(s).into_iter().map(move |l| (s, l))).collect();
+    let panels: Vec<Panel<'_>> = lines.iter().map(|(s, l)| Panel::new(s, l, quantity)).collect();
     let loads = || panels.iter().flat_map(|p| p.load.iter().copied());
     let (mut x_lo, mut x_hi) = (loads().fold(f64::INFINITY, f64::min), loads().fold(0.0, f64::max));
     if x_hi <= x_lo {
@@ -133,7 +133,7 @@ pub(crate) fn figure(
             x_title: String::new(),
             y_title: if i % PER_ROW == 0 { axis_title(quantity).into() } else { String::new() },
         };
-        let name = shortened(panel.name, 30);
+        let name = shortened(&panel.name, 30);
         canvas.text(&Text { bold: true, ..Text::new([left, top - head + 11.0], &name) });
         for (row, (model, text)) in notes.iter().enumerate() {
             let at = [left, top - head + 22.5 + NOTE * row as f64];

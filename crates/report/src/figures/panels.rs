@@ -1,9 +1,9 @@
-//! `area.svg` and `pressure.svg`: the source paper's Figs. 1 and 2, one panel per surface.
+//! `area.svg` and `pressure.svg`: the source paper's Figs. 1 and 2, one panel per surface, two of bodies that yield.
 
 use crate::draw::svg::{COLUMN, Canvas, Figure, Text};
 use crate::figures::curves::{self, Use};
 use crate::lines::Lines;
-use compare::{Comparison, SurfaceComparison};
+use compare::Comparison;
 use std::io::{self, Write};
 
 /// Real area over load as a file 85 mm wide: panels below each other, in two columns from four.
@@ -24,34 +24,34 @@ pub fn write_pressure_svg(comparison: &Comparison, out: &mut impl Write) -> io::
 
 fn panels(comparison: &Comparison, key: &str, draw: fn(&Lines, &str, Use) -> Figure) -> Figure {
     const NAME: f64 = 18.0;
-    let panel =
-        |s: &SurfaceComparison, i: usize| draw(&Lines::of(s), &format!("{key}{i}"), Use::File);
-    let figures: Vec<Figure> =
-        comparison.surfaces.iter().enumerate().map(|(i, s)| panel(s, i)).collect();
-    if let [one] = figures.as_slice() {
+    let panels = comparison.surfaces.iter().flat_map(|surface| {
+        Lines::panels(surface).into_iter().map(|lines| (lines.named(surface), lines))
+    });
+    let figures: Vec<(String, Figure)> = panels
+        .enumerate()
+        .map(|(i, (name, lines))| (name, draw(&lines, &format!("{key}{i}"), Use::File)))
+        .collect();
+    if let [(_, one)] = figures.as_slice() {
         return one.clone();
     }
     let columns = if figures.len() > 3 { 2 } else { 1 };
-    let height = figures.iter().map(|f| f.size[1]).fold(0.0, f64::max) + NAME;
+    let height = figures.iter().map(|(_, f)| f.size[1]).fold(0.0, f64::max) + NAME;
     let mut canvas = Canvas::default();
-    for (i, (figure, surface)) in figures.iter().zip(&comparison.surfaces).enumerate() {
+    for (i, (name, figure)) in figures.iter().enumerate() {
         let (x, y) = ((i % columns) as f64 * COLUMN, (i / columns) as f64 * height);
         let letter = char::from(b'a' + (i % 26) as u8);
-        let name = format!("({letter}) {}", surface.name);
+        let name = format!("({letter}) {name}");
         canvas.text(&Text { bold: true, ..Text::new([x + 10.0, y + 12.0], &name) });
         canvas.raw(&format!("<g transform=\"translate({x} {})\">", y + NAME));
         canvas.raw(figure.canvas.body());
         canvas.raw("</g>");
     }
     let rows = figures.len().div_ceil(columns).max(1);
-    let described: Vec<String> = figures
-        .iter()
-        .zip(&comparison.surfaces)
-        .map(|(f, s)| format!("{}: {}", s.name, f.description))
-        .collect();
+    let described: Vec<String> =
+        figures.iter().map(|(name, f)| format!("{name}: {}", f.description)).collect();
     Figure {
         key: key.into(),
-        title: figures.first().map_or(String::new(), |f| f.title.clone()),
+        title: figures.first().map_or(String::new(), |(_, f)| f.title.clone()),
         description: described.join(" "),
         size: [columns as f64 * COLUMN, rows as f64 * height],
         canvas,

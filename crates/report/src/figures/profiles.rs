@@ -43,6 +43,7 @@ fn lines(study: &ProfileComparison) -> Lines {
         interval: (0..n).map(|i| study.span(i).map(|(span, _)| span)).collect(),
         models: models.collect(),
         headline: study.headline,
+        of: "",
     }
 }
 

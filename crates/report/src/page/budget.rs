@@ -2,7 +2,7 @@
 
 use crate::draw::svg::escape;
 use crate::numbers::{
-    METRES, SPACE, duration, quantity, relative_bar, signed_percent, significant,
+    METRES, SPACE, duration, quantity, relative_interval, signed_percent, significant,
 };
 use crate::page::phrases::tolerance_words;
 use crate::words::edges::edge_words;
@@ -10,24 +10,29 @@ use compare::ChoiceKind;
 use compare::{DeterministicAnswer, SurfaceComparison};
 use contact_accuracy::{Estimate, Parts};
 
-/// A half width as a share of its value.
-fn share(half: Option<f64>, value: f64) -> String {
-    match half.filter(|h| h.is_finite() && value > 0.0) {
-        Some(half) => escape(&relative_bar(half / value)),
-        None => "–".into(),
-    }
+/// A half width as the ends it makes.
+fn ends(value: f64, half: Option<f64>) -> Option<[f64; 2]> {
+    half.filter(|h| h.is_finite()).map(|half| [(value - half).max(0.0), value + half])
+}
+
+/// An interval as shares of its number.
+fn shares(value: f64, ends: Option<[f64; 2]>) -> String {
+    let ends = ends.filter(|_| value > 0.0);
+    ends.map_or("–".into(), |ends| escape(&relative_interval(value, ends)))
 }
 
 /// Rows by source, columns by number, and how each part was obtained.
 pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, at: &str) -> String {
     let budget = &answer.budget;
-    let row = |class: &str, name: &str, part: &dyn Fn(&Estimate) -> Option<f64>, how: &str| {
-        let of = |e: Option<Estimate>| e.map_or("–".into(), |e| share(part(&e), e.value));
-        let area = of(Some(budget.area));
+    let row = |class: &str, name: &str, part: &dyn Fn(&Estimate) -> Option<[f64; 2]>, how: &str| {
+        let of = |e: Option<Estimate>| e.map_or("–".into(), |e| shares(e.value, part(&e)));
+        let turned = part(&budget.area).map(|[low, high]| [1.0 / high, 1.0 / low]);
         format!(
-            "<tr{class}><th scope=\"row\">{name}</th><td class=\"n\">{area}</td>\
-             <td class=\"n\">{area}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
+            "<tr{class}><th scope=\"row\">{name}</th><td class=\"n\">{}</td>\
+             <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
              <td class=\"why\">{how}</td></tr>\n",
+            of(Some(budget.area)),
+            shares(1.0 / budget.area.value, turned),
             of(budget.mean_gap),
             of(budget.stiffness)
         )
@@ -36,7 +41,7 @@ pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, a
         format!("; proven: energy error at most {} (η)", tolerance_words(eta.max(1e-16)))
     });
     let left = tolerance_words(answer.residuals.preconditioned.max(1e-16));
-    let part = |e: &Estimate, of: fn(&Parts) -> f64| Some(of(&e.uncertainty.ok()?));
+    let part = |e: &Estimate, of: fn(&Parts) -> f64| ends(e.value, Some(of(&e.uncertainty.ok()?)));
     let rows = [
         row("", "Half the points", &|e| part(e, |p| p.coarser), &coarser_words(answer)),
         row(
@@ -56,25 +61,25 @@ pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, a
         row(
             " class=\"sum\"",
             "Of this map ±",
-            &|e| e.half_width().ok(),
+            &|e| e.interval().ok(),
             "root of the squares, and the iteration on top: Figs. 1 to 4, both sides see this map",
         ),
         row(
             "",
             "Sampling variability, 95{SPACE}%",
-            &|e| e.sampling,
+            &|e| ends(e.value, e.sampling),
             "from 8 × 8 blocks of this solution and the long waves of the map",
         ),
         row(
             "",
             "Materials",
-            &|e| (e.materials > 0.0).then_some(e.materials),
+            &|e| ends(e.value, Some(e.materials).filter(|m| *m > 0.0)),
             "spread of the table's modulus and hardness",
         ),
         row(
             " class=\"sum\"",
             "Of the surface ±",
-            &Estimate::prediction_half_width,
+            &Estimate::prediction,
             "root of the squares: the ± of the headline",
         ),
     ];

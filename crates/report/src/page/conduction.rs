@@ -1,8 +1,9 @@
 //! "What it conducts": where resistivities or conductivities were given.
 
+use crate::draw::svg::escape;
 use crate::figures::conduction::{self as figures, Line};
 use crate::looks::look;
-use crate::numbers::{PASCALS, chosen, relative_bar, significant};
+use crate::numbers::{PASCALS, chosen, relative_interval, significant};
 use crate::page::context::Page;
 use crate::page::sections::figure;
 use crate::sources::CONDUCTANCE;
@@ -17,17 +18,15 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     let p = chosen(surface.headline_pressure(), PASCALS);
     let at_headline = found.stiffness.get(surface.headline).copied().flatten();
     let area = surface.surface.grid().area();
-    let bar = surface.headline_answer().and_then(|a| a.budget.stiffness).and_then(|k| {
-        let half = k.prediction_half_width().or_else(|| k.half_width().ok())?;
-        Some((half / k.value, k.prediction_half_width().is_some()))
-    });
+    let estimate = surface.headline_answer().and_then(|a| a.budget.stiffness);
+    let stated = estimate.and_then(|k| Some((k.value, k.stated()?)));
     let mut rows = String::new();
     for kind in kinds(found) {
         let Some(stiffness) = at_headline else { continue };
         let value = conductance(kind, stiffness);
-        let spread = match bar {
-            Some((relative, _)) if value > 0.0 && value.is_finite() => {
-                format!(" {}", relative_bar(relative))
+        let spread = match stated {
+            Some((k, ends)) if value > 0.0 && value.is_finite() => {
+                format!(" {}", escape(&relative_interval(k, ends)))
             }
             _ => String::new(),
         };
@@ -39,10 +38,10 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
             scientific(value * area, kind.of_part),
         ));
     }
-    let covers = match bar {
-        Some((_, true)) => "± of the surface. ",
-        Some((_, false)) => "± of this map. ",
-        None => "",
+    let covers = match (stated, estimate.and_then(|k| k.sampling)) {
+        (None, _) => "",
+        (Some(_), Some(_)) => "± of the surface. ",
+        (Some(_), None) => "± of this map. ",
     };
     let lead = octaves(found).map_or_else(String::new, |text| format!("<p>{text}</p>\n"));
     let mut out = format!(

@@ -1,7 +1,7 @@
 //! How a report was made: program, inputs, material, solver, and how to repeat it.
 
 use crate::draw::svg::escape;
-use crate::numbers::{METRES, PASCALS, SPACE, chosen, duration, significant};
+use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, significant};
 use crate::page::context::Page;
 use crate::page::phrases::{levelled, tolerance_words};
 use crate::words::edges::treatment;
@@ -22,11 +22,10 @@ pub(crate) fn section(page: &Page<'_>) -> String {
     let mut rows = vec![(
         "Program".to_owned(),
         format!(
-            "rough-contact {}, {}, {} {}, {}",
+            "rough-contact {}, {}, {}, {}",
             escape(&made.version),
             escape(&made.platform),
-            settings.threads,
-            if settings.threads == 1 { "thread" } else { "threads" },
+            counted(settings.threads, "thread"),
             duration(page.comparison.seconds)
         ),
     )];
@@ -126,6 +125,16 @@ pub(crate) fn level_words(level: Level) -> &'static str {
     }
 }
 
+/// E* in the head of a page, and what presses on the rough body.
+pub(crate) fn modulus_in_head(settings: &Settings) -> String {
+    let other = match settings.bodies.len() {
+        0 => "",
+        1 => ", against a rigid flat",
+        _ => ", of two elastic bodies",
+    };
+    format!("<i>E</i>* = {}{other}", chosen(settings.modulus, PASCALS))
+}
+
 /// What E* is made of. Contact is solved as that of one rough elastic half space and a rigid flat.
 pub(crate) fn bodies_words(bodies: &[Body]) -> String {
     let one = |b: &Body| {
@@ -144,8 +153,9 @@ pub(crate) fn bodies_words(bodies: &[Body]) -> String {
 
 pub(crate) fn origin_words(origin: &Origin) -> String {
     match origin {
-        Origin::File(FileOrigin { path, sha256, format, fill, missing, crop, channel, .. }) => {
-            let mut text = format!("{} ({})", escape(path), escape(format));
+        Origin::File(file) => {
+            let FileOrigin { sha256, format, fill, missing, crop, channel, .. } = file;
+            let mut text = format!("{} ({})", escape(file.name()), escape(format));
             if let Some(channel) = channel {
                 text.push_str(&format!(", channel {}", escape(channel)));
             }
@@ -153,7 +163,8 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
                 text.push_str(&format!(", cut to {nx} × {ny} points from column {x0}, row {y0}"));
             }
             if *missing > 0 {
-                text.push_str(&format!(", {missing} missing points filled ({})", escape(fill)));
+                let points = counted(*missing, "missing point");
+                text.push_str(&format!(", {points} filled ({})", escape(fill)));
             }
             text.push_str(&format!(", SHA-256 <code>{}</code>", escape(sha256)));
             text
@@ -175,7 +186,7 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
         }
         Origin::Given(given) => {
             let filled = if given.missing > 0 {
-                format!(", {} missing points filled before", given.missing)
+                format!(", {} filled before", counted(given.missing, "missing point"))
             } else {
                 String::new()
             };
@@ -243,12 +254,12 @@ fn solver_words(page: &Page<'_>) -> String {
     let (precision, tolerance) =
         plan.map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
     format!(
-        "periodic half space, FFT; {}, {}; stop at a relative rms pressure error of {}; {} loads, \
+        "periodic half space, FFT; {}, {}; stop at a relative rms pressure error of {}; {}, \
          {} FFT pairs, {}; area corrected for the contact line, c = {}",
         methods.into_iter().collect::<Vec<_>>().join(", "),
         precision,
         tolerance_words(tolerance),
-        answers().count(),
+        counted(answers().count(), "load"),
         significant(pairs, 3),
         duration(seconds),
         significant(PERIMETER_CORRECTION, 4)

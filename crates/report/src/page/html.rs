@@ -3,9 +3,9 @@
 use crate::draw::palette::{COLOURS, Colour};
 use crate::draw::svg::escape;
 use crate::error::ReportError;
-use crate::lines::Lines;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, fixed};
 use crate::page::context::Page;
+use crate::page::how_made::modulus_in_head;
 use crate::page::{conduction, contact_map, distributions, how_made, overview, sections, slider};
 use crate::provenance::Provenance;
 use crate::words;
@@ -111,12 +111,11 @@ fn surface_sections(
     title: &str,
 ) -> Result<String, ReportError> {
     let id = format!("s{index}");
-    let lines = Lines::of(surface);
-    let mut out =
-        format!("<div class=\"surface\" data-loads=\"{}\">\n{title}", lines.pressures.len());
+    let loads = surface.deterministic.len();
+    let mut out = format!("<div class=\"surface\" data-loads=\"{loads}\">\n{title}");
     out.push_str(&opening(page, surface));
     out.push_str(&sections::key_and_notes(surface, &id));
-    out.push_str(&sections::over_load(page, surface, &lines, &id));
+    out.push_str(&sections::over_load(page, surface, &id));
     out.push_str(&sections::models(page, surface));
     let limit = page.map_limit;
     let (touches, heights) = join(
@@ -154,12 +153,12 @@ fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
     };
     let hardness = hardness_in_head(surface.inputs.hardness);
     let line = format!(
-        "<p class=\"file\">{before}{} × {}{SPACE}{}, {nx} × {ny} points · <i>E</i>* = \
+        "<p class=\"file\">{before}{} × {}{SPACE}{}, {nx} × {ny} points · \
          {}{hardness}{after}</p>\n",
         side(lx),
         side(ly),
         unit.name,
-        chosen(page.comparison.settings.modulus, PASCALS)
+        modulus_in_head(&page.comparison.settings)
     );
     let say = words::headline(surface);
     let first = if page.several() {

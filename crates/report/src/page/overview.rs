@@ -4,9 +4,10 @@ use crate::draw::svg::escape;
 use crate::figures::multiples::{self, Quantity};
 use crate::lines::WANTED;
 use crate::numbers::{
-    METRES, PASCALS, SPACE, chosen, duration, quantity, signed_percent, significant,
+    METRES, PASCALS, SPACE, chosen, counted, duration, quantity, signed_percent, significant,
 };
 use crate::page::context::Page;
+use crate::page::how_made::modulus_in_head;
 use crate::words;
 use compare::{ModelComparison, SurfaceComparison, elastic_holds};
 
@@ -14,9 +15,9 @@ use compare::{ModelComparison, SurfaceComparison, elastic_holds};
 pub(crate) fn section(page: &mut Page<'_>) -> String {
     let surfaces = &page.comparison.surfaces;
     let line = format!(
-        "<p class=\"file\">rough-contact report · {} surfaces · <i>E</i>* = {} · {}</p>\n",
+        "<p class=\"file\">rough-contact report · {} surfaces · {} · {}</p>\n",
         surfaces.len(),
-        chosen(page.comparison.settings.modulus, PASCALS),
+        modulus_in_head(&page.comparison.settings),
         words::date(page.provenance.unix_time)
     );
     let mut out = format!(
@@ -79,6 +80,13 @@ fn mean_errors(surfaces: &[SurfaceComparison]) -> Vec<Vec<Option<f64>>> {
 
 /// Which closed form has the smallest largest mean error over the surfaces.
 fn headline(surfaces: &[SurfaceComparison]) -> String {
+    let unknown = surfaces.iter().filter(|s| !words::is_known(s)).count();
+    if unknown > 0 {
+        return format!(
+            "The area is not known to 10{SPACE}% on {unknown} of {}: the closed forms are not ranked.",
+            counted(surfaces.len(), "surface")
+        );
+    }
     let all = mean_errors(surfaces);
     let models = all.first().map_or(0, Vec::len);
     let worst = |k: usize| -> Option<f64> {
@@ -107,6 +115,9 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
 /// Whether the order of the models is the same on every surface, among those that answer on all,
 /// and which do not.
 fn ranking(surfaces: &[SurfaceComparison]) -> String {
+    if !surfaces.iter().all(words::is_known) {
+        return String::new(); // the headline says why
+    }
     let all = mean_errors(surfaces);
     let elastic = ranks_elastic(surfaces);
     let labels: Vec<Option<String>> = surfaces
@@ -167,7 +178,7 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
         .enumerate()
         .map(|(i, s)| {
             let answer = s.headline_answer();
-            let nearest = words::ranked(s).into_iter().next();
+            let nearest = words::nearest(s);
             format!(
                 "<tr><th scope=\"row\"><a href=\"#s{i}-w\">{}</a></th><td class=\"n\">{}</td>\
                  <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
@@ -176,8 +187,8 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
                 quantity(s.statistics.rms_height, METRES, 3),
                 significant(s.inputs.rms_gradient(), 2),
                 chosen(s.headline_pressure(), PASCALS),
-                answer.map_or("–".into(), words::area_prediction),
-                answer.map_or("–".into(), words::real_pressure_prediction),
+                answer.map_or("–".into(), words::area),
+                answer.map_or("–".into(), words::real_pressure),
                 nearest.as_ref().map_or("–".into(), |r| format!(
                     "{} ({}), {}",
                     r.model.card.label,

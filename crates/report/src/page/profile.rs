@@ -6,7 +6,7 @@ use crate::figures::profiles;
 use crate::figures::surface::{Spectrum, spectrum};
 use crate::looks::{inputs_html, look};
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
-use crate::page::how_made::{bodies_words, origin_words};
+use crate::page::how_made::{bodies_words, modulus_in_head, origin_words};
 use crate::page::html::{document, references};
 use crate::page::profile_tables::{key_numbers, roughness, sampling};
 use crate::page::sections::{figure, notes};
@@ -111,14 +111,14 @@ fn opening(study: &ProfileComparison, several: bool, provenance: &Provenance) ->
         if several { format!("<p class=\"say\">{say}</p>") } else { format!("<h1>{say}</h1>") };
     format!(
         "<header><p class=\"file\">{before}profile, {traces} of {}, {} points every {} · \
-         <i>E</i>* = {}{after}</p>\n{first}\n<p>A trace is one line of a surface: it has no \
+         {}{after}</p>\n{first}\n<p>A trace is one line of a surface: it has no \
          deterministic answer but that of parallel ridges \
          (<code>solve --plane-strain</code>). The models take the moments of the trace for those of \
          an isotropic surface.</p></header>\n",
         chosen(s.length, METRES),
         s.points,
         quantity(s.spacing, METRES, 3),
-        chosen(study.settings.modulus, PASCALS)
+        modulus_in_head(&study.settings)
     )
 }
 

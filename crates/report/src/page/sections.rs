@@ -6,7 +6,7 @@ use crate::figures::curves::{self, Use};
 use crate::figures::heights::{HeightPicture, height_figure};
 use crate::figures::surface::{Histogram, histogram};
 use crate::figures::{cost, surface as surface_figures};
-use crate::lines::Lines;
+use crate::lines::{Lines, YIELDING};
 use crate::looks::look;
 use crate::numbers::{
     METRES, PASCALS, SPACE, chosen, duration, quantity, signed_percent, significant,
@@ -82,55 +82,23 @@ fn with_options(text: &str) -> String {
     text.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
-/// Figs. 1 to 4: area, real pressure, error, cost.
-pub(crate) fn over_load(
-    page: &mut Page<'_>,
-    surface: &SurfaceComparison,
-    lines: &Lines,
-    id: &str,
-) -> String {
+/// Figs. 1 to 4: area, real pressure, error, cost; the first three once for each kind of bodies.
+pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
     let h = page.heading();
     let p = chosen(surface.headline_pressure(), PASCALS);
-    let has_band = lines.interval.iter().flatten().count() > 1;
-    let band = if has_band { " Grey band: ± of this map." } else { "" };
-    let yields = surface.inputs.hardness.is_some();
-    let one = page.next_figure();
-    let area = figure(
-        &curves::area(lines, &format!("{id}-f{one}"), Use::Page).inline(),
-        &format!(
-            "<b>Fig. {one}. Real contact area.</b> Dots: deterministic solutions{}.{band} Dotted \
-             vertical: load read off.",
-            if yields {
-                " of the contact that yields; thin with rings: elastic bodies"
-            } else {
-                ""
-            }
-        ),
-    );
-    let two = page.next_figure();
-    let pressure = figure(
-        &curves::pressure(lines, &format!("{id}-f{two}"), Use::Page).inline(),
-        &format!(
-            "<b>Fig. {two}. Mean real pressure</b>, load divided by real area.{}",
-            rise(surface)
-        ),
-    );
-    let three = page.next_figure();
-    let error = figure(
-        &curves::error(lines, &format!("{id}-f{three}")).inline(),
-        &format!(
-            "<b>Fig. {three}. Error of each closed form</b> against the deterministic solution of \
-             the same map. Light band: within 10{SPACE}%.{} Sampling does not enter: both \
-             sides see the same map.",
-            if has_band { " Dark band: numerical uncertainty of that solution alone." } else { "" }
-        ),
-    );
     let mut out = format!(
-        "<{h}>Area and pressure against load</{h}>\n<p>{}</p>\n{}<div class=\"two page1\">\n{area}\
-         {pressure}</div>\n<div class=\"two\">\n{error}",
+        "<{h}>Area and pressure against load</{h}>\n<p>{}</p>\n{}",
         words::curves_lead(surface),
         dial(surface, id)
     );
+    let mut errors = String::new();
+    for (k, lines) in Lines::panels(surface).iter().enumerate() {
+        let drawn = panel(page, lines, id);
+        let break_after = if k == 0 { " page1" } else { "" };
+        out.push_str(&format!("<div class=\"two{break_after}\">\n{}</div>\n", drawn[0]));
+        errors.push_str(&drawn[1]);
+    }
+    out.push_str(&format!("<div class=\"two\">\n{errors}"));
     if let Some(routes) = cost_routes(surface) {
         let four = page.next_figure();
         let full = surface.headline_answer().map_or(f64::NAN, |a| a.seconds);
@@ -154,24 +122,61 @@ pub(crate) fn over_load(
     out
 }
 
+/// Area and pressure, and the error of each closed form, of the same bodies.
+fn panel(page: &mut Page<'_>, lines: &Lines, id: &str) -> [String; 2] {
+    let has_band = lines.interval.iter().flatten().count() > 1;
+    let band = if has_band { " Grey band: ± of this map." } else { "" };
+    let of = if lines.of.is_empty() { String::new() } else { format!(", {}", lines.of) };
+    let one = page.next_figure();
+    let area = figure(
+        &curves::area(lines, &format!("{id}-f{one}"), Use::Page).inline(),
+        &format!(
+            "<b>Fig. {one}. Real contact area{of}.</b> Dots: deterministic solutions{}.{band} Dotted \
+             vertical: load read off.",
+            if lines.of == YIELDING { "; thin with rings: those of elastic bodies" } else { "" }
+        ),
+    );
+    let two = page.next_figure();
+    let pressure = figure(
+        &curves::pressure(lines, &format!("{id}-f{two}"), Use::Page).inline(),
+        &format!(
+            "<b>Fig. {two}. Mean real pressure{of}</b>, load divided by real area.{}",
+            rise(lines)
+        ),
+    );
+    if lines.models.iter().all(|m| m.name == "elastic") {
+        return [format!("{area}{pressure}"), String::new()]; // no theory of these bodies answers
+    }
+    let three = page.next_figure();
+    let error = figure(
+        &curves::error(lines, &format!("{id}-f{three}")).inline(),
+        &format!(
+            "<b>Fig. {three}. Error of each closed form{of}</b>, against the deterministic solution of \
+             the same map{}. Light band: within 10{SPACE}%.{} Sampling does not enter: both \
+             sides see the same map.",
+            if lines.of.is_empty() { "" } else { " and bodies" },
+            if has_band { " Dark band: numerical uncertainty of that solution alone." } else { "" }
+        ),
+    );
+    [format!("{area}{pressure}"), error]
+}
+
 /// " It rises from 0.49 to 0.61 GPa while load rises 1000 times."
-fn rise(surface: &SurfaceComparison) -> String {
-    let real: Vec<f64> = surface
-        .deterministic
+fn rise(lines: &Lines) -> String {
+    let real: Vec<f64> = lines
+        .pressures
         .iter()
-        .filter_map(|p| {
-            let area = p.answer.as_ref()?.area_fraction_corrected;
-            (area > 0.0).then(|| p.mean_pressure / area)
-        })
+        .zip(&lines.area)
+        .filter_map(|(p, area)| Some(p / area.filter(|a| *a > 0.0)?))
         .collect();
     let (Some(lo), Some(hi)) =
         (real.iter().copied().min_by(f64::total_cmp), real.iter().copied().max_by(f64::total_cmp))
     else {
         return String::new();
     };
-    let loads = &surface.deterministic;
+    let loads = &lines.pressures;
     let unit = crate::numbers::unit_for(hi, PASCALS);
-    let spread = loads[loads.len() - 1].mean_pressure / loads[0].mean_pressure;
+    let spread = loads[loads.len() - 1] / loads[0];
     if spread <= 1.0 {
         return String::new();
     }
@@ -218,8 +223,8 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<cost::Route>> {
 pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
     let h = page.heading();
     let table = tables::models(page, surface);
-    let has_bar = surface.headline_answer().is_some_and(|a| a.interval().is_some());
-    let covers = if has_bar { format!("{} alone. ", words::COMPARISON) } else { String::new() };
+    let covers = surface.headline_answer().map_or("", words::covers);
+    let covers = if covers.is_empty() { String::new() } else { format!("{covers}. ") };
     format!(
         "<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{covers}{} {}{}{}<span class=\"moves\"> A click on a \
          model follows it through all figures; a second one, or Escape, ends that.</span></p>\n",
@@ -227,8 +232,8 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
         words::within_ten(surface),
         formulas(surface),
         if surface.inputs.hardness.is_some() {
-            " Errors are against the contact that yields; small, “elastic”: those of a theory of elastic \
-             bodies against the solution of elastic bodies."
+            " Errors of theories of elastic bodies are against the solution of elastic bodies, those of theories \
+             of yield against that of the contact that yields."
         } else {
             ""
         }

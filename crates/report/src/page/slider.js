@@ -50,11 +50,11 @@ document.querySelectorAll('[data-loads]').forEach(section => {
   addEventListener('afterprint', () => set(kept));
 
   // What each model says at this load, beside the point (x, y) of the window.
-  function tell(letter, x, y) {
-    const rows = data.models.filter(m => data.cells[letter + '-' + m.name]).map(m => {
+  function tell({ v: letter, of }, x, y) {
+    const rows = data.models.filter(m => m.of === of && data.cells[letter + '-' + m.name]).map(m => {
       const row = document.createElement('div');
       row.style.color = 'var(--' + m.class + ')';
-      if (m.name !== 'det') row.dataset.m = m.name;
+      if (m.name !== 'det' && m.name !== 'elastic') row.dataset.m = m.name;
       [m.label, data.cells[letter + '-' + m.name][at]].forEach(text => row.append(Object.assign(document.createElement('span'), { textContent: text })));
       return row;
     });
@@ -74,7 +74,7 @@ document.querySelectorAll('[data-loads]').forEach(section => {
     const scale = () => svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
     function focused() {
       const box = svg.getBoundingClientRect();
-      tell(line.dataset.v, box.left + places[at] * scale(), box.top + 60);
+      tell(line.dataset, box.left + places[at] * scale(), box.top + 60);
     }
     function point(e) {
       const x = (e.clientX - svg.getBoundingClientRect().left) / scale();
@@ -84,7 +84,7 @@ document.querySelectorAll('[data-loads]').forEach(section => {
       stop();
       if (before === null) before = at;
       if (nearest !== at) set(nearest);
-      tell(line.dataset.v, e.clientX, e.clientY);
+      tell(line.dataset, e.clientX, e.clientY);
     }
     function leave(e) {
       if (e.pointerType !== 'mouse') return; // what a finger showed stays

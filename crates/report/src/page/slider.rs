@@ -1,11 +1,12 @@
 //! The slider over the loads: its element, and the numbers that it shows.
 
 use crate::draw::palette::DETERMINISTIC;
+use crate::lines::{ELASTIC, Reference, references};
 use crate::looks::look;
 use crate::numbers::{PASCALS, chosen, signed_percent};
 use crate::page::{phrases, spread, tables};
 use crate::words;
-use compare::SurfaceComparison;
+use compare::{DeterministicAnswer, SurfaceComparison};
 use serde_json::json;
 
 /// What the read-out says at each load.
@@ -18,10 +19,11 @@ fn read_out(surface: &SurfaceComparison) -> Vec<String> {
             point.answer.as_ref().map_or_else(
                 || format!("{p}: no answer"),
                 |a| {
-                    let area = words::area(a);
-                    let pressure = words::real_pressure(point.mean_pressure, a);
-                    let covers = a.interval().map(|_| format!(" ({})", words::COMPARISON));
-                    let covers = covers.unwrap_or_default();
+                    let (area, pressure) = (words::area(a), words::real_pressure(a));
+                    let covers = match words::covers(a) {
+                        "" => String::new(),
+                        covers => format!(" ({covers})"),
+                    };
                     format!("{p}: area {area}, real pressure {pressure}{covers}")
                 },
             )
@@ -56,20 +58,31 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
     let loads: Vec<String> =
         surface.deterministic.iter().map(|p| chosen(p.mean_pressure, PASCALS)).collect();
     cells.insert("load".into(), json!(loads));
-    let area: Vec<String> = surface
-        .deterministic
-        .iter()
-        .map(|p| p.answer.as_ref().map_or("–".into(), words::area))
-        .collect();
-    cells.insert("a-det".into(), json!(area));
-    let real: Vec<String> = surface
-        .deterministic
-        .iter()
-        .map(|p| {
-            p.answer.as_ref().map_or("–".into(), |a| words::real_pressure(p.mean_pressure, a))
-        })
-        .collect();
-    cells.insert("p-det".into(), json!(real));
+    let mut listed = Vec::new();
+    for Reference { of, points, models } in references(surface) {
+        let name = if of == ELASTIC { "elastic" } else { "det" };
+        let each = |words: fn(&DeterministicAnswer) -> String| -> Vec<String> {
+            points.iter().map(|p| p.answer.as_ref().map_or("–".into(), words)).collect()
+        };
+        cells.insert(format!("a-{name}"), json!(each(words::area)));
+        cells.insert(format!("p-{name}"), json!(each(words::real_pressure)));
+        let class = DETERMINISTIC.class;
+        listed.push(json!({ "name": name, "label": "Deterministic", "class": class, "of": of }));
+        for (place, m) in models {
+            let Ok(curve) = &m.outcome else { continue };
+            let (card, class) = (&m.card, look(&m.card.name, place).colour.class);
+            listed
+                .push(json!({ "name": card.name, "label": card.label, "class": class, "of": of }));
+            let errors: Vec<String> =
+                curve.errors.iter().map(|e| e.map_or("–".into(), signed_percent)).collect();
+            let points = || curve.points.iter();
+            let area: Vec<String> = points().map(tables::model_area).collect();
+            let real: Vec<String> = points().map(tables::model_pressure).collect();
+            for (letter, words) in [('a', area), ('e', errors), ('p', real)] {
+                cells.insert(format!("{letter}-{}", card.name), json!(words));
+            }
+        }
+    }
     let touching = phrases::touching(surface);
     if !touching.is_empty() {
         cells.insert("cut".into(), json!(touching));
@@ -77,28 +90,6 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
     for (key, words) in spread::cells(surface) {
         cells.insert(key.into(), json!(words));
     }
-    for model in &surface.models {
-        let Ok(curve) = &model.outcome else { continue };
-        let area: Vec<String> = curve.points.iter().map(tables::model_area).collect();
-        let error: Vec<String> =
-            curve.errors.iter().map(|e| e.map_or("–".into(), signed_percent)).collect();
-        if !curve.elastic_errors.is_empty() {
-            let elastic: Vec<String> =
-                curve.elastic_errors.iter().map(|e| tables::elastic_error(*e)).collect();
-            cells.insert(format!("x-{}", model.card.name), json!(elastic));
-        }
-        cells.insert(format!("a-{}", model.card.name), json!(area));
-        cells.insert(format!("e-{}", model.card.name), json!(error));
-        let real: Vec<String> = curve.points.iter().map(tables::model_pressure).collect();
-        cells.insert(format!("p-{}", model.card.name), json!(real));
-    }
-    let mut listed =
-        vec![json!({ "name": "det", "label": "Deterministic", "class": DETERMINISTIC.class })];
-    let models = surface.models.iter().enumerate().filter(|(_, m)| m.outcome.is_ok());
-    listed.extend(models.map(|(place, m)| {
-        let class = look(&m.card.name, place).colour.class;
-        json!({ "name": m.card.name, "label": m.card.label, "class": class })
-    }));
     let data = json!({ "read": read_out(surface), "cells": cells, "models": listed }).to_string();
     // "</script>" cannot end the element early.
     format!("<script type=\"application/json\">{}</script>\n", data.replace('<', "\\u003c"))

@@ -6,10 +6,12 @@ use crate::error::ReportError;
 use crate::figures::spread::{Curves, Histogram, Strip, curves, histograms, strips};
 use crate::looks::look;
 use crate::numbers::{
-    AREAS, METRES, PASCALS, SPACE, Unit, chosen, duration, percent, quantity, signed_percent,
-    significant, unit_for,
+    AREAS, METRES, PASCALS, SPACE, Unit, chosen, counted, duration, percent, quantity,
+    signed_percent, significant, unit_for,
 };
-use crate::page::how_made::{bodies_words, hardness_words, level_words, materials_words};
+use crate::page::how_made::{
+    bodies_words, hardness_words, level_words, materials_words, modulus_in_head,
+};
 use crate::page::html::{document, hardness_in_head};
 use crate::page::sections::figure;
 use crate::page::tables::swatch;
@@ -84,9 +86,10 @@ pub fn write(
     let count = summary.maps.len();
     let all = count + summary.failed.len();
     let mut body = format!(
-        "<header><p class=\"file\">rough-contact report · {all} files · <i>E</i>* = {}{} · {}</p>\n\
+        "<header><p class=\"file\">rough-contact report · {} · {}{} · {}</p>\n\
          <h1>{}</h1>\n<p>{}</p></header>\n",
-        chosen(summary.settings.modulus, PASCALS),
+        counted(all, "file"),
+        modulus_in_head(summary.settings),
         hardness_in_head(summary.settings.hardness),
         words::date(provenance.unix_time),
         headline(summary),
@@ -101,7 +104,7 @@ pub fn write(
     body.push_str(&failed(summary));
     body.push_str(&listed(summary));
     body.push_str(&how_made(summary, provenance));
-    document(&format!("{all} maps (rough-contact)"), false, &body, "", out)
+    document(&format!("{} (rough-contact)", counted(all, "map")), false, &body, "", out)
 }
 
 /// The model whose errors are smallest in the median, and how they are spread.
@@ -120,15 +123,16 @@ fn headline(summary: &Summary<'_>) -> String {
         summary.models().iter().filter(ranks).filter_map(sizes).min_by(|a, b| a.1.total_cmp(&b.1));
     match best {
         Some((name, size, errors)) => format!(
-            "Nearest over {} maps: {}, <b>{}</b> off in the median, {} to {} on four of five",
-            summary.maps.len(),
+            "Nearest over {}: {}, <b>{}</b> off in the median, {} to {} on four of five",
+            counted(summary.maps.len(), "map"),
             label(name),
             percent(size),
             signed_percent(errors.quantile(0.1)),
             signed_percent(errors.quantile(0.9)),
         ),
         None => {
-            format!("{} maps solved; no closed form answers on all of them", summary.maps.len())
+            let maps = counted(summary.maps.len(), "map");
+            format!("{maps} solved; no closed form answers on all of them")
         }
     }
 }
@@ -143,16 +147,16 @@ fn standing(summary: &Summary<'_>) -> String {
     let short = of(|map| map["converged"] != true);
     let bare = of(|map| !map["area_interval"].is_array());
     let warned = of(|map| map["to_check"].as_u64().is_some_and(|n| n > 0));
-    let mut text = format!("{} maps have an answer", summary.maps.len());
+    let mut text = format!("Maps with an answer: {}", summary.maps.len());
     if !summary.failed.is_empty() {
         text.push_str(&format!(
-            ", <b>{} files have none</b> (below, with the reason)",
+            ", <b>files without: {}</b> (below, with the reason)",
             summary.failed.len()
         ));
     }
     text.push_str(&format!(
-        ". Of their headlines {short} did not converge and {bare} have no error bar; {warned} maps have \
-         something to check. Loads: {}.",
+        ". Headlines that did not converge: {short}; without an error bar: {bare}. Maps with something to \
+         check: {warned}. Loads: {}.",
         match &summary.settings.pressures {
             Some(_) => "the same for every map; the headline is the one at which about 2 % touches, or the \
                         one asked for"
@@ -441,7 +445,7 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
         ),
     };
     format!(
-        "<h2>How this was made</h2>\n<dl><dt>Program</dt><dd>rough-contact {}, {}, {} threads, {}</dd>\n\
+        "<h2>How this was made</h2>\n<dl><dt>Program</dt><dd>rough-contact {}, {}, {}, {}</dd>\n\
          <dt>Material</dt><dd><i>E</i>* = {}, {}{}{}</dd>\n<dt>Surface</dt><dd>level: {}; edges: \
          {}</dd>\n<dt>Solver</dt><dd>{solver}; area corrected for the contact line</dd></dl>\n<p>Made \
          with</p><pre>{}</pre>\n<p class=\"why\">One row for each file is in <code>table.csv</code>, complete \
@@ -449,7 +453,7 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
          report, with a closer look at its accuracy.</p>\n",
         escape(&provenance.version),
         escape(&provenance.platform),
-        settings.threads,
+        counted(settings.threads, "thread"),
         duration(summary.seconds),
         chosen(settings.modulus, PASCALS),
         bodies_words(&settings.bodies),

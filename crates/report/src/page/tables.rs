@@ -2,18 +2,19 @@
 
 use crate::draw::palette::{DETERMINISTIC_LOOK, Look};
 use crate::draw::svg::{Canvas, Stroke, escape};
+use crate::lines::{ELASTIC, Reference, references};
 use crate::looks::{inputs_html, look};
 use crate::numbers::{
-    METRES, PASCALS, SPACE, chosen, duration, fixed, percent, quantity, quantity_plus_minus,
-    relative_bar, signed_percent, signed_range, significant, unit_for,
+    METRES, PASCALS, SPACE, chosen, duration, fixed, percent, percent_within, quantity,
+    quantity_within, signed_percent, signed_range, significant, unit_for,
 };
 use crate::page::context::Page;
 use crate::page::phrases::{load_words, spread_words};
 use crate::sources::DETERMINISTIC;
 use crate::words;
 use compare::{
-    Applies, DeterministicAnswer, Estimate, ModelComparison, SurfaceComparison, elastic_holds,
-    elastic_limit, hardness_of, is_steep,
+    Applies, DeterministicAnswer, ModelComparison, SurfaceComparison, elastic_limit, hardness_of,
+    is_steep,
 };
 use contact_types::{ContactState, ModelError};
 
@@ -22,11 +23,10 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
     let p = chosen(surface.headline_pressure(), PASCALS);
     let mut rows: Vec<(String, String, String)> = Vec::new();
     if let Some(a) = surface.headline_answer() {
-        let alone = a.uncertainty().filter(|u| *u > 0.0).map(|u| u / a.area_fraction_corrected);
-        let covers = match (a.budget.area.half_width(), a.budget.area.sampling) {
-            (Ok(_), Some(_)) => format!(
+        let covers = match (a.budget.area.interval(), a.budget.area.sampling) {
+            (Ok(alone), Some(_)) => format!(
                 "of this map and of its sampling variability (95{SPACE}%); of this map alone {}",
-                alone.map_or("±0".into(), |share| escape(&relative_bar(share)))
+                percent_within(a.area_fraction_corrected, Some(alone))
             ),
             (Ok(_), None) => "of this map; not of another map of the same surface".to_owned(),
             (Err(reason), _) => {
@@ -35,14 +35,14 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
         };
         rows.push((
             "Real contact area <i>A</i><sub>r</sub>/<i>A</i><sub>n</sub>".into(),
-            words::area_prediction(a),
+            words::area(a),
             covers,
         ));
         rows.push((
             "Mean real pressure".into(),
-            words::real_pressure_prediction(a),
+            words::real_pressure(a),
             if a.uncertainty().is_some() {
-                "load over that area; same ±"
+                "load over that area, between its ends"
             } else {
                 "load over that area"
             }
@@ -56,17 +56,14 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
             } else {
                 String::new()
             };
-            let half = a.budget.mean_gap.and_then(half_width);
-            let value = match half {
-                Some(half) => quantity_plus_minus(gap, half, METRES),
-                None => quantity(gap, METRES, 3),
-            };
+            let stated = a.budget.mean_gap.and_then(|gap| gap.stated());
+            let value = quantity_within(gap, stated, METRES);
             rows.push((
                 "Mean gap".into(),
                 value,
                 format!(
                     "average over the whole map{relative}; {}",
-                    if half.is_none() && a.uncertainty().is_some() {
+                    if stated.is_none() && a.uncertainty().is_some() {
                         "no ±"
                     } else {
                         "± as above"
@@ -76,10 +73,8 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
         }
         if let Some(k) = a.budget.stiffness {
             let micro = 1e-6; // Pa per metre -> Pa per micrometre
-            let value = match half_width(k) {
-                Some(half) => quantity_plus_minus(k.value * micro, half * micro, PASCALS),
-                None => quantity(k.value * micro, PASCALS, 3),
-            };
+            let stated = k.stated().map(|ends| ends.map(|end| end * micro));
+            let value = quantity_within(k.value * micro, stated, PASCALS);
             rows.push((
                 "Contact stiffness".into(),
                 format!("{value}/µm"),
@@ -135,11 +130,6 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
     format!(
         "<table class=\"key\"><caption>Key numbers at {p}</caption><tbody>\n{body}</tbody></table>\n"
     )
-}
-
-/// With the sampling variability where this map can tell.
-fn half_width(number: Estimate) -> Option<f64> {
-    number.prediction_half_width().or_else(|| number.half_width().ok())
 }
 
 /// The highest pressure; with a hardness what has yielded, and what elastic bodies would do.
@@ -202,11 +192,6 @@ pub(crate) fn model_pressure(point: &Result<ContactState, ModelError>) -> String
     real.filter(|p| p.is_finite()).map_or("–".into(), |p| quantity(p, PASCALS, 3))
 }
 
-/// "elastic: −3.1 %": what a theory of those is wrong by on their own contact.
-pub(crate) fn elastic_error(error: Option<f64>) -> String {
-    format!("elastic: {}", error.map_or("–".into(), signed_percent))
-}
-
 /// A short piece of a series' line with its marker.
 pub(crate) fn swatch(look: Look) -> String {
     let mut canvas = Canvas::default();
@@ -232,17 +217,18 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
         chosen(loads[0].mean_pressure, PASCALS),
         chosen(loads[loads.len() - 1].mean_pressure, PASCALS)
     );
-    let mut rows = deterministic_row(page, surface);
-    let mut order: Vec<(usize, &ModelComparison)> = surface.models.iter().enumerate().collect();
-    let size = |(_, m): &(usize, &ModelComparison)| {
-        let error = m.outcome.as_ref().ok().and_then(|c| c.errors[surface.headline]);
-        error.map_or(f64::INFINITY, f64::abs)
-    };
-    let elastic = elastic_holds(surface);
-    let last = |(_, m): &(usize, &ModelComparison)| !(m.card.yields || elastic);
-    order.sort_by(|a, b| last(a).cmp(&last(b)).then(size(a).total_cmp(&size(b))));
-    for (place, model) in order {
-        rows.push_str(&model_row(page, surface, model, place));
+    // Each theory stands below the solution for the bodies it is about.
+    let mut rows = String::new();
+    for mut reference in references(surface) {
+        rows.push_str(&deterministic_row(page, surface, &reference));
+        let size = |(_, m): &(usize, &ModelComparison)| {
+            let error = m.outcome.as_ref().ok().and_then(|c| c.errors[surface.headline]);
+            error.map_or(f64::INFINITY, f64::abs)
+        };
+        reference.models.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        for (place, model) in reference.models {
+            rows.push_str(&model_row(page, surface, model, place));
+        }
     }
     let k = if loads.len() > 1 { " data-k=\"load\"" } else { "" };
     format!(
@@ -255,24 +241,35 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
     )
 }
 
-fn reference(page: &mut Page<'_>, citation: contact_types::Citation) -> String {
+fn cited(page: &mut Page<'_>, citation: contact_types::Citation) -> String {
     let n = page.source(citation);
     format!("<td data-l=\"Ref.\" class=\"n src\"><a href=\"#r{n}\">{n}</a></td>")
 }
 
-fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
-    let answer = surface.headline_answer();
-    let source = reference(page, DETERMINISTIC);
-    let k = if surface.deterministic.len() > 1 { " data-k=\"a-det\"" } else { "" };
+fn deterministic_row(
+    page: &mut Page<'_>,
+    surface: &SurfaceComparison,
+    reference: &Reference<'_>,
+) -> String {
+    let (points, of_elastic) = (reference.points, reference.of == ELASTIC);
+    let answer = points.get(surface.headline).and_then(|p| p.answer.as_ref());
+    let source = cited(page, DETERMINISTIC);
+    let k = match (points.len() > 1, of_elastic) {
+        (false, _) => "",
+        (true, false) => " data-k=\"a-det\"",
+        (true, true) => " data-k=\"a-elastic\"",
+    };
+    let yields = surface.inputs.hardness.is_some() && !of_elastic;
+    let of = if reference.of.is_empty() { "" } else { &format!(", {}", reference.of) };
     format!(
         "<tr class=\"ref\"><th scope=\"row\"><div>{}<span>Deterministic, <span style=\"white-space:nowrap\">FFT-BEM</span><small>height \
-         map</small></span></div></th><td data-l=\"Area\" class=\"n\"{k}>{}</td>\
+         map{of}</small></span></div></th><td data-l=\"Area\" class=\"n\"{k}>{}</td>\
          <td data-l=\"Error at load\" class=\"n\">reference</td><td data-l=\"Error, all loads\" \
          class=\"n\">{}</td><td data-l=\"Mean |error|\" class=\"n\">–</td><td data-l=\"Time per \
          load\" class=\"n\">{}</td><td data-l=\"Applies\" class=\"dom\">{}</td>{source}</tr>\n",
         swatch(DETERMINISTIC_LOOK),
         answer.map_or("–".into(), words::area),
-        spread_words(surface),
+        spread_words(points),
         answer.map_or("–".into(), |a| duration(a.seconds)),
         match (answer, answer.and_then(|a| a.budget.area.half_width().err())) {
             (None, _) => applies(Applies::No, "no solution at this load"),
@@ -281,7 +278,7 @@ fn deterministic_row(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
             _ if is_steep(surface.statistics.rms_gradient) => {
                 applies(Applies::Caution, words::SMALL_SLOPES)
             }
-            _ if surface.inputs.hardness.is_some() => {
+            _ if yields => {
                 applies(Applies::Yes, "full map, yields at the hardness, periodic cell")
             }
             _ => applies(Applies::Yes, "full map, elastic, periodic cell"),
@@ -296,7 +293,7 @@ fn model_row(
     place: usize,
 ) -> String {
     let card = &model.card;
-    let source = reference(page, card.citation.clone());
+    let source = cited(page, card.citation.clone());
     let several = surface.deterministic.len() > 1;
     let series = escape(&card.name);
     let name = format!(
@@ -324,16 +321,11 @@ fn model_row(
         if several { format!(" data-k=\"{prefix}-{}\"", card.name) } else { String::new() }
     };
     let error = curve.errors[surface.headline].map_or("–".into(), signed_percent);
-    // Beside the contact that yields, what the theory makes of the one it is about.
-    let of_elastic = curve
-        .elastic_errors
-        .get(surface.headline)
-        .map_or(String::new(), |e| format!("<small{}>{}</small>", key("x"), elastic_error(*e)));
     let range = curve.range().map_or("–".into(), |(lo, hi)| signed_range(lo, hi));
     let mean = curve.worst_and_mean().map_or("–".into(), |(_, mean)| percent(mean));
     format!(
         "<tr data-m=\"{series}\">{name}<td data-l=\"Area\" class=\"n\"{}>{}</td><td data-l=\"Error at load\" \
-         class=\"n\"><span{}>{error}</span>{of_elastic}</td><td data-l=\"Error, all loads\" class=\"n\">{range}</td>\
+         class=\"n\"><span{}>{error}</span></td><td data-l=\"Error, all loads\" class=\"n\">{range}</td>\
          <td data-l=\"Mean |error|\" class=\"n\">{mean}</td><td data-l=\"Time per load\" \
          class=\"n\">{}</td>{domain}{source}</tr>\n",
         key("a"),

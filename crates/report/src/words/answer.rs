@@ -1,63 +1,25 @@
 //! Sentences on the deterministic answer. They state what was computed and name the number.
 
 use crate::draw::svg::escape;
-use crate::numbers::{
-    PASCALS, SPACE, chosen, quantity, quantity_plus_minus, rounded_down, significant, with_bar,
-};
+use crate::numbers::{PASCALS, SPACE, chosen, percent_within, quantity, quantity_within};
 use crate::words::yielding;
 use compare::{DeterministicAnswer, SurfaceComparison};
 
-/// "1.96 ± 0.12 %", "at most 2.1 %" where the interval begins at zero, or "1.96 %" without one.
+/// "1.96 ± 0.25 %", "at most 2.1 %" where the interval begins at zero, or "1.96 %" without one: of grid, iteration
+/// and, where this map can tell, finite sample.
 pub(crate) fn area(answer: &DeterministicAnswer) -> String {
-    percent_with(answer.area_fraction_corrected, answer.uncertainty())
+    percent_within(answer.area_fraction_corrected, answer.budget.area.stated())
 }
 
-/// "1.96 ± 0.25 %": with the sampling variability, where this map can tell.
-pub(crate) fn area_prediction(answer: &DeterministicAnswer) -> String {
-    let half = answer.budget.area.prediction_half_width().or_else(|| answer.uncertainty());
-    percent_with(answer.area_fraction_corrected, half)
+/// Mean real pressure, load over area, between the ends of that.
+pub(crate) fn real_pressure(answer: &DeterministicAnswer) -> String {
+    answer
+        .budget
+        .real_pressure()
+        .map_or("–".into(), |real| quantity_within(real.value(), real.stated(), PASCALS))
 }
 
-fn percent_with(fraction: f64, half: Option<f64>) -> String {
-    let number = match half {
-        // No more than all of it can touch.
-        Some(half) if half >= fraction && fraction + half > 1.0 => {
-            return format!("at most 100{SPACE}%");
-        }
-        Some(half) if half > 0.0 => with_bar(100.0 * fraction, 100.0 * half),
-        _ => significant(100.0 * fraction, 3),
-    };
-    format!("{number}{SPACE}%")
-}
-
-/// Mean real pressure with the uncertainty it inherits from the area.
-pub(crate) fn real_pressure(mean_pressure: f64, answer: &DeterministicAnswer) -> String {
-    real_pressure_of(mean_pressure, answer.area_fraction_corrected, answer.uncertainty())
-}
-
-/// Mean real pressure with the sampling variability, where this map can tell.
-pub(crate) fn real_pressure_prediction(answer: &DeterministicAnswer) -> String {
-    let half = answer.budget.area.prediction_half_width().or_else(|| answer.uncertainty());
-    let load = answer.budget.mean_pressure.value;
-    real_pressure_of(load, answer.area_fraction_corrected, half)
-}
-
-/// Load over area. Its ± is that of the area, to first order; where the area has no lower end, the
-/// pressure has no upper one.
-fn real_pressure_of(load: f64, area: f64, half: Option<f64>) -> String {
-    match half {
-        Some(half) if half >= area && area + half > 0.0 => {
-            format!("at least {}", quantity(rounded_down(load / (area + half)), PASCALS, 2))
-        }
-        _ if area <= 0.0 => "–".into(),
-        Some(half) if half > 0.0 => {
-            quantity_plus_minus(load / area, load / area * half / area, PASCALS)
-        }
-        _ => quantity(load / area, PASCALS, 3),
-    }
-}
-
-/// What the ± of [`area_prediction`] covers; empty if there is none.
+/// What the ± of [`area`] covers; empty if there is none.
 pub(crate) fn covers(answer: &DeterministicAnswer) -> &'static str {
     let area = &answer.budget.area;
     match (answer.uncertainty(), area.sampling, area.materials > 0.0) {
@@ -65,12 +27,9 @@ pub(crate) fn covers(answer: &DeterministicAnswer) -> &'static str {
         (Some(_), Some(_), true) => "± with sampling variability and materials",
         (Some(_), Some(_), false) => "± with sampling variability",
         (Some(_), None, true) => "± with materials",
-        (Some(_), None, false) => COMPARISON,
+        (Some(_), None, false) => "± of this map",
     }
 }
-
-/// What the ± of an area covers that is compared with models of the same map.
-pub(crate) const COMPARISON: &str = "± of this map";
 
 /// The highest pressure of a point, and what it means. A mean over the contact cannot exceed it:
 /// where it seems to, the contacts are smaller than the points.
@@ -93,7 +52,7 @@ pub fn headline_line(surface: &SurfaceComparison) -> Option<String> {
     };
     let p = chosen(surface.headline_pressure(), PASCALS);
     let share = yielding::share(surface).replace("<b>", "").replace("</b>", "");
-    let line = format!("at {p} {} of the area touches{share}{label}", area_prediction(answer));
+    let line = format!("at {p} {} of the area touches{share}{label}", area(answer));
     Some(line.replace(SPACE, " "))
 }
 
@@ -133,24 +92,15 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
         "{opening}{}t {p}, {about}<b>{}</b> of {whole} touches{}; the mean real pressure is \
          {about}<b>{}</b>{unresolved}.{label}",
         if opening.is_empty() { 'A' } else { 'a' },
-        area_prediction(answer),
+        area(answer),
         yielding::share(surface),
-        real_pressure_prediction(answer)
+        real_pressure(answer)
     )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn an_area_without_a_lower_end_has_no_bar_on_both_sides() {
-        assert_eq!(percent_with(0.0031, Some(0.0048)), "at most 0.79\u{202F}%");
-        assert_eq!(percent_with(0.0196, Some(0.0012)), "1.96 ± 0.12\u{202F}%");
-        assert_eq!(percent_with(0.0196, None), "1.96\u{202F}%");
-        assert_eq!(real_pressure_of(1e6, 0.0031, Some(0.0048)), "at least 120\u{202F}MPa");
-        assert_eq!(real_pressure_of(1e6, 0.0, None), "–");
-    }
 
     #[test]
     fn rounding_is_not_convergence() {

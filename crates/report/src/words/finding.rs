@@ -1,6 +1,6 @@
 //! Findings in words: plain text, the same on the page, on the terminal and in files.
 
-use crate::numbers::{METRES, PASCALS, SPACE, fixed, percent, quantity, significant};
+use crate::numbers::{METRES, PASCALS, SPACE, counted, fixed, percent, quantity, significant};
 use crate::words::adhesion;
 use crate::words::edges::seam_effect;
 use crate::words::pair;
@@ -42,12 +42,12 @@ pub fn finding(finding: &Finding) -> Worded {
             worded(claim, text)
         }
         Fact::NotConverged { loads, of } => worded(
-            format!("{loads} of {of} loads did not converge."),
+            format!("{loads} of {} did not converge.", counted(*of, "load")),
             "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
              the tolerance.",
         ),
         Fact::AtRounding { loads, of } => worded(
-            format!("{loads} of {of} loads stopped at rounding."),
+            format!("{loads} of {} stopped at rounding.", counted(*of, "load")),
             "Their numbers are as good as this floating-point type gives them, short of the \
              tolerance; they are marked and carry no ±. Ask for a larger tolerance, or for double \
              precision.",
@@ -60,13 +60,21 @@ pub fn finding(finding: &Finding) -> Worded {
             ),
             format!(
                 "{}{} Measure on a finer grid.",
-                if of > loads { format!("At {loads} of {of} loads. ") } else { String::new() },
+                if of > loads { format!("At {loads} of {}. ", counted(*of, "load")) } else { String::new() },
                 finer.map_or(String::new(), |area| format!(
                     "If the surface is band-limited between the points, the area is {}{SPACE}%; the uncertainty \
                      covers both.",
                     significant(100.0 * area, 3)
                 )),
             ),
+        ),
+        Fact::BelowPoint { loads, of } => worded(
+            format!(
+                "At {loads} of {} the contact is smaller than a point of the map.",
+                counted(*of, "load")
+            ),
+            "Its area, real pressure and stiffness there are those of a point, not of the surface. Is the \
+             unit of the load right? Raise the load, or measure finer.",
         ),
         Fact::NoUncertainty { why, at } => {
             let claim = match at {
@@ -240,7 +248,7 @@ fn steps(cleaned: &[Record]) -> String {
 }
 
 /// The text with a capital letter; a symbol stays what it is, Α is not α.
-fn capital(text: &str) -> String {
+pub(crate) fn capital(text: &str) -> String {
     let mut text = text.to_owned();
     if let Some(first) = text.get_mut(..1) {
         first.make_ascii_uppercase();
@@ -344,7 +352,7 @@ pub fn warning(warning: &Warning) -> Worded {
             ),
         ),
         Warning::FlatTops { plateaus, summits } => worded(
-            format!("{plateaus} flat tops beside {summits} summits."),
+            format!("{} beside {}.", counted(plateaus, "flat top"), counted(summits, "summit")),
             "Height steps hide summits; the count depends on the step.",
         ),
         Warning::NoRolloff => worded(

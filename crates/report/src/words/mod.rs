@@ -18,10 +18,9 @@ mod verdict;
 pub(crate) mod yielding;
 
 pub use answer::headline_line;
-pub(crate) use answer::{
-    COMPARISON, area, area_prediction, headline, highest_pressure, real_pressure,
-    real_pressure_prediction,
-};
+pub(crate) use answer::{area, covers, headline, highest_pressure, real_pressure};
 pub(crate) use date::date;
-pub(crate) use ranking::{NOT_RANKED, curves_lead, named, ranked, recommendation, within_ten};
+pub(crate) use ranking::{
+    NOT_RANKED, curves_lead, is_known, named, nearest, ranked, recommendation, within_ten,
+};
 pub(crate) use verdict::{SMALL_SLOPES, reason, reason_of};

@@ -155,6 +155,21 @@ pub(crate) fn bodies(names: [&str; 2], bodies: &[Body], modulus: f64) -> String 
     }
 }
 
+/// E*, and which bodies press on each other, as plain text.
+pub fn bodies_line(modulus: f64, bodies: &[Body]) -> String {
+    let one = |body: &Body| {
+        let poisson = format!("{}", body.poisson).replace('-', "\u{2212}");
+        format!("E = {}, ν = {poisson}", chosen(body.young, PASCALS))
+    };
+    let modulus = quantity(modulus, PASCALS, 4);
+    let line = match bodies {
+        [] => format!("E* = {modulus} as given: of one body against a rigid flat, or of two"),
+        [body] => format!("E* = {modulus}: {}, against a rigid flat", one(body)),
+        [a, b, ..] => format!("E* = {modulus}: {}, against {}", one(a), one(b)),
+    };
+    line.replace(SPACE, " ")
+}
+
 /// The lines of a terminal on a pair: how it lies, what it is made of, whose moments count.
 pub fn pair_lines(pair: &PairOrigin, settings: Option<&Settings>) -> Vec<String> {
     let mut lines = vec![format!("pair: {}", lying(pair))];

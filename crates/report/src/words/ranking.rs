@@ -1,11 +1,15 @@
 //! Sentences that rank the closed forms: they say low and high, and name the number.
 
 use crate::draw::svg::escape;
-use crate::lines::WANTED;
-use crate::numbers::{PASCALS, SPACE, chosen, duration, percent, signed_percent, times};
+use crate::lines::{Reference, WANTED, references};
+use crate::numbers::{PASCALS, SPACE, chosen, counted, duration, percent, signed_percent, times};
 use crate::words::coarser;
+use crate::words::finding::capital;
 use crate::words::verdict::reason;
-use compare::{Applies, ModelComparison, ModelCurve, SurfaceComparison, elastic_holds};
+use compare::{
+    Applies, DeterministicAnswer, DeterministicPoint, ModelComparison, ModelCurve,
+    SurfaceComparison, elastic_holds,
+};
 
 /// A model within a sentence, its article small; escaped.
 pub(crate) fn named(model: &ModelComparison) -> String {
@@ -17,7 +21,8 @@ pub(crate) fn named(model: &ModelComparison) -> String {
 }
 
 /// Said where the contact yields.
-pub(crate) const NOT_RANKED: &str = " Theories of elastic bodies are not ranked: where the contact yields they agree by accident at most.";
+pub(crate) const NOT_RANKED: &str = " Theories of elastic bodies are compared with the elastic solution, and not ranked here: where the contact \
+     yields they agree by accident at most.";
 
 /// A closed form with its error at the headline load.
 pub(crate) struct Ranked<'a> {
@@ -53,7 +58,6 @@ pub(crate) fn ranked(surface: &SurfaceComparison) -> Vec<Ranked<'_>> {
 /// The second sentence: which closed form and which coarser grid, how wrong, how much faster.
 pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
     let Some(answer) = surface.headline_answer() else { return String::new() };
-    let relative = answer.uncertainty().map(|u| u / answer.area_fraction_corrected);
     let ranked = ranked(surface);
     let Some(nearest) = ranked.first() else {
         return if elastic_holds(surface) {
@@ -66,18 +70,21 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
         let ratio = times(answer.seconds / r.seconds);
         format!("{ratio} times faster than this solution ({})", duration(answer.seconds))
     };
-    if relative.is_none_or(|u| u > WANTED) {
-        let why = match relative {
-            Some(_) => format!("The ± itself exceeds 10{SPACE}%"),
-            None => "The area of the solution carries no ±".into(),
+    let Some(ends) = answer.interval() else {
+        return "The area of the solution carries no ±, so the closed forms cannot be ranked."
+            .into();
+    };
+    let within = |r: &Ranked<'_>| holds(ends, answer.area_fraction_corrected * (1.0 + r.error));
+    if !knows(answer, WANTED) {
+        let (inside, outside): (Vec<_>, Vec<_>) = ranked.into_iter().partition(within);
+        let told = |these: &[Ranked<'_>], what: &str| {
+            let labels: Vec<String> = these.iter().map(|r| escape(&r.model.card.label)).collect();
+            if labels.is_empty() { String::new() } else { format!(" {what}: {}.", list(&labels)) }
         };
         return format!(
-            "{why}, so the closed forms cannot be ranked at \
-             10{SPACE}%. By the numbers alone {} is nearest ({}), {}, {}.",
-            named(nearest.model),
-            signed_percent(nearest.error),
-            duration(nearest.seconds),
-            faster(nearest)
+            "The area is not known to 10{SPACE}%, so closed forms within its interval cannot be ranked.{}{}",
+            told(&inside, "Within it"),
+            told(&outside, "Outside it")
         );
     }
     let mut text = String::new();
@@ -105,6 +112,7 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
     }
     if let Some(r) = cheapest
         && nearest.model.card.name != r.model.card.name
+        && !within(r)
     {
         text.push_str(&format!(
             " The nearest, {}, is {} off and takes {}.",
@@ -126,6 +134,26 @@ pub(crate) fn recommendation(surface: &SurfaceComparison) -> String {
     }
     text.push_str(&coarser::sentence(surface, answer.seconds));
     text
+}
+
+/// Whether an area is known to this share of it, as that of this map.
+fn knows(answer: &DeterministicAnswer, share: f64) -> bool {
+    answer.uncertainty().is_some_and(|u| u <= share * answer.area_fraction_corrected)
+}
+
+/// Whether a number lies between the ends of an interval.
+fn holds([low, high]: [f64; 2], value: f64) -> bool {
+    (low..=high).contains(&value)
+}
+
+/// The closed form nearest at the headline, where the area is known well enough to tell.
+pub(crate) fn nearest(surface: &SurfaceComparison) -> Option<Ranked<'_>> {
+    if is_known(surface) { ranked(surface).into_iter().next() } else { None }
+}
+
+/// Whether the area at the headline is known well enough to rank closed forms by it.
+pub(crate) fn is_known(surface: &SurfaceComparison) -> bool {
+    surface.headline_answer().is_some_and(|answer| knows(answer, WANTED))
 }
 
 /// "GW, BGT and Elliptical"
@@ -157,14 +185,14 @@ struct Against {
     same: bool,
 }
 
-/// From the errors of a model and half the width of the reference's own ±, both relative to the
-/// reference: an error within the ± tells nothing, nor does what prints as 0.0 %.
-fn against(loads: impl Iterator<Item = (f64, f64)>) -> Against {
+/// From the errors of a model and the ends of the reference's own interval, both relative to the
+/// reference: an error between them tells nothing, nor does what prints as 0.0 %.
+fn against(loads: impl Iterator<Item = (f64, [f64; 2])>) -> Against {
     const NONE: f64 = 5e-4;
     let (mut low, mut high, mut told, mut same) = (false, false, true, true);
-    for (error, uncertainty) in loads {
+    for (error, ends) in loads {
         same &= error.abs() <= NONE;
-        let is_outside = error.abs() > NONE.max(uncertainty);
+        let is_outside = error.abs() > NONE && !holds(ends, error);
         told &= is_outside;
         low |= is_outside && error < 0.0;
         high |= is_outside && error > 0.0;
@@ -178,26 +206,40 @@ fn against(loads: impl Iterator<Item = (f64, f64)>) -> Against {
     Against { side, told, same }
 }
 
-/// The errors of a model at the loads that have a reference, with half the width of its ± there,
+/// The errors of a model at the loads that have a reference, with the ends of its interval there,
 /// relative to it: at the loads that have one, or, if `bare`, at all, without it.
 fn told(
-    surface: &SurfaceComparison,
+    points: &[DeterministicPoint],
     curve: &ModelCurve,
     bare: bool,
-) -> impl Iterator<Item = (f64, f64)> {
-    surface.deterministic.iter().zip(&curve.errors).filter_map(move |(point, error)| {
+) -> impl Iterator<Item = (f64, [f64; 2])> {
+    points.iter().zip(&curve.errors).filter_map(move |(point, error)| {
         let answer = point.answer.as_ref()?;
-        let uncertainty = if bare { 0.0 } else { answer.uncertainty()? };
-        Some(((*error)?, uncertainty / answer.area_fraction_corrected))
+        let ends = if bare { [answer.area_fraction_corrected; 2] } else { answer.interval()? };
+        Some(((*error)?, ends.map(|end| end / answer.area_fraction_corrected - 1.0)))
     })
 }
 
-/// Which models read low, high, or cross, over the loads.
+/// Which models read low, high, or cross, over the loads, by the bodies they are about.
 pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
-    let answers = || surface.deterministic.iter().filter_map(|p| p.answer.as_ref());
+    let lead = |reference: &Reference<'_>| {
+        let sentences = sides(reference);
+        if reference.of.is_empty() || sentences.is_empty() {
+            return sentences;
+        }
+        format!("<b>{}:</b> {sentences}", capital(reference.of))
+    };
+    let leads: Vec<String> = references(surface).iter().map(lead).collect();
+    leads.iter().filter(|lead| !lead.is_empty()).cloned().collect::<Vec<_>>().join("<br>\n")
+}
+
+/// The same of the theories of one kind of bodies.
+fn sides(reference: &Reference<'_>) -> String {
+    let Reference { points, models, .. } = reference;
+    let answers = || points.iter().filter_map(|p| p.answer.as_ref());
     let known = answers().filter(|a| a.uncertainty().is_some()).count();
     let bare = known == 0;
-    let always = match surface.deterministic.len() {
+    let always = match points.len() {
         1 => "at this load",
         _ if !bare && known < answers().count() => "at every load that has a ±",
         _ => "at every load",
@@ -218,12 +260,12 @@ pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
         ("lies", "lie", format!("within the ± of the deterministic area {always}")),
     ]
     .map(|sentence| (sentence, Vec::new()));
-    for model in &surface.models {
+    for (_, model) in models {
         let Ok(curve) = &model.outcome else { continue };
-        if told(surface, curve, bare).next().is_none() {
+        if told(points, curve, bare).next().is_none() {
             continue;
         }
-        let found = against(told(surface, curve, bare));
+        let found = against(told(points, curve, bare));
         let group = match found.side {
             Side::Low => usize::from(!found.told),
             Side::High => 2 + usize::from(!found.told),
@@ -253,12 +295,7 @@ pub(crate) fn curves_lead(surface: &SurfaceComparison) -> String {
 pub(crate) fn within_ten(surface: &SurfaceComparison) -> String {
     let loads = &surface.deterministic;
     let at = |i: usize| chosen(loads[i].mean_pressure, PASCALS);
-    let is_known = |i: usize| {
-        loads[i].answer.as_ref().is_some_and(|answer| {
-            let uncertainty = answer.uncertainty().unwrap_or(f64::INFINITY);
-            uncertainty <= WANTED * answer.area_fraction_corrected
-        })
-    };
+    let is_known = |i: usize| loads[i].answer.as_ref().is_some_and(|a| knows(a, WANTED));
     let known = (0..loads.len()).filter(|i| is_known(*i)).count();
     if known == 0 {
         return format!(
@@ -298,7 +335,7 @@ pub(crate) fn within_ten(surface: &SurfaceComparison) -> String {
     let these = if known == loads.len() {
         "these loads".to_owned()
     } else {
-        format!("the {known} of {} loads at which it is known to that", loads.len())
+        format!("the {known} of {} at which it is known to that", counted(loads.len(), "load"))
     };
     if parts.is_empty() {
         format!("No closed form is within 10{SPACE}% of the deterministic area at any of {these}.")
@@ -319,8 +356,13 @@ mod tests {
         assert_eq!(list(&["GW", "BGT", "Persson"]), "GW, BGT and Persson");
     }
 
+    /// Errors, each with half the width of an even interval.
+    fn of(loads: &[(f64, f64)]) -> Against {
+        against(loads.iter().map(|&(error, half)| (error, [-half, half])))
+    }
+
     fn side(loads: &[(f64, f64)]) -> Side {
-        against(loads.iter().copied()).side
+        of(loads).side
     }
 
     #[test]
@@ -334,13 +376,13 @@ mod tests {
 
     #[test]
     fn within_the_bar_of_the_reference_nothing_is_told() {
-        let faint = against([(-0.99, 1.5), (-0.8, 0.9)].into_iter());
+        let faint = of(&[(-0.99, 1.5), (-0.8, 0.9)]);
         assert!(faint.side == Side::Agrees && !faint.told && !faint.same);
-        let partly = against([(-0.99, 1.5), (-0.8, 0.1)].into_iter());
+        let partly = of(&[(-0.99, 1.5), (-0.8, 0.1)]);
         assert!(partly.side == Side::Low && !partly.told);
-        let clearly = against([(-0.3, 0.1), (-0.2, 0.1)].into_iter());
+        let clearly = of(&[(-0.3, 0.1), (-0.2, 0.1)]);
         assert!(clearly.side == Side::Low && clearly.told);
-        let unknown = against([(-0.3, f64::INFINITY)].into_iter());
+        let unknown = of(&[(-0.3, f64::INFINITY)]);
         assert!(unknown.side == Side::Agrees && !unknown.same);
     }
 }

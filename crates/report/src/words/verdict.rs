@@ -1,6 +1,6 @@
 //! Whether a theory covers a surface, in words.
 
-use crate::numbers::{SPACE, length, percent, pressure, significant};
+use crate::numbers::{SPACE, counted, length, percent, pressure, significant};
 use compare::{Assumes, Card, ModelComparison, Reason, Verdict};
 use contact_types::ModelError;
 
@@ -72,7 +72,9 @@ fn words(reason: &Reason) -> String {
             }
         ),
         Reason::Full { from } => format!("full contact from {}", pressure(*from)),
-        Reason::NoAnswer { loads, of } => format!("no answer at {loads} of {of} loads"),
+        Reason::NoAnswer { loads, of } => {
+            format!("no answer at {loads} of {}", counted(*of, "load"))
+        }
     }
 }
 
