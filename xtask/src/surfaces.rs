@@ -1,4 +1,4 @@
-//! Files of real instruments against their expected values.
+//! Files of instruments, and files made like them, against their expected values.
 
 use crate::shell::{TaskResult, released, run as start};
 

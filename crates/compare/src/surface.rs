@@ -156,6 +156,12 @@ pub struct FileOrigin {
     /// `traces`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layout: Option<String>,
+    /// The decimal mark of a text file, if given by the user: `point` or `comma`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub decimal: Option<String>,
+    /// Marks of missing points, if given by the user.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub missing_marks: Vec<String>,
     /// Crop `[y0, x0, ny, nx]` in pixels, if asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub crop: Option<[usize; 4]>,

@@ -7,7 +7,9 @@ use pyo3::PyErr;
 use pyo3::exceptions::PyOSError;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use surface_io::{Cut, Fill, FillError, HeightUnit, Layout, Measurement, ReadError, ReadOptions};
+use surface_io::{
+    Cut, DecimalMark, Fill, FillError, HeightUnit, Layout, Measurement, ReadError, ReadOptions,
+};
 use surface_stats::clean::Record;
 
 /// What is said of a file.
@@ -20,6 +22,8 @@ pub(crate) struct Reading {
     pub(crate) height_unit: Option<f64>,
     pub(crate) override_height_unit: Option<f64>,
     pub(crate) layout: Option<String>,
+    pub(crate) decimal: Option<String>,
+    pub(crate) missing: Vec<String>,
     /// As the command takes it.
     pub(crate) crop: Option<String>,
     pub(crate) fill: String,
@@ -36,6 +40,8 @@ impl Reading {
             height_unit: file.height_unit,
             override_height_unit: file.override_height_unit,
             layout: file.layout.clone(),
+            decimal: file.decimal.clone(),
+            missing: file.missing_marks.clone(),
             crop: file.crop.map(|part| Cut::Rectangle(part).to_string()),
             fill: file.fill.clone(),
             cleaning: file.cleaning,
@@ -55,6 +61,11 @@ impl Reading {
             let unknown = || Failure::refused("setting", format!("layout {name:?} is none"));
             options.layout = Some(Layout::of_name(name).ok_or_else(unknown)?);
         }
+        if let Some(name) = &self.decimal {
+            let unknown = || Failure::refused("setting", format!("decimal {name:?} is none"));
+            options.decimal = Some(DecimalMark::of_name(name).ok_or_else(unknown)?);
+        }
+        options.missing.clone_from(&self.missing);
         Ok(options)
     }
 
@@ -89,6 +100,8 @@ impl Reading {
             height_unit: self.height_unit,
             override_height_unit: self.override_height_unit,
             layout: self.layout.clone(),
+            decimal: self.decimal.clone(),
+            missing_marks: self.missing.clone(),
             crop,
             fill: self.rule_name(),
             missing,
@@ -152,6 +165,14 @@ fn needs(needs: &[surface_io::Need]) -> String {
         Need::Channel => "choose one with channel=",
         Need::Layout(Layout::Matrix) => "if they are heights, give layout='matrix'",
         Need::Layout(Layout::List) => "if they are coordinates, give layout='list'",
+        Need::Layout(Layout::Traces) => {
+            "if they are traces of a stylus, give layout='traces' to read_profile"
+        }
+        Need::DecimalMark => "give decimal='point' or decimal='comma'",
+        Need::MissingMark => "if it marks missing points, give missing='MARK'",
+        Need::OtherHeightUnit => {
+            "if they are heights in another unit, give override_height_unit='um'"
+        }
         Need::Fill => {
             "fill them with fill='harmonic' or fill='nearest', or cut out the largest complete part with \
              crop='complete'"

@@ -8,7 +8,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use compare::built_in;
 use compare::{EdgesName, Flip, Level, Method, Precision};
-use surface_io::Layout;
+use surface_io::{DecimalMark, Layout};
 
 /// Options of every command.
 #[derive(Args)]
@@ -167,6 +167,10 @@ pub(crate) fn flip() -> impl TypedValueParser<Value = Flip> {
 
 pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {
     one_of(Layout::ALL, Layout::name)
+}
+
+pub(crate) fn decimal() -> impl TypedValueParser<Value = DecimalMark> {
+    one_of(DecimalMark::ALL, DecimalMark::name)
 }
 
 /// A model that a study can ask.

@@ -95,7 +95,7 @@ pub(crate) struct Compare {
         "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
         "headline", "models", "hardness", "gamma", "resistivity", "conductivity", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "fast", "modulus", "young", "material", "work_of_adhesion", "channel", "pixel",
-        "lateral_unit", "height_unit", "override_height_unit", "layout", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
+        "lateral_unit", "height_unit", "override_height_unit", "layout", "decimal", "missing", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml

@@ -9,7 +9,7 @@ use compare::{
     Settings, Surface, sha256_hex,
 };
 use std::path::Path;
-use surface_io::{Cut, Layout};
+use surface_io::{Cut, DecimalMark, Layout};
 
 /// What the files hold.
 pub(crate) enum Given {
@@ -82,6 +82,8 @@ pub(crate) fn from_file(
         height_unit: reading.height_unit,
         override_height_unit: reading.override_height_unit,
         layout: reading.layout.map(|layout| layout.name().to_owned()),
+        decimal: reading.decimal.map(|mark| mark.name().to_owned()),
+        missing_marks: reading.missing.clone(),
         crop,
         fill: reading.fill.name().to_owned(),
         missing,
@@ -167,6 +169,14 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
             Failure::refused("syntax", message)
         })?),
     };
+    let decimal = match &file.decimal {
+        None => None,
+        Some(name) => Some(DecimalMark::of_name(name).ok_or_else(|| {
+            let message =
+                format!("{}: decimal = \"{name}\" is none of point, comma", run_file.display());
+            Failure::refused("syntax", message)
+        })?),
+    };
     let reading = Reading {
         channel: file.channel.clone(),
         pixel: file.pixel,
@@ -174,6 +184,8 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
         height_unit: file.height_unit,
         override_height_unit: file.override_height_unit,
         layout,
+        decimal,
+        missing: file.missing_marks.clone(),
         fill,
         crop: file.crop.map(Cut::Rectangle),
     };

@@ -11,7 +11,7 @@ pub(crate) use answers::Complete;
 use clap::{Args, ValueEnum};
 use compare::{Cleaning, FileOrigin, Origin};
 use std::path::{Path, PathBuf};
-use surface_io::{Cut, HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions};
+use surface_io::{Cut, DecimalMark, HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions};
 
 /// How missing points are filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -70,6 +70,13 @@ pub(crate) struct Reading {
     /// What the columns of a text file are [default: what its header and numbers say]
     #[arg(long, value_name = "WHAT", value_parser = args::layout())]
     pub(crate) layout: Option<Layout>,
+    /// Decimal mark of a text file, where 1,855 can be below two or thousands
+    #[arg(long, value_name = "MARK", value_parser = args::decimal())]
+    pub(crate) decimal: Option<DecimalMark>,
+    /// What stands where a point is missing: a word of a text, or a number in the unit of the file; can be
+    /// repeated [default: NaN, empty cells and the usual words]
+    #[arg(long, value_name = "MARK", allow_hyphen_values = true)]
+    pub(crate) missing: Vec<String>,
     /// What to do with missing points
     #[arg(long, value_enum, default_value_t, value_name = "RULE")]
     pub(crate) fill: Fill,
@@ -91,6 +98,8 @@ impl Reading {
             None => self.height_unit.map(HeightUnit::IfSilent),
         };
         options.layout = self.layout;
+        options.decimal = self.decimal;
+        options.missing.clone_from(&self.missing);
         options
     }
 
@@ -141,6 +150,9 @@ impl Reading {
                 path.display()
             ));
         }
+        if let Some(what) = measurement.metadata().get("left out") {
+            outcome::tell(&format!("rough-contact: {}: {what} are left out", path.display()));
+        }
         let readable =
             |c: &&surface_io::ChannelInfo| c.is_height && c.fault.is_none() && !c.is_trace;
         let heights = measurement.channels().iter().filter(readable).count();
@@ -181,6 +193,8 @@ impl Reading {
             height_unit: self.height_unit,
             override_height_unit: self.override_height_unit,
             layout: self.layout.map(|layout| layout.name().to_owned()),
+            decimal: self.decimal.map(|mark| mark.name().to_owned()),
+            missing_marks: self.missing.clone(),
             crop: traces.crop,
             fill: self.fill.name().to_owned(),
             missing: traces.missing,

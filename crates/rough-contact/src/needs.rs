@@ -56,7 +56,7 @@ pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
 
 /// How a text was read that could mean something else, and the option that settles it.
 pub(crate) fn reading(ambiguity: Ambiguity) -> String {
-    format!("{ambiguity}; {}", option(ambiguity.needs()))
+    format!("{ambiguity}; {}", options(&ambiguity.needs()))
 }
 
 /// One sentence for all needs.
@@ -84,6 +84,11 @@ fn option(need: Need) -> &'static str {
         Need::Layout(Layout::Matrix) => "if they are heights, give --layout matrix",
         Need::Layout(Layout::List) => "if they are coordinates, give --layout list",
         Need::Layout(Layout::Traces) => "if they are traces of a stylus, give --layout traces",
+        Need::DecimalMark => "give --decimal point or --decimal comma",
+        Need::MissingMark => "if it marks missing points, give --missing MARK",
+        Need::OtherHeightUnit => {
+            "if they are heights in another unit, give --override-height-unit U"
+        }
         Need::Fill => {
             "fill them with --fill harmonic or --fill nearest, or cut out the largest complete \
              part with --crop complete"

@@ -8,6 +8,10 @@
 //! be refused. A `file_unit` of null or "" says that the expected values are the bare numbers of
 //! the file; it is then read with `--height-unit m` and the expected pixel.
 //!
+//! In place of statistics, `truth` names an NPY file in DIR whose numbers, in units of `unit_m`, are the
+//! heights point by point. `read` of an entry says what the file does not: `channel`, `layout`, `pixel`,
+//! `lateral_unit`, `height_unit`, `override_height_unit` (m), `missing`.
+//!
 //! Exit status 1 if any line is wrong.
 #![allow(clippy::print_stdout, reason = "the table is the output")]
 
@@ -16,7 +20,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
-use surface_io::{Format, HeightUnit, Measurement, ReadError, ReadOptions, read};
+use surface_io::{Format, HeightUnit, Layout, Measurement, ReadError, ReadOptions, read};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -77,6 +81,9 @@ fn check(dir: &Path, name: &str, entry: &Value) -> Result<String, String> {
     let mut given = String::new();
     options.channel = channel
         .or_else(|| entry.pointer("/expected/channel").and_then(Value::as_str).map(str::to_owned));
+    if let Some(said) = entry.get("read") {
+        options = reading(said, options);
+    }
     let first = read(&path, &options);
     let expected = match &entry["expected"] {
         Value::String(_) => {
@@ -89,6 +96,13 @@ fn check(dir: &Path, name: &str, entry: &Value) -> Result<String, String> {
     };
     if let Err(ReadError::Unsupported { format: Format::Mnt, .. }) = &first {
         return Ok(format!("{NOT_READ}: {}", first.err().map_or(String::new(), |e| e.to_string())));
+    }
+    if expected.get("truth").is_some() || entry.get("read").is_some() {
+        let measurement = first.map_err(|e| e.to_string())?;
+        if let Some(truth) = expected.get("truth").and_then(Value::as_str) {
+            point_by_point(&measurement, &dir.join(truth), expected)?;
+        }
+        return compare(&measurement, expected, "");
     }
     let number = |key: &str| expected.get(key).and_then(Value::as_f64);
     let is_bare = expected.get("file_unit").is_some_and(|u| u.as_str().is_none_or(str::is_empty));
@@ -112,6 +126,47 @@ fn check(dir: &Path, name: &str, entry: &Value) -> Result<String, String> {
         }
     }
     result
+}
+
+/// What is said of a file.
+fn reading(said: &Value, mut options: ReadOptions) -> ReadOptions {
+    let number = |key: &str| said.get(key).and_then(Value::as_f64);
+    let word = |key: &str| said.get(key).and_then(Value::as_str);
+    options.channel = word("channel").map(str::to_owned).or(options.channel);
+    options.layout = word("layout").and_then(Layout::of_name);
+    options.pixel = number("pixel").map(|pixel| [pixel; 2]);
+    options.lateral_unit = number("lateral_unit");
+    options.height_unit = match number("override_height_unit") {
+        Some(metres) => Some(HeightUnit::Always(metres)),
+        None => number("height_unit").map(HeightUnit::IfSilent),
+    };
+    options.missing.extend(word("missing").map(str::to_owned));
+    options
+}
+
+/// Compares every height with those of an NPY file.
+fn point_by_point(m: &Measurement, truth: &Path, expected: &Value) -> Result<(), String> {
+    let unit = expected.get("unit_m").and_then(Value::as_f64).unwrap_or(1.0);
+    let options = ReadOptions::default().with_pixel([1.0; 2]).with_height_unit(unit);
+    let truth = read(truth, &options).map_err(|e| e.to_string())?;
+    if truth.grid().shape() != m.grid().shape() {
+        return Err(format!("{:?} points, expected {:?}", m.grid().shape(), truth.grid().shape()));
+    }
+    let undefined = expected.get("n_undefined").and_then(Value::as_u64).unwrap_or(0);
+    if undefined != m.missing() as u64 {
+        return Err(format!("{} points missing, expected {undefined}", m.missing()));
+    }
+    let range = truth.height_summary().map_or(0.0, |(low, high, _)| high - low);
+    // What is not in the file to its last digit says so.
+    let digits = expected.get("rounding").and_then(Value::as_f64).unwrap_or(0.0);
+    let tolerance = TOLERANCE * range + half_quantum(m).max(digits);
+    let pairs = m.heights().iter().zip(truth.heights());
+    match pairs.enumerate().find(|(_, (found, wanted))| (*found - *wanted).abs() > tolerance) {
+        Some((i, (found, wanted))) => {
+            Err(format!("point {i} is {found:e} m, expected {wanted:e} m"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Compares everything the expected values hold; the first difference is the error.
@@ -151,7 +206,7 @@ fn compare(m: &Measurement, expected: &Value, note: &str) -> Result<String, Stri
             worst = worst.max(if range > 0.0 { error / range } else { 0.0 });
         }
     }
-    let is_profile = expected.get("rows").is_none();
+    let is_profile = expected.get("rows").is_none() && expected.get("truth").is_none();
     if is_profile != m.is_profile() {
         return Err(format!("{note}profile: {}, expected {is_profile}", m.is_profile()));
     }

@@ -120,12 +120,9 @@ impl FormatSpec {
         bytes: &'a [u8],
         options: &ReadOptions,
     ) -> Result<Contents<'a>, ReadError> {
-        let limits = &options.limits;
         match options.layout {
-            None => self.contents(bytes, limits),
-            Some(layout) if self.format == Format::Text => {
-                formats::table::parse_as(bytes, limits, Some(layout))
-            }
+            _ if self.format == Format::Text => formats::table::parse_as(bytes, options),
+            None => self.contents(bytes, &options.limits),
             Some(layout) => Err(ReadError::BadLayout {
                 format: self.format,
                 layout,

@@ -1,5 +1,8 @@
 //! One cell of a table: separators, decimal marks, missing values, printed digits.
 
+use crate::layout::DecimalMark;
+use crate::units::metres_per;
+
 /// What stands between two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Separator {
@@ -19,58 +22,321 @@ impl Separator {
         }
     }
 
-    /// The cells of a line, trimmed. Blanks join; any other separator leaves empty cells.
+    /// The cells of a line, trimmed. Blanks join; any other separator leaves empty cells, and does
+    /// not part what stands in quotation marks.
     pub(crate) fn cells<'a>(self, line: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
-        match self {
-            Self::Blank => Box::new(line.split_ascii_whitespace()),
-            _ => Box::new(line.split(self.char()).map(str::trim)),
+        if self == Self::Blank {
+            return Box::new(line.split_ascii_whitespace());
         }
+        let mut is_quoted = false;
+        let has_pairs = line.bytes().filter(|b| *b == b'"').count() % 2 == 0;
+        let parts = move |c: char| {
+            is_quoted ^= c == '"' && has_pairs;
+            c == self.char() && !is_quoted
+        };
+        Box::new(line.split(parts).map(str::trim))
     }
+}
+
+/// What a caller says of how the cells are written.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Written<'o> {
+    pub(crate) decimal: Option<DecimalMark>,
+    /// Marks of missing points, beside those that everyone uses.
+    pub(crate) missing: &'o [String],
+}
+
+impl Written<'_> {
+    /// Marks that are no numbers: a number is a mark among heights only, not among coordinates.
+    fn words(&self) -> impl Iterator<Item = &str> {
+        self.missing.iter().map(String::as_str).filter(|mark| mark_value(mark).is_none())
+    }
+
+    /// The line with marks of two words as one, where blanks part the cells.
+    pub(crate) fn joined<'l>(&self, line: &'l str) -> std::borrow::Cow<'l, str> {
+        let two_words = self.words().filter(|mark| mark.contains(' ')).chain(["no data"]);
+        let mut joined = std::borrow::Cow::Borrowed(line);
+        for mark in two_words {
+            while let Some(at) = find_ignoring_case(&joined, mark) {
+                joined.to_mut().replace_range(at..at + mark.len(), "nan");
+            }
+        }
+        joined
+    }
+
+    /// True if a cell of these words marks a missing point.
+    pub(crate) fn is_missing(&self, text: &str) -> bool {
+        const WORDS: [&str; 22] = [
+            "",
+            "na",
+            "n/a",
+            "n.a.",
+            "null",
+            "none",
+            "bad",
+            "nodata",
+            "no data",
+            "no_data",
+            "missing",
+            "invalid",
+            "undefined",
+            "void",
+            "masked",
+            "nan",
+            "#n/a",
+            "#nv",
+            "#num!",
+            "#value!",
+            "#wert!",
+            "#div/0!",
+        ];
+        let is_drawn = |text: &str| {
+            text.len() <= 12
+                && text
+                    .chars()
+                    .all(|c| matches!(c, '-' | '*' | '?' | '\u{2013}' | '\u{2014}' | '\u{2212}'))
+        };
+        // "1.#QNAN", "-1.#IND00", "-nan(ind)", "NaNQ": what C libraries print for what is no number.
+        let is_nan = || {
+            let text = text.trim_start_matches(['+', '-']).to_ascii_lowercase();
+            let of_c = ["nan(", "nanq", "nans", "qnan", "snan"];
+            of_c.iter().any(|start| text.starts_with(start))
+                || text.split_once(".#").is_some_and(|(_, what)| {
+                    ["qnan", "snan", "ind", "nan"].iter().any(|start| what.starts_with(start))
+                })
+        };
+        is_drawn(text)
+            || text.len() <= 24
+                && (WORDS.iter().any(|word| text.eq_ignore_ascii_case(word)) || is_nan())
+            || self.words().any(|mark| text.eq_ignore_ascii_case(mark))
+    }
+}
+
+/// The number that a mark of missing points is, if it is one.
+pub(crate) fn mark_value(mark: &str) -> Option<f64> {
+    number(mark.trim(), None, false).filter(|value| !value.is_nan())
+}
+
+fn find_ignoring_case(text: &str, part: &str) -> Option<usize> {
+    let (text, part) = (text.as_bytes(), part.as_bytes());
+    let first = *part.first()?;
+    text.windows(part.len()).position(|window| {
+        window[0].eq_ignore_ascii_case(&first) && window.eq_ignore_ascii_case(part)
+    })
 }
 
 /// A cell of a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Cell {
+pub(crate) enum Cell<'t> {
     Number(f64),
+    /// A number and its unit of length.
+    Length(f64, &'t str),
     Missing,
     Other,
 }
 
-/// Reads one cell; `decimal_comma` is updated when the cell shows which mark is used.
-pub(crate) fn cell(text: &str, separator: Separator, marks: &mut Marks) -> Cell {
-    let text = text.strip_prefix('"').and_then(|t| t.strip_suffix('"')).unwrap_or(text);
-    if separator != Separator::Comma && text.contains(',') {
-        if text.contains('.') || text.matches(',').count() > 1 {
-            return Cell::Other;
-        }
-        if let Ok(value) = text.replacen(',', ".", 1).parse::<f64>() {
-            marks.comma = true;
-            return Cell::Number(value);
-        }
-        return Cell::Other;
+/// Reads one cell.
+pub(crate) fn cell<'t>(text: &'t str, separator: Separator, written: Written<'_>) -> Cell<'t> {
+    let inner = text.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
+    // Between commas a blank may part two numbers as well as thousands.
+    let blanks = inner.is_some() || !matches!(separator, Separator::Comma | Separator::Blank);
+    let text = inner.map_or(text, str::trim);
+    match number(text, written.decimal, blanks) {
+        Some(value) if value.is_nan() => return Cell::Missing,
+        Some(value) => return Cell::Number(value),
+        None if written.is_missing(text) => return Cell::Missing,
+        None => {}
     }
-    match text.parse::<f64>() {
-        Ok(value) if value.is_nan() => Cell::Missing,
-        Ok(value) => {
-            marks.point |= text.contains('.');
-            Cell::Number(value)
-        }
-        Err(_) if is_missing(text) => Cell::Missing,
-        Err(_) => Cell::Other,
+    let digits = text.rfind(|c: char| c.is_ascii_digit()).map_or(0, |at| at + 1);
+    let (value, unit) = text.split_at(digits);
+    match number(value, written.decimal, blanks) {
+        Some(value) if metres_per(unit).is_some() => Cell::Length(value, unit.trim()),
+        _ => Cell::Other,
     }
 }
 
-fn is_missing(text: &str) -> bool {
-    const WORDS: [&str; 12] =
-        ["", "na", "n/a", "#n/a", "null", "bad", "*", "***", "-", "--", "---", "nan(ind)"];
-    text.len() <= 10 && WORDS.iter().any(|word| text.eq_ignore_ascii_case(word))
+/// The signs that people and programs write for a minus.
+const MINUS: [char; 8] =
+    ['-', '\u{2212}', '\u{2010}', '\u{2011}', '\u{2012}', '\u{2013}', '\u{fe63}', '\u{ff0d}'];
+
+/// A number with a decimal point or comma, thousands parted by the other mark, an apostrophe, a hard
+/// blank or (`blanks`) a blank, and an exponent behind E or D. Where the mark is not known a single
+/// one is the decimal mark, and so is the last of two kinds.
+fn number(text: &str, decimal: Option<DecimalMark>, blanks: bool) -> Option<f64> {
+    if decimal != Some(DecimalMark::Comma) || !text.contains('.') {
+        if let Ok(value) = text.parse::<f64>() {
+            return Some(value);
+        }
+        if !text.contains(|c: char| c.is_ascii_digit()) {
+            return None;
+        }
+    }
+    let unsigned = text.strip_prefix('+').or_else(|| text.strip_prefix(MINUS));
+    let is_negative = unsigned.is_some() && !text.starts_with('+');
+    let unsigned = unsigned.unwrap_or(text);
+    let (mantissa, exponent) = match unsigned.find(['e', 'E', 'd', 'D']) {
+        Some(at) => (&unsigned[..at], &unsigned[at + 1..]),
+        None => (unsigned, "0"),
+    };
+    let exponent: i32 = exponent.replacen(MINUS, "-", 1).parse().ok()?;
+    let mark = match decimal {
+        Some(mark) => Some(mark.char()),
+        None => match (mantissa.rfind('.'), mantissa.rfind(',')) {
+            (Some(point), Some(comma)) => Some(if point > comma { '.' } else { ',' }),
+            (None, None) => None,
+            (point, _) => {
+                let mark = if point.is_some() { '.' } else { ',' };
+                (mantissa.matches(mark).count() == 1).then_some(mark)
+            }
+        },
+    };
+    let (whole, fraction) =
+        mark.and_then(|mark| mantissa.split_once(mark)).unwrap_or((mantissa, ""));
+    let are_digits = |text: &str| text.bytes().all(|b| b.is_ascii_digit());
+    let whole = if are_digits(whole) {
+        std::borrow::Cow::Borrowed(whole)
+    } else {
+        // Groups of three behind one to three digits.
+        let group = whole.chars().find(|c| !c.is_ascii_digit())?;
+        let is_group =
+            matches!(group, ',' | '.' | '\'' | '\u{2019}' | '\u{a0}' | '\u{202f}' | '\u{2009}');
+        let mut groups = whole.split(group);
+        let first = groups.next()?;
+        let is_whole = (is_group || blanks && group == ' ')
+            && (1..=3).contains(&first.len())
+            && !first.starts_with('0')
+            && are_digits(first)
+            && groups.all(|digits| digits.len() == 3 && are_digits(digits));
+        if !is_whole || mantissa.len() != unsigned.len() {
+            return None;
+        }
+        std::borrow::Cow::Owned(whole.replace(group, ""))
+    };
+    if !are_digits(fraction) || whole.is_empty() && fraction.is_empty() {
+        return None;
+    }
+    let value: f64 = format!("{whole}.{fraction}e{exponent}").parse().ok()?;
+    Some(if is_negative { -value } else { value })
 }
 
-/// Decimal marks seen so far.
-#[derive(Debug, Clone, Copy, Default)]
+/// What the numbers of a file show of their marks: is `1,855` a number below two, or thousands?
+#[derive(Debug, Default)]
 pub(crate) struct Marks {
-    pub(crate) point: bool,
-    pub(crate) comma: bool,
+    /// Point, comma: seen where it can only be the decimal mark.
+    decimal: [bool; 2],
+    /// Point, comma: seen where it can only part thousands.
+    thousands: [bool; 2],
+    columns: Vec<Column>,
+    /// The first number that can be either.
+    example: Option<(usize, String)>,
+}
+
+/// The same of one column.
+#[derive(Debug, Default, Clone)]
+struct Column {
+    /// Point, comma: behind one to three digits and before three.
+    either: [bool; 2],
+    /// Different whole numbers below 1000 without a mark, other than 0; three at most.
+    bare: Vec<u16>,
+    /// A whole number above, without a mark.
+    is_large: bool,
+    /// Digits that begin with 0, and no number is written so.
+    is_fraction: bool,
+}
+
+impl Marks {
+    pub(crate) fn see(&mut self, column: usize, line: usize, text: &str) {
+        let body = text.trim_matches('"').trim_start_matches('+').trim_start_matches(MINUS);
+        let count = |mark: u8| body.bytes().filter(|b| *b == mark).count();
+        let counts = [count(b'.'), count(b',')];
+        if self.columns.len() <= column {
+            self.columns.resize(column + 1, Column::default());
+        }
+        let seen = &mut self.columns[column];
+        match counts {
+            [0, 0] => {
+                let Ok(whole) = body.parse::<u64>() else { return };
+                seen.is_fraction |= body.len() > 1 && body.starts_with('0');
+                seen.is_large |= whole > 999;
+                let whole = u16::try_from(whole).unwrap_or(0);
+                if (1..1000).contains(&whole) && seen.bare.len() < 3 && !seen.bare.contains(&whole)
+                {
+                    seen.bare.push(whole);
+                }
+            }
+            [1, 0] | [0, 1] => {
+                let mark = counts[1];
+                let (whole, fraction) = body.split_once(['.', ',']).unwrap_or_default();
+                let are_digits = |text: &str| text.bytes().all(|b| b.is_ascii_digit());
+                if fraction.len() == 3
+                    && (1..=3).contains(&whole.len())
+                    && !whole.starts_with('0')
+                    && are_digits(whole)
+                    && are_digits(fraction)
+                {
+                    seen.either[mark] = true;
+                    self.example.get_or_insert_with(|| (line, text.to_owned()));
+                } else {
+                    self.decimal[mark] = true;
+                }
+            }
+            [_, 0] => self.thousands[0] = true,
+            [0, _] => self.thousands[1] = true,
+            _ => {
+                let last = usize::from(body.rfind(',') > body.rfind('.'));
+                (self.decimal[last], self.thousands[1 - last]) = (true, true);
+            }
+        }
+    }
+
+    /// The decimal mark, and whether a number was read otherwise when it was not known yet.
+    ///
+    /// Whole numbers below 1000 beside others of the same column that all have three digits behind a mark are a
+    /// pattern of thousands: of decimals some would have fewer digits.
+    pub(crate) fn decide(&self) -> Result<Option<(DecimalMark, bool)>, Doubt> {
+        let either = [0, 1].map(|mark| self.columns.iter().any(|column| column.either[mark]));
+        let [point, comma] = [0, 1].map(|mark| self.decimal[mark] || self.thousands[1 - mark]);
+        let example = || self.example.clone().unwrap_or_default();
+        let mark = match (point, comma, either) {
+            (true, true, _) => return Err(Doubt::Both),
+            (true, false, _) => 0,
+            (false, true, _) => 1,
+            (false, false, [false, false]) => return Ok(None),
+            (false, false, [true, true]) => return Err(Doubt::Either(example())),
+            (false, false, [_, comma]) => {
+                let mark = usize::from(comma);
+                let mixed = || self.columns.iter().filter(|column| column.either[mark]);
+                let mut bare: Vec<u16> =
+                    mixed().flat_map(|column| column.bare.iter().copied()).collect();
+                bare.sort_unstable();
+                bare.dedup();
+                match (bare.len() > 2, mixed().any(|column| column.is_large)) {
+                    (true, false) => 1 - mark,
+                    (false, _) if mark == 0 => 0,
+                    _ => return Err(Doubt::Either(example())),
+                }
+            }
+        };
+        let decimal = [DecimalMark::Point, DecimalMark::Comma][mark];
+        Ok(Some((decimal, either[1 - mark])))
+    }
+
+    /// True if decimal commas stand between cells that commas part: `0,034,1,855`.
+    pub(crate) fn are_torn(&self) -> bool {
+        let uses_point = self.decimal[0] || self.columns.iter().any(|column| column.either[0]);
+        let has_fraction =
+            |from: usize| self.columns.iter().skip(from).step_by(2).any(|c| c.is_fraction);
+        !uses_point && has_fraction(1) && !has_fraction(0)
+    }
+}
+
+/// Why the decimal mark is not known.
+#[derive(Debug)]
+pub(crate) enum Doubt {
+    /// Both marks are decimal marks somewhere.
+    Both,
+    /// This number, in this line, can be read in two ways.
+    Either((usize, String)),
 }
 
 /// How precisely a column is printed.
@@ -86,7 +352,7 @@ impl Digits {
     pub(crate) const NONE: Self = Self { place: i32::MAX, significant: 0 };
 
     pub(crate) fn add(&mut self, text: &str) {
-        let (mantissa, exponent) = match text.find(['e', 'E']) {
+        let (mantissa, exponent) = match text.find(['e', 'E', 'd', 'D']) {
             Some(at) => (&text[..at], text[at + 1..].parse().unwrap_or(0)),
             None => (text, 0i32),
         };

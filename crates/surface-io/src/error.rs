@@ -128,6 +128,28 @@ pub enum ReadError {
         /// Its value.
         value: f64,
     },
+    /// A cell of a table that is neither a number nor a mark of a missing point.
+    #[error("{format}: line {line}, cell {cell}: {text:?} is no number")]
+    NotANumber {
+        /// The format.
+        format: Format,
+        /// Line, counted from 1.
+        line: usize,
+        /// Cell in that line, counted from 1.
+        cell: usize,
+        /// What stands there.
+        text: String,
+    },
+    /// A text that can be read in more than one way.
+    #[error("{format}: {what}")]
+    TwoReadings {
+        /// The format.
+        format: Format,
+        /// The readings.
+        what: String,
+        /// What decides.
+        needs: Vec<Need>,
+    },
     /// The layout asked for is none this file can have.
     #[error("{format}: read as a {} although {reason}", layout.name())]
     BadLayout {
@@ -158,7 +180,7 @@ pub enum ReadError {
     },
     /// The channel, or every channel, is not a height.
     #[error(
-        "{format}: channel {channel:?} is in {unit:?}, not a height; the height channels are: \
+        "{format}: channel {channel:?} is in {unit:?}, which is no unit of length; channels of heights: \
          {heights}"
     )]
     NotHeight {
@@ -168,8 +190,10 @@ pub enum ReadError {
         channel: String,
         /// Its unit as the file writes it.
         unit: String,
-        /// The height channels, or "(the file has no height channel)".
+        /// The height channels, or "(the file has none)".
         heights: String,
+        /// No channel is a height.
+        is_only: bool,
     },
     /// The rectangle to cut out is not inside the map.
     #[error(
@@ -214,7 +238,8 @@ impl ReadError {
             Self::PixelContradicts { .. } => "pixel_contradicts",
             Self::BadOption { .. } => "bad_option",
             Self::BadLayout { .. } => "bad_layout",
-            Self::Ambiguous { .. } => "ambiguous",
+            Self::NotANumber { .. } => "not_a_number",
+            Self::Ambiguous { .. } | Self::TwoReadings { .. } => "ambiguous",
             Self::NoSuchChannel { .. } => "no_such_channel",
             Self::NotHeight { .. } => "not_height",
             Self::Crop { .. } | Self::NothingComplete { .. } => "crop",
@@ -226,9 +251,15 @@ impl ReadError {
         match self {
             Self::MissingScale { needs, .. } => needs.clone(),
             Self::PixelContradicts { .. } => vec![Need::PixelSize],
-            Self::NoSuchChannel { .. } | Self::NotHeight { .. } => vec![Need::Channel],
+            Self::NoSuchChannel { .. } => vec![Need::Channel],
+            Self::NotHeight { is_only, .. } => {
+                let other = (!is_only).then_some(Need::Channel);
+                other.into_iter().chain([Need::OtherHeightUnit]).collect()
+            }
+            Self::NotANumber { .. } => vec![Need::MissingMark],
+            Self::TwoReadings { needs, .. } => needs.clone(),
             Self::Limit { .. } => vec![Need::Limits],
-            Self::Ambiguous { ambiguity, .. } => vec![ambiguity.needs()],
+            Self::Ambiguous { ambiguity, .. } => ambiguity.needs(),
             Self::BadOption { given, .. } => vec![*given],
             _ => Vec::new(),
         }

@@ -1,6 +1,7 @@
 //! From what a reader found to a [`Measurement`]: chooses the channel, decodes it and brings it
 //! to metres.
 
+use crate::cells::mark_value;
 use crate::error::{Place, ReadError};
 use crate::format::Format;
 use crate::meaning::{Meaning, UNUSED};
@@ -94,6 +95,11 @@ pub(crate) fn finish(
     let grid = Grid::new(channel.shape, pixel)
         .map_err(|e| malformed(Place::Field("grid".into()), e.to_string()))?;
     let mut heights = (channel.decode)()?;
+    for mark in options.missing.iter().filter_map(|mark| mark_value(mark)) {
+        // A mark of a file in single precision is that number only nearly.
+        let is_mark = |z: f64| z == mark || z == f64::from(mark as f32);
+        heights.iter_mut().filter(|z| is_mark(**z)).for_each(|z| *z = f64::NAN);
+    }
     if heights.len() != grid.len() {
         let what = format!("{} heights for {} points", heights.len(), grid.len());
         return Err(malformed(Place::Field("data".into()), what));
@@ -179,12 +185,19 @@ fn choose(
         channel: channel.name.clone(),
         unit: channel.unit.clone().unwrap_or_default(),
         heights: names(true),
+        is_only: !channels.iter().any(|c| c.is_height && c.fault.is_none()),
     };
+    let is_overridden = matches!(options.height_unit, Some(HeightUnit::Always(_)));
     let Some(asked) = options.channel.as_deref() else {
         // A stated unit of length is better than no unit at all, then the meaning of the name
         // counts, then the order in the file.
-        let heights = channels.iter().enumerate().filter(|(_, c)| c.is_height && c.fault.is_none());
-        let best = heights.min_by_key(|(i, c)| (c.unit.is_none(), Meaning::of(&c.name), *i));
+        // One in another unit is read if there is no other and its unit does not count.
+        let heights = channels
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| (c.is_height || is_overridden) && c.fault.is_none());
+        let best =
+            heights.min_by_key(|(i, c)| (!c.is_height, c.unit.is_none(), Meaning::of(&c.name), *i));
         return match (best, channels.first()) {
             (Some((index, _)), _) => Ok(index),
             (None, Some(first)) => Err(not_height(first)),
@@ -211,7 +224,6 @@ fn choose(
             asked: asked.to_owned(),
             available: names(false),
         })?;
-    let is_overridden = matches!(options.height_unit, Some(HeightUnit::Always(_)));
     if channels[index].is_height || channels[index].fault.is_some() || is_overridden {
         return Ok(index);
     }

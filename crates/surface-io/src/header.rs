@@ -31,6 +31,8 @@ pub(crate) struct Header {
     pub(crate) missing_value: Option<f64>,
     /// Rows of the map, behind which as many rows say with 0 which points are missing (SPIP).
     pub(crate) rows_before_mask: Option<usize>,
+    /// `[dy, dx]` of a row and a column of coordinates, in a unit that is not known.
+    pub(crate) steps: Option<[f64; 2]>,
     pub(crate) columns: Vec<Title>,
     pub(crate) metadata: BTreeMap<String, String>,
 }
@@ -77,6 +79,40 @@ const KEYS: &[(Key, &str)] = &[
 impl Header {
     pub(crate) fn name(&self) -> String {
         self.channel.clone().unwrap_or_else(|| "default".into())
+    }
+
+    /// Rows and columns that the header declares.
+    pub(crate) fn counts(&self) -> [Option<usize>; 2] {
+        const ROWS: [&str; 8] =
+            ["rows", "nrows", "number of rows", "vertical", "ny", "yres", "y pixels", "y-pixels"];
+        const COLUMNS: [&str; 9] = [
+            "columns",
+            "cols",
+            "ncols",
+            "number of columns",
+            "horizontal",
+            "nx",
+            "xres",
+            "x pixels",
+            "x-pixels",
+        ];
+        let bare =
+            |text: &str| text.trim_matches(|c: char| c == '"' || c.is_whitespace()).to_lowercase();
+        let count = |names: &[&str]| {
+            let mut said =
+                self.metadata.iter().filter(|(key, _)| names.contains(&bare(key).as_str()));
+            said.find_map(|(_, value)| bare(value).parse().ok())
+        };
+        [count(&ROWS), count(&COLUMNS)]
+    }
+
+    /// True if these lines can be the header of a channel.
+    pub(crate) fn says_channel(&self) -> bool {
+        self.channel.is_some()
+            || self.value_unit.is_some()
+            || self.value_scale.is_some()
+            || self.size.is_some()
+            || self.pixel.is_some()
     }
 
     pub(crate) fn parse(table: &Table<'_>) -> Self {

@@ -1,4 +1,4 @@
-//! What the columns of a text file are.
+//! What the columns of a text file are, and how its numbers are written.
 
 /// What the columns of a text file are, where it can be more than one thing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -27,5 +27,39 @@ impl Layout {
     /// The layout of that name.
     pub fn of_name(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|layout| layout.name() == name)
+    }
+}
+
+/// The decimal mark of the numbers in a text file; the other mark then parts thousands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum DecimalMark {
+    /// 1.5
+    Point,
+    /// 1,5
+    Comma,
+}
+
+impl DecimalMark {
+    /// Both.
+    pub const ALL: &'static [Self] = &[Self::Point, Self::Comma];
+
+    /// Its name in one word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Point => "point",
+            Self::Comma => "comma",
+        }
+    }
+
+    /// The mark of that name.
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|mark| mark.name() == name)
+    }
+
+    pub(crate) fn char(self) -> char {
+        match self {
+            Self::Point => '.',
+            Self::Comma => ',',
+        }
     }
 }

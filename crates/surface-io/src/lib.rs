@@ -52,7 +52,7 @@ pub use cut::Cut;
 pub use error::{FillError, Place, ReadError};
 pub use fill::Fill;
 pub use format::Format;
-pub use layout::Layout;
+pub use layout::{DecimalMark, Layout};
 pub use limits::Limits;
 pub use measurement::{ChannelInfo, Measurement};
 pub use need::{Ambiguity, Need};

@@ -19,6 +19,13 @@ pub enum Need {
     /// What the columns of a text are, if they are this:
     /// [`ReadOptions::layout`](crate::ReadOptions).
     Layout(Layout),
+    /// The decimal mark of a text: [`ReadOptions::decimal`](crate::ReadOptions).
+    DecimalMark,
+    /// What marks a missing point: [`ReadOptions::missing`](crate::ReadOptions).
+    MissingMark,
+    /// A unit of the heights in place of the one in the file:
+    /// [`HeightUnit::Always`](crate::HeightUnit).
+    OtherHeightUnit,
     /// A rule for missing points: [`Fill`](crate::Fill), or a part without them.
     Fill,
     /// A larger bound: [`ReadOptions::limits`](crate::ReadOptions).
@@ -35,6 +42,9 @@ impl fmt::Display for Need {
             Self::Layout(Layout::Matrix) => "layout (a matrix of heights)",
             Self::Layout(Layout::List) => "layout (coordinates and a height)",
             Self::Layout(Layout::Traces) => "layout (positions and the heights of traces)",
+            Self::DecimalMark => "decimal mark",
+            Self::MissingMark => "mark of missing points",
+            Self::OtherHeightUnit => "height unit in place of the one in the file",
             Self::Fill => "rule for missing points",
             Self::Limits => "larger limit",
         })
@@ -44,24 +54,38 @@ impl fmt::Display for Need {
 /// How the columns of a text were read where they could mean something else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Ambiguity {
-    /// Number of columns: 1, 2 (read as a profile) or 3 (read as a list).
-    pub columns: usize,
+pub enum Ambiguity {
+    /// One column, read as the heights of a profile.
+    Column,
+    /// Two columns, read as a profile x z.
+    Profile,
+    /// Three columns, read as a list x y z.
+    List,
+    /// Positions and two traces or more, read as a list x y z.
+    ListOrTraces,
 }
 
 impl Ambiguity {
-    /// The layout to ask for if this reading is wrong.
-    pub fn needs(self) -> Need {
-        Need::Layout(Layout::Matrix)
+    /// The layouts to ask for if this reading is wrong.
+    pub fn needs(self) -> Vec<Need> {
+        let matrix = Need::Layout(Layout::Matrix);
+        match self {
+            Self::ListOrTraces => vec![Need::Layout(Layout::Traces), matrix],
+            _ => vec![matrix],
+        }
     }
 }
 
 impl fmt::Display for Ambiguity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self.columns {
-            1 => "the column could be heights, one point to a row",
-            2 => "two columns, read as a profile x z; they could as well be heights",
-            _ => "three columns, read as a list x y z; they could as well be heights",
+        f.write_str(match self {
+            Self::Column => "one column, read as the heights of a profile",
+            Self::Profile => "two columns, read as a profile x z; they could as well be heights",
+            Self::List => "three columns, read as a list x y z; they could as well be heights",
+            Self::ListOrTraces => {
+                "three columns, read as a list x y z; they could as well be positions and the heights of two \
+                 traces, or heights"
+            }
         })
     }
 }

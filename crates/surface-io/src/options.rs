@@ -1,6 +1,6 @@
 //! What a caller says about a file.
 
-use crate::layout::Layout;
+use crate::layout::{DecimalMark, Layout};
 use crate::limits::Limits;
 
 /// A unit of heights given by the caller, in metres per unit, and when it counts.
@@ -46,6 +46,11 @@ pub struct ReadOptions {
     /// What the columns of a text file are; default is what its header and numbers say, and three
     /// columns without a header a list x y z.
     pub layout: Option<Layout>,
+    /// The decimal mark of a text file, where its numbers can be read in two ways.
+    pub decimal: Option<DecimalMark>,
+    /// What marks a missing point, beside NaN, empty cells and the usual words: a word in a text, or a
+    /// number in the unit of the file.
+    pub missing: Vec<String>,
     /// What reading may cost.
     pub limits: Limits,
 }
@@ -85,6 +90,19 @@ impl ReadOptions {
     #[must_use]
     pub fn with_layout(self, layout: Layout) -> Self {
         Self { layout: Some(layout), ..self }
+    }
+
+    /// The decimal mark of a text file.
+    #[must_use]
+    pub fn with_decimal(self, mark: DecimalMark) -> Self {
+        Self { decimal: Some(mark), ..self }
+    }
+
+    /// One more mark of missing points.
+    #[must_use]
+    pub fn with_missing(mut self, mark: impl Into<String>) -> Self {
+        self.missing.push(mark.into());
+        self
     }
 
     /// What reading may cost.

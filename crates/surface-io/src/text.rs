@@ -2,9 +2,9 @@
 //! them.
 
 use crate::binary::Bytes;
-use crate::cells::{Cell, Digits, Marks, Separator, cell};
+use crate::cells::{Cell, Digits, Doubt, Marks, Separator, Written, cell};
 use crate::units::metres_per;
-use crate::{Format, ReadError};
+use crate::{Format, Need, ReadError};
 use std::borrow::Cow;
 
 /// The text of a file: UTF-8, UTF-16 with a byte order mark, or else Latin-1.
@@ -68,11 +68,33 @@ pub(crate) struct Table<'a> {
     pub(crate) columns: usize,
     /// Row-major, NaN where a cell is missing.
     pub(crate) values: Vec<f64>,
-    /// How precisely the numbers of the first three columns are printed.
-    pub(crate) digits: [Digits; 3],
+    /// How precisely the numbers of the first four columns are printed.
+    pub(crate) digits: [Digits; 4],
+    /// The same of the first row behind its first cell.
+    pub(crate) first_row: Digits,
+    /// Unit of length behind the numbers of a column.
+    pub(crate) units: Vec<Option<String>>,
+    /// Rows before which a blank line or a comment stands.
+    pub(crate) parted: Vec<usize>,
 }
 
+/// Lines with their numbers.
+pub(crate) type Lines<'a> = Vec<(usize, &'a str)>;
+
 impl<'a> Table<'a> {
+    pub(crate) fn empty(header: Lines<'a>) -> Self {
+        Self {
+            header,
+            separator: Separator::Blank,
+            columns: 0,
+            values: Vec::new(),
+            digits: [Digits::NONE; 4],
+            first_row: Digits::NONE,
+            units: Vec::new(),
+            parted: Vec::new(),
+        }
+    }
+
     pub(crate) fn rows(&self) -> usize {
         self.values.len() / self.columns.max(1)
     }
@@ -82,108 +104,105 @@ impl<'a> Table<'a> {
         text.parse::<usize>().is_ok_and(|n| n == self.rows() || n == self.columns)
     }
 
-    /// Finds the table in `text` and reads it, in one pass over the numbers.
-    pub(crate) fn parse(text: &'a str, format: Format) -> Result<Self, ReadError> {
-        let mut table = Self {
-            header: Vec::new(),
-            separator: Separator::Blank,
-            columns: 0,
-            values: Vec::new(),
-            digits: [Digits::NONE; 3],
-        };
-        let mut marks = Marks::default();
-        // The line before, if it may be the first row: the next one decides.
-        let mut held: Option<(usize, &str, Separator, usize)> = None;
-        let mut started = false;
-        let mut counts: Vec<(usize, &str)> = Vec::new();
-        for (number, line) in lines(text) {
-            let line = line.trim_end_matches(['\u{1a}', '\0']);
-            if line.trim().is_empty() && !line.contains('\t') || is_comment(line) {
-                if !started && !line.trim().is_empty() {
-                    table.header.extend(held.take().map(|(n, l, _, _)| (n, l)));
-                    table.header.push((number, line));
-                }
-                continue;
+    /// Finds the tables in `text` and reads them, in one pass over the numbers; in two, if only their end
+    /// shows how they are written. A table ends where a header `begins` another one. There is always one table,
+    /// which may be without rows.
+    pub(crate) fn all(
+        text: &'a str,
+        format: Format,
+        written: Written<'_>,
+        begins: &dyn Fn(&Lines<'a>) -> bool,
+    ) -> Result<Vec<Self>, ReadError> {
+        let mut scan = Scan::over(text, format, written, begins)?;
+        if written.decimal.is_none() {
+            let malformed = |what: &'static str| Bytes::little(&[], format).field("numbers", what);
+            let torn = scan.marks.are_torn()
+                && scan.tables.iter().all(|t| t.separator == Separator::Comma);
+            if torn && scan.tables.iter().all(|t| t.columns.is_multiple_of(2)) {
+                return Err(malformed(
+                    "decimal commas stand between cells that are parted by commas, as in 0,034,1,855: save it with \
+                     semicolons between the cells, or with decimal points",
+                ));
             }
-            // Numbers that stand alone before wider rows are counts in the header.
-            if started
-                && table.columns == 1
-                && table.rows() <= MOST_COUNTS
-                && let Some((_, 2..)) = row_shape(line)
-            {
-                table.header.append(&mut counts);
-                (table.columns, started) = (0, false);
-                table.values.clear();
-                table.digits = [Digits::NONE; 3];
-            }
-            if started {
-                if counts.len() < MOST_COUNTS {
-                    counts.push((number, line));
+            let decided = scan.marks.decide().map_err(|doubt| match doubt {
+                Doubt::Both => {
+                    malformed("both decimal points and decimal commas occur: which of them is the decimal mark?")
                 }
-                table.push(number, line, &mut marks, format)?;
-                continue;
-            }
-            let shape = row_shape(line);
-            match (held.take(), shape) {
-                (Some((n, first, separator, columns)), Some((s, c)))
-                    if s == separator && c == columns =>
-                {
-                    (table.separator, table.columns, started) = (separator, columns, true);
-                    counts = vec![(n, first), (number, line)];
-                    table.push(n, first, &mut marks, format)?;
-                    table.push(number, line, &mut marks, format)?;
+                Doubt::Either((line, text)) => {
+                    let digits: String = text.chars().filter(|c| !matches!(c, '.' | ',' | '"')).collect();
+                    let decimal = text.trim_matches('"').replace(',', ".");
+                    let what = format!("line {line}: {text} can be {decimal}, or {digits} with a mark of thousands");
+                    ReadError::TwoReadings { format, what, needs: vec![Need::DecimalMark] }
                 }
-                (previous, Some((separator, columns))) => {
-                    table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
-                    held = Some((number, line, separator, columns));
-                }
-                (previous, None) => {
-                    table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
-                    table.header.push((number, line));
-                }
+            })?;
+            if let Some((decimal, true)) = decided {
+                let written = Written { decimal: Some(decimal), ..written };
+                scan = Scan::over(text, format, written, begins)?;
             }
         }
-        if let Some((n, line, separator, columns)) = held {
-            (table.separator, table.columns) = (separator, columns);
-            table.push(n, line, &mut marks, format)?;
-        }
-        if marks.comma && marks.point {
-            return Err(Bytes::little(&[], format).field(
-                "numbers",
-                "both decimal points and decimal commas occur: which of them is the decimal mark?",
-            ));
-        }
-        table.refuse_rows_in_header(format)?;
-        table.drop_trailing_separator();
-        Ok(table)
+        scan.tables
+            .into_iter()
+            .map(|mut table| {
+                table.mind_rows_in_header(format, written)?;
+                table.drop_trailing_separator();
+                Ok(table)
+            })
+            .collect()
     }
 
     /// A row with a bad character before the first two sound rows looks like a line of the header:
-    /// it, and the rows before it, would vanish without a word.
-    fn refuse_rows_in_header(&self, format: Format) -> Result<(), ReadError> {
-        let columns = self.columns;
+    /// it, and the rows before it, would vanish without a word. A row of coordinates behind a word in the corner
+    /// is the first row.
+    fn mind_rows_in_header(
+        &mut self,
+        format: Format,
+        written: Written<'_>,
+    ) -> Result<(), ReadError> {
+        let (columns, separator) = (self.columns, self.separator);
+        let last = self.header.last().map(|(number, _)| *number);
         let mut whole = None;
-        for &(number, line) in self.header.iter().filter(|(_, line)| !is_comment(line)) {
-            let cells: Vec<&str> = self.separator.cells(line).collect();
-            let read = |text: &str| cell(text, self.separator, &mut Marks::default());
-            let numbers = cells.iter().filter(|c| matches!(read(c), Cell::Number(_))).count();
+        for &(number, line) in self.header.iter().filter(|(_, line)| !is_comment(line, written)) {
+            let line = written.joined(line);
+            let cells: Vec<&str> = separator.cells(&line).collect();
+            let read = |text| cell(text, separator, written);
+            let numbers: Vec<f64> = cells
+                .iter()
+                .filter_map(|text| match read(text) {
+                    Cell::Number(value) | Cell::Length(value, _) => Some(value),
+                    _ => None,
+                })
+                .collect();
             let starts_a_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.');
-            match cells.iter().find(|text| read(text) == Cell::Other) {
+            let are_most =
+                numbers.len() + 1 == columns || columns > 8 && 2 * numbers.len() >= columns;
+            let bad = cells.iter().position(|text| read(text) == Cell::Other);
+            match bad {
+                Some(0)
+                    if columns > 3
+                        && numbers.len() + 1 == columns
+                        && Some(number) == last
+                        && !cells[0].starts_with(starts_a_number)
+                        && is_monotone(&numbers) =>
+                {
+                    for text in &cells[1..] {
+                        self.first_row.add(text);
+                    }
+                    self.values.splice(0..0, std::iter::once(f64::NAN).chain(numbers));
+                    self.parted.iter_mut().for_each(|row| *row += 1);
+                    return Ok(());
+                }
                 // "Points 5 7" and "12 um" are words of a header, "1.2x 5 7" is none.
                 Some(bad)
                     if cells.len() == columns
                         && columns > 1
-                        && numbers + 1 == columns
+                        && are_most
                         && (columns > 3 || cells[0].starts_with(starts_a_number))
-                        && metres_per(bad).is_none() =>
+                        && metres_per(cells[bad]).is_none() =>
                 {
-                    let bad: String = bad.chars().take(40).collect();
-                    let what = format!("{bad:?} is no number, and all else in this line is a row");
-                    let place = crate::Place::Line(number);
-                    return Err(ReadError::Malformed { format, place, what: what.into() });
+                    return Err(not_a_number(format, number, bad, cells[bad]));
                 }
-                None if numbers > 3 && columns > 3 => {
-                    whole.get_or_insert((number, numbers));
+                None if numbers.len() > 3 && columns > 3 => {
+                    whole.get_or_insert((number, numbers.len()));
                 }
                 _ => {}
             }
@@ -195,58 +214,47 @@ impl<'a> Table<'a> {
         })
     }
 
+    /// The first cell that is no number in a text without any row, if some of its lines look like rows.
+    pub(crate) fn obstacle(&self, format: Format, written: Written<'_>) -> Option<ReadError> {
+        let starts_a_number = |text: &&&str| {
+            let text = text.trim_matches('"').trim_start_matches(['+', '-', '.', ',']);
+            text.starts_with(|c: char| c.is_ascii_digit())
+        };
+        let obstacles = self.header.iter().filter_map(|&(number, line)| {
+            let separator = separators(line)[0];
+            let cells: Vec<&str> = separator.cells(line).collect();
+            let alike = cells.iter().filter(starts_a_number).count();
+            let bad =
+                cells.iter().position(|text| cell(text, separator, written) == Cell::Other)?;
+            (2 * alike >= cells.len())
+                .then(|| (cells.len(), not_a_number(format, number, bad, cells[bad])))
+        });
+        // Two lines in a row: one may be a date.
+        let mut before = None;
+        for (cells, error) in obstacles {
+            match before.take() {
+                Some((same, first)) if same == cells => return Some(first),
+                _ => before = Some((cells, error)),
+            }
+        }
+        None
+    }
+
+    /// Appends a row.
     fn push(
         &mut self,
         number: usize,
         line: &str,
-        marks: &mut Marks,
+        (written, marks): (Written<'_>, &mut Marks),
         format: Format,
     ) -> Result<(), ReadError> {
-        match self.separator {
-            Separator::Blank => {
-                self.push_cells(number, line.split_ascii_whitespace(), marks, format)
-            }
-            separator => {
-                let cells = line.split(separator.char()).map(str::trim);
-                self.push_cells(number, cells, marks, format)
-            }
+        let line = written.joined(line);
+        let mut row = Row { table: self, number, format, written, marks };
+        match row.table.separator {
+            Separator::Blank => row.push(line.split_ascii_whitespace()),
+            separator if line.contains('"') => row.push(separator.cells(&line)),
+            separator => row.push(line.split(separator.char()).map(str::trim)),
         }
-    }
-
-    fn push_cells<'l>(
-        &mut self,
-        number: usize,
-        cells: impl Iterator<Item = &'l str>,
-        marks: &mut Marks,
-        format: Format,
-    ) -> Result<(), ReadError> {
-        let fault = |what: String| ReadError::Malformed {
-            format,
-            place: crate::Place::Line(number),
-            what: what.into(),
-        };
-        let before = self.values.len();
-        for (column, text) in cells.enumerate() {
-            self.values.push(match cell(text, self.separator, marks) {
-                Cell::Number(value) => {
-                    if let Some(digits) = self.digits.get_mut(column) {
-                        digits.add(text);
-                    }
-                    value
-                }
-                Cell::Missing => f64::NAN,
-                Cell::Other => {
-                    let text: String = text.chars().take(40).collect();
-                    return Err(fault(format!("{text:?} is no number")));
-                }
-            });
-        }
-        let found = self.values.len() - before;
-        if found != self.columns {
-            let expected = self.columns;
-            return Err(fault(format!("{found} values, the rows before have {expected}")));
-        }
-        Ok(())
     }
 
     /// A separator at the end of every row is no column, nor are empty columns behind a list of
@@ -269,14 +277,205 @@ impl<'a> Table<'a> {
     }
 }
 
-fn is_comment(line: &str) -> bool {
-    let line = line.trim_start();
-    line.starts_with(['#', '%', '!']) && !line.starts_with("#N/A") || line.starts_with("//")
+/// A row while it is read.
+struct Row<'r, 'a, 'o> {
+    table: &'r mut Table<'a>,
+    number: usize,
+    format: Format,
+    written: Written<'o>,
+    marks: &'r mut Marks,
 }
 
-/// Separator and number of cells of a line that is a row of numbers or missing cells.
-fn row_shape(line: &str) -> Option<(Separator, usize)> {
-    let candidates: &[Separator] = if line.contains(';') {
+impl Row<'_, '_, '_> {
+    fn push<'l>(&mut self, cells: impl Iterator<Item = &'l str>) -> Result<(), ReadError> {
+        let Row { table, number, format, written, marks } = self;
+        let (before, is_first) = (table.values.len(), table.values.is_empty());
+        for (column, text) in cells.enumerate() {
+            let cell = cell(text, table.separator, *written);
+            if let Cell::Number(_) | Cell::Length(..) = cell {
+                if written.decimal.is_none() {
+                    marks.see(column, *number, text);
+                }
+                if let Some(digits) = table.digits.get_mut(column) {
+                    digits.add(text);
+                }
+                if is_first && column > 0 {
+                    table.first_row.add(text);
+                }
+            }
+            table.values.push(match cell {
+                Cell::Number(value) => value,
+                Cell::Length(value, unit) => {
+                    table.units.resize(table.units.len().max(column + 1), None);
+                    let known = table.units[column].get_or_insert_with(|| unit.to_owned());
+                    if known != unit {
+                        let place = crate::Place::Line(*number);
+                        let what = format!(
+                            "cell {}: {text:?}, the cells above are in {known}",
+                            column + 1
+                        );
+                        return Err(ReadError::Malformed {
+                            format: *format,
+                            place,
+                            what: what.into(),
+                        });
+                    }
+                    value
+                }
+                Cell::Missing => f64::NAN,
+                Cell::Other => return Err(not_a_number(*format, *number, column, text)),
+            });
+        }
+        let (found, expected) = (table.values.len() - before, table.columns);
+        if found == expected {
+            return Ok(());
+        }
+        let what = format!("{found} values, the rows before have {expected}");
+        let place = crate::Place::Line(*number);
+        Err(ReadError::Malformed { format: *format, place, what: what.into() })
+    }
+}
+
+fn not_a_number(format: Format, line: usize, column: usize, text: &str) -> ReadError {
+    let text = text.trim_matches('"').chars().take(40).collect();
+    ReadError::NotANumber { format, line, cell: column + 1, text }
+}
+
+/// True if the numbers only rise or only fall.
+pub(crate) fn is_monotone(numbers: &[f64]) -> bool {
+    let all = |rises: fn(f64, f64) -> bool| numbers.windows(2).all(|pair| rises(pair[0], pair[1]));
+    numbers.len() > 1 && (all(|a, b| a < b) || all(|a, b| a > b))
+}
+
+/// The tables of a text while they are found.
+struct Scan<'a> {
+    tables: Vec<Table<'a>>,
+    marks: Marks,
+}
+
+impl<'a> Scan<'a> {
+    fn over(
+        text: &'a str,
+        format: Format,
+        written: Written<'_>,
+        begins: &dyn Fn(&Lines<'a>) -> bool,
+    ) -> Result<Self, ReadError> {
+        let (mut tables, mut marks) = (Vec::new(), Marks::default());
+        let mut table = Table::empty(Vec::new());
+        // The line before, if it may be the first row: the next one decides.
+        let mut held: Option<(usize, &str, Separator, usize)> = None;
+        let mut started = false;
+        let mut counts: Lines<'_> = Vec::new();
+        // Lines between rows: comments, or the header of the next table. And why the first of them is no row.
+        let mut between: Lines<'_> = Vec::new();
+        let mut trouble = None;
+        let mut is_parted = false;
+        for (number, line) in lines(text) {
+            let line = line.trim_end_matches(['\u{1a}', '\0']);
+            let is_blank = line.trim().is_empty() && !line.contains('\t');
+            if is_blank || is_comment(line, written) {
+                is_parted = started;
+                match (started, is_blank) {
+                    (true, false) => between.push((number, line)),
+                    (false, false) => {
+                        table.header.extend(held.take().map(|(n, l, _, _)| (n, l)));
+                        table.header.push((number, line));
+                    }
+                    (_, true) => {}
+                }
+                continue;
+            }
+            // Numbers that stand alone before wider rows are counts in the header.
+            if started
+                && table.columns == 1
+                && table.rows() <= MOST_COUNTS
+                && let Some((_, 2..)) = row_shape(line, written)
+            {
+                let mut header = std::mem::take(&mut table.header);
+                header.append(&mut counts);
+                (table, started) = (Table::empty(header), false);
+            }
+            if started
+                && (!between.is_empty() || trouble.is_some())
+                && row_shape(line, written).is_some()
+            {
+                if begins(&between) {
+                    tables.push(std::mem::replace(
+                        &mut table,
+                        Table::empty(std::mem::take(&mut between)),
+                    ));
+                    (started, trouble, is_parted) = (false, None, false);
+                } else if let Some(error) = trouble {
+                    return Err(error);
+                } else {
+                    between.clear();
+                }
+            }
+            if started {
+                if counts.len() < MOST_COUNTS {
+                    counts.push((number, line));
+                }
+                let length = table.values.len();
+                match table.push(number, line, (written, &mut marks), format) {
+                    Ok(()) if is_parted => table.parted.push(length / table.columns),
+                    Ok(()) => {}
+                    Err(error @ ReadError::NotANumber { .. }) => {
+                        table.values.truncate(length);
+                        between.push((number, line));
+                        trouble.get_or_insert(error);
+                        continue;
+                    }
+                    Err(error) => return Err(error),
+                }
+                is_parted = false;
+                continue;
+            }
+            let shape = row_shape(line, written);
+            match (held.take(), shape) {
+                (Some((n, first, separator, columns)), Some((s, c)))
+                    if s == separator && c == columns =>
+                {
+                    (table.separator, table.columns, started) = (separator, columns, true);
+                    counts = vec![(n, first), (number, line)];
+                    table.push(n, first, (written, &mut marks), format)?;
+                    table.push(number, line, (written, &mut marks), format)?;
+                }
+                (previous, Some((separator, columns))) => {
+                    table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
+                    held = Some((number, line, separator, columns));
+                }
+                (previous, None) => {
+                    table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
+                    table.header.push((number, line));
+                }
+            }
+        }
+        if let Some(error) = trouble {
+            return Err(error);
+        }
+        if let Some((n, line, separator, columns)) = held {
+            (table.separator, table.columns) = (separator, columns);
+            table.push(n, line, (written, &mut marks), format)?;
+        }
+        if tables.is_empty() || table.rows() > 0 {
+            tables.push(table);
+        }
+        Ok(Self { tables, marks })
+    }
+}
+
+fn is_comment(line: &str, written: Written<'_>) -> bool {
+    let line = line.trim_start();
+    if line.starts_with("//") {
+        return true;
+    }
+    let mut words = line.split([' ', '\t', ',', ';']);
+    line.starts_with(['#', '%', '!']) && !words.next().is_some_and(|word| written.is_missing(word))
+}
+
+/// The separators that a line can have, the likeliest first.
+fn separators(line: &str) -> &'static [Separator] {
+    if line.contains(';') {
         &[Separator::Semicolon]
     } else if line.contains('\t') {
         &[Separator::Tab, Separator::Blank]
@@ -284,13 +483,17 @@ fn row_shape(line: &str) -> Option<(Separator, usize)> {
         &[Separator::Comma, Separator::Blank]
     } else {
         &[Separator::Blank]
-    };
-    candidates.iter().copied().find_map(|separator| {
-        let (mut cells, mut is_row) = (0, true);
-        for text in separator.cells(line) {
+    }
+}
+
+/// Separator and number of cells of a line that is a row of numbers or missing cells.
+fn row_shape(line: &str, written: Written<'_>) -> Option<(Separator, usize)> {
+    separators(line).iter().copied().find_map(|separator| {
+        let line = if separator == Separator::Blank { written.joined(line) } else { line.into() };
+        let mut cells = 0;
+        for text in separator.cells(&line) {
             cells += 1;
-            is_row &= cell(text, separator, &mut Marks::default()) != Cell::Other;
-            if !is_row {
+            if cell(text, separator, written) == Cell::Other {
                 return None;
             }
         }
@@ -299,11 +502,20 @@ fn row_shape(line: &str) -> Option<(Separator, usize)> {
 }
 
 #[cfg(test)]
+impl<'a> Table<'a> {
+    /// The first table of a text.
+    pub(crate) fn parse(text: &'a str) -> Result<Self, ReadError> {
+        Self::all(text, Format::Text, Written::default(), &|_| false)
+            .map(|mut all| all.swap_remove(0))
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
     fn table(text: &str) -> Table<'_> {
-        Table::parse(text, Format::Text).unwrap()
+        Table::parse(text).unwrap()
     }
 
     #[test]
@@ -355,7 +567,7 @@ mod tests {
             ("0 0 1\n0.l 1 2\n1 0 3\n1 1 4\n", "line 2"),
             ("0.1;1.O\n0.2;2\n0.3;3\n", "line 1"),
         ] {
-            let error = Table::parse(text, Format::Text).unwrap_err().to_string();
+            let error = Table::parse(text).unwrap_err().to_string();
             assert!(error.contains(line), "{text:?}: {error}");
         }
         for text in ["Points 5 7\n1 2 3\n4 5 6\n", "5 7\na b\n1 2\n3 4\n", "1 um\n1 2\n3 4\n"] {
@@ -373,14 +585,14 @@ mod tests {
     #[test]
     fn wrong_rows_name_their_line() {
         for (text, line) in [("1 2\n3 4\n5\n", "line 3"), ("1 2\n\n3 4\n5 x\n", "line 4")] {
-            let e = Table::parse(text, Format::Text).unwrap_err().to_string();
+            let e = Table::parse(text).unwrap_err().to_string();
             assert!(e.contains(line), "{e}");
         }
     }
 
     #[test]
     fn mixed_decimal_marks_are_refused() {
-        assert!(Table::parse("1,5;2.5\n1;2\n", Format::Text).is_err());
+        assert!(Table::parse("1,5;2.5\n1;2\n").is_err());
     }
 
     #[test]

@@ -10,7 +10,7 @@ use compare::{
     material,
 };
 use serde::Deserialize;
-use surface_io::{Cut, Fill, HeightUnit, Layout, Limits, ReadOptions};
+use surface_io::{Cut, DecimalMark, Fill, HeightUnit, Layout, Limits, ReadOptions};
 use surface_stats::clean::Form;
 
 /// Everything that an answer depends on, besides the bytes of the file.
@@ -61,7 +61,11 @@ pub(crate) struct Reading {
     pub(crate) pixel: Option<String>,
     pub(crate) lateral_unit: Option<String>,
     pub(crate) height_unit: Option<String>,
+    pub(crate) override_height_unit: Option<String>,
     pub(crate) layout: Option<String>,
+    pub(crate) decimal: Option<String>,
+    /// What stands where a point is missing.
+    pub(crate) missing: Vec<String>,
     /// The part that is cut out, as the command takes it; `None` for the whole map.
     pub(crate) part: Option<String>,
 }
@@ -159,6 +163,10 @@ impl Reading {
         unit(self.height_unit.as_deref())
     }
 
+    pub(crate) fn override_height_unit(&self) -> Result<Option<f64>, Failure> {
+        unit(self.override_height_unit.as_deref())
+    }
+
     pub(crate) fn part(&self) -> Result<Option<Cut>, Failure> {
         let refused = |message| Failure::refused("crop", message);
         self.part.as_deref().map(str::parse).transpose().map_err(refused)
@@ -169,7 +177,15 @@ impl Reading {
         options.channel.clone_from(&self.channel);
         options.pixel = self.pixel()?;
         options.lateral_unit = self.lateral_unit()?;
-        options.height_unit = self.height_unit()?.map(HeightUnit::IfSilent);
+        options.height_unit = match self.override_height_unit()? {
+            Some(metres) => Some(HeightUnit::Always(metres)),
+            None => self.height_unit()?.map(HeightUnit::IfSilent),
+        };
+        options.missing.clone_from(&self.missing);
+        if let Some(name) = &self.decimal {
+            let unknown = || Failure::refused("setting", format!("decimal {name:?} is none"));
+            options.decimal = Some(DecimalMark::of_name(name).ok_or_else(unknown)?);
+        }
         if let Some(name) = &self.layout {
             let unknown = || Failure::refused("setting", format!("layout {name:?} is none"));
             options.layout = Some(Layout::of_name(name).ok_or_else(unknown)?);

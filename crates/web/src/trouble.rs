@@ -80,6 +80,19 @@ impl Trouble {
                 "It may be cut short, or made to harm programs that believe it. Nothing of it was run or kept.",
                 vec![AGAIN],
             ),
+            Self::Unread(ReadError::NotANumber { .. }) => words(
+                "One cell of this text is no number.",
+                "",
+                vec!["If a point is missing there, leave the cell empty or write NaN.", AGAIN],
+            ),
+            Self::Unread(ReadError::TwoReadings { .. } | ReadError::Ambiguous { .. }) => words(
+                "This text can be read in two ways.",
+                "",
+                vec![
+                    "Export the heights in one form only, with a decimal point.",
+                    "The command rough-contact has an option for each reading.",
+                ],
+            ),
             Self::Unread(_) => words("This file gives no surface.", "", vec![AGAIN]),
             Self::Profile { .. } => words(
                 "This is a profile, not a surface.",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -83,6 +84,8 @@ def read_profile(
     height_unit: str | None = None,
     override_height_unit: str | None = None,
     layout: Literal["matrix", "list", "traces"] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
+    missing: str | Sequence[str] = (),
     crop: Crop | None = None,
     outliers: float | None = None,
     form: str | None = None,
@@ -97,7 +100,7 @@ def read_profile(
     ----------
     path : str or path
         The file.
-    channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop, outliers, fill
+    channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop, outliers, fill
         As of `read`.
     form : str, optional
         Form to take off before: 'plane', 'quadratic', 'polynomial:N'.
@@ -120,7 +123,9 @@ def read_profile(
     """
     check("fill", fill, ("refuse", "harmonic", "nearest"))
     check("level", level, LEVELS)
-    request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
+    request = reading(
+        channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop
+    )
     request.update(fill=fill, cleaning=cleaned_by(False, outliers, form, s_filter, l_filter))
     with sorted_as(ReadError):
         heights, spacing, format_, facts, text = _rust.profile(os.fspath(path), json.dumps(request), level, count(None))

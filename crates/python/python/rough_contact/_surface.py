@@ -6,7 +6,7 @@ import hashlib
 import json
 import operator
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, Union, get_args
 
@@ -313,6 +313,8 @@ def read(
     height_unit: str | None = None,
     override_height_unit: str | None = None,
     layout: Literal["matrix", "list"] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
+    missing: str | Sequence[str] = (),
     crop: Crop | None = None,
     align_rows: bool = False,
     outliers: float | None = None,
@@ -337,6 +339,10 @@ def read(
         Unit of the heights, whatever the file says.
     layout : {'matrix', 'list'}, optional
         What the columns of a text file are.
+    decimal : {'point', 'comma'}, optional
+        Decimal mark of a text file, where ``1,855`` can be below two or thousands.
+    missing : str or sequence of str, optional
+        What stands where a point is missing, beside NaN, empty cells and the usual words.
     crop : (y0, x0, ny, nx), 'complete' or 'middle', optional
         The part to read: a rectangle of points, the largest one without missing points, or the middle half of each side.
     align_rows : bool
@@ -358,7 +364,9 @@ def read(
         Points are missing, and none are filled.
     """
     check("fill", fill, ("refuse", "harmonic", "nearest"))
-    request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
+    request = reading(
+        channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop
+    )
     request.update(fill=fill, cleaning=cleaned_by(align_rows, outliers, form, s_filter, l_filter))
     file = os.fspath(path)
     with sorted_as(ReadError):
@@ -375,10 +383,14 @@ def info(
     height_unit: str | None = None,
     override_height_unit: str | None = None,
     layout: Literal["matrix", "list"] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
+    missing: str | Sequence[str] = (),
     crop: Crop | None = None,
 ) -> dict[str, Any]:
     """What a surface file holds, as ``rough-contact info`` says it: format, shape, pixel, missing points, channels."""
-    request = reading(channel, pixel, lateral_unit, height_unit, override_height_unit, layout, crop)
+    request = reading(
+        channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop
+    )
     with sorted_as(ReadError):
         found: dict[str, Any] = json.loads(_rust.info(os.fspath(path), json.dumps(request)))
     return found
@@ -448,6 +460,8 @@ def reading(
     height_unit: str | None,
     override_height_unit: str | None,
     layout: str | None,
+    decimal: str | None,
+    missing: str | Sequence[str],
     crop: Crop | None,
 ) -> dict[str, Any]:
     def unit(text: str | None) -> float | None:
@@ -457,6 +471,8 @@ def reading(
         raise TypeError("give one of height_unit and override_height_unit")
     if layout is not None:
         check("layout", layout, ("matrix", "list", "traces"))
+    if decimal is not None:
+        check("decimal", decimal, ("point", "comma"))
     return {
         "channel": channel,
         "pixel": None if pixel is None else _units.pixel(pixel),
@@ -464,6 +480,8 @@ def reading(
         "height_unit": unit(height_unit),
         "override_height_unit": unit(override_height_unit),
         "layout": layout,
+        "decimal": decimal,
+        "missing": [missing] if isinstance(missing, str) else list(missing),
         "crop": crop if crop is None or isinstance(crop, str) else ",".join(str(operator.index(n)) for n in crop),
         "fill": "refuse",
     }

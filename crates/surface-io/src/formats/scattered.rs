@@ -97,17 +97,30 @@ fn tolerance(step: f64, digits: Digits, largest: f64) -> f64 {
 pub(crate) struct Map {
     pub(crate) shape: [usize; 2],
     pub(crate) step: [f64; 2],
-    pub(crate) heights: Vec<f64>,
+    /// Of every column behind x and y.
+    pub(crate) heights: Vec<Vec<f64>>,
     /// Every point of the grid is in the list.
     pub(crate) is_complete: bool,
 }
 
-/// Puts a list of x y z (row-major, three columns) on the grid its coordinates form. Points of
-/// the grid that are not in the list are missing.
-pub(crate) fn grid(values: &[f64], digits: [Digits; 2], limits: &Limits) -> Result<Map, ReadError> {
-    let x = Axis::new(values, 0, digits[0])?;
-    let y = Axis::new(values, 1, digits[1])?;
-    let (nx, ny, n) = (x.count, y.count, values.len() / 3);
+impl Map {
+    /// Three points a side or more.
+    pub(crate) fn is_wide(&self) -> bool {
+        self.shape.iter().all(|n| *n > 2)
+    }
+}
+
+/// Puts a list of x y z and more (row-major) on the grid its coordinates form. Points of the grid
+/// that are not in the list are missing.
+pub(crate) fn grid(
+    values: &[f64],
+    columns: usize,
+    digits: [Digits; 2],
+    limits: &Limits,
+) -> Result<Map, ReadError> {
+    let x = Axis::new(values, columns, 0, digits[0])?;
+    let y = Axis::new(values, columns, 1, digits[1])?;
+    let (nx, ny, n) = (x.count, y.count, values.len() / columns);
     limits.check_points(Format::Text, [ny, nx])?;
     if nx.saturating_mul(ny) > n.saturating_mul(2) {
         return Err(unsupported(format!(
@@ -115,9 +128,9 @@ pub(crate) fn grid(values: &[f64], digits: [Digits; 2], limits: &Limits) -> Resu
              to be put on a grid first"
         )));
     }
-    let mut heights = vec![f64::NAN; nx * ny];
+    let mut heights = vec![vec![f64::NAN; nx * ny]; columns - 2];
     let mut seen = vec![false; nx * ny];
-    for (i, row) in values.chunks_exact(3).enumerate() {
+    for (i, row) in values.chunks_exact(columns).enumerate() {
         let at = y.index(row[1]) * nx + x.index(row[0]);
         if std::mem::replace(&mut seen[at], true) {
             return Err(ReadError::Malformed {
@@ -126,7 +139,9 @@ pub(crate) fn grid(values: &[f64], digits: [Digits; 2], limits: &Limits) -> Resu
                 what: format!("x = {}, y = {} is already in the list", row[0], row[1]).into(),
             });
         }
-        heights[at] = row[2];
+        for (heights, height) in heights.iter_mut().zip(&row[2..]) {
+            heights[at] = *height;
+        }
     }
     let step = match (y.step, x.step) {
         (Some(y), Some(x)) => [y, x],
@@ -149,11 +164,16 @@ struct Axis {
 }
 
 impl Axis {
-    fn new(values: &[f64], column: usize, digits: Digits) -> Result<Self, ReadError> {
+    fn new(
+        values: &[f64],
+        columns: usize,
+        column: usize,
+        digits: Digits,
+    ) -> Result<Self, ReadError> {
         let name = if column == 0 { "x" } else { "y" };
         let mut distinct = HashSet::new();
         let mut last = None;
-        for (i, row) in values.chunks_exact(3).enumerate() {
+        for (i, row) in values.chunks_exact(columns).enumerate() {
             let value = row[column] + 0.0; // -0 becomes 0
             if !value.is_finite() {
                 return Err(Bytes::little(&[], Format::Text)
@@ -213,8 +233,8 @@ mod tests {
     use std::fmt::Write as _;
 
     fn map(text: &str) -> Map {
-        let table = crate::text::Table::parse(text, Format::Text).unwrap();
-        grid(&table.values, [table.digits[0], table.digits[1]], &Limits::default()).unwrap()
+        let table = crate::text::Table::parse(text).unwrap();
+        grid(&table.values, 3, [table.digits[0], table.digits[1]], &Limits::default()).unwrap()
     }
 
     #[test]
@@ -227,8 +247,8 @@ mod tests {
         }
         let found = map(&list);
         assert_eq!((found.shape, found.step), ([3, 5], [4.0, 1.0]));
-        assert_eq!(found.heights.iter().filter(|h| h.is_nan()).count(), 3);
-        assert!((found.heights[4] - 37.0).abs() < 1e-12);
+        assert_eq!(found.heights[0].iter().filter(|h| h.is_nan()).count(), 3);
+        assert!((found.heights[0][4] - 37.0).abs() < 1e-12);
     }
 
     #[test]
@@ -247,17 +267,16 @@ mod tests {
 
     #[test]
     fn the_same_place_twice_is_refused() {
-        let table =
-            crate::text::Table::parse("0 0 1\n1 0 1\n0 1 1\n0 1 2\n", Format::Text).unwrap();
+        let table = crate::text::Table::parse("0 0 1\n1 0 1\n0 1 1\n0 1 2\n").unwrap();
         let digits = [table.digits[0], table.digits[1]];
-        let Err(error) = grid(&table.values, digits, &Limits::default()) else { panic!() };
+        let Err(error) = grid(&table.values, 3, digits, &Limits::default()) else { panic!() };
         assert!(error.to_string().contains("already in the list"), "{error}");
     }
 
     #[test]
     fn uneven_profiles_say_by_how_much() {
         let uneven = |text: &str| {
-            let table = crate::text::Table::parse(text, Format::Text).unwrap();
+            let table = crate::text::Table::parse(text).unwrap();
             let x: Vec<f64> = table.values.iter().step_by(2).copied().collect();
             Line::new(&x, table.digits[0]).unwrap().uneven
         };

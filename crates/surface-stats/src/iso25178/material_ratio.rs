@@ -6,6 +6,9 @@ use contact_types::HeightMap;
 /// Share of the points that the core line is fitted to (ISO 25178-2:2021, 4.5).
 const CORE_SHARE: f64 = 0.4;
 
+/// Drops over a window that differ by less are equal: what rounding leaves of heights of at most 1.
+const ROUNDING: f64 = 1e-9;
+
 /// Height against the share of the surface that is higher.
 ///
 /// All heights are sorted; the highest has material ratio 0, the lowest 1, with equal steps and
@@ -127,12 +130,9 @@ impl MaterialRatioCurve {
     pub fn core(&self) -> CoreRoughness {
         let n = self.falling.len();
         let window = ((CORE_SHARE * (n - 1) as f64).round() as usize).max(1);
-        let start = (0..n - window)
-            .min_by(|&a, &b| {
-                let drop = |i: usize| self.falling[i] - self.falling[i + window];
-                drop(a).total_cmp(&drop(b))
-            })
-            .unwrap_or(0);
+        let drops = || (0..n - window).map(move |i| self.falling[i] - self.falling[i + window]);
+        let flattest = drops().fold(f64::INFINITY, f64::min);
+        let start = drops().position(|drop| drop <= flattest + ROUNDING).unwrap_or(0);
         let core = &self.falling[start..=start + window];
         // Least squares over equally spaced ratios, centred.
         let (centre, last) = (window as f64 / 2.0, (n - 1) as f64);
@@ -227,6 +227,25 @@ mod tests {
         assert_relative_eq!(core.valley_ratio, 0.85, max_relative = 1e-4);
         assert_relative_eq!(core.reduced_peak_height, 0.4e-6, max_relative = 1e-3);
         assert_relative_eq!(core.reduced_valley_depth, 0.6e-6, max_relative = 1e-3);
+    }
+
+    /// Top and bottom of a sine are equally flat: the window is the one at the top, whatever rounding
+    /// says, so that nothing stands above the core.
+    #[test]
+    fn equally_flat_windows_are_told_by_their_place() {
+        for n in [4000_u32, 4001, 5000] {
+            for sign in [1.0, -1.0] {
+                let wave = |i: u32| {
+                    sign * (f64::from(i) / f64::from(n) * 40.0 * std::f64::consts::TAU).sin()
+                };
+                let heights = (0..n).map(|i| 1e-6 * wave(i) + 0.3e-6).collect();
+                let grid = Grid::new([1, n as usize], [1e-6; 2]).unwrap();
+                let map = HeightMap::new(grid, heights).unwrap();
+                let core = MaterialRatioCurve::of(&map).unwrap().core();
+                assert!(core.reduced_peak_height < 0.03e-6, "{n}: {core:?}");
+                assert_relative_eq!(core.reduced_valley_depth, 0.445e-6, max_relative = 0.02);
+            }
+        }
     }
 
     #[test]

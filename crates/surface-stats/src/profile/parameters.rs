@@ -1,14 +1,15 @@
 //! Parameters of ISO 21920-2 of one roughness profile.
 
 use super::{Elements, Trace, elements};
+use crate::StatsError;
 use crate::iso25178::{CoreRoughness, MaterialRatioCurve};
-use crate::{HeightStatistics, StatsError};
 
 /// Parameters of the evaluated part of a profile (ISO 21920-2:2021): R if it is a roughness
 /// profile, P if it is the primary profile.
 ///
 /// Ra, Rq, Rsk, Rku, Rt, Rdq, RSm and the Rk family are of the evaluation length; Rp, Rv and Rz are
-/// means over its section lengths. Heights count from the mean over the evaluation length.
+/// means over its section lengths. Heights are ordinates of the profile, counted from its mean line: what the
+/// filter λc leaves at 0, for P the form that was taken off. The mean over the evaluation length is not subtracted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfileParameters {
     /// Ra: mean absolute height (m).
@@ -46,30 +47,33 @@ impl ProfileParameters {
             let what = "every section of a profile";
             return Err(StatsError::TooFewPoints { what, needed: 2 * sections.max(1), found: n });
         }
-        let heights = HeightStatistics::of(profile.as_map());
-        let mut centred = profile.heights().to_vec();
-        for z in &mut centred {
-            *z -= heights.mean;
-        }
-        let profile = Trace::new(profile.spacing(), centred)?;
+        // In units of the largest ordinate, so that fourth powers stay in range.
+        let reach = profile.heights().iter().fold(0.0, |reach: f64, z| reach.max(z.abs()));
+        let mean = |power: &dyn Fn(f64) -> f64| {
+            let unit = if reach > 0.0 { reach } else { 1.0 };
+            profile.heights().iter().map(|z| power(z / unit)).sum::<f64>() / n as f64
+        };
+        let rms = mean(&|z| z * z).sqrt();
+        let shape = |power: i32| (reach > 0.0).then(|| mean(&|z| z.powi(power)) / rms.powi(power));
         let (mut peak, mut pit) = (0.0, 0.0);
         for k in 0..sections {
             let section = &profile.heights()[k * n / sections..(k + 1) * n / sections];
             peak += section.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             pit -= section.iter().copied().fold(f64::INFINITY, f64::min);
         }
+        let (low, high) = profile.as_map().range();
         let (peak_height, pit_depth) = (peak / sections as f64, pit / sections as f64);
         Ok(Self {
-            mean_abs_height: heights.mean_abs_height,
-            rms_height: heights.rms_height,
-            skewness: heights.skewness,
-            kurtosis: heights.kurtosis,
+            mean_abs_height: reach * mean(&f64::abs),
+            rms_height: reach * rms,
+            skewness: shape(3),
+            kurtosis: shape(4),
             peak_height,
             pit_depth,
             max_height: peak_height + pit_depth,
-            total_height: heights.peak_to_valley(),
-            rms_slope: rms_slope(&profile),
-            elements: elements(&profile, peak_height, pit_depth),
+            total_height: high - low,
+            rms_slope: rms_slope(profile),
+            elements: elements(profile, peak_height, pit_depth),
             core: MaterialRatioCurve::of(profile.as_map())?.core(),
         })
     }
@@ -137,6 +141,22 @@ mod tests {
         // Three points at both ends, 1.5 per mille, have no slope of their own.
         assert_relative_eq!(r.rms_slope, SQRT_2 * PI * a / wavelength, max_relative = 1.5e-3);
         assert_relative_eq!(r.elements.unwrap().mean_width, wavelength, max_relative = 1e-6);
+    }
+
+    /// Ordinates count from the mean line of the filter, not from their own mean: one high point of 1 in ten of 0 has
+    /// Rp = 1, Rv = 0, Ra = 0.1, Rq = √0.1, Rsk = √10; about its own mean it would be 0.9, 0.1, 0.18, 0.3, 2.67.
+    #[test]
+    fn the_mean_of_the_evaluated_length_stays() {
+        let r = ProfileParameters::of(
+            &profile(100, |x| if (x * 1e6).round() as u32 % 10 == 3 { 1e-6 } else { 0.0 }),
+            5,
+        );
+        let r = r.unwrap();
+        assert_relative_eq!(r.peak_height, 1e-6, max_relative = 1e-12);
+        assert!(r.pit_depth.abs() < 1e-18);
+        assert_relative_eq!(r.mean_abs_height, 0.1e-6, max_relative = 1e-12);
+        assert_relative_eq!(r.rms_height, 0.1f64.sqrt() * 1e-6, max_relative = 1e-12);
+        assert_relative_eq!(r.skewness.unwrap(), 10f64.sqrt(), max_relative = 1e-12);
     }
 
     /// A triangle of amplitude A: Ra = A/2, Rq = A/√3, Rku = 9/5, RSm = λ, and its heights are spread
