@@ -29,7 +29,7 @@ const LOOKS: [(&str, Look, &str); 12] = [
     ),
     (
         "equation",
-        Look::model(EQUATION, "", Marker::TriangleDown, 0),
+        Look::model(EQUATION, "", Marker::Hexagon, 1),
         "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
     ),
     (

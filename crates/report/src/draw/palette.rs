@@ -34,7 +34,8 @@ pub const BAND: Colour = colour("band", "#EEF1F3", "#20262A");
 pub const WARN: Colour = colour("warn", "#9A4B00", "#FFB066");
 /// The deterministic solution.
 pub const DETERMINISTIC: Colour = colour("det", "#111418", "#FFFFFF");
-/// Greenwood–Williamson.
+/// Greenwood–Williamson. Colours of two models are at least 8 OKLab units (ΔE in hundredths) apart, also for readers without
+/// red, green or blue cones, and have a contrast of 4.5:1 on the page.
 pub const GW: Colour = colour("gw", "#8C001A", "#F86237");
 /// Bush–Gibson–Thomas.
 pub const BGT: Colour = colour("bgt", "#3C26AE", "#909FFA");
@@ -44,13 +45,12 @@ pub const ELLIPTICAL: Colour = colour("sge", "#13836F", "#30E4F5");
 pub const PERSSON: Colour = colour("per", "#B542B5", "#EC83B7");
 /// Stacked multiscale.
 pub const STACKED: Colour = colour("stk", "#835C00", "#F9C379");
-/// Majumdar–Bhushan. At least 11 OKLab units from every other model, also for readers without
-/// red, green or blue cones (Machado 2009), and 4.5:1 on the page.
+/// Majumdar–Bhushan.
 pub const MAJUMDAR_BHUSHAN: Colour = colour("mb", "#5A2D69", "#B46987");
-/// Jackson–Streator multiscale; chosen as [`MAJUMDAR_BHUSHAN`].
+/// Jackson–Streator multiscale.
 pub const MULTISCALE: Colour = colour("js", "#780FFF", "#6978F0");
 /// The fitted equation.
-pub const EQUATION: Colour = colour("eq", "#005A9C", "#5AB4FF");
+pub const EQUATION: Colour = colour("eq", "#00665C", "#B4F0C8");
 
 /// Every colour, in the order of the stylesheet.
 pub const COLOURS: [Colour; 16] = [
@@ -150,7 +150,10 @@ fn linear(channel: u32) -> f64 {
 impl OkLab {
     /// From `0xRRGGBB`.
     pub fn from_rgb(rgb: u32) -> Self {
-        let (r, g, b) = (linear(rgb >> 16), linear(rgb >> 8), linear(rgb));
+        Self::from_linear(linear(rgb >> 16), linear(rgb >> 8), linear(rgb))
+    }
+
+    fn from_linear(r: f64, g: f64, b: f64) -> Self {
         let l = (0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b).cbrt();
         let m = (0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b).cbrt();
         let s = (0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b).cbrt();
@@ -211,6 +214,84 @@ mod tests {
         let OkLab(l, a, b) = OkLab::from_rgb(0xFF0000);
         assert!((l - 0.62796).abs() < 1e-4 && (a - 0.22486).abs() < 1e-4);
         assert!((b - 0.12585).abs() < 1e-4);
+    }
+
+    /// What people with all cones and without the red, green or blue ones see of linear RGB (Machado, Oliveira,
+    /// Fernandes 2009, severity 1).
+    const SIGHTS: [[[f64; 3]; 3]; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [
+            [0.152286, 1.052583, -0.204868],
+            [0.114503, 0.786281, 0.099216],
+            [-0.003882, -0.048116, 1.051998],
+        ],
+        [
+            [0.367322, 0.860646, -0.227968],
+            [0.280085, 0.672501, 0.047413],
+            [-0.011820, 0.042940, 0.968881],
+        ],
+        [
+            [1.255528, -0.076749, -0.178779],
+            [-0.078411, 0.930809, 0.147602],
+            [0.004733, 0.691367, 0.303900],
+        ],
+    ];
+
+    fn rgb(hex: &str) -> u32 {
+        u32::from_str_radix(&hex[1..], 16).expect("a colour")
+    }
+
+    /// OKLab distance, in hundredths, for whoever tells the two apart worst.
+    fn apart(one: &str, other: &str) -> f64 {
+        let seen = |sight: &[[f64; 3]; 3], hex: &str| {
+            let c = [16, 8, 0].map(|shift| linear(rgb(hex) >> shift));
+            let [r, g, b] = sight.map(|row| {
+                let light: f64 = row.iter().zip(c).map(|(a, x)| a * x).sum();
+                light.clamp(0.0, 1.0)
+            });
+            OkLab::from_linear(r, g, b)
+        };
+        let distance = |sight| {
+            let (a, b) = (seen(sight, one), seen(sight, other));
+            100.0 * ((a.0 - b.0).powi(2) + (a.1 - b.1).powi(2) + (a.2 - b.2).powi(2)).sqrt()
+        };
+        SIGHTS.iter().map(distance).fold(f64::INFINITY, f64::min)
+    }
+
+    fn contrast(one: &str, other: &str) -> f64 {
+        let luminance = |hex: &str| {
+            let [r, g, b] = [16, 8, 0].map(|shift| linear(rgb(hex) >> shift));
+            0.05 + 0.2126 * r + 0.7152 * g + 0.0722 * b
+        };
+        let (a, b) = (luminance(one), luminance(other));
+        a.max(b) / a.min(b)
+    }
+
+    /// Persson and the equation, which are often the two nearest to the solution, are farther apart than others.
+    #[test]
+    fn models_are_told_apart_without_red_green_or_blue_cones() {
+        let models = [
+            DETERMINISTIC,
+            GW,
+            BGT,
+            ELLIPTICAL,
+            PERSSON,
+            STACKED,
+            MAJUMDAR_BHUSHAN,
+            MULTISCALE,
+            EQUATION,
+        ];
+        for of in [|c: Colour| c.light, |c: Colour| c.dark] {
+            for (i, one) in models.iter().enumerate() {
+                assert!(contrast(of(*one), of(PAPER)) >= 4.5, "{}", one.class);
+                for other in &models[..i] {
+                    let found = apart(of(*one), of(*other));
+                    assert!(found >= 8.0, "{} and {}: {found:.1}", one.class, other.class);
+                }
+            }
+            assert!(apart(of(PERSSON), of(EQUATION)) >= 14.0);
+        }
+        assert!(apart("#B542B5", "#005A9C") < 5.0, "as they were");
     }
 
     #[test]

@@ -109,7 +109,7 @@ pub(crate) fn through(
             touching[headline]
         ),
     );
-    shown.replacen("<figure>", "<figure class=\"wide scroll\">", 1)
+    shown.replacen("<figure>", "<figure class=\"wide scroll\" tabindex=\"0\">", 1)
 }
 
 /// Heights and gaps in 16 bits of one step, pressures in classes of the ramp; little end first, loads one after

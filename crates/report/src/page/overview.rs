@@ -54,7 +54,7 @@ pub(crate) fn section(page: &mut Page<'_>) -> String {
         let svg =
             multiples::figure(surfaces, quantity, title, description, &format!("o-f{n}")).inline();
         out.push_str(&format!(
-            "<figure class=\"wide scroll\">{svg}<figcaption><b>Fig. {n}. {caption}</figcaption>\
+            "<figure class=\"wide scroll\" tabindex=\"0\">{svg}<figcaption><b>Fig. {n}. {caption}</figcaption>\
              </figure>\n"
         ));
     }
@@ -200,7 +200,7 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
         })
         .collect();
     format!(
-        "<table class=\"over\"><caption>Each surface at one load; ± with sampling \
+        "<table class=\"over\" tabindex=\"0\"><caption>Each surface at one load; ± with sampling \
          variability</caption><thead><tr><th \
          scope=\"col\">Surface</th><th scope=\"col\" class=\"n\"><i>Sq</i></th><th scope=\"col\" \
          class=\"n\"><i>Sdq</i></th><th scope=\"col\" class=\"n\">Load</th><th scope=\"col\" \

@@ -37,7 +37,7 @@ fn table(pair: &PairOrigin, found: &PairFound) -> String {
     let of_root = |excess: f64| signed_percent((1.0 + excess).max(0.0).sqrt() - 1.0);
     let [height, gradient] = [independence.excess[0], independence.excess[1]].map(of_root);
     format!(
-        "<table class=\"stat\"><caption>What each body adds</caption><thead><tr><th></th>\
+        "<table class=\"stat\"><caption>What each body adds</caption><thead><tr><td></td>\
          <th scope=\"col\" class=\"n\">rms height</th><th scope=\"col\" class=\"n\">rms gradient</th>\
          <th scope=\"col\" class=\"n\"><i>m</i><sub>2</sub></th>\
          <th scope=\"col\" class=\"n\"><i>m</i><sub>4</sub></th></tr></thead><tbody>\n{}{}{}{}\

@@ -59,27 +59,14 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
             format!(
                 "<li><span class=\"tag {class}\">{word}</span><b>{}</b> {}</li>\n",
                 escape(&words.claim),
-                with_options(&words.text)
+                escape(&words.text)
             )
         })
         .collect();
     format!(
-        "<section aria-labelledby=\"{id}-w\"><p class=\"cap\" id=\"{id}-w\">Read before use</p>\
-         <ul class=\"warns\">\n{items}</ul></section>\n"
+        "<div><p class=\"cap\" id=\"{id}-w\">Read before use</p>\
+         <ul class=\"warns\" aria-labelledby=\"{id}-w\">\n{items}</ul></div>\n"
     )
-}
-
-/// Text whose options (`--edges`) are not broken behind their hyphens.
-fn with_options(text: &str) -> String {
-    let word = |word: &str| {
-        let escaped = escape(word);
-        if word.starts_with("--") {
-            format!("<span class=\"opt\">{escaped}</span>")
-        } else {
-            escaped
-        }
-    };
-    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// Figs. 1 to 4: area, real pressure, error, cost; the first three once for each kind of bodies.

@@ -236,7 +236,7 @@ fn models(summary: &Summary<'_>) -> String {
         ));
     }
     format!(
-        "<h2>Models</h2>\n<div class=\"scroll\"><table class=\"models\"><caption>Error of the area against the \
+        "<h2>Models</h2>\n<div class=\"scroll\" tabindex=\"0\"><table class=\"models\"><caption>Error of the area against the \
          deterministic solution</caption><thead><tr><th scope=\"col\">Model</th><th scope=\"col\" \
          class=\"n\">Maps</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" class=\"n\">Four of \
          five maps</th><th scope=\"col\" class=\"n\">Over all loads</th><th scope=\"col\" class=\"n\">Yes / caution / no</th><th scope=\"col\">Farthest \
@@ -338,10 +338,10 @@ fn distributions(summary: &Summary<'_>) -> String {
         ));
     }
     format!(
-        "<h2>How the maps differ</h2>\n<figure class=\"wide scroll\">{}<figcaption><b>Fig. 3. Distributions \
+        "<h2>How the maps differ</h2>\n<figure class=\"wide scroll\" tabindex=\"0\">{}<figcaption><b>Fig. 3. Distributions \
          over the maps.</b> Maps per class; dashed: median. A logarithmic axis where the values span more \
-         than a factor of eight.</figcaption></figure>\n<div class=\"wide scroll\"><table \
-         class=\"over\"><caption>Quantiles over the maps, contact at the headline</caption><thead><tr><th \
+         than a factor of eight.</figcaption></figure>\n<div class=\"wide scroll\" tabindex=\"0\"><table \
+         class=\"over\" tabindex=\"0\"><caption>Quantiles over the maps, contact at the headline</caption><thead><tr><th \
          scope=\"col\">Quantity</th><th scope=\"col\" class=\"n\">Maps</th><th scope=\"col\" \
          class=\"n\">Lowest</th><th scope=\"col\" class=\"n\">10{SPACE}%</th><th scope=\"col\" \
          class=\"n\">25{SPACE}%</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" \
@@ -380,7 +380,7 @@ fn to_check(summary: &Summary<'_>) -> String {
         })
         .collect();
     format!(
-        "<h2>To be checked before use</h2>\n<table class=\"over\"><caption>By kind</caption><thead><tr><th \
+        "<h2>To be checked before use</h2>\n<table class=\"over\" tabindex=\"0\"><caption>By kind</caption><thead><tr><th \
          scope=\"col\" class=\"n\">Maps</th><th scope=\"col\">As said of the first of them</th><th \
          scope=\"col\">The first</th></tr></thead><tbody>\n{rows}</tbody></table>\n"
     )
@@ -427,7 +427,7 @@ fn listed(summary: &Summary<'_>) -> String {
     };
     let rows: String = summary.maps.iter().map(row).collect();
     format!(
-        "<details><summary>Every map in one line</summary><table class=\"over\"><thead><tr><th \
+        "<details><summary>Every map in one line</summary><table class=\"over\" tabindex=\"0\"><thead><tr><th \
          scope=\"col\">Map</th><th scope=\"col\" class=\"n\"><i>Sq</i></th><th scope=\"col\" \
          class=\"n\"><i>Sdq</i></th><th scope=\"col\" class=\"n\">Headline</th><th scope=\"col\" \
          class=\"n\">Area</th><th scope=\"col\" class=\"n\">To check</th></tr></thead><tbody>\n{rows}\

@@ -111,8 +111,7 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
         (
             "Hardness that stays elastic".into(),
             format!("{} or more", quantity(limit, PASCALS, 2)),
-            "<i>E</i>* <i>g</i>: then this area is right to 2\u{202F}%; for softer bodies give \
-             <code class=\"option\">--hardness</code>"
+            "<i>E</i>* <i>g</i>: then this area is right to 2\u{202F}%; softer bodies need their hardness"
                 .into(),
         )
     }));
