@@ -39,7 +39,7 @@ impl App {
         if !self.no_open && !open(&address) {
             tell("rough-contact: no browser could be opened; open the address above in one");
         }
-        Err(refused(site.serve(&listener)))
+        site.serve(&listener)
     }
 }
 

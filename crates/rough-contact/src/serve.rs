@@ -5,11 +5,14 @@ use crate::outcome::tell;
 use std::net::{TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use web::{Messages, Place, answer, page_of_program};
 
 /// Connections at the same time. A browser opens six.
 const MOST_CONNECTIONS: usize = 16;
+
+/// Between a connection that could not be taken and the next.
+const AGAIN: Duration = Duration::from_millis(20);
 
 /// Most bytes of a request, which comes before the file.
 const MOST_REQUEST: usize = 1 << 20;
@@ -41,16 +44,14 @@ impl Site {
         format!("{}/{}/", self.origin, self.token)
     }
 
-    /// Answers until the program is ended.
-    pub(crate) fn serve(self, listener: &TcpListener) -> std::io::Error {
+    /// Answers until the program is ended. What keeps a connection from being taken passes: the other side has gone, or
+    /// there are too many open files until others time out.
+    pub(crate) fn serve(self, listener: &TcpListener) -> ! {
         let (site, open) = (Arc::new(self), Arc::new(AtomicUsize::new(0)));
         loop {
-            let mut stream = match listener.accept() {
-                Ok((stream, _)) => stream,
-                // The other side has gone before it was answered.
-                Err(e) if e.kind() == std::io::ErrorKind::ConnectionAborted => continue,
-                Err(e) if e.kind() == std::io::ErrorKind::Interrupted => continue,
-                Err(e) => return e,
+            let Ok((mut stream, _)) = listener.accept() else {
+                std::thread::sleep(AGAIN);
+                continue;
             };
             let (site, taken) = (Arc::clone(&site), Taken::of(&open));
             // A thread that cannot be started drops the connection; the browser says so.

@@ -2,94 +2,11 @@
 
 mod cli;
 
+use cli::app::App;
 use cli::{folder, rough_contact};
 use serde_json::Value;
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, Write};
 use std::net::TcpStream;
-use std::path::Path;
-use std::process::{Child, ChildStderr, Command, Stdio};
-
-/// The program, ended with the test.
-struct App {
-    child: Child,
-    stderr: BufReader<ChildStderr>,
-    host: String,
-    token: String,
-}
-
-impl App {
-    fn start(dir: &Path) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_rough-contact"))
-            .current_dir(dir)
-            .args(["app", "--no-open", "--json", "--threads", "1"])
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the command is built");
-        let mut line = String::new();
-        let stdout = child.stdout.take().expect("a pipe");
-        BufReader::new(stdout).read_line(&mut line).expect("its address");
-        let said: Value = serde_json::from_str(&line).expect("one object");
-        let address = said["address"].as_str().expect("an address").to_owned();
-        let rest = address.strip_prefix("http://").expect("HTTP");
-        let (host, path) = rest.split_once('/').expect("a path");
-        let token = path.trim_end_matches('/').to_owned();
-        assert!(host.starts_with("127.0.0.1:"), "{host}: loopback only");
-        assert_eq!(token.len(), 32);
-        let stderr = BufReader::new(child.stderr.take().expect("a pipe"));
-        Self { child, stderr, host: host.to_owned(), token }
-    }
-
-    fn connection(&self) -> TcpStream {
-        TcpStream::connect(&self.host).expect("it listens")
-    }
-
-    /// Sends bytes, and reads the answer: status, head, body.
-    fn sent(&self, bytes: &[u8]) -> (u16, String, Vec<u8>) {
-        let mut stream = self.connection();
-        // What is refused may be answered before all of it is written.
-        let _ = stream.write_all(bytes);
-        let mut all = Vec::new();
-        stream.read_to_end(&mut all).expect("an answer");
-        let end = all.windows(4).position(|w| w == b"\r\n\r\n").expect("a head");
-        let head = String::from_utf8(all[..end].to_vec()).expect("text");
-        let status = head.split(' ').nth(1).and_then(|s| s.parse().ok()).expect("a status");
-        (status, head, all[end + 4..].to_vec())
-    }
-
-    /// A question as the page asks it.
-    fn question(&self, question: &str, request: &str, file: &[u8]) -> Vec<u8> {
-        let mut text = format!(
-            "POST /{0}/ask/{question} HTTP/1.1\r\nHost: {1}\r\nOrigin: http://{1}\r\n\
-             Content-Type: application/octet-stream\r\nContent-Length: {2}\r\n\r\n{request}\n",
-            self.token,
-            self.host,
-            request.len() + 1 + file.len()
-        )
-        .into_bytes();
-        text.extend_from_slice(file);
-        text
-    }
-
-    /// The last message of an answer.
-    fn asked(&self, question: &str, request: &str, file: &[u8]) -> Value {
-        let (status, _, body) = self.sent(&self.question(question, request, file));
-        assert_eq!(status, 200);
-        let text = String::from_utf8(body).expect("text");
-        serde_json::from_str(text.lines().last().expect("a message")).expect("JSON")
-    }
-
-    fn status(&self, bytes: &str) -> u16 {
-        self.sent(bytes.as_bytes()).0
-    }
-}
-
-impl Drop for App {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
 
 /// Without what a clock makes different.
 fn timeless(value: &Value) -> Value {
@@ -261,4 +178,22 @@ fn a_run_stops_when_the_page_waits_no_longer() {
         assert!(app.stderr.read_line(&mut said).expect("it says so") > 0);
     }
     assert_eq!(app.asked("plan", "{}", b"")["kind"], "done", "and the next is answered");
+}
+
+/// More connections than the program may open files: those it has time out, and the next question is answered.
+#[cfg(unix)]
+#[test]
+fn more_connections_than_files_do_not_end_it() {
+    let dir = folder();
+    let app = App::start_by(dir.path(), "ulimit -n 40; exec \"$0\" \"$@\"");
+    let idle: Vec<TcpStream> = (0..80).map(|_| app.connection()).collect();
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let get = format!("GET /{}/ HTTP/1.1\r\nHost: {}\r\n\r\n", app.token, app.host);
+    // Sixteen are kept waiting for ten seconds; nobody has to close them.
+    let answered = (0..150).any(|_| {
+        std::thread::sleep(std::time::Duration::from_millis(100));
+        app.answered(get.as_bytes()).is_some_and(|(status, ..)| status == 200)
+    });
+    assert!(answered, "idle connections keep the page out");
+    drop(idle);
 }

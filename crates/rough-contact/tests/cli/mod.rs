@@ -2,6 +2,8 @@
 #![allow(dead_code, reason = "each test file uses a part of it")]
 #![allow(clippy::unwrap_used, reason = "a helper that fails is a failed test")]
 
+pub(crate) mod app;
+
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
