@@ -141,13 +141,15 @@ fn refuse_all(error: BuildError) -> Result<Ask<'static>, Unasked> {
 }
 
 /// What is asked of elasticity, with the answers by rising load.
-pub fn scene(inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> Scene {
+pub fn scene(card: &Card, inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> Scene {
     let pressed = |state: &ContactState| {
         let mean = state.real_pressure()?;
         Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
     };
     let mut pressed: Vec<Pressed> =
         answers.iter().flatten().filter_map(|said| pressed(&said.state)).collect();
+    // Bodies that yield bear what presses them.
+    pressed.retain(|_| !card.yields);
     pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
     let moments = inputs.moments;
     let gradient = inputs.m2().map(|_| inputs.rms_gradient());
@@ -156,6 +158,7 @@ pub fn scene(inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> S
         spacing: 0.0,
         modulus: inputs.modulus.pascals(),
         gradient,
+        hardness: inputs.hardness,
         rms_height: moments.map(|m| m.m0.sqrt()),
         radius: inputs.asperities().map(|a| a.radius),
         pressed,
@@ -253,7 +256,7 @@ pub fn of_profile(
         &statistics,
         traces.uneven,
         origin,
-        &scene(&inputs, &found, None),
+        &scene(theory.card(), &inputs, &found, None),
     );
     let interval = |(question, answer): (&Question, &Answer)| match (question, answer) {
         (Question::Pressure(p), Ok(_)) => compare::area_interval(theory, &inputs, &statistics, *p),

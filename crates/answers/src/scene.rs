@@ -34,7 +34,6 @@ pub fn of(
         rms_height: Some(rms_height),
         radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
         rows: row_offsets(map.grid(), map.heights()).ok(),
-        spacing: 0.0,
-        pressed: Vec::new(),
+        ..Scene::default()
     })
 }

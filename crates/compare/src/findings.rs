@@ -122,6 +122,7 @@ fn scene(surface: &SurfaceComparison) -> Scene {
     let s = &surface.statistics;
     Scene {
         modulus: surface.inputs.modulus.pascals(),
+        hardness: None, // with one no pressure is beyond it
         gradient: Some(s.rms_gradient),
         rms_height: Some(s.rms_height),
         radius: s.asperities.map(|a| a.radius),

@@ -31,6 +31,8 @@ pub fn is_steep(gradient: f64) -> bool {
 pub struct Scene {
     /// Contact modulus (Pa).
     pub modulus: f64,
+    /// Hardness of the softer body (Pa), if it is known.
+    pub hardness: Option<f64>,
     /// Rms gradient \[-\], if it is known.
     pub gradient: Option<f64>,
     /// Rms height (m), if it is known.
@@ -86,14 +88,16 @@ impl Scene {
 
     /// Whether the elastic answer presses harder than solids of this modulus bear.
     fn beyond_yield(&self) -> Option<Finding> {
-        let hardness = typical_hardness(self.modulus)?;
+        let hardness = match self.hardness {
+            Some(known) => [known; 2],
+            None => typical_hardness(self.modulus)?,
+        };
         let [soft, hard] = hardness;
         let first =
             |least: f64, of: fn(&Pressed) -> f64| self.pressed.iter().find(|p| of(p) > least);
         let mean = |p: &Pressed| p.mean;
         let (weight, at) = match (first(hard, mean), first(soft, mean)) {
-            (Some(at), _) => (Weight::Check, at),
-            (None, Some(at)) => (Weight::Note, at),
+            (Some(at), _) | (None, Some(at)) => (Weight::Check, at),
             (None, None) => (Weight::Note, first(hard, |p| p.highest.unwrap_or(0.0))?),
         };
         let full = self.gradient.map(|g| self.modulus * g);
@@ -143,9 +147,13 @@ mod tests {
     #[test]
     fn steel_that_bears_17_gigapascals_is_said_to_be_fiction() {
         assert_eq!(said(&steel(17e9, 110e9)), [(Weight::Check, "yield")]);
-        assert_eq!(said(&steel(5e9, 30e9)), [(Weight::Note, "yield")]);
+        assert_eq!(said(&steel(5e9, 30e9)), [(Weight::Check, "yield")]);
         assert_eq!(said(&steel(0.3e9, 30e9)), [(Weight::Note, "yield")]);
         assert_eq!(said(&steel(0.3e9, 2e9)), []);
+        let hard = Scene { hardness: Some(8.6e9), ..steel(5e9, 8e9) };
+        assert_eq!(said(&hard), [], "bearing steel bears it");
+        let copper = Scene { hardness: Some(398e6), ..steel(0.5e9, 2e9) };
+        assert_eq!(said(&copper), [(Weight::Check, "yield")]);
         let rubber = Scene { modulus: 2e6, ..steel(17e9, 110e9) };
         assert_eq!(said(&rubber), []);
     }

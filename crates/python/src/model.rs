@@ -6,7 +6,7 @@ use crate::watched::quietly;
 use answers::model::{Answer, Question, answers as asked, failure, measured, object, scene};
 use answers::typed::{Typed, Untyped};
 use answers::{Failure, bodies};
-use compare::{Body, Card, ContactModulus, Input, Inputs, Level, Spikes, Theory};
+use compare::{Body, Card, ContactModulus, Input, Inputs, Level, MaterialUse, Spikes, Theory};
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -20,11 +20,12 @@ use surface_stats::clean::row_offsets;
 #[serde(deny_unknown_fields)]
 pub(crate) struct Request {
     name: String,
-    modulus: Option<f64>,
+    modulus: f64,
     pub(crate) bodies: Vec<Body>,
     hardness: Option<f64>,
-    /// Of the softer body, for a model that cannot do without one.
-    body_hardness: Option<f64>,
+    /// Not only known of the bodies.
+    hardness_is_given: bool,
+    materials: Vec<MaterialUse>,
     gamma: Option<f64>,
     pressures: Option<Vec<f64>>,
     separations: Option<Vec<f64>>,
@@ -48,16 +49,7 @@ impl Request {
     }
 
     pub(crate) fn modulus(&self) -> Result<ContactModulus, Failure> {
-        match self.modulus {
-            Some(pascals) => bodies::of_modulus(pascals),
-            None => bodies::contact_modulus(&self.bodies),
-        }
-    }
-
-    /// The hardness, that of the bodies where the model cannot do without one.
-    fn hardness(&self, card: &Card) -> Option<f64> {
-        let needed = card.requires(Input::Hardness);
-        self.hardness.or(self.body_hardness.filter(|_| needed))
+        bodies::of_modulus(self.modulus)
     }
 
     /// With what no surface says.
@@ -65,12 +57,14 @@ impl Request {
     /// # Errors
     /// [`Failure`] of what the model has no use for.
     pub(crate) fn complete(&self, card: &Card, inputs: Inputs) -> Result<Inputs, Failure> {
-        for (given, input) in [(self.hardness, Input::Hardness), (self.gamma, Input::Gamma)] {
-            if given.is_some() && !card.takes(input) {
+        for (is_given, input) in
+            [(self.hardness_is_given, Input::Hardness), (self.gamma.is_some(), Input::Gamma)]
+        {
+            if is_given && !card.takes(input) {
                 return Err(refused(card, &Untyped::Unused(input)));
             }
         }
-        let (hardness, gamma) = (self.hardness(card), self.gamma);
+        let (hardness, gamma) = (self.hardness, self.gamma);
         Ok(Inputs { hardness, gamma, poisson: compare::poisson(&self.bodies), ..inputs })
     }
 
@@ -79,13 +73,16 @@ impl Request {
         let lists = given.iter().fold(Typed::default(), |typed, (input, values)| {
             typed.with_list(*input, Some(values.clone()))
         });
-        let typed = match self.hardness(card).filter(|_| lists.one(Input::Hardness).is_none()) {
+        let used = self.hardness_is_given || card.requires(Input::Hardness);
+        let own = lists.one(Input::Hardness);
+        let typed = match self.hardness.filter(|_| used && own.is_none()) {
             Some(hardness) => lists.with(Input::Hardness, Some(hardness)),
             None => lists,
         };
         let typed = typed.with(Input::Gamma, self.gamma);
         let inputs = typed.inputs(card, self.modulus()?).map_err(|e| refused(card, &e))?;
-        Ok(Inputs { poisson: compare::poisson(&self.bodies), ..inputs })
+        let hardness = inputs.hardness.or(self.hardness);
+        Ok(Inputs { hardness, poisson: compare::poisson(&self.bodies), ..inputs })
     }
 
     pub(crate) fn questions(&self) -> Vec<Question> {
@@ -164,7 +161,7 @@ fn answer(
     let questions = request.questions();
     let found = asked(theory, &inputs, &questions).map_err(|e| e.failure(WAY_OUT))?;
     let mut json = object(theory.card(), &inputs, &questions, &found, None);
-    let mut findings = scene(&inputs, &found, rows).findings();
+    let mut findings = scene(theory.card(), &inputs, &found, rows).findings();
     findings.extend(compare::spiky(&spikes, None));
     findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
     findings.sort_by_key(|f| f.weight);
@@ -173,5 +170,8 @@ fn answer(
     json["cleaning"] = report::cleaning_json(&cleaned.unwrap_or_default());
     json["pair"] = pair.as_ref().map_or(serde_json::Value::Null, report::pair_json);
     json["bodies"] = report::bodies_json(pair.as_ref(), &request.bodies);
+    if !request.materials.is_empty() {
+        json["materials"] = report::materials_json(&request.materials);
+    }
     Ok((json.to_string(), trouble(&found)))
 }

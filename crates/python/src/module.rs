@@ -75,13 +75,19 @@ mod _rough_contact {
         text.replace(report::numbers::SPACE, " ")
     }
 
-    /// Contact modulus (Pa) of one elastic body against a rigid one, or of two.
+    /// Contact modulus, elastic bodies, hardness and what was taken from the table of materials, as JSON.
     #[pyfunction]
-    fn modulus(bodies: &str) -> PyResult<f64> {
-        let bodies: Vec<compare::Body> =
-            serde_json::from_str(bodies).map_err(|e| crate::failure::bug(&e))?;
-        let found = answers::bodies::contact_modulus(&bodies);
-        found.map(compare::ContactModulus::pascals).map_err(|e| crate::failure::raise(&e))
+    fn bodies(given: &str) -> PyResult<String> {
+        let given: answers::bodies::BothGiven =
+            serde_json::from_str(given).map_err(|e| crate::failure::bug(&e))?;
+        let nothing = || answers::Failure::refused("material", "no body is given");
+        let found = given.resolve().and_then(|found| found.ok_or_else(nothing));
+        let found = found.map_err(|e| crate::failure::raise(&e))?;
+        Ok(serde_json::json!({
+            "modulus": found.modulus.pascals(), "bodies": found.bodies, "hardness": found.hardness,
+            "materials": found.materials,
+        })
+        .to_string())
     }
 
     /// A material of the table, or the names of all, as JSON.

@@ -6,8 +6,8 @@ use crate::watched::{News, Outcome, Reporter, watched};
 use answers::{Conduction, Failure, Question, Subject, Watch, bodies};
 use compare::Request as Accuracy;
 use compare::{
-    Body, EdgesName, Iteration, Level, Load, Method, Origin, Precision, Solution, Surface,
-    WorkOfAdhesion,
+    Body, EdgesName, Iteration, Level, Load, MaterialUse, Method, Origin, Precision, Solution,
+    Surface, WorkOfAdhesion,
 };
 use contact_accuracy::Ladder;
 use contact_types::Grid;
@@ -28,7 +28,7 @@ const CHECK: &str = "check the units of load and area";
 #[serde(deny_unknown_fields)]
 #[allow(clippy::struct_excessive_bools, reason = "the switches of a call")]
 struct Request {
-    modulus: Option<f64>,
+    modulus: f64,
     bodies: Vec<Body>,
     /// `pressure`, `gap` or `load`, with its values.
     loads: (String, Vec<f64>),
@@ -44,6 +44,7 @@ struct Request {
     certify: bool,
     stiffness: bool,
     hardness: Option<f64>,
+    materials: Vec<MaterialUse>,
     resistivity: Option<[f64; 2]>,
     conductivity: Option<[f64; 2]>,
     adhesion: Option<WorkOfAdhesion>,
@@ -57,10 +58,7 @@ struct Request {
 
 impl Request {
     fn question(&self, area: f64) -> Result<Question, Failure> {
-        let modulus = match self.modulus {
-            Some(pascals) => bodies::of_modulus(pascals)?,
-            None => bodies::contact_modulus(&self.bodies)?,
-        };
+        let modulus = bodies::of_modulus(self.modulus)?;
         let accuracy = self.accuracy.as_deref().map(Accuracy::parse).transpose();
         let accuracy = accuracy.map_err(|e| Failure::refused("setting", e.to_string()))?;
         let (kind, values) = &self.loads;
@@ -96,7 +94,7 @@ impl Request {
                 conductivities: self.conductivity,
             },
             adhesion: self.adhesion,
-            materials: Vec::new(),
+            materials: self.materials.clone(),
             distributions: self.distributions,
             keep_gap: self.maps == "all",
             threads: self.threads,

@@ -1,12 +1,10 @@
 //! `--modulus`, `--young`, `--poisson`, `--material`: what the bodies are made of.
 
 use crate::args::{number, pressure};
-use crate::hardness;
 use crate::outcome::Failure;
-use answers::bodies;
+use answers::bodies::{self, BothGiven};
 use clap::Args;
-use compare::{Body, Listed, Material, MaterialUse, Property, material};
-use contact_types::ContactModulus;
+use compare::STEEL;
 
 /// The elastic constants, given or those of the table.
 #[derive(Args, Clone, Debug)]
@@ -28,41 +26,22 @@ pub(crate) struct Bodies {
 }
 
 impl Bodies {
-    /// E*, if any of its options was given.
-    pub(crate) fn given(&self) -> Result<Option<ContactModulus>, Failure> {
-        let materials = self.materials()?;
-        if let Some(pascals) = self.modulus {
-            return bodies::of_modulus(pascals).map(Some);
-        }
-        if !materials.is_empty() {
-            return bodies::contact_modulus(&self.constants(&materials)?).map(Some);
-        }
-        match (self.young.len(), self.poisson.len()) {
-            (0, 0) => Ok(None),
-            (1, 1) | (2, 2) => bodies::contact_modulus(&self.listed()).map(Some),
-            (young, poisson) => {
-                let message = format!(
-                    "--young given {young} times and --poisson {poisson} times; give both once \
-                     (the other body is rigid) or both twice"
-                );
-                Err(Failure::refused("usage", message))
-            }
-        }
+    /// Steel on steel, with the same materials.
+    pub(crate) fn steel(&self) -> Self {
+        let [young, poisson] = [STEEL.young, STEEL.poisson].map(|number| vec![number; 2]);
+        Self { young, poisson, ..self.clone() }
     }
 
-    /// The elastic bodies as they were given; none with --modulus.
-    pub(crate) fn listed(&self) -> Vec<Body> {
-        let of_table = self.materials().unwrap_or_default();
-        if self.modulus.is_none() && !of_table.is_empty() {
-            return self.constants(&of_table).unwrap_or_default();
-        }
-        let pairs = self.young.iter().zip(&self.poisson);
-        pairs.map(|(&young, &poisson)| Body { young, poisson }).collect()
+    /// In numbers, with this hardness of the softer body, infinite for `elastic`; `None` if nothing was given of them.
+    pub(crate) fn given(&self, hardness: Option<f64>) -> Result<Option<bodies::Bodies>, Failure> {
+        let found = self.asked(hardness)?.resolve();
+        let way_out = "`rough-contact materials` shows the table; --young, --poisson, --hardness take any number";
+        found.map_err(|failure| failure.adding(if self.material.is_empty() { "" } else { way_out }))
     }
 
-    /// E*; an error if it was not given.
-    pub(crate) fn required(&self) -> Result<ContactModulus, Failure> {
-        self.given()?.ok_or_else(|| {
+    /// The same; an error if they were not given.
+    pub(crate) fn required(&self, hardness: Option<f64>) -> Result<bodies::Bodies, Failure> {
+        self.given(hardness)?.ok_or_else(|| {
             Failure::refused(
                 "usage",
                 "the contact modulus is missing; give --modulus E*, for example --modulus 110GPa, \
@@ -71,121 +50,39 @@ impl Bodies {
         })
     }
 
-    /// The highest pressure the softer body bears: as given, infinite for elastic bodies; else that of the table.
-    pub(crate) fn hardness(&self, given: Option<f64>) -> Result<Option<f64>, Failure> {
-        hardness::check(given)?;
-        match given {
-            Some(given) => Ok(Some(given).filter(|h| h.is_finite())),
-            None => Ok(softest(&self.materials()?).map(|(_, h)| h.value)),
+    /// The options, one body each.
+    fn asked(&self, hardness: Option<f64>) -> Result<BothGiven, Failure> {
+        let [young, poisson, materials] =
+            [self.young.len(), self.poisson.len(), self.material.len()];
+        let refused = |message| Err(Failure::refused("usage", message));
+        if materials > 2 {
+            return refused(format!("--material given {materials} times; two bodies touch"));
         }
-    }
-
-    /// A number of both bodies out of the table.
-    pub(crate) fn of_both(&self, property: Property, option: &str) -> Result<[f64; 2], Failure> {
-        let materials = self.materials()?;
-        let [first, second] = materials[..] else {
-            let message = format!(
-                "{option} table takes a number of both bodies out of the table: give --material twice, or \
-                 the numbers"
-            );
-            return Err(Failure::refused("material", message));
-        };
-        let of = |material: &Material| {
-            let missing = || missing(material, property, option);
-            material.get(property).map(|listed| listed.value).ok_or_else(missing)
-        };
-        Ok([of(first)?, of(second)?])
-    }
-
-    /// The materials, and what was taken of each: of `beside` for both.
-    pub(crate) fn used(
-        &self,
-        hardness: Option<f64>,
-        beside: &[Property],
-    ) -> Result<Vec<MaterialUse>, Failure> {
-        let materials = self.materials()?;
-        let softest = softest(&materials).filter(|_| hardness.is_none()).map(|(i, _)| i);
-        let used = |(i, material): (usize, &&Material)| {
-            let is_given = self.modulus.is_some();
-            let young = (!is_given && self.young.is_empty()).then_some(Property::Young);
-            let poisson = (!is_given && self.poisson.is_empty()).then_some(Property::Poisson);
-            let hardness = (softest == Some(i)).then_some(Property::Hardness);
-            let taken = young.into_iter().chain(poisson).chain(hardness);
-            MaterialUse {
-                name: material.name.to_owned(),
-                taken: taken.chain(beside.iter().copied()).collect(),
-            }
-        };
-        Ok(materials.iter().enumerate().map(used).collect())
-    }
-
-    fn materials(&self) -> Result<Vec<&'static Material>, Failure> {
-        if self.material.len() > 2 {
-            let message =
-                format!("--material given {} times; two bodies touch", self.material.len());
-            return Err(Failure::refused("usage", message));
+        if materials == 0 && (young != poisson || young > 2) {
+            return refused(format!(
+                "--young given {young} times and --poisson {poisson} times; give both once \
+                 (the other body is rigid) or both twice"
+            ));
         }
-        let find = |name: &String| {
-            material(name).map_err(|unknown| {
-                let message = format!(
-                    "--material {name}: not in the table; near it: {}. `rough-contact materials` shows all; \
-                     --young, --poisson, --hardness take any",
-                    unknown.near.join(", ")
-                );
-                Failure::refused("material", message)
-            })
-        };
-        self.material.iter().map(find).collect()
-    }
-
-    /// E and ν of each, own numbers before those of the table.
-    fn constants(&self, materials: &[&Material]) -> Result<Vec<Body>, Failure> {
-        let own = |option: &str, values: &[f64]| {
-            if values.is_empty() || values.len() == materials.len() {
-                return Ok(());
+        for (option, count) in [("--young", young), ("--poisson", poisson)] {
+            if materials > 0 && count > 0 && count != materials {
+                return refused(format!(
+                    "{option} given {count} times and --material {materials} times; give it for each material, \
+                     or not at all"
+                ));
             }
-            let message = format!(
-                "{option} given {} times and --material {} times; give it for each material, or not at all",
-                values.len(),
-                materials.len()
-            );
-            Err(Failure::refused("usage", message))
+        }
+        let body = |i: usize| bodies::Given {
+            material: self.material.get(i).cloned(),
+            young: self.young.get(i).copied(),
+            poisson: self.poisson.get(i).copied(),
+            hardness: None,
         };
-        own("--young", &self.young)?;
-        own("--poisson", &self.poisson)?;
-        let body = |(i, material): (usize, &&Material)| {
-            let number = |own: &[f64], property, option| {
-                let listed = || material.get(property).map(|listed| listed.value);
-                let missing = || missing(material, property, option);
-                own.get(i).copied().or_else(listed).ok_or_else(missing)
-            };
-            Ok(Body {
-                young: number(&self.young, Property::Young, "--young")?,
-                poisson: number(&self.poisson, Property::Poisson, "--poisson")?,
-            })
-        };
-        materials.iter().enumerate().map(body).collect()
+        Ok(BothGiven {
+            modulus: self.modulus,
+            bodies: (0..materials.max(young)).map(body).collect(),
+            hardness: hardness.filter(|h| *h != f64::INFINITY),
+            elastic: hardness == Some(f64::INFINITY),
+        })
     }
-}
-
-/// Whichever yields first, of those whose hardness is known.
-fn softest(materials: &[&'static Material]) -> Option<(usize, &'static Listed)> {
-    let known = materials.iter().enumerate();
-    let known = known.filter_map(|(i, m)| Some((i, m.get(Property::Hardness)?)));
-    known.min_by(|a, b| a.1.value.total_cmp(&b.1.value))
-}
-
-fn missing(material: &Material, property: Property, option: &str) -> Failure {
-    let message = format!(
-        "the table has no {} of {} that a source could be named for; give {option}",
-        match property {
-            Property::Young => "Young's modulus",
-            Property::Poisson => "Poisson's ratio",
-            Property::Hardness => "hardness",
-            Property::Resistivity => "resistivity",
-            Property::Conductivity => "thermal conductivity",
-        },
-        material.name
-    );
-    Failure::refused("material", message)
 }

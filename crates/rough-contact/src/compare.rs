@@ -20,7 +20,7 @@ use clap::Args;
 use compare::Request;
 use compare::{
     Comparison, EdgesName, Level, Method, Origin, Precision, Refused, Registry, RunFile,
-    RunSurface, STEEL, STEEL_ON_STEEL, Settings, Surface, SurfaceComparison, on_threads,
+    RunSurface, Settings, Surface, SurfaceComparison, on_threads,
 };
 use report::Provenance;
 use std::fmt::Write as _;
@@ -172,21 +172,19 @@ impl Compare {
 
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
         self.forces.given()?; // refused before any work
-        let hardness = self.bodies.hardness(self.hardness)?;
-        let (modulus, bodies) = match self.bodies.given()? {
-            Some(modulus) => (modulus.pascals(), self.bodies.listed()),
-            None if self.files.is_empty() => (STEEL_ON_STEEL, vec![STEEL; 2]),
-            None => (self.bodies.required()?.pascals(), Vec::new()),
+        let mut made_of = match self.bodies.given(self.hardness)? {
+            None if self.files.is_empty() => self.bodies.steel().required(self.hardness)?,
+            _ => self.bodies.required(self.hardness)?,
         };
-        let conduction = self.conduction.asked(&self.bodies)?;
+        let conduction = self.conduction.asked(&mut made_of)?;
         Ok(Settings {
-            modulus,
-            hardness,
+            modulus: made_of.modulus.pascals(),
+            hardness: made_of.hardness,
             resistivities: conduction.resistivities,
             conductivities: conduction.conductivities,
             adhesion: self.adhesion.asked()?,
-            materials: self.bodies.used(self.hardness, &self.conduction.of_table())?,
-            bodies,
+            materials: made_of.materials,
+            bodies: made_of.bodies,
             pressures: self.pressure.as_ref().map(|List(pressures)| pressures.clone()),
             headline: self.headline,
             models: self.models.clone(),

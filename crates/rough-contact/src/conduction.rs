@@ -1,11 +1,11 @@
 //! `--resistivity`, `--conductivity`: what a contact conducts.
 
-use crate::args::Bodies;
 use crate::outcome::Failure;
 use crate::quantity::{self, QuantityError};
 use crate::text;
 use crate::units::Dimension;
 use answers::Conducted;
+use answers::bodies::Bodies;
 use clap::Args;
 use compare::Estimate;
 use compare::Property;
@@ -32,11 +32,13 @@ pub(crate) struct Conduction {
 
 impl Conduction {
     /// What is asked of the contact.
-    pub(crate) fn asked(self, bodies: &Bodies) -> Result<answers::Conduction, Failure> {
-        let of = |both: Option<Both>, property, option| match both {
+    pub(crate) fn asked(self, bodies: &mut Bodies) -> Result<answers::Conduction, Failure> {
+        let mut of = |both: Option<Both>, property, option: &str| match both {
             None => Ok(None),
             Some(Both::Given(values)) => Ok(Some(values)),
-            Some(Both::Table) => bodies.of_both(property, option).map(Some),
+            Some(Both::Table) => bodies.of_both(property).map(Some).map_err(|failure| {
+                failure.adding(&format!("give --material twice, or {option} in numbers"))
+            }),
         };
         Ok(answers::Conduction {
             resistivities: of(self.resistivity, Property::Resistivity, "--resistivity")?,
@@ -44,12 +46,9 @@ impl Conduction {
         })
     }
 
-    /// What comes from the table.
-    pub(crate) fn of_table(self) -> Vec<Property> {
-        let is_table = |both: Option<Both>| matches!(both, Some(Both::Table));
-        let rho = is_table(self.resistivity).then_some(Property::Resistivity);
-        let k = is_table(self.conductivity).then_some(Property::Conductivity);
-        rho.into_iter().chain(k).collect()
+    /// Whether anything is.
+    pub(crate) fn is_asked(self) -> bool {
+        self.resistivity.is_some() || self.conductivity.is_some()
     }
 }
 

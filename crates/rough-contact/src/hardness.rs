@@ -1,6 +1,5 @@
 //! `--hardness`: what is said of a contact that yields, beside its numbers.
 
-use crate::outcome::Failure;
 use crate::text;
 use answers::hardness_doubt;
 use compare::{BULK_YIELD, Hardness, typical_hardness};
@@ -10,21 +9,6 @@ use surface_stats::SurfaceStatistics;
 
 /// Headings of the table.
 pub(crate) const HEADINGS: [&str; 2] = ["area at H", "load at H"];
-
-/// A hardness that no pressure is held to is refused before anything is read.
-pub(crate) fn check(hardness: Option<f64>) -> Result<(), Failure> {
-    match hardness {
-        // Infinite is what `elastic` stands for.
-        Some(h) if h.is_nan() || h <= 0.0 => {
-            let message = format!(
-                "--hardness {h} Pa: a hardness is a pressure above 0 Pa, for example 2GPa; leave it \
-                 out for elastic contact, or give --hardness elastic with --material"
-            );
-            Err(Failure::refused("hardness", message))
-        }
-        _ => Ok(()),
-    }
-}
 
 /// What stands below the table; `highest` is the largest mean pressure that was solved for (Pa).
 pub(crate) fn lines(given: Hardness, highest: f64) -> String {

@@ -1,7 +1,7 @@
 //! `rough-contact model`: a closed-form model from a surface or from numbers.
 
 use crate::against::{self, Against};
-use crate::args::{self, Bodies, Common, List};
+use crate::args::{self, Common, List};
 use crate::cleaning::CleaningOptions;
 use crate::input::{Measured, Reading};
 use crate::loads::{self, Spread};
@@ -10,11 +10,11 @@ use crate::outcome::{Failure, Reply};
 use crate::profiles::{self, Traces};
 use crate::roughness::{Source, ways};
 use crate::text::{self, Columns};
+use answers::bodies::Bodies;
 use answers::model::{self, Answer, Question, Said, Unasked};
 use clap::Args;
 use compare::survey::{BANDWIDTH_FACTOR, LOAD_FACTOR};
 use compare::{Card, Input, Inputs, Spikes, Theory};
-use contact_types::ContactModulus;
 use multiscale_models::Persson;
 use serde_json::json;
 use std::fmt::Write as _;
@@ -34,7 +34,7 @@ pub(crate) struct Model {
     #[arg(long, conflicts_with_all = ["name", "file", "pressure", "load", "separation"])]
     list: bool,
     #[command(flatten)]
-    bodies: Bodies,
+    bodies: args::Bodies,
     /// Nominal pressures to answer at
     #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["separation", "load"])]
@@ -62,13 +62,13 @@ impl Model {
         let Some(name) = &self.name else { return Ok(model_list::list()) };
         let theory = compare::find(name).expect("clap accepts only these names");
         let card = theory.card();
-        let modulus = self.bodies.required()?;
+        let made_of = self.bodies.required(self.source.hardness())?;
+        let modulus = made_of.modulus;
         self.refuse_silence()?;
         let mut pair = None;
         let (mut cleaned, mut rows, mut spikes) = (Vec::new(), None, Spikes::default());
         let mut level = None;
         self.source.refuse_unused(card, self.file.as_deref(), self.load.is_some())?;
-        let hardness = self.hardness(card)?;
         let inputs = if let Some(path) = &self.file {
             let how = (&self.reading, self.cleaning.asked());
             let surface = if self.against.given()?.is_some() {
@@ -79,7 +79,7 @@ impl Model {
                 match self.reading.measured(path, how.1)? {
                     Measured::Surface(surface) => surface,
                     Measured::Profile(traces) => {
-                        return self.of_profile(theory, modulus, path, &traces);
+                        return self.of_profile(theory, &made_of, path, &traces);
                     }
                 }
             };
@@ -89,7 +89,7 @@ impl Model {
             let used = self.source.level().on(&surface.map);
             let used = used.map_err(|e| Failure::in_file(path, &e))?;
             level = Some(used);
-            let given = self.source.beside_file(Inputs::new(modulus), hardness);
+            let given = self.source.beside_file(Inputs::new(modulus));
             self.source.measured(card, given, path, surface, used)?
         } else {
             self.cleaning.refuse_without_file()?;
@@ -98,13 +98,13 @@ impl Model {
                                moments typed in, add those of the two";
                 return Err(Failure::refused("usage", message));
             }
-            self.source.typed(card, modulus, hardness, self.load.is_some())?
+            self.source.typed(card, modulus, made_of.hardness, self.load.is_some())?
         };
-        let inputs = self.with_poisson(inputs);
+        let inputs = made_of.add(inputs);
         let (questions, spread) = self.questions(inputs.nominal_area)?;
         let answers = answer(theory, &inputs, &questions)?;
         let mut reply = reply(card, &inputs, &questions, &answers, spread.as_ref());
-        let mut findings = model::scene(&inputs, &answers, rows).findings();
+        let mut findings = model::scene(card, &inputs, &answers, rows).findings();
         findings.extend(compare::spiky(&spikes, None));
         findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
         findings.sort_by_key(|f| f.weight);
@@ -117,10 +117,13 @@ impl Model {
             reply.text += text::MOMENTS;
         }
         reply.json["cleaning"] = report::cleaning_json(&cleaned);
-        let made_of = (modulus.pascals(), self.bodies.listed());
         reply.json["pair"] = against::json(pair.as_ref());
-        reply.json["bodies"] = report::bodies_json(pair.as_ref(), &made_of.1);
-        reply.text += &against::lines(pair.as_ref(), Some(made_of));
+        reply.json["bodies"] = report::bodies_json(pair.as_ref(), &made_of.bodies);
+        reply.text += &against::lines(pair.as_ref(), Some((modulus.pascals(), made_of.bodies)));
+        reply.text += &text::materials(&made_of.materials);
+        if !made_of.materials.is_empty() {
+            reply.json["materials"] = report::materials_json(&made_of.materials);
+        }
         Ok(reply)
     }
 
@@ -129,19 +132,18 @@ impl Model {
     fn of_profile(
         &self,
         theory: &dyn Theory,
-        modulus: ContactModulus,
+        made_of: &Bodies,
         path: &Path,
         traces: &Traces,
     ) -> Result<Reply, Failure> {
         let level = self.source.level().of_profile();
-        let hardness = self.hardness(theory.card())?;
         let origin = self.reading.origin(path, traces, String::new());
         let found = model::of_profile(
             theory,
-            modulus,
+            made_of.modulus,
             (path, traces, &origin, level),
             |inputs| {
-                let inputs = self.with_poisson(self.source.beside_file(inputs, hardness));
+                let inputs = made_of.add(self.source.beside_file(inputs));
                 let (questions, spread) = self.questions(None)?;
                 Ok((inputs, questions, spread))
             },
@@ -177,17 +179,6 @@ impl Model {
         reply.json["bodies"] = report::bodies_json(None, &made_of.1);
         reply.text += &against::lines(None, Some(made_of));
         Ok(reply)
-    }
-
-    /// The hardness of the softer body out of the table, for a model that cannot do without one.
-    fn hardness(&self, card: &Card) -> Result<Option<f64>, Failure> {
-        if card.requires(Input::Hardness) { self.bodies.hardness(None) } else { Ok(None) }
-    }
-
-    /// With Poisson's ratio of the bodies, if they were given.
-    fn with_poisson(&self, inputs: Inputs) -> Inputs {
-        let bodies = self.bodies.listed();
-        Inputs { poisson: compare::poisson(&bodies), ..inputs }
     }
 
     /// Refuses to answer nothing.

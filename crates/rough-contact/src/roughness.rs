@@ -153,6 +153,11 @@ impl Source {
         Ok(Inputs { nominal_area: area.or(inputs.nominal_area), ..inputs })
     }
 
+    /// The hardness given (Pa).
+    pub(crate) fn hardness(&self) -> Option<f64> {
+        self.typed.one(Input::Hardness)
+    }
+
     /// The nominal area given (m²).
     pub(crate) fn area(&self) -> Option<f64> {
         self.typed.one(Input::Area)
@@ -164,11 +169,10 @@ impl Source {
     }
 
     /// With what no file says.
-    pub(crate) fn beside_file(&self, inputs: Inputs, hardness: Option<f64>) -> Inputs {
+    pub(crate) fn beside_file(&self, inputs: Inputs) -> Inputs {
         Inputs {
             gamma: self.typed.one(Input::Gamma),
             critical_area: self.typed.one(Input::CriticalArea),
-            hardness: self.typed.one(Input::Hardness).or(hardness),
             ..inputs
         }
     }

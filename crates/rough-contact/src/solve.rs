@@ -163,9 +163,9 @@ impl PerFile for Solve {
     }
 
     fn answer(&self, common: &Common) -> Result<Reply, Failure> {
-        let modulus = self.bodies.required()?;
-        let hardness = self.bodies.hardness(self.hardness)?;
-        let conduction = self.conduction.asked(&self.bodies)?;
+        let mut made_of = self.bodies.required(self.hardness)?;
+        let conduction = self.conduction.asked(&mut made_of)?;
+        let answers::bodies::Bodies { modulus, bodies, hardness, materials } = made_of;
         let adhesion = self.adhesion.asked()?;
         let count = self.loads.count()?;
         let boundary = match self.boundary.as_str() {
@@ -188,7 +188,7 @@ impl PerFile for Solve {
             loads: self.loads.each(spread.as_ref()),
             spread,
             modulus,
-            bodies: self.bodies.listed(),
+            bodies,
             level: self.level,
             boundary,
             edges: self.edges,
@@ -203,7 +203,7 @@ impl PerFile for Solve {
             hardness,
             conduction,
             adhesion,
-            materials: self.bodies.used(self.hardness, &self.conduction.of_table())?,
+            materials,
             distributions: self.distributions,
             keep_gap: self.fields.needs_gap(),
             threads: common.threads(),
@@ -283,8 +283,8 @@ impl Solve {
 
     /// Whether more than the solution is asked, which only maps answer.
     fn asks_set(&self) -> Result<bool, Failure> {
-        let conducts = self.conduction.asked(&self.bodies)?.is_asked();
-        Ok(self.stiffness || conducts || self.adhesion.asked()?.is_some())
+        let adhesion = self.adhesion.asked()?.is_some();
+        Ok(self.stiffness || self.conduction.is_asked() || adhesion)
     }
 
     fn alone(&self) -> Result<Complete, Failure> {
@@ -381,8 +381,8 @@ impl Solve {
         let text =
             text::cleaning(cleaned) + &text::findings(&answer.findings) + &columns.to_string();
         let text = text + &spread.map_or_else(String::new, carried);
-        let text =
-            text + &against::lines(pair, Some((question.modulus.pascals(), self.bodies.listed())));
+        let text = text
+            + &against::lines(pair, Some((question.modulus.pascals(), question.bodies.clone())));
         let text =
             text + &text::level(self.level, answer.level) + conduction::line(&question.conduction);
         let text = text + &text::materials(&question.materials);

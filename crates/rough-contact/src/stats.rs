@@ -14,8 +14,7 @@ use crate::rows::{How, Shown};
 use crate::text::{self, Columns, Table};
 use crate::{profile_stats, profiles};
 use clap::Args;
-use compare::{Level, MaterialUse, WorkOfAdhesion};
-use contact_types::ContactModulus;
+use compare::{Level, WorkOfAdhesion};
 use std::path::Path;
 use surface_stats::{ByDistance, StatsOptions, SurfaceStatistics};
 
@@ -52,10 +51,8 @@ pub(crate) struct Stats {
 
 /// What the heights are asked of the bodies.
 struct Asked {
-    modulus: ContactModulus,
-    hardness: Option<f64>,
+    made_of: answers::bodies::Bodies,
     adhesion: Option<WorkOfAdhesion>,
-    materials: Vec<MaterialUse>,
 }
 
 impl Stats {
@@ -136,8 +133,8 @@ impl PerFile for Stats {
         let subject =
             answers::Measured { path: &self.input.file, cleaned: &cleaned, pair: pair.as_ref() };
         let mut found = answers::statistics(&map, &options, subject, self.iso, self.scales)?;
-        if let Some(Asked { modulus, adhesion: Some(given), .. }) = &asked {
-            found.stick(*given, &map, self.level, *modulus, &self.input.file)?;
+        if let Some(Asked { made_of, adhesion: Some(given) }) = &asked {
+            found.stick(*given, &map, self.level, made_of.modulus, &self.input.file)?;
         }
         let mut text = text::cleaning(&cleaned)
             + &text::all_findings(&found.findings)
@@ -150,12 +147,13 @@ impl PerFile for Stats {
             text = format!("{text}\nalong x\n{}\nalong y\n{}", scales(along_x), scales(along_y));
         }
         let mut json = found.json;
-        if let Some(Asked { modulus, hardness, materials, .. }) = asked {
-            let (said, object) = hardness::forecast(modulus.pascals(), hardness, &found.statistics);
-            text += &(said + &text::materials(&materials));
+        if let Some(Asked { made_of, .. }) = asked {
+            let modulus = made_of.modulus.pascals();
+            let (said, object) = hardness::forecast(modulus, made_of.hardness, &found.statistics);
+            text += &(said + &text::materials(&made_of.materials));
             json["plasticity"] = object;
-            if !materials.is_empty() {
-                json["materials"] = report::materials_json(&materials);
+            if !made_of.materials.is_empty() {
+                json["materials"] = report::materials_json(&made_of.materials);
             }
         }
         Ok(Reply::new(text, json))
@@ -180,15 +178,14 @@ fn scales(list: &[ByDistance]) -> Columns {
 impl Stats {
     /// The bodies, if anything was given of them.
     fn asked(&self) -> Result<Option<Asked>, Failure> {
-        let hardness = self.bodies.hardness(self.hardness)?;
         let adhesion = self.adhesion.asked()?;
-        let modulus = match self.bodies.given()? {
-            None if self.hardness.is_none() && adhesion.is_none() => return Ok(None),
-            None => self.bodies.required()?,
-            Some(modulus) => modulus,
+        let is_asked = self.hardness.is_some() || adhesion.is_some();
+        let made_of = match self.bodies.given(self.hardness)? {
+            None if !is_asked => return Ok(None),
+            None => self.bodies.required(self.hardness)?,
+            Some(made_of) => made_of,
         };
-        let materials = self.bodies.used(self.hardness, &[])?;
-        Ok(Some(Asked { modulus, hardness, adhesion, materials }))
+        Ok(Some(Asked { made_of, adhesion }))
     }
 
     fn describe(&self, s: &SurfaceStatistics) -> String {

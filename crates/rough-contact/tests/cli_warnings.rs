@@ -271,7 +271,7 @@ fn a_spike_that_carries_the_load_is_named() {
     assert_eq!(found["weight"], "check");
     let text = found["text"].as_str().unwrap();
     assert!(text.contains("100\u{202F}% of the load"), "{text}");
-    assert!(text.contains("--outliers 8 --fill harmonic"), "{text}");
+    assert!(text.contains("outliers 8, fill harmonic"), "{text}");
     let model = rough_contact(folder.path(), &format!("model gw {file} --json")).answered();
     assert!(spikes(&model["findings"]).is_some(), "{model}");
     let line = format!("compare {file} --out out --json");
@@ -308,7 +308,7 @@ fn what_cleaning_leaves_of_a_wide_spike_is_not_to_be_cleaned_again() {
         let list = found.as_array().unwrap();
         let left = list.iter().find(|f| f["claim"].as_str().unwrap().contains("still stand"));
         let left = left.unwrap_or_else(|| panic!("{line}: {found}"));
-        assert!(!left["text"].as_str().unwrap().contains("--fill"), "{line}: {left}");
+        assert!(!left["text"].as_str().unwrap().contains("fill harmonic"), "{line}: {left}");
         claims.push(left["claim"].clone());
     }
     claims.dedup();

@@ -314,7 +314,7 @@ pub enum FillError {
     /// Two points of a profile stand so far apart that nothing is known between them.
     #[error(
         "two points are {:.3} mm apart, {:.0} times the mean distance; at most {limit} times is \
-         bridged by a straight line: cut the gap out (--crop), or measure again",
+         bridged by a straight line: cut the gap out, or measure again",
         1e3 * gap, gap / spacing
     )]
     Gap {

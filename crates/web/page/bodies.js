@@ -20,6 +20,7 @@ function buildBodies(list) {
     };
     ['e', 'n'].forEach(k => { $(k + b).oninput = () => { pick.value = ''; said.textContent = ''; plan(); }; });
   });
+  $('elastic').onchange = () => { $('hard').disabled = $('elastic').checked; plan(); };
   ['hard', 'res1', 'res2', 'p1', 'f1', 'f2'].forEach(id => { $(id).oninput = plan; });
   all('[name=ld]').forEach(radio => { radio.onchange = () => {
     ['pressure', 'force'].forEach(kind => { $('ld-' + kind).hidden = radio.value !== kind; });
@@ -28,12 +29,18 @@ function buildBodies(list) {
 }
 
 const unit = (text, name) => text.trim() ? text.trim() + ' ' + name : '';
+// "stainless steel on copper"; own values as numbers.
+function pair() {
+  const body = b => materials[$('m' + b).value]?.title.toLowerCase() ?? ($('e' + b).value.trim() === '∞' ? 'rigid' : `E = ${$('e' + b).value}\u202fGPa`);
+  return `${body(1)} on ${body(2)}`;
+}
+
 // What is filled in, as the engine takes it.
 function asked() {
   const by = document.querySelector('[name=ld]:checked').value;
   return {
     bodies: [1, 2].map(b => ({ material: materials[$('m' + b).value]?.name ?? '', young: $('e' + b).value.trim() === '∞' ? '∞' : unit($('e' + b).value, 'GPa'), poisson: $('n' + b).value })),
-    hardness: unit($('hard').value, 'GPa'),
+    hardness: $('elastic').checked ? 'elastic' : unit($('hard').value, 'GPa'),
     resistivities: [unit($('res1').value, 'nohm m'), unit($('res2').value, 'nohm m')],
     load: { by, list: by === 'force' ? $('f1').value : by === 'pressure' ? $('p1').value : '', area: by === 'force' ? $('f2').value : '' },
   };
@@ -52,10 +59,8 @@ async function plan() {
   $('est-loads').textContent = fine ? answer.loads || '' : '';
   $('est-cost').textContent = fine ? answer.cost || '' : '';
   $('compute').disabled = !fine;
-  now.modulus = fine ? answer.e_star : '';
-  const names = [1, 2].map(b => materials[$('m' + b).value]?.title.toLowerCase());
-  now.pair = names.includes(undefined) ? `E* = ${now.modulus}` : names.join(' on ');
-  $('compute-now').textContent = fine ? `Compute ${now.pair}, ${answer.count === 1 ? '1 load' : answer.count + ' loads'}` : 'Compute';
+  $('bears').textContent = fine ? answer.bears : '';
+  $('compute-now').textContent = fine ? `Compute ${pair()}, ${answer.count === 1 ? '1 load' : answer.count + ' loads'}` : 'Compute';
   $('compute-now').disabled = !fine;
   $('read-cost').textContent = fine && answer.cost ? `${answer.loads} ${answer.cost}. You can change everything afterwards.` : '';
   return true;

@@ -11,7 +11,7 @@ async function compute(more) {
   run = { begun: performance.now(), first: null, loads: 0, done: [], stage: 0, settings };
   engine.running = true;
   now.answer = null;
-  $('run-file').textContent = `${now.example || shownName(now.file.name)} · ${now.pair}`;
+  $('run-file').textContent = `${now.example || shownName(now.file.name)} · ${pair()}`;
   $('stop').disabled = true;
   $('r-contact').hidden = true;
   draw();

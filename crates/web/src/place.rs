@@ -113,7 +113,7 @@ impl Place {
             "The command rough-contact takes maps of up to 16384 × 16384 points; `rough-contact app` shows this page and \
              computes with it."
         } else {
-            "`rough-contact convert MAP --crop middle --out PART.x3p` cuts out the middle of a map."
+            "Cut the middle of the map out first: the command rough-contact convert does that."
         }
     }
 
@@ -142,7 +142,7 @@ impl Place {
         let died = if self.is_browser {
             "Often the memory of the browser was not enough."
         } else {
-            "Often the memory was not enough; the terminal of the program may say more."
+            "The program was ended, or the memory of this machine was not enough; its terminal says which."
         };
         json!({
             "most_bytes": self.most_bytes(), "died": died,

@@ -7,8 +7,8 @@ use crate::place::Place;
 use crate::request::{Facts, LoadBy, Request};
 use crate::trouble::Trouble;
 use answers::bodies;
-use compare::{EdgesName, loads_of_study};
-use report::numbers::duration;
+use compare::{EdgesName, Property, Settings, loads_of_study};
+use report::numbers::{PASCALS, duration, quantity};
 use serde_json::{Value, json};
 
 pub(crate) fn answer(request: &Request, out: &mut Messages<'_>) -> Result<(), Trouble> {
@@ -20,13 +20,14 @@ pub(crate) fn answer(request: &Request, out: &mut Messages<'_>) -> Result<(), Tr
 pub(crate) fn of(request: &Request) -> Result<Value, Trouble> {
     let facts = request.facts;
     let settings = request.settings(facts.map_or(1.0, |f| f.area))?;
+    let bears = bears(&settings, !request.hardness.trim().is_empty());
     let modulus = bodies::of_modulus(settings.modulus)?;
     let pressures = match (facts, &settings.pressures) {
         (Some(facts), _) => Some(loads_of_study(&settings, modulus, facts.gradient)),
         (None, given) => given.clone(),
     };
     let said = pressures.as_deref().map(|list| loads(list, request.load.by));
-    let pace = request.pace.map_or_else(|| Pace::of(request.place), Ok)?;
+    let pace = Pace::after(request.pace, request.place)?;
     let cost = facts.zip(pressures.as_ref()).map(|(facts, list)| {
         // Bodies that yield are solved as elastic ones, too; what a contact conducts is half a load more.
         let each = if settings.hardness.is_some() { 2.0 } else { 1.0 };
@@ -36,9 +37,26 @@ pub(crate) fn of(request: &Request) -> Result<Value, Trouble> {
     Ok(json!({
         "pace": pace,
         "modulus": format!("Together they act as one elastic body of contact modulus E* = {}.", pressure(settings.modulus)),
-        "e_star": pressure(settings.modulus),
+        "bears": bears,
         "loads": said, "count": pressures.map(|list| list.len()), "cost": cost,
     }))
+}
+
+/// What the bodies are held to, and how that is known.
+fn bears(settings: &Settings, is_given: bool) -> String {
+    let softer = settings.materials.iter().find(|m| m.taken.contains(&Property::Hardness));
+    match (settings.hardness, softer) {
+        (Some(h), Some(softer)) => format!(
+            "They yield at {}, the hardness of {} in the table of materials.",
+            quantity(h, PASCALS, 3),
+            softer.name
+        ),
+        (Some(h), None) => format!("They yield at {}.", quantity(h, PASCALS, 3)),
+        (None, _) if is_given => "They are elastic, whatever they bear.".to_owned(),
+        (None, _) => "No hardness of them is known: they are elastic at any pressure. The result says where solids of \
+                      this modulus would yield."
+            .to_owned(),
+    }
 }
 
 fn loads(pressures: &[f64], by: LoadBy) -> String {
@@ -63,7 +81,7 @@ fn cost(facts: Facts, edges: EdgesName, loads: f64, (place, pace): (Place, Pace)
     let work = Work { points: facts.points, solved: points, loads };
     let [short, long] = pace.seconds(work).map(duration);
     let mut text = format!(
-        "{} points; about {short} to {long} and {low} to {high} MB of memory, the more where the grid has to be refined",
+        "{} points; about {short} and {low} MB of memory, up to {long} and {high} MB where the grid has to be refined",
         count(points as usize)
     );
     if let Some(warning) = place.too_much(memory[1]) {

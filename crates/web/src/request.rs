@@ -2,13 +2,11 @@
 
 use crate::pace::Pace;
 use crate::place::Place;
+use answers::Failure;
+use answers::bodies::{Bodies, BothGiven, Given};
 use answers::quantity;
 use answers::units::Dimension;
-use answers::{Failure, bodies};
-use compare::{
-    Body, Cleaning, EdgesName, Level, MaterialUse, Property, SPIKE_THRESHOLD, STEEL, Settings,
-    material,
-};
+use compare::{Cleaning, EdgesName, Level, SPIKE_THRESHOLD, STEEL, Settings};
 use serde::Deserialize;
 use surface_io::{Cut, DecimalMark, Fill, HeightUnit, Layout, Limits, ReadOptions};
 use surface_stats::clean::Form;
@@ -25,7 +23,7 @@ pub(crate) struct Request {
     pub(crate) remedies: Remedies,
     /// The two bodies; empty: steel on steel.
     pub(crate) bodies: Vec<BodyFields>,
-    /// Hardness of the softer body; empty: elastic.
+    /// Hardness of the softer body; empty: that of the materials, if they have one; `elastic`: bodies that do not yield.
     pub(crate) hardness: String,
     /// Electrical resistivity of the two bodies; both empty: not asked for.
     pub(crate) resistivities: [String; 2],
@@ -149,6 +147,19 @@ fn parse_some(text: &str, dimension: Dimension) -> Result<Option<f64>, Failure> 
     if text.trim().is_empty() { Ok(None) } else { parse(text, dimension).map(Some) }
 }
 
+fn own(young: f64, poisson: f64) -> Given {
+    Given { young: Some(young), poisson: Some(poisson), ..Given::default() }
+}
+
+impl BodyFields {
+    fn given(&self) -> Result<Given, Failure> {
+        if !self.material.is_empty() {
+            return Ok(Given { material: Some(self.material.clone()), ..Given::default() });
+        }
+        Ok(own(parse(&self.young, Dimension::Pressure)?, parse(&self.poisson, Dimension::Number)?))
+    }
+}
+
 impl Reading {
     pub(crate) fn pixel(&self) -> Result<Option<[f64; 2]>, Failure> {
         let one = self.pixel.as_deref().map(|text| parse(text, Dimension::Length)).transpose()?;
@@ -255,40 +266,28 @@ impl Remedies {
 }
 
 impl Request {
-    /// The elastic bodies among the two, and what was taken from the table; steel on steel if nothing was filled in.
-    pub(crate) fn elastic(&self) -> Result<(Vec<Body>, Vec<MaterialUse>), Failure> {
-        if self.bodies.is_empty() {
-            return Ok((vec![STEEL; 2], Vec::new()));
-        }
-        let (mut listed, mut taken) = (Vec::new(), Vec::new());
-        for body in &self.bodies {
-            if body.young.trim_start().starts_with('∞') {
-                continue;
+    /// The two bodies in numbers; steel on steel if nothing was filled in.
+    pub(crate) fn made_of(&self) -> Result<Bodies, Failure> {
+        let hardness = self.hardness.trim();
+        let elastic = hardness.eq_ignore_ascii_case("elastic");
+        let deforms = |body: &&BodyFields| !body.young.trim_start().starts_with('∞');
+        let bodies = match self.bodies.is_empty() {
+            true => vec![own(STEEL.young, STEEL.poisson); 2],
+            false => {
+                let deforming = self.bodies.iter().filter(deforms);
+                deforming.map(BodyFields::given).collect::<Result<_, _>>()?
             }
-            let found = material(&body.material).ok().and_then(|m| {
-                let number = |property| m.get(property).map(|listed| listed.value);
-                Some((m, number(Property::Young)?, number(Property::Poisson)?))
-            });
-            let (young, poisson) = match found {
-                Some((m, young, poisson)) => {
-                    taken.push(MaterialUse {
-                        name: m.name.to_owned(),
-                        taken: vec![Property::Young, Property::Poisson],
-                    });
-                    (young, poisson)
-                }
-                None => (
-                    parse(&body.young, Dimension::Pressure)?,
-                    parse(&body.poisson, Dimension::Number)?,
-                ),
-            };
-            listed.push(Body { young, poisson });
-        }
-        if listed.is_empty() {
+        };
+        let given = BothGiven {
+            bodies,
+            hardness: if elastic { None } else { parse_some(hardness, Dimension::Pressure)? },
+            elastic,
+            ..BothGiven::default()
+        };
+        given.resolve()?.ok_or_else(|| {
             let message = "Two rigid bodies do not deform: give one of them a modulus.";
-            return Err(Failure::refused("material", message));
-        }
-        Ok((listed, taken))
+            Failure::refused("material", message)
+        })
     }
 
     /// The pressures asked for, and the area that forces press on; `of_map` is that of the map (m²).
@@ -314,12 +313,8 @@ impl Request {
 
     /// Settings of the study on a map of this area (m²).
     pub(crate) fn settings(&self, of_map: f64) -> Result<Settings, Failure> {
-        let (listed, materials) = self.elastic()?;
+        let Bodies { modulus, bodies, hardness, materials } = self.made_of()?;
         let (pressures, load_area) = self.pressures(of_map)?;
-        let hardness = parse_some(&self.hardness, Dimension::Pressure)?;
-        if let Some(pascals) = hardness {
-            answers::loads::positive("hardness", pascals, "Pa", "that a body bears")?;
-        }
         let resistivities = match &self.resistivities {
             both if both.iter().all(|t| t.trim().is_empty()) => None,
             [one, two] => {
@@ -327,8 +322,8 @@ impl Request {
             }
         };
         Ok(Settings {
-            modulus: bodies::contact_modulus(&listed)?.pascals(),
-            bodies: listed,
+            modulus: modulus.pascals(),
+            bodies,
             materials,
             hardness,
             resistivities,

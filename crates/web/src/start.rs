@@ -6,6 +6,7 @@ use crate::place::Place;
 use crate::trouble::Trouble;
 use answers::Failure;
 use compare::{Property, STEEL, built_in_recipes, materials, source_of};
+use report::numbers::{PASCALS, quantity};
 use serde_json::{Value, json};
 use surface_io::FORMATS;
 
@@ -61,8 +62,11 @@ fn table() -> Vec<Value> {
         keys.sort_unstable();
         keys.dedup();
         let places: Vec<&str> = keys.into_iter().filter_map(source_of).collect();
+        let hardness = number(Property::Hardness).map_or_else(String::new, |hardness| {
+            format!(" Hardness {}.", quantity(hardness.value, PASCALS, 3))
+        });
         let said = format!(
-            "{}. Sources: {}. E from {} to {} GPa among them.",
+            "{}.{hardness} Sources: {}. E from {} to {} GPa among them.",
             material.condition,
             places.join("; "),
             giga(young.range[0]),

@@ -242,6 +242,7 @@ impl ProfileComparison {
             radius: self.inputs.asperities().map(|a| a.radius),
             rows: None,
             spacing: 0.0,
+            hardness: None,
             pressed: answers
                 .map(|c| c.points.iter().flatten().filter_map(pressed).collect())
                 .unwrap_or_default(),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Union
+from typing import Any, Literal, Union
 
 from . import _rough_contact as _rust
 from . import _units
@@ -26,7 +26,7 @@ class Body:
     poisson : float
         Poisson's ratio, above -1 and at most 0.5.
     hardness : quantity, optional
-        Highest pressure it bears before it yields; `solve` takes it where it is given.
+        Highest pressure it bears before it yields; that of the softer body is used wherever it is known.
     name : str, optional
         What it is.
 
@@ -34,12 +34,15 @@ class Body:
     ----------
     young, hardness : float
         In pascals.
+    material : str or None
+        Name in the table of materials that it was taken from by `material`.
     """
 
     young: float
     poisson: float
     hardness: float | None
     name: str
+    material: str | None
 
     def __init__(self, *, young: Q, poisson: float, hardness: Q | None = None, name: str = "") -> None:
         values = {
@@ -47,21 +50,24 @@ class Body:
             "poisson": _units.number(poisson, "poisson"),
             "hardness": None if hardness is None else _units.scalar(hardness, "pressure", "hardness"),
             "name": name,
+            "material": None,
         }
         for key, value in values.items():
             object.__setattr__(self, key, value)
         contact_modulus(self)  # refuses constants out of their domain
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _body, (self.young, self.poisson, self.hardness, self.name)
+        return _body, (self.young, self.poisson, self.hardness, self.name, self.material)
 
 
 Bodies = Union[Body, Sequence[Body]]
 
 
-def _body(young: float, poisson: float, hardness: float | None, name: str) -> Body:
+def _body(young: float, poisson: float, hardness: float | None, name: str, material: str | None) -> Body:
     own = None if hardness is None else hardness * _units.Pa
-    return Body(young=young * _units.Pa, poisson=poisson, hardness=own, name=name)
+    body = Body(young=young * _units.Pa, poisson=poisson, hardness=own, name=name)
+    object.__setattr__(body, "material", material)
+    return body
 
 
 def listed(bodies: Bodies) -> list[Body]:
@@ -72,31 +78,34 @@ def listed(bodies: Bodies) -> list[Body]:
     return all_
 
 
-def elastic(bodies: Bodies) -> list[dict[str, float]]:
-    """What the crates need of them."""
-    return [{"young": b.young, "poisson": b.poisson} for b in listed(bodies)]
-
-
-def softest(bodies: Bodies | None) -> float | None:
-    """The lowest hardness that is known of the bodies (Pa)."""
-    known = [] if bodies is None else [b.hardness for b in listed(bodies) if b.hardness is not None]
-    return min(known, default=None)
+def _given(body: Body) -> dict[str, Any]:
+    """What the crates need of it: of a material its name, so that they know what is of the table."""
+    if body.material is not None:
+        return {"material": body.material}
+    return {"young": body.young, "poisson": body.poisson, "hardness": body.hardness}
 
 
 def contact_modulus(first: Body, second: Body | None = None) -> float:
     """Contact modulus E* (Pa): 1/E* is the sum of (1 - nu^2)/E; without `second` the other body is rigid."""
-    bodies = [first] if second is None else [first, second]
-    with sorted_as(SettingError):
-        return _rust.modulus(json.dumps(elastic(bodies)))
+    return float(given(None, first if second is None else (first, second))["modulus"])
 
 
-def given(modulus: Q | None, bodies: Bodies | None) -> dict[str, Any]:
-    """Either of the two, as the crates take it."""
+def given(modulus: Q | None, bodies: Bodies | None, hardness: Q | Literal["elastic"] | None = None) -> dict[str, Any]:
+    """Contact modulus, bodies, hardness and what was taken from the table of materials, as every question has them."""
     if (modulus is None) == (bodies is None):
         raise TypeError("give exactly one of modulus, such as modulus='110 GPa', and bodies")
-    if bodies is not None:
-        return {"modulus": None, "bodies": elastic(bodies)}
-    return {"modulus": _units.scalar(modulus, "pressure", "modulus"), "bodies": []}
+    elastic = isinstance(hardness, str) and hardness.strip().lower() == "elastic"
+    asked = {
+        "modulus": None if modulus is None else _units.scalar(modulus, "pressure", "modulus"),
+        "bodies": [] if bodies is None else [_given(body) for body in listed(bodies)],
+        "hardness": None if hardness is None or elastic else _units.scalar(hardness, "pressure", "hardness"),
+        "elastic": elastic,
+    }
+    if asked["hardness"] == float("inf"):
+        asked.update(hardness=None, elastic=True)
+    with sorted_as(SettingError):
+        found: dict[str, Any] = json.loads(_rust.bodies(json.dumps(asked)))
+    return found
 
 
 def materials() -> list[str]:
@@ -134,7 +143,8 @@ def material(name: str) -> Body:
     numbers = {key: listed["value"] for key, listed in found["numbers"].items() if listed is not None}
     if "poisson" not in numbers:
         raise SettingError(f"{name}: the table has no Poisson's ratio that a source could be named for; give rc.Body", "material")
-    return _body(numbers["young"], numbers["poisson"], numbers.get("hardness"), f"{found['title']}, {found['condition']}")
+    title = f"{found['title']}, {found['condition']}"
+    return _body(numbers["young"], numbers["poisson"], numbers.get("hardness"), title, found["name"])
 
 
 def adhesion(work: Q | None, reach: Q | None) -> dict[str, float] | None:

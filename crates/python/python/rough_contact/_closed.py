@@ -6,7 +6,7 @@ import copy
 import json
 from dataclasses import dataclass, field
 from html import escape
-from typing import Any, Union
+from typing import Any, Literal, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -255,7 +255,7 @@ def model(
     bodies: Bodies | None = None,
     pressure: Q | None = None,
     separation: Q | None = None,
-    hardness: Q | None = None,
+    hardness: Q | Literal["elastic"] | None = None,
     gamma: float | None = None,
     level: Level = "auto",
     against: Surface | None = None,
@@ -274,8 +274,8 @@ def model(
         Contact modulus E*; or `bodies`.
     pressure, separation : quantity or list
         Nominal pressures, or distances of the undeformed planes; exactly one.
-    hardness : quantity, optional
-        Of the softer body, for models of bodies that yield; by default that of `bodies`.
+    hardness : quantity or 'elastic', optional
+        Of the softer body, for models of bodies that yield; by default what `bodies` know of it.
     gamma : float, optional
         Weight of partial contact in Persson's mean gap: 0.45 (Yang & Persson 2008, the default) or 1 (Persson 2007).
     level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
@@ -313,9 +313,8 @@ def model(
         raise TypeError(f"source takes a surface or roughness typed in, not {type(source).__name__}")
     request = {
         "name": name,
-        **_bodies.given(modulus, bodies),
-        "hardness": None if hardness is None else _units.scalar(hardness, "pressure", "hardness"),
-        "body_hardness": _bodies.softest(bodies),
+        **_bodies.given(modulus, bodies, hardness),
+        "hardness_is_given": hardness is not None,
         "gamma": None if gamma is None else _units.number(gamma, "gamma"),
         "pressures": None if pressure is None else _units.several(pressure, "pressure", "pressure"),
         "separations": None if separation is None else _units.several(separation, "length", "separation"),

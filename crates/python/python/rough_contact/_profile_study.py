@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Union
+from typing import Any, Literal, Union
 
 from . import _bodies, _units
 from . import _named as _names
@@ -68,6 +68,7 @@ def compare_profiles(
     pressure: Q | None = None,
     headline: Q | None = None,
     models: Sequence[str] | None = None,
+    hardness: Q | Literal["elastic"] | None = None,
     level: Level = "auto",
     fractal_range: Q | None = None,
 ) -> ProfileComparison:
@@ -85,6 +86,8 @@ def compare_profiles(
         The pressure of the headline, one of `pressure`.
     models : list, optional
         Names of built-in models; every one by default.
+    hardness : 'elastic', optional
+        Leaves out what `bodies` know of it: the models of profiles are of elastic bodies.
     level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
         Polynomial that levels each trace: a line (also 'auto'), none but the mean, a parabola.
     fractal_range : quantity, optional
@@ -108,10 +111,8 @@ def compare_profiles(
     """
     check("level", level, LEVELS)
     named = _names.named(profiles, Profile, "; see rc.read_profile")
-    made_of = _bodies.given(modulus, bodies)
     settings: dict[str, Any] = {
-        "modulus": made_of["modulus"] or _bodies.contact_modulus(*_bodies.listed(bodies or [])),
-        "bodies": made_of["bodies"],
+        **_bodies.given(modulus, bodies, hardness),
         "level": level,
         "edges": "periodic",
         "method": "auto",

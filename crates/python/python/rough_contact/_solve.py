@@ -41,7 +41,7 @@ def solve(
     fast: bool = False,
     certify: bool = False,
     stiffness: bool = False,
-    hardness: Q | None = None,
+    hardness: Q | Literal["elastic"] | None = None,
     resistivity: Q | None = None,
     conductivity: Q | None = None,
     work_of_adhesion: Q | None = None,
@@ -82,8 +82,8 @@ def solve(
         Every second point of the map at once, with its wider uncertainty.
     certify, stiffness, distributions : bool
         As the options of the command.
-    hardness : quantity, optional
-        Highest pressure that the softer body bears.
+    hardness : quantity or 'elastic', optional
+        Highest pressure that the softer body bears; by default what `bodies` know of it, ``'elastic'`` leaves that out.
     resistivity, conductivity : quantity, optional
         Of both bodies, or a pair: what the contact conducts.
     plane_strain : bool
@@ -138,6 +138,7 @@ def solve(
     check("maps", maps, (False, True, "pressure"))
     check("on_failure", on_failure, ("raise", "keep"))
     conduction = resistivity is not None or conductivity is not None
+    made_of = _bodies.given(modulus, bodies, hardness)
     _refuse(
         ("accuracy", accuracy is not None, "tolerance", tolerance is not None),
         ("accuracy", accuracy is not None, "precision", precision is not None),
@@ -156,7 +157,7 @@ def solve(
     )
     used = count(threads)
     request: dict[str, Any] = {
-        **_bodies.given(modulus, bodies),
+        **made_of,
         "loads": loads(pressure, gap, load),
         "area": None if area is None else _units.scalar(area, "area", "area"),
         "level": level,
@@ -169,7 +170,6 @@ def solve(
         "fast": bool(fast),
         "certify": bool(certify),
         "stiffness": bool(stiffness),
-        "hardness": _hardness(hardness),
         "resistivity": None if resistivity is None else _units.pair(resistivity, "resistivity", "resistivity"),
         "conductivity": None if conductivity is None else _units.pair(conductivity, "conductivity", "conductivity"),
         "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
@@ -263,12 +263,3 @@ def _accuracy(accuracy: float | str | None) -> str | None:
     if accuracy is None or isinstance(accuracy, str):
         return accuracy
     return f"{100 * _units.number(accuracy, 'accuracy'):.12g}%"
-
-
-def _hardness(hardness: Q | None) -> float | None:
-    if hardness is None:
-        return None
-    value = _units.scalar(hardness, "pressure", "hardness")
-    if not 0 < value < float("inf"):
-        raise SettingError(f"hardness = {value} Pa: a hardness is a pressure above 0 Pa", "hardness")
-    return value

@@ -37,8 +37,8 @@ class Solver:
         What lies beyond the edges: the map again, or nothing.
     method, precision, tolerance
         How to solve; ``'f64'`` and 1e-4 by default.
-    hardness : quantity, optional
-        Highest pressure (Pa) that the softer body bears.
+    hardness : quantity or 'elastic', optional
+        Highest pressure (Pa) that the softer body bears; by default what `bodies` know of it.
     maps : bool or 'pressure'
         Whether pressure (Pa) and gap (m) of every point are kept; both by default.
     threads : int, optional
@@ -71,7 +71,7 @@ class Solver:
         method: Method = "auto",
         precision: Literal["f64", "f32"] = "f64",
         tolerance: float = 1e-4,
-        hardness: Q | None = None,
+        hardness: Q | Literal["elastic"] | None = None,
         maps: bool | Literal["pressure"] = True,
         threads: int | None = None,
     ) -> None:
@@ -82,7 +82,7 @@ class Solver:
         check("maps", maps, (False, True, "pressure"))
         self._keep = _rust.Keep()
         self._settings: dict[str, Any] = {
-            **_bodies.given(modulus, bodies),
+            **_bodies.given(modulus, bodies, hardness),
             "area": None,
             "level": level,
             "boundary": boundary,
@@ -94,7 +94,6 @@ class Solver:
             "fast": False,
             "certify": False,
             "stiffness": False,
-            "hardness": None if hardness is None else _units.scalar(hardness, "pressure", "hardness"),
             "resistivity": None,
             "conductivity": None,
             "adhesion": None,

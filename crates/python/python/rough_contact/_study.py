@@ -270,7 +270,7 @@ def compare(
     models: Sequence[str | ContactModel] | None = None,
     level: Level = "auto",
     edges: Literal["periodic", "mirrored"] = "periodic",
-    hardness: Q | None = None,
+    hardness: Q | Literal["elastic"] | None = None,
     gamma: float | None = None,
     resistivity: Q | None = None,
     conductivity: Q | None = None,
@@ -325,12 +325,11 @@ def compare(
     check("precision", precision, ("f64", "f32"))
     check("on_failure", on_failure, ("raise", "keep"))
     named = _names.named(surfaces, Surface)
-    made_of = _bodies.given(modulus, bodies)
-    e_star = made_of["modulus"] or _bodies.contact_modulus(*_bodies.listed(bodies or []))
+    made_of = _bodies.given(modulus, bodies, hardness)
+    e_star = made_of["modulus"]
     pressures = None if pressure is None else sorted(set(_units.several(pressure, "pressure", "pressure")))
     settings: dict[str, Any] = {
-        "modulus": e_star,
-        "bodies": made_of["bodies"],
+        **made_of,
         "level": level,
         "edges": edges,
         "method": "auto",
@@ -342,8 +341,6 @@ def compare(
         settings["pressures"] = pressures
     if headline is not None:
         settings["headline"] = _units.scalar(headline, "pressure", "headline")
-    if hardness is not None:
-        settings["hardness"] = _units.scalar(hardness, "pressure", "hardness")
     if gamma is not None:
         settings["gamma"] = _units.number(gamma, "gamma")
     if resistivity is not None:

@@ -51,7 +51,8 @@ pub fn headline_line(surface: &SurfaceComparison) -> Option<String> {
         covers => format!(" ({covers})"),
     };
     let p = chosen(surface.headline_pressure(), PASCALS);
-    let share = yielding::share(surface).replace("<b>", "").replace("</b>", "");
+    let share = yielding::share(surface) + &yielding::or_yielded(surface);
+    let share = share.replace("<b>", "").replace("</b>", "");
     let line = format!("at {p} {} of the area touches{share}{label}", area(answer));
     Some(line.replace(SPACE, " "))
 }
@@ -89,11 +90,12 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
     };
     let whole = if surface.origin.pair().is_some() { "the area in common" } else { "the surface" };
     format!(
-        "{opening}{}t {p}, {about}<b>{}</b> of {whole} touches{}; the mean real pressure is \
+        "{opening}{}t {p}, {about}<b>{}</b> of {whole} touches{}{}; the mean real pressure is \
          {about}<b>{}</b>{unresolved}.{label}",
         if opening.is_empty() { 'A' } else { 'a' },
         area(answer),
         yielding::share(surface),
+        yielding::or_yielded(surface),
         real_pressure(answer)
     )
 }

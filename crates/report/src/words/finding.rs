@@ -162,10 +162,23 @@ fn beyond_yield(found: &Yield) -> Worded {
         .at
         .highest
         .map_or_else(String::new, |p| format!(", {} at the highest point", show(p)));
-    let claim = if found.at.mean > high {
+    let is_known = low >= high;
+    let claim = if is_known {
+        "These bodies yield under these pressures."
+    } else if found.at.mean > high {
         "No usual solid bears these pressures."
     } else {
         "These pressures make many solids yield."
+    };
+    let bear = if is_known {
+        format!("their hardness is {}", show(low))
+    } else {
+        format!(
+            "solids with a contact modulus of {} have a hardness of about {} to {}",
+            show(found.modulus),
+            show(low),
+            show(high)
+        )
     };
     let ends = found.full.map_or_else(String::new, |full| {
         if found.at.mean > full && found.at.nominal > 0.5 * found.at.mean {
@@ -179,22 +192,22 @@ fn beyond_yield(found: &Yield) -> Worded {
         }
         format!(
             " The elastic area holds while E* g / H is below about 1, so for a hardness H of at \
-             least {}; here E* g / H is {} to {}.",
+             least {}; here E* g / H is {}.",
             show(full),
-            significant(full / high, 2),
-            significant(full / low, 2)
+            if is_known {
+                significant(full / low, 2)
+            } else {
+                format!("{} to {}", significant(full / high, 2), significant(full / low, 2))
+            }
         )
     });
     worded(
         claim,
         format!(
-            "At {} the mean real pressure is {}{highest}; solids with a contact modulus of {} have a \
-             hardness of about {} to {}.{ends} Where the contact yields, the area is larger.",
+            "At {} the mean real pressure is {}{highest}; {bear}.{ends} Where the contact yields, the area is \
+             larger.",
             show(found.at.nominal),
-            show(found.at.mean),
-            show(found.modulus),
-            show(low),
-            show(high)
+            show(found.at.mean)
         ),
     )
 }
@@ -210,7 +223,7 @@ fn unmet(outcome: &Reached) -> Worded {
 fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Worded {
     let done = match edges {
         EdgesName::Periodic => {
-            "The map was repeated as it is, jump included; --edges mirrored takes the jump out."
+            "The map was repeated as it is, jump included; with mirrored edges there is no jump."
         }
         EdgesName::Mirrored => {
             "The map was continued by its mirror images, which leave a kink and no jump."
@@ -289,7 +302,7 @@ pub fn warning(warning: &Warning) -> Worded {
             format!("Rows of the map jump: by {} rms.", quantity(jump, METRES, 2)),
             format!(
                 "That makes {} of the mean square difference between rows: slopes across them are \
-                 those of the scan, not of the surface. Put the rows in line: --align-rows.",
+                 those of the scan, not of the surface. Align the rows.",
                 percent(share)
             ),
         ),

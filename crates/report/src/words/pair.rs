@@ -98,7 +98,7 @@ pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> 
         claim,
         format!(
             "Moments of the sum differ from the sums of those of the two by {}; {}. The two are not \
-             independent where they lie: another place, by --shift or --flip, gives another area.",
+             independent where they lie: another place (shifted, or flipped otherwise) gives another area.",
             excess(found),
             chance(found)
         ),

@@ -26,7 +26,9 @@ pub(super) fn spikes(
                 if taken == 1 { "was" } else { "were" }
             ),
             if is_many {
-                format!("{carried}{many}, and --outliers takes peaks from it. Look at the map.")
+                format!(
+                    "{carried}{many}, and taking them out takes peaks from it. Look at the map."
+                )
             } else {
                 format!(
                     "{carried}Another round would find others again: rims of wide spikes, peaks and edges of the surface \
@@ -39,9 +41,7 @@ pub(super) fn spikes(
                 "{} of the points stand far from their neighbours, up to {up_to}.",
                 percent(part)
             ),
-            format!(
-                "{carried}{many}. Look at the map before --outliers {SPIKE_THRESHOLD} takes them all out."
-            ),
+            format!("{carried}{many}. Look at the map before you take all out."),
         ],
         (false, false) => [
             format!(
@@ -49,8 +49,8 @@ pub(super) fn spikes(
                 if count == 1 { "is a spike" } else { "are spikes" }
             ),
             format!(
-                "{carried}If they are errors of the instrument, take them out: --outliers {SPIKE_THRESHOLD} \
-                 --fill harmonic."
+                "{carried}If they are errors of the instrument, take them out and fill: outliers {SPIKE_THRESHOLD}, \
+                 fill harmonic."
             ),
         ],
     }
@@ -67,13 +67,13 @@ mod tests {
             let [claim, text] = spikes([count, taken, 1000], 1e-6, None);
             (claim + " " + &text).replace(SPACE, " ")
         };
-        assert!(told(9, 0).contains("9 points are spikes") && told(9, 0).contains("--fill"));
+        assert!(told(9, 0).contains("9 points are spikes") && told(9, 0).contains("fill harmonic"));
         assert!(
             !told(500, 0).contains("are spikes") && told(500, 0).contains("50 % of the points")
         );
         // What was done is not advised again.
         for left in [told(1, 8), told(9, 1), told(500, 40)] {
-            assert!(left.contains("still stand") && !left.contains("--fill"), "{left}");
+            assert!(left.contains("still stand") && !left.contains("fill harmonic"), "{left}");
         }
         assert!(
             told(9, 1).contains("Another round") && told(9, 40).contains("takes peaks from it")

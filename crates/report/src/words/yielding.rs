@@ -1,7 +1,7 @@
 //! Sentences on bodies that yield: claim and text.
 
 use crate::numbers::{PASCALS, SPACE, chosen, percent, quantity, signed_percent, significant};
-use compare::{BULK_YIELD, SurfaceComparison, Yielding, elastic_limit};
+use compare::{BULK_YIELD, SurfaceComparison, Yielding, elastic_limit, typical_hardness};
 
 /// What a pressure that is held to a hardness leaves out.
 pub(crate) const LEFT_OUT: &str =
@@ -66,8 +66,26 @@ pub(crate) fn bulk(highest: f64, hardness: f64) -> [String; 2] {
 pub fn elastic_line(surface: &SurfaceComparison) -> Option<String> {
     let limit = quantity(elastic_limit(surface)?, PASCALS, 2).replace(SPACE, " ");
     Some(format!(
-        "elastic area right to 2 % for a hardness of {limit} or more (E* g); softer bodies: --hardness"
+        "elastic area right to 2 % for a hardness of {limit} or more (E* g); softer bodies need their hardness"
     ))
+}
+
+/// " if it stays elastic, 2.2 % or more if it yields at 460 MPa, as soft solids of this modulus do": no hardness was given,
+/// and the elastic pressure is more than some of them bear. Empty where it is not.
+pub(crate) fn or_yielded(surface: &SurfaceComparison) -> String {
+    let Some(answer) = surface.headline_answer() else { return String::new() };
+    let modulus = surface.inputs.modulus.pascals();
+    let soft = typical_hardness(modulus).filter(|_| surface.inputs.hardness.is_none());
+    // Where all of a contact has yielded, its area is the load over the hardness, and no less where a part has.
+    let yielded = soft.map(|[soft, _]| (soft, (surface.headline_pressure() / soft).min(1.0)));
+    match yielded.filter(|(_, area)| *area > answer.area_fraction_corrected) {
+        Some((soft, area)) => format!(
+            " if it stays elastic, <b>{}</b> or more if it yields at {}, as soft solids of this modulus do",
+            percent(area),
+            quantity(soft, PASCALS, 2)
+        ),
+        None => String::new(),
+    }
 }
 
 /// ", 43 % of that at the hardness"; empty where nothing is.
