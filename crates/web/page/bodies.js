@@ -29,9 +29,10 @@ function buildBodies(list) {
 }
 
 const unit = (text, name) => text.trim() ? text.trim() + ' ' + name : '';
-// "stainless steel on copper"; own values as numbers.
+// "steel-304 on copper"; own values as numbers.
 function pair() {
-  const body = b => materials[$('m' + b).value]?.title.toLowerCase() ?? ($('e' + b).value.trim() === '∞' ? 'rigid' : `E = ${$('e' + b).value}\u202fGPa`);
+  const named = m => m && (m.name || m.title.toLowerCase());
+  const body = b => named(materials[$('m' + b).value]) ?? ($('e' + b).value.trim() === '∞' ? 'rigid' : `E = ${$('e' + b).value}\u202fGPa`);
   return `${body(1)} on ${body(2)}`;
 }
 
