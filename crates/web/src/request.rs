@@ -271,12 +271,11 @@ impl Request {
         let hardness = self.hardness.trim();
         let elastic = hardness.eq_ignore_ascii_case("elastic");
         let deforms = |body: &&BodyFields| !body.young.trim_start().starts_with('∞');
-        let bodies = match self.bodies.is_empty() {
-            true => vec![own(STEEL.young, STEEL.poisson); 2],
-            false => {
-                let deforming = self.bodies.iter().filter(deforms);
-                deforming.map(BodyFields::given).collect::<Result<_, _>>()?
-            }
+        let bodies = if self.bodies.is_empty() {
+            vec![own(STEEL.young, STEEL.poisson); 2]
+        } else {
+            let deforming = self.bodies.iter().filter(deforms);
+            deforming.map(BodyFields::given).collect::<Result<_, _>>()?
         };
         let given = BothGiven {
             bodies,
