@@ -172,12 +172,16 @@ impl Model {
                 );
             }
         }
-        let made_of = (modulus.pascals(), self.bodies.listed());
         reply.text += &text::level(level, level);
         reply.text += text::MOMENTS;
         reply.json = found.json;
-        reply.json["bodies"] = report::bodies_json(None, &made_of.1);
-        reply.text += &against::lines(None, Some(made_of));
+        reply.json["bodies"] = report::bodies_json(None, &made_of.bodies);
+        let Bodies { modulus, bodies, materials, .. } = made_of;
+        reply.text += &against::lines(None, Some((modulus.pascals(), bodies.clone())));
+        reply.text += &text::materials(materials);
+        if !materials.is_empty() {
+            reply.json["materials"] = report::materials_json(materials);
+        }
         Ok(reply)
     }
 

@@ -149,9 +149,9 @@ impl PerFile for Solve {
     }
 
     fn about(&self) -> String {
-        self.bodies.required().map_or_else(
+        self.bodies.required(self.hardness).map_or_else(
             |_| String::new(),
-            |modulus| against::lines(None, Some((modulus.pascals(), self.bodies.listed()))),
+            |made_of| against::lines(None, Some((made_of.modulus.pascals(), made_of.bodies))),
         )
     }
 
