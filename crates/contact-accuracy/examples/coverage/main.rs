@@ -74,9 +74,9 @@ fn main() {
         println!("{}", rows::row(shown, &of_case(case)));
     }
     println!("\n{}", rows::ladder(&of_case(Case::Fast), &of_case(Case::Pressure)));
-    println!("\nFamilies:\n\n{}", rows::HEADER);
+    println!("\nFamilies in which an answer was missed:\n\n{}", rows::HEADER);
     for (i, case, sum) in &found {
-        if *case == Case::Pressure {
+        if *case == Case::Pressure && sum.held.iter().any(|held| held.share() < 1.0) {
             println!("{}", rows::row(FAMILIES[*i].0, sum));
         }
     }
