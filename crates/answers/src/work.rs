@@ -60,11 +60,11 @@ impl Work {
 
     /// How many loads have a contact that is smaller than a point.
     pub(crate) fn small(&self) -> usize {
-        let areas =
-            self.points.iter().flatten().filter_map(|point| {
-                Some(point.solution.as_ref()?.diagnostics.area_fraction_corrected)
-            });
-        areas.filter(|area| is_below_a_point(*area, self.grid)).count()
+        let solved = self.points.iter().flatten().filter_map(|point| point.solution.as_ref());
+        let is_small = |s: &&Solution| {
+            is_below_a_point(s.state.area_fraction, s.diagnostics.contact_perimeter)
+        };
+        solved.filter(is_small).count()
     }
 
     /// Mean pressure and area fraction of each load that converged.

@@ -7,7 +7,6 @@ use crate::scene::{Scene, is_steep};
 use crate::yielding::{BULK_YIELD, hardness_of};
 use crate::{Independence, Origin, PairFound, PairOrigin, Spikes};
 use contact_accuracy::{Budget, EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
-use contact_types::Grid;
 use surface_stats::clean::Record;
 use surface_stats::{SurfaceStatistics, Warning};
 
@@ -34,9 +33,8 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let share = surface.spikes.share(surface.surface.grid().len(), &surface.pressure);
     found.extend(spiky(&surface.spikes, share));
     found.extend(unsolved_loads(&ends));
-    let grid = surface.solved_map().grid();
     let answers = points.iter().filter_map(|p| p.answer.as_ref());
-    let small = answers.filter(|a| is_below_a_point(a.area_fraction_corrected, grid)).count();
+    let small = answers.filter(|a| is_below_a_point(a.area_fraction, a.contact_perimeter)).count();
     found.extend(below_a_point(small, points.len()));
     found.extend(surface.plan.as_ref().and_then(unmet));
     found.extend(uncertainty(surface, unsolved));
@@ -244,9 +242,10 @@ fn unsolved_loads(ends: &[Ended]) -> impl Iterator<Item = Finding> {
     short.into_iter().chain(rounded)
 }
 
-/// Whether something touches, and less than a point of the map has: no number of it is one of the surface.
-pub fn is_below_a_point(area_fraction: f64, grid: Grid) -> bool {
-    area_fraction > 0.0 && area_fraction * (grid.len() as f64) < 1.0
+/// Whether every touching point stands alone, with four edges of the contact line: the contacts are smaller than a point
+/// of the map, and no number of them is one of the surface.
+pub fn is_below_a_point(touching: f64, perimeter: f64) -> bool {
+    touching > 0.0 && perimeter > 3.999 * touching
 }
 
 fn below_a_point(loads: usize, of: usize) -> Option<Finding> {

@@ -159,8 +159,8 @@ fn a_study_of_chosen_models() {
     for (list, part) in [("[\"green\"]", "no model 'green'"), ("[]", "empty")] {
         let changed = run.replace("[\"persson\", \"gw\"]", list);
         assert_ne!(changed, run);
-        std::fs::write(at.join("changed.toml"), changed).unwrap();
-        refused(at, "compare --from changed.toml --out r", 2, &[part, "persson"]);
+        std::fs::write(at.join("two/changed.toml"), changed).unwrap();
+        refused(at, "compare --from two/changed.toml --out r", 2, &[part, "persson"]);
     }
 }
 

@@ -50,19 +50,10 @@ fn what_has_yielded_carries_the_hardness_and_has_no_sample() {
         assert!((saturated + rest - area).abs() < 1e-12, "{point}");
         assert!(area >= load / hard && number(&point["max_pressure"]) <= hard);
         assert!(area >= number(&elastic["area_fraction"]), "{point}");
-        // How it scatters from map to map was not studied. A few waves have no bar of their own, but the area
-        // is at least load over hardness: where that says enough, it is the bar.
-        assert!(point["area_prediction_interval"].is_null() && point["finer"].is_null(), "{point}");
-        let above = area - load / hard;
-        if above <= 0.5 * number(&point["area_fraction_corrected"]) {
-            let low = number(&point["area_interval"][0]);
-            assert!(low >= load / hard * (1.0 - 1e-5), "{point}");
-            assert!((number(&point["budget"]["area"]["grid"]) - above).abs() < 1e-9, "{point}");
-        } else {
-            assert!(point["area_interval"].is_null(), "{point}");
-            assert!(point["area_interval_reason"].is_string(), "{point}");
-        }
-        assert!(point["mean_gap_interval"].is_null(), "{point}");
+        // How it scatters from map to map was not studied. The area is at least load over hardness.
+        assert!(point["area_prediction_interval"].is_null(), "{point}");
+        let low = number(&point["area_interval"][0]);
+        assert!(low >= load / hard * (1.0 - 1e-5), "{point}");
         assert!(elastic.get("saturated_fraction").is_none());
     }
     let ratio = number(&answer["hardness"]["modulus_gradient_over_hardness"]);

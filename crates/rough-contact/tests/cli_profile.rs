@@ -134,7 +134,7 @@ fn a_trace_to_a_report_and_again() {
         rough_contact(at, "compare --from out/run.toml --out again --quiet --json").answered();
     assert_eq!(again["profiles"][0]["statistics"], profile["statistics"]);
     // A map and a profile are two reports.
-    cli::matrix(at, "map.txt", 4, 4, |iy, ix| ((3 * iy + ix) % 5) as f64);
+    cli::matrix(at, "map.txt", 16, 16, |iy, ix| ((3 * iy + ix) % 5) as f64);
     refused(
         at,
         "compare trace.txt map.txt --pixel 1um --height-unit um --modulus 1GPa --out mixed",

@@ -204,7 +204,7 @@ fn a_load_that_stopped_at_rounding_is_called_that_everywhere() {
     assert_eq!(run.status, 1);
     assert_eq!(point["stopped_at_rounding"], true);
     assert_eq!(point["error"]["kind"], "rounding");
-    assert_eq!(claim(&json["findings"], 0), "1 of 1 loads stopped at rounding.");
+    assert_eq!(claim(&json["findings"], 0), "1 of 1 load stopped at rounding.");
     assert!(point["area_interval_reason"].as_str().unwrap().contains("rounding"), "{point}");
     let said = rough_contact(folder.path(), line);
     for text in [&run.out, &run.err, &said.out, &said.err] {

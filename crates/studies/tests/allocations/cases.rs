@@ -211,8 +211,8 @@ fn solves(map: &HeightMap) -> Vec<Case> {
     ]
 }
 
-/// The study of a built-in surface on few points at three loads, with its solver, which works on the same
-/// thread.
+/// The study of a built-in surface on few points at three loads, with the solvers of all rungs, which work on the same
+/// thread: the lightest load is solved on twice the points, which are four times the map.
 fn studies() -> Vec<Case> {
     let mut recipe = built_in_recipes().expect("built in").remove(1);
     recipe.shape = [128, 128];
@@ -225,6 +225,6 @@ fn studies() -> Vec<Case> {
         });
         black_box(study.expect("a study"));
     };
-    let call = "study of 128 × 128 points at three loads, with its solver";
+    let call = "study of 128 × 128 points at three loads, with its solvers";
     vec![Case::on("compare", call, &map, || run(surface.clone()))]
 }

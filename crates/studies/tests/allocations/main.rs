@@ -21,7 +21,7 @@ const LIMITS: &[(&str, f64)] = &[
     ("build and solve one load, with maps", 13.0),
     ("one more load", 0.1),
     ("one more load, with maps", 2.1),
-    ("study of 128 × 128 points at three loads, with its solver", 17.8),
+    ("study of 128 × 128 points at three loads, with its solvers", 63.6),
 ];
 
 #[test]

@@ -467,14 +467,16 @@ impl Sheet {
         if layout.is_some() || is_plane {
             return Ok(());
         }
-        if runs(first) && (columns > 7 || self.values[columns..].iter().any(|z| z.fract() != 0.0)) {
+        // Of few columns a row that rises is one of heights as well as not.
+        if columns <= 7 {
+            return Ok(());
+        }
+        if runs(first) {
             self.values.drain(..columns);
             header.metadata.insert("left out".into(), "running numbers of the columns".into());
             return Ok(());
         }
-        if columns > 7 && Line::new(first, self.first_row).is_ok_and(|line| line.uneven.is_none())
-            || runs(first)
-        {
+        if Line::new(first, self.first_row).is_ok_and(|line| line.uneven.is_none()) {
             let what = format!(
                 "the first row rises evenly from {} to {}: coordinates or running numbers, to be deleted, or heights",
                 first[0],
