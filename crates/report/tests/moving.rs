@@ -201,7 +201,9 @@ fn models_carry_their_names_through_the_page() {
                     for letter in ["a", "p", "e"] {
                         let cells =
                             &data["cells"][format!("{letter}-{}", model["name"].as_str().unwrap())];
-                        if (letter, &model["name"]) != ("e", &listed[0]["name"]) {
+                        // A solution is the reference and has no error.
+                        let is_solution = ["det", "elastic"].iter().any(|d| model["name"] == *d);
+                        if letter != "e" || !is_solution {
                             assert_eq!(
                                 cells.as_array().unwrap().len(),
                                 data["read"].as_array().unwrap().len()

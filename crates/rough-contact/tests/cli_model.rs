@@ -67,7 +67,7 @@ fn persson_with_its_mean_gap() {
     // γ stands beside the number.
     let dir = folder();
     let shown = rough_contact(dir.path(), &format!("model {line}"));
-    assert!(shown.out.contains("γ = 0.450 (Yang & Persson 2008)"), "{}", shown.out);
+    assert!(shown.out.contains("γ = 0.4500 (Yang & Persson 2008)"), "{}", shown.out);
     let shown = rough_contact(dir.path(), &format!("model {line} --gamma 1 --json")).answered();
     close(&shown["inputs"]["gamma"], 1.0, 1e-15);
     // With a plateau from wavenumber 1 to 4: longest, roll-off, cut-off wavelength.

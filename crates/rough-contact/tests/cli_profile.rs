@@ -202,12 +202,7 @@ fn what_cannot_be_taken_as_it_is_is_said() {
         "gap.txt",
         "X [um];Z [nm]\n0.0;1\n1.0;2\n2.0;1\n3.0;2\n90.5;1\n91.0;2\n92.0;1\n93.0;2\n94.0;0\n95.0;1\n96.0;2\n97.0;3\n98.0;1\n",
     );
-    refused(
-        at,
-        "stats gap.txt",
-        2,
-        &["87.5", "10", "--crop"].map(|s| if s == "87.5" { "0.087" } else { s }),
-    );
+    refused(at, "stats gap.txt", 2, &["0.087", "10", "cut the gap out"]);
     file(at, "short.txt", "X [um];Z [nm]\n0;1\n1;2\n2;1\n3;2\n");
     refused(at, "stats short.txt", 2, &["32", "4", "longer trace"]);
     traces(at, "trace.txt", 1001, 1e-6, &[&rough]);

@@ -74,7 +74,7 @@ fn what_the_file_does_not_say_is_asked_for() {
     refused(at, &format!("info bare.txt {SCALES} --channel phase"), 2, &["phase"]);
     refused(at, &format!("info bare.txt {SCALES} --crop 0,0,9,9"), 2, &["9", "4 x 5"]);
     refused(at, &format!("info bare.txt {SCALES} --crop 0,0"), 2, &["Y0,X0,NY,NX", "complete"]);
-    file(at, "hole.txt", "1 2 3 4\n5 nan 7 8\n9 1 2 3\n");
+    file(at, "hole.txt", "1 2 4 3\n5 nan 7 8\n9 1 2 3\n");
     refused(at, &format!("stats hole.txt {SCALES}"), 2, &["1 of 12", "--fill harmonic"]);
     assert_eq!(rough_contact(at, &format!("stats hole.txt {SCALES} --fill nearest")).status, 0);
 }

@@ -32,7 +32,7 @@ fn npy(path: &Path) -> (String, Vec<f64>) {
 fn info_says_what_the_file_holds() {
     let dir = folder();
     let at = dir.path();
-    file(at, "hole.txt", "1 2 3 4\n5 nan 7 8\n9 10 11 12.5\n");
+    file(at, "hole.txt", "1 2 4 3\n5 nan 7 8\n9 10 11 12.5\n");
     let info =
         rough_contact(at, "info hole.txt --pixel 2um,3um --height-unit nm --json").answered();
     has_keys(

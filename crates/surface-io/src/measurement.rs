@@ -86,9 +86,10 @@ impl<'a> Channel<'a> {
         let scale = unit.and_then(metres_per);
         let is_profile = shape[0] == 1 && shape[1] > 1;
         // The spacing of the lines of a single line is nothing, and often stored as 0.
+        let is_none = |dy: f64| is_profile && !(dy > 0.0 && dy.is_finite());
         let pixel = match pixel {
-            Pixel::Metres([_, dx]) if is_profile => Pixel::Metres([dx; 2]),
-            Pixel::Steps([_, dx]) if is_profile => Pixel::Steps([dx; 2]),
+            Pixel::Metres([dy, dx]) if is_none(dy) => Pixel::Metres([dx; 2]),
+            Pixel::Steps([dy, dx]) if is_none(dy) => Pixel::Steps([dx; 2]),
             other => other,
         };
         Self {

@@ -109,7 +109,7 @@ pub fn moments_by_cutoff(rings: &[Ring]) -> Vec<AtCutoff> {
             let q2 = ring.wavenumber * ring.wavenumber;
             moments.m0 += ring.variance;
             moments.m2 += 0.5 * ring.variance * q2;
-            moments.m4 += 0.375 * ring.variance * q2 * q2;
+            moments.m4 += ring.fourth;
             AtCutoff { cutoff: TAU / ring.wavenumber, moments }
         })
         .collect()
@@ -220,7 +220,7 @@ mod tests {
         let (all, _) = power.moments();
         assert_relative_eq!(last.moments.m0, all.m0, max_relative = 1e-12);
         assert_relative_eq!(last.moments.m2, all.m2, max_relative = 1e-12);
-        assert_relative_eq!(last.moments.m4, all.m4, max_relative = 1e-3); // width of the rings
+        assert_relative_eq!(last.moments.m4, all.m4, max_relative = 1e-12);
     }
 
     /// Steps add the moments of noise of rms Q/√12 once slopes climb a good part of a step per

@@ -467,16 +467,19 @@ impl Sheet {
         if layout.is_some() || is_plane {
             return Ok(());
         }
-        // Of few columns a row that rises is one of heights as well as not.
-        if columns <= 7 {
+        // Who states what a number means writes no row that counts.
+        if header.value_unit.is_some() || header.value_scale.is_some() {
             return Ok(());
         }
-        if runs(first) {
+        let rest = || self.values[columns..].iter().filter(|z| !z.is_nan());
+        if runs(first) && (columns > 7 || rest().any(|z| z.fract() != 0.0)) {
             self.values.drain(..columns);
             header.metadata.insert("left out".into(), "running numbers of the columns".into());
             return Ok(());
         }
-        if Line::new(first, self.first_row).is_ok_and(|line| line.uneven.is_none()) {
+        if columns > 7 && Line::new(first, self.first_row).is_ok_and(|line| line.uneven.is_none())
+            || runs(first)
+        {
             let what = format!(
                 "the first row rises evenly from {} to {}: coordinates or running numbers, to be deleted, or heights",
                 first[0],

@@ -154,6 +154,7 @@ impl TraceSpectrum {
             .map(|bin| Ring {
                 wavenumber: TAU * bin.frequency,
                 variance: bin.psd * self.step(),
+                fourth: bin.psd * self.step() * (TAU * bin.frequency).powi(4),
                 psd: bin.psd,
                 waves: 2 * self.traces,
                 width: 0.0,

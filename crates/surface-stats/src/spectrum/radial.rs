@@ -22,6 +22,8 @@ pub struct Ring {
     pub wavenumber: f64,
     /// Variance of all its waves (m²).
     pub variance: f64,
+    /// ½ Σ S (q_x⁴ + q_y⁴) of its waves, their part of m4 (m⁻²).
+    pub fourth: f64,
     /// Mean of the PSD C(q) over its waves (m⁴).
     pub psd: f64,
     /// How many waves of the full plane it holds; q and -q both count.
@@ -147,23 +149,24 @@ impl PowerSpectrum {
         let [dy, dx] = self.grid.pixel();
         let longest = (PI / dy).hypot(PI / dx) / (8 * (ny + nx)) as f64;
         let (cell, width) = (TAU / ly * (TAU / lx), (TAU / ly.max(lx)).max(longest));
-        let mut sums: Vec<[f64; 4]> = Vec::new(); // waves, S, S q², q²
+        let mut sums: Vec<[f64; 5]> = Vec::new(); // waves, S, S q², q², ½ S (q_x⁴ + q_y⁴)
         self.for_each(|[qy, qx], weight, variance| {
             let q2 = qy * qy + qx * qx;
             let ring = (q2.sqrt() / width).round() as usize;
             if ring >= sums.len() {
-                sums.resize(ring + 1, [0.0; 4]);
+                sums.resize(ring + 1, [0.0; 5]);
             }
             let sum = &mut sums[ring];
             let s = weight * variance;
-            for (total, part) in sum.iter_mut().zip([weight, s, s * q2, weight * q2]) {
+            let fourth = 0.5 * s * (qx.powi(4) + qy.powi(4));
+            for (total, part) in sum.iter_mut().zip([weight, s, s * q2, weight * q2, fourth]) {
                 *total += part;
             }
         });
         let mut last = 0.0f64;
         sums.iter()
             .filter(|[waves, ..]| *waves > 0.0)
-            .map(|&[waves, variance, weighted, plain]| {
+            .map(|&[waves, variance, weighted, plain, fourth]| {
                 let q2 = if variance > 0.0 { weighted / variance } else { plain / waves };
                 // Rounding must not put two rings that meet on one wavenumber.
                 let wavenumber = q2.sqrt().max(last.next_up());
@@ -171,6 +174,7 @@ impl PowerSpectrum {
                 Ring {
                     wavenumber,
                     variance,
+                    fourth,
                     psd: variance / waves / cell,
                     waves: waves as usize,
                     width,
