@@ -110,7 +110,7 @@ impl BothGiven {
         };
         let softest = self.softest(&listed).filter(|_| !self.elastic && self.hardness.is_none());
         let of_table = softest.filter(|(i, _)| self.bodies[*i].hardness.is_none());
-        let used = |(i, (body, listed)): (usize, (&Given, &Option<&Material>))| {
+        let used = |(i, (body, listed)): (usize, (&Given, Option<&Material>))| {
             let elastic = [(Property::Young, body.young), (Property::Poisson, body.poisson)];
             let of_modulus = self.modulus.is_none();
             let taken = elastic.into_iter().filter(|(_, own)| of_modulus && own.is_none());
@@ -121,15 +121,21 @@ impl BothGiven {
         Ok(Some(Bodies {
             modulus,
             hardness: self.hardness.filter(|_| !self.elastic).or(softest.map(|(_, h)| h)),
-            materials: self.bodies.iter().zip(&listed).enumerate().filter_map(used).collect(),
+            materials: self
+                .bodies
+                .iter()
+                .zip(listed.iter().copied())
+                .enumerate()
+                .filter_map(used)
+                .collect(),
             bodies,
         }))
     }
 
     /// Whichever yields first, of those whose hardness is known (Pa).
     fn softest(&self, listed: &[Option<&Material>]) -> Option<(usize, f64)> {
-        let of_table = |m: &Option<&Material>| m.and_then(|m| m.get(Property::Hardness)).map(value);
-        let each = self.bodies.iter().zip(listed).enumerate();
+        let of_table = |m: Option<&Material>| m.and_then(|m| m.get(Property::Hardness)).map(value);
+        let each = self.bodies.iter().zip(listed.iter().copied()).enumerate();
         let known = each.filter_map(|(i, (b, m))| Some((i, b.hardness.or_else(|| of_table(m))?)));
         known.min_by(|a, b| a.1.total_cmp(&b.1))
     }

@@ -220,19 +220,17 @@ mod tests {
     fn every_set_is_enough_and_nothing_in_it_too_much() {
         let value = |input: Input, model: &str| match input {
             Input::M0 | Input::CriticalArea => 1e-14,
-            Input::M2 => 1e-3,
+            Input::M2 | Input::Longest | Input::SphereRadius => 1e-3,
             Input::M4 | Input::AsperityDensity => 1e10,
             Input::AsperityRadius | Input::Rolloff | Input::RecordLength => 1e-4,
             Input::AsperityHeightStd => 1e-7,
             Input::Hurst | Input::Gamma => 0.8,
-            Input::Cutoff => 1e-6,
-            Input::Longest | Input::SphereRadius => 1e-3,
+            Input::Cutoff | Input::Area => 1e-6,
             Input::SphereDensity => 1e6,
             Input::MaxAmplitudeRatio => 1e-2,
             Input::Dimension if model == "yan-komvopoulos" => 2.3,
             Input::Dimension => 1.3,
             Input::Roughness => 1e-10,
-            Input::Area => 1e-6,
             Input::Hardness => 2e9,
             _ => 0.0,
         };

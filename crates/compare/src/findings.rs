@@ -43,9 +43,9 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
         answers.map(|a| (a.budget.indicator, a.finer.as_ref().map(|n| n.area))),
     ));
     let warnings = surface.statistics.warnings.iter();
-    found.extend(warnings.filter_map(|w| match w {
-        Warning::EdgeJump { ratio } => Some(edge_jump(*ratio, surface)),
-        other => Some(warned(other)),
+    found.extend(warnings.map(|w| match w {
+        Warning::EdgeJump { ratio } => edge_jump(*ratio, surface),
+        other => warned(other),
     }));
     if let Origin::File(file) = &surface.origin {
         let all = surface.surface.grid().len();

@@ -237,10 +237,13 @@ impl InputSet {
         let list = |all: &[Input]| all.iter().map(|i| name(*i)).collect::<Vec<_>>();
         let mut words = list(&self.required).join(between);
         let optional = list(&self.optional);
+        let mut bracket = |inside: &str| words.extend([" [", inside, "]"]);
         if between == " " {
-            words.extend(optional.iter().map(|o| format!(" [{o}]")));
+            for one in &optional {
+                bracket(one);
+            }
         } else if !optional.is_empty() {
-            words += &format!(" [{}]", optional.join(between));
+            bracket(&optional.join(between));
         }
         words
     }

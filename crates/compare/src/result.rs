@@ -178,21 +178,21 @@ impl DeterministicAnswer {
     /// From what the ladder answered.
     pub fn of(answered: &Answered) -> Self {
         let Answered { solution, budget, coarser, finer, .. } = answered;
-        let solved = Self::of_solution(solution, *budget, true);
+        let solved = Self::of_solution(solution, budget, true);
         Self { coarser: coarser.clone(), finer: *finer, ..solved }
     }
 
     /// From an iterate that missed the tolerance, on a map of which `map` tells.
     pub fn of_iterate(solution: &Solution, map: &Map) -> Self {
-        Self::of_solution(solution, Budget::of_iterate(solution, map), false)
+        Self::of_solution(solution, &Budget::of_iterate(solution, map), false)
     }
 
-    fn of_solution(solution: &Solution, budget: Budget, converged: bool) -> Self {
+    fn of_solution(solution: &Solution, budget: &Budget, converged: bool) -> Self {
         let d = &solution.diagnostics;
         Self {
             area_fraction: solution.state.area_fraction,
             area_fraction_corrected: d.area_fraction_corrected,
-            budget,
+            budget: *budget,
             coarser: Vec::new(),
             finer: None,
             energy_bound: d.energy_bound,

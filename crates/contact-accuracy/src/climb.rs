@@ -198,7 +198,8 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
         builder = builder.tolerance(request.tolerance()).precision(request.precision());
     }
     let (precision, tolerance) = (builder.has_precision(), builder.has_tolerance());
-    let finer = if factor < 1.0 || factor > 1.0 { Finer::Never } else { task.setup.finer };
+    let is_given = grid == task.map.grid();
+    let finer = if is_given { task.setup.finer } else { Finer::Never };
     let setup = Setup { builder, finer, ..task.setup.clone() };
     let mut ladder = Ladder::new(map, setup)?;
     ladder.follow_curve(task.loads.len());

@@ -238,6 +238,9 @@ pub enum LadderError {
 /// itself otherwise. Fields are those of the map. Area, contact line, gap, load and residuals are per pixel, means
 /// over the map and its images; the edges of the map are no contact lines, for each pixel there faces its own
 /// image.
+///
+/// # Errors
+/// The one given, its iterate cut likewise.
 pub fn on_given(
     result: Result<Solution, SolverError>,
     given: Grid,

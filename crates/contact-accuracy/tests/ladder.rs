@@ -73,6 +73,9 @@ fn uncertainties_hold_the_surface_of_the_formula() {
     assert!(missed.len() * 50 <= all, "{} of {all}: {missed:?}", missed.len());
 }
 
+/// A surface on so many points a side.
+type Make<'a> = &'a dyn Fn(usize) -> HeightMap;
+
 /// Bodies that yield, an isolated ball, pixels three times as long as wide: no number is without an uncertainty, and it
 /// holds four times the points.
 #[test]
@@ -90,7 +93,7 @@ fn no_map_is_without_an_uncertainty() {
     };
     let square = |n: usize| map(n, &heights);
     let free = Setup { boundary: Boundary::Free, ..setup(Solver::builder()) };
-    let cases: [(&dyn Fn(usize) -> HeightMap, Setup, f64); 3] = [
+    let cases: [(Make<'_>, Setup, f64); 3] = [
         (&square, hard(30.0 * rms), 3.0 * rms),
         (&oblong, setup(Solver::builder()), rms),
         (&ball, free, 0.01),

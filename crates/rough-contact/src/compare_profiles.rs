@@ -2,33 +2,17 @@
 
 use crate::against;
 use crate::args::Common;
-use crate::input::Reading;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::profile_stats::plain;
-use crate::profiles::{Traces, uneven_line};
+use crate::profiles::uneven_line;
 use crate::text::{self, Columns};
-use compare::{
-    EdgesName, ProfileComparison, ProfileSurface, Registry, RunFile, Settings, sha256_hex,
-};
+use compare::{EdgesName, ProfileComparison, ProfileSurface, Registry, RunFile, Settings};
 use contact_types::ContactState;
 use report::Provenance;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
-
-/// The traces of a file as a surface of the study.
-pub(crate) fn from_traces(
-    reading: &Reading,
-    path: &Path,
-    traces: Traces,
-) -> Result<ProfileSurface, Failure> {
-    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
-    let origin = reading.origin(path, &traces, sha256_hex(&bytes));
-    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-    let Traces { each, uneven, .. } = traces;
-    Ok(ProfileSurface { name, origin, traces: each, uneven })
-}
 
 /// Options that say how to solve for a map.
 pub(crate) fn refuse_solver(settings: &Settings) -> Result<(), Failure> {

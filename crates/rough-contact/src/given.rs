@@ -1,8 +1,8 @@
 //! What a study is given: files, read and named, or the surfaces of a run file.
 
-use crate::compare_profiles;
 use crate::input::{Complete, Fill, Measured, Reading};
 use crate::outcome::Failure;
+use crate::profiles::Traces;
 use answers::told_apart;
 use compare::{
     Cleaning, FileOrigin, Level, Origin, PairOrigin, Placing, ProfileSurface, RunFile, RunSurface,
@@ -67,7 +67,7 @@ pub(crate) fn from_file(
         match reading.measured(path, cleaning)? {
             Measured::Surface(complete) => complete,
             Measured::Profile(traces) => {
-                let profile = compare_profiles::from_traces(reading, path, traces)?;
+                let profile = from_traces(reading, path, traces)?;
                 return Ok(One::Profile(Box::new(profile)));
             }
         };
@@ -236,6 +236,15 @@ fn distinct(surfaces: Vec<(&mut String, &Origin)>) {
             *name = format!("{name} ({})", before + 1);
         }
     }
+}
+
+/// The traces of a file as a surface of the study.
+fn from_traces(reading: &Reading, path: &Path, traces: Traces) -> Result<ProfileSurface, Failure> {
+    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
+    let origin = reading.origin(path, &traces, sha256_hex(&bytes));
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let Traces { each, uneven, .. } = traces;
+    Ok(ProfileSurface { name, origin, traces: each, uneven })
 }
 
 #[cfg(test)]

@@ -249,7 +249,7 @@ impl ReadError {
     /// What a caller can add so that the file is read: nothing where the file is at fault.
     pub fn needs(&self) -> Vec<Need> {
         match self {
-            Self::MissingScale { needs, .. } => needs.clone(),
+            Self::MissingScale { needs, .. } | Self::TwoReadings { needs, .. } => needs.clone(),
             Self::PixelContradicts { .. } => vec![Need::PixelSize],
             Self::NoSuchChannel { .. } => vec![Need::Channel],
             Self::NotHeight { is_only, .. } => {
@@ -257,7 +257,6 @@ impl ReadError {
                 other.into_iter().chain([Need::OtherHeightUnit]).collect()
             }
             Self::NotANumber { .. } => vec![Need::MissingMark],
-            Self::TwoReadings { needs, .. } => needs.clone(),
             Self::Limit { .. } => vec![Need::Limits],
             Self::Ambiguous { ambiguity, .. } => ambiguity.needs(),
             Self::BadOption { given, .. } => vec![*given],

@@ -97,7 +97,7 @@ pub(crate) fn finish(
     let mut heights = (channel.decode)()?;
     for mark in options.missing.iter().filter_map(|mark| mark_value(mark)) {
         // A mark of a file in single precision is that number only nearly.
-        let is_mark = |z: f64| z == mark || z == f64::from(mark as f32);
+        let is_mark = |z: f64| z - mark == 0.0 || z - f64::from(mark as f32) == 0.0;
         heights.iter_mut().filter(|z| is_mark(**z)).for_each(|z| *z = f64::NAN);
     }
     if heights.len() != grid.len() {

@@ -18,6 +18,7 @@ mod binary;
 mod catalogue;
 mod cells;
 mod cut;
+mod encoding;
 mod error;
 mod fill;
 mod finish;

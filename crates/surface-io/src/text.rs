@@ -3,62 +3,9 @@
 
 use crate::binary::Bytes;
 use crate::cells::{Cell, Digits, Doubt, Marks, Separator, Written, cell};
+pub(crate) use crate::encoding::{decode, is_text, lines};
 use crate::units::metres_per;
 use crate::{Format, Need, ReadError};
-use std::borrow::Cow;
-
-/// The text of a file: UTF-8, UTF-16 with a byte order mark, or else Latin-1.
-pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
-    let wide = |order: fn([u8; 2]) -> u16| {
-        let units = bytes[2..].chunks_exact(2).map(|pair| order([pair[0], pair[1]]));
-        char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
-    };
-    match bytes {
-        [0xff, 0xfe, ..] => Cow::Owned(wide(u16::from_le_bytes)),
-        [0xfe, 0xff, ..] => Cow::Owned(wide(u16::from_be_bytes)),
-        _ => {
-            let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-            match std::str::from_utf8(bytes) {
-                Ok(text) => Cow::Borrowed(text),
-                Err(_) => Cow::Owned(bytes.iter().map(|&b| char::from(b)).collect()),
-            }
-        }
-    }
-}
-
-/// True if `bytes` can be the start of a text file: no control characters in the first 4 KiB.
-pub(crate) fn is_text(bytes: &[u8]) -> bool {
-    let start = &bytes[..bytes.len().min(4096)];
-    if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
-        return true;
-    }
-    start.iter().all(|&b| b >= 0x20 || matches!(b, b'\t' | b'\n' | b'\r' | 0x0c | 0x1a))
-}
-
-/// Lines with their numbers from 1. `\n`, `\r\n` and a lone `\r` end a line, also mixed.
-pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let mut rest = Some(text);
-    let mut number = 0;
-    std::iter::from_fn(move || {
-        let text = rest?;
-        number += 1;
-        match text.bytes().position(|b| b == b'\n' || b == b'\r') {
-            None => {
-                rest = None;
-                Some((number, text))
-            }
-            Some(end) => {
-                let after = &text[end..];
-                let skip = if after.starts_with("\r\n") { 2 } else { 1 };
-                rest = Some(&after[skip..]);
-                Some((number, &text[..end]))
-            }
-        }
-    })
-}
-
-/// Most single numbers before a table that are taken for counts of its rows and columns.
-const MOST_COUNTS: usize = 16;
 
 /// The numbers of a text file and the lines before them.
 #[derive(Debug)]
@@ -347,6 +294,9 @@ pub(crate) fn is_monotone(numbers: &[f64]) -> bool {
     numbers.len() > 1 && (all(|a, b| a < b) || all(|a, b| a > b))
 }
 
+/// Most single numbers before a table that are taken for counts of its rows and columns.
+const MOST_COUNTS: usize = 16;
+
 /// The tables of a text while they are found.
 struct Scan<'a> {
     tables: Vec<Table<'a>>,
@@ -511,112 +461,4 @@ impl<'a> Table<'a> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn table(text: &str) -> Table<'_> {
-        Table::parse(text).unwrap()
-    }
-
-    #[test]
-    fn separators_and_decimal_marks() {
-        for text in [
-            "1.5 2\n3 4.25\n",
-            "1.5\t2\r\n3\t4.25",
-            "1.5,2\n3,4.25",
-            "1,5;2\n3;4,25",
-            "1,5 2\n3 4,25",
-            "  1.5,   2\n  3,   4.25\n",
-            "1.5;2;\n3;4.25;\n",
-            "1.5 2\r3 4.25\r\n\r\n",
-        ] {
-            let t = table(text);
-            assert_eq!((t.columns, &t.values[..]), (2, &[1.5, 2.0, 3.0, 4.25][..]), "{text:?}");
-        }
-    }
-
-    #[test]
-    fn missing_cells_keep_their_place() {
-        let t = table(";;;\n1;;NaN;\n2;3;4;\n");
-        assert_eq!((t.rows(), t.columns), (3, 3)); // the last separator is no column
-        assert_eq!(t.values.iter().filter(|v| v.is_nan()).count(), 5);
-        assert_eq!(table("1\t\t3\n4\t5\t6\n").values.len(), 6);
-    }
-
-    #[test]
-    fn a_border_of_missing_points_is_kept() {
-        assert_eq!(table("1;;\n2;;\n").columns, 3);
-        assert_eq!(table("1;2;;\n2;3;;\n").columns, 2);
-    }
-
-    #[test]
-    fn header_ends_where_two_rows_agree() {
-        let t = table("Title 5\n23\num um\n1 2\n3 4\n");
-        assert_eq!(t.header.len(), 3);
-        assert_eq!(t.rows(), 2);
-    }
-
-    /// Found with a real file: rows before a bad one vanished without a word.
-    #[test]
-    fn a_bad_row_at_the_start_is_no_header() {
-        for (text, line) in [
-            ("1 2 x3 4\n5 6 7 8\n9 1 2 3\n", "line 1"),
-            ("1 2 3 4\n5 6 7,,1 8\n9 1 2 3\n4 5 6 7\n", "line 2"),
-            ("# map\n1 2 3 4\n@ @ @ @\n9 1 2 3\n4 5 6 7\n", "line 2"),
-            ("1 2 3 4 5\n5 6 7 8\n9 1 2 3\n", "line 1"),
-            ("0 0 1\n0.l 1 2\n1 0 3\n1 1 4\n", "line 2"),
-            ("0.1;1.O\n0.2;2\n0.3;3\n", "line 1"),
-        ] {
-            let error = Table::parse(text).unwrap_err().to_string();
-            assert!(error.contains(line), "{text:?}: {error}");
-        }
-        for text in ["Points 5 7\n1 2 3\n4 5 6\n", "5 7\na b\n1 2\n3 4\n", "1 um\n1 2\n3 4\n"] {
-            assert_eq!(table(text).rows(), 2, "{text:?}");
-        }
-    }
-
-    #[test]
-    fn counts_before_the_rows_are_header() {
-        let t = table("title\n3\n2\n1 2 3\n4 5 6\n");
-        assert_eq!((t.header.len(), t.columns, t.rows()), (3, 3, 2));
-        assert_eq!(table("1\n2\n3\n").columns, 1);
-    }
-
-    #[test]
-    fn wrong_rows_name_their_line() {
-        for (text, line) in [("1 2\n3 4\n5\n", "line 3"), ("1 2\n\n3 4\n5 x\n", "line 4")] {
-            let e = Table::parse(text).unwrap_err().to_string();
-            assert!(e.contains(line), "{e}");
-        }
-    }
-
-    #[test]
-    fn mixed_decimal_marks_are_refused() {
-        assert!(Table::parse("1,5;2.5\n1;2\n").is_err());
-    }
-
-    #[test]
-    fn encodings() {
-        let utf16: Vec<u8> =
-            "\u{feff}1 \u{b5}m".encode_utf16().flat_map(u16::to_le_bytes).collect();
-        assert_eq!(decode(&utf16), "1 \u{b5}m");
-        assert_eq!(decode(b"1 \xb5m"), "1 \u{b5}m");
-        assert_eq!(decode("\u{feff}1 \u{b5}m".as_bytes()), "1 \u{b5}m");
-    }
-
-    #[test]
-    fn printed_precision() {
-        for (texts, largest, quantum) in [
-            (&["0.0", "0.2", "1499.8"][..], 1499.8, 0.1),
-            (&["4", "4.5", "9"], 9.0, 0.1),
-            (&["1.6655563e-08", "4.997e-05"], 4.997e-5, 1e-12),
-            (&["12", "7"], 12.0, 1.0),
-        ] {
-            let mut digits = Digits::NONE;
-            for text in texts {
-                digits.add(text);
-            }
-            assert!((digits.quantum(largest) / quantum - 1.0).abs() < 1e-9, "{texts:?}");
-        }
-    }
-}
+mod tests;

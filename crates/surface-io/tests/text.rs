@@ -1,4 +1,9 @@
 //! Texts as programs and instruments write them: what is read, and what is refused with its readings.
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "tests: what is read is the number that was written"
+)]
 
 use std::fmt::Write as _;
 use surface_io::{

@@ -251,17 +251,17 @@ pub(crate) fn sampling() -> String {
             all[k].extend(here);
         }
     }
-    let mut text = "| sampling variability of | held | worst family | median half width |\n|---|---:|---|---:|".to_owned();
+    let mut rows = vec!["| sampling variability of | held | worst family | median half width |\n|---|---:|---|---:|".to_owned()];
     for (k, name) in ["area", "mean gap", "stiffness"].into_iter().enumerate() {
         let held = all[k].iter().filter(|h| h[0] <= 1.0).count() as f64 / all[k].len() as f64;
         let width = median(all[k].iter().map(|h| h[1])).unwrap();
         let (least, family) = worst[k];
-        text += &format!(
-            "\n| {name} | {:.1} % | {:.0} % ({family}) | ±{:.0} % |",
+        rows.push(format!(
+            "| {name} | {:.1} % | {:.0} % ({family}) | ±{:.0} % |",
             100.0 * held,
             100.0 * least,
             100.0 * width
-        );
+        ));
     }
-    text
+    rows.join("\n")
 }

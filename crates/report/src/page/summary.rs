@@ -121,20 +121,17 @@ fn headline(summary: &Summary<'_>) -> String {
     };
     let best =
         summary.models().iter().filter(ranks).filter_map(sizes).min_by(|a, b| a.1.total_cmp(&b.1));
-    match best {
-        Some((name, size, errors)) => format!(
-            "Nearest over {}: {}, <b>{}</b> off in the median, {} to {} on four of five",
-            counted(summary.maps.len(), "map"),
-            label(name),
-            percent(size),
-            signed_percent(errors.quantile(0.1)),
-            signed_percent(errors.quantile(0.9)),
-        ),
-        None => {
-            let maps = counted(summary.maps.len(), "map");
-            format!("{maps} solved; no closed form answers on all of them")
-        }
-    }
+    let maps = counted(summary.maps.len(), "map");
+    let Some((name, size, errors)) = best else {
+        return format!("{maps} solved; no closed form answers on all of them");
+    };
+    format!(
+        "Nearest over {maps}: {}, <b>{}</b> off in the median, {} to {} on four of five",
+        label(name),
+        percent(size),
+        signed_percent(errors.quantile(0.1)),
+        signed_percent(errors.quantile(0.9)),
+    )
 }
 
 fn label(name: &str) -> String {
