@@ -1,11 +1,12 @@
 //! The columns of a table of numbers: which are coordinates, running numbers, marks or heights.
 
 use super::super::scattered::{self, Line};
-use super::FORMAT;
 use crate::cells::Digits;
 use crate::header::{Header, Title};
 use crate::text::{Table, is_monotone};
-use crate::{Layout, Limits, Need, ReadError};
+use crate::{Format, Layout, Limits, Need, ReadError};
+
+const FORMAT: Format = Format::Text;
 
 /// Titles of columns with running numbers.
 pub(super) const INDEX: [&str; 17] = [
