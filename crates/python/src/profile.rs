@@ -117,8 +117,9 @@ pub(crate) fn profile_model(
     let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (traces, facts) = kept(&heights, facts)?;
     let found = quietly(py, threads, move || -> Result<Answered, Failure> {
+        let theory = request.theory()?;
         let mut found = of_profile(
-            request.theory()?,
+            theory,
             request.modulus()?,
             (facts.path(), &traces, &facts.origin, request.level),
             |inputs| Ok((request.complete(theory.card(), inputs)?, request.questions(), None)),

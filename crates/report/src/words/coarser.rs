@@ -66,8 +66,7 @@ pub(crate) fn caption(surface: &SurfaceComparison, full_seconds: f64) -> String 
         format!("1/{} to 1/{} as many points a side", first.factor, last.factor)
     };
     format!(
-        " Grids: the deterministic solution of the same map with {which}, waves too short for them \
-         dropped, each the shortest of up to five runs within 50{SPACE}ms; together they take \
+        " Grids: the deterministic solution of the same map with {which}, each the shortest of up to five runs within 50{SPACE}ms; together they take \
          {:.0}{SPACE}% of the time of the full one.",
         100.0 * spent / full_seconds
     )
