@@ -98,7 +98,7 @@ def test_refusals():
         rc.Moments(m0=0.36e-12, m2=0.006, m4="4e9m^-2")
     with pytest.raises(rc.SettingError, match="persson"):
         rc.model("nobody", moments, **ask)
-    with pytest.raises(rc.SettingError, match="SelfAffine"):
+    with pytest.raises(rc.SettingError, match="max_amplitude_ratio"):
         rc.model("stacked", moments, **ask)
     with pytest.raises(rc.SettingError, match="gw"):
         rc.model("persson", moments, modulus="110 GPa", separation="1um")

@@ -216,7 +216,7 @@ def test_failures_keep_what_was_found(rough):
         ({"modulus": "110GPa", "pressure": "1MPa", "tolerance": 2.0}, rc.SettingError),
         ({"modulus": "110GPa", "pressure": "1MPa", "tolerance": "1um"}, rc.UnitError),
         ({"modulus": "110GPa", "pressure": "1MPa", "method": "magic"}, rc.SettingError),
-        ({"modulus": "110GPa", "pressure": "1MPa", "accuracy": 0.05, "refine": True}, rc.SettingError),
+        ({"modulus": "110GPa", "pressure": "1MPa", "accuracy": 0.05, "fast": True}, rc.SettingError),
         ({"modulus": "110GPa", "gap": "1um", "boundary": "free"}, rc.SettingError),
         ({"modulus": "110GPa", "pressure": "1MPa", "threads": 0}, rc.SettingError),
         ({"modulus": "110GPa", "pressure": "1MPa", "nonsense": 1}, TypeError),
@@ -244,11 +244,11 @@ def test_results(rough):
         curve.gap(0)
     with pytest.raises(IndexError):
         curve[4]
-    assert curve[-1].mean_pressure == 1e6 and curve[-1].area_interval is None
+    assert curve[-1].mean_pressure == 1e6 and curve[-1].area_interval[0] == 0.0
     part = curve[1:3]
     assert len(part) == 2 and (part.pressure(0) == curve.pressure(1)).all()
     bars = curve.bars()
-    assert bars.shape == (2, 4) and (bars[:, :3] > 0).all() and np.isnan(bars[:, 3]).all()
+    assert bars.shape == (2, 4) and (bars > 0).all()
     low, high = curve.area_interval[0]
     assert curve.area_fraction_corrected[0] - bars[0, 0] == pytest.approx(low, rel=1e-12)
     assert curve.area_fraction_corrected[0] + bars[1, 0] == pytest.approx(high, rel=1e-12)

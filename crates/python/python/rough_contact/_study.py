@@ -240,7 +240,7 @@ class Comparison(Documents):
 
     def __repr__(self) -> str:
         settings = self.json["settings"]
-        about = _rust.bodies_line(settings["modulus"], json.dumps(settings["bodies"]))
+        about = _rust.bodies_line(settings["modulus"], json.dumps(settings.get("bodies", [])))
         lines = [f"Comparison({'1 surface' if len(self) == 1 else f'{len(self)} surfaces'}; {about})"]
         for head, rows in self._lines():
             lines.append(f"  {head}")
