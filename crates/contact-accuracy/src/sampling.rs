@@ -1,12 +1,11 @@
 //! Sampling variability: how far the numbers of another map of the same surface would lie.
 //!
-//! The solution is cut into 8 × 8 blocks. `n` of them carry the load, (Σ load)² over Σ load². The mean gap has a
-//! standard error `b` by its blocks, the rms height one `h` by the long waves of its square. Relative 95 % half
-//! widths are
+//! The solution is cut into 8 × 8 blocks. By these the load has a relative standard error `l`, the mean gap one `b`;
+//! the rms height has one `h` by the long waves of its square. Relative 95 % half widths are
 //!
 //! ```math
-//! r_A = \sqrt{(0.96/\sqrt n)^2 + (0.54 h)^2}, \quad r_G = \sqrt{(3.1 b)^2 + (1.7 h)^2}, \quad
-//! r_K = \sqrt{(1.4/\sqrt n)^2 + (3.7 b)^2}
+//! r_A = \sqrt{(1.2 l)^2 + h^2}, \quad r_G = \sqrt{(3.1 b)^2 + (1.7 h)^2}, \quad
+//! r_K = \sqrt{(1.8 l)^2 + (3.7 b)^2}
 //! ```
 //!
 //! and `r + r²/2` to the upper side, as for a count (Garwood 1936, doi:10.1093/biomet/28.3-4.437).
@@ -17,12 +16,12 @@ use std::f64::consts::TAU;
 
 /// Blocks along each side.
 const BLOCKS: usize = 8;
-/// Of the area over `1/√n` and `h`.
-const AREA: [f64; 2] = [0.96, 0.54];
+/// Of the area over `l` and `h`.
+const AREA: [f64; 2] = [1.2, 1.0];
 /// Of the gap over `b` and `h`.
 const GAP: [f64; 2] = [3.1, 1.7];
-/// Of the stiffness over `1/√n` and `b`.
-const STIFFNESS: [f64; 2] = [1.4, 3.7];
+/// Of the stiffness over `l` and `b`.
+const STIFFNESS: [f64; 2] = [1.8, 3.7];
 
 /// Relative 95 % half widths of area, mean gap and stiffness over maps of the same surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,16 +35,17 @@ impl Sampling {
     /// Of a solution on a map whose rms height has this relative standard error; `None` if the pressure is not
     /// there, nothing touches, or a block has no point.
     pub(crate) fn of(solution: &Solution, height: f64) -> Option<Self> {
-        let n = carrying(&solution.pressure, solution.grid)?;
-        let b = gap_scatter(&solution.coarse_gap, solution.coarse_grid())?;
+        let touches = solution.pressure.iter().any(|p| *p > 0.0);
+        let l = scatter(&solution.pressure, solution.grid).filter(|_| touches)?;
+        let b = scatter(&solution.coarse_gap, solution.coarse_grid())?;
         let half = |[x, y]: [f64; 2]| {
             let r = x.hypot(y);
             r + 0.5 * r * r
         };
         Some(Self {
-            area: half([AREA[0] / n.sqrt(), AREA[1] * height]),
+            area: half([AREA[0] * l, AREA[1] * height]),
             gap: half([GAP[0] * b, GAP[1] * height]),
-            stiffness: half([STIFFNESS[0] / n.sqrt(), STIFFNESS[1] * b]),
+            stiffness: half([STIFFNESS[0] * l, STIFFNESS[1] * b]),
         })
     }
 }
@@ -68,16 +68,9 @@ fn blocks(field: &[f64], grid: Grid) -> Option<Vec<[f64; 2]>> {
     Some(sums)
 }
 
-/// How many blocks carry the load.
-fn carrying(pressure: &[f64], grid: Grid) -> Option<f64> {
-    let loads: Vec<f64> = blocks(pressure, grid)?.iter().map(|[sum, _]| sum.max(0.0)).collect();
-    let (sum, squares) = loads.iter().fold((0.0, 0.0), |(s, q), l| (s + l, q + l * l));
-    (squares > 0.0).then(|| sum * sum / squares)
-}
-
-/// Relative standard error of the mean gap by its blocks; 0 in full contact.
-fn gap_scatter(gap: &[f64], grid: Grid) -> Option<f64> {
-    let means: Vec<f64> = blocks(gap, grid)?.iter().map(|[sum, points]| sum / points).collect();
+/// Relative standard error of the mean of a field by its blocks; 0 where it is nowhere above 0.
+fn scatter(field: &[f64], grid: Grid) -> Option<f64> {
+    let means: Vec<f64> = blocks(field, grid)?.iter().map(|[sum, points]| sum / points).collect();
     let n = means.len() as f64;
     let mean = means.iter().sum::<f64>() / n;
     let square = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (n - 1.0);

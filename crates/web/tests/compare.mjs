@@ -7,8 +7,11 @@ const ROUNDING = 1e-6;
 // What an iteration leaves over is a small difference of large numbers, and rounding is a larger part of it.
 const LEFT_OVER = /residuals|iteration|duality_gap|energy_bound|seam|stiffness/;
 const LEFT_OVER_ROUNDING = 1e-3;
+// An uncertainty is a difference of two answers.
+const DIFFERENCE = /interval|budget/;
+const DIFFERENCE_ROUNDING = 1e-5;
 // Steps are guessed in single precision: of leftovers that are a part of something (of the energy, of the area) so much comes of it.
-const LEAST_LEFT = 1e-8;
+const LEAST_LEFT = 1e-7;
 // What two machines differ in.
 const OWN = /seconds|platform|speed|sha256/;
 
@@ -23,7 +26,8 @@ export function numbers(found, expected, path = '') {
   if (typeof expected === 'number') {
     const off = Math.abs(found - expected), size = Math.max(Math.abs(found), Math.abs(expected));
     if (Number.isInteger(expected) && Math.abs(expected) < 1e9) { assert.equal(found, expected, path); return 1; }
-    const limit = LEFT_OVER.test(path) ? Math.max(LEFT_OVER_ROUNDING * size, LEAST_LEFT) : ROUNDING * size;
+    const limit = LEFT_OVER.test(path) ? Math.max(LEFT_OVER_ROUNDING * size, LEAST_LEFT)
+      : (DIFFERENCE.test(path) ? DIFFERENCE_ROUNDING : ROUNDING) * size;
     assert.ok(off <= limit, `${path}: ${found} in the page, ${expected} by the command`);
     return 1;
   }

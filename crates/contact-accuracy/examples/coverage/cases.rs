@@ -207,6 +207,7 @@ pub(crate) fn sampling() -> String {
     let families: Vec<&str> = FAMILIES
         .iter()
         .map(|f| f.0)
+        .chain(["waves, many"])
         .filter(|name| !name.starts_with("egg box") && *name != "sawtooth" && *name != "turned")
         .collect();
     let mut all: [Vec<[f64; 2]>; 3] = Default::default(); // distance over half width, half width

@@ -148,6 +148,7 @@ pub(crate) fn family(name: &str, seed: u64) -> Option<Heights> {
     let mut self_affine = |hurst, ends| waves(dice, hurst, ends, 1.0);
     Some(match name {
         "waves, long" => self_affine(0.8, [2.0, 8.0]),
+        "waves, many" => self_affine(0.8, [16.0, 32.0]), // of the sampling variability alone
         "waves, 8 points" => self_affine(0.8, [3.0, 16.0]),
         "waves, 4 points" => self_affine(0.6, [3.0, 32.0]),
         "waves, 2.7 points" => self_affine(0.5, [3.0, 47.0]),

@@ -4,6 +4,7 @@
 //! ```console
 //! $ cargo run --release -p contact-accuracy --example coverage                  # all of it: minutes
 //! $ cargo run --release -p contact-accuracy --example coverage -- waves, long   # one family: a second
+//! $ cargo run --release -p contact-accuracy --example coverage -- sampling      # the sampling variability alone
 //! ```
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a program of its own")]
@@ -21,6 +22,10 @@ const SEEDS: u64 = 4;
 
 fn main() {
     let name = std::env::args().skip(1).collect::<Vec<_>>().join(" ");
+    if name == "sampling" {
+        println!("{}", sampling());
+        return;
+    }
     if !name.is_empty() {
         let mut found = Coverage::default();
         (0..SEEDS)
