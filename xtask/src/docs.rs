@@ -47,6 +47,7 @@ fn page(name: &str) -> &str {
     match name {
         "gw" | "ceb" => "greenwood-williamson",
         "persson-yield" => "persson",
+        "cmy" | "mikic" => "joint",
         "yan-komvopoulos" => "majumdar-bhushan",
         "bgt" => "bush-gibson-thomas",
         other => other,

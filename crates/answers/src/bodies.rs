@@ -47,6 +47,12 @@ pub struct Bodies {
 }
 
 impl Bodies {
+    /// Bodies of which nothing is known but the hardness of the softer one (Pa): those of a theory without elasticity.
+    pub fn rigid(hardness: Option<f64>) -> Self {
+        let modulus = ContactModulus::RIGID;
+        Self { modulus, bodies: Vec::new(), hardness, materials: Vec::new() }
+    }
+
     /// With what no roughness says.
     #[must_use]
     pub fn add(&self, inputs: Inputs) -> Inputs {

@@ -29,7 +29,6 @@ mod watch;
 mod work;
 
 pub use complete::{Complete, Incomplete, clean, complete};
-pub use conduction::{Conducted, Conduction};
 pub use documents::{
     DOCUMENTS, PROFILE_DOCUMENTS, documents, profile_documents, profile_documents_named,
 };

@@ -6,8 +6,8 @@ use crate::models::citation;
 use crate::traces::Traces;
 use compare::survey::{ErrorRange, gaussian_errors};
 use compare::{
-    BuildError, Card, Finding, Input, Inputs, Level, MomentSource, OfMap, Origin, Pressed, Scene,
-    Theory, built_in,
+    BuildError, Card, Conductance, Conducted, Finding, Input, Inputs, Joint, Level, MomentSource,
+    OfMap, Origin, Pressed, Scene, Theory, built_in, conductance_of, gas_at,
 };
 use contact_accuracy::round_to_digits;
 use contact_types::{
@@ -71,21 +71,34 @@ pub struct Said {
     pub area_interval: Option<[f64; 2]>,
     /// Its error on isotropic Gaussian surfaces, if there are numbers and no map.
     pub survey: Option<ErrorRange>,
+    /// What the joint conducts, if that was asked for and the theory says it; of a correlation also by the expression that
+    /// it is a fit of.
+    pub conducted: Option<[Conducted; 2]>,
 }
 
 impl Said {
-    fn of<M: ContactModel + ?Sized>(
-        model: &M,
+    fn of(
+        model: &dyn ContactModel,
         state: ContactState,
-        card: &Card,
-        inputs: &Inputs,
+        theory: &dyn Theory,
+        (inputs, joint): (&Inputs, &Joint),
     ) -> Self {
+        let card = theory.card();
         let typed = inputs.moments.filter(|_| inputs.source == MomentSource::Given);
         let survey = typed.and_then(|moments| {
             let load = state.mean_pressure / (inputs.modulus.pascals() * moments.rms_gradient());
             gaussian_errors(&card.name, moments.bandwidth(), load)
         });
-        Self { area_interval: model.area_interval(state.area_fraction), state, survey }
+        let p = state.mean_pressure;
+        let asked = joint.is_asked().then(|| conductance_of(theory, model, inputs, p)).flatten();
+        let gas = joint.gas.and_then(|gas| gas_at(&state, inputs, gas)).map(Conductance::of);
+        let joint = Joint { hardness: inputs.hardness, ..*joint };
+        Self {
+            area_interval: model.area_interval(state.area_fraction),
+            conducted: asked.map(|by| by.map(|h| joint.conducted(Conductance::of(h), gas, p))),
+            state,
+            survey,
+        }
     }
 }
 
@@ -102,7 +115,7 @@ impl Question {
     }
 }
 
-/// One answer per question. A model that cannot be made refuses every question.
+/// One answer per question, with what the joint conducts there. A model that cannot be made refuses every question.
 ///
 /// # Errors
 /// [`Unasked`].
@@ -110,7 +123,9 @@ pub fn answers(
     theory: &dyn Theory,
     inputs: &Inputs,
     questions: &[Question],
+    joint: &Joint,
 ) -> Result<Vec<Answer>, Unasked> {
+    let given = (inputs, joint);
     let card = theory.card();
     let title = card.title.as_ref();
     let ask: Ask<'_> = match questions.first() {
@@ -118,14 +133,14 @@ pub fn answers(
             None => return Err(Unasked::NoSeparation { model: card.name.to_string() }),
             Some(Ok(model)) => Box::new(move |q| {
                 let state = compare::at_separation(title, model.as_ref(), q.value())?;
-                Ok(Said::of(model.as_ref(), state, card, inputs))
+                Ok(Said::of(model.as_ref(), state, theory, given))
             }),
             Some(Err(error)) => refuse_all(error)?,
         },
         _ => match theory.build(inputs) {
             Ok(model) => Box::new(move |q| {
                 let state = compare::at_pressure(title, model.as_ref(), q.value())?;
-                Ok(Said::of(model.as_ref(), state, card, inputs))
+                Ok(Said::of(model.as_ref(), state, theory, given))
             }),
             Err(error) => refuse_all(error)?,
         },
@@ -240,6 +255,7 @@ pub type Traced<'a> = (&'a Path, &'a Traces, &'a Origin, Level);
 pub fn of_profile(
     theory: &dyn Theory,
     modulus: ContactModulus,
+    joint: &Joint,
     (path, traces, origin, form): Traced<'_>,
     complete: impl FnOnce(Inputs) -> Result<Asked, Failure>,
     way_out: impl FnOnce(&Unasked) -> Failure,
@@ -251,7 +267,7 @@ pub fn of_profile(
         ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
     let inputs = compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
     let (inputs, questions, spread) = complete(inputs)?;
-    let found = answers(theory, &inputs, &questions).map_err(|e| way_out(&e))?;
+    let found = answers(theory, &inputs, &questions, joint).map_err(|e| way_out(&e))?;
     let findings = compare::profile_findings(
         &statistics,
         traces.uneven,
@@ -263,7 +279,7 @@ pub fn of_profile(
         _ => None,
     };
     let intervals: Vec<_> = questions.iter().zip(&found).map(interval).collect();
-    let mut json = object(theory.card(), &inputs, &questions, &found, spread.as_ref());
+    let mut json = object(theory.card(), (&inputs, joint), &questions, &found, spread.as_ref());
     for (i, (question, interval)) in questions.iter().zip(&intervals).enumerate() {
         if matches!(question, Question::Pressure(_)) {
             json["points"][i]["area_interval"] = json!(interval);
@@ -281,27 +297,48 @@ pub fn of_profile(
 /// The object that scripts see.
 pub fn object(
     card: &Card,
-    inputs: &Inputs,
+    (inputs, joint): (&Inputs, &Joint),
     questions: &[Question],
     answers: &[Answer],
     spread: Option<&Spread>,
 ) -> Value {
     let point = |(q, a): (&Question, &Answer)| {
         let mut point = point(*q, a);
+        conducts(&mut point, a);
         if let Some(spread) = spread {
             point["load"] = json!(spread.force(q.value()));
         }
         point
     };
     let points: Vec<Value> = questions.iter().zip(answers).map(point).collect();
-    json!({
+    let mut json = json!({
         "model": card.name,
         "citation": citation(&card.citation),
-        "modulus": inputs.modulus.pascals(),
+        "modulus": (!card.is_rigid).then_some(inputs.modulus.pascals()),
         "inputs": given(card, inputs),
         "load_area": spread.map(|s| s.area),
         "points": points,
-    })
+    });
+    if let Some(gas) = &joint.gas {
+        json["gas"] = report::gas_json(gas);
+    }
+    json
+}
+
+/// Adds what the joint conducts to a point, with a correlation what it is a fit of.
+fn conducts(point: &mut Value, answer: &Answer) {
+    let (Ok(said), Value::Object(keys)) = (answer, point) else { return };
+    let Some([found, exact]) = &said.conducted else { return };
+    keys.extend(report::conducted_keys(found));
+    let both = [
+        ("electrical", found.electrical, exact.electrical),
+        ("thermal", found.thermal, exact.thermal),
+    ];
+    for (name, fit, exact) in both {
+        if let Some(exact) = exact.filter(|_| exact != fit) {
+            keys.insert(format!("{name}_conductance_exact"), json!(exact.value));
+        }
+    }
 }
 
 /// The same with six digits of the value, unless they would move it into the domain.
@@ -327,7 +364,7 @@ pub fn failure(error: &ModelError) -> Failure {
 
 fn point(question: Question, answer: &Answer) -> Value {
     match answer {
-        Ok(Said { state, area_interval, survey }) => json!({
+        Ok(Said { state, area_interval, survey, .. }) => json!({
             "mean_pressure": state.mean_pressure,
             "area_fraction": state.area_fraction,
             "area_interval": area_interval,
@@ -409,6 +446,8 @@ fn given(card: &Card, inputs: &Inputs) -> Value {
     let amplitudes = inputs.amplitudes.as_ref();
     json!({
         "moments": moments,
+        "rms_height": inputs.rms_height,
+        "mean_slope": inputs.mean_slope,
         "source": inputs.m2().map(|_| inputs.source.name()),
         "asperities": asperities,
         "max_amplitude_ratio":

@@ -1,11 +1,10 @@
 //! The rung that an accuracy asks for.
 
-use crate::conduction::Conduction;
 use crate::failure::Failure;
 use crate::loads::rising;
 use crate::watch::Watch;
 use crate::work::Work;
-use compare::Reached;
+use compare::{Joint, Reached};
 use contact_accuracy::{Aim, Answered, ClimbError, Map, Setup, Sink, Task, climb};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Iteration, Load, SolverError};
@@ -20,7 +19,7 @@ pub(crate) struct Asked<'a> {
     /// Relative half widths of modulus and hardness.
     pub(crate) materials: [f64; 2],
     /// What the contact conducts, where its stiffness is asked for.
-    pub(crate) conduction: Option<&'a Conduction>,
+    pub(crate) part: Option<(&'a Joint, ContactModulus)>,
 }
 
 impl Asked<'_> {
@@ -34,27 +33,20 @@ impl Asked<'_> {
         let order = rising(loads);
         let risen: Vec<Load> = order.iter().map(|&i| loads[i]).collect();
         let setup = self.setup.clone();
-        let modulus = setup.modulus;
         let task = Task {
             map: self.surface,
             setup,
             loads: &risen,
             aim: self.aim,
-            stiffness: self.conduction.is_some(),
+            stiffness: self.part.is_some(),
             section: None,
         };
-        let area = self.surface.grid().area();
-        let conduction = self.conduction.map(|c| (c, modulus, area));
-        let (known, trouble) = (None, None);
-        let materials = self.materials;
-        let mut to =
-            ToWork { loads, order: &order, work, watch, conduction, materials, known, trouble };
-        let reached = climb(&task, &mut to);
-        match (to.trouble, reached) {
-            (Some(failure), _) => Err(failure),
-            (None, Ok(reached)) => Ok(Some(reached)),
-            (None, Err(ClimbError::Stopped)) => Ok(None),
-            (None, Err(ClimbError::Ladder(e))) => Err(Failure::from_error(&e)),
+        let (part, materials, known) = (self.part, self.materials, None);
+        let mut to = ToWork { loads, order: &order, work, watch, part, materials, known };
+        match climb(&task, &mut to) {
+            Ok(reached) => Ok(Some(reached)),
+            Err(ClimbError::Stopped) => Ok(None),
+            Err(ClimbError::Ladder(e)) => Err(Failure::from_error(&e)),
         }
     }
 }
@@ -65,10 +57,9 @@ struct ToWork<'a> {
     order: &'a [usize],
     work: &'a mut Work,
     watch: &'a mut dyn Watch,
-    conduction: Option<(&'a Conduction, ContactModulus, f64)>,
+    part: Option<(&'a Joint, ContactModulus)>,
     materials: [f64; 2],
     known: Option<Map>,
-    trouble: Option<Failure>,
 }
 
 impl Sink for ToWork<'_> {
@@ -88,12 +79,7 @@ impl Sink for ToWork<'_> {
         let load = self.loads[place];
         let result = result.map(|found| found.with_materials(self.materials));
         let Some(known) = self.known else { return ControlFlow::Break(()) };
-        if let Err(failure) =
-            self.work.take(place, load, result, &known, self.conduction, self.watch)
-        {
-            self.trouble = Some(failure);
-            return ControlFlow::Break(());
-        }
+        self.work.take(place, load, result, &known, self.part, self.watch);
         self.watch.done(load);
         ControlFlow::Continue(())
     }

@@ -1,9 +1,8 @@
 //! One load that was solved for, as an object.
 
-use crate::conduction::Conducted;
 use crate::failure::variant;
 use crate::hardness;
-use compare::Budget;
+use compare::{Budget, Conducted};
 use contact_accuracy::{Answered, Map, Numbers};
 use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};

@@ -1,7 +1,6 @@
 //! The deterministic solution of one map at many loads: what `rough-contact solve` answers.
 
 use crate::adhesion;
-use crate::conduction::Conduction;
 use crate::failure::Failure;
 use crate::hardness;
 use crate::loads::{Spread, rising};
@@ -11,7 +10,7 @@ use crate::scene;
 use crate::watch::Watch;
 use crate::work::Work;
 use compare::{
-    Adhesion, Body, EdgesName, Finding, Hardness, Level, MaterialUse, Method, PairOrigin,
+    Adhesion, Body, EdgesName, Finding, Hardness, Joint, Level, MaterialUse, Method, PairOrigin,
     Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
 };
 use contact_accuracy::{Aim, Finer, Ladder, LadderError, Setup};
@@ -59,7 +58,7 @@ pub struct Question {
     /// Highest pressure that the softer body bears (Pa).
     pub hardness: Option<f64>,
     /// What the contact conducts.
-    pub conduction: Conduction,
+    pub conduction: Joint,
     /// Whether the bodies stick.
     pub adhesion: Option<WorkOfAdhesion>,
     /// Materials whose numbers are among these.
@@ -141,6 +140,7 @@ impl Question {
             cleaned,
             ..Solved::default()
         };
+        self.conduction.check().map_err(|e| Failure::from_error(&e))?;
         let largest = surface.heights().iter().fold(0.0, |most: f64, h| most.max(h.abs()));
         // Before levelling, as they are removed.
         let spikes = Spikes::left(&surface, cleaned, pair);
@@ -160,7 +160,8 @@ impl Question {
         solved.spikes = work.spikes.clone();
         let grid = surface.grid();
         // The indicator looks at the pressure.
-        let gap_too = self.keep_gap || self.distributions;
+        let jump = self.conduction.gas.map(|gas| gas.jump());
+        let gap_too = self.keep_gap || self.distributions || jump.is_some();
         let setup = Setup {
             builder: Solver::builder()
                 .method(self.method)
@@ -174,8 +175,13 @@ impl Question {
             mirrored: self.edges == EdgesName::Mirrored,
             modulus: self.modulus,
             finer: Finer::WhenNeeded,
+            jump,
         };
         let of_set = self.stiffness || self.conduction.is_asked();
+        let spread = self.spread.as_ref().map(|s| s.area);
+        let area = self.conduction.area.or(spread).unwrap_or(grid.area());
+        let joint = Joint { area: Some(area), hardness: self.hardness, ..self.conduction };
+        let part = of_set.then_some((&joint, self.modulus));
         let mut plan = None;
         let mut is_stopped = false;
         let materials = compare::spreads(&self.materials);
@@ -185,13 +191,7 @@ impl Question {
             (None, false) => None,
         };
         if let Some(aim) = aim {
-            let climbed = planned::Asked {
-                surface: &surface,
-                setup,
-                aim,
-                materials,
-                conduction: of_set.then_some(&self.conduction),
-            };
+            let climbed = planned::Asked { surface: &surface, setup, aim, materials, part };
             plan = climbed.solve(&self.loads, &mut work, watch)?;
             is_stopped = plan.is_none();
         } else {
@@ -213,8 +213,7 @@ impl Question {
                     is_stopped = true;
                     break;
                 }
-                let asked = of_set.then_some((&self.conduction, self.modulus, grid.area()));
-                work.take(index, load, result, ladder.known(), asked, watch)?;
+                work.take(index, load, result, ladder.known(), part, watch);
                 watch.done(load);
             }
             *kept = Some(ladder);
@@ -286,6 +285,14 @@ impl Question {
         });
         if let Some(hardness) = hardness {
             json["hardness"] = hardness::object(hardness);
+        }
+        if let Some(gas) = &self.conduction.gas {
+            json["gas"] = report::gas_json(gas);
+        }
+        if self.conduction.is_asked() {
+            let spread = self.spread.as_ref().map(|s| s.area);
+            json["nominal_area"] =
+                json!(self.conduction.area.or(spread).unwrap_or(work.grid.area()));
         }
         if let Some(adhesion) = adhesion {
             json["adhesion"] = json!(adhesion);

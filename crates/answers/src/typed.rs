@@ -4,7 +4,7 @@ use compare::{Card, ContactModulus, Input, InputSet, Inputs, SpectralMoments};
 use contact_types::{AsperityStatistics, FractalParameters, ModelError};
 use multiscale_models::{SelfAffineSpectrum, SphereLevel};
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Numbers typed in, SI.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,6 +24,8 @@ pub enum Untyped {
         /// Missing.
         missing: Vec<Input>,
     },
+    /// More numbers than the two surfaces have.
+    Bodies(Input, usize),
     /// Lists of other lengths.
     Lengths {
         /// How many radii.
@@ -104,6 +106,13 @@ impl Typed {
     /// [`Untyped`].
     pub fn inputs(&self, card: &Card, modulus: ContactModulus) -> Result<Inputs, Untyped> {
         self.set(card)?;
+        let too_many = |(input, values): (&Input, &Vec<f64>)| {
+            let is_of_bodies = matches!(input, Input::RmsHeight | Input::MeanSlope | Input::Ra);
+            (is_of_bodies && values.len() > 2).then_some(Untyped::Bodies(*input, values.len()))
+        };
+        if let Some(error) = self.0.iter().find_map(too_many) {
+            return Err(error);
+        }
         let one = |input| self.one(input);
         let all = |input| self.0.get(&input).cloned().unwrap_or_default();
         let mut inputs = Inputs {
@@ -114,6 +123,15 @@ impl Typed {
             hardness: one(Input::Hardness),
             ..Inputs::new(modulus)
         };
+        // Of two surfaces the squares add; of Gaussian heights σ = √(π/2) Ra.
+        let both = |input: Input| {
+            let of_each = self.0.get(&input)?;
+            let wrong = of_each.iter().copied().find(|x| x.is_nan() || *x <= 0.0);
+            Some(wrong.unwrap_or_else(|| of_each.iter().copied().fold(0.0, f64::hypot)))
+        };
+        inputs.mean_slope = both(Input::MeanSlope);
+        let of_ra = || Some((0.5 * PI).sqrt() * both(Input::Ra)?);
+        inputs.rms_height = both(Input::RmsHeight).or_else(of_ra);
         if let Some(hurst) = one(Input::Hurst) {
             let spectrum = self.self_affine(hurst).map_err(Untyped::Model)?;
             inputs.self_affine = Some(spectrum);
@@ -163,6 +181,9 @@ impl Typed {
     }
 }
 
+/// What one height parameter does not say.
+const NO_SLOPE: &str = " (no slope follows from Ra or an rms height: measure a profile or a map, whose statistics have it)";
+
 impl Untyped {
     /// In words, with each input as `name` calls it; `sets` are the ways to ask the model.
     pub fn told(&self, card: &Card, name: impl Fn(Input) -> String) -> String {
@@ -188,11 +209,18 @@ impl Untyped {
                 format!("{model} needs {}; it takes {}", list(missing), sets())
             }
             Self::Incomplete { given, missing } => format!(
-                "{model} needs {} beside {}; it takes {}",
+                "{model} needs {} beside {}{}; it takes {}",
                 list(missing),
                 list(given),
+                if missing.contains(&Input::MeanSlope) { NO_SLOPE } else { "" },
                 sets()
             ),
+            Self::Bodies(input, count) => {
+                format!(
+                    "{} has {count} numbers; give one, or one for each of two surfaces",
+                    name(*input)
+                )
+            }
             Self::Lengths { radii, densities } => format!(
                 "{} has {radii} levels and {} {densities}; give both for each level, coarse to fine",
                 name(Input::SphereRadius),
@@ -225,13 +253,14 @@ mod tests {
             Input::AsperityRadius | Input::Rolloff | Input::RecordLength => 1e-4,
             Input::AsperityHeightStd => 1e-7,
             Input::Hurst | Input::Gamma => 0.8,
-            Input::Cutoff | Input::Area => 1e-6,
+            Input::Cutoff | Input::Area | Input::RmsHeight | Input::Ra => 1e-6,
             Input::SphereDensity => 1e6,
             Input::MaxAmplitudeRatio => 1e-2,
             Input::Dimension if model == "yan-komvopoulos" => 2.3,
             Input::Dimension => 1.3,
             Input::Roughness => 1e-10,
             Input::Hardness => 2e9,
+            Input::MeanSlope => 0.1,
             _ => 0.0,
         };
         for theory in compare::built_in().iter() {

@@ -1,12 +1,13 @@
 //! What is collected while loads are solved: one point each, and what went wrong.
 
-use crate::conduction::Conduction;
+use crate::conduction;
 use crate::failure::{Failure, variant};
 use crate::loads::shown;
 use crate::point::Point;
 use crate::watch::Watch;
 use compare::{
-    Budget, Distributions, Ended, NoUncertainty, Pressed, Spikes, is_below_a_point, spot_list,
+    Budget, Distributions, Ended, Joint, NoUncertainty, Pressed, Spikes, is_below_a_point,
+    spot_list,
 };
 use contact_accuracy::{Answered, Map};
 use contact_types::{ContactModulus, Grid};
@@ -100,26 +101,22 @@ impl Work {
         self.points.iter().flatten().map(of).collect()
     }
 
-    /// A load by its place in the list; its maps go to `watch`. What it conducts, if that was asked for, for bodies of
-    /// this modulus and this nominal area (m²).
-    ///
-    /// # Errors
-    /// [`Failure`] of conductors that are none.
+    /// A load by its place in the list; its maps go to `watch`. What it conducts, if that was asked for.
     pub(crate) fn take(
         &mut self,
         index: usize,
         load: Load,
         result: Result<Answered, SolverError>,
         known: &Map,
-        conduction: Option<(&Conduction, ContactModulus, f64)>,
+        part: Option<(&Joint, ContactModulus)>,
         watch: &mut dyn Watch,
-    ) -> Result<(), Failure> {
+    ) {
         let (mut point, set) = match &result {
             Ok(answered) => (Point::of(load, answered), answered.set.clone()),
             Err(error) => (Point::of_error(load, error, known), None),
         };
-        if let (Some(set), Some((conduction, modulus, area))) = (&set, conduction) {
-            point.conducted = conduction.add(&mut point.json, set, modulus, area)?;
+        if let (Some(set), Some(part), Some(budget)) = (&set, part, &point.budget) {
+            point.conducted = conduction::add(part, &mut point.json, set, budget);
         }
         let budget = point.budget;
         let (result, error) = match result {
@@ -164,7 +161,6 @@ impl Work {
             point.solution = Some(solution);
         }
         self.points[index] = Some(point);
-        Ok(())
     }
 
     fn report(&mut self, failure: Failure) {

@@ -74,6 +74,7 @@ fn certify(
         mirrored: settings.edges == EdgesName::Mirrored,
         modulus,
         finer: Finer::WhenNeeded,
+        jump: None,
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
     let found = ladder.solve(load, true, |now| watch.iteration(now)).ok()?;

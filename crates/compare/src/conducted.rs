@@ -1,14 +1,187 @@
 //! What a contact conducts, as numbers.
 
-use serde::Serialize;
+use crate::GapGas;
+use contact_accuracy::Estimate;
+use contact_types::{ModelError, require};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 
 /// Of the change of the area, as a logarithm, the part below which that of the conductance is "hardly any".
 const HARDLY: f64 = 0.2;
+
+/// What is asked of the conduction of a joint. SI units.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Joint {
+    /// Resistivities of both bodies (Ω m).
+    pub resistivities: Option<[f64; 2]>,
+    /// Thermal conductivities of both bodies (W/m/K).
+    pub conductivities: Option<[f64; 2]>,
+    /// Gas in the gap; vacuum without.
+    pub gas: Option<GapGas>,
+    /// Nominal area of the part (m²), if it is known.
+    pub area: Option<f64>,
+    /// Hardness of the softer body (Pa), if it is known: of Holm's single spot.
+    pub hardness: Option<f64>,
+}
+
+impl Joint {
+    /// Whether anything is asked.
+    pub fn is_asked(&self) -> bool {
+        self.resistivities.is_some() || self.conductivities.is_some()
+    }
+
+    /// Sums of the resistivities of both bodies, for current and for heat (Ω m and m K/W).
+    fn sums(&self) -> [Option<f64>; 2] {
+        [
+            self.resistivities.map(|[a, b]| a + b),
+            self.conductivities.map(|[a, b]| 1.0 / a + 1.0 / b),
+        ]
+    }
+
+    /// Conductance over conductance by harmonic mean conductivity: `2/(ρ₁ + ρ₂)` and `2/(1/k₁ + 1/k₂)`; 0 with an
+    /// insulator, infinite between superconductors.
+    pub fn factors(&self) -> [Option<f64>; 2] {
+        self.sums().map(|sum| sum.map(|sum| 2.0 / sum))
+    }
+
+    /// Refuses what conducts nothing that is known.
+    ///
+    /// # Errors
+    /// [`ModelError`] of a negative number, of an area that is none, of the gas.
+    pub fn check(&self) -> Result<(), ModelError> {
+        const MODEL: &str = "conduction";
+        let both = [("resistivity", self.resistivities), ("conductivity", self.conductivities)];
+        for (quantity, values) in both {
+            // No end of either is a limit that is allowed.
+            for value in values.into_iter().flatten().filter(|v| *v != f64::INFINITY) {
+                require::not_negative(MODEL, quantity, value)?;
+            }
+        }
+        self.area.map_or(Ok(0.0), |area| require::positive(MODEL, "nominal area", area))?;
+        self.gas.map_or(Ok(()), |gas| gas.check())
+    }
+
+    /// From the conductances over conductivity of the contact and of the gas (1/m), at a mean pressure (Pa).
+    pub fn conducted(
+        &self,
+        contact: Conductance,
+        gas: Option<Conductance>,
+        pressure: f64,
+    ) -> Conducted {
+        let [electrical, thermal] = self.factors().map(|f| f.map(|f| contact.times(f)));
+        let gas = self.gas.and_then(|of| Some(gas?.times(of.conductivity())));
+        let joint = thermal.zip(gas).map(|(contact, gas)| contact.plus(gas));
+        let force = self.area.zip(self.hardness).map(|(area, h)| (pressure * area, h));
+        let one_spot = force.map_or([None; 2], |(force, h)| self.one_spot(force, h));
+        Conducted { electrical, thermal, gas, joint, area: self.area, one_spot }
+    }
+
+    /// Holm's resistances (Ω and K/W) of one spot under this force (N), as large as the hardness (Pa) makes it:
+    /// `(ρ₁ + ρ₂)/(4a)` with `π a² H = F`.
+    fn one_spot(&self, force: f64, hardness: f64) -> [Option<f64>; 2] {
+        let radius = (force / (PI * hardness)).sqrt();
+        self.sums().map(|sum| sum.map(|sum| sum / (4.0 * radius)))
+    }
+}
+
+/// A conductance, which may be nothing or have no end; with its uncertainty where it is neither and that is known.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Conductance {
+    /// The number.
+    pub value: f64,
+    /// The same with its uncertainty.
+    pub estimate: Option<Estimate>,
+}
+
+impl Conductance {
+    /// A number alone.
+    pub fn of(value: f64) -> Self {
+        Self { value, estimate: None }
+    }
+
+    /// A number with its uncertainty.
+    pub fn estimated(estimate: Estimate) -> Self {
+        Self { value: estimate.value, estimate: Some(estimate) }
+    }
+
+    /// Nothing without contact or with an insulator.
+    #[must_use]
+    pub fn times(self, factor: f64) -> Self {
+        if self.value <= 0.0 || factor <= 0.0 {
+            return Self::of(0.0);
+        }
+        let estimate = self.estimate.filter(|_| factor.is_finite()).map(|e| e.times(factor));
+        Self { value: self.value * factor, estimate }
+    }
+
+    /// One beside another.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        let both = self.estimate.zip(other.estimate).map(|(a, b)| a.plus(b));
+        let one = if other.value <= 0.0 { self.estimate } else { other.estimate };
+        let is_alone = self.value <= 0.0 || other.value <= 0.0;
+        let estimate = both.or(one.filter(|_| is_alone));
+        Self { value: self.value + other.value, estimate }
+    }
+}
+
+/// What a joint conducts per nominal area.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Conducted {
+    /// Current through the contact (S/m²), if it was asked for.
+    pub electrical: Option<Conductance>,
+    /// Heat through the contact (W/m²/K), if it was asked for.
+    pub thermal: Option<Conductance>,
+    /// Heat through the gas (W/m²/K), if there is one.
+    pub gas: Option<Conductance>,
+    /// Heat through both.
+    pub joint: Option<Conductance>,
+    /// Nominal area of the part (m²), if it is known.
+    pub area: Option<f64>,
+    /// Holm's resistances of one spot of the same load and hardness (Ω and K/W).
+    pub one_spot: [Option<f64>; 2],
+}
+
+impl Conducted {
+    /// Resistance of the part to current (Ω), and to heat by all ways there are (K/W).
+    pub fn resistances(&self) -> [Option<Resistance>; 2] {
+        let of = |h: Option<Conductance>| Some(Resistance { conductance: h?, area: self.area? });
+        [of(self.electrical), of(self.joint.or(self.thermal))]
+    }
+}
+
+/// Resistance of a nominal area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resistance {
+    conductance: Conductance,
+    area: f64,
+}
+
+impl Resistance {
+    /// The number: 0 where the conductance has no end, infinite where there is none.
+    pub fn value(&self) -> f64 {
+        1.0 / (self.conductance.value * self.area)
+    }
+
+    /// The ends of an interval of the conductance, as those of the resistance.
+    pub fn ends(&self, of: impl Fn(&Estimate) -> Option<[f64; 2]>) -> Option<[f64; 2]> {
+        let [low, high] = of(self.conductance.estimate.as_ref()?)?;
+        Some([high, low].map(|h| 1.0 / (h * self.area)))
+    }
+
+    /// The ends that are stated with the number.
+    pub fn stated(&self) -> Option<[f64; 2]> {
+        self.ends(Estimate::stated)
+    }
+}
 
 /// What a contact conducts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Conduction {
+    /// What was asked.
+    pub joint: Joint,
     /// Electrical conductance over stiffness, `2/(E* (ρ1 + ρ2))` (S/N); 0 with an insulator, infinite
     /// between superconductors. `None` if no resistivity was given.
     pub electrical: Option<f64>,
@@ -18,12 +191,8 @@ pub struct Conduction {
     /// without a converged solution.
     pub stiffness: Vec<Option<f64>>,
     /// Stiffness of theories of elastic contact at each load (Pa/m), -dp/d(separation): by the same factors their
-    /// conductance. `None` where they have no answer.
+    /// conductance; of correlations of the conductance the stiffness that it stands for.
     pub theories: Vec<TheoryStiffness>,
-    /// Mikic's correlation for elastic bodies, as a stiffness (Pa/m); `None` outside its domain.
-    pub mikic: Vec<Option<f64>>,
-    /// Cooper, Mikic and Yovanovich's for bodies that yield, if a hardness was given.
-    pub yovanovich: Vec<Option<f64>>,
     /// The headline load on the map without its shortest octaves, the whole map first; empty unless asked
     /// for, see [`Comparison::remove_octaves`](crate::Comparison::remove_octaves).
     pub octaves: Vec<Octave>,
@@ -41,8 +210,10 @@ pub struct TheoryStiffness {
     pub label: String,
     /// γ of the mean gap that it was taken from, if it has one \[-\].
     pub gamma: Option<f64>,
-    /// At each load (Pa/m).
+    /// At each load (Pa/m); `None` where it has no answer.
     pub stiffness: Vec<Option<f64>>,
+    /// Gas between Gaussian heights at its separation, conductance over conductivity at each load (1/m); empty without gas.
+    pub gas: Vec<Option<f64>>,
 }
 
 /// The headline load on the waves of the map that are longer than one.
@@ -58,6 +229,11 @@ pub struct Octave {
 }
 
 impl Conduction {
+    /// Whether the bodies yield.
+    pub fn yields(&self) -> bool {
+        self.theories.iter().any(|theory| theory.name == "cmy")
+    }
+
     /// By what factor area and conductance change at most when the shortest octaves are taken off, each the
     /// larger over the smaller; `None` without octaves.
     pub fn changes(&self) -> Option<[f64; 2]> {
@@ -88,12 +264,11 @@ mod tests {
             stiffness: *stiffness,
         };
         Conduction {
+            joint: Joint::default(),
             electrical: None,
             thermal: None,
             stiffness: Vec::new(),
             theories: Vec::new(),
-            mikic: Vec::new(),
-            yovanovich: Vec::new(),
             octaves: octaves.iter().map(octave).collect(),
             seconds: 0.0,
         }

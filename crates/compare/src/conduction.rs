@@ -5,20 +5,19 @@
 //! correlation of the field is drawn as the stiffness it stands for.
 
 use crate::ask::at_pressure;
-use crate::conducted::{Conduction, Octave, TheoryStiffness};
+use crate::conducted::{Conductance, Conducted, Conduction, Joint, Octave, TheoryStiffness};
 use crate::progress::Watch;
 use crate::registry::find;
 use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
 use crate::solver_of::builder;
 use crate::threads::on_threads;
-use crate::{Input, Inputs, Listener, StudyError, Surrounded};
-use asperity_models::thermal_conductance::RoughJoint;
-use contact_accuracy::regrid;
-use contact_types::{ContactModel, ContactModulus, HeightMap};
+use crate::{GapGas, Input, Inputs, Listener, StudyError, Surrounded, Theory};
+use asperity_models::thermal_conductance::gas_between;
+use contact_accuracy::{Budget, regrid};
+use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap};
 use fft_bem_solver::Load;
 use std::borrow::Cow;
-use std::f64::consts::PI;
 use std::time::Instant;
 
 /// Points along the shorter side that the shortest wave left must fit, twice.
@@ -27,12 +26,6 @@ const FEWEST_POINTS: usize = 16;
 const MOST_OCTAVES: usize = 4;
 /// Roll-off over the shortest wave left, at least: with less there is no roughness left to be asked.
 const LEAST_BAND: f64 = 4.0;
-/// Conductance over stiffness of half spaces in series, each with this resistance (Ω m, or m K/W).
-fn over_stiffness(modulus: f64, [a, b]: [f64; 2]) -> f64 {
-    // No resistance at all, or no end of it, are limits that are allowed.
-    2.0 / (modulus * (a + b))
-}
-
 impl Conduction {
     /// From the solutions at the loads; `None` if nothing was asked.
     pub(crate) fn of(surface: &SurfaceComparison, settings: &Settings) -> Option<Self> {
@@ -40,40 +33,33 @@ impl Conduction {
             return None;
         }
         let modulus = surface.inputs.modulus.pascals();
-        // Mean absolute slope of the profiles of an isotropic Gaussian surface.
-        let slope = surface.inputs.rms_gradient() / PI.sqrt();
-        let joint = RoughJoint::new(1.0, slope, surface.statistics.rms_height).ok();
-        let correlation = |of: &dyn Fn(&RoughJoint, f64) -> Option<f64>| -> Vec<Option<f64>> {
-            let one = |pressure: f64| Some(modulus * of(joint.as_ref()?, pressure)?);
-            surface.deterministic.iter().map(|p| one(p.mean_pressure)).collect()
-        };
+        let area = settings.load_area.unwrap_or(surface.surface.grid().area());
+        let joint = Joint { area: Some(area), ..settings.joint() };
+        let [electrical, thermal] = joint.factors().map(|f| f.map(|f| f / modulus));
         Some(Self {
-            electrical: settings.resistivities.map(|rho| over_stiffness(modulus, rho)),
-            thermal: settings.conductivities.map(|k| over_stiffness(modulus, k.map(|k| 1.0 / k))),
+            joint,
+            electrical,
+            thermal,
             stiffness: surface
                 .deterministic
                 .iter()
                 .map(|p| stiffness(p.answer.as_ref().filter(|a| a.converged)?))
                 .collect(),
-            theories: theories(surface),
-            mikic: correlation(&|joint, p| joint.elastic(p, modulus).ok()),
-            yovanovich: settings.hardness.map_or_else(Vec::new, |hardness| {
-                correlation(&|joint, p| joint.plastic(p, hardness).ok())
-            }),
+            theories: theories(surface, joint),
             octaves: Vec::new(),
             seconds: 0.0,
         })
     }
 }
 
-/// Theories of elastic contact that have a separation.
-const THEORIES: [&str; 3] = ["gw", "bgt", "persson"];
+/// Theories of elastic contact that have a separation, and of conductance.
+const THEORIES: [&str; 5] = ["gw", "bgt", "persson", "mikic", "cmy"];
 
 /// Relative change of the load over which the slope of a theory is taken; its square is the error.
 const SLOPE: f64 = 1e-3;
 
-/// Stiffness of theories at the loads.
-fn theories(surface: &SurfaceComparison) -> Vec<TheoryStiffness> {
+/// Stiffness and gas of theories at the loads.
+fn theories(surface: &SurfaceComparison, joint: Joint) -> Vec<TheoryStiffness> {
     // Persson's gap asks for the spectrum.
     let own = || surface_stats::spectrum::radial(&surface.surface).ok();
     let spectrum = surface.inputs.spectrum.clone().or_else(own);
@@ -81,13 +67,43 @@ fn theories(surface: &SurfaceComparison) -> Vec<TheoryStiffness> {
     let of = |name: &str| {
         let theory = find(name)?;
         let model = theory.build(&inputs).ok()?;
-        let loads = surface.deterministic.iter();
-        let stiffness = loads.map(|p| slope(name, &*model, p.mean_pressure)).collect();
+        let loads = || surface.deterministic.iter().map(|point| point.mean_pressure);
+        let modulus = inputs.modulus.pascals();
+        let conducted = |p| Some(modulus * conductance_of(theory, &*model, &inputs, p)?[0]);
+        let stiffness = loads().map(conducted).collect();
+        let gas = |gas: GapGas| -> Vec<Option<f64>> {
+            let at = |p| gas_at(&at_pressure(name, &*model, p).ok()?, &inputs, gas);
+            loads().map(at).collect()
+        };
+        let gas = joint.gas.map_or_else(Vec::new, gas);
         let gamma = theory.card().takes(Input::Gamma).then(|| inputs.gamma());
         let label = theory.card().label.to_string();
-        Some(TheoryStiffness { name: name.to_owned(), label, gamma, stiffness })
+        Some(TheoryStiffness { name: name.to_owned(), label, gamma, stiffness, gas })
     };
     THEORIES.into_iter().filter_map(of).collect()
+}
+
+/// Conductance of a theory over the harmonic mean conductivity of the bodies (1/m): its own, and the expression that it is
+/// a fit of; of one of elastic contact its stiffness over E* (Barber's analogy). `None` of others.
+pub fn conductance_of(
+    theory: &dyn Theory,
+    model: &dyn ContactModel,
+    inputs: &Inputs,
+    pressure: f64,
+) -> Option<[f64; 2]> {
+    let card = theory.card();
+    match model.conductance(pressure) {
+        Ok(Some(own)) => Some(own),
+        Ok(None) if !card.yields => {
+            Some([slope(&card.name, model, pressure)? / inputs.modulus.pascals(); 2])
+        }
+        _ => None,
+    }
+}
+
+/// Conductance over conductivity of a gas between Gaussian heights at the separation of an answer (1/m).
+pub fn gas_at(state: &ContactState, inputs: &Inputs, gas: GapGas) -> Option<f64> {
+    gas_between(state.separation?, inputs.rms_height()?, gas.jump()).ok()
 }
 
 /// `-dp/d(separation)`, or of the mean gap, of a model at a mean pressure (Pa/m).
@@ -107,6 +123,26 @@ fn stiffness(answer: &DeterministicAnswer) -> Option<f64> {
     }
     let is_full = answer.area_fraction >= 1.0;
     answer.budget.stiffness.map(|k| k.value).or(is_full.then_some(f64::INFINITY))
+}
+
+impl SurfaceComparison {
+    /// What the joint conducts at a load by its index, if that was asked for and solved.
+    pub fn conducted(&self, index: usize) -> Option<Conducted> {
+        let found = self.conduction.as_ref()?;
+        let stiffness = (*found.stiffness.get(index)?)?;
+        let budget = self.deterministic[index].answer.as_ref()?.budget;
+        Some(found.joint.of_budget(stiffness, &budget, self.inputs.modulus))
+    }
+}
+
+impl Joint {
+    /// What a contact set with this stiffness (Pa/m) conducts, and the gas beside it, with their uncertainties.
+    pub fn of_budget(&self, stiffness: f64, budget: &Budget, modulus: ContactModulus) -> Conducted {
+        let estimate = budget.stiffness.filter(|_| stiffness > 0.0 && stiffness.is_finite());
+        let set = Conductance { value: stiffness, estimate }.times(1.0 / modulus.pascals());
+        let gas = budget.gas.map(Conductance::estimated);
+        self.conducted(set, gas, budget.mean_pressure.value)
+    }
 }
 
 impl Comparison {

@@ -6,6 +6,7 @@ use contact_types::{
 };
 use multiscale_models::{Persson, SelfAffineSpectrum, SphereLevel};
 use serde::Serialize;
+use std::f64::consts::PI;
 
 /// Everything a model may be made from. What a case does not have stays `None`.
 #[derive(Debug, Clone, Serialize)]
@@ -22,6 +23,10 @@ pub struct Inputs {
     pub moments: Option<SpectralMoments>,
     /// m2 alone, where the other moments are not known \[-\].
     pub mean_square_slope: Option<f64>,
+    /// Mean absolute profile slope of both surfaces together \[-\], if it was given rather than derived from the moments.
+    pub mean_slope: Option<f64>,
+    /// Rms height of both surfaces together (m), if it was given likewise.
+    pub rms_height: Option<f64>,
     /// Where they come from.
     pub source: MomentSource,
     /// Asperities, if they were given rather than derived from the moments.
@@ -78,6 +83,8 @@ impl Inputs {
             surface: None,
             moments: None,
             mean_square_slope: None,
+            mean_slope: None,
+            rms_height: None,
             source: MomentSource::Given,
             asperities: None,
             spectrum: None,
@@ -131,6 +138,16 @@ impl Inputs {
     /// Rms gradient of the moments \[-\]; 0 without them.
     pub fn rms_gradient(&self) -> f64 {
         self.m2().map_or(0.0, |m2| (2.0 * m2).sqrt())
+    }
+
+    /// Rms height given, or that of the moments (m).
+    pub fn rms_height(&self) -> Option<f64> {
+        self.rms_height.or(self.moments.map(|m| m.m0.sqrt()))
+    }
+
+    /// Mean absolute profile slope given, or that of an isotropic Gaussian surface with the moments, h′rms/√π \[-\].
+    pub fn mean_slope(&self) -> Option<f64> {
+        self.mean_slope.or(self.moments.map(|m| m.rms_gradient() / PI.sqrt()))
     }
 
     /// Asperities given, or those of the moments.

@@ -17,6 +17,7 @@ mod distribution;
 mod finding;
 mod findings;
 mod first_contact;
+mod gas;
 mod inputs;
 mod materials;
 mod needs;
@@ -49,7 +50,10 @@ pub use adhesion::{Adhesion, NEGLIGIBLE_ATTRACTION, NO_PULL_OFF, Rough, WorkOfAd
 pub use ask::{at_pressure, at_separation};
 pub use cleaning::{Cleaning, CleaningError};
 pub use coarser::COARSER;
-pub use conducted::{Conduction, Octave, TheoryStiffness};
+pub use conducted::{
+    Conductance, Conducted, Conduction, Joint, Octave, Resistance, TheoryStiffness,
+};
+pub use conduction::{conductance_of, gas_at};
 pub use contact_accuracy::{Budget, EdgeShare, Estimate, NoUncertainty, Reached, Request};
 pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
@@ -64,6 +68,7 @@ pub use finding::{
 };
 pub use findings::{Solved, findings, is_below_a_point, measured, of_pair, seam, spiky, sticking};
 pub use first_contact::FirstContact;
+pub use gas::{GapGas, Gas};
 pub use inputs::{Inputs, MomentSource};
 pub use materials::{
     Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,

@@ -29,6 +29,9 @@ pub enum Input {
     Hardness,
     SphereRadius,
     SphereDensity,
+    RmsHeight,
+    MeanSlope,
+    Ra,
 }
 
 /// Dimension of an input.
@@ -45,6 +48,8 @@ pub enum Unit {
     PerArea,
     /// Pa.
     Pressure,
+    /// A list of pure numbers.
+    Numbers,
     /// A list in m.
     Lengths,
     /// A list in m⁻².
@@ -187,6 +192,27 @@ pub const INPUTS: &[InputFact] = &[
         Unit::PerAreas,
         "sphere densities",
         "Spheres per area of each level, coarse to fine, such as 1mm^-2,1e4mm^-2",
+    ),
+    fact(
+        Input::RmsHeight,
+        "rms-height",
+        Unit::Lengths,
+        "rms height",
+        "Rms height of the surface, or of each of two, such as 0.6um,0.4um",
+    ),
+    fact(
+        Input::MeanSlope,
+        "mean-slope",
+        Unit::Numbers,
+        "mean slope",
+        "Mean absolute slope of its profiles (not the rms one), or of each of two, such as 0.1,0.08",
+    ),
+    fact(
+        Input::Ra,
+        "ra",
+        Unit::Lengths,
+        "Ra",
+        "Mean absolute height Ra in place of --rms-height: of Gaussian heights σ = √(π/2) Ra",
     ),
 ];
 

@@ -2,7 +2,7 @@
 
 use crate::pressure_maps::PressureMaps;
 use contact_accuracy::BadRequest;
-use contact_types::SurfaceError;
+use contact_types::{ModelError, SurfaceError};
 use fft_bem_solver::{Iteration, SolverError};
 use std::ops::ControlFlow;
 use surface_stats::StatsError;
@@ -171,12 +171,9 @@ pub enum StudyError {
         /// The value.
         value: f64,
     },
-    /// A resistivity or conductivity that is none.
-    #[error("{value} is no resistivity or conductivity: it must not be negative")]
-    BadConductor {
-        /// The value.
-        value: f64,
-    },
+    /// A resistivity, a conductivity or a gas that is none.
+    #[error(transparent)]
+    Conduction(#[from] ModelError),
     /// A conductance of profiles.
     #[error(
         "what a contact conducts is found on maps: of profiles no contact is solved; leave resistivities and \

@@ -1,7 +1,7 @@
 //! The open list of models: the built-in ones and those a program adds.
 
 use crate::theories;
-use crate::theory::Theory;
+use crate::theory::{Card, Theory};
 use std::sync::{Arc, LazyLock};
 
 /// Every theory that a study may ask, in the order of tables and figures.
@@ -99,7 +99,8 @@ impl Registry {
 
     /// Those that a study may ask, in order: what a height map gives, and a hardness.
     pub fn of_studies(&self) -> impl Iterator<Item = &dyn Theory> {
-        self.iter().filter(|theory| theory.card().from_map || theory.card().yields)
+        let is_of_area = |card: &Card| card.from_map || (card.yields && !card.is_rigid);
+        self.iter().filter(move |theory| is_of_area(theory.card()))
     }
 
     /// Those that a height map gives all they need, in order.
@@ -118,7 +119,7 @@ impl Default for Registry {
 mod tests {
     use super::*;
     use crate::inputs::Inputs;
-    use crate::theory::{BuildError, Card};
+    use crate::theory::BuildError;
     use contact_types::{Citation, ContactModel, ContactModulus};
 
     /// Every row makes its model, which answers and cites its paper; names are unique.

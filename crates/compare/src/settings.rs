@@ -1,6 +1,6 @@
 //! Everything a user can choose about a study.
 
-use crate::{Card, MaterialUse, Registry, Theory, WorkOfAdhesion};
+use crate::{Card, GapGas, Joint, MaterialUse, Registry, Theory, WorkOfAdhesion};
 use fft_bem_solver::{Method, Precision};
 use serde::{Deserialize, Serialize};
 use surface_stats::Level;
@@ -21,6 +21,9 @@ pub struct Settings {
     /// Thermal conductivity of both bodies (W/m/K): the same for heat.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub conductivities: Option<[f64; 2]>,
+    /// A gas in the gap, whose conductance is added to that of the contact; absent: vacuum.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gas: Option<GapGas>,
     /// Work of adhesion: whether the bodies stick is said, by formulas.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adhesion: Option<WorkOfAdhesion>,
@@ -82,6 +85,7 @@ impl Default for Settings {
             hardness: None,
             resistivities: None,
             conductivities: None,
+            gas: None,
             adhesion: None,
             gamma: None,
             materials: Vec::new(),
@@ -106,7 +110,18 @@ impl Default for Settings {
 impl Settings {
     /// Whether the conductance of contacts is asked for.
     pub fn conducts(&self) -> bool {
-        self.resistivities.is_some() || self.conductivities.is_some()
+        self.joint().is_asked()
+    }
+
+    /// What is asked of the conduction.
+    pub fn joint(&self) -> Joint {
+        Joint {
+            resistivities: self.resistivities,
+            conductivities: self.conductivities,
+            gas: self.gas,
+            area: self.load_area,
+            hardness: self.hardness,
+        }
     }
 
     /// Poisson's ratio of the bodies, the mean of two \[-\]; 0.3 if they are not known.

@@ -87,10 +87,7 @@ fn all(
 }
 
 fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
-    let given = settings.resistivities.iter().chain(&settings.conductivities).flatten();
-    if let Some(&value) = given.clone().find(|v| v.is_nan() || **v < 0.0) {
-        return Err(StudyError::BadConductor { value });
-    }
+    settings.joint().check()?;
     if let Some(value) = settings.gamma.filter(|g| !(0.01..=1.0).contains(g)) {
         return Err(StudyError::BadGamma { value });
     }
@@ -167,6 +164,7 @@ fn compare(
         mirrored: settings.edges == EdgesName::Mirrored,
         modulus,
         finer,
+        jump: settings.gas.map(|gas| gas.jump()),
     };
     let rungs = |builder, finer| {
         Ladder::new(map.clone(), setup(builder, finer)).map_err(|e| refused_ladder(e, &name))

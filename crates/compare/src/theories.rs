@@ -5,9 +5,10 @@ use crate::needs::{Input, InputSet, OfMap, in_words};
 use crate::theory::{Assumes, BuildError, Card, Theory};
 use Input::{
     Area, AsperityDensity, AsperityHeightStd, AsperityRadius, CriticalArea, Cutoff, Dimension,
-    Gamma, Hardness, Hurst, Longest, M0, M2, M4, MaxAmplitudeRatio, MeanOffset, RecordLength,
-    Rolloff, Roughness, SphereDensity, SphereRadius,
+    Gamma, Hardness, Hurst, Longest, M0, M2, M4, MaxAmplitudeRatio, MeanOffset, MeanSlope, Ra,
+    RecordLength, RmsHeight, Rolloff, Roughness, SphereDensity, SphereRadius,
 };
+use asperity_models::thermal_conductance::{CooperMikicYovanovich, Mikic};
 use asperity_models::{BushGibsonThomas, ChangEtsionBogy, GreenwoodElliptical};
 use contact_types::{
     AmplitudeSpectrum, Citation, ContactModel, ContactState, FractalParameters, ModelError,
@@ -47,6 +48,8 @@ struct Row {
 enum Build {
     Separation(fn(&Inputs) -> Result<Box<dyn SeparationModel>, BuildError>),
     Pressure(fn(&Inputs) -> Result<Box<dyn ContactModel>, BuildError>),
+    /// Of bodies without elasticity: no modulus is asked for.
+    Rigid(fn(&Inputs) -> Result<Box<dyn ContactModel>, BuildError>),
 }
 
 const ROWS: &[Row] = &[
@@ -269,7 +272,45 @@ const ROWS: &[Row] = &[
             Ok(Box::new(PerssonWithYield::new(gradient, inputs.modulus, hardness)?))
         }),
     },
+    Row {
+        name: "cmy",
+        label: "CMY",
+        title: "Cooper–Mikic–Yovanovich conductance",
+        needs: &[(&[RmsHeight, MeanSlope, Hardness], &[]), (&[Ra, MeanSlope, Hardness], &[])],
+        of_map: OfMap::Moments,
+        domain: "Gaussian heights that yield at once, load over hardness from 1e-6 to 0.02",
+        from_map: false,
+        yields: true,
+        assumes: Assumes::Gaussian,
+        build: Build::Rigid(|inputs| {
+            const NAME: &str = "Cooper-Mikic-Yovanovich";
+            let (slope, height) = joint(inputs, NAME)?;
+            let hardness = missing(inputs.hardness, NAME, "a hardness")?;
+            Ok(Box::new(CooperMikicYovanovich::new(slope, height, hardness)?))
+        }),
+    },
+    Row {
+        name: "mikic",
+        label: "Mikic",
+        title: "Mikic conductance, elastic",
+        needs: &[(&[RmsHeight, MeanSlope], &[]), (&[Ra, MeanSlope], &[])],
+        of_map: OfMap::Moments,
+        domain: "Gaussian heights, elastic, light contact",
+        from_map: false,
+        yields: false,
+        assumes: Assumes::Gaussian,
+        build: Build::Pressure(|inputs| {
+            let (slope, height) = joint(inputs, "Mikic")?;
+            Ok(Box::new(Mikic::new(slope, height, inputs.modulus)?))
+        }),
+    },
 ];
+
+/// Mean absolute slope and rms height of both surfaces together.
+fn joint(inputs: &Inputs, model: &'static str) -> Result<(f64, f64), BuildError> {
+    let what = "rms height and mean absolute slope, or the moments m0 and m2";
+    Ok((missing(inputs.mean_slope(), model, what)?, missing(inputs.rms_height(), model, what)?))
+}
 
 fn persson(inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
     let with_gamma = |model: Persson| model.with_gamma(inputs.gamma());
@@ -359,6 +400,7 @@ impl Row {
         card.from_map = self.from_map;
         card.yields = self.yields;
         card.has_separation = matches!(self.build, Build::Separation(_));
+        card.is_rigid = matches!(self.build, Build::Rigid(_));
         BuiltIn { card, build: self.build }
     }
 }
@@ -367,7 +409,7 @@ impl Build {
     fn pressure(self, inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
         match self {
             Self::Separation(build) => Ok(build(inputs)?),
-            Self::Pressure(build) => build(inputs),
+            Self::Pressure(build) | Self::Rigid(build) => build(inputs),
         }
     }
 }
@@ -392,7 +434,7 @@ impl Theory for BuiltIn {
     ) -> Option<Result<Box<dyn SeparationModel>, BuildError>> {
         match self.build {
             Build::Separation(build) => Some(build(inputs)),
-            Build::Pressure(_) => None,
+            Build::Pressure(_) | Build::Rigid(_) => None,
         }
     }
 }

@@ -34,6 +34,10 @@ pub trait Theory: Send + Sync {
 /// What a theory is, in words that a report shows and a file keeps.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "one for each thing that is true of a theory or not"
+)]
 pub struct Card {
     /// Name for commands and files, `gw`: the key of the theory everywhere.
     pub name: Cow<'static, str>,
@@ -65,6 +69,9 @@ pub struct Card {
     pub yields: bool,
     /// True if it answers at a separation of the undeformed planes too.
     pub has_separation: bool,
+    /// True if its bodies have no elasticity: it is made without a modulus.
+    #[serde(default)]
+    pub is_rigid: bool,
 }
 
 impl Card {
@@ -92,6 +99,7 @@ impl Card {
             from_map: true,
             yields: false,
             has_separation: false,
+            is_rigid: false,
         }
     }
 }

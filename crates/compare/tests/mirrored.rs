@@ -97,6 +97,7 @@ fn the_intervals_hold() {
             mirrored: true,
             modulus: ContactModulus::from_pascals(1e9).unwrap(),
             finer: Finer::WhenNeeded,
+            jump: None,
         };
         let mut ladder = Ladder::new(map, setup).unwrap();
         for load in [0.02, 0.2] {

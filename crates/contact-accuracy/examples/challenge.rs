@@ -115,7 +115,7 @@ fn numbers(solver: &mut Solver, solution: &Solution, known: &Map) -> Result<Stri
         }
         Err(error) => return Err(error),
     };
-    let found = Numbers::of(solution, set.as_ref());
+    let found = Numbers::of(solution, set.as_ref(), None);
     let show = |number: Option<f64>, unit: f64| {
         number.map_or("–".to_owned(), |number| format!("{:.5}", unit * number))
     };

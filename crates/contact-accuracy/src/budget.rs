@@ -59,22 +59,26 @@ pub struct Budget {
     pub mean_gap: Option<Estimate>,
     /// Stiffness of the contact set (Pa/m), if it was asked for and there is one. Of elastic contact that is −dp/d(mean gap).
     pub stiffness: Option<Estimate>,
+    /// Conductance over conductivity of a gas in the gap (1/m), if that was asked for.
+    pub gas: Option<Estimate>,
     /// [Interpolation-sensitivity indicator](crate::indicator) (-), if it was looked at.
     pub indicator: Option<f64>,
 }
 
 impl Budget {
-    /// Of a solution and the set that was asked for its stiffness, on a map of which `map` tells.
+    /// Of a solution, the set that was asked for its stiffness and a gas of this temperature jump (m), on a map of which
+    /// `map` tells.
     pub fn of(
         solution: &Solution,
         set: Option<&SetStiffness>,
+        jump: Option<f64>,
         map: &Map,
         beside: &Beside<'_>,
     ) -> Self {
         let found = &solution.diagnostics;
         let load = solution.state.mean_pressure;
         let uncertain = Uncertain::of(solution, map.rms_height);
-        let own = Numbers::of(solution, set);
+        let own = Numbers::of(solution, set, jump);
         // No pressure exceeds the hardness: on any grid the area is at least P/H.
         let least = found.yielded.map_or(0.0, |yielded| (load / yielded.hardness).min(1.0));
         let mut area = uncertain.area(own.area, least, beside);
@@ -82,6 +86,7 @@ impl Budget {
             area.uncertainty = Err(NoUncertainty::NoContact);
         }
         let mut mean_gap = own.mean_gap.map(|gap| uncertain.gap(gap, &area, beside));
+        let mut gas = own.gas.map(|gas| uncertain.gas(gas, mean_gap.as_ref(), &area, beside));
         let residual = set.map_or(0.0, |set| set.residual);
         let mut stiffness = own.stiffness.map(|k| uncertain.stiffness(k, residual, &area, beside));
         // An isolated contact is no sample of a surface that goes on; of one that yields it was not studied.
@@ -95,6 +100,10 @@ impl Budget {
             if let Some(k) = &mut stiffness {
                 k.sampling = Some(found.stiffness * k.value);
             }
+            // Where the gap is wide beside the temperature jumps the gas scatters as it does, elsewhere less.
+            if let Some(gas) = &mut gas {
+                gas.sampling = Some(found.gap * gas.value);
+            }
         }
         Self {
             given: Given::Load,
@@ -102,6 +111,7 @@ impl Budget {
             area,
             mean_gap,
             stiffness,
+            gas,
             indicator: None,
         }
     }
@@ -157,7 +167,7 @@ impl Budget {
             End::Rounding => NoUncertainty::AtRounding,
             _ => NoUncertainty::NotConverged,
         };
-        Self::of(solution, None, map, &Beside { coarser: Err(why), finer: None })
+        Self::of(solution, None, None, map, &Beside { coarser: Err(why), finer: None })
     }
 
     /// Mean real pressure, load over area, and its intervals; `None` if nothing touches.

@@ -26,19 +26,30 @@ pub struct Numbers {
     pub mean_gap: Option<f64>,
     /// Stiffness of the contact set (Pa/m), if it was asked for and there is one.
     pub stiffness: Option<f64>,
+    /// Conductance over conductivity of a gas in the gap (1/m): parallel plates locally, `⟨1/(g + M)⟩` over the nominal
+    /// area with 0 where it touches, M the length of the temperature jumps at both walls; if it was asked for.
+    pub gas: Option<f64>,
 }
 
 impl Numbers {
-    /// Of a solution, with the stiffness of its contact set if that was asked for.
-    pub fn of(solution: &Solution, set: Option<&SetStiffness>) -> Self {
+    /// Of a solution, with the stiffness of its contact set if that was asked for, and the gas with temperature jumps of this
+    /// length (m) if there is one.
+    pub fn of(solution: &Solution, set: Option<&SetStiffness>, jump: Option<f64>) -> Self {
         let stiffness = set.map(|set| set.per_area).filter(|k| *k > 0.0 && k.is_finite());
         Self {
             mean_pressure: solution.state.mean_pressure,
             area: solution.diagnostics.area_fraction_corrected,
             mean_gap: solution.state.mean_gap,
             stiffness,
+            gas: jump.map(|jump| gas(&solution.pressure, &solution.gap, jump)),
         }
     }
+}
+
+/// Mean of `1/(g + M)` over the points, 0 where one carries pressure.
+fn gas(pressure: &[f64], gap: &[f64], jump: f64) -> f64 {
+    let open = pressure.iter().zip(gap).filter(|(p, _)| **p <= 0.0);
+    open.map(|(_, gap)| 1.0 / (gap.max(0.0) + jump)).sum::<f64>() / gap.len().max(1) as f64
 }
 
 /// Every second row and column, from the row and column of `first` on; a profile keeps its one row.
@@ -62,6 +73,7 @@ pub fn thinned(map: &HeightMap, first: [usize; 2]) -> Result<HeightMap, SurfaceE
 #[derive(Debug)]
 pub struct Coarser {
     solvers: Vec<Solver>,
+    jump: Option<f64>,
 }
 
 impl Coarser {
@@ -71,7 +83,7 @@ impl Coarser {
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }
 
-    /// Thins `map`, to be solved as `builder` says.
+    /// Thins `map`, to be solved as `builder` says, with a gas of this temperature jump (m) in the gap, if there is one.
     ///
     /// # Errors
     /// [`SolverError`].
@@ -79,6 +91,7 @@ impl Coarser {
         map: &HeightMap,
         builder: &SolverBuilder,
         modulus: ContactModulus,
+        jump: Option<f64>,
     ) -> Result<Self, SolverError> {
         let solver = |first| {
             let map = thinned(map, first).map_err(|_| SolverError::NoSurface)?;
@@ -87,7 +100,7 @@ impl Coarser {
             Ok(solver)
         };
         let solvers = PHASES.into_iter().map(solver).collect::<Result<_, SolverError>>()?;
-        Ok(Self { solvers })
+        Ok(Self { solvers, jump })
     }
 
     /// Another map on the same grid.
@@ -116,10 +129,11 @@ impl Coarser {
         stiffness: bool,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Vec<Numbers>, SolverError> {
+        let jump = self.jump;
         let one = |solver: &mut Solver| {
             let solution = solver.solve_again_observed(load, &mut observer)?;
             let set = stiffness.then(|| solver.contact_stiffness()).transpose()?;
-            Ok(Numbers::of(&solution, set.as_ref()))
+            Ok(Numbers::of(&solution, set.as_ref(), jump))
         };
         self.solvers.iter_mut().map(one).collect()
     }
@@ -128,6 +142,26 @@ impl Coarser {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A plate; a wave of height a over a gap g, whose mean is 1/√((g + M)² − a²); of a wave that touches, by quadrature.
+    #[test]
+    fn gas_conducts_as_parallel_plates() {
+        let jump = 0.37e-6;
+        let plate = gas(&[0.0; 9], &[2e-6; 9], jump);
+        assert!((plate * 2.37e-6 - 1.0).abs() < 1e-14);
+        assert!(gas(&[1.0; 9], &[0.0; 9], jump) <= 0.0);
+        let n = 128;
+        let wave =
+            |i: usize| 1.0 + 0.9 * (std::f64::consts::TAU * (i as f64 + 0.3) / n as f64).cos();
+        let gap: Vec<f64> = (0..n * n).map(|i| 1e-6 * wave(i % n)).collect();
+        let exact = 1.0 / ((1e-6 + jump).powi(2) - 0.9e-6_f64.powi(2)).sqrt();
+        let found = gas(&vec![0.0; n * n], &gap, jump);
+        assert!((found / exact - 1.0).abs() < 1e-10, "{found} and {exact}");
+        // Half of the points touch: half of the plate.
+        let pressure: Vec<f64> = (0..n * n).map(|i| f64::from(u8::from(i % 2 == 0))).collect();
+        let half = gas(&pressure, &vec![1e-6; n * n], jump);
+        assert!((half * 2.0 * 1.37e-6 - 1.0).abs() < 1e-12);
+    }
 
     #[test]
     fn every_second_point_is_kept_with_twice_the_pixel() {

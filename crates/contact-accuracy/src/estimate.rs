@@ -116,6 +116,47 @@ impl Estimate {
         Some(self.half_width().ok()?.hypot(beside).hypot(self.materials))
     }
 
+    /// The same in another unit.
+    #[must_use]
+    pub fn times(self, factor: f64) -> Self {
+        let parts = |p: Parts| Parts {
+            coarser: p.coarser * factor,
+            contact_line: p.contact_line * factor,
+            counting: p.counting * factor,
+            finer: p.finer * factor,
+            iteration: p.iteration * factor,
+        };
+        Self {
+            value: self.value * factor,
+            uncertainty: self.uncertainty.map(parts),
+            sampling: self.sampling.map(|half| half * factor),
+            materials: self.materials * factor,
+            least: self.least.map(|least| least * factor),
+            most: self.most * factor,
+        }
+    }
+
+    /// Two numbers of one map added: what is uncertain of both may be so in the same direction.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        let parts = |a: Parts, b: Parts| Parts {
+            coarser: a.coarser + b.coarser,
+            contact_line: a.contact_line + b.contact_line,
+            counting: a.counting + b.counting,
+            finer: a.finer + b.finer,
+            iteration: a.iteration + b.iteration,
+        };
+        let both = |a: Option<f64>, b: Option<f64>| Some(a? + b?);
+        Self {
+            value: self.value + other.value,
+            uncertainty: self.uncertainty.and_then(|a| Ok(parts(a, other.uncertainty?))),
+            sampling: both(self.sampling, other.sampling),
+            materials: self.materials + other.materials,
+            least: [0, 1].map(|i| self.least[i] + other.least[i]),
+            most: self.most + other.most,
+        }
+    }
+
     /// `[low, high]` as the number of this map.
     ///
     /// # Errors

@@ -46,6 +46,16 @@ pub struct Setup {
     pub modulus: ContactModulus,
     /// When a load is solved on twice the points.
     pub finer: Finer,
+    /// Length of the temperature jumps of a gas in the gap (m), if its conductance is asked for; the builder then keeps
+    /// pressure and gap.
+    pub jump: Option<f64>,
+}
+
+impl Setup {
+    /// What the rungs beside the map keep of a solution.
+    fn maps(&self) -> Maps {
+        if self.jump.is_some() { Maps::PressureAndGap } else { Maps::None }
+    }
 }
 
 /// A map with the rungs beside it, to be solved at one load after the other.
@@ -100,8 +110,8 @@ impl Ladder {
         let solver = builder.clone().build(surface.grid(), setup.modulus)?;
         let grid = map.grid();
         let coarser = if Coarser::is_possible(grid) {
-            let builder = builder.maps(Maps::None).certified(false).section(None);
-            Ok(Coarser::of(surface, &builder, setup.modulus)?)
+            let builder = builder.maps(setup.maps()).certified(false).section(None);
+            Ok(Coarser::of(surface, &builder, setup.modulus, setup.jump)?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
@@ -166,10 +176,10 @@ impl Ladder {
         let mut solution =
             on_given(self.solver.solve_observed(surface, load, &mut observer), grid)?;
         let set = stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
-        let set = set.as_ref();
+        let (set, jump) = (set.as_ref(), self.setup.jump);
         let beside = Beside { coarser: coarser.as_deref().map_err(|why| *why), finer: None };
         let budget = |beside: &Beside<'_>, known: &Map| {
-            Budget::of(&solution, set, known, beside).under(load, &solution, known, beside)
+            Budget::of(&solution, set, jump, known, beside).under(load, &solution, known, beside)
         };
         let mut found = budget(&beside, &self.known);
         let repeats = self.known.repeats && self.setup.boundary == Boundary::Periodic;
@@ -211,7 +221,8 @@ impl Ladder {
                 map = mirrored(&map).ok()?;
             }
             let Setup { builder, boundary, modulus, .. } = &self.setup;
-            let builder = builder.clone().boundary(*boundary).maps(Maps::None).certified(false);
+            let builder =
+                builder.clone().boundary(*boundary).maps(self.setup.maps()).certified(false);
             let mut solver = builder.section(None).build(map.grid(), *modulus).ok()?;
             solver.take_surface(map).ok()?;
             self.finer = Some(solver);
@@ -219,7 +230,7 @@ impl Ladder {
         let solver = self.finer.as_mut()?;
         let solution = solver.solve_again_observed(load, observer).ok()?;
         let set = stiffness.then(|| solver.contact_stiffness()).transpose().ok()?;
-        Some(Numbers::of(&solution, set.as_ref()))
+        Some(Numbers::of(&solution, set.as_ref(), self.setup.jump))
     }
 }
 

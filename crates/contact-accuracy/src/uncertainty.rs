@@ -91,6 +91,26 @@ impl Uncertain {
         Estimate::above_zero(value.max(0.0), uncertainty) // rounding may leave it just below
     }
 
+    /// Of the gas in the gap, with that of the gap: where the gap is wide beside the temperature jumps it is as its inverse.
+    pub(crate) fn gas(
+        &self,
+        value: f64,
+        gap: Option<&Estimate>,
+        area: &Estimate,
+        beside: &Beside<'_>,
+    ) -> Estimate {
+        let uncertainty = self.iteration.and_then(|_| {
+            let moved = beside.moved(value, |n| n.gas)?;
+            let open = (1.0 - area.value).max(f64::MIN_POSITIVE);
+            let contact_line = (GAP * area.half_width()? / open).min(1.0) * value;
+            let of_gap = gap.filter(|gap| gap.value > 0.0);
+            let iteration =
+                of_gap.and_then(|gap| Some(gap.uncertainty.ok()?.iteration / gap.value));
+            Ok(Parts { contact_line, iteration: iteration.unwrap_or(0.0) * value, ..moved })
+        });
+        Estimate::above_zero(value, uncertainty)
+    }
+
     /// Of the stiffness of the contact set, known to `residual` (-), with that of the area.
     pub(crate) fn stiffness(
         &self,

@@ -143,6 +143,16 @@ pub trait ContactModel: Send + Sync {
         None
     }
 
+    /// Contact conductance per nominal area at a nominal pressure (Pa), over the harmonic mean conductivity of the bodies
+    /// (1/m): by the formula, and by the expression that it is a fit of. `None` of a theory of the contact alone.
+    ///
+    /// # Errors
+    /// As [`at_pressure`](Self::at_pressure).
+    fn conductance(&self, mean_pressure: f64) -> Result<Option<[f64; 2]>, ModelError> {
+        let _ = mean_pressure;
+        Ok(None)
+    }
+
     /// The formula on a line, of a model short enough for a pocket calculator; `None` of others.
     fn formula(&self) -> Option<String> {
         None

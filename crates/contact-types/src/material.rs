@@ -64,6 +64,9 @@ impl Elastic {
 pub struct ContactModulus(f64);
 
 impl ContactModulus {
+    /// That of bodies that do not deform elastically: what models without elasticity are given.
+    pub const RIGID: Self = Self(f64::INFINITY);
+
     /// E* given directly, in Pa.
     ///
     /// # Errors

@@ -6,7 +6,9 @@ use crate::watched::quietly;
 use answers::model::{Answer, Question, answers as asked, failure, measured, object, scene};
 use answers::typed::{Typed, Untyped};
 use answers::{Failure, bodies};
-use compare::{Body, Card, ContactModulus, Input, Inputs, Level, MaterialUse, Spikes, Theory};
+use compare::{
+    Body, Card, ContactModulus, Input, Inputs, Joint, Level, MaterialUse, Spikes, Theory,
+};
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -20,13 +22,14 @@ use surface_stats::clean::row_offsets;
 #[serde(deny_unknown_fields)]
 pub(crate) struct Request {
     name: String,
-    modulus: f64,
+    modulus: Option<f64>,
     pub(crate) bodies: Vec<Body>,
     hardness: Option<f64>,
     /// Not only known of the bodies.
     hardness_is_given: bool,
     materials: Vec<MaterialUse>,
     gamma: Option<f64>,
+    pub(crate) joint: Joint,
     pressures: Option<Vec<f64>>,
     separations: Option<Vec<f64>>,
     pub(crate) level: Level,
@@ -48,8 +51,22 @@ impl Request {
         })
     }
 
-    pub(crate) fn modulus(&self) -> Result<ContactModulus, Failure> {
-        bodies::of_modulus(self.modulus)
+    pub(crate) fn modulus(&self, card: &Card) -> Result<ContactModulus, Failure> {
+        match self.modulus {
+            Some(pascals) => bodies::of_modulus(pascals),
+            None if card.is_rigid => Ok(ContactModulus::RIGID),
+            None => {
+                Err(Failure::refused("usage", format!("{} needs modulus or bodies", card.name)))
+            }
+        }
+    }
+
+    /// What is asked of the conduction.
+    ///
+    /// # Errors
+    /// [`Failure`] of what conducts nothing that is known.
+    pub(crate) fn joint(&self) -> Result<&Joint, Failure> {
+        self.joint.check().map_err(|e| Failure::from_error(&e)).map(|()| &self.joint)
     }
 
     /// With what no surface says.
@@ -80,7 +97,7 @@ impl Request {
             None => lists,
         };
         let typed = typed.with(Input::Gamma, self.gamma);
-        let inputs = typed.inputs(card, self.modulus()?).map_err(|e| refused(card, &e))?;
+        let inputs = typed.inputs(card, self.modulus(card)?).map_err(|e| refused(card, &e))?;
         let hardness = inputs.hardness.or(self.hardness);
         Ok(Inputs { hardness, poisson: compare::poisson(&self.bodies), ..inputs })
     }
@@ -137,7 +154,7 @@ fn answer(
     let (mut rows, mut spikes, mut cleaned, mut level) = (None, Spikes::default(), None, None);
     let mut pair = None;
     let inputs = if let Some((mut surface, facts)) = surface {
-        let given = request.complete(card, Inputs::new(request.modulus()?))?;
+        let given = request.complete(card, Inputs::new(request.modulus(card)?))?;
         let mut missing = facts.missing;
         let path = facts.path().to_owned();
         if let Some(laid) = laid {
@@ -159,8 +176,9 @@ fn answer(
         request.typed(card, request.roughness.as_ref().unwrap_or(&BTreeMap::new()))?
     };
     let questions = request.questions();
-    let found = asked(theory, &inputs, &questions).map_err(|e| e.failure(WAY_OUT))?;
-    let mut json = object(theory.card(), &inputs, &questions, &found, None);
+    let joint = request.joint()?;
+    let found = asked(theory, &inputs, &questions, joint).map_err(|e| e.failure(WAY_OUT))?;
+    let mut json = object(card, (&inputs, joint), &questions, &found, None);
     let mut findings = scene(theory.card(), &inputs, &found, rows).findings();
     findings.extend(compare::spiky(&spikes, None));
     findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());

@@ -120,7 +120,8 @@ pub(crate) fn profile_model(
         let theory = request.theory()?;
         let mut found = of_profile(
             theory,
-            request.modulus()?,
+            request.modulus(theory.card())?,
+            request.joint()?,
             (facts.path(), &traces, &facts.origin, request.level),
             |inputs| Ok((request.complete(theory.card(), inputs)?, request.questions(), None)),
             |unasked| unasked.failure(crate::model::WAY_OUT),

@@ -3,11 +3,11 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, array, surface_of};
 use crate::watched::{News, Outcome, Reporter, watched};
-use answers::{Conduction, Failure, Question, Subject, Watch, bodies};
+use answers::{Failure, Question, Subject, Watch, bodies};
 use compare::Request as Accuracy;
 use compare::{
-    Body, EdgesName, Iteration, Level, Load, MaterialUse, Method, Origin, Precision, Solution,
-    Surface, WorkOfAdhesion,
+    Body, EdgesName, Iteration, Joint, Level, Load, MaterialUse, Method, Origin, Precision,
+    Solution, Surface, WorkOfAdhesion,
 };
 use contact_accuracy::Ladder;
 use contact_types::Grid;
@@ -45,8 +45,7 @@ struct Request {
     stiffness: bool,
     hardness: Option<f64>,
     materials: Vec<MaterialUse>,
-    resistivity: Option<[f64; 2]>,
-    conductivity: Option<[f64; 2]>,
+    joint: Joint,
     adhesion: Option<WorkOfAdhesion>,
     distributions: bool,
     /// The heights are the one trace of ridges.
@@ -89,10 +88,7 @@ impl Request {
             certify: self.certify,
             stiffness: self.stiffness,
             hardness: self.hardness,
-            conduction: Conduction {
-                resistivities: self.resistivity,
-                conductivities: self.conductivity,
-            },
+            conduction: self.joint,
             adhesion: self.adhesion,
             materials: self.materials.clone(),
             distributions: self.distributions,

@@ -116,3 +116,21 @@ def test_refusals():
     again = pickle.loads(pickle.dumps(some))
     assert again.to_dict() == some.to_dict() and "Greenwood" in repr(some)
     assert pickle.loads(pickle.dumps(moments)) == moments
+
+
+def test_a_joint_from_height_slope_and_hardness() -> None:
+    roughness = rc.Numbers(rms_height="0.6um", mean_slope=0.1)
+    asked = {"conductivity": "180W/m/K,16W/m/K", "pressure": "1MPa,10MPa", "hardness": "1.2GPa"}
+    found = rc.model("cmy", roughness, area="400mm2", **asked)
+    for point, expected in zip(found.json["points"], [7272.82, 64819.1]):
+        assert abs(point["thermal_conductance"] / expected - 1) < 1e-6
+        assert abs(point["thermal_resistance"] * point["thermal_conductance"] * 4e-4 - 1) < 1e-12
+    air = rc.model("cmy", roughness, gas={"gas": "air", "accommodation": 0.9}, **asked).json["points"][0]
+    assert air["joint_conductance"] > air["gas_conductance"] > 0
+    two = rc.Numbers(rms_height="0.36um,0.48um", mean_slope=[0.06, 0.08])
+    both = rc.model("cmy", two, **asked).json["points"][0]["thermal_conductance"]
+    assert abs(both / found.json["points"][0]["thermal_conductance"] - 1) < 1e-12
+    with pytest.raises(rc.ModelError):
+        rc.model("cmy", roughness, **{**asked, "pressure": "2GPa"})
+    with pytest.raises(TypeError):
+        rc.model("cmy", roughness, gas="air", pressure="1MPa", hardness="1.2GPa")

@@ -2,13 +2,16 @@
 
 use crate::lines::Lines;
 use crate::words::conduction::{conductance, kinds};
-use compare::{Comparison, SurfaceComparison};
+use compare::{Comparison, Conductance, SurfaceComparison};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
 /// Columns of bodies that yield, and of elastic ones beside them.
 const YIELDING: &str = ",area_fraction_at_hardness [-],load_share_at_hardness [-],area_fraction_elastic [-],\
                         real_pressure_elastic [Pa]";
+
+/// Columns of a gas in the gap.
+const GAS: &str = ",gas_conductance [W/m^2/K],joint_conductance [W/m^2/K]";
 
 /// Writes one row per surface and load. SI units; a missing number is an empty cell. Columns of
 /// a model are `area_fraction_NAME` and `real_pressure_NAME [Pa]`, with its signed relative error.
@@ -33,6 +36,7 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
         for kind in kinds(found) {
             let _ = write!(header, ",{}_conductance [{}]", kind.name, kind.plain_unit);
         }
+        header.push_str(if found.joint.gas.is_some() { GAS } else { "" });
     }
     let asked = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
     let models: Vec<&str> = asked.iter().map(|m| m.card.name.as_ref()).collect();
@@ -95,6 +99,11 @@ fn write_surface(
             let stiffness = found.stiffness[i];
             cells.push(stiffness);
             cells.extend(kinds(found).into_iter().map(|kind| Some(conductance(kind, stiffness?))));
+            if found.joint.gas.is_some() {
+                let of = surface.conducted(i);
+                let value = |h: Option<Conductance>| h.map(|h| h.value);
+                cells.extend([of.and_then(|c| value(c.gas)), of.and_then(|c| value(c.joint))]);
+            }
         }
         for model in models {
             let mut all = panels.iter().flat_map(|p| p.models.iter().map(move |line| (p, line)));

@@ -29,6 +29,7 @@ mod yield_json;
 pub use compare; // whose results are written here
 
 pub use budget_json::keys as budget_keys;
+pub use conduction_json::{gas as gas_json, keys as conducted_keys};
 pub use csv::{write as write_csv, write_spots as write_spots_csv};
 pub use digest::digest;
 pub use error::ReportError;
@@ -57,6 +58,7 @@ pub use profile_json::{
 };
 pub use provenance::Provenance;
 pub use table_csv::write as write_table_csv;
+pub use words::conduction::{ResistanceWords, joint_words, resistance_lines, resistances};
 pub use words::finding::{Worded, finding, warning};
 pub use words::headline_line;
 pub use words::loads::loads_line;

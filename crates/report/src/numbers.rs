@@ -272,6 +272,22 @@ pub const AREAS: &[Unit] = &[
     Unit { scale: 1.0, name: "m²" },
 ];
 
+/// Multiples of the ohm.
+pub(crate) const OHMS: &[Unit] = &[
+    Unit { scale: 1e-9, name: "nΩ" },
+    Unit { scale: 1e-6, name: "µΩ" },
+    Unit { scale: 1e-3, name: "mΩ" },
+    Unit { scale: 1.0, name: "Ω" },
+    Unit { scale: 1e3, name: "kΩ" },
+];
+
+/// Multiples of the unit of thermal resistance.
+pub(crate) const KELVINS_PER_WATT: &[Unit] = &[
+    Unit { scale: 1e-6, name: "µK/W" },
+    Unit { scale: 1e-3, name: "mK/W" },
+    Unit { scale: 1.0, name: "K/W" },
+];
+
 /// Multiples of the newton.
 pub const NEWTONS: &[Unit] = &[
     Unit { scale: 1e-9, name: "nN" },

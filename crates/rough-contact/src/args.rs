@@ -71,6 +71,10 @@ pub(crate) fn per_areas(text: &str) -> Result<List, QuantityError> {
     quantity::parse_list(text, Dimension::PerArea).map(List)
 }
 
+pub(crate) fn numbers(text: &str) -> Result<List, QuantityError> {
+    quantity::parse_list(text, Dimension::Number).map(List)
+}
+
 pub(crate) fn number(text: &str) -> Result<f64, QuantityError> {
     quantity::parse(text, Dimension::Number)
 }

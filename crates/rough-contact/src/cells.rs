@@ -7,8 +7,8 @@ use answers::Point;
 use contact_accuracy::{Given, RealPressure};
 use fft_bem_solver::Yielded;
 
-/// The cells of its row.
-pub(crate) fn cells(point: &Point) -> Vec<String> {
+/// The cells of its row; `has_spot` if one spot is among what is conducted.
+pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
     let (Some(solution), Some(budget)) = (&point.solution, &point.budget) else {
         return vec![shown(point.load), "refused".to_owned()];
     };
@@ -32,12 +32,13 @@ pub(crate) fn cells(point: &Point) -> Vec<String> {
         format!("{:.1e}", d.residuals.preconditioned),
         text::seconds(d.seconds),
     ]);
-    let own = budget.stiffness.filter(|_| point.conducted.is_none());
-    cells.extend(own.map(|k| text::stiffness(k.value)));
+    cells.extend(budget.stiffness.map(|k| text::stiffness(k.value)));
     if let Some(Yielded { area_fraction, load_share, .. }) = d.yielded {
         cells.extend([area_fraction, load_share].map(text::percent));
     }
-    let conducted = point.conducted.iter();
-    cells.extend(conducted.flat_map(|found| conduction::cells(found, budget.stiffness)));
+    if let Some(found) = &point.conducted {
+        cells.extend(conduction::cells(found));
+        cells.splice(0..0, conduction::first_cells(found, has_spot));
+    }
     cells
 }

@@ -93,7 +93,7 @@ pub(crate) struct Compare {
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
-        "headline", "models", "hardness", "gamma", "resistivity", "conductivity", "level", "fractal_range", "edges", "method",
+        "headline", "models", "hardness", "gamma", "resistivity", "conductivity", "gas", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "fast", "modulus", "young", "material", "work_of_adhesion", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "decimal", "missing", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
@@ -176,12 +176,16 @@ impl Compare {
             None if self.files.is_empty() => self.bodies.steel().required(self.hardness)?,
             _ => self.bodies.required(self.hardness)?,
         };
-        let conduction = self.conduction.asked(&mut made_of)?;
+        self.forces.refuse_idle_area(self.conduction.is_asked())?;
+        let area = self.forces.area().filter(|_| self.conduction.is_asked());
+        let conduction = self.conduction.asked(&mut made_of, area)?;
         Ok(Settings {
             modulus: made_of.modulus.pascals(),
             hardness: made_of.hardness,
             resistivities: conduction.resistivities,
             conductivities: conduction.conductivities,
+            gas: conduction.gas,
+            load_area: conduction.area,
             adhesion: self.adhesion.asked()?,
             materials: made_of.materials,
             bodies: made_of.bodies,
@@ -371,6 +375,9 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     }
     out.push_str(&text::materials(&comparison.settings.materials));
     for surface in &comparison.surfaces {
+        for line in report::resistance_lines(surface) {
+            let _ = writeln!(out, "{line}");
+        }
         let _ = writeln!(out, "{}", headline(surface));
         if let Some(line) = report::elastic_line(surface) {
             let _ = writeln!(out, "{line}");

@@ -1,14 +1,13 @@
-//! `--resistivity`, `--conductivity`: what a contact conducts.
+//! `--resistivity`, `--conductivity`, `--gas`: what a joint conducts.
 
+use crate::args;
 use crate::outcome::Failure;
 use crate::quantity::{self, QuantityError};
 use crate::text;
 use crate::units::Dimension;
-use answers::Conducted;
 use answers::bodies::Bodies;
 use clap::Args;
-use compare::Estimate;
-use compare::Property;
+use compare::{Conductance, Conducted, Estimate, GapGas, Gas, Joint, Property};
 
 /// A number of each body.
 #[derive(Clone, Copy, Debug)]
@@ -18,21 +17,43 @@ enum Both {
     Table,
 }
 
+/// What is in the gap.
+#[derive(Clone, Copy, Debug)]
+enum Filling {
+    Vacuum,
+    Gas(Gas),
+}
+
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct Conduction {
     /// Resistivity of both bodies, or of each, as 22nohm.m,70nohm.m; `table` for that of two materials: the
-    /// electrical conductance of each contact
+    /// resistance to current
     #[arg(long, value_name = "RHO[,RHO]", value_parser = resistivities, allow_hyphen_values = true)]
     resistivity: Option<Both>,
     /// Thermal conductivity of both bodies, or of each, as 400W/m/K,50W/m/K; `table` for that of two
-    /// materials: the thermal conductance of each contact
+    /// materials: the resistance to heat
     #[arg(long, value_name = "K[,K]", value_parser = conductivities, allow_hyphen_values = true)]
     conductivity: Option<Both>,
+    /// Gas in the gap, which conducts heat beside the contact: vacuum, air, helium, argon or nitrogen [default: vacuum]
+    #[arg(long, value_name = "GAS", value_parser = filling, ignore_case = true)]
+    gas: Option<Filling>,
+    /// Its pressure [default: 1 atm]
+    #[arg(long, value_name = "P", value_parser = args::pressure, allow_hyphen_values = true)]
+    #[arg(requires = "gas")]
+    gas_pressure: Option<f64>,
+    /// Its temperature, as 350K or 80degC [default: 25degC]
+    #[arg(long, value_name = "T", value_parser = temperature, allow_hyphen_values = true)]
+    #[arg(requires = "gas")]
+    temperature: Option<f64>,
+    /// Accommodation coefficients of the walls, above 0 to 1 [default: 1, at which the gas conducts most]
+    #[arg(long, value_name = "A[,A]", value_parser = accommodation, allow_hyphen_values = true)]
+    #[arg(requires = "gas")]
+    accommodation: Option<[f64; 2]>,
 }
 
 impl Conduction {
-    /// What is asked of the contact.
-    pub(crate) fn asked(self, bodies: &mut Bodies) -> Result<answers::Conduction, Failure> {
+    /// What is asked of the joint, of a part of this area (m²) if that is given.
+    pub(crate) fn asked(self, bodies: &mut Bodies, area: Option<f64>) -> Result<Joint, Failure> {
         let mut of = |both: Option<Both>, property, option: &str| match both {
             None => Ok(None),
             Some(Both::Given(values)) => Ok(Some(values)),
@@ -40,15 +61,86 @@ impl Conduction {
                 failure.adding(&format!("give --material twice, or {option} in numbers"))
             }),
         };
-        Ok(answers::Conduction {
+        let joint = Joint {
             resistivities: of(self.resistivity, Property::Resistivity, "--resistivity")?,
             conductivities: of(self.conductivity, Property::Conductivity, "--conductivity")?,
-        })
+            gas: self.filled(),
+            area,
+            hardness: None,
+        };
+        if joint.gas.is_some() && joint.conductivities.is_none() {
+            let message = "--gas conducts heat beside the contact, and nothing says how that does; give \
+                           --conductivity K[,K] of the bodies";
+            return Err(Failure::refused("usage", message));
+        }
+        joint.check().map_err(|e| Failure::from_error(&e))?;
+        Ok(joint)
+    }
+
+    /// The same, with the numbers of two materials where none are given.
+    pub(crate) fn asked_of(self, bodies: &mut Bodies, area: Option<f64>) -> Result<Joint, Failure> {
+        if self.is_asked() {
+            return self.asked(bodies, area);
+        }
+        let mut of = |property| bodies.of_both(property).is_ok().then_some(Both::Table);
+        let resistivity = of(Property::Resistivity);
+        let conductivity = of(Property::Conductivity);
+        Self { resistivity, conductivity, ..self }.asked(bodies, area)
     }
 
     /// Whether anything is.
     pub(crate) fn is_asked(self) -> bool {
         self.resistivity.is_some() || self.conductivity.is_some()
+    }
+
+    fn filled(self) -> Option<GapGas> {
+        let Some(Filling::Gas(gas)) = self.gas else { return None };
+        let usual = GapGas::new(gas);
+        Some(GapGas {
+            temperature: self.temperature.unwrap_or(usual.temperature),
+            pressure: self.gas_pressure.unwrap_or(usual.pressure),
+            accommodation: self.accommodation.unwrap_or(usual.accommodation),
+            ..usual
+        })
+    }
+}
+
+fn filling(text: &str) -> Result<Filling, String> {
+    let name = text.trim().to_ascii_lowercase();
+    let known = Gas::ALL.into_iter().find(|(known, _)| *known == name);
+    match known {
+        Some((_, gas)) => Ok(Filling::Gas(gas)),
+        None if name == "vacuum" => Ok(Filling::Vacuum),
+        None => Err("write vacuum, air, helium, argon or nitrogen".to_owned()),
+    }
+}
+
+/// In kelvin.
+fn temperature(text: &str) -> Result<f64, String> {
+    let plain = text.trim().replace('°', "deg");
+    let kelvin = plain.strip_suffix('K').map(|number| (number, 0.0));
+    let celsius = || plain.strip_suffix("degC").or_else(|| plain.strip_suffix('C'));
+    let found = kelvin.or_else(|| Some((celsius()?, 273.15)));
+    let way_out = || format!("'{text}' is no temperature with its unit; write 350K or 80degC");
+    let (number, zero) = found.ok_or_else(way_out)?;
+    let value = quantity::parse(number, Dimension::Number).map_err(|e| e.to_string())? + zero;
+    if value > 0.0 { Ok(value) } else { Err(format!("'{text}' is not above absolute zero")) }
+}
+
+fn accommodation(text: &str) -> Result<[f64; 2], QuantityError> {
+    let refused = |why| QuantityError::NotThese { text: text.to_owned(), why };
+    let values = quantity::parse_list(text, Dimension::Number)?;
+    if values.iter().any(|a| !(*a > 0.0 && *a <= 1.0)) {
+        return Err(refused("an accommodation coefficient is above 0 and at most 1"));
+    }
+    pair(&values).ok_or_else(|| refused("give one number for both walls, or two, one for each"))
+}
+
+fn pair(values: &[f64]) -> Option<[f64; 2]> {
+    match *values {
+        [both] => Some([both, both]),
+        [first, second] => Some([first, second]),
+        _ => None,
     }
 }
 
@@ -69,41 +161,72 @@ fn both(text: &str, dimension: Dimension) -> Result<Both, QuantityError> {
     if values.iter().any(|v| *v < 0.0) {
         return Err(refused("it must not be negative; 0 is a limit that is allowed"));
     }
-    match values[..] {
-        [both] => Ok(Both::Given([both, both])),
-        [first, second] => Ok(Both::Given([first, second])),
-        _ => Err(refused("give one number for both bodies, or two, one for each")),
-    }
+    let given = pair(&values).map(Both::Given);
+    given.ok_or_else(|| refused("give one number for both bodies, or two, one for each"))
 }
 
-/// Headings of the table.
-pub(crate) fn headings(asked: &answers::Conduction) -> Vec<&'static str> {
-    let both = asked.is_asked().then_some(["stiffness", "±", "± sample"]);
+/// Headings of what is said first.
+pub(crate) fn first_headings(asked: &Joint, has_area: bool) -> Vec<&'static str> {
+    let (current, heat) = (asked.resistivities.is_some(), asked.conductivities.is_some());
+    let names = match (current, heat) {
+        (true, true) => ["resistance", "thermal resistance"],
+        (_, true) => ["", "resistance"],
+        _ => ["resistance", ""],
+    };
+    let spot = asked.hardness.map(|_| "one spot");
+    let each = [current, heat].into_iter().zip(names).filter(|(is_asked, _)| *is_asked && has_area);
+    each.flat_map(|(_, name)| [name].into_iter().chain(spot)).collect()
+}
+
+/// What is said first of a load: the resistances of the part, and of one spot.
+pub(crate) fn first_cells(found: &Conducted, has_spot: bool) -> Vec<String> {
+    let of = |r: report::ResistanceWords| {
+        let spot = has_spot.then(|| r.one_spot.unwrap_or_else(|| "–".to_owned()));
+        [Some(r.value), spot].into_iter().flatten().map(|t| text::plain(&t)).collect::<Vec<_>>()
+    };
+    report::resistances(found).into_iter().flat_map(of).collect()
+}
+
+/// Headings of the conductances per nominal area.
+pub(crate) fn headings(asked: &Joint) -> Vec<&'static str> {
     let electrical = asked.resistivities.map(|_| "electrical");
     let thermal = asked.conductivities.map(|_| "thermal");
-    both.into_iter().flatten().chain(electrical).chain(thermal).collect()
+    let gas = asked.gas.map(|_| ["gas", "joint"]);
+    electrical.into_iter().chain(thermal).chain(gas.into_iter().flatten()).collect()
 }
 
-/// What must be known about the numbers.
-pub(crate) fn line(asked: &answers::Conduction) -> &'static str {
+/// What must be known about the numbers, at these mean gaps (m).
+pub(crate) fn line(asked: &Joint, gaps: &[f64]) -> String {
     if !asked.is_asked() {
-        return "";
+        return String::new();
     }
-    "conductance of the contact alone, per nominal area: clean metal, spots larger than the free path of \
-     what carries the current; no film, no current through the gap. It is proportional to the stiffness: the ± of one \
-     is that of the other\n"
+    format!(
+        "{} Clean bodies, spots larger than the free path of what carries the current; no film, plating or fritting; \
+         beyond the column of bulk material\n",
+        text::plain(&report::joint_words(asked, gaps))
+    )
+    .trim_start()
+    .to_owned()
 }
 
-/// What a load conducts, as cells of its row, with the errors of its stiffness.
-pub(crate) fn cells(found: &Conducted, stiffness: Option<Estimate>) -> Vec<String> {
-    let per_area = |unit: &'static str| move |value: f64| format!("{value:.3e} {unit}");
-    let bar = |ends: Option<[f64; 2]>| text::relative(found.stiffness, ends, text::stiffness);
-    let own = stiffness.and_then(|k| k.interval().ok());
-    let sample = stiffness.and_then(|k| k.prediction());
-    let mut cells = vec![shown(found.stiffness, text::stiffness), bar(own), bar(sample)];
-    cells.extend(found.electrical.map(|value| shown(value, per_area("S/m²"))));
-    cells.extend(found.thermal.map(|value| shown(value, per_area("W/m²/K"))));
-    cells
+/// Conductances per nominal area, with what is stated of them.
+pub(crate) fn cells(found: &Conducted) -> Vec<String> {
+    let per_area = |h: Option<Conductance>, unit: &str| {
+        let h = h?;
+        let stated = h.estimate.as_ref().and_then(Estimate::stated);
+        let value = shown(h.value, |value| format!("{value:.3e} {unit}"));
+        Some(match text::relative(h.value, stated, |v| format!("{v:.2e}")) {
+            dash if dash == "–" => value,
+            bar => format!("{value} {bar}"),
+        })
+    };
+    let each = [
+        per_area(found.electrical, "S/m²"),
+        per_area(found.thermal, "W/m²/K"),
+        per_area(found.gas, "W/m²/K"),
+        per_area(found.joint, "W/m²/K"),
+    ];
+    each.into_iter().flatten().collect()
 }
 
 fn shown(value: f64, text: impl Fn(f64) -> String) -> String {

@@ -15,7 +15,7 @@ pub(crate) struct Forces {
     #[arg(long, value_name = "LIST", value_parser = args::forces, allow_hyphen_values = true)]
     #[arg(conflicts_with = "pressure")]
     load: Option<List>,
-    /// Nominal area that --load presses on, such as 2mm2 [default: that of the map]
+    /// Nominal area that --load presses on and whose resistance is asked for, such as 2mm2 [default: that of the map]
     #[arg(long, value_name = "A", value_parser = args::area, allow_hyphen_values = true)]
     area: Option<f64>,
 }
@@ -70,16 +70,24 @@ impl Loads {
 }
 
 impl Forces {
+    /// The nominal area given (m²).
+    pub(crate) fn area(&self) -> Option<f64> {
+        self.area
+    }
+
+    /// Refuses an area that nothing asks for; `conducts` asks for one.
+    pub(crate) fn refuse_idle_area(&self, conducts: bool) -> Result<(), Failure> {
+        if self.area.is_none() || self.load.is_some() || conducts {
+            return Ok(());
+        }
+        let message = "--area is the area that --load presses on, or the part whose resistance is asked for, and neither \
+                       --load nor --resistivity or --conductivity is given; give one, or leave --area out";
+        Err(Failure::refused("usage", message))
+    }
+
     /// The forces given (N), refused unless each presses.
     pub(crate) fn given(&self) -> Result<Option<&[f64]>, Failure> {
-        let Some(List(forces)) = &self.load else {
-            if self.area.is_some() {
-                let message = "--area is the area that --load presses on, and no --load is given; give one, \
-                               or leave --area out";
-                return Err(Failure::refused("usage", message));
-            }
-            return Ok(None);
-        };
+        let Some(List(forces)) = &self.load else { return Ok(None) };
         refuse_idle(forces, self.area)?;
         Ok(Some(forces))
     }

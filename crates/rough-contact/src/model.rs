@@ -3,6 +3,7 @@
 use crate::against::{self, Against};
 use crate::args::{self, Common, List};
 use crate::cleaning::CleaningOptions;
+use crate::conduction::{self, Conduction};
 use crate::input::{Measured, Reading};
 use crate::loads::{self, Spread};
 use crate::model_list::{self, cited};
@@ -14,7 +15,7 @@ use answers::bodies::Bodies;
 use answers::model::{self, Answer, Question, Said, Unasked};
 use clap::Args;
 use compare::survey::{BANDWIDTH_FACTOR, LOAD_FACTOR};
-use compare::{Card, Input, Inputs, Spikes, Theory};
+use compare::{Card, Conducted, Input, Inputs, Joint, Spikes, Theory};
 use multiscale_models::Persson;
 use serde_json::json;
 use std::fmt::Write as _;
@@ -50,6 +51,8 @@ pub(crate) struct Model {
     #[command(flatten)]
     source: Source,
     #[command(flatten)]
+    conduction: Conduction,
+    #[command(flatten)]
     against: Against,
     #[command(flatten)]
     reading: Reading,
@@ -62,13 +65,20 @@ impl Model {
         let Some(name) = &self.name else { return Ok(model_list::list()) };
         let theory = compare::find(name).expect("clap accepts only these names");
         let card = theory.card();
-        let made_of = self.bodies.required(self.source.hardness())?;
+        let hardness = self.source.hardness();
+        let mut made_of = match self.bodies.given(hardness)? {
+            None if card.is_rigid => Bodies::rigid(hardness),
+            Some(given) => given,
+            None => self.bodies.required(hardness)?,
+        };
+        let joint = self.joint(card, &mut made_of)?;
         let modulus = made_of.modulus;
         self.refuse_silence()?;
+        let area_has_use = self.load.is_some() || joint.is_asked();
         let mut pair = None;
         let (mut cleaned, mut rows, mut spikes) = (Vec::new(), None, Spikes::default());
         let mut level = None;
-        self.source.refuse_unused(card, self.file.as_deref(), self.load.is_some())?;
+        self.source.refuse_unused(card, self.file.as_deref(), area_has_use)?;
         let inputs = if let Some(path) = &self.file {
             let how = (&self.reading, self.cleaning.asked());
             let surface = if self.against.given()?.is_some() {
@@ -79,7 +89,7 @@ impl Model {
                 match self.reading.measured(path, how.1)? {
                     Measured::Surface(surface) => surface,
                     Measured::Profile(traces) => {
-                        return self.of_profile(theory, &made_of, path, &traces);
+                        return self.of_profile((theory, joint), &made_of, path, &traces);
                     }
                 }
             };
@@ -98,12 +108,15 @@ impl Model {
                                moments typed in, add those of the two";
                 return Err(Failure::refused("usage", message));
             }
-            self.source.typed(card, modulus, made_of.hardness, self.load.is_some())?
+            self.source.typed(card, modulus, made_of.hardness, area_has_use)?
         };
         let inputs = made_of.add(inputs);
         let (questions, spread) = self.questions(inputs.nominal_area)?;
-        let answers = answer(theory, &inputs, &questions)?;
-        let mut reply = reply(card, &inputs, &questions, &answers, spread.as_ref());
+        // Of a load the area that carries it, which may be that of the map.
+        let area = joint.area.or(spread.as_ref().map(|s| s.area)).or(inputs.nominal_area);
+        let joint = Joint { area, hardness: inputs.hardness, ..joint };
+        let answers = answer(theory, &inputs, &questions, &joint)?;
+        let mut reply = reply(card, (&inputs, &joint), &questions, &answers, spread.as_ref());
         let mut findings = model::scene(card, &inputs, &answers, rows).findings();
         findings.extend(compare::spiky(&spikes, None));
         findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
@@ -119,7 +132,8 @@ impl Model {
         reply.json["cleaning"] = report::cleaning_json(&cleaned);
         reply.json["pair"] = against::json(pair.as_ref());
         reply.json["bodies"] = report::bodies_json(pair.as_ref(), &made_of.bodies);
-        reply.text += &against::lines(pair.as_ref(), Some((modulus.pascals(), made_of.bodies)));
+        let known = (!card.is_rigid).then_some((modulus.pascals(), made_of.bodies));
+        reply.text += &against::lines(pair.as_ref(), known);
         reply.text += &text::materials(&made_of.materials);
         if !made_of.materials.is_empty() {
             reply.json["materials"] = report::materials_json(&made_of.materials);
@@ -131,7 +145,7 @@ impl Model {
     /// open.
     fn of_profile(
         &self,
-        theory: &dyn Theory,
+        (theory, joint): (&dyn Theory, Joint),
         made_of: &Bodies,
         path: &Path,
         traces: &Traces,
@@ -141,6 +155,7 @@ impl Model {
         let found = model::of_profile(
             theory,
             made_of.modulus,
+            &joint,
             (path, traces, &origin, level),
             |inputs| {
                 let inputs = made_of.add(self.source.beside_file(inputs));
@@ -151,7 +166,7 @@ impl Model {
         )?;
         let mut reply = reply(
             theory.card(),
-            &found.inputs,
+            (&found.inputs, &joint),
             &found.questions,
             &found.answers,
             found.spread.as_ref(),
@@ -183,6 +198,23 @@ impl Model {
             reply.json["materials"] = report::materials_json(materials);
         }
         Ok(reply)
+    }
+
+    /// What is asked of the joint; of a theory of conductance always something.
+    fn joint(&self, card: &Card, bodies: &mut Bodies) -> Result<Joint, Failure> {
+        let area = self.source.area();
+        if !card.takes(Input::MeanSlope) {
+            return self.conduction.asked(bodies, area);
+        }
+        let joint = self.conduction.asked_of(bodies, area)?;
+        if joint.is_asked() {
+            return Ok(joint);
+        }
+        let message = format!(
+            "{} says what a joint conducts; give --conductivity K[,K], --resistivity RHO[,RHO], or two of --material",
+            card.name
+        );
+        Err(Failure::refused("missing_input", message))
     }
 
     /// Refuses to answer nothing.
@@ -220,8 +252,9 @@ fn answer(
     theory: &dyn Theory,
     inputs: &Inputs,
     questions: &[Question],
+    joint: &Joint,
 ) -> Result<Vec<Answer>, Failure> {
-    model::answers(theory, inputs, questions).map_err(|unasked| no_answer(theory, &unasked))
+    model::answers(theory, inputs, questions, joint).map_err(|unasked| no_answer(theory, &unasked))
 }
 
 fn no_answer(theory: &dyn Theory, unasked: &Unasked) -> Failure {
@@ -236,12 +269,13 @@ fn no_answer(theory: &dyn Theory, unasked: &Unasked) -> Failure {
 
 fn reply(
     card: &Card,
-    inputs: &Inputs,
+    (inputs, joint): (&Inputs, &Joint),
     questions: &[Question],
     answers: &[Answer],
     spread: Option<&Spread>,
 ) -> Reply {
     let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
+    headings.extend(conduction::first_headings(joint, joint.area.is_some()));
     // A theory that knows its own error says it.
     let has_bar = answers.iter().flatten().any(|said| said.area_interval.is_some());
     headings.extend(["mean pressure", "area"]);
@@ -249,6 +283,12 @@ fn reply(
     headings.extend(["real pressure", "separation", "mean gap"]);
     let surveyed = answers.iter().flatten().any(|said| said.survey.is_some());
     headings.extend(surveyed.then_some("error"));
+    let per_area = conduction::headings(joint);
+    headings.extend(&per_area);
+    // Of correlations what they are fits of, too.
+    let exact = |said: &Said| said.conducted.is_some_and(|[fit, exact]| fit != exact);
+    let is_fit = answers.iter().flatten().any(exact);
+    headings.extend(if is_fit { &["exact"][..] } else { &[] });
     let mut columns = Columns::new(&headings);
     let mut notes: Vec<String> = Vec::new();
     // The first refusal is said on standard error.
@@ -256,7 +296,21 @@ fn reply(
     for (question, answer) in questions.iter().zip(answers) {
         let force = spread.map(|s| text::force(s.force(question.value())));
         let error = surveyed.then(|| survey(answer));
-        columns.row(force.into_iter().chain(cells(*question, answer, has_bar)).chain(error));
+        let conducted = answer.as_ref().ok().and_then(|said| said.conducted);
+        let absent = |n: usize| vec!["–".to_owned(); n];
+        let firsts = conduction::first_headings(joint, joint.area.is_some()).len();
+        let (first, last) = match conducted {
+            Some([fit, exact]) => {
+                let first = conduction::first_cells(&fit, joint.hardness.is_some());
+                let mut last = conduction::cells(&fit);
+                let exact = Conducted { gas: None, joint: None, ..exact };
+                last.extend(is_fit.then(|| conduction::cells(&exact).join(", ")));
+                (first, last)
+            }
+            None => (absent(firsts), absent(per_area.len() + usize::from(is_fit))),
+        };
+        let row = force.into_iter().chain(first).chain(cells(*question, answer, has_bar));
+        columns.row(row.chain(error).chain(last));
         let note = match answer {
             Ok(said) => said.state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) if Some(error) == told => None,
@@ -281,11 +335,16 @@ fn reply(
         let whose = whose.iter().find(|(g, _)| (g - gamma).abs() < 1e-12).map_or("", |w| w.1);
         let _ = writeln!(text, "mean gap with γ = {}{whose}", text::number(gamma));
     }
+    let gap = |answer: &Answer| {
+        answer.as_ref().ok().and_then(|said| said.state.mean_gap.or(said.state.separation))
+    };
+    let gaps: Vec<f64> = answers.iter().filter_map(gap).collect();
+    text += &conduction::line(joint, &gaps);
     for note in notes {
         let _ = writeln!(text, "{note}"); // a String takes everything
     }
     text += &spread.map_or_else(String::new, loads::carried);
-    let json = model::object(card, inputs, questions, answers, spread);
+    let json = model::object(card, (inputs, joint), questions, answers, spread);
     let trouble = told.map(model::failure);
     Reply { text, json, trouble }
 }

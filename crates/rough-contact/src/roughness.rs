@@ -40,6 +40,7 @@ fn option(fact: &InputFact) -> Arg {
         Unit::Pressure => (ValueParser::new(args::pressure), "P"),
         Unit::Lengths => (ValueParser::new(args::lengths), "LIST"),
         Unit::PerAreas => (ValueParser::new(args::per_areas), "LIST"),
+        Unit::Numbers => (ValueParser::new(args::numbers), "LIST"),
     };
     let arg = Arg::new(fact.name).long(fact.name).value_name(value).value_parser(parser);
     arg.allow_hyphen_values(true).help(fact.help).help_heading(HEADING)
@@ -58,7 +59,7 @@ impl Args for Source {
 impl FromArgMatches for Source {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let typed = INPUTS.iter().fold(Typed::default(), |typed, fact| match fact.unit {
-            Unit::Lengths | Unit::PerAreas => {
+            Unit::Lengths | Unit::PerAreas | Unit::Numbers => {
                 let list = matches.get_one::<List>(fact.name);
                 typed.with_list(fact.input, list.map(|l| l.0.clone()))
             }
@@ -119,17 +120,17 @@ pub(crate) fn ways(card: &Card) -> String {
 
 impl Source {
     /// The inputs of a model from the numbers typed in; `hardness` is that of the table of materials. With
-    /// a load, --area has a use beside that of an input.
+    /// a load or a conductance, --area has a use beside that of an input.
     pub(crate) fn typed(
         &self,
         card: &Card,
         modulus: ContactModulus,
         hardness: Option<f64>,
-        is_loaded: bool,
+        area_has_use: bool,
     ) -> Result<Inputs, Failure> {
         let mut typed = self.typed.clone();
         let area = typed.one(Input::Area);
-        let carries = is_loaded && !card.takes(Input::Area);
+        let carries = area_has_use && !card.takes(Input::Area);
         if carries {
             typed = typed.without(Input::Area);
         }
@@ -192,12 +193,12 @@ impl Source {
     }
 
     /// An option that the model does not use is a mistake, not a wish.
-    /// With a load, --area has a use beside that.
+    /// With a load or a conductance, --area has a use beside that.
     pub(crate) fn refuse_unused(
         &self,
         card: &Card,
         file: Option<&Path>,
-        is_loaded: bool,
+        area_has_use: bool,
     ) -> Result<(), Failure> {
         let refused = |message: String| Err(Failure::refused("usage", message));
         let Some(path) = file else {
@@ -215,7 +216,7 @@ impl Source {
         // What no file says.
         let beside = |input: Input| {
             let kind = matches!(input, Input::Gamma | Input::CriticalArea | Input::Hardness);
-            (kind && card.takes(input)) || (is_loaded && input == Input::Area)
+            (kind && card.takes(input)) || (area_has_use && input == Input::Area)
         };
         match self.typed.given().find(|input| !beside(*input)) {
             None => Ok(()),

@@ -18,10 +18,10 @@ use crate::profiles::{self, Traces};
 use crate::progress::Progress;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
-use answers::{Answer, Question, Subject, Watch};
+use answers::{Answer, Point, Question, Subject, Watch};
 use clap::Args;
 use compare::Request;
-use compare::{EdgesName, Level, Method, PairOrigin, Precision};
+use compare::{EdgesName, Joint, Level, Method, PairOrigin, Precision};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Solution};
 use std::ops::ControlFlow;
@@ -164,7 +164,9 @@ impl PerFile for Solve {
 
     fn answer(&self, common: &Common) -> Result<Reply, Failure> {
         let mut made_of = self.bodies.required(self.hardness)?;
-        let conduction = self.conduction.asked(&mut made_of)?;
+        self.loads.forces.refuse_idle_area(self.conduction.is_asked())?;
+        let area = self.loads.forces.area().filter(|_| self.conduction.is_asked());
+        let conduction = self.conduction.asked(&mut made_of, area)?;
         let answers::bodies::Bodies { modulus, bodies, hardness, materials } = made_of;
         let adhesion = self.adhesion.asked()?;
         let count = self.loads.count()?;
@@ -340,6 +342,8 @@ impl Solve {
     ) -> Reply {
         let spread = question.spread.as_ref();
         let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
+        let joint = Joint { hardness: answer.hardness.map(|h| h.pascals), ..question.conduction };
+        headings.extend(conduction::first_headings(&joint, true));
         headings.push("mean pressure");
         if self.loads.is_by_gap() {
             headings.push("±"); // the load is an answer too
@@ -356,16 +360,16 @@ impl Solve {
             "residual",
             "time",
         ]);
-        if self.stiffness && !question.conduction.is_asked() {
+        if self.stiffness || joint.is_asked() {
             headings.push("stiffness");
         }
         if answer.hardness.is_some() {
             headings.extend(hardness::HEADINGS);
         }
-        headings.extend(conduction::headings(&question.conduction));
+        headings.extend(conduction::headings(&joint));
         let mut columns = Columns::new(&headings);
         for point in &answer.points {
-            let mut cells = cells(point);
+            let mut cells = cells(point, joint.hardness.is_some());
             if spread.is_some() {
                 cells.insert(0, point.force.map_or_else(|| "–".to_owned(), text::force));
             }
@@ -378,13 +382,19 @@ impl Solve {
             let highest = solved.filter_map(|p| p["mean_pressure"].as_f64()).fold(0.0, f64::max);
             notes += &hardness::lines(given, highest);
         }
+        let gap = |p: &Point| p.solution.as_ref()?.state.mean_gap;
+        let gaps: Vec<f64> = answer.points.iter().filter_map(gap).collect();
         let text =
             text::cleaning(cleaned) + &text::findings(&answer.findings) + &columns.to_string();
         let text = text + &spread.map_or_else(String::new, carried);
         let text = text
             + &against::lines(pair, Some((question.modulus.pascals(), question.bodies.clone())));
-        let text =
-            text + &text::level(self.level, answer.level) + conduction::line(&question.conduction);
+        let text = text
+            + &text::level(self.level, answer.level)
+            + &conduction::line(
+                &Joint { area: answer.json["nominal_area"].as_f64(), ..joint },
+                &gaps,
+            );
         let text = text + &text::materials(&question.materials);
         let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
         Reply { text: text + &notes, json: answer.json, trouble: answer.trouble }

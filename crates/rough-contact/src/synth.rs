@@ -22,17 +22,18 @@ pub(crate) struct Synth {
     /// Hurst exponent, above 0 and at most 1
     #[arg(long, value_name = "H", value_parser = args::number, allow_hyphen_values = true)]
     hurst: f64,
-    /// Wavelength above which the spectrum is flat
+    /// Wavelength above which the spectrum is flat; with --rms-height and --rms-gradient both it is found
     #[arg(long, value_name = "L", value_parser = args::length, allow_hyphen_values = true)]
-    rolloff: f64,
+    #[arg(required_unless_present_all = ["rms_height", "rms_gradient"])]
+    rolloff: Option<f64>,
     /// Shortest wavelength
     #[arg(long, value_name = "L", value_parser = args::length, allow_hyphen_values = true)]
     cutoff: f64,
     /// Rms height to scale to
     #[arg(long, value_name = "S", value_parser = args::length, allow_hyphen_values = true)]
-    #[arg(required_unless_present = "rms_gradient", conflicts_with = "rms_gradient")]
+    #[arg(required_unless_present = "rms_gradient")]
     rms_height: Option<f64>,
-    /// Rms gradient to scale to, instead of --rms-height
+    /// Rms gradient to scale to, instead of --rms-height or beside it
     #[arg(long, value_name = "G", value_parser = args::number, allow_hyphen_values = true)]
     rms_gradient: Option<f64>,
     /// Seed of the random phases: the same seed gives the same surface everywhere
@@ -50,45 +51,61 @@ impl Synth {
     pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
         let format = Format::of(&self.out)?;
         output::check(&self.out, common.force)?;
-        let map = self.surface()?;
-        output::write(&self.out, |writer| format.write(writer, &map, &self.comment()))?;
-        Ok(self.reply(&map))
+        let (map, rolloff) = self.surface()?;
+        output::write(&self.out, |writer| format.write(writer, &map, &self.comment(rolloff)))?;
+        Ok(self.reply(&map, rolloff))
     }
 
-    fn surface(&self) -> Result<HeightMap, Failure> {
+    /// The map, and its roll-off.
+    fn surface(&self) -> Result<(HeightMap, f64), Failure> {
         let grid = Grid::new(self.shape, self.pixel).map_err(|e| Failure::from_error(&e))?;
         let scale = match (self.rms_height, self.rms_gradient) {
-            (_, Some(gradient)) => Scale::RmsGradient(gradient),
-            (height, None) => Scale::RmsHeight(height.unwrap_or(f64::NAN)),
+            (Some(_), Some(_)) if self.rolloff.is_some() => {
+                let message = "--rms-height, --rms-gradient and --rolloff fix more than one surface has; leave one out (the \
+                               roll-off that gives both is found)";
+                return Err(Failure::refused("usage", message));
+            }
+            (Some(height), _) => Scale::RmsHeight(height),
+            (None, gradient) => Scale::RmsGradient(gradient.unwrap_or(f64::NAN)),
         };
         let recipe = SelfAffine {
             grid,
             hurst: self.hurst,
-            rolloff: self.rolloff,
+            rolloff: self.rolloff.unwrap_or(self.cutoff),
             cutoff: self.cutoff,
             scale,
             seed: self.seed,
             quantise: self.quantise,
         };
-        recipe.generate().map_err(|e| Failure::from_error(&e))
+        let with_both = match (self.rms_height, self.rms_gradient) {
+            (Some(_), Some(gradient)) => recipe.with_gradient(gradient),
+            _ => Ok(recipe),
+        };
+        let recipe = with_both.map_err(|e| Failure::from_error(&e))?;
+        let map = recipe.generate().map_err(|e| Failure::from_error(&e))?;
+        Ok((map, recipe.rolloff))
     }
 
     /// The recipe, for people who find the file.
-    fn comment(&self) -> String {
+    fn comment(&self, rolloff: f64) -> String {
         format!(
-            "rough-contact synth: Hurst {}, roll-off {} m, cut-off {} m, seed {}",
-            self.hurst, self.rolloff, self.cutoff, self.seed
+            "rough-contact synth: Hurst {}, roll-off {rolloff} m, cut-off {} m, seed {}",
+            self.hurst, self.cutoff, self.seed
         )
     }
 
-    fn reply(&self, map: &HeightMap) -> Reply {
+    fn reply(&self, map: &HeightMap, rolloff: f64) -> Reply {
         let [ny, nx] = self.shape;
         let (low, high) = map.range();
         let mut table = Table::default();
         table.row("wrote", self.out.display().to_string());
         table.row("points", format!("{ny} rows × {nx} columns"));
         table.row("heights", format!("{} to {}", text::length(low), text::length(high)));
+        if self.rolloff.is_none() {
+            table.row("roll-off", format!("{}, found", text::length(rolloff)));
+        }
         let json = json!({
+            "rolloff": rolloff,
             "path": self.out.to_string_lossy(),
             "shape": self.shape,
             "pixel": self.pixel,

@@ -85,6 +85,11 @@ fn finding_line(finding: &Finding) -> String {
     format!("{}\n", line.replace('\u{202F}', " ").trim_end())
 }
 
+/// With the spaces of a terminal.
+pub(crate) fn plain(text: &str) -> String {
+    text.replace(report::numbers::SPACE, " ")
+}
+
 /// Columns of equal width under a header; the first is left-aligned, the others are not.
 pub(crate) struct Columns {
     rows: Vec<Vec<String>>,

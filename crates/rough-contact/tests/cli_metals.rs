@@ -118,8 +118,8 @@ fn a_contact_conducts_as_stiffly_as_it_stands() {
             let electrical = number(&point["electrical_conductance"]);
             assert!((electrical / (spots / 92e-9) - 1.0).abs() < 1e-12, "{point}");
             assert!((number(&point["thermal_conductance"]) / (spots * 25.0) - 1.0).abs() < 1e-12);
-            let of_map = number(&point["electrical_conductance_of_map"]);
-            assert!((of_map / (electrical * 1024e-12) - 1.0).abs() < 1e-12, "{point}");
+            let resistance = number(&point["electrical_resistance"]);
+            assert!((resistance * electrical * 1024e-12 - 1.0).abs() < 1e-12, "{point}");
             assert!(number(&point["conduction"]["residual"]) < 1e-7, "{point}");
             assert_eq!(point["contact_set"], "part");
             let bare = |key: &str| point[format!("{key}_interval")].is_null();
@@ -129,9 +129,11 @@ fn a_contact_conducts_as_stiffly_as_it_stands() {
     let full = solved(folder.path(), &format!("{rest} --pressure 1TPa"));
     assert_eq!(points(&full)[0]["contact_set"], "everything");
     assert!(points(&full)[0]["stiffness"].is_null(), "{full}");
+    assert!(number(&points(&full)[0]["electrical_resistance"]).abs() < 1e-300, "{full}");
     let apart = solved(folder.path(), &format!("{rest} --gap 10um"));
     assert_eq!(points(&apart)[0]["contact_set"], "none");
     assert!(number(&points(&apart)[0]["thermal_conductance"]).abs() < 1e-300, "{apart}");
+    assert!(points(&apart)[0]["electrical_resistance"].is_null(), "{apart}");
     let elastic = solved(folder.path(), "--pressure 20MPa");
     assert!(points(&elastic)[0].get("electrical_conductance").is_none());
 }

@@ -134,6 +134,72 @@ impl SelfAffine {
         Ok(HeightMap::new(self.grid, heights)?)
     }
 
+    /// The recipe of a surface that has this rms gradient (-) beside its rms height: the roll-off is found that gives both.
+    ///
+    /// # Errors
+    /// [`StatsError::BadSetting`] if no roll-off from the cut-off to the longer side of the map does, or if the scale of the
+    /// recipe is no rms height.
+    pub fn with_gradient(self, gradient: f64) -> Result<Self, StatsError> {
+        let refused = |requirement| {
+            Err(StatsError::BadSetting { setting: "rms gradient", value: gradient, requirement })
+        };
+        let Scale::RmsHeight(height) = self.scale else {
+            return refused("is given beside an rms height only");
+        };
+        self.check()?;
+        if !(gradient.is_normal() && gradient > 0.0) {
+            return refused("must be finite and greater than 0");
+        }
+        let mut fft = GridFft::new(self.grid.shape());
+        let mut waves = fft.new_spectrum();
+        fft.forward(&self.white_noise(), &mut waves);
+        let (nq, nx) = (fft.spectrum_shape()[1], self.grid.shape()[1]);
+        let noise: Vec<[f64; 2]> = waves
+            .iter()
+            .enumerate()
+            .map(|(i, wave)| {
+                let twice = if i % nq == 0 || 2 * (i % nq) == nx { 1.0 } else { 2.0 };
+                [self.grid.wavenumber(i / nq, i % nq), twice * wave.norm_sqr()]
+            })
+            .collect();
+        // How many times too steep, as a logarithm: it rises with a shorter roll-off.
+        let excess = |ln_rolloff: f64| {
+            let trial = Self { rolloff: ln_rolloff.exp(), ..self };
+            let [m0, m2] = noise.iter().fold([0.0; 2], |[m0, m2], [q, power]| {
+                let power = power * trial.filter(*q).powi(2);
+                [m0 + power, m2 + power * q * q]
+            });
+            0.5 * (m2 / m0).ln() - (gradient / height).ln()
+        };
+        let [ly, lx] = self.grid.size();
+        let (mut low, mut high) = (self.cutoff.ln(), ly.max(lx).ln());
+        let [mut at_low, mut at_high] = [low, high].map(excess);
+        if !(at_low > 0.0 && at_high < 0.0) {
+            return refused(
+                "with this rms height, no roll-off from the cut-off to the side of the map gives both: take a longer \
+                 cut-off for a smaller gradient, a shorter one or a shorter side for a larger",
+            );
+        }
+        // The secant; an end that stays twice counts half (Illinois). Each step sees the whole spectrum.
+        let (mut middle, mut was_low) = (low, None);
+        for _ in 0..60 {
+            middle = (low * at_high - high * at_low) / (at_high - at_low);
+            let at = excess(middle);
+            let is_low = at > 0.0;
+            let half = if was_low == Some(is_low) { 0.5 } else { 1.0 };
+            if is_low {
+                (low, at_low, at_high) = (middle, at, half * at_high);
+            } else {
+                (high, at_high, at_low) = (middle, at, half * at_low);
+            }
+            if at.abs() < 1e-12 {
+                break;
+            }
+            was_low = Some(is_low);
+        }
+        Ok(Self { rolloff: middle.exp(), ..self })
+    }
+
     /// Square root of the PSD, 1 on its plateau.
     fn filter(&self, q: f64) -> f64 {
         let (q0, q1) = (TAU / self.rolloff, TAU / self.cutoff);

@@ -218,3 +218,28 @@ fn impossible_recipes_are_refused() {
     let one = SelfAffine { grid: Grid::new([1, 1], [1e-6, 1e-6]).unwrap(), ..good };
     assert!(matches!(one.generate(), Err(StatsError::EmptyBand { .. })));
 }
+
+/// A joint is known by σ and slope: the map has both, whatever the seed, and what no roll-off gives is refused.
+#[test]
+fn a_map_with_rms_height_and_gradient_both() {
+    let recipe = SelfAffine {
+        grid: Grid::new([128, 96], [1e-6, 1e-6]).unwrap(),
+        hurst: 0.7,
+        rolloff: 8e-6,
+        cutoff: 8e-6,
+        scale: Scale::RmsHeight(0.6e-6),
+        seed: 5,
+        quantise: None,
+    };
+    for gradient in [0.12, 0.2] {
+        let recipe = recipe.with_gradient(gradient).unwrap();
+        let map = recipe.generate().unwrap();
+        let found = PowerSpectrum::of(&map, Window::None).unwrap().moments().0;
+        assert!((found.rms_height() / 0.6e-6 - 1.0).abs() < 1e-12);
+        assert!((found.rms_gradient() / gradient - 1.0).abs() < 1e-10, "{found:?}");
+        assert!((8e-6..128e-6).contains(&recipe.rolloff));
+    }
+    for wrong in [0.0, 1e-3, 10.0, f64::NAN] {
+        assert!(recipe.with_gradient(wrong).is_err(), "{wrong}");
+    }
+}

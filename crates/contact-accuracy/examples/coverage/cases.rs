@@ -128,6 +128,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         mirrored: false,
         modulus: ContactModulus::from_pascals(1.0).unwrap(),
         finer: if case == Case::Fast { Finer::Never } else { Finer::WhenNeeded },
+        jump: None,
     };
     let half = thinned(&given, [0, 0]).unwrap();
     let unit = Map::of(&given).rms_height;
@@ -230,6 +231,7 @@ pub(crate) fn sampling() -> String {
                 mirrored: false,
                 modulus: ContactModulus::from_pascals(1.0).unwrap(),
                 finer: Finer::Never,
+                jump: None,
             };
             let mut ladder = Ladder::new(map(POINTS, &family(name, seed).unwrap()), setup).unwrap();
             for (k, p) in pressures.iter().enumerate() {

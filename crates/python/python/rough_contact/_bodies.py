@@ -147,6 +147,36 @@ def material(name: str) -> Body:
     return _body(numbers["young"], numbers["poisson"], numbers.get("hardness"), title, found["name"])
 
 
+def joint(
+    resistivity: Q | None, conductivity: Q | None, gas: str | dict[str, Any] | None, area: float | None
+) -> dict[str, Any]:
+    """What is asked of the conduction of a joint, as the crates take it."""
+    found: dict[str, Any] = {}
+    if resistivity is not None:
+        found["resistivities"] = _units.pair(resistivity, "resistivity", "resistivity")
+    if conductivity is not None:
+        found["conductivities"] = _units.pair(conductivity, "conductivity", "conductivity")
+    if gas is not None and gas != "vacuum":
+        if conductivity is None:
+            raise TypeError("gas conducts heat beside the contact; give conductivity, too")
+        given = {"gas": gas} if isinstance(gas, str) else dict(gas)
+        unknown = [key for key in given if key not in ("gas", "temperature", "pressure", "accommodation")]
+        if given.get("gas") not in ("air", "helium", "argon", "nitrogen") or unknown:
+            raise SettingError(
+                "gas takes 'vacuum', 'air', 'helium', 'argon', 'nitrogen', or a dict of gas, temperature (K), pressure and "
+                "accommodation",
+                "gas",
+            )
+        if "pressure" in given:
+            given["pressure"] = _units.scalar(given["pressure"], "pressure", "gas pressure")
+        if isinstance(given.get("accommodation"), (int, float)):
+            given["accommodation"] = [given["accommodation"]] * 2
+        found["gas"] = given
+    if found and area is not None:
+        found["area"] = area
+    return found
+
+
 def adhesion(work: Q | None, reach: Q | None) -> dict[str, float] | None:
     """A work of adhesion, as the crates take it."""
     if work is None:

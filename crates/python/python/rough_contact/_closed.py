@@ -133,7 +133,10 @@ class Numbers(_Roughness):
         self._values = {}
         for name, value in values.items():
             unit = kinds[name][0]
-            if unit.endswith("s"):
+            if unit == "numbers":
+                several = value.split(",") if isinstance(value, str) else np.atleast_1d(value).tolist()
+                found = [_units.number(one, name) for one in several]
+            elif unit.endswith("s"):
                 found = _units.several(value, {"lengths": "length", "per_areas": "per_area"}[unit], name)
             else:
                 found = [_one(value, unit, name)]
@@ -257,6 +260,10 @@ def model(
     separation: Q | None = None,
     hardness: Q | Literal["elastic"] | None = None,
     gamma: float | None = None,
+    resistivity: Q | None = None,
+    conductivity: Q | None = None,
+    gas: str | dict[str, Any] | None = None,
+    area: Q | None = None,
     level: Level = "auto",
     against: Surface | None = None,
     flip: Flip = "columns",
@@ -271,13 +278,15 @@ def model(
     source : Surface, Profile, Moments, Asperities, SelfAffine, Fractal or Numbers
         The roughness. Of traces the model is that of the isotropic surface with their moments.
     modulus : quantity
-        Contact modulus E*; or `bodies`.
+        Contact modulus E*; or `bodies`. Not for cmy, whose bodies have no elasticity.
     pressure, separation : quantity or list
         Nominal pressures, or distances of the undeformed planes; exactly one.
     hardness : quantity or 'elastic', optional
         Of the softer body, for models of bodies that yield; by default what `bodies` know of it.
     gamma : float, optional
         Weight of partial contact in Persson's mean gap: 0.45 (Yang & Persson 2008, the default) or 1 (Persson 2007).
+    resistivity, conductivity, gas, area
+        What the joint conducts, as in `solve`: in ``json['points']``.
     level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
         Form that is taken off a surface first, or off each trace; 'auto' is the plane, but the mean of a map that repeats.
     against, flip, shift
@@ -311,9 +320,16 @@ def model(
         roughness = source._given()
     else:
         raise TypeError(f"source takes a surface or roughness typed in, not {type(source).__name__}")
+    if modulus is None and bodies is None and "mean-slope" in (roughness or {}):
+        own = None if hardness is None else _units.scalar(hardness, "pressure", "hardness")
+        made_of: dict[str, Any] = {"modulus": None, "bodies": [], "hardness": own, "materials": []}
+    else:
+        made_of = _bodies.given(modulus, bodies, hardness)
+    of_part = None if area is None else _units.scalar(area, "area", "area")
     request = {
         "name": name,
-        **_bodies.given(modulus, bodies, hardness),
+        **made_of,
+        "joint": _bodies.joint(resistivity, conductivity, gas, of_part),
         "hardness_is_given": hardness is not None,
         "gamma": None if gamma is None else _units.number(gamma, "gamma"),
         "pressures": None if pressure is None else _units.several(pressure, "pressure", "pressure"),

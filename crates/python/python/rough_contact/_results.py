@@ -53,9 +53,11 @@ class Point:
     stiffness_interval: Interval | None = _n("Pa/m")
     stiffness_prediction_interval: Interval | None = _n("Pa/m")
     electrical_conductance: float | None = _n("S/m2")
-    electrical_conductance_of_map: float | None = _n("S")
     thermal_conductance: float | None = _n("W/m2/K")
-    thermal_conductance_of_map: float | None = _n("W/K")
+    gas_conductance: float | None = _n("W/m2/K")
+    joint_conductance: float | None = _n("W/m2/K")
+    electrical_resistance: float | None = _n("ohm")
+    thermal_resistance: float | None = _n("K/W")
     contact_set: str | None = _n()
     conduction: dict[str, Any] | None = _n()
     saturated_fraction: float | None = _n("1")
@@ -175,9 +177,11 @@ class LoadCurve:
     stiffness_interval: NDArray[np.float64] = field(init=False)
     stiffness_prediction_interval: NDArray[np.float64] = field(init=False)
     electrical_conductance: NDArray[np.float64] = field(init=False)
-    electrical_conductance_of_map: NDArray[np.float64] = field(init=False)
     thermal_conductance: NDArray[np.float64] = field(init=False)
-    thermal_conductance_of_map: NDArray[np.float64] = field(init=False)
+    gas_conductance: NDArray[np.float64] = field(init=False)
+    joint_conductance: NDArray[np.float64] = field(init=False)
+    electrical_resistance: NDArray[np.float64] = field(init=False)
+    thermal_resistance: NDArray[np.float64] = field(init=False)
     saturated_fraction: NDArray[np.float64] = field(init=False)
     plastic_load_fraction: NDArray[np.float64] = field(init=False)
     elastic_area_fraction: NDArray[np.float64] = field(init=False)
@@ -406,4 +410,4 @@ def made_of(answer: dict[str, Any]) -> str:
     """E*, and which bodies press on each other."""
     elastic = [body for body in answer.get("bodies") or [] if not body["rigid"]]
     bodies = [{"young": body["young"], "poisson": body["poisson"]} for body in elastic]
-    return _rust.bodies_line(answer["modulus"], json.dumps(bodies))
+    return "rigid bodies" if answer["modulus"] is None else _rust.bodies_line(answer["modulus"], json.dumps(bodies))

@@ -44,6 +44,7 @@ def solve(
     hardness: Q | Literal["elastic"] | None = None,
     resistivity: Q | None = None,
     conductivity: Q | None = None,
+    gas: str | dict[str, Any] | None = None,
     work_of_adhesion: Q | None = None,
     attraction_range: Q | None = None,
     distributions: bool = False,
@@ -85,7 +86,10 @@ def solve(
     hardness : quantity or 'elastic', optional
         Highest pressure that the softer body bears; by default what `bodies` know of it, ``'elastic'`` leaves that out.
     resistivity, conductivity : quantity, optional
-        Of both bodies, or a pair: what the contact conducts.
+        Of both bodies, or a pair: what the joint conducts, and the resistance of `area` (that of the map by default).
+    gas : str or dict, optional
+        In the gap, beside `conductivity`: ``'air'``, ``'helium'``, ``'argon'`` or ``'nitrogen'``, or a dict of ``gas``,
+        ``temperature`` (K), ``pressure`` and ``accommodation``; vacuum by default.
     plane_strain : bool
         The profile is the cross-section of long parallel ridges (Westergaard 1939, doi:10.1115/1.4008919).
     work_of_adhesion, attraction_range : quantity, optional
@@ -156,10 +160,11 @@ def solve(
         ("plane_strain", plane_strain, "work_of_adhesion", work_of_adhesion is not None),
     )
     used = count(threads)
+    of_part = None if area is None else _units.scalar(area, "area", "area")
     request: dict[str, Any] = {
         **made_of,
         "loads": loads(pressure, gap, load),
-        "area": None if area is None else _units.scalar(area, "area", "area"),
+        "area": of_part,
         "level": level,
         "boundary": boundary,
         "edges": edges,
@@ -170,16 +175,15 @@ def solve(
         "fast": bool(fast),
         "certify": bool(certify),
         "stiffness": bool(stiffness),
-        "resistivity": None if resistivity is None else _units.pair(resistivity, "resistivity", "resistivity"),
-        "conductivity": None if conductivity is None else _units.pair(conductivity, "conductivity", "conductivity"),
+        "joint": _bodies.joint(resistivity, conductivity, gas, of_part),
         "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
         "distributions": bool(distributions),
         "plane_strain": bool(plane_strain),
         "maps": {False: "none", True: "all", "pressure": "pressure"}[maps],
         "threads": used,
     }
-    if area is not None and load is None:
-        raise TypeError("area is the area that load presses on, and no load is given")
+    if area is not None and load is None and not conduction:
+        raise TypeError("area is that load presses on or whose resistance is asked for, and neither load nor conductivity is given")
     return asked(section(surface, plane_strain), request, (against, flip, shift), progress, on_failure)
 
 

@@ -274,6 +274,7 @@ def compare(
     gamma: float | None = None,
     resistivity: Q | None = None,
     conductivity: Q | None = None,
+    gas: str | dict[str, Any] | None = None,
     work_of_adhesion: Q | None = None,
     attraction_range: Q | None = None,
     precision: Literal["f64", "f32"] = "f64",
@@ -302,7 +303,7 @@ def compare(
     models : list, optional
         Names of built-in models and models of one's own (`ContactModel`); every built-in one by default. Those of one's
         own are called once for each surface, with all loads, on this thread, before the solver.
-    level, edges, hardness, gamma, resistivity, conductivity, precision, tolerance, accuracy, fractal_range
+    level, edges, hardness, gamma, resistivity, conductivity, gas, precision, tolerance, accuracy, fractal_range
         As the options of the command.
     work_of_adhesion, attraction_range : quantity, optional
         As the options of the command.
@@ -343,10 +344,7 @@ def compare(
         settings["headline"] = _units.scalar(headline, "pressure", "headline")
     if gamma is not None:
         settings["gamma"] = _units.number(gamma, "gamma")
-    if resistivity is not None:
-        settings["resistivities"] = _units.pair(resistivity, "resistivity", "resistivity")
-    if conductivity is not None:
-        settings["conductivities"] = _units.pair(conductivity, "conductivity", "conductivity")
+    settings.update(_bodies.joint(resistivity, conductivity, gas, None))
     adhesion = _bodies.adhesion(work_of_adhesion, attraction_range)
     if adhesion is not None:
         settings["adhesion"] = adhesion

@@ -17,10 +17,10 @@ const BOTTOM: f64 = 226.0;
 const HEIGHT: f64 = 262.0;
 
 /// One line over the loads.
-pub(crate) struct Line<'a> {
-    pub(crate) label: &'a str,
+pub(crate) struct Line {
+    pub(crate) label: String,
     /// The series it is, see [`Canvas::series`]; may be empty.
-    pub(crate) series: &'a str,
+    pub(crate) series: String,
     pub(crate) look: Look,
     pub(crate) values: Vec<Option<f64>>,
 }
@@ -29,7 +29,7 @@ pub(crate) struct Line<'a> {
 pub(crate) fn over_load(
     pressures: &[f64],
     deterministic: &[Option<f64>],
-    lines: &[Line<'_>],
+    lines: &[Line],
     unit_name: &str,
     key: &str,
 ) -> Figure {
@@ -51,11 +51,11 @@ pub(crate) fn over_load(
     frame.draw(&mut canvas);
     let mut labels = Vec::new();
     for (line, values) in lines.iter().zip(&others) {
-        canvas.series(line.series, |canvas| {
+        canvas.series(&line.series, |canvas| {
             draw(canvas, &frame, (pressures, unit.scale), values, line.look);
         });
-        let end = end(&frame, values, line.label, line.look.colour, false);
-        labels.extend(end.map(|end| EndLabel { series: line.series.into(), ..end }));
+        let end = end(&frame, values, &line.label, line.look.colour, false);
+        labels.extend(end.map(|end| EndLabel { series: line.series.clone(), ..end }));
     }
     draw(&mut canvas, &frame, (pressures, unit.scale), &reference, DETERMINISTIC_LOOK);
     labels.extend(end(&frame, &reference, "Deterministic", DETERMINISTIC, true));

@@ -7,8 +7,8 @@ use crate::numbers::{PASCALS, chosen, relative_interval, significant};
 use crate::page::context::Page;
 use crate::page::sections::figure;
 use crate::sources::CONDUCTANCE;
-use crate::words::conduction::{conductance, kinds, octaves, scientific};
-use compare::SurfaceComparison;
+use crate::words::conduction::{conductance, joint_words, kinds, octaves, resistances, scientific};
+use compare::{SurfaceComparison, TheoryStiffness};
 
 /// Numbers at the headline, conductance over the load, and what the shortest waves do to it.
 pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
@@ -16,38 +16,62 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     let h = page.heading();
     let barber = page.source(CONDUCTANCE);
     let p = chosen(surface.headline_pressure(), PASCALS);
-    let at_headline = found.stiffness.get(surface.headline).copied().flatten();
-    let area = surface.surface.grid().area();
     let estimate = surface.headline_answer().and_then(|a| a.budget.stiffness);
-    let stated = estimate.and_then(|k| Some((k.value, k.stated()?)));
+    let stated = estimate.and_then(|k| k.stated());
     let mut rows = String::new();
-    for kind in kinds(found) {
-        let Some(stiffness) = at_headline else { continue };
-        let value = conductance(kind, stiffness);
-        let spread = match stated {
-            Some((k, ends)) if value > 0.0 && value.is_finite() => {
-                format!(" {}", escape(&relative_interval(k, ends)))
-            }
-            _ => String::new(),
-        };
+    let mut row = |name: &str, value: String, why: &str| {
         rows.push_str(&format!(
-            "<tr><th scope=\"row\">{} conductance</th><td class=\"n\">{}{spread}</td><td class=\"why\">of the \
-             contact, per nominal area; {} of this map</td></tr>\n",
-            capital(kind.name),
-            scientific(value, kind.per_area),
-            scientific(value * area, kind.of_part),
+            "<tr><th scope=\"row\">{name}</th><td class=\"n\">{value}</td><td class=\"why\">{why}</td></tr>\n"
         ));
+    };
+    let conducted = surface.conducted(surface.headline);
+    if let Some(all) = &conducted {
+        for r in resistances(all) {
+            let spot = r.one_spot.map_or_else(String::new, |r| {
+                format!("one spot of the same load and hardness (Holm) {r}")
+            });
+            row(r.name, r.value, &spot);
+        }
+        let each = [
+            ("Electrical conductance", all.electrical, "S/m²", "of the contact, per nominal area"),
+            ("Thermal conductance", all.thermal, "W/m²/K", "of the contact, per nominal area"),
+            (
+                "Conductance of the gas",
+                all.gas,
+                "W/m²/K",
+                "parallel plates locally, ⟨<i>k</i>/(gap + <i>M</i>)⟩",
+            ),
+            ("Conductance of the joint", all.joint, "W/m²/K", "contact and gas"),
+        ];
+        for (name, found, unit, why) in each {
+            let Some(found) = found else { continue };
+            let spread = found.estimate.and_then(|e| Some(relative_interval(e.value, e.stated()?)));
+            let spread = spread.map_or_else(String::new, |text| format!(" {}", escape(&text)));
+            row(name, format!("{}{spread}", scientific(found.value, unit)), why);
+        }
+        let gas = found.joint.gas.map(|gas| gas.conductivity());
+        for (theory, k) in found.theories.iter().zip(gas.into_iter().cycle()) {
+            let Some(at) = theory.gas.get(surface.headline).copied().flatten() else { continue };
+            let name = format!("Gas by {}", theory.label);
+            row(
+                &name,
+                scientific(at * k, "W/m²/K"),
+                "Gaussian heights at the separation of the theory",
+            );
+        }
     }
     let covers = match (stated, estimate.and_then(|k| k.sampling)) {
         (None, _) => "",
         (Some(_), Some(_)) => "± of the surface. ",
         (Some(_), None) => "± of this map. ",
     };
+    let gap = surface.headline_answer().and_then(|a| a.mean_gap);
+    let gap = joint_words(&found.joint, gap.as_slice());
     let lead = octaves(found).map_or_else(String::new, |text| format!("<p>{text}</p>\n"));
     let mut out = format!(
         "<{h}>What it conducts at {p}</{h}>\n{lead}<table class=\"key\"><tbody>\n{rows}</tbody></table>\n\
-         <p class=\"why\">{covers}From the stiffness of the contact set [<a href=\"#r{barber}\">{barber}</a>], beyond the column of bulk material; clean bodies, spots much larger than the free path of what \
-         carries the current; no film, no current through the gap, both bodies half spaces on the scale of the \
+         <p class=\"why\">{covers}{gap} From the stiffness of the contact set [<a href=\"#r{barber}\">{barber}</a>], beyond the column of bulk material; clean bodies, spots much larger than the free path of what \
+         carries the current; no film, plating or fritting, both bodies half spaces on the scale of the \
          contact.</p>\n<div class=\"two\">\n",
     );
     let drawn = kinds(found).into_iter().find(|k| k.factor > 0.0 && k.factor.is_finite());
@@ -56,25 +80,24 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
         let of = |values: &[Option<f64>]| -> Vec<Option<f64>> {
             values.iter().map(|k| k.map(|k| conductance(kind, k))).collect()
         };
-        let theories = found.theories.iter().map(|theory| Line {
-            label: &theory.label,
-            series: &theory.name,
-            look: look(&theory.name, 0),
-            values: of(&theory.stiffness),
-        });
-        let mut lines: Vec<Line<'_>> = theories.collect();
         // Correlations are no models of the study: in the looks of strangers.
-        let stranger =
-            |label, place, values| Line { label, series: "", look: look("", place), values };
-        lines.push(stranger("Mikic", 1, of(&found.mikic)));
+        let theory = |theory: &'_ TheoryStiffness| {
+            let (name, values) = (theory.name.clone(), of(&theory.stiffness));
+            let is_correlation = ["mikic", "cmy"].contains(&name.as_str());
+            let series = if is_correlation { String::new() } else { name.clone() };
+            Line {
+                label: theory.label.clone(),
+                series,
+                look: look(&name, usize::from(name == "mikic")),
+                values,
+            }
+        };
+        let lines: Vec<Line> = found.theories.iter().map(theory).collect();
         let gamma = found.theories.iter().find_map(|theory| theory.gamma);
         let gamma = gamma.map_or_else(String::new, |g| {
             format!(" Persson’s gap with γ = {}.", significant(g, 3))
         });
-        let yields = !found.yovanovich.is_empty();
-        if yields {
-            lines.push(stranger("CMY", 0, of(&found.yovanovich)));
-        }
+        let yields = found.yields();
         let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
         let deterministic = of(&found.stiffness);
         let svg = figures::over_load(

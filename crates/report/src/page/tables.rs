@@ -5,7 +5,7 @@ use crate::draw::svg::{Canvas, Stroke, escape};
 use crate::lines::{ELASTIC, Reference, references};
 use crate::looks::{inputs_html, look};
 use crate::numbers::{
-    METRES, PASCALS, SPACE, chosen, duration, fixed, percent, percent_within, quantity,
+    AREAS, METRES, PASCALS, SPACE, chosen, duration, fixed, percent, percent_within, quantity,
     quantity_within, signed_percent, signed_range, significant, unit_for,
 };
 use crate::page::context::Page;
@@ -22,6 +22,14 @@ use contact_types::{ContactState, ModelError};
 pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
     let p = chosen(surface.headline_pressure(), PASCALS);
     let mut rows: Vec<(String, String, String)> = Vec::new();
+    for r in surface.conducted(surface.headline).iter().flat_map(words::conduction::resistances) {
+        let area = surface.conduction.as_ref().and_then(|c| c.joint.area);
+        let of = area.map_or_else(String::new, |area| format!("of {}", quantity(area, AREAS, 3)));
+        let spot = r.one_spot.map_or_else(String::new, |spot| {
+            format!("; one spot of the same load and hardness (Holm) {spot}")
+        });
+        rows.push((r.name.into(), r.value, of + &spot));
+    }
     if let Some(a) = surface.headline_answer() {
         let covers = match (a.budget.area.interval(), a.budget.area.sampling) {
             (Ok(alone), Some(_)) => format!(

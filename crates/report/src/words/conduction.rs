@@ -1,14 +1,16 @@
 //! What a contact conducts, in words and numbers.
 
-use crate::numbers::{METRES, SPACE, length, percent, power_of_ten, quantity, significant, times};
-use compare::Conduction;
+use crate::numbers::{
+    AREAS, KELVINS_PER_WATT, METRES, OHMS, PASCALS, SPACE, Unit, chosen, length, percent,
+    power_of_ten, quantity, quantity_within, significant, times,
+};
+use compare::{Conducted, Conduction, Joint, SurfaceComparison};
 
-/// A kind of conductance: what it is called and its units, per area and of the part.
+/// A kind of conductance: what it is called and its unit per area.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Kind {
     pub(crate) name: &'static str,
     pub(crate) per_area: &'static str,
-    pub(crate) of_part: &'static str,
     /// Per area, in letters that every program reads.
     pub(crate) plain_unit: &'static str,
     /// Per stiffness.
@@ -20,18 +22,110 @@ pub(crate) fn kinds(found: &Conduction) -> Vec<Kind> {
     let electrical = found.electrical.map(|factor| Kind {
         name: "electrical",
         per_area: "S/m²",
-        of_part: "S",
         plain_unit: "S/m^2",
         factor,
     });
     let thermal = found.thermal.map(|factor| Kind {
         name: "thermal",
         per_area: "W/m²/K",
-        of_part: "W/K",
         plain_unit: "W/m^2/K",
         factor,
     });
     electrical.into_iter().chain(thermal).collect()
+}
+
+/// A resistance of the part in words: the number with its ends, relative ends, Holm's single spot.
+#[derive(Debug, Clone)]
+pub struct ResistanceWords {
+    /// What is resisted: "Contact resistance", "Thermal resistance".
+    pub name: &'static str,
+    /// "1.20 ± 0.05 mΩ".
+    pub value: String,
+    /// That of one spot of the same load and hardness, if that is known.
+    pub one_spot: Option<String>,
+}
+
+/// Those of the part, if its area is known.
+pub fn resistances(found: &Conducted) -> Vec<ResistanceWords> {
+    let kinds = [("Contact resistance", OHMS), ("Thermal resistance", KELVINS_PER_WATT)];
+    let each = kinds.into_iter().zip(found.resistances().into_iter().zip(found.one_spot));
+    each.filter_map(|((name, units), (r, spot))| {
+        let (value, stated) = (r?.value(), r?.stated());
+        let shown = |value: f64, ends: Option<[f64; 2]>| match value {
+            r if r.is_infinite() => "no contact".to_owned(),
+            r if r <= 0.0 => format!("0{SPACE}{}", unit_of(units)),
+            r => quantity_within(r, ends, units),
+        };
+        let one_spot = spot.map(|spot| shown(spot, None));
+        Some(ResistanceWords { name, value: shown(value, stated), one_spot })
+    })
+    .collect()
+}
+
+/// "Thermal resistance 30 ± 3 mK/W at 10 MPa (one spot 16.5 K/W)" for each, in plain text.
+pub fn resistance_lines(surface: &SurfaceComparison) -> Vec<String> {
+    let at = chosen(surface.headline_pressure(), PASCALS);
+    let line = |r: ResistanceWords| {
+        let spot = r.one_spot.map_or_else(String::new, |spot| format!(" (one spot {spot})"));
+        format!("{} {} at {at}{spot}", r.name, r.value).replace(SPACE, " ")
+    };
+    surface.conducted(surface.headline).iter().flat_map(resistances).map(line).collect()
+}
+
+fn unit_of(units: &[Unit]) -> &'static str {
+    units.iter().find(|unit| unit.scale >= 1.0).map_or("", |unit| unit.name)
+}
+
+/// Knudsen numbers at which the slip regime begins and ends.
+const SLIP: [f64; 2] = [0.01, 0.1];
+/// Stefan and Boltzmann's constant (W/m²/K⁴).
+const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
+
+/// What is in the gap of this joint, with its regime at these mean gaps (m), and of what the resistances are.
+pub fn joint_words(joint: &Joint, gaps: &[f64]) -> String {
+    let mut text = match &joint.gas {
+        None if joint.conductivities.is_some() => "Vacuum in the gap.".to_owned(),
+        None => String::new(),
+        Some(gas) => {
+            let [a, b] = gas.accommodation;
+            let name = format!("{:?}", gas.gas).to_lowercase();
+            let radiation = 4.0 * STEFAN_BOLTZMANN * gas.temperature.powi(3);
+            let widest = gaps.iter().copied().fold(0.0, f64::max);
+            let narrowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+            let knudsen = [widest, narrowest].map(|gap| gas.free_path() / gap);
+            let regime = match knudsen[1] {
+                k if k < SLIP[0] => "continuum",
+                k if k <= SLIP[1] => "slip",
+                _ => "transition, where M is an approximation",
+            };
+            let regime = if widest > 0.0 && narrowest > 0.0 {
+                let numbers = match knudsen.map(|k| significant(k, 2)) {
+                    [one, other] if one == other => one,
+                    [one, other] => format!("{one} to {other}"),
+                };
+                format!("; free path over mean gap {numbers}: {regime}")
+            } else {
+                String::new()
+            };
+            format!(
+                "In the gap {name} at {}{SPACE}K and {}, {}{SPACE}W/m/K, jumps of temperature M = {} (accommodation {} and {}; at 1 it conducts most){regime}. Radiation adds at most {}{SPACE}W/m²/K.",
+                significant(gas.temperature, 3),
+                quantity(gas.pressure, PASCALS, 3),
+                significant(gas.conductivity(), 3),
+                quantity(gas.jump(), METRES, 2),
+                significant(a, 2),
+                significant(b, 2),
+                significant(radiation, 2),
+            )
+        }
+    };
+    if let Some(area) = joint.area {
+        if !text.is_empty() {
+            text.push(' ');
+        }
+        text.push_str(&format!("Resistances of {}.", quantity(area, AREAS, 4)));
+    }
+    text
 }
 
 /// Conductance of a stiffness: nothing without contact, and no end of it in full contact between bodies that
@@ -86,7 +180,7 @@ pub(crate) fn octaves(found: &Conduction) -> Option<String> {
         "The area depends on the shortest wave that was measured; the conductance hardly does."
     } else if area > conductance {
         "On this surface both depend on the shortest wave that was measured, the area more."
-    } else if found.yovanovich.is_empty() {
+    } else if !found.yields() {
         "On this surface the conductance depends on the shortest wave that was measured more than the area."
     } else {
         "On this surface the conductance depends on the shortest wave that was measured more than the area, \

@@ -17,7 +17,8 @@ pub(crate) fn loads_words(settings: &Settings) -> Option<String> {
     let all: Vec<String> = settings.pressures.iter().flatten().map(one).collect();
     let side = unit_for(area.sqrt(), METRES);
     let area = significant(area / side.scale.powi(2), 4);
-    Some(format!("on {area}{SPACE}{}²: {}", side.name, all.join(", ")))
+    let loads = if all.is_empty() { String::new() } else { format!(": {}", all.join(", ")) };
+    Some(format!("on {area}{SPACE}{}²{loads}", side.name))
 }
 
 #[cfg(test)]
