@@ -1,0 +1,60 @@
+//! Exact solutions: the error falls at the expected order when the grid is refined.
+
+use crate::common;
+
+use common::unit_modulus;
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::reference::Hertz;
+use fft_bem_solver::validation::{self, Options, Row};
+use fft_bem_solver::{Boundary, Load, Method, Solver};
+
+#[test]
+fn errors_fall_at_the_expected_order() {
+    let options = Options { finest: 128, ..Options::default() };
+    let rows = validation::run(&options, |_| ()).unwrap();
+    let finest: Vec<&Row> =
+        rows.iter().filter(|r| r.shape[1] == 128 || r.shape[1] == 16 * 128).collect();
+    assert_eq!(finest.len(), 3 * rows.len() / 9, "three grids per case");
+    for row in finest {
+        let limit = match (row.quantity, row.shape[0]) {
+            ("closing pressure", _) => 1e-12,
+            ("pressure, rms", _) if row.case == "full contact" => 1e-12,
+            ("pressure, rms", 1) => 3e-4,
+            ("pressure, rms", _) => 8e-3,
+            ("mean gap" | "gap, rms" | "mean gap / amplitude", _) => 2e-5,
+            ("approach" | "maximum pressure", _) if !row.case.contains("punch") => 6e-5,
+            ("approach", _) => 5e-3,
+            // A pixel more or less on each side of a profile, a fraction of one all round a spot.
+            ("area fraction", 1) => 2.0 / (0.37 * 2048.0),
+            _ => 3e-3,
+        };
+        assert!(row.error.abs() < limit, "{row:?}");
+        if let (Some(expected), Some(observed)) = (row.expected_order, row.observed_order) {
+            // The table of the bi-sinusoid and the edge of the punch leave scatter.
+            let scatter = if row.case.starts_with(['b', 'f']) { 1.2 } else { 0.25 };
+            assert!(observed > expected - scatter && observed < expected + 0.75, "{row:?}");
+        }
+    }
+}
+
+/// The approach prescribed, the force found: 4/3 E* sqrt(R) delta^(3/2).
+#[test]
+fn hertz_by_approach() {
+    let hertz = Hertz::sphere(40.0, unit_modulus()).unwrap();
+    let contact = hertz.at_approach(4.0).unwrap();
+    let grid = Grid::new([48, 40], [0.8, 1.0]).unwrap();
+    let map = HeightMap::from_fn(grid, |y, x| hertz.height(y - 18.8, x - 19.5)).unwrap();
+    for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
+        let mut solver = Solver::builder()
+            .boundary(Boundary::Free)
+            .method(method)
+            .tolerance(1e-7)
+            .build(grid, unit_modulus())
+            .unwrap();
+        // First touch is at the highest pixel, a little below the summit.
+        let solution = solver.solve(&map, Load::Approach(4.0 + map.range().1)).unwrap();
+        let force = solution.state.mean_pressure * grid.area();
+        assert!((force / contact.force - 1.0).abs() < 2e-3, "{method}: {force}");
+        assert!((solution.approach / (4.0 + map.range().1) - 1.0).abs() < 1e-6);
+    }
+}

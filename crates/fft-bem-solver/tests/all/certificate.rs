@@ -1,0 +1,151 @@
+//! What a solution says about its own error, against its true error.
+
+use crate::common;
+
+use common::{measured_like, self_affine, unit_grid, unit_modulus};
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::{
+    Boundary, HalfSpace, Load, Method, Solution, Solver, SolverBuilder, SolverError,
+};
+
+/// Rough surfaces resolved (A8), rough to the pixel (B8, B3), like a measurement (C), and a ball.
+fn families(n: usize, seed: u64) -> Vec<(&'static str, HeightMap)> {
+    let grid = unit_grid(n, n);
+    let rolloff = n as f64 / 8.0;
+    let ball = |y: f64, x: f64| {
+        let r2 = (y - 0.47 * n as f64).powi(2) + (x - 0.5 * n as f64).powi(2);
+        -r2 / n as f64
+    };
+    vec![
+        ("A8", self_affine(grid, 0.8, rolloff, 8.0, seed)),
+        ("B8", self_affine(grid, 0.8, rolloff, 2.0, seed)),
+        ("B3", self_affine(grid, 0.3, rolloff, 2.0, seed)),
+        ("C", measured_like(n, seed)),
+        ("D", HeightMap::from_fn(grid, ball).unwrap()),
+    ]
+}
+
+fn certified(method: Method, boundary: Boundary) -> SolverBuilder {
+    Solver::builder().method(method).boundary(boundary).certified(true)
+}
+
+/// The iterate after `iterations`, converged or not.
+fn iterate(
+    map: &HeightMap,
+    method: Method,
+    boundary: Boundary,
+    load: f64,
+    iterations: usize,
+) -> Solution {
+    let built = certified(method, boundary)
+        .tolerance(1e-13)
+        .max_iterations(iterations)
+        .build(map.grid(), unit_modulus());
+    match built.unwrap().solve(map, Load::MeanPressure(load)) {
+        Ok(solution) => solution,
+        Err(SolverError::NotConverged(solution) | SolverError::Rounding(solution)) => *solution,
+        Err(other) => panic!("{other}"),
+    }
+}
+
+fn exact(map: &HeightMap, boundary: Boundary, load: f64) -> Solution {
+    let mut solver = certified(Method::Auto, boundary)
+        .tolerance(1e-11)
+        .build(map.grid(), unit_modulus())
+        .unwrap();
+    solver.solve(map, Load::MeanPressure(load)).unwrap()
+}
+
+/// `|p|_K`, by the half space of the boundary.
+fn energy_norm(grid: Grid, boundary: Boundary, p: &[f64]) -> f64 {
+    let mut u = p.to_vec();
+    match boundary {
+        Boundary::Free => {
+            fft_bem_solver::FreeHalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap();
+        }
+        Boundary::Periodic => HalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap(),
+    }
+    p.iter().zip(&u).map(|(p, u)| p * u).sum::<f64>().max(0.0).sqrt()
+}
+
+/// The bound holds for every iterate of every method, and is not far above the truth.
+#[test]
+fn energy_bound_is_never_violated_and_tight() {
+    let mut ratios = Vec::new();
+    for boundary in [Boundary::Periodic, Boundary::Free] {
+        for seed in 1..=2 {
+            for (name, map) in families(48, seed) {
+                for load in [0.005, 0.05, 0.3] {
+                    let truth = exact(&map, boundary, load);
+                    let size = energy_norm(map.grid(), boundary, &truth.pressure);
+                    for (method, counts) in [
+                        (Method::Auto, [1, 2, 4, 6]),
+                        (Method::PolonskyKeer, [2, 6, 15, 40]),
+                        (Method::StanleyKato, [2, 6, 15, 40]),
+                    ] {
+                        for count in counts {
+                            let found = iterate(&map, method, boundary, load, count);
+                            let difference: Vec<f64> = found
+                                .pressure
+                                .iter()
+                                .zip(&truth.pressure)
+                                .map(|(a, b)| a - b)
+                                .collect();
+                            let error = energy_norm(map.grid(), boundary, &difference);
+                            let bound = found.diagnostics.energy_bound.unwrap()
+                                * energy_norm(map.grid(), boundary, &found.pressure);
+                            if error > 1e-8 * size {
+                                assert!(
+                                    error <= bound * (1.0 + 1e-6),
+                                    "{name} {load} {boundary:?} {method} {count}: {error} > {bound}"
+                                );
+                                ratios.push(bound / error);
+                            }
+                            // The duality gap bounds twice the energy error as well.
+                            let gap = found.diagnostics.duality_gap * map.grid().len() as f64;
+                            assert!(
+                                error * error <= 2.0 * gap * (1.0 + 1e-6) + 1e-18 * size * size
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(ratios.len() > 400, "{}", ratios.len());
+    ratios.sort_by(f64::total_cmp);
+    let quantile = |q: f64| ratios[(q * (ratios.len() - 1) as f64) as usize];
+    println!("bound / error: median {:.2}, 95 % {:.2}", quantile(0.5), quantile(0.95));
+    assert!(quantile(0.5) < 2.5, "median {}", quantile(0.5));
+    assert!(quantile(0.95) < 7.0, "95 % {}", quantile(0.95));
+}
+
+/// The tolerance is the error reached: the residual at which each method stops predicts the true
+/// relative rms error of the pressure.
+#[test]
+fn tolerance_is_the_error_reached() {
+    for (name, map) in families(64, 3) {
+        for load in [0.01, 0.1, 0.5] {
+            let truth = exact(&map, Boundary::Periodic, load);
+            let norm = |p: &mut dyn Iterator<Item = f64>| p.map(|x| x * x).sum::<f64>().sqrt();
+            let size = norm(&mut truth.pressure.iter().copied());
+            for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
+                for tolerance in [1e-2, 1e-4, 1e-6] {
+                    let mut solver = Solver::builder()
+                        .method(method)
+                        .tolerance(tolerance)
+                        .build(map.grid(), unit_modulus())
+                        .unwrap();
+                    let found = solver.solve(&map, Load::MeanPressure(load)).unwrap();
+                    let pairs = found.pressure.iter().zip(&truth.pressure);
+                    let error = norm(&mut pairs.map(|(a, b)| a - b)) / size;
+                    let limit = if method == Method::Auto { 1.5 } else { 2.0 };
+                    assert!(
+                        error < limit * tolerance,
+                        "{name} {load} {method}: {error:e} {tolerance:e}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! The chord iteration against the other methods and against what must not matter: threads, units,
+//! orientation, the shape of the grid.
+
+use crate::common;
+
+use common::{Uniform, self_affine, unit_grid, unit_modulus};
+use contact_types::{ContactModulus, Grid, HeightMap};
+use fft_bem_solver::{Load, Method, Precision, Solution, Solver};
+
+fn solve(surface: &HeightMap, load: f64, method: Method, tolerance: f64) -> Solution {
+    let builder = Solver::builder().method(method).tolerance(tolerance);
+    let mut solver = builder.build(surface.grid(), unit_modulus()).unwrap();
+    solver.solve(surface, Load::MeanPressure(load)).unwrap_or_else(|e| panic!("{method}: {e}"))
+}
+
+fn difference(a: &Solution, b: &Solution) -> f64 {
+    let square = |x: f64| x * x;
+    let error: f64 = a.pressure.iter().zip(&b.pressure).map(|(a, b)| square(a - b)).sum();
+    (error / b.pressure.iter().map(|p| square(*p)).sum::<f64>()).sqrt()
+}
+
+#[test]
+fn agrees_with_polonsky_keer() {
+    for (shape, load) in [([64, 64], 0.05), ([61, 90], 0.2), ([1, 257], 0.1), ([257, 1], 0.1)] {
+        let surface = self_affine(unit_grid(shape[0], shape[1]), 0.7, 20.0, 3.0, 3);
+        let chord = solve(&surface, load, Method::Chord, 1e-9);
+        let conjugate = solve(&surface, load, Method::PolonskyKeer, 1e-9);
+        let error = difference(&chord, &conjugate);
+        assert!(error < 1e-7, "{shape:?}: {error:e}");
+        assert!(chord.diagnostics.transforms < 0.5 * conjugate.diagnostics.transforms);
+    }
+}
+
+/// Sums are taken piece by piece, so the number of threads changes no bit.
+#[test]
+fn threads_change_no_bit() {
+    let surface = self_affine(unit_grid(260, 233), 0.8, 30.0, 2.0, 11);
+    for precision in [Precision::Double, Precision::Single] {
+        let with = |threads: usize| {
+            let builder = Solver::builder().method(Method::Chord).precision(precision);
+            let mut solver =
+                builder.threads(threads).build(surface.grid(), unit_modulus()).unwrap();
+            solver.solve(&surface, Load::MeanPressure(0.05)).unwrap()
+        };
+        let one = with(1);
+        for threads in [2, 3] {
+            let other = with(threads);
+            assert_eq!(one.diagnostics.iterations, other.diagnostics.iterations);
+            let bits = |s: &Solution| s.pressure.iter().map(|p| p.to_bits()).collect::<Vec<_>>();
+            assert!(bits(&one) == bits(&other), "{threads} threads");
+        }
+    }
+}
+
+/// Heights in nm or km, soft or hard bodies, small or large pixels: the same numbers.
+#[test]
+fn units_change_only_rounding() {
+    let surface = self_affine(unit_grid(64, 80), 0.8, 20.0, 2.0, 4);
+    let base = solve(&surface, 0.05, Method::Chord, 1e-10);
+    for (height, length, e_star) in [(1e-12, 1e-6, 1e12), (1e3, 1.0, 1.0), (3e-9, 7e-7, 1.1e11)] {
+        let grid = Grid::new([64, 80], [length, length]).unwrap();
+        let heights = surface.heights().iter().map(|h| height * h).collect();
+        let scaled = HeightMap::new(grid, heights).unwrap();
+        let modulus = ContactModulus::from_pascals(e_star).unwrap();
+        let mut solver = Solver::builder().tolerance(1e-10).build(grid, modulus).unwrap();
+        let unit = e_star * height / length;
+        let found = solver.solve(&scaled, Load::MeanPressure(0.05 * unit)).unwrap();
+        assert_eq!(found.diagnostics.iterations, base.diagnostics.iterations);
+        let largest = base.pressure.iter().fold(0.0_f64, |m, p| m.max(*p));
+        for (a, b) in found.pressure.iter().zip(&base.pressure) {
+            assert!((a / unit - b).abs() < 1e-10 * largest, "{a:e} for {b:e}");
+        }
+    }
+}
+
+/// Turning the map turns the answer.
+#[test]
+fn orientation_does_not_matter() {
+    let grid = Grid::new([50, 97], [2.0, 1.0]).unwrap();
+    let surface = self_affine(grid, 0.6, 20.0, 4.0, 9);
+    let turned: Vec<f64> = (0..grid.len()).map(|i| surface.at(i % 50, i / 50)).collect();
+    let turned = HeightMap::new(grid.transposed(), turned).unwrap();
+    let (a, b) =
+        (solve(&surface, 0.1, Method::Chord, 1e-10), solve(&turned, 0.1, Method::Chord, 1e-10));
+    let largest = a.diagnostics.max_pressure;
+    for i in 0..grid.len() {
+        assert!((b.pressure[i] - a.pressure[(i % 50) * 97 + i / 50]).abs() < 1e-8 * largest);
+    }
+}
+
+/// From 1 x N to pixels of 1:1000, from a single spike to a plateau, all loads.
+#[test]
+fn odd_grids_and_surfaces_converge() {
+    let mut random = Uniform(7);
+    let maps: [([usize; 2], [f64; 2]); 8] = [
+        ([1, 1], [1.0, 1.0]),
+        ([1, 2], [1.0, 1.0]),
+        ([3, 2], [1.0, 5.0]),
+        ([1, 1009], [1.0, 1.0]),
+        ([1009, 1], [1.0, 1.0]),
+        ([5, 331], [1.0, 1.0]),
+        ([127, 131], [1.0, 1.0]),
+        ([64, 96], [1.0, 1000.0]),
+    ];
+    for (shape, pixel) in maps {
+        let grid = Grid::new(shape, pixel).unwrap();
+        let noise: Vec<f64> = (0..grid.len()).map(|_| random.normal()).collect();
+        let mut spike = vec![0.0; grid.len()];
+        spike[grid.len() / 2] = 1.0;
+        let plateau: Vec<f64> = noise.iter().map(|h| h.min(0.0)).collect();
+        let offset: Vec<f64> = noise.iter().map(|h| 1e6 + h).collect();
+        for (kind, heights) in
+            [("noise", noise), ("spike", spike), ("plateau", plateau), ("offset", offset)]
+        {
+            let surface = HeightMap::new(grid, heights).unwrap();
+            for load in [1e-9, 1e-3, 0.1, 100.0] {
+                let builder = Solver::builder().method(Method::Chord).tolerance(1e-8);
+                let mut solver = builder.build(grid, unit_modulus()).unwrap();
+                let found = solver.solve(&surface, Load::MeanPressure(load));
+                let found = found.unwrap_or_else(|e| {
+                    panic!("{kind} on {shape:?} of {pixel:?} at {load:e}: {e}")
+                });
+                let mean = found.pressure.iter().sum::<f64>() / grid.len() as f64;
+                assert!((mean / load - 1.0).abs() < 1e-9, "{shape:?}: {mean} for {load}");
+                assert!(found.pressure.iter().all(|p| *p >= 0.0));
+            }
+        }
+    }
+}
+
+#[test]
+fn single_precision_reaches_what_it_states() {
+    let surface = self_affine(unit_grid(128, 150), 0.8, 20.0, 2.0, 2);
+    let exact = solve(&surface, 0.05, Method::Chord, 1e-10);
+    let build = Solver::builder().precision(Precision::Single).tolerance(2e-5);
+    let mut solver = build.build(surface.grid(), unit_modulus()).unwrap();
+    let found = solver.solve(&surface, Load::MeanPressure(0.05)).unwrap();
+    let error = difference(&found, &exact);
+    assert!(error < 2e-5, "{error:e}");
+}

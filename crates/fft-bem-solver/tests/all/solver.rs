@@ -1,0 +1,215 @@
+//! What a program that uses the solver may rely on.
+
+use crate::common;
+
+use common::{self_affine, unit_grid, unit_modulus};
+use fft_bem_solver::{
+    Boundary, End, Grid, HeightMap, Iteration, Load, Maps, Method, Precision, Solver, SolverError,
+};
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+fn surface() -> HeightMap {
+    self_affine(unit_grid(64, 48), 0.8, 16.0, 4.0, 3)
+}
+
+fn solver(tolerance: f64) -> Solver {
+    Solver::builder().tolerance(tolerance).build(unit_grid(64, 48), unit_modulus()).unwrap()
+}
+
+/// A solver may be shared between threads and moved to another.
+#[test]
+fn is_send_and_sync() {
+    fn shared<T: Send + Sync + std::fmt::Debug>() {}
+    shared::<Solver>();
+    shared::<fft_bem_solver::SolverBuilder>();
+    shared::<fft_bem_solver::Solution>();
+    shared::<SolverError>();
+}
+
+/// Closures that answer nothing, or whether to go on, by value or by reference.
+#[test]
+fn observers_are_closures() {
+    let (map, load) = (surface(), Load::MeanPressure(0.05));
+    let mut solver = solver(1e-4);
+    let mut seen = 0;
+    solver.solve_observed(&map, load, |_| seen += 1).unwrap();
+    assert!(seen > 1);
+    let stop = |_: &Iteration<'_>| ControlFlow::Break(());
+    let error = solver.solve_observed(&map, load, stop).unwrap_err();
+    assert!(matches!(error, SolverError::Stopped(_)));
+    assert_eq!(error.into_solution().unwrap().diagnostics.end, End::Stopped);
+    assert_eq!(solver.solve_again(load).unwrap().diagnostics.end, End::Converged);
+    solver.solve_again_observed(load, |_| ControlFlow::Continue(())).unwrap();
+    let mut numbers = Vec::new();
+    let mut watch = |it: &Iteration<'_>| numbers.push(it.number);
+    solver.solve_again_observed(load, &mut watch).unwrap();
+    assert_eq!(numbers[0], 0);
+}
+
+/// A panic of the observer comes out of the call; the solver then finds what it found before, bit for bit.
+#[test]
+fn a_panic_in_an_observer_leaves_the_solver_usable() {
+    let map = surface();
+    for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
+        for load in [Load::MeanPressure(0.05), Load::MeanGap(1.0)] {
+            let builder = Solver::builder().method(method).tolerance(1e-4);
+            let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
+            let before = solver.solve(&map, load).unwrap();
+            let broken = catch_unwind(AssertUnwindSafe(|| {
+                solver.solve_again_observed(load, |it| assert!(it.number > 1000, "as wanted"))
+            }));
+            assert!(broken.is_err());
+            let after = solver.solve_again(load).unwrap();
+            assert_eq!(before.pressure, after.pressure, "{method} {load:?}");
+            assert_eq!(before.gap, after.gap);
+        }
+    }
+}
+
+/// The points of a curve come back in the order of the loads, those that cannot be solved as well.
+#[test]
+fn a_curve_returns_its_points() {
+    let loads = [0.1, -1.0, 0.01];
+    let points = solver(1e-4).curve(&surface(), &loads);
+    assert_eq!(points.len(), 3);
+    let mean = |k: usize| points[k].as_ref().unwrap().state.mean_pressure;
+    assert_eq!([mean(0), mean(2)].map(f64::to_bits), [0.1, 0.01].map(f64::to_bits));
+    assert!(matches!(points[1], Err(SolverError::BadLoad { .. })));
+}
+
+/// A grid that no machine holds is refused with the bytes it would take, whatever the settings.
+#[test]
+fn a_grid_that_does_not_fit_is_refused() {
+    let grid = Grid::new([1 << 20, 1 << 20], [1e-6, 1e-6]).unwrap();
+    for boundary in [Boundary::Periodic, Boundary::Free] {
+        for precision in [Precision::Double, Precision::Single] {
+            for method in [Method::Auto, Method::PolonskyKeer] {
+                let builder = Solver::builder().boundary(boundary).precision(precision);
+                let builder = builder.method(method);
+                let expected = builder.bytes(grid);
+                match builder.build(grid, unit_modulus()) {
+                    Err(SolverError::Memory { shape, bytes, .. }) => {
+                        assert_eq!((shape, bytes), ([1 << 20; 2], expected));
+                        assert!(bytes > 28 << 40, "{bytes}"); // at least 7 numbers of 4 bytes
+                    }
+                    other => panic!("{other:?}"),
+                }
+            }
+        }
+    }
+    let error = Solver::builder().build(grid, unit_modulus()).unwrap_err();
+    assert!(error.to_string().contains("TiB"), "{error}");
+}
+
+/// Along a row a solution says what its maps say there, without them as well.
+#[test]
+fn a_section_is_a_row_of_the_maps() {
+    let map = surface();
+    let [ny, nx] = map.grid().shape();
+    let load = Load::MeanPressure(0.05);
+    let with = |maps, row| {
+        let mut solver =
+            Solver::builder().maps(maps).section(row).build(map.grid(), unit_modulus()).unwrap();
+        solver.solve(&map, load).unwrap()
+    };
+    let whole = with(Maps::PressureAndGap, None);
+    assert_eq!(whole.section, None);
+    for row in [0, ny / 3, ny - 1] {
+        let section = with(Maps::None, Some(row)).section.unwrap();
+        let along = row * nx..(row + 1) * nx;
+        assert_eq!((section.row, &section.pressure[..]), (row, &whole.pressure[along.clone()]));
+        assert_eq!(section.gap, whole.gap[along]);
+    }
+    let beyond = Solver::builder().section(Some(ny)).build(map.grid(), unit_modulus());
+    assert!(matches!(beyond, Err(SolverError::BadSetting { setting: "section", .. })));
+}
+
+/// Names are read as they are written.
+#[test]
+fn names_of_settings_are_read_back() {
+    for method in Method::ALL {
+        assert_eq!(method.to_string().parse::<Method>().unwrap(), *method);
+    }
+    for boundary in Boundary::ALL {
+        assert_eq!(boundary.name().parse::<Boundary>().unwrap(), *boundary);
+    }
+    for precision in Precision::ALL {
+        assert_eq!(precision.name().parse::<Precision>().unwrap(), *precision);
+    }
+    let error = "single".parse::<Precision>().unwrap_err();
+    assert_eq!(error.to_string(), "`single` is no precision; the choices are f64, f32");
+}
+
+/// An offset costs digits of the heights, and the diagnostics say how many.
+#[test]
+fn an_offset_is_known_by_its_rounding() {
+    let map = surface();
+    let (low, high) = map.range();
+    let offset = 1e9 * (high - low);
+    let far = HeightMap::new(map.grid(), map.heights().iter().map(|h| h + offset).collect());
+    let load = Load::MeanPressure(0.05);
+    let near = solver(1e-6).solve(&map, load).unwrap().diagnostics;
+    let far = solver(1e-6).solve(&far.unwrap(), load).unwrap().diagnostics;
+    assert!(near.height_rounding <= f64::EPSILON * high.abs().max(low.abs()));
+    let spacing = f64::EPSILON * (offset + high);
+    assert!((far.height_rounding / spacing - 1.0).abs() < 1e-6);
+    assert!(far.gap_rounding >= far.height_rounding && near.gap_rounding > near.height_rounding);
+}
+
+/// With the level prescribed to a method that controls the load, an observer is not told that it has
+/// converged before the level is right.
+#[test]
+fn an_observer_sees_no_convergence_before_the_level_is_right() {
+    let map = surface();
+    let tolerance = 1e-3;
+    let load = Load::MeanGap(
+        solver(1e-6).solve(&map, Load::MeanPressure(0.05)).unwrap().state.mean_gap.unwrap(),
+    );
+    let exact = solver(1e-9).solve(&map, load).unwrap();
+    let builder = Solver::builder().method(Method::PolonskyKeer).tolerance(tolerance);
+    let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
+    let mut worst = 0.0_f64;
+    let found = solver.solve_observed(&map, load, |it| {
+        if it.residual <= tolerance {
+            let pressure = &it.pressure_and_gap()[0];
+            let mean = pressure.iter().sum::<f64>() / pressure.len() as f64;
+            worst = worst.max((mean / exact.state.mean_pressure - 1.0).abs());
+        }
+    });
+    found.unwrap();
+    assert!(worst < 3.0 * tolerance, "converged, it said, at a load wrong by {worst:e}");
+}
+
+/// Pixels up to 1:30 000 are solved as fast as others, up to 1:100 000 solved; beyond, the refusal names
+/// the ratio.
+#[test]
+fn pixels_too_long_are_refused_with_the_reason() {
+    let map = self_affine(unit_grid(32, 32), 0.8, 16.0, 4.0, 3);
+    for long in [[1.0, 3e4], [3e4, 1.0], [1.0, 1e5], [1e5, 1.0]] {
+        let grid = Grid::new([32, 32], long).unwrap();
+        let map = HeightMap::new(grid, map.heights().to_vec()).unwrap();
+        let mut solver = Solver::builder().build(grid, unit_modulus()).unwrap();
+        let found = solver.solve(&map, Load::MeanPressure(0.05)).unwrap().diagnostics;
+        assert_eq!(found.end, End::Converged);
+        let is_fast = long.contains(&3e4);
+        assert!(found.transforms < if is_fast { 10.0 } else { 50.0 }, "{}", found.transforms);
+        let longer = Grid::new([32, 32], long.map(|side| if side > 1.0 { 1e6 } else { 1.0 }));
+        let error = Solver::builder().build(longer.unwrap(), unit_modulus()).unwrap_err();
+        assert!(matches!(error, SolverError::Range { .. }));
+        assert!(error.to_string().contains("1e6"), "{error}");
+    }
+}
+
+/// A load that presses every pixel of an isolated map home leaves no gap, however large it is.
+#[test]
+fn a_free_map_in_full_contact_has_no_gap() {
+    let map = self_affine(unit_grid(24, 24), 0.8, 16.0, 4.0, 3);
+    for load in [1e3, 1e20] {
+        let builder = Solver::builder().boundary(Boundary::Free);
+        let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
+        let found = solver.solve(&map, Load::MeanPressure(load)).unwrap();
+        assert_eq!(found.diagnostics.contact_pixels, 24 * 24);
+        assert!(found.state.mean_gap.unwrap().abs() < 1e-300);
+    }
+}

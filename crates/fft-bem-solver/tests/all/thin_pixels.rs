@@ -1,0 +1,126 @@
+//! Pixels longer one way than the other, up to 1 : 1000, cost about what square ones cost.
+
+use crate::common;
+
+use common::{self_affine, unit_grid, unit_modulus};
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::{Boundary, Load, Precision, Solution, Solver};
+
+const SHAPE: [usize; 2] = [160, 131];
+
+/// Surfaces of rms gradient 1 on these pixels.
+fn surfaces(pixel: [f64; 2]) -> Vec<(&'static str, HeightMap)> {
+    let grid = Grid::new(SHAPE, pixel).unwrap();
+    let [extent, short] = [grid.size()[0].max(grid.size()[1]), pixel[0].min(pixel[1])];
+    let alike_in_metres = self_affine(grid, 0.8, extent / 8.0, 2.0 * short, 1).into_heights();
+    let alike_in_pixels =
+        self_affine(unit_grid(SHAPE[0], SHAPE[1]), 0.8, 16.0, 4.0, 1).into_heights();
+    let rms = (alike_in_metres.iter().map(|h| h * h).sum::<f64>() / grid.len() as f64).sqrt();
+    let worn = alike_in_metres.iter().map(|h| h.min(0.5 * rms)).collect();
+    let spike = |i: usize| if i == grid.len() / 3 { 1.0 } else { 0.0 };
+    let spike = (0..grid.len()).map(spike).collect();
+    let all = [
+        ("alike in metres", alike_in_metres),
+        ("alike in pixels", alike_in_pixels),
+        ("worn to a plateau", worn),
+        ("one spike", spike),
+    ];
+    all.map(|(name, h)| (name, with_unit_gradient(grid, &h))).into()
+}
+
+fn with_unit_gradient(grid: Grid, h: &[f64]) -> HeightMap {
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
+    let square = |i: usize| {
+        let (right, below) = (i / nx * nx + (i + 1) % nx, (i + nx) % (ny * nx));
+        ((h[right] - h[i]) / dx).powi(2) + ((h[below] - h[i]) / dy).powi(2)
+    };
+    let gradient = ((0..h.len()).map(square).sum::<f64>() / h.len() as f64).sqrt();
+    HeightMap::new(grid, h.iter().map(|h| h / gradient).collect()).unwrap()
+}
+
+fn solver(map: &HeightMap, tolerance: f64) -> Solver {
+    Solver::builder().tolerance(tolerance).build(map.grid(), unit_modulus()).unwrap()
+}
+
+/// Relative rms difference of two pressures.
+fn difference(found: &Solution, exact: &Solution) -> f64 {
+    let pairs = found.pressure.iter().zip(&exact.pressure);
+    let square: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
+    (square / exact.pressure.iter().map(|p| p * p).sum::<f64>()).sqrt()
+}
+
+/// To an estimate of 1e-10; square pixels need up to 12.
+#[test]
+fn thin_pixels_need_at_most_twenty_pairs() {
+    for ratio in [2.0, 8.0, 100.0, 1000.0] {
+        for pixel in [[ratio, 1.0], [1.0, ratio]] {
+            for (name, map) in surfaces(pixel) {
+                for load in [0.02, 0.2] {
+                    let load = Load::MeanPressure(load);
+                    let found = solver(&map, 1e-10).solve(&map, load).unwrap();
+                    let pairs = found.diagnostics.transforms;
+                    assert!(pairs <= 20.0, "{pixel:?}, {name}, {load:?}: {pairs:.1} pairs");
+                }
+            }
+        }
+    }
+}
+
+/// Isolated maps that are much longer than wide, for their pixels or for their number: their copies would
+/// be nearer than their own ends, and the estimate many times too small.
+#[test]
+fn slender_isolated_maps_need_few_pairs_and_know_their_error() {
+    let long = |shape: [usize; 2]| {
+        let map = self_affine(unit_grid(shape[0], shape[1]), 0.8, 16.0, 4.0, 1);
+        ("long", with_unit_gradient(map.grid(), map.heights()))
+    };
+    let mut maps = surfaces([1000.0, 1.0]);
+    maps.extend(surfaces([1.0, 100.0]));
+    maps.extend([long([16, 512]), long([512, 16])]);
+    for (name, map) in maps {
+        for load in [0.02, 0.2] {
+            let build = |tolerance: f64| {
+                let builder = Solver::builder().boundary(Boundary::Free).tolerance(tolerance);
+                builder.build(map.grid(), unit_modulus()).unwrap()
+            };
+            let exact = build(1e-12).solve(&map, Load::MeanPressure(load)).unwrap();
+            for tolerance in [1e-4, 1e-10] {
+                let found = build(tolerance).solve(&map, Load::MeanPressure(load)).unwrap();
+                let (pairs, error) = (found.diagnostics.transforms, difference(&found, &exact));
+                let place = format!("{:?}, {name}, {load}, {tolerance}", map.grid());
+                assert!(pairs <= 27.0, "{place}: {pairs:.1} pairs");
+                assert!(error <= 1.5 * tolerance, "{place}: error {error:.1e}");
+            }
+        }
+    }
+}
+
+/// Warm starts, mean gaps and single precision on the thinnest pixels.
+#[test]
+fn curves_gaps_and_single_precision_on_thin_pixels() {
+    for (name, map) in surfaces([1000.0, 1.0]) {
+        let loads = [0.01, 0.03, 0.1, 0.3];
+        let mut exact = Vec::new();
+        for load in loads {
+            exact.push(solver(&map, 1e-11).solve(&map, Load::MeanPressure(load)).unwrap());
+        }
+        for (k, found) in solver(&map, 1e-6).curve(&map, &loads).into_iter().enumerate() {
+            let found = found.unwrap();
+            let (pairs, error) = (found.diagnostics.transforms, difference(&found, &exact[k]));
+            assert!(pairs <= 16.0 && error <= 3e-6, "{name}, load {k}: {pairs:.1}, {error:.1e}");
+        }
+        let builder = Solver::builder().precision(Precision::Single).tolerance(1e-3);
+        let mut single = builder.build(map.grid(), unit_modulus()).unwrap();
+        let found = single.solve(&map, Load::MeanPressure(loads[2])).unwrap();
+        let (pairs, error) = (found.diagnostics.transforms, difference(&found, &exact[2]));
+        assert!(pairs <= 10.0 && error <= 2e-3, "{name}, single: {pairs:.1}, {error:.1e}");
+
+        if name == "one spike" {
+            continue;
+        }
+        let gap = exact[2].state.mean_gap.unwrap();
+        let found = solver(&map, 1e-6).solve(&map, Load::MeanGap(gap)).unwrap();
+        let (pairs, error) = (found.diagnostics.transforms, difference(&found, &exact[2]));
+        assert!(pairs <= 25.0 && error <= 1e-5, "{name}, gap: {pairs:.1}, {error:.1e}");
+    }
+}

@@ -1,0 +1,199 @@
+//! `rough-contact app`, asked over a socket as its page asks, and as others would.
+
+use crate::cli;
+
+use cli::app::App;
+use cli::{folder, rough_contact};
+use serde_json::Value;
+use std::io::{BufRead, BufReader, Write};
+use std::net::TcpStream;
+
+/// Without what a clock makes different.
+fn timeless(value: &Value) -> Value {
+    match value {
+        Value::Object(map) => {
+            let kept = map.iter().filter(|(key, _)| !key.contains("seconds") && *key != "speed");
+            Value::Object(kept.map(|(key, value)| (key.clone(), timeless(value))).collect())
+        }
+        Value::Array(list) => list.iter().map(timeless).collect(),
+        other => other.clone(),
+    }
+}
+
+#[test]
+fn the_page_is_served_and_its_answers_are_those_of_the_command() {
+    let dir = folder();
+    let synth = "synth --shape 48,64 --pixel 1um --hurst 0.8 --rolloff 20um --cutoff 4um \
+                 --rms-gradient 0.1 --seed 7 --out map.x3p";
+    assert_eq!(rough_contact(dir.path(), synth).status, 0);
+    let app = App::start(dir.path());
+    let get = format!("GET /{}/ HTTP/1.1\r\nHost: {}\r\n\r\n", app.token, app.host);
+    let (status, head, page) = app.sent(get.as_bytes());
+    let page = String::from_utf8(page).expect("text");
+    assert_eq!(status, 200);
+    assert!(head.contains("frame-ancestors 'none'") && head.contains("no-store"), "{head}");
+    assert!(page.contains("default-src 'none'") && page.contains("connect-src 'self'"));
+    assert!(!page.contains("<!--policy-->") && !page.contains("wasm-unsafe-eval"));
+
+    let file = std::fs::read(dir.path().join("map.x3p")).expect("a map");
+    let load = r#"{"name": "map.x3p", "load": {"by": "pressure", "list": "5MPa, 20MPa"}}"#;
+    let done = app.asked("run", load, &file);
+    let results = done["files"]["results.json"].as_str().expect("done");
+    let found: Value = serde_json::from_str(results).expect("JSON");
+    let compare = "compare map.x3p --young 210GPa --poisson 0.3 --young 210GPa --poisson 0.3 --pressure \
+                   5MPa,20MPa --outliers 8 --fill harmonic --threads 1 --out study --quiet";
+    assert_eq!(rough_contact(dir.path(), compare).status, 0);
+    let text = std::fs::read_to_string(dir.path().join("study/results.json")).expect("results");
+    let expected: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(timeless(&found["surfaces"]), timeless(&expected["surfaces"]));
+    assert_eq!(found["settings"], expected["settings"]);
+    let points = expected["surfaces"][0]["deterministic"]["points"].as_array().expect("points");
+    assert!(points.len() == 2 && points.iter().all(|p| p["area_fraction"].as_f64() > Some(0.0)));
+    let names: Vec<_> = std::fs::read_dir(dir.path()).expect("a folder").flatten().collect();
+    assert_eq!(names.len(), 2, "nothing is written beside the map and the study: {names:?}");
+}
+
+#[test]
+fn who_does_not_come_from_the_page_is_refused() {
+    let dir = folder();
+    let app = App::start(dir.path());
+    let (host, token) = (&app.host, &app.token);
+    let get = |path: &str, host: &str| {
+        app.status(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"))
+    };
+    assert_eq!(get(&format!("/{token}/"), host), 200);
+    let port = host.rsplit(':').next().expect("a port");
+    for other in [
+        "evil.example",
+        &format!("evil.example:{port}"),
+        &format!("localhost:{port}"),
+        "127.0.0.1",
+        "",
+    ] {
+        assert_eq!(get(&format!("/{token}/"), other), 403, "a name that was led here: {other:?}");
+    }
+    let wrong = "0".repeat(32);
+    for path in [
+        "/",
+        "/favicon.ico",
+        &format!("/{wrong}/"),
+        &format!("/{}/", &token[..31]),
+        &format!("/{token}"),
+        &format!("/{token}/x"),
+    ] {
+        assert_eq!(get(path, host), 404, "{path}");
+    }
+    assert_eq!(app.status(&format!("GET /{token}/ HTTP/1.1\r\n\r\n")), 403, "no host at all");
+    let whole = String::from_utf8(app.question("start", "{}", b"")).expect("text");
+    assert_eq!(app.status(&whole), 200);
+    let changed = |from: &str, to: &str| {
+        assert!(whole.contains(from), "{from}");
+        app.status(&whole.replacen(from, to, 1))
+    };
+    let origin = format!("Origin: http://{host}\r\n");
+    assert_eq!(changed(&origin, ""), 403);
+    assert_eq!(changed(&origin, "Origin: null\r\n"), 403);
+    assert_eq!(changed(&origin, "Origin: http://evil.example\r\n"), 403);
+    assert_eq!(changed(&origin, &format!("{origin}{origin}")), 400);
+    assert_eq!(changed("application/octet-stream", "text/plain"), 415);
+    assert_eq!(changed(token, &wrong), 404);
+    assert_eq!(changed("POST", "GET"), 405);
+    assert_eq!(changed("POST", "OPTIONS"), 405, "no leave for other sites");
+}
+
+#[test]
+fn hostile_questions_are_refused_and_the_next_is_answered() {
+    let dir = folder();
+    let app = App::start(dir.path());
+    let whole = String::from_utf8(app.question("start", "{}", b"")).expect("text");
+    let changed = |from: &str, to: &str| {
+        assert!(whole.contains(from), "{from}");
+        app.status(&whole.replacen(from, to, 1))
+    };
+    let length = "Content-Length: 3\r\n";
+    assert_eq!(changed(length, ""), 411);
+    assert_eq!(changed(length, "Content-Length: -3\r\n"), 400);
+    assert_eq!(changed(length, "Content-Length: 2\r\n"), 400, "more than was announced");
+    assert_eq!(changed(length, "Transfer-Encoding: chunked\r\n"), 501);
+    assert_eq!(changed(length, "Content-Length: 18446744073709551615\r\n"), 413);
+    assert_eq!(changed(length, "Content-Length: 5000000000\r\n"), 413, "more than 4 GB");
+    assert_eq!(changed("{}\n", "{} "), 400, "no line");
+    assert_eq!(app.status("\0\0\0\r\n\r\n"), 400);
+    assert_eq!(app.status(&format!("GET /{}", "a".repeat(20_000))), 431);
+    assert_eq!(app.status(&format!("GET / HTTP/1.1\r\n{}", "A: b\r\n".repeat(100))), 431);
+
+    // A gigabyte that is only announced: no memory for it, and no answer held up by it.
+    let announced = whole.replacen(length, "Content-Length: 1000000000\r\n", 1);
+    let mut waiting = app.connection();
+    waiting.write_all(announced.as_bytes()).expect("it listens");
+    let message = app.asked("inspect", "{}", b"no height map");
+    assert_eq!(message["kind"], "error");
+    let claims = b"\x93NUMPY\x01\x00\x76\x00{'descr': '<f8', 'fortran_order': False, 'shape': (4000000, 4000000), }";
+    let mut hostile = claims.to_vec();
+    hostile.resize(127, b' ');
+    hostile.push(b'\n');
+    let message = app.asked("inspect", r#"{"name": "a.npy"}"#, &hostile);
+    assert_eq!(message["kind"], "error");
+    assert_eq!(message["failure"]["kind"], "limit", "{message}");
+    let message = app.asked("inspect", r#"{"place": {}}"#, b"");
+    assert_eq!(
+        message["failure"]["kind"], "internal",
+        "where it is answered is not the page's to say"
+    );
+    assert_eq!(app.asked("run", "not JSON", b"")["kind"], "error");
+
+    // Silent connections take all places, and give them back.
+    drop(waiting);
+    let silent: Vec<TcpStream> = (0..20).map(|_| app.connection()).collect();
+    assert_eq!(app.status(&whole), 503);
+    drop(silent);
+    for attempt in 0.. {
+        match app.status(&whole) {
+            200 => break,
+            503 if attempt < 200 => std::thread::sleep(std::time::Duration::from_millis(50)),
+            other => panic!("{other}"),
+        }
+    }
+}
+
+#[test]
+fn a_run_stops_when_the_page_waits_no_longer() {
+    let dir = folder();
+    let mut app = App::start(dir.path());
+    let mut stream = app.connection();
+    stream.write_all(&app.question("run", r#"{"example": "ground"}"#, b"")).expect("it listens");
+    let mut answer = BufReader::new(stream);
+    let mut line = String::new();
+    while !line.contains("\"stage\":\"load\"") {
+        line.clear();
+        assert!(answer.read_line(&mut line).expect("it goes on") > 0);
+    }
+    let first: Value = serde_json::from_str(&line).expect("JSON");
+    assert!(first["count"].as_u64() > Some(10), "a study of many loads: {first}");
+    drop(answer);
+    let mut said = String::new();
+    while !said.contains("stopped after") {
+        assert!(!said.contains("computed in"), "it went on to the end");
+        said.clear();
+        assert!(app.stderr.read_line(&mut said).expect("it says so") > 0);
+    }
+    assert_eq!(app.asked("plan", "{}", b"")["kind"], "done", "and the next is answered");
+}
+
+/// More connections than the program may open files: those it has time out, and the next question is answered.
+#[cfg(unix)]
+#[test]
+fn more_connections_than_files_do_not_end_it() {
+    let dir = folder();
+    let app = App::start_by(dir.path(), "ulimit -n 40; exec \"$0\" \"$@\"");
+    let idle: Vec<TcpStream> = (0..80).map(|_| app.connection()).collect();
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let get = format!("GET /{}/ HTTP/1.1\r\nHost: {}\r\n\r\n", app.token, app.host);
+    // Sixteen are kept waiting for ten seconds; nobody has to close them.
+    let answered = (0..150).any(|_| {
+        std::thread::sleep(std::time::Duration::from_millis(100));
+        app.answered(get.as_bytes()).is_some_and(|(status, ..)| status == 200)
+    });
+    assert!(answered, "idle connections keep the page out");
+    drop(idle);
+}

@@ -1,0 +1,94 @@
+//! Loads as forces: the same answers as the pressures they are.
+
+use crate::cli;
+
+use cli::{folder, matrix, number, refused, rough_contact};
+use std::f64::consts::TAU;
+use std::path::Path;
+
+const SOLVE: &str = "solve a.txt --pixel 1um --height-unit um --modulus 100GPa";
+
+fn wavy(folder: &Path) {
+    let wave = |i: usize| 0.1 * (TAU * i as f64 / 16.0).cos();
+    matrix(folder, "a.txt", 32, 32, |iy, ix| wave(iy) + wave(ix));
+}
+
+/// 32 x 32 points of 1 um are 1.024e-9 m2: 1.024 N is 1 GPa, on 2 mm2 it is 512 kPa.
+#[test]
+fn a_force_is_its_pressure_on_the_area() {
+    let folder = folder();
+    wavy(folder.path());
+    let by =
+        |loads: &str| rough_contact(folder.path(), &format!("{SOLVE} --json {loads}")).answered();
+    let forces = by("--load 0.1024N,1.024N");
+    let pressures = by("--pressure 100MPa,1GPa");
+    for (i, force) in [0.1024, 1.024].into_iter().enumerate() {
+        let point = &forces["points"][i];
+        assert!((number(&point["load"]) / force - 1.0).abs() < 1e-12, "{point}");
+        let p = &pressures["points"][i];
+        for key in ["mean_pressure", "area_fraction", "mean_gap", "approach"] {
+            let (a, b) = (number(&point[key]), number(&p[key]));
+            assert!((a / b - 1.0).abs() < 1e-6, "{key}: {a} {b}");
+        }
+    }
+    assert!((number(&forces["load_area"]) - 1.024e-9).abs() < 1e-21);
+    assert!(pressures["load_area"].is_null());
+    let wide = by("--load 1.024N --area 2mm2");
+    assert!((number(&wide["points"][0]["mean_pressure"]) - 512e3).abs() < 1e-6);
+
+    let text = rough_contact(folder.path(), &format!("{SOLVE} --load 1.024N")).out;
+    assert!(text.contains("1.02 N") && text.contains("1.00 GPa"), "{text}");
+    assert!(text.contains("load: over 1024 µm², the area of the map"), "{text}");
+}
+
+#[test]
+fn models_and_studies_take_forces() {
+    let folder = folder();
+    wavy(folder.path());
+    let typed = "model gw --m0 1um2 --m2 1e-3 --m4 1e9m-2 --modulus 110GPa --load 10N";
+    let said = rough_contact(folder.path(), &format!("{typed} --area 2mm2 --json")).answered();
+    assert!((number(&said["points"][0]["mean_pressure"]) - 5e6).abs() < 1e-6);
+    assert!((number(&said["points"][0]["load"]) - 10.0).abs() < 1e-12);
+    refused(folder.path(), typed, 2, &["--area 2mm2", "--pressure"]);
+
+    let study = "compare a.txt --pixel 1um --height-unit um --modulus 100GPa --models Persson,GW \
+                 --load 0.1024N --out";
+    let first = rough_contact(folder.path(), &format!("{study} one"));
+    assert!(
+        first.out.contains("load: on 1024 µm²: 102 mN is 100 MPa"),
+        "{}{}",
+        first.out,
+        first.err
+    );
+    let page = std::fs::read_to_string(folder.path().join("one/report.html")).unwrap();
+    assert!(page.contains("is 100\u{202F}MPa"), "no pressure beside the force");
+    let again =
+        rough_contact(folder.path(), "compare --from one/run.toml --out two --json").answered();
+    assert!((number(&again["settings"]["load_area"]) / 1.024e-9 - 1.0).abs() < 1e-12);
+    let p = number(&again["surfaces"][0]["deterministic"]["points"][0]["mean_pressure"]);
+    assert!((p / 100e6 - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn loads_that_make_no_sense_are_refused() {
+    let folder = folder();
+    wavy(folder.path());
+    matrix(folder.path(), "b.txt", 16, 16, |iy, ix| 0.01 * ((iy * ix) % 7) as f64);
+    let solve = |rest: &str, parts: &[&str]| {
+        refused(folder.path(), &format!("{SOLVE} {rest}"), 2, parts);
+    };
+    solve("--load 0N", &["load 0 N must be greater than 0"]);
+    solve("--load 1N --area 0mm2", &["nominal area 0"]);
+    solve("--load 1N --pressure 1MPa", &["--pressure", "--load"]);
+    solve("--load 1N --gap 1nm", &["--gap", "--load"]);
+    solve("--load 10", &["10N or 10kN"]);
+    solve("--load 10kg", &["did you mean kgf?"]);
+    solve("--pressure 1MPa --area 2mm2", &["--load"]);
+    solve("--load 1e300N --area 1e-20m2", &["no pressure"]);
+    refused(
+        folder.path(),
+        "compare a.txt b.txt --pixel 1um --height-unit um --modulus 1GPa --load 1N --out x",
+        2,
+        &["1024 µm²", "256.0 µm²", "--area"],
+    );
+}

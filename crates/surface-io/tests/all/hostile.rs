@@ -1,0 +1,235 @@
+//! Damaged and hostile files: a typed error or a right answer, never a panic, within the limits.
+
+use crate::common;
+
+use common::binary::{gzip, npy, x3p_main, zip};
+use common::{assert_sample, samples};
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+use std::fmt::Write as _;
+use surface_io::{
+    FORMATS, Layout, Limits, ReadError, ReadOptions, read_bytes, read_channels_bytes,
+};
+
+/// Small limits: a file of a few kilobytes has no business asking for more.
+fn tight() -> Limits {
+    let mut limits = Limits::default();
+    (limits.file_bytes, limits.unpacked_bytes) = (1 << 20, 1 << 20);
+    (limits.points, limits.items) = (1 << 16, 1 << 10);
+    limits
+}
+
+/// In the midst of zeros that fill a file up: one such byte is as good as the next.
+fn is_padding(bytes: &[u8], at: usize) -> bool {
+    let around = bytes.get(at.saturating_sub(8)..(at + 8).min(bytes.len()));
+    at >= 8 && around.is_some_and(|around| around.iter().all(|&byte| byte == 0))
+}
+
+#[test]
+fn every_prefix_is_refused_or_right() {
+    for sample in samples() {
+        let mut options = sample.options.clone();
+        options.limits = tight();
+        for length in (0..sample.bytes.len()).filter(|&at| !is_padding(&sample.bytes, at)) {
+            let found = read_bytes(&sample.bytes[..length], &options);
+            let _ = read_channels_bytes(&sample.bytes[..length], &options.limits);
+            // The end of a text file and of some trailers cannot be missed by anyone.
+            if let Ok(found) = found
+                && !sample.is_text
+            {
+                assert_sample(sample.name, &found, sample.can_miss);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_single_byte_corruption_is_survived() {
+    for sample in samples() {
+        let mut options = sample.options.clone();
+        options.limits = tight();
+        let mut bytes = sample.bytes.clone();
+        for at in (0..bytes.len()).filter(|&at| !is_padding(&sample.bytes, at)) {
+            let original = bytes[at];
+            for value in [0, 0xff, 0x7f, original ^ 0x80, original ^ 1, b'9', b'-'] {
+                bytes[at] = value;
+                if let Ok(found) = read_bytes(&bytes, &options) {
+                    let [ny, nx] = found.grid().shape();
+                    let [dy, dx] = found.grid().pixel();
+                    assert_eq!(ny * nx, found.heights().len(), "{}, byte {at}", sample.name);
+                    assert!(
+                        dy > 0.0 && dx > 0.0 && found.heights().iter().all(|h| !h.is_infinite())
+                    );
+                }
+                let _ = read_channels_bytes(&bytes, &options.limits);
+            }
+            bytes[at] = original;
+        }
+    }
+}
+
+/// Every reader on the bytes of every other format, whole and cut: found by fuzzing, where a
+/// reader was asked for a file shorter than its magic number.
+#[test]
+fn every_reader_survives_every_file() {
+    for spec in FORMATS {
+        for sample in samples() {
+            for length in [0, 1, 3, 4, 5, 8, 17, 33, 100, 400, sample.bytes.len()] {
+                let bytes = &sample.bytes[..length.min(sample.bytes.len())];
+                for layout in [None, Some(Layout::Matrix), Some(Layout::List), Some(Layout::Traces)]
+                {
+                    let mut options = sample.options.clone().with_limits(tight());
+                    options.layout = layout;
+                    if let Ok(found) = spec.read(bytes, &options) {
+                        let [ny, nx] = found.grid().shape();
+                        assert_eq!(found.heights().len(), ny * nx);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn sizes_that_claim_terabytes() {
+    let huge = npy("<f8", false, "(1000000, 1000000)", &[0; 64]);
+    let error = read_bytes(&huge, &ReadOptions::default()).unwrap_err();
+    assert!(matches!(error, ReadError::Limit { .. }), "{error}");
+    let over = npy("<f8", false, "(18446744073709551615, 2)", &[0; 64]);
+    assert!(matches!(
+        read_bytes(&over, &ReadOptions::default()),
+        Err(ReadError::Limit { .. } | ReadError::Malformed { .. })
+    ));
+    let link = "<DataLink><PointDataLink>d</PointDataLink></DataLink>";
+    let main = x3p_main("D", "", link).replace("<SizeX>7", "<SizeX>70000000000");
+    let file = zip(&[("main.xml", main.as_bytes()), ("d", &[0; 64])]);
+    let error = read_bytes(&file, &ReadOptions::default()).unwrap_err();
+    assert!(matches!(error, ReadError::Limit { .. }), "{error}");
+}
+
+/// 64 MiB of zeros in 64 KiB: refused at the limit, not unpacked.
+#[test]
+fn decompression_bomb() {
+    let zeros = vec![0u8; 64 << 20];
+    let link = "<DataLink><PointDataLink>d</PointDataLink></DataLink>";
+    let file = zip(&[("main.xml", x3p_main("D", "", link).as_bytes()), ("d", &zeros)]);
+    assert!(file.len() < 1 << 17);
+    let options = ReadOptions::default().with_limits(tight());
+    let error = read_bytes(&file, &options).unwrap_err();
+    assert!(matches!(error, ReadError::Limit { quantity: "unpacked bytes", .. }), "{error}");
+    let bomb = gzip(&zeros);
+    let error = read_bytes(&bomb, &options).unwrap_err();
+    assert!(matches!(error, ReadError::Limit { quantity: "unpacked bytes", .. }), "{error}");
+    // The same bomb as a single zipped file.
+    let error = read_bytes(&zip(&[("d.txt", &zeros)]), &options).unwrap_err();
+    assert!(matches!(error, ReadError::Limit { quantity: "unpacked bytes", .. }), "{error}");
+}
+
+#[test]
+fn xml_with_entities_is_refused() {
+    let main = x3p_main("D", "", "<DataList><Datum>&e;</Datum></DataList>");
+    let laughs = "<!DOCTYPE x [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY e \"&a;&a;&a;&a;\">]>";
+    let external = "<!DOCTYPE x [<!ENTITY e SYSTEM \"file:///etc/passwd\">]>";
+    for declaration in [laughs, external, ""] {
+        let main = main.replace("\n<p:", &format!("{declaration}\n<p:"));
+        let error = read_bytes(&zip(&[("main.xml", main.as_bytes())]), &ReadOptions::default())
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("document type") || error.contains("not expanded"), "{error}");
+    }
+    let deep = format!("{}{}", "<a>".repeat(100_000), "</a>".repeat(100_000));
+    let error = read_bytes(&zip(&[("main.xml", deep.as_bytes())]), &ReadOptions::default());
+    assert!(error.unwrap_err().to_string().contains("deeper than 32"));
+}
+
+#[test]
+fn spacings_that_are_none() {
+    for bad in ["0", "-1e-6", "nan", "1e400", ""] {
+        let link = "<DataLink><PointDataLink>d</PointDataLink></DataLink>";
+        let main = x3p_main("D", "", link).replace("<Increment>2e-6", &format!("<Increment>{bad}"));
+        let file = zip(&[("main.xml", main.as_bytes()), ("d", &[0; 280])]);
+        let error = read_bytes(&file, &ReadOptions::default()).unwrap_err();
+        assert!(matches!(error, ReadError::Malformed { .. }), "{bad}: {error}");
+    }
+    let text = b"# Width: -2 um\n# Height: 2 um\n# Value units: nm\n1 2\n3 4\n";
+    assert!(matches!(read_bytes(text, &ReadOptions::default()), Err(ReadError::Malformed { .. })));
+}
+
+/// Time in proportion to length: 16 times the text must not take 100 times as long. The work is
+/// counted in lines per call, so what is asserted is that the large file is read at all within
+/// the time of the test run; a quadratic reader would need hours.
+#[test]
+fn long_text_is_read_in_linear_time() {
+    let mut text = String::from("x [um] y [um] z [nm]\n");
+    let n = 700;
+    for iy in 0..n {
+        for ix in 0..n {
+            writeln!(text, "{ix} {iy} {}", ix * iy).unwrap();
+        }
+    }
+    let found = read_bytes(text.as_bytes(), &ReadOptions::default()).unwrap();
+    assert_eq!(found.grid().shape(), [n, n]);
+    // One line of a million numbers, and a million lines of header.
+    let long = format!("{}\n{}\n", "1 ".repeat(1_000_000), "2 ".repeat(1_000_000));
+    let error = read_bytes(long.as_bytes(), &ReadOptions::default()).unwrap_err();
+    assert!(matches!(error, ReadError::MissingScale { .. }), "{error}");
+    let header = "# nothing\n".repeat(1_000_000);
+    let error = read_bytes(header.as_bytes(), &ReadOptions::default()).unwrap_err();
+    assert!(matches!(error, ReadError::Limit { .. } | ReadError::UnknownFormat { .. }), "{error}");
+}
+
+/// Random edits of every sample, read by its own format: the poor man's fuzzing, for machines without
+/// a nightly compiler. `SURFACE_IO_MUTANTS` sets how many files per sample.
+#[test]
+#[ignore = "slow: a thousand damaged files of every sample"]
+fn random_damage_is_survived() {
+    let count = std::env::var("SURFACE_IO_MUTANTS").ok().and_then(|n| n.parse().ok());
+    let count: u64 = count.unwrap_or(1000);
+    for sample in samples() {
+        let found = read_bytes(&sample.bytes, &sample.options).unwrap();
+        let spec = FORMATS.iter().find(|spec| spec.format == found.format()).unwrap();
+        let options = sample.options.clone().with_limits(tight());
+        for seed in 0..count {
+            let mut random = Pcg64Mcg::seed_from_u64(seed);
+            let mut bytes = sample.bytes.clone();
+            for _ in 0..=random.next_u32() % 6 {
+                damage(&mut bytes, &mut random);
+            }
+            let results = [spec.read(&bytes, &options), read_bytes(&bytes, &options)];
+            for found in results.into_iter().flatten() {
+                let [ny, nx] = found.grid().shape();
+                assert_eq!(found.heights().len(), ny * nx, "{}, seed {seed}", sample.name);
+                assert!(found.heights().iter().all(|h| !h.is_infinite()));
+                assert!((ny * nx) as u64 <= tight().points);
+            }
+            let _ = read_channels_bytes(&bytes, &options.limits);
+        }
+    }
+}
+
+fn damage(bytes: &mut Vec<u8>, random: &mut Pcg64Mcg) {
+    const NUMBERS: [u32; 9] =
+        [0, 1, 2, 0xff, 0xffff, 0x7fff_ffff, 0x8000_0000, 0xffff_fffe, 0xffff_ffff];
+    if bytes.is_empty() {
+        return;
+    }
+    // Headers are where it hurts.
+    let end = if random.next_u32().is_multiple_of(2) { bytes.len().min(600) } else { bytes.len() };
+    let at = random.next_u32() as usize % end;
+    match random.next_u32() % 5 {
+        0 => bytes[at] = random.next_u32() as u8,
+        1 => bytes[at] ^= 1 << (random.next_u32() % 8),
+        2 => {
+            let number = NUMBERS[random.next_u32() as usize % NUMBERS.len()].to_le_bytes();
+            let width = [1, 2, 4][random.next_u32() as usize % 3].min(bytes.len() - at);
+            bytes[at..at + width].copy_from_slice(&number[..width]);
+        }
+        3 => bytes.truncate(at),
+        _ => {
+            let length = (random.next_u32() as usize % 40).min(bytes.len() - at);
+            let piece = bytes[at..at + length].to_vec();
+            let to = random.next_u32() as usize % bytes.len();
+            bytes.splice(to..to, piece);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! Written and read back: the same bits.
+
+use crate::common;
+
+use common::binary::complete_map;
+use contact_types::{Grid, HeightMap};
+use proptest::prelude::*;
+use std::io::Cursor;
+use surface_io::{Fill, ReadOptions, read_bytes, write};
+
+fn x3p(map: &HeightMap) -> Vec<u8> {
+    let mut file = Cursor::new(Vec::new());
+    write::x3p(&mut file, map, "round <trip> & \"more\"").expect("memory takes it");
+    file.into_inner()
+}
+
+#[test]
+fn comment_and_instrument_come_back() {
+    let found = read_bytes(&x3p(&complete_map()), &ReadOptions::default()).unwrap();
+    assert_eq!(found.metadata()["Comment"], "round <trip> & \"more\"");
+    assert_eq!(found.metadata()["Instrument/Model"], "surface-io");
+    assert_eq!(x3p(&complete_map()), x3p(&complete_map()));
+}
+
+#[test]
+fn npy_data_start_is_aligned() {
+    let mut file = Vec::new();
+    write::npy(&mut file, &complete_map()).unwrap();
+    assert_eq!((file.len() - 35 * 8) % 64, 0);
+    assert!(write::npy_array(&mut file, [2, 3], &[0.0; 5]).is_err());
+}
+
+#[test]
+fn sdf_refuses_more_points_than_it_can_count() {
+    let grid = Grid::new([1, 65536], [1e-6, 1e-6]).unwrap();
+    let map = HeightMap::new(grid, vec![0.0; 65536]).unwrap();
+    let error = write::sdf(&mut Vec::new(), &map).unwrap_err();
+    assert!(error.to_string().contains("65535"), "{error}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn same_bits(
+        ny in 1usize..9, nx in 2usize..9, dy in 1e-10..1e-2f64, dx in 1e-10..1e-2f64,
+        offset in -1.0..1.0f64, seed in proptest::collection::vec(-1e-3..1e-3f64, 64),
+    ) {
+        let grid = Grid::new([ny, nx], [dy, dx]).unwrap();
+        let heights: Vec<f64> = (0..ny * nx).map(|i| offset + seed[i]).collect();
+        let map = HeightMap::new(grid, heights).unwrap();
+        let back = read_bytes(&x3p(&map), &ReadOptions::default()).unwrap();
+        prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
+        let mut file = Vec::new();
+        write::sdf(&mut file, &map).unwrap();
+        let back = read_bytes(&file, &ReadOptions::default()).unwrap();
+        prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
+        file.clear();
+        write::npy(&mut file, &map).unwrap();
+        let options = ReadOptions::default().with_pixel([dy, dx]).with_height_unit(1.0);
+        let back = read_bytes(&file, &options).unwrap();
+        prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
+    }
+}

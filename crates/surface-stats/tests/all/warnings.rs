@@ -1,0 +1,121 @@
+//! Every warning comes when its cause is there, and a sound surface has none.
+use contact_types::{Grid, HeightMap};
+use surface_stats::synthesis::{Scale, SelfAffine};
+use surface_stats::{Edges, Level, StatsOptions, SurfaceStatistics, Warning};
+
+const UM: f64 = 1e-6;
+
+fn recipe() -> SelfAffine {
+    SelfAffine {
+        grid: Grid::new([384, 384], [UM, UM]).unwrap(),
+        hurst: 0.7,
+        rolloff: 40.0 * UM,
+        cutoff: 6.0 * UM,
+        scale: Scale::RmsHeight(0.3 * UM),
+        seed: 2,
+        quantise: None,
+    }
+}
+
+fn changed(map: &HeightMap, height: impl Fn(f64, f64, f64) -> f64) -> HeightMap {
+    let nx = map.grid().shape()[1];
+    let [dy, dx] = map.grid().pixel();
+    let at = |(i, h): (usize, &f64)| height(*h, (i / nx) as f64 * dy, (i % nx) as f64 * dx);
+    HeightMap::new(map.grid(), map.heights().iter().enumerate().map(at).collect()).unwrap()
+}
+
+fn warnings(map: &HeightMap, edges: Edges) -> Vec<Warning> {
+    let options = StatsOptions::default().with_edges(edges);
+    SurfaceStatistics::of(map, &options).unwrap().warnings
+}
+
+fn kinds(map: &HeightMap, edges: Edges) -> Vec<&'static str> {
+    warnings(map, edges).iter().map(Warning::kind).collect()
+}
+
+#[test]
+fn a_sound_surface_has_none() {
+    let map = recipe().generate().unwrap();
+    for edges in [Edges::Open, Edges::Periodic] {
+        assert_eq!(kinds(&map, edges), [""; 0]);
+    }
+}
+
+#[test]
+fn a_tilt_is_named_until_it_is_taken_off() {
+    let map = changed(&recipe().generate().unwrap(), |h, y, x| h + 0.002 * x - 0.003 * y);
+    assert!(kinds(&map, Edges::Open).contains(&"tilted"));
+    let options = StatsOptions::default().with_level(Level::Plane);
+    assert_eq!(SurfaceStatistics::of(&map, &options).unwrap().warnings, []);
+}
+
+#[test]
+fn steps_are_named_with_their_height() {
+    let map = SelfAffine { quantise: Some(50e-9), ..recipe() }.generate().unwrap();
+    let found = warnings(&map, Edges::Periodic);
+    let Warning::Stepped { step, m4_share, .. } = found[0] else { panic!("{found:?}") };
+    assert!((step / 50e-9 - 1.0).abs() < 1e-9 && m4_share > 0.25);
+    assert!(matches!(found[1], Warning::FlatTops { .. }), "{found:?}");
+}
+
+/// Noise of 20 nm under waves that end at 6 um: level, and where the reliable band ends.
+#[test]
+fn noise_is_named_with_its_level_and_where_it_begins() {
+    let noise = SelfAffine {
+        rolloff: 2.0 * UM,
+        cutoff: 2.0 * UM,
+        scale: Scale::RmsHeight(20e-9),
+        seed: 9,
+        ..recipe()
+    };
+    let clean = recipe().generate().unwrap();
+    let noise = noise.generate().unwrap();
+    let heights = clean.heights().iter().zip(noise.heights()).map(|(a, b)| a + b).collect();
+    let noisy = HeightMap::new(clean.grid(), heights).unwrap();
+    for edges in [Edges::Open, Edges::Periodic] {
+        let found = warnings(&noisy, edges);
+        let Some(Warning::Noisy { rms, reliable, .. }) =
+            found.iter().find(|w| w.kind() == "noisy").copied()
+        else {
+            panic!("{found:?}")
+        };
+        // The recipe fills the circle of the wavenumber plane only: white noise of 20 nm √(4/π).
+        assert!((rms / 22.57e-9 - 1.0).abs() < 0.03, "{rms:e}");
+        assert!((reliable.unwrap() / (6.0 * UM) - 1.0).abs() < 0.06, "{reliable:?}");
+    }
+    let alone = warnings(&noise, Edges::Periodic);
+    let nothing = |w: &Warning| matches!(w, Warning::Noisy { reliable: None, .. });
+    assert!(alone.iter().any(nothing), "{alone:?}");
+}
+
+#[test]
+fn direction_distribution_and_band_are_judged() {
+    let map = recipe().generate().unwrap();
+    let stretched =
+        HeightMap::new(Grid::new([384, 384], [2.0 * UM, UM]).unwrap(), map.heights().to_vec());
+    assert!(kinds(&stretched.unwrap(), Edges::Periodic).contains(&"anisotropic"));
+    // Oblique lay has equal slopes along both axes: only the tensor sees it.
+    let oblique = changed(&map, |h, y, x| h + 0.6 * UM * (0.5 * (x + y) / UM).sin());
+    assert!(kinds(&oblique, Edges::Open).contains(&"anisotropic"));
+    let worn = changed(&map, |h, _, _| h.min(0.1 * UM));
+    assert!(kinds(&worn, Edges::Periodic).contains(&"not-gaussian"));
+    let fine = SelfAffine { cutoff: 2.0 * UM, ..recipe() }.generate().unwrap();
+    assert!(kinds(&fine, Edges::Periodic).contains(&"unresolved"));
+    // One oblique wave: m0 m4 / m2² = 1, below any isotropic surface.
+    let wave = changed(&map, |_, y, x| UM * (0.2 * (x + y) / UM).sin());
+    assert!(kinds(&wave, Edges::Open).contains(&"narrow-band"));
+}
+
+#[test]
+fn what_one_map_cannot_show_is_said() {
+    let crop = |map: &HeightMap, n: usize| {
+        let rows = map.heights().chunks_exact(map.grid().shape()[1]).take(n);
+        let heights = rows.flat_map(|row| &row[..n]).copied().collect();
+        HeightMap::new(Grid::new([n, n], [UM, UM]).unwrap(), heights).unwrap()
+    };
+    let long = SelfAffine { rolloff: 1000.0 * UM, ..recipe() }.generate().unwrap();
+    assert!(kinds(&long, Edges::Periodic).contains(&"no-rolloff"));
+    let few = SelfAffine { rolloff: 110.0 * UM, ..recipe() }.generate().unwrap();
+    assert!(kinds(&few, Edges::Periodic).contains(&"few-waves"));
+    assert!(kinds(&crop(&long, 200), Edges::Open).contains(&"edge-jump"));
+}
