@@ -46,7 +46,7 @@ pub(crate) fn released(package: &str, program: [&str; 2]) -> Command {
         return Command::new(built(program));
     }
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["run", "--quiet", "--locked", "--release", "--manifest-path"]);
+    cargo.args(["run", "--locked", "--release", "--manifest-path"]);
     cargo.arg(root().join("crates").join(package).join("Cargo.toml"));
     cargo.args(program).arg("--");
     cargo
