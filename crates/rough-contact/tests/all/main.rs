@@ -11,6 +11,7 @@ mod cli_compare;
 mod cli_conduction;
 mod cli_export;
 mod cli_findings;
+mod cli_joint;
 mod cli_load;
 mod cli_materials;
 mod cli_metals;

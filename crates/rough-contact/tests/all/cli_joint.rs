@@ -1,6 +1,6 @@
 //! Joints as an engineer asks for them: from σ, slope and hardness, in vacuum and in gas, in Ω and K/W.
 
-mod cli;
+use crate::cli;
 
 use cli::{folder, number, refused, rough_contact};
 use serde_json::Value;
