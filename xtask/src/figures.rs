@@ -22,7 +22,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let synth = line(GROUND, &["--force", "--out", &at("ground.x3p")]);
     shell::run(&mut rough_contact(&synth))?;
     let study = line(
-        "compare --modulus 110GPa --quiet --force",
+        "compare --modulus 110GPa --load 10N..6.31kN:15 --quiet --force",
         &[&at("ground.x3p"), "--out", &at("report")],
     );
     shell::run(&mut rough_contact(&study))?;

@@ -86,6 +86,8 @@ pub struct SurfaceComparison {
     pub solved: Option<HeightMap>,
     /// Index of the load of headline and maps.
     pub headline: usize,
+    /// Nominal area that the loads press on (m²), if they are read as forces.
+    pub load_area: Option<f64>,
     /// Pressure field at that load (Pa) on the grid solved; empty if there is no solution.
     pub pressure: Vec<f64>,
     /// The contact of every load; `None` unless every load has a solution in which points only join.

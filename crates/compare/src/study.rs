@@ -264,6 +264,7 @@ fn compare(
         plan,
         solved,
         headline,
+        load_area: settings.load_area,
         pressure,
         first_contact: first,
         pressure_maps,

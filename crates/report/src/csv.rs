@@ -20,7 +20,7 @@ const GAS: &str = ",gas_conductance [W/m^2/K],joint_conductance [W/m^2/K]";
 /// Whatever the writer reports.
 pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
     let mut header = String::from(
-        "surface,mean_pressure [Pa],area_fraction_deterministic [-],area_fraction_low [-],\
+        "surface,mean_pressure [Pa],load [N],area_fraction_deterministic [-],area_fraction_low [-],\
          area_fraction_high [-],area_fraction_counted [-],real_pressure_deterministic [Pa],\
          real_pressure_low [Pa],real_pressure_high [Pa],mean_gap_deterministic [m],\
          area_fraction_prediction_low [-],area_fraction_prediction_high [-],mean_gap_low [m],\
@@ -63,6 +63,7 @@ fn write_surface(
     let panels = Lines::panels(surface);
     let lines = &panels[0];
     let name = quoted(&surface.name);
+    let load_area = surface.load_area.unwrap_or(surface.surface.grid().area());
     for (i, &p) in lines.pressures.iter().enumerate() {
         let area = lines.area[i];
         let interval = lines.interval[i];
@@ -70,6 +71,7 @@ fn write_surface(
         let real = |a: Option<f64>| a.filter(|a| *a > 0.0).map(|a| p / a);
         let mut cells = vec![
             Some(p),
+            Some(p * load_area),
             area,
             interval.map(|b| b[0]),
             interval.map(|b| b[1]),

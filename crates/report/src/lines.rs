@@ -2,7 +2,7 @@
 
 use crate::draw::palette::{ELASTIC_LOOK, Look};
 use crate::looks::look;
-use crate::numbers::{PASCALS, Unit, signed_range, significant, unit_for};
+use crate::numbers::{NEWTONS, PASCALS, Unit, signed_range, significant, unit_for};
 use compare::{DeterministicAnswer, DeterministicPoint, ModelComparison, SurfaceComparison};
 
 /// Error within which a closed form counts as an answer.
@@ -33,6 +33,8 @@ pub(crate) struct Lines {
     /// The closed forms of these bodies that answer at one load at least; before them the solution of elastic
     /// bodies, where that of bodies that yield is the reference.
     pub models: Vec<ModelLine>,
+    /// Nominal area of the loads (m²), if they are read as forces.
+    pub load_area: Option<f64>,
     /// Index of the load read off.
     pub headline: usize,
     /// Which bodies they are of, where a study is of two kinds; else empty.
@@ -101,6 +103,7 @@ impl Lines {
             area: answers().map(|a| a.map(|a| a.area_fraction_corrected)).collect(),
             interval: answers().map(|a| a.and_then(DeterministicAnswer::interval)).collect(),
             models: elastic.into_iter().chain(models).collect(),
+            load_area: surface.load_area,
             headline: surface.headline,
             of,
         }
@@ -114,10 +117,9 @@ impl Lines {
         format!("{}, {}", surface.name, self.of)
     }
 
-    /// Unit in which this surface's nominal pressures are read.
-    pub(crate) fn pressure_unit(&self) -> Unit {
-        let middle = (self.pressures[0] * self.pressures[self.pressures.len() - 1]).sqrt();
-        unit_for(middle, PASCALS)
+    /// Unit in which this surface's loads are read, as a scale of the pressure, and the title of their axis.
+    pub(crate) fn load_axis(&self) -> (Unit, String) {
+        load_axis(&self.pressures, self.load_area)
     }
 
     /// Signed relative error of a model at each load.
@@ -129,6 +131,18 @@ impl Lines {
             .map(|(m, d)| Some(m.as_ref()? / d.as_ref().filter(|d| **d > 0.0)? - 1.0))
             .collect()
     }
+}
+
+/// Unit in which loads are read, as a scale of the pressure, and the title of their axis: forces on an area (m²) if one is
+/// given.
+pub(crate) fn load_axis(pressures: &[f64], area: Option<f64>) -> (Unit, String) {
+    let middle = (pressures[0] * pressures[pressures.len() - 1]).sqrt();
+    let Some(area) = area else {
+        let unit = unit_for(middle, PASCALS);
+        return (unit, format!("Nominal pressure ({})", unit.name));
+    };
+    let unit = unit_for(middle * area, NEWTONS);
+    (Unit { scale: unit.scale / area, ..unit }, format!("Load ({})", unit.name))
 }
 
 pub(crate) fn min_max(values: &[f64]) -> Option<(f64, f64)> {

@@ -7,7 +7,8 @@ use crate::draw::palette::{
 };
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
 use crate::figures::curves::log_limits;
-use crate::numbers::{METRES, PASCALS, significant, times, unit_for};
+use crate::lines::load_axis;
+use crate::numbers::{METRES, significant, times, unit_for};
 use compare::Octave;
 
 const LEFT: f64 = 52.0;
@@ -27,14 +28,13 @@ pub(crate) struct Line {
 
 /// Conductance per area over the load: the deterministic one, theories, and correlations of the field.
 pub(crate) fn over_load(
-    pressures: &[f64],
+    (pressures, area): (&[f64], Option<f64>),
     deterministic: &[Option<f64>],
     lines: &[Line],
     unit_name: &str,
     key: &str,
 ) -> Figure {
-    let middle = (pressures[0] * pressures[pressures.len() - 1]).sqrt();
-    let unit = unit_for(middle, PASCALS);
+    let (unit, x_title) = load_axis(pressures, area);
     let drawn = |v: &Option<f64>| v.filter(|v| *v > 0.0 && v.is_finite());
     let reference: Vec<Option<f64>> = deterministic.iter().map(drawn).collect();
     let others: Vec<Vec<Option<f64>>> =
@@ -44,7 +44,7 @@ pub(crate) fn over_load(
     let frame = Frame {
         x: Axis::log(ends.map(|p| p / unit.scale), [LEFT, RIGHT]),
         y: Axis::log(log_limits(&reference, &others, f64::INFINITY), [BOTTOM, TOP]),
-        x_title: format!("Nominal pressure ({})", unit.name),
+        x_title,
         y_title: format!("Contact conductance ({unit_name})"),
     };
     let mut canvas = Canvas::default();
@@ -63,7 +63,7 @@ pub(crate) fn over_load(
     let range = crate::lines::range_words(&reference, &format!(" {unit_name}"));
     Figure {
         key: key.into(),
-        title: "Contact conductance against nominal pressure".into(),
+        title: "Contact conductance over the load".into(),
         description: format!("Log-log plot. Deterministic conductance: {range}."),
         size: [COLUMN, HEIGHT],
         canvas,

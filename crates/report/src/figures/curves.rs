@@ -6,6 +6,7 @@ use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK2};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
 use crate::lines::{Lines, ModelLine, compared, min_max, range_words};
 use crate::numbers::{PASCALS, Unit, counted, signed_range, unit_for};
+use crate::words::load;
 
 /// Plot box: left and right edge in units.
 const LEFT: f64 = 44.0;
@@ -48,7 +49,7 @@ pub(crate) fn area(lines: &Lines, key: &str, usage: Use) -> Figure {
         cells: 'a',
         key,
         usage,
-        title: "Real contact area against nominal pressure",
+        title: "Real contact area over the load",
         y_title: "Real contact area (% of nominal)".into(),
         description,
     }
@@ -91,7 +92,7 @@ pub(crate) fn pressure(lines: &Lines, key: &str, usage: Use) -> Figure {
         cells: 'p',
         key,
         usage,
-        title: "Mean real pressure against nominal pressure",
+        title: "Mean real pressure over the load",
         y_title: format!("Mean real pressure ({})", unit.name),
         description,
     }
@@ -116,7 +117,7 @@ struct Plot<'a> {
 impl Plot<'_> {
     fn draw(self) -> Figure {
         let lines = self.lines;
-        let unit = lines.pressure_unit();
+        let (unit, x_title) = lines.load_axis();
         let mut reference = self.reference.clone();
         // The band belongs to the reference.
         reference.extend(self.band.iter().flatten().flatten().map(|v| Some(*v)));
@@ -130,7 +131,7 @@ impl Plot<'_> {
         let frame = Frame {
             x: x_axis(lines, unit),
             y: Axis::log([lo, hi], [bottom, top]),
-            x_title: format!("Nominal pressure ({})", unit.name),
+            x_title,
             y_title: self.y_title.clone(),
         };
         let mut canvas = Canvas::default();
@@ -174,7 +175,7 @@ impl Plot<'_> {
             let loads: Vec<usize> = (0..lines.pressures.len()).filter(off).collect();
             let (Some(&first), Some(&last)) = (loads.first(), loads.last()) else { continue };
             let high = self.models[k][first].is_some_and(|v| v > hi);
-            let at = |i: usize| crate::numbers::pressure(lines.pressures[i]);
+            let at = |i: usize| load(lines.pressures[i], lines.load_area);
             let whole = loads.len() == lines.pressures.len();
             let range = match (first, last + 1 == lines.pressures.len()) {
                 _ if whole => "at every load".into(),
@@ -225,7 +226,7 @@ const MOST_ERROR: f64 = 150.0;
 
 /// Fig. 3: signed error of the area of each closed form against the deterministic solution.
 pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
-    let unit = lines.pressure_unit();
+    let (unit, x_title) = lines.load_axis();
     let errors: Vec<Vec<Option<f64>>> = lines
         .models
         .iter()
@@ -265,7 +266,7 @@ pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
     let frame = Frame {
         x: x_axis(lines, unit),
         y: Axis::linear([lo, hi], [bottom, top]),
-        x_title: format!("Nominal pressure ({})", unit.name),
+        x_title,
         y_title: "Error in area (%)".into(),
     };
     let mut canvas = Canvas::default();
@@ -365,7 +366,7 @@ fn note_above(canvas: &mut Canvas, row: usize, model: &ModelLine, note: &str) {
 /// The dotted line at the load read off; the report's script moves it, and lists beside it what `cells` of
 /// the slider's data begin with the letter of the figure.
 fn cursor(canvas: &mut Canvas, lines: &Lines, frame: &Frame, cells: char) {
-    let unit = lines.pressure_unit();
+    let (unit, _) = lines.load_axis();
     let places: Vec<String> =
         lines.pressures.iter().map(|p| num(frame.x.at(p / unit.scale))).collect();
     canvas.raw(&format!(

@@ -42,6 +42,7 @@ fn lines(study: &ProfileComparison) -> Lines {
         area: vec![None; n],
         interval: (0..n).map(|i| study.span(i).map(|(span, _)| span)).collect(),
         models: models.collect(),
+        load_area: None,
         headline: study.headline,
         of: "",
     }

@@ -3,7 +3,7 @@
 use crate::draw::svg::escape;
 use crate::figures::conduction::{self as figures, Line};
 use crate::looks::look;
-use crate::numbers::{PASCALS, chosen, relative_interval, significant};
+use crate::numbers::{relative_interval, significant};
 use crate::page::context::Page;
 use crate::page::sections::figure;
 use crate::sources::CONDUCTANCE;
@@ -15,7 +15,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     let Some(found) = &surface.conduction else { return String::new() };
     let h = page.heading();
     let barber = page.source(CONDUCTANCE);
-    let p = chosen(surface.headline_pressure(), PASCALS);
+    let p = crate::words::headline_load(surface);
     let estimate = surface.headline_answer().and_then(|a| a.budget.stiffness);
     let stated = estimate.and_then(|k| k.stated());
     let mut rows = String::new();
@@ -101,7 +101,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
         let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
         let deterministic = of(&found.stiffness);
         let svg = figures::over_load(
-            &pressures,
+            (&pressures, surface.load_area),
             &deterministic,
             &lines,
             kind.per_area,

@@ -2,7 +2,7 @@
 
 use crate::error::ReportError;
 use crate::figures::maps;
-use crate::numbers::{METRES, PASCALS, chosen, significant};
+use crate::numbers::{METRES, chosen, significant};
 use crate::page::context::Page;
 use crate::page::deformed;
 use crate::page::moving::{LARGEST, Moving, Pressures};
@@ -21,7 +21,7 @@ pub(crate) fn where_it_touches(
         return Ok(String::new());
     }
     let h = page.heading();
-    let p = chosen(surface.headline_pressure(), PASCALS);
+    let p = crate::words::headline_load(surface);
     let heights = surface.solved_map().heights();
     let window = maps::busiest_window(&surface.pressure, grid.shape());
     let n = page.next_figure();

@@ -3,7 +3,7 @@
 use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
 use crate::figures::deformed::{Cut, Pressed, section};
 use crate::figures::maps::FEWEST_STEPS;
-use crate::numbers::{METRES, PASCALS, SPACE, chosen, fixed, quantity, significant};
+use crate::numbers::{METRES, SPACE, fixed, quantity, significant};
 use crate::page::context::Page;
 use crate::page::moving::LARGEST;
 use crate::page::phrases::{attribute, touching};
@@ -72,7 +72,7 @@ pub(crate) fn through(
         .map(|(point, (load, share))| {
             format!(
                 "At {} the flat stands {} above the mean plane; {share} of this line touches.",
-                chosen(point.mean_pressure, PASCALS),
+                crate::words::load(point.mean_pressure, surface.load_area),
                 quantity(load.flat, METRES, 3)
             )
         })

@@ -93,7 +93,7 @@ pub fn style() -> String {
 fn title(comparison: &Comparison) -> String {
     match comparison.surfaces.as_slice() {
         [one] => {
-            let p = chosen(one.headline_pressure(), PASCALS);
+            let p = words::headline_load(one);
             one.headline_answer().map_or_else(
                 || format!("{} (rough-contact)", one.name),
                 |a| format!("At {p} {} touches: {} (rough-contact)", words::area(a), one.name),

@@ -8,7 +8,7 @@ use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
 use crate::draw::png::Grey;
 use crate::error::ReportError;
 use crate::figures::maps::{self, Window};
-use crate::numbers::{METRES, PASCALS, chosen, quantity, unit_for};
+use crate::numbers::{METRES, PASCALS, quantity, unit_for};
 use crate::page::phrases::attribute;
 use compare::{
     FirstContact, PressureMap, PressureMaps, SurfaceComparison, pressure_class, pressure_top,
@@ -86,7 +86,7 @@ impl<'a> Moving<'a> {
             .map(|p| {
                 let (touching, highest) =
                     p.answer.as_ref().map_or((0, 0.0), |a| (a.contact_pixels, a.max_pressure));
-                let load = chosen(p.mean_pressure, PASCALS);
+                let load = crate::words::load(p.mean_pressure, self.surface.load_area);
                 format!(
                     "Contact map at {load}: {touching} of {points} points of the map carry pressure, at most {}.",
                     quantity(highest, PASCALS, 2)

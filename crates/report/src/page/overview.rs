@@ -3,9 +3,7 @@
 use crate::draw::svg::escape;
 use crate::figures::multiples::{self, Quantity};
 use crate::lines::WANTED;
-use crate::numbers::{
-    METRES, PASCALS, SPACE, chosen, counted, duration, quantity, signed_percent, significant,
-};
+use crate::numbers::{METRES, SPACE, counted, duration, quantity, signed_percent, significant};
 use crate::page::context::Page;
 use crate::page::how_made::modulus_in_head;
 use crate::words;
@@ -186,7 +184,7 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
                 escape(&s.name),
                 quantity(s.statistics.rms_height, METRES, 3),
                 significant(s.inputs.rms_gradient(), 2),
-                chosen(s.headline_pressure(), PASCALS),
+                words::headline_load(s),
                 answer.map_or("–".into(), words::area),
                 answer.map_or("–".into(), words::real_pressure),
                 nearest.as_ref().map_or("–".into(), |r| format!(

@@ -72,7 +72,7 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
 /// Figs. 1 to 4: area, real pressure, error, cost; the first three once for each kind of bodies.
 pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
     let h = page.heading();
-    let p = chosen(surface.headline_pressure(), PASCALS);
+    let p = words::headline_load(surface);
     let mut out = format!(
         "<{h}>Area and pressure against load</{h}>\n<p>{}</p>\n{}",
         words::curves_lead(surface),
@@ -283,7 +283,7 @@ pub(crate) fn the_surface(
 ) -> String {
     let h = page.heading();
     let grid = surface.surface.grid();
-    let p = chosen(surface.headline_pressure(), PASCALS);
+    let p = words::headline_load(surface);
     let (title, first) = match surface.origin.pair() {
         Some(both) => ("Both surfaces as one", pair::opening(both)),
         None => ("The surface", String::new()),
@@ -350,7 +350,7 @@ pub(crate) fn the_surface(
 pub(crate) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
     let Some(answer) = surface.headline_answer() else { return String::new() };
     let h = page.heading();
-    let p = chosen(surface.headline_pressure(), PASCALS);
+    let p = words::headline_load(surface);
     let correction = page.source(AREA_CORRECTION);
     let raw = answer.area_fraction / answer.area_fraction_corrected - 1.0;
     let cutoff = surface

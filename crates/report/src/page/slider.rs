@@ -3,7 +3,7 @@
 use crate::draw::palette::DETERMINISTIC;
 use crate::lines::{ELASTIC, Reference, references};
 use crate::looks::look;
-use crate::numbers::{PASCALS, chosen, signed_percent};
+use crate::numbers::{NEWTONS, PASCALS, chosen, quantity, signed_percent};
 use crate::page::{phrases, spread, tables};
 use crate::words;
 use compare::{DeterministicAnswer, SurfaceComparison};
@@ -15,7 +15,15 @@ fn read_out(surface: &SurfaceComparison) -> Vec<String> {
         .deterministic
         .iter()
         .map(|point| {
-            let p = chosen(point.mean_pressure, PASCALS);
+            let on_map = point.mean_pressure * surface.surface.grid().area();
+            let p = match surface.load_area {
+                Some(_) => words::load(point.mean_pressure, surface.load_area),
+                None => format!(
+                    "{} ({} on this map)",
+                    chosen(point.mean_pressure, PASCALS),
+                    quantity(on_map, NEWTONS, 3)
+                ),
+            };
             point.answer.as_ref().map_or_else(
                 || format!("{p}: no answer"),
                 |a| {
@@ -45,7 +53,7 @@ pub(crate) fn dial(surface: &SurfaceComparison, id: &str) -> String {
         n - 1,
         surface.headline,
         read[surface.headline],
-        chosen(surface.headline_pressure(), PASCALS)
+        words::headline_load(surface)
     )
 }
 
@@ -55,8 +63,11 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
         return String::new();
     }
     let mut cells = serde_json::Map::new();
-    let loads: Vec<String> =
-        surface.deterministic.iter().map(|p| chosen(p.mean_pressure, PASCALS)).collect();
+    let loads: Vec<String> = surface
+        .deterministic
+        .iter()
+        .map(|p| words::load(p.mean_pressure, surface.load_area))
+        .collect();
     cells.insert("load".into(), json!(loads));
     let mut listed = Vec::new();
     for Reference { of, points, models } in references(surface) {

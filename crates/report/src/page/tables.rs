@@ -5,7 +5,7 @@ use crate::draw::svg::{Canvas, Stroke, escape};
 use crate::lines::{ELASTIC, Reference, references};
 use crate::looks::{inputs_html, look};
 use crate::numbers::{
-    AREAS, METRES, PASCALS, SPACE, chosen, duration, fixed, percent, percent_within, quantity,
+    AREAS, METRES, PASCALS, SPACE, duration, fixed, percent, percent_within, quantity,
     quantity_within, signed_percent, signed_range, significant, unit_for,
 };
 use crate::page::context::Page;
@@ -20,7 +20,7 @@ use contact_types::{ContactState, ModelError};
 
 /// Value, and what its ± covers, of the numbers people came for.
 pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
-    let p = chosen(surface.headline_pressure(), PASCALS);
+    let p = words::headline_load(surface);
     let mut rows: Vec<(String, String, String)> = Vec::new();
     for r in surface.conducted(surface.headline).iter().flat_map(words::conduction::resistances) {
         let area = surface.conduction.as_ref().and_then(|c| c.joint.area);
@@ -217,12 +217,12 @@ pub(crate) fn applies(answer: Applies, reason: &str) -> String {
 
 /// Every model: number, error, cost, domain with its reason, source.
 pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
-    let p = chosen(surface.headline_pressure(), PASCALS);
+    let p = words::headline_load(surface);
     let loads = &surface.deterministic;
     let range = format!(
         "{} to {}",
-        chosen(loads[0].mean_pressure, PASCALS),
-        chosen(loads[loads.len() - 1].mean_pressure, PASCALS)
+        words::load(loads[0].mean_pressure, surface.load_area),
+        words::load(loads[loads.len() - 1].mean_pressure, surface.load_area)
     );
     // Each theory stands below the solution for the bodies it is about.
     let mut rows = String::new();

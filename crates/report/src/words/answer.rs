@@ -1,7 +1,7 @@
 //! Sentences on the deterministic answer. They state what was computed and name the number.
 
 use crate::draw::svg::escape;
-use crate::numbers::{PASCALS, SPACE, chosen, percent_within, quantity, quantity_within};
+use crate::numbers::{PASCALS, SPACE, percent_within, quantity, quantity_within};
 use crate::words::yielding;
 use compare::{DeterministicAnswer, SurfaceComparison};
 
@@ -50,7 +50,7 @@ pub fn headline_line(surface: &SurfaceComparison) -> Option<String> {
         "" => String::new(),
         covers => format!(" ({covers})"),
     };
-    let p = chosen(surface.headline_pressure(), PASCALS);
+    let p = super::headline_load(surface);
     let share = yielding::share(surface) + &yielding::or_yielded(surface);
     let share = share.replace("<b>", "").replace("</b>", "");
     let line = format!("at {p} {} of the area touches{share}{label}", area(answer));
@@ -68,7 +68,7 @@ fn opening(converged: bool, stopped_at_rounding: bool) -> &'static str {
 
 /// The first sentence, as HTML.
 pub(crate) fn headline(surface: &SurfaceComparison) -> String {
-    let p = chosen(surface.headline_pressure(), PASCALS);
+    let p = super::headline_load(surface);
     let point = surface.deterministic.get(surface.headline);
     let Some(answer) = surface.headline_answer() else {
         let why = point.and_then(|p| p.trouble.clone()).unwrap_or_default();

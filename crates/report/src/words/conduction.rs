@@ -1,8 +1,8 @@
 //! What a contact conducts, in words and numbers.
 
 use crate::numbers::{
-    AREAS, KELVINS_PER_WATT, METRES, OHMS, PASCALS, SPACE, Unit, chosen, length, percent,
-    power_of_ten, quantity, quantity_within, significant, times,
+    AREAS, KELVINS_PER_WATT, METRES, OHMS, PASCALS, SPACE, Unit, length, percent, power_of_ten,
+    quantity, quantity_within, significant, times,
 };
 use compare::{Conducted, Conduction, Joint, SurfaceComparison};
 
@@ -64,7 +64,7 @@ pub fn resistances(found: &Conducted) -> Vec<ResistanceWords> {
 
 /// "Thermal resistance 30 ± 3 mK/W at 10 MPa (one spot 16.5 K/W)" for each, in plain text.
 pub fn resistance_lines(surface: &SurfaceComparison) -> Vec<String> {
-    let at = chosen(surface.headline_pressure(), PASCALS);
+    let at = super::headline_load(surface);
     let line = |r: ResistanceWords| {
         let spot = r.one_spot.map_or_else(String::new, |spot| format!(" (one spot {spot})"));
         format!("{} {} at {at}{spot}", r.name, r.value).replace(SPACE, " ")

@@ -1,7 +1,7 @@
 //! Loads that were given as forces.
 
-use crate::numbers::{METRES, NEWTONS, PASCALS, SPACE, quantity, significant, unit_for};
-use compare::Settings;
+use crate::numbers::{METRES, NEWTONS, PASCALS, SPACE, chosen, quantity, significant, unit_for};
+use compare::{Settings, SurfaceComparison};
 
 /// Forces, the area they press on and the pressures that gives, in plain text; `None` if the loads of
 /// the study were not given as forces.
@@ -19,6 +19,20 @@ pub(crate) fn loads_words(settings: &Settings) -> Option<String> {
     let area = significant(area / side.scale.powi(2), 4);
     let loads = if all.is_empty() { String::new() } else { format!(": {}", all.join(", ")) };
     Some(format!("on {area}{SPACE}{}²{loads}", side.name))
+}
+
+/// A nominal pressure (Pa) as its load is read: as a force on this area (m²) with the pressure behind it, or as it is.
+pub(crate) fn load(pressure: f64, area: Option<f64>) -> String {
+    let pascals = chosen(pressure, PASCALS);
+    area.map_or_else(
+        || pascals.clone(),
+        |a| format!("{} ({pascals})", chosen(pressure * a, NEWTONS)),
+    )
+}
+
+/// That of the headline.
+pub(crate) fn headline_load(surface: &SurfaceComparison) -> String {
+    load(surface.headline_pressure(), surface.load_area)
 }
 
 #[cfg(test)]

@@ -92,3 +92,43 @@ fn loads_that_make_no_sense_are_refused() {
         &["1024 µm²", "256.0 µm²", "--area"],
     );
 }
+
+/// With forces the headline, the axes, the read-out and the table are in newtons; the table of numbers always has both.
+#[test]
+fn a_study_at_forces_reads_in_newtons() {
+    let dir = folder();
+    let at = dir.path();
+    let synth = "synth --shape 64,64 --pixel 1um --hurst 0.8 --rolloff 32um --cutoff 8um \
+                 --rms-gradient 0.1 --seed 4 --out a.x3p";
+    assert_eq!(rough_contact(at, synth).status, 0);
+    let read = |name: &str| std::fs::read_to_string(at.join(name)).expect(name);
+    let forces = rough_contact(
+        at,
+        "compare a.x3p --modulus 110GPa --load 10N,20N --area 1mm2 --headline 10MPa --out n",
+    );
+    assert_eq!(forces.status, 0, "{}", forces.err);
+    assert!(forces.out.contains("at 10 N (10 MPa) "), "{}", forces.out);
+    assert!(read("n/area.svg").contains("Load (N)") && read("n/pressure.svg").contains("Load (N)"));
+    let page = read("n/report.html").replace('\u{202f}', " ");
+    assert!(page.contains("Key numbers at 10 N (10 MPa)") && page.contains("20 N (20 MPa): area"));
+    let pressures = rough_contact(
+        at,
+        "compare a.x3p --modulus 110GPa --pressure 10MPa,20MPa --headline 10MPa --out p",
+    );
+    assert!(pressures.status == 0 && pressures.out.contains("at 10 MPa "), "{}", pressures.out);
+    assert!(read("p/area.svg").contains("Nominal pressure (MPa)"));
+    // 10 MPa on 64² µm².
+    let page = read("p/report.html").replace('\u{202f}', " ");
+    assert!(page.contains("10 MPa (41.0 mN on this map): area"), "the read-out");
+    for (folder, area) in [("n", 1e-6), ("p", 4096e-12)] {
+        let csv = read(&format!("{folder}/curves.csv"));
+        let mut rows = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let place =
+            rows.next().expect("a header").iter().position(|h| *h == "load [N]").expect("a column");
+        for row in rows {
+            let [p, force] =
+                [row[1], row[place]].map(|cell| cell.parse::<f64>().expect("a number"));
+            assert!((force / (p * area) - 1.0).abs() < 1e-12, "{row:?}");
+        }
+    }
+}
