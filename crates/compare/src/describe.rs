@@ -18,7 +18,7 @@ pub(crate) fn describe(
 ) -> Result<(HeightMap, SurfaceStatistics, Spectra), StatsError> {
     let fractal_range = settings.fractal_range;
     let options = StatsOptions::default()
-        .with_level(settings.level)
+        .with_level(origin.level(settings.level))
         .with_edges(origin.edges())
         .with_fractal_range(fractal_range)
         .with_missing(origin.missing())

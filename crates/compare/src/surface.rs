@@ -249,6 +249,16 @@ impl Origin {
         if repeats { Edges::Periodic } else { Edges::Open }
     }
 
+    /// The form that is taken off: [`Level::Auto`] follows what was said of the edges, where something was.
+    pub fn level(&self, asked: Level) -> Level {
+        match self {
+            Self::Given(GivenOrigin { repeats: Some(repeats), .. }) if asked == Level::Auto => {
+                if *repeats { Level::Mean } else { Level::Plane }
+            }
+            _ => asked,
+        }
+    }
+
     /// Height step that is still in the heights (m). Rounding errors of two bodies are independent, so
     /// that the squares of their steps add.
     pub fn height_step(&self) -> Option<f64> {

@@ -3,19 +3,21 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, surface_of};
 use crate::watched::quietly;
-use answers::model::{Answer, Question, answers as asked, failure, measured, object, scene};
+use answers::model::{
+    Answer, Question, Unasked, answers as asked, failure, measured, object, scene,
+};
 use answers::typed::{Typed, Untyped};
 use answers::{Failure, bodies};
 use compare::{
-    Body, Card, ContactModulus, Input, Inputs, Joint, Level, MaterialUse, Spikes, Theory,
+    Body, BuildError, Card, ContactModel, ContactModulus, Input, Inputs, Joint, Level, MaterialUse,
+    PairOrigin, Spikes, Theory,
 };
-use numpy::PyReadonlyArray2;
+use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde::Deserialize;
 use serde_json::json;
 use std::collections::BTreeMap;
-use surface_stats::Edges;
-use surface_stats::clean::row_offsets;
+use surface_stats::clean::{Record, RowOffsets, row_offsets};
 
 /// What Python asks. SI units; `roughness` is left out where a surface is given.
 #[derive(Deserialize)]
@@ -144,6 +146,54 @@ pub(crate) fn model(
 
 pub(crate) type Answered = (String, Option<(String, String)>);
 
+/// What a theory is built from, and what is known of the heights that say it.
+struct Made {
+    inputs: Inputs,
+    rows: Option<RowOffsets>,
+    spikes: Spikes,
+    cleaned: Vec<Record>,
+    level: Option<&'static str>,
+    pair: Option<PairOrigin>,
+}
+
+impl Made {
+    fn of(
+        request: &Request,
+        card: &Card,
+        surface: Option<(compare::Surface, crate::surface::Facts)>,
+        laid: Option<Laid>,
+    ) -> Result<Self, Failure> {
+        let Some((mut surface, facts)) = surface else {
+            let typed = request.roughness.clone().unwrap_or_default();
+            let inputs = request.typed(card, &typed)?;
+            let (rows, level, pair) = (None, None, None);
+            return Ok(Self {
+                inputs,
+                rows,
+                spikes: Spikes::default(),
+                cleaned: Vec::new(),
+                level,
+                pair,
+            });
+        };
+        let given = request.complete(card, Inputs::new(request.modulus(card)?))?;
+        let path = facts.path().to_owned();
+        let (mut missing, mut cleaned, mut pair) = (facts.missing, facts.cleaned, None);
+        if let Some(laid) = laid {
+            surface = laid.on(surface, request.level)?;
+            (missing, cleaned) = (surface.origin.missing(), Vec::new());
+            pair = surface.origin.pair().cloned();
+        }
+        let spikes = Spikes::left(&surface.heights, &cleaned, pair.as_ref());
+        let rows = row_offsets(surface.heights.grid(), surface.heights.heights()).ok();
+        let used = surface.origin.level(request.level).on(&surface.heights);
+        let used = used.map_err(|e| Failure::in_file(&path, &e))?;
+        let how = (used, surface.origin.edges());
+        let inputs = measured(card, given, &path, surface.heights, missing, how)?;
+        Ok(Self { inputs, rows, spikes, cleaned, level: Some(used.name()), pair })
+    }
+}
+
 fn answer(
     request: &Request,
     surface: Option<(compare::Surface, crate::surface::Facts)>,
@@ -151,30 +201,8 @@ fn answer(
 ) -> Result<Answered, Failure> {
     let theory = request.theory()?;
     let card = theory.card();
-    let (mut rows, mut spikes, mut cleaned, mut level) = (None, Spikes::default(), None, None);
-    let mut pair = None;
-    let inputs = if let Some((mut surface, facts)) = surface {
-        let given = request.complete(card, Inputs::new(request.modulus(card)?))?;
-        let mut missing = facts.missing;
-        let path = facts.path().to_owned();
-        if let Some(laid) = laid {
-            surface = laid.on(surface, request.level)?;
-            missing = surface.origin.missing();
-            pair = surface.origin.pair().cloned();
-        } else {
-            cleaned = Some(facts.cleaned);
-        }
-        let steps = cleaned.as_deref().unwrap_or_default();
-        spikes = Spikes::left(&surface.heights, steps, pair.as_ref());
-        rows = row_offsets(surface.heights.grid(), surface.heights.heights()).ok();
-        let used = request.level.on(&surface.heights);
-        let used = used.map_err(|e| Failure::in_file(&path, &e))?;
-        let how = (used, Edges::Open);
-        level = Some(used.name());
-        measured(card, given, &path, surface.heights, missing, how)?
-    } else {
-        request.typed(card, request.roughness.as_ref().unwrap_or(&BTreeMap::new()))?
-    };
+    let Made { inputs, rows, spikes, cleaned, level, pair } =
+        Made::of(request, card, surface, laid)?;
     let questions = request.questions();
     let joint = request.joint()?;
     let found = asked(theory, &inputs, &questions, joint).map_err(|e| e.failure(WAY_OUT))?;
@@ -185,11 +213,62 @@ fn answer(
     findings.sort_by_key(|f| f.weight);
     json["findings"] = report::findings_json(&findings);
     json["level"] = json!(level);
-    json["cleaning"] = report::cleaning_json(&cleaned.unwrap_or_default());
+    json["cleaning"] = report::cleaning_json(&cleaned);
     json["pair"] = pair.as_ref().map_or(serde_json::Value::Null, report::pair_json);
     json["bodies"] = report::bodies_json(pair.as_ref(), &request.bodies);
     if !request.materials.is_empty() {
         json["materials"] = report::materials_json(&request.materials);
     }
     Ok((json.to_string(), trouble(&found)))
+}
+
+/// A closed form that is built once and asked again and again. Private.
+#[pyclass(frozen)]
+pub(crate) struct Closed {
+    title: String,
+    model: Box<dyn ContactModel>,
+}
+
+#[pymethods]
+impl Closed {
+    #[new]
+    #[pyo3(signature = (request, surface, threads, against=None))]
+    fn new(
+        py: Python<'_>,
+        request: &str,
+        surface: Option<(PyReadonlyArray2<'_, f64>, String)>,
+        threads: usize,
+        against: Option<Second<'_>>,
+    ) -> PyResult<Self> {
+        let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
+        let surface = surface.map(|(heights, facts)| surface_of(&heights, &facts)).transpose()?;
+        let laid = Laid::of(against.as_ref())?;
+        let made = quietly(py, threads, move || {
+            let theory = request.theory()?;
+            let inputs = Made::of(&request, theory.card(), surface, laid)?.inputs;
+            let model = theory.build(&inputs).map_err(|e| match e {
+                BuildError::Model(error) => failure(&error),
+                missing @ BuildError::Missing { .. } => Unasked::Missing(missing).failure(WAY_OUT),
+            })?;
+            Ok(Self { title: theory.card().title.to_string(), model })
+        })?;
+        made.map_err(|e: Failure| raise(&e))
+    }
+
+    /// Area fraction and mean gap (m) at nominal pressures (Pa); NaN where there is no answer.
+    fn at<'py>(
+        &self,
+        py: Python<'py>,
+        pressures: PyReadonlyArray1<'py, f64>,
+    ) -> (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>) {
+        let asked: Vec<f64> = pressures.as_array().iter().copied().collect();
+        let (areas, gaps): (Vec<f64>, Vec<f64>) = py.detach(|| {
+            let one = |&p: &f64| match compare::at_pressure(&self.title, self.model.as_ref(), p) {
+                Ok(state) => (state.area_fraction, state.mean_gap.unwrap_or(f64::NAN)),
+                Err(_) => (f64::NAN, f64::NAN),
+            };
+            asked.iter().map(one).unzip()
+        });
+        (PyArray1::from_vec(py, areas), PyArray1::from_vec(py, gaps))
+    }
 }

@@ -14,19 +14,19 @@ mod _rough_contact {
     #[pymodule_export]
     use crate::failure::Refused;
     #[pymodule_export]
-    use crate::model::model;
+    use crate::model::{Closed, model};
     #[pymodule_export]
     use crate::profile::{profile, profile_model, profile_study};
     #[pymodule_export]
     use crate::solve::{Keep, solve};
     #[pymodule_export]
-    use crate::statistics::statistics;
+    use crate::statistics::{psd, statistics};
     #[pymodule_export]
     use crate::study::{default_pressures, model_inputs, models, study};
     #[pymodule_export]
     use crate::summary::{digest, summary};
     #[pymodule_export]
-    use crate::surface::{boundary, encode, given, info, read, reshape, synth};
+    use crate::surface::{encode, given, info, read, reshape, synth};
 
     /// Quantities as people type them, in SI units: one, or a list of them and of ranges.
     #[pyfunction]

@@ -25,14 +25,17 @@ type Profile<'py> = (Bound<'py, PyArray2<f64>>, f64, String, String, String);
 
 /// Reads the traces of a file and takes their statistics.
 #[pyfunction]
+#[pyo3(signature = (path, request, level, threads, content=None))]
 pub(crate) fn profile<'py>(
     py: Python<'py>,
     path: &str,
     request: &str,
     level: &str,
     threads: usize,
+    content: Option<Vec<u8>>,
 ) -> PyResult<Profile<'py>> {
-    let how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let mut how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    how.content = content;
     let unknown = || bug(&format!("level = {level:?} is no form"));
     let level = Level::ALL.iter().find(|l| l.name() == level).copied().ok_or_else(unknown)?;
     let at = Path::new(path);

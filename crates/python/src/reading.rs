@@ -28,6 +28,12 @@ pub(crate) struct Reading {
     pub(crate) crop: Option<String>,
     pub(crate) fill: String,
     pub(crate) cleaning: Cleaning,
+    /// No file, but an array, which is not cropped.
+    #[serde(skip)]
+    pub(crate) is_array: bool,
+    /// What the file holds, where it is in memory.
+    #[serde(skip)]
+    pub(crate) content: Option<Vec<u8>>,
 }
 
 impl Reading {
@@ -45,6 +51,8 @@ impl Reading {
             crop: file.crop.map(|part| Cut::Rectangle(part).to_string()),
             fill: file.fill.clone(),
             cleaning: file.cleaning,
+            is_array: false,
+            content: None,
         }
     }
 
@@ -71,7 +79,12 @@ impl Reading {
 
     /// Every trace of a file of several; one measurement of any other file.
     pub(crate) fn measurements(&self, path: &Path) -> Result<Vec<Measurement>, Unread> {
-        let all = surface_io::read_traces(path, &self.options()?).map_err(Unread::File)?;
+        let options = self.options()?;
+        let all = match &self.content {
+            Some(bytes) => surface_io::read_traces_bytes(bytes, &options),
+            None => surface_io::read_traces(path, &options),
+        };
+        let all = all.map_err(Unread::File)?;
         all.into_iter().map(|m| self.part(m)).collect()
     }
 
@@ -112,7 +125,12 @@ impl Reading {
     }
 
     pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
-        self.part(surface_io::read(path, &self.options()?).map_err(Unread::File)?)
+        let options = self.options()?;
+        let read = match &self.content {
+            Some(bytes) => surface_io::read_bytes(bytes, &options),
+            None => surface_io::read(path, &options),
+        };
+        self.part(read.map_err(Unread::File)?)
     }
 
     /// What was asked for of it.
@@ -219,5 +237,11 @@ pub(crate) fn filled(
     measurement: Measurement,
     how: &Reading,
 ) -> Result<Complete, Failure> {
-    answers::complete(measurement, how.cleaning, rule(&how.fill)?).map_err(|e| unmade(path, &e))
+    answers::complete(measurement, how.cleaning, rule(&how.fill)?).map_err(|e| match e {
+        Incomplete::Fill(FillError::Missing { .. }) if how.is_array => {
+            Failure::refused("missing", format!("{}: {}", path.display(), e.failure().message()))
+                .adding("fill them with fill='harmonic' or fill='nearest'")
+        }
+        _ => unmade(path, &e),
+    })
 }

@@ -56,7 +56,7 @@ struct Request {
 }
 
 impl Request {
-    fn question(&self, area: f64) -> Result<Question, Failure> {
+    fn question(&self, surface: &Surface) -> Result<Question, Failure> {
         let modulus = bodies::of_modulus(self.modulus)?;
         let accuracy = self.accuracy.as_deref().map(Accuracy::parse).transpose();
         let accuracy = accuracy.map_err(|e| Failure::refused("setting", e.to_string()))?;
@@ -65,8 +65,12 @@ impl Request {
         let loads = match kind.as_str() {
             "gap" => values.iter().map(|&g| Load::MeanGap(g)).collect(),
             "load" => {
-                let spread =
-                    spread.insert(answers::loads::Spread::of(values, self.area, area, CHECK)?);
+                let spread = spread.insert(answers::loads::Spread::of(
+                    values,
+                    self.area,
+                    surface.heights.grid().area(),
+                    CHECK,
+                )?);
                 spread.pressures.iter().map(|&p| Load::MeanPressure(p)).collect()
             }
             _ => values.iter().map(|&p| Load::MeanPressure(p)).collect(),
@@ -76,7 +80,7 @@ impl Request {
             spread,
             modulus,
             bodies: self.bodies.clone(),
-            level: self.level,
+            level: surface.origin.level(self.level),
             boundary: self.boundary,
             edges: self.edges,
             plane_strain: self.plane_strain,
@@ -101,7 +105,8 @@ impl Request {
 /// Keeps the maps that are wanted, and tells.
 struct Kept<'a> {
     maps: &'a str,
-    loads: usize,
+    loads: &'a [Load],
+    told: Vec<bool>,
     reporter: &'a Reporter,
     /// Grid, pressure, gap by the place of the load.
     found: BTreeMap<usize, (Grid, Vec<f64>, Vec<f64>)>,
@@ -112,12 +117,13 @@ struct Kept<'a> {
 impl Watch for Kept<'_> {
     fn begin(&mut self, _: Grid, _: usize) {
         self.found.clear();
+        self.told.fill(false);
     }
 
     fn iterated(&mut self, index: usize, _: Load, now: &Iteration<'_>) -> ControlFlow<()> {
         self.reporter.tell_at_times(|| News {
             surface: self.name.to_owned(),
-            ..News::iteration(index, self.loads, now)
+            ..News::iteration(index, self.loads.len(), now)
         });
         if self.reporter.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
@@ -133,12 +139,16 @@ impl Watch for Kept<'_> {
         Ok(())
     }
 
-    fn done(&mut self, _: Load) {
+    fn done(&mut self, load: Load) {
         let last = self.last.take();
+        let is_it = |i: &usize| !self.told[*i] && self.loads[*i] == load;
+        let index = (0..self.loads.len()).find(is_it).unwrap_or_default();
+        self.told[index] = true;
         self.reporter.tell(News {
             stage: "load",
             surface: self.name.to_owned(),
-            count: self.loads,
+            index,
+            count: self.loads.len(),
             mean_pressure: last.map(|l| l.0),
             area_fraction: last.map(|l| l.1),
             ..News::default()
@@ -226,10 +236,11 @@ pub(crate) fn solve<'py>(
             Some(laid) => (true, laid.on(surface, request.level)?),
             None => (false, surface),
         };
-        let question = request.question(surface.heights.grid().area())?;
+        let question = request.question(&surface)?;
         let mut watch = Kept {
             maps: &request.maps,
-            loads: question.loads.len(),
+            loads: &question.loads,
+            told: vec![false; question.loads.len()],
             reporter,
             found: BTreeMap::new(),
             name: &facts.name,

@@ -3,26 +3,21 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, surface_of};
 use crate::watched::quietly;
-use answers::Measured;
+use answers::{Failure, Measured};
 use compare::Level;
-use numpy::PyReadonlyArray2;
+use numpy::{PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde::Deserialize;
+use surface_stats::spectrum::{Ring, Window, radial_psd};
 use surface_stats::{Edges, StatsOptions};
 
 #[derive(Deserialize)]
 struct Request {
     level: Level,
-    boundary: Boundary,
+    /// None: as the surface was made.
+    boundary: Option<Edges>,
     iso: bool,
     scales: bool,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Boundary {
-    Open,
-    Periodic,
 }
 
 /// What `rough-contact stats` answers, as JSON.
@@ -38,10 +33,6 @@ pub(crate) fn statistics(
 ) -> PyResult<String> {
     let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (surface, facts) = surface_of(&heights, facts)?;
-    let edges = match request.boundary {
-        Boundary::Open => Edges::Open,
-        Boundary::Periodic => Edges::Periodic,
-    };
     let laid = Laid::of(against.as_ref())?;
     let found = quietly(py, threads, move || {
         let surface = match laid {
@@ -54,8 +45,8 @@ pub(crate) fn statistics(
             None => (facts.missing, facts.height_step, &facts.cleaned[..]),
         };
         let options = StatsOptions::default()
-            .with_level(request.level)
-            .with_edges(edges)
+            .with_level(surface.origin.level(request.level))
+            .with_edges(request.boundary.unwrap_or(surface.origin.edges()))
             .with_missing(missing)
             .with_height_step(height_step);
         let from = Measured { path: facts.path(), cleaned, pair };
@@ -63,4 +54,28 @@ pub(crate) fn statistics(
             .map(|found| found.json.to_string())
     })?;
     found.map_err(|e| raise(&e))
+}
+
+/// Wavenumbers (rad/m) and isotropic power spectrum (m⁴) of the levelled map, as it repeats or under a Hann window.
+#[pyfunction]
+pub(crate) fn psd<'py>(
+    py: Python<'py>,
+    heights: PyReadonlyArray2<'py, f64>,
+    facts: &str,
+    form: &str,
+    threads: usize,
+) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
+    let (surface, facts) = surface_of(&heights, facts)?;
+    let form = Level::ALL.iter().find(|l| l.name() == form).copied().unwrap_or_default();
+    let window = match surface.origin.edges() {
+        Edges::Periodic => Window::None,
+        Edges::Open => Window::Hann,
+    };
+    let rings = quietly(py, threads, move || {
+        let form = surface.origin.level(form).on(&surface.heights)?;
+        radial_psd(&surface_stats::level(&surface.heights, form)?, window)
+    })?;
+    let rings = rings.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
+    let of = |one: fn(&Ring) -> f64| PyArray1::from_vec(py, rings.iter().map(one).collect());
+    Ok([of(|r| r.wavenumber), of(|r| r.psd)])
 }

@@ -5,15 +5,17 @@ use crate::surface::{Laid, Second, surface_of};
 use crate::watched::{News, Outcome, watched};
 use answers::Failure;
 use compare::{
-    BuildError, Card, Citation, Comparison, ContactModel, CurvePoint, Inputs, Origin, Progress,
-    Registry, RunFile, RunSurface, Settings, StudyError, Surface, Tabulated, Theory,
+    BuildError, Card, Citation, Comparison, ContactModel, ContactState, CurvePoint, Inputs,
+    ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError, Surface,
+    Tabulated, Theory,
 };
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use report::Provenance;
 use serde::Deserialize;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, RangeInclusive};
 
 /// A model that Python computed: a curve for each surface, or why there is none.
 #[derive(Deserialize)]
@@ -24,15 +26,53 @@ struct Own {
     /// The year in which it was given.
     year: u16,
     /// By the name of the surface.
-    curves: BTreeMap<String, Result<Vec<CurvePoint>, String>>,
+    curves: BTreeMap<String, Result<Answers, String>>,
     /// Seconds that Python took for a load, by the name of the surface.
     seconds: BTreeMap<String, f64>,
 }
 
+/// By rising load.
+#[derive(Deserialize)]
+struct Answers {
+    points: Vec<CurvePoint>,
+    /// Nominal pressures (Pa) at which it has no answer.
+    holes: Vec<f64>,
+}
+
+/// Ranges of pressure (Pa) without an answer, from the answer below to the answer above.
+type Holes = Vec<RangeInclusive<f64>>;
+
 /// The same as a theory of the study.
 struct Given {
     card: Card,
-    curves: BTreeMap<String, Result<Tabulated, String>>,
+    curves: BTreeMap<String, Result<(Tabulated, Holes), String>>,
+}
+
+/// A curve that is not drawn across loads without an answer.
+struct Holed {
+    title: Cow<'static, str>,
+    curve: Box<dyn ContactModel>,
+    holes: Holes,
+}
+
+impl ContactModel for Holed {
+    fn citation(&self) -> Citation {
+        self.curve.citation()
+    }
+
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        let is_in =
+            |r: &&RangeInclusive<f64>| *r.start() < mean_pressure && mean_pressure < *r.end();
+        if self.holes.iter().find(is_in).is_none() {
+            return self.curve.at_pressure(mean_pressure);
+        }
+        Err(ModelError::InvalidInput {
+            model: self.title.clone(),
+            quantity: "mean pressure in Pa".into(),
+            value: mean_pressure,
+            requirement: "the model returned NaN there".into(),
+        })
+    }
 }
 
 impl Given {
@@ -48,9 +88,19 @@ impl Given {
         let mut curves = BTreeMap::new();
         for (surface, curve) in own.curves {
             let curve = match curve {
-                Ok(points) => Ok(Tabulated::new(card.clone(), points).map_err(|e| {
-                    Failure::refused("model", format!("{} on {surface}: {e}", card.name))
-                })?),
+                Ok(Answers { points, holes }) => {
+                    let around = |hole: f64| {
+                        let above = points.partition_point(|p| p.mean_pressure < hole);
+                        let at = |i: usize| points.get(i).map(|p| p.mean_pressure);
+                        let below = above.checked_sub(1).and_then(at).unwrap_or(0.0);
+                        below..=at(above).unwrap_or(f64::INFINITY)
+                    };
+                    let holes = holes.into_iter().map(around).collect();
+                    let curve = Tabulated::new(card.clone(), points).map_err(|e| {
+                        Failure::refused("model", format!("{} on {surface}: {e}", card.name))
+                    })?;
+                    Ok((curve, holes))
+                }
                 Err(why) => Err(why),
             };
             curves.insert(surface, curve);
@@ -68,7 +118,11 @@ impl Theory for Given {
         let needs = |what: String| BuildError::missing(self.card.title.clone(), what);
         let surface = inputs.surface.clone().unwrap_or_default();
         match self.curves.get(&surface) {
-            Some(Ok(curve)) => curve.build(inputs),
+            Some(Ok((curve, holes))) => Ok(Box::new(Holed {
+                title: self.card.title.clone(),
+                curve: curve.build(inputs)?,
+                holes: holes.clone(),
+            })),
             Some(Err(why)) => Err(needs(why.clone())),
             None => Err(needs(format!("a curve of {surface}"))),
         }
@@ -157,7 +211,7 @@ pub(crate) fn study(
                 }
                 Progress::Solved { index, mean_pressure, area_fraction, .. } => {
                     reporter.tell(News {
-                        stage: "solved",
+                        stage: "load",
                         surface: told.0.clone(),
                         index,
                         count: told.1,

@@ -4,7 +4,7 @@ use crate::failure::{bug, raise};
 use crate::reading::{Reading, Unread, filled};
 use crate::watched::quietly;
 use answers::{Complete, Failure};
-use compare::{GivenOrigin, Level, Origin, Placing, Recipe, Surface, Unevenness};
+use compare::{Cleaning, GivenOrigin, Level, Origin, Placing, Recipe, Surface, Unevenness};
 use contact_types::{Grid, HeightMap};
 use numpy::ndarray::Array2;
 use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -163,13 +163,16 @@ fn made<'py>(
 
 /// Reads a file: crop, cleaning, fill, in this order.
 #[pyfunction]
+#[pyo3(signature = (path, request, threads, content=None))]
 pub(crate) fn read<'py>(
     py: Python<'py>,
     path: &str,
     request: &str,
     threads: usize,
+    content: Option<Vec<u8>>,
 ) -> PyResult<Made<'py>> {
-    let how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let mut how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    how.content = content;
     let at = Path::new(path);
     let (asked, file) = (how.clone(), path.to_owned());
     let found = quietly(py, threads, move || {
@@ -210,8 +213,15 @@ pub(crate) fn read<'py>(
 
 /// What a file holds, as `rough-contact info` says it.
 #[pyfunction]
-pub(crate) fn info(py: Python<'_>, path: &str, request: &str) -> PyResult<String> {
-    let how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+#[pyo3(signature = (path, request, content=None))]
+pub(crate) fn info(
+    py: Python<'_>,
+    path: &str,
+    request: &str,
+    content: Option<Vec<u8>>,
+) -> PyResult<String> {
+    let mut how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    how.content = content;
     let at = Path::new(path);
     let file = path.to_owned();
     let found = quietly(py, 1, move || {
@@ -235,6 +245,7 @@ pub(crate) fn given<'py>(
         pixel: [f64; 2],
         fill: String,
         repeats: Option<bool>,
+        cleaning: Cleaning,
     }
     let given: Given = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let shape = [heights.as_array().nrows(), heights.as_array().ncols()];
@@ -243,6 +254,8 @@ pub(crate) fn given<'py>(
         pixel: Some(given.pixel),
         height_unit: Some(1.0),
         fill: given.fill.clone(),
+        is_array: true,
+        cleaning: given.cleaning,
         ..Reading::default()
     };
     let name = given.name.clone();
@@ -255,7 +268,7 @@ pub(crate) fn given<'py>(
         let measurement = surface_io::read_bytes(&file, &options).map_err(Unread::File)?;
         Ok(filled(Path::new(&name), measurement, &how)?)
     })?;
-    let Complete { map, missing, height_step, .. } =
+    let Complete { map, missing, cleaned, height_step, .. } =
         found.map_err(|e: Unread| e.raise(Path::new(&given.name)))?;
     let mut origin = GivenOrigin::of(&map, given.note);
     (origin.missing, origin.height_step, origin.repeats) = (missing, height_step, given.repeats);
@@ -266,7 +279,7 @@ pub(crate) fn given<'py>(
         fill: given.fill,
         height_step,
         origin: Origin::Given(origin),
-        cleaned: Vec::new(),
+        cleaned,
         uneven: None,
     };
     made(py, map, &facts, &json!({}))
@@ -291,13 +304,6 @@ pub(crate) fn synth<'py>(py: Python<'py>, recipe: &str, threads: usize) -> PyRes
     made(py, heights, &facts, &json!({}))
 }
 
-/// What a study assumes beyond the edges of a surface: `open`, or `periodic` if it was made so.
-#[pyfunction]
-pub(crate) fn boundary(facts: &str) -> PyResult<&'static str> {
-    let edges = Facts::of_text(facts)?.origin.edges();
-    Ok(if edges == Edges::Periodic { "periodic" } else { "open" })
-}
-
 /// The surface with a form taken off: heights of another origin.
 #[pyfunction]
 pub(crate) fn reshape<'py>(
@@ -310,12 +316,21 @@ pub(crate) fn reshape<'py>(
     let (surface, mut facts) = surface_of(&heights, facts)?;
     let unknown = || raise(&Failure::refused("setting", format!("level = {level:?} is no form")));
     let form = Level::ALL.iter().find(|l| l.name() == level).copied().ok_or_else(unknown)?;
-    let form = form.on(&surface.heights).map_err(|e| raise(&Failure::from_error(&e)))?;
+    let form = surface
+        .origin
+        .level(form)
+        .on(&surface.heights)
+        .map_err(|e| raise(&Failure::from_error(&e)))?;
+    let repeats = match &surface.origin {
+        Origin::Given(given) => given.repeats,
+        made => (made.edges() == Edges::Periodic).then_some(true),
+    };
     let map = quietly(py, threads, move || surface_stats::level(&surface.heights, form))?;
     let map = map.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
     let note = format!("{} with its {form} taken off", facts.name);
     let mut origin = GivenOrigin::of(&map, note);
-    (origin.missing, origin.height_step) = (facts.missing, facts.height_step);
+    (origin.missing, origin.height_step, origin.repeats) =
+        (facts.missing, facts.height_step, repeats);
     facts.origin = Origin::Given(origin);
     made(py, map, &facts, &json!({}))
 }

@@ -70,7 +70,7 @@ UNITS = {"layout": "list", "lateral_unit": "um", "height_unit": "um"}
 def test_ridges_in_plane_strain_are_westergaard_s(command, wave):
     trace = rc.read_profile(wave, **UNITS)
     full = math.pi * 100e9 * 0.2 / 16  # Pa, at which all touches: Westergaard 1939
-    curve = rc.solve(trace, modulus="100 GPa", pressure=[0.2 * full, 0.5 * full] * rc.Pa, plane_strain=True, maps=True)
+    curve = rc.solve(trace, modulus="100 GPa", pressure=[0.2 * full, 0.5 * full] * rc.units.Pa, plane_strain=True, maps=True)
     exact = 2 / math.pi * np.arcsin(np.sqrt([0.2, 0.5]))
     assert np.allclose(curve.area_fraction_corrected, exact, rtol=0.02)
     assert curve.pressure(0).shape == (1, 4096)

@@ -56,7 +56,7 @@ def test_solve(command, file, case):
 def test_bodies(command, file):
     elastic = ["--young", "210GPa", "--poisson", "0.3", "--young", "70GPa", "--poisson", "0.33"]
     theirs = command("solve", file, *elastic, "--pressure", "100MPa")
-    pair = (rc.Body(young="210GPa", poisson=0.3), rc.Body(young=70 * rc.GPa, poisson=0.33))
+    pair = (rc.Body(young="210GPa", poisson=0.3), rc.Body(young=70 * rc.units.GPa, poisson=0.33))
     ours = rc.solve(rc.read(file), bodies=pair, pressure="100MPa").to_dict()
     assert without_times(ours) == without_times(theirs)
     assert ours["modulus"] == rc.contact_modulus(*pair)
@@ -65,7 +65,7 @@ def test_bodies(command, file):
 def test_cleaning_and_fill(command, file):
     words = ["--outliers", "3", "--fill", "harmonic", "--form", "sphere", "--s-filter", "3um", "--l-filter", "30um"]
     theirs = command("solve", file, "--modulus", "110GPa", "--pressure", "100MPa", *words)
-    s = rc.read(file, outliers=3, fill="harmonic", form="sphere", s_filter="3um", l_filter=30 * rc.um)
+    s = rc.read(file, outliers=3, fill="harmonic", form="sphere", s_filter="3um", l_filter=30 * rc.units.um)
     ours = rc.solve(s, modulus="110 GPa", pressure="100MPa").to_dict()
     assert without_times(ours) == without_times(theirs)
     assert s.missing > 0 and len(s.cleaning) == 4

@@ -53,7 +53,7 @@ def test_the_same_results_as_the_command(command, file, tmp_path):
         (["--hardness", "20GPa"], {"hardness": "20 GPa"}),
         (
             ["--resistivity", "22nohm.m,70nohm.m", "--conductivity", "400W/m/K"],
-            {"resistivity": [22e-9 * rc.ohm_m, 70e-9 * rc.ohm_m], "conductivity": 400 * rc.W_per_m_K},
+            {"resistivity": [22e-9 * rc.units.ohm * rc.units.m, 70e-9 * rc.units.ohm * rc.units.m], "conductivity": 400 * rc.units.W / rc.units.m / rc.units.K},
         ),
         (["--edges", "mirrored", "--level", "mean"], {"edges": "mirrored", "level": "mean"}),
     ],
@@ -172,3 +172,25 @@ def test_a_study_can_be_stopped(rough):
 
     with pytest.raises(Enough):
         rc.compare(rough, modulus="110 GPa", progress=stop)
+
+
+def test_what_is_done_is_kept(rough):
+    """Of a study that is stopped, by Ctrl-C or by an exception of the callback: the loads that were solved, by surface."""
+
+    class Enough(Exception):
+        pass
+
+    for raised, caught in ((Enough, Enough), (KeyboardInterrupt, rc.Interrupted)):
+        told = []
+
+        def stop(news):
+            told.append(news)
+            if news.stage == "load" and news.index == 1:
+                raise raised
+
+        with pytest.raises(caught) as stopped:
+            rc.compare({"a": rough, "b": rough}, modulus="110 GPa", pressure="10MPa,100MPa,1GPa", models=["gw"], progress=stop)
+        kept = stopped.value.partial
+        assert [p["mean_pressure"] for p in kept["a"]][:2] == [1e7, 1e8] and not kept["b"]
+        assert 0 < kept["a"][0]["area_fraction"] < kept["a"][1]["area_fraction"]
+        assert {news.stage for news in told} <= {"iteration", "load", "surface", "models"}

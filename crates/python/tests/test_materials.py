@@ -25,7 +25,7 @@ def test_whether_bodies_stick_is_said() -> None:
     steel = rc.solve(s, modulus="115 GPa", pressure="100MPa", work_of_adhesion="50 mJ/m2")
     assert any("Adhesion is negligible" in f.claim for f in steel.findings)
     with pytest.warns(rc.ContactWarning, match="not negligible"):
-        rubber = rc.solve(s, modulus="1 MPa", pressure="1kPa", work_of_adhesion=0.05 * rc.J_per_m2)
+        rubber = rc.solve(s, modulus="1 MPa", pressure="1kPa", work_of_adhesion=0.05 * rc.units.J / rc.units.m**2)
     assert any("does not model it" in f.claim for f in rubber.findings)
     with pytest.raises(rc.UnitError):
         rc.solve(s, modulus="1 MPa", pressure="1kPa", work_of_adhesion=0.05)

@@ -79,7 +79,7 @@ def test_study(command, trace, tmp_path):
     # The models answer as they do alone, and the run can be repeated by the command.
     gw = next(m for m in study["trace.txt"]["models"] if m["model"] == "gw")
     pressures = [p["mean_pressure"] for p in gw["points"]]
-    alone = rc.model("gw", profile, modulus="110 GPa", pressure=np.array(pressures) * rc.Pa)
+    alone = rc.model("gw", profile, modulus="110 GPa", pressure=np.array(pressures) * rc.units.Pa)
     assert [p["area_fraction"] for p in gw["points"]] == alone.area_fraction.tolist()
     again = command("compare", "--from", tmp_path / "b" / "run.toml", "--out", tmp_path / "c")
     assert timeless(again["profiles"]) == timeless(theirs["profiles"])
@@ -109,3 +109,23 @@ def test_what_is_refused(trace, file):
         rc.read_profile(path, layout="list", lateral_unit="um", height_unit="um", form="sphere")
     with pytest.raises(rc.ReadError, match="lateral_unit"):
         rc.read_profile(path, layout="list")
+
+
+def test_profiles_of_arrays(tmp_path):
+    rng = np.random.default_rng(1)
+    heights = np.convolve(rng.normal(size=8200), np.hanning(60), "same")[100:8100] * 0.05
+    path = tmp_path / "trace.txt"
+    np.savetxt(path, np.column_stack([np.arange(8000) * 0.5, heights]), fmt="%.17g")
+    read = rc.read_profile(path, layout="list", lateral_unit="um", height_unit="um")
+    made = rc.Profile.of(heights, spacing="0.5um", height_unit="um")
+    assert np.allclose(made.heights, read.heights, rtol=1e-15) and made.spacing == pytest.approx(read.spacing)
+    assert made.roughness == pytest.approx(read.roughness, rel=1e-9)
+    assert (rc.Profile.of(heights * rc.units.um, spacing="0.5um").heights == made.heights).all()
+    assert rc.Profile.of(np.stack([heights, heights[::-1]]) * rc.units.um, spacing="0.5um").heights.shape == (2, 8000)
+    holed = np.ma.masked_array(heights, mask=np.arange(8000) == 7)
+    with pytest.raises(rc.MissingPoints):
+        rc.Profile.of(holed * rc.units.um, spacing="0.5um")
+    assert "<table>" in made._repr_html_() and "Ra" in made._repr_html_()
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    assert "um" in made.plot().get_ylabel()

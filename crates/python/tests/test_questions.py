@@ -75,7 +75,7 @@ def test_a_hardness_that_is_known_is_used(rough):
     known = rc.solve(rough, bodies=both, pressure="10MPa")
     assert known.json["hardness"]["pascals"] == pytest.approx(both[1].hardness)
     assert [used["name"] for used in known.json["materials"]] == ["steel-304", "copper"]
-    typed = rc.Body(young=both[1].young * rc.Pa, poisson=0.34, hardness="398MPa")
+    typed = rc.Body(young=both[1].young * rc.units.Pa, poisson=0.34, hardness="398MPa")
     assert rc.solve(rough, bodies=typed, pressure="10MPa").json["hardness"]["pascals"] == 398e6
     left_out = rc.solve(rough, bodies=both, pressure="10MPa", hardness="elastic")
     assert "hardness" not in left_out.json

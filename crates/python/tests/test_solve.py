@@ -19,7 +19,7 @@ E = 110e9  # Pa
 
 def sphere(n, radius, pixel):
     x = (np.arange(n) - n / 2 + 0.5) * pixel
-    return rc.Surface(-(x[:, None] ** 2 + x**2) / (2 * radius), pixel=pixel * rc.m, height_unit="m")
+    return rc.Surface(-(x[:, None] ** 2 + x**2) / (2 * radius), pixel=pixel * rc.units.m, height_unit="m")
 
 
 def test_hertz():
@@ -30,7 +30,7 @@ def test_hertz():
     for n in (32, 64, 128):
         pixel = 1.6 * 2 * a / n
         s = sphere(n, radius, pixel)
-        found = rc.solve(s, modulus=E * rc.Pa, load=force * rc.N, boundary="free", level="none", tolerance=1e-8)
+        found = rc.solve(s, modulus=E * rc.units.Pa, load=force * rc.units.N, boundary="free", level="none", tolerance=1e-8)
         area = found.area_fraction_corrected[0] * s.size[0] * s.size[1]
         assert abs(area / (np.pi * a**2) - 1) < pixel / a  # half a pixel along the rim
         errors.append([found.max_pressure[0] * np.pi * radius / (2 * E * a) - 1, found.approach[0] * radius / a**2 - 1])
@@ -45,19 +45,19 @@ def test_a_wave_pressed_flat():
     s = rc.Surface(np.tile(amplitude * np.cos(2 * np.pi * x / length), (n, 1)), pixel="1um", height_unit="m")
     full = np.pi * E * amplitude / length
     mean = 2 * full
-    found = rc.solve(s, modulus=E * rc.Pa, pressure=mean * rc.Pa, level="none", maps=True, tolerance=1e-10)
+    found = rc.solve(s, modulus=E * rc.units.Pa, pressure=mean * rc.units.Pa, level="none", maps=True, tolerance=1e-10)
     assert found.area_fraction[0] == 1.0
     exact = mean + full * np.cos(2 * np.pi * x / length)
     np.testing.assert_allclose(found.pressure(0), np.tile(exact, (n, 1)), rtol=1e-8)
     # Part of it: A_r/A = 2/pi asin sqrt(p/p*).
-    part = rc.solve(s, modulus=E * rc.Pa, pressure=0.5 * full * rc.Pa, level="none", tolerance=1e-8)
+    part = rc.solve(s, modulus=E * rc.units.Pa, pressure=0.5 * full * rc.units.Pa, level="none", tolerance=1e-8)
     assert part.area_fraction_corrected[0] == pytest.approx(2 / np.pi * np.arcsin(np.sqrt(0.5)), abs=1 / n)
 
 
 def test_light_contact_is_near_persson(rough):
     """erf(sqrt(2) p/(E* g)): Persson (2001), doi:10.1063/1.1388626, which is some ten per cent low."""
     s = rc.synth((512, 512), pixel="1um", hurst=0.8, rolloff="128um", cutoff="16um", rms_gradient=0.1, seed=3)
-    found = rc.solve(s, modulus="110 GPa", pressure=np.array([0.3, 1.0]) * rc.GPa)
+    found = rc.solve(s, modulus="110 GPa", pressure=np.array([0.3, 1.0]) * rc.units.GPa)
     persson = special.erf(np.sqrt(2) * found.mean_pressure / (E * s.statistics().rms_gradient))
     ratio = found.area_fraction_corrected / persson
     assert ((1.0 < ratio) & (ratio < 1.4)).all(), ratio
@@ -265,5 +265,78 @@ def test_tables(rough):
     assert frame.area_interval_low.tolist() == curve.area_interval[:, 0].tolist()
     assert frame["residuals.preconditioned"].max() < 1e-4
     data = curve.to_xarray()
-    assert isinstance(data, xarray.Dataset) and data.pressure.dims == ("point", "y", "x")
+    assert isinstance(data, xarray.Dataset) and data.pressure.dims == ("load", "y", "x")
     assert float(data.pressure[0].mean()) == pytest.approx(1e8)
+    assert data.mean_pressure.values.tolist() == [1e8, 1e9] and data.mean_pressure.attrs["units"] == "Pa"
+    low = data.area_interval.sel(end="low")
+    assert low.values.tolist() == curve.area_interval[:, 0].tolist()
+    for name in data.variables:
+        if name != "end":
+            assert data[name].attrs["units"] == ("m" if name in "yx" else rc.Point.units()["load" if name == "force" else name])
+    again = rc.Surface.of(data.gap[0])
+    assert again.pixel == rough.pixel and again.heights.tolist() == curve.gap(0).tolist()
+
+
+def test_loads_are_told_by_their_place(rough):
+    told = []
+    rc.solve(rough, modulus="110 GPa", pressure="100MPa,1MPa,10MPa,1MPa", progress=told.append)
+    done = [(news.index, news.mean_pressure) for news in told if news.stage == "load"]
+    assert sorted(done) == [(0, 1e8), (1, 1e6), (2, 1e7), (3, 1e6)]
+    told.clear()
+    rc.solve(rough, modulus="110 GPa", pressure="30GPa,100MPa", hardness="20GPa", on_failure="keep", progress=told.append)
+    assert sorted(news.index for news in told if news.stage == "load") == [0, 1]
+
+
+def test_a_callback_that_raises_keeps_what_is_done(rough):
+    class Enough(Exception):
+        pass
+
+    def stop(news):
+        if news.stage == "load":
+            raise Enough
+
+    with pytest.raises(Enough) as stopped:
+        rc.solve(rough, modulus="110 GPa", pressure="1MPa..1GPa:8", progress=stop)
+    kept = stopped.value.partial
+    assert 1 <= len(kept) < 8 and kept.converged.all() and kept.mean_pressure[0] == 1e6
+
+
+def test_times(rough):
+    start = time.perf_counter()
+    curve = rc.solve(rough, modulus="110 GPa", pressure="10MPa,100MPa")
+    passed = time.perf_counter() - start
+    assert 0 < curve.solver_seconds.sum() <= curve.seconds <= passed and curve.seconds > 0.8 * passed
+    assert curve[1].solver_seconds == curve.solver_seconds[1] == curve.to_dict()["points"][1]["seconds"]
+
+
+def test_statistics_are_taken_once(rough):
+    s = rc.synth((512, 512), pixel="1um", hurst=0.8, rolloff="100um", cutoff="4um", rms_gradient=0.1, seed=3)
+    first = s.statistics()
+    start = time.perf_counter()
+    assert s.statistics() is first and time.perf_counter() - start < 0.01
+    assert s.statistics(iso=True) is not first and s.statistics(level="none").level == "none"
+
+
+def test_many_maps_in_one_call(rough):
+    maps = {str(k): rc.synth((32, 32), pixel="1um", hurst=0.8, rolloff="16um", cutoff="6um", rms_gradient=0.1, seed=k) for k in range(6)}
+    maps["flat"] = rc.Surface(np.zeros((32, 32)), pixel="1um", height_unit="m")
+    found = rc.solve_many(maps, modulus="110 GPa", pressure="100MPa,30GPa", hardness="20GPa", threads=3)
+    assert list(found) == list(maps)
+    for name, surface in maps.items():
+        try:
+            alone = rc.solve(surface, modulus="110 GPa", pressure="100MPa,30GPa", hardness="20GPa")
+        except rc.Error as error:
+            assert type(found[name]) is type(error) and str(found[name]) == str(error)
+            continue
+        assert found[name].area_fraction.tolist() == alone.area_fraction.tolist()
+    kept = rc.solve_many(list(maps.values())[:3], modulus="110 GPa", pressure="100MPa")
+    assert [len(curve) for curve in kept.values()] == [1, 1, 1]
+    with pytest.raises(TypeError):
+        rc.solve_many(maps, modulus="110 GPa", pressure="100MPa", nonsense=1)
+    with pytest.raises(rc.Interrupted) as stopped:
+        rc.solve_many(maps, modulus="110 GPa", pressure="100MPa", threads=1, progress=_interrupt)
+    assert isinstance(stopped.value.partial, dict)
+
+
+def _interrupt(news):
+    raise KeyboardInterrupt

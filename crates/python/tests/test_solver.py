@@ -64,7 +64,7 @@ def test_gaps_and_forces(rough):
     by_gap = solver.solve(rough, gap="400 nm")
     assert by_gap.mean_gap == pytest.approx(4e-7, rel=1e-3)
     area = rough.size[0] * rough.size[1]
-    by_force = solver.solve(rough, load=by_gap.mean_pressure * area * rc.N)
+    by_force = solver.solve(rough, load=by_gap.mean_pressure * area * rc.units.N)
     assert by_force.mean_gap == pytest.approx(4e-7, rel=1e-2)
 
 

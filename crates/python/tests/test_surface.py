@@ -20,10 +20,10 @@ def test_arrays_of_every_kind_are_one():
     assert one.heights[4, 6] == 406e-9 and one.heights.flags.c_contiguous
     others = [
         rc.Surface(ramp().astype(np.float32), pixel=["3um", "2um"], height_unit="nm"),
-        rc.Surface(ramp().astype(np.int16), pixel=(3 * rc.um, 2 * rc.um), height_unit="nm"),
+        rc.Surface(ramp().astype(np.int16), pixel=(3 * rc.units.um, 2 * rc.units.um), height_unit="nm"),
         rc.Surface(np.asfortranarray(ramp()), pixel="2um,3um", height_unit="nm"),
         rc.Surface(ramp().tolist(), pixel=["3um", "2um"], height_unit="nm"),
-        rc.Surface(ramp() * rc.nm, pixel=np.array([3, 2]) * rc.um),
+        rc.Surface(ramp() * rc.units.nm, pixel=np.array([3, 2]) * rc.units.um),
         rc.Surface(ramp()[::-1][::-1], pixel=["3um", "2um"], height_unit="nm"),
     ]
     for other in others:
@@ -86,8 +86,8 @@ def test_pickles(rough, protocol):
     assert again == rough and hash(again) == hash(rough) and not again.heights.flags.writeable
     assert protocol == 2 or len(text) < rough.heights.nbytes + 2000
     assert again.statistics().to_dict() == rough.statistics().to_dict()
-    for value in (rc.Body(young="210GPa", poisson=0.3, hardness="2GPa", name="steel"), rough.statistics(), rc.GPa):
-        assert pickle.loads(pickle.dumps(value, protocol)) == value or value is rc.GPa
+    for value in (rc.Body(young="210GPa", poisson=0.3, hardness="2GPa", name="steel"), rough.statistics(), rc.units.GPa):
+        assert pickle.loads(pickle.dumps(value, protocol)) == value or value is rc.units.GPa
 
 
 @pytest.mark.parametrize("ending", ["x3p", "sdf", "txt", "npy"])
@@ -220,3 +220,55 @@ def test_plots(rough):
     axes = rc.solve(rough, modulus="110 GPa", pressure="1MPa,100MPa,1GPa").plot()
     assert axes.get_xlabel() == "mean pressure (MPa)"
     plt.close("all")
+
+
+def test_files_in_memory(rough, file, tmp_path):
+    import io
+
+    content = file.read_bytes()
+    expected = rc.read(file)
+    with open(file, "rb") as opened:
+        sources = [content, bytearray(content), memoryview(content), io.BytesIO(content), opened]
+        found = [rc.read(source) for source in sources]
+    assert all(surface == expected for surface in found)
+    assert [surface.name for surface in found] == ["bytes"] * 4 + ["rough.x3p"]
+    assert rc.info(content)["format"] == rc.info(file)["format"]
+    with pytest.raises(TypeError, match="'rb'"):
+        rc.read(io.StringIO("1 2\n3 4"))
+    with pytest.raises(rc.ReadError):
+        rc.read(b"this is no surface")
+
+
+def test_cleaning_in_memory_is_that_of_reading(rough, tmp_path):
+    heights = rough.heights.copy()
+    heights[10, 20] += 1e-4
+    heights += 1e-7 * np.random.default_rng(1).normal(size=(64, 1))
+    s = rc.Surface(heights, pixel="1um", height_unit="m")
+    s.write(tmp_path / "map.x3p")
+    for how in (
+        {"outliers": 8, "fill": "harmonic"}, {"align_rows": True}, {"form": "plane"}, {"form": "polynomial:3", "s_filter": "4um"}, {"l_filter": "20um"},
+    ):
+        there, here = rc.read(tmp_path / "map.x3p", **how), s.cleaned(**how)
+        assert here == there and here.cleaning == there.cleaning and here.cleaning
+    with pytest.raises(rc.MissingPoints):
+        s.cleaned(outliers=8)
+    assert s.cleaned(outliers=8, fill="nearest").missing == 1
+    assert (s.scaled(2.5).heights == 2.5 * s.heights).all() and s.scaled(2.5).pixel == s.pixel
+
+
+def test_bearing_curve(rough):
+    heights, fraction = rough.bearing_curve()
+    level = np.median(rough.heights)
+    assert fraction[np.searchsorted(-heights, -level, side="right") - 1] == pytest.approx((rough.heights >= level).mean())
+
+
+def test_power_spectrum(rough):
+    """The variance is that of the map, and one wave stands at its wavenumber."""
+    q, c = rough.psd()
+    assert (np.diff(q) > 0).all() and (c >= 0).all()
+    variance = np.trapezoid(2 * np.pi * q * c, q)
+    assert variance == pytest.approx(rough.statistics(level="mean").rms_height ** 2, rel=0.1)
+    x = 2 * np.pi * np.arange(64) / 64
+    wave = rc.Surface(np.tile(np.cos(5 * x), (64, 1)), pixel="1um", height_unit="nm", repeats=True)
+    q, c = wave.psd()
+    assert q[np.argmax(c)] == pytest.approx(5 * 2 * np.pi / 64e-6, rel=1e-6)

@@ -9,7 +9,9 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from . import _rough_contact as _rust
-from ._errors import ReadError, SettingError, sorted_as
+from . import _units
+from ._errors import SettingError, dumped, of_file, sorted_as
+from ._extras import extra
 from ._progress import ProgressArgument
 from ._solve import Method
 from ._study import Comparison, studied
@@ -48,7 +50,7 @@ def rerun(
         measurement has changed.
     """
     check("on_failure", on_failure, ("raise", "keep"))
-    with open(path, encoding="utf-8") as file:
+    with of_file(), open(path, encoding="utf-8") as file:
         text = file.read()
     with sorted_as(SettingError):
         run = json.loads(_rust.run_file(text))
@@ -56,14 +58,14 @@ def rerun(
     named = {}
     for surface in run["surfaces"]:
         if surface["recipe"] is not None:
-            named[surface["name"]] = Surface._made(*_rust.synth(json.dumps(surface["recipe"]), used))
+            named[surface["name"]] = Surface._made(*_rust.synth(dumped(surface["recipe"]), used))
             continue
         at, content, reading = surface["file"]
         beside = os.path.join(os.path.dirname(os.fspath(path)), at)
         at = beside if os.path.exists(beside) else at
-        with sorted_as(ReadError):
-            heights, facts, said = _rust.read(at, json.dumps(reading), used)
-        made = Surface._made(heights, facts, json.dumps({**json.loads(said), "path": at}))
+        with of_file():
+            heights, facts, said = _rust.read(at, dumped(reading), used)
+        made = Surface._made(heights, facts, dumped({**json.loads(said), "path": at}))
         if digest(made) != content:
             raise SettingError(f"{at} has changed since {os.fspath(path)} was written; compare it anew", "changed_file")
         named[surface["name"]] = made
@@ -93,7 +95,7 @@ class Validation:
 
     def to_pandas(self) -> Any:
         """A `pandas.DataFrame` of one line for each row."""
-        import pandas
+        pandas = extra("pandas", "tables")
 
         return pandas.DataFrame(self.rows)
 
@@ -124,7 +126,6 @@ def validate(*, method: Method = "auto", finest: int = 256) -> Validation:
     True
     """
     check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))
-    if isinstance(finest, bool) or not isinstance(finest, int) or finest < 1:
-        raise SettingError(f"finest = {finest!r} is no number of points", "setting")
+    finest = _units.whole(finest, "finest", 1, 1 << 14)
     with sorted_as(SettingError):
         return Validation(json.loads(_rust.validate(method, finest))["rows"])

@@ -9,8 +9,9 @@ from typing import Any, Literal, Union
 
 from . import _rough_contact as _rust
 from . import _units
-from ._errors import SettingError, sorted_as
+from ._errors import SettingError, dumped, sorted_as
 from ._units import Q
+from .units import Pa
 
 __all__ = ["Bodies", "Body", "contact_modulus", "material", "materials"]
 
@@ -64,8 +65,8 @@ Bodies = Union[Body, Sequence[Body]]
 
 
 def _body(young: float, poisson: float, hardness: float | None, name: str, material: str | None) -> Body:
-    own = None if hardness is None else hardness * _units.Pa
-    body = Body(young=young * _units.Pa, poisson=poisson, hardness=own, name=name)
+    own = None if hardness is None else hardness * Pa
+    body = Body(young=young * Pa, poisson=poisson, hardness=own, name=name)
     object.__setattr__(body, "material", material)
     return body
 
@@ -98,13 +99,13 @@ def given(modulus: Q | None, bodies: Bodies | None, hardness: Q | Literal["elast
     asked = {
         "modulus": None if modulus is None else _units.scalar(modulus, "pressure", "modulus"),
         "bodies": [] if bodies is None else [_given(body) for body in listed(bodies)],
-        "hardness": None if hardness is None or elastic else _units.scalar(hardness, "pressure", "hardness"),
+        "hardness": None if hardness is None or elastic else _units.scalar(hardness, "pressure", "hardness", infinite=True),
         "elastic": elastic,
     }
     if asked["hardness"] == float("inf"):
         asked.update(hardness=None, elastic=True)
     with sorted_as(SettingError):
-        found: dict[str, Any] = json.loads(_rust.bodies(json.dumps(asked)))
+        found: dict[str, Any] = json.loads(_rust.bodies(dumped(asked)))
     return found
 
 

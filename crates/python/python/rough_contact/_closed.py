@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+import math
 from dataclasses import dataclass, field
 from html import escape
 from typing import Any, Literal, Union
@@ -14,7 +15,8 @@ from numpy.typing import NDArray
 from . import _bodies, _units
 from . import _rough_contact as _rust
 from ._bodies import Bodies
-from ._errors import ModelError, SettingError, made, sorted_as
+from ._errors import ModelError, SettingError, dumped, made, sorted_as
+from ._extras import extra
 from ._findings import Finding, findings_html
 from ._models import Citation
 from ._profile import Profile
@@ -23,7 +25,7 @@ from ._surface import LEVELS, Flip, Level, Surface, check, laid
 from ._threads import count
 from ._units import Q
 
-__all__ = ["Asperities", "Fractal", "ModelCurve", "Moments", "Numbers", "SelfAffine", "model"]
+__all__ = ["Asperities", "ClosedForm", "Fractal", "ModelCurve", "Moments", "Numbers", "SelfAffine", "model"]
 
 
 def _kinds() -> dict[str, tuple[str, str]]:
@@ -131,7 +133,8 @@ class Numbers(_Roughness):
         if unknown:
             raise TypeError(f"{unknown[0]} is no input of a model; there are {', '.join(kinds)}")
         self._values = {}
-        for name, value in values.items():
+        each: dict[str, Any] = values
+        for name, value in each.items():
             unit = kinds[name][0]
             if unit == "numbers":
                 several = value.split(",") if isinstance(value, str) else np.atleast_1d(value).tolist()
@@ -226,7 +229,7 @@ class ModelCurve:
 
     def to_pandas(self) -> Any:
         """A `pandas.DataFrame` of one line for each question."""
-        import pandas
+        pandas = extra("pandas", "tables")
 
         return pandas.DataFrame(self.records())
 
@@ -280,7 +283,7 @@ def model(
     modulus : quantity
         Contact modulus E*; or `bodies`. Not for cmy, whose bodies have no elasticity.
     pressure, separation : quantity or list
-        Nominal pressures, or distances of the undeformed planes; exactly one.
+        Nominal pressures, or distances of the undeformed planes; exactly one. NaN among several gives NaN.
     hardness : quantity or 'elastic', optional
         Of the softer body, for models of bodies that yield; by default what `bodies` know of it.
     gamma : float, optional
@@ -305,45 +308,129 @@ def model(
     >>> print(found.citation.doi, found.area_fraction.round(5))
     10.1098/rspa.1966.0242 [0.00121 0.01078]
     """
-    check("level", level, LEVELS)
     if (pressure is None) == (separation is None):
         raise TypeError("give exactly one of pressure and separation")
+    kind = "separation" if pressure is None else "pressure"
+    asked: Any = separation if pressure is None else pressure
+    values = _units.several(asked, "length" if pressure is None else "pressure", kind, holes=True)
+    numbers = [value for value in values if not math.isnan(value)]
+    of_part = None if area is None else _units.scalar(area, "area", "area")
+    joint = _bodies.joint(resistivity, conductivity, gas, of_part)
+    request, surface, second = _asked(name, source, modulus, bodies, hardness, gamma, joint, level, (against, flip, shift))
+    request["pressures" if kind == "pressure" else "separations"] = numbers
+    with sorted_as(SettingError):
+        if isinstance(source, Profile):
+            text, trouble = _rust.profile_model(dumped(request), source.heights, source._facts, count(None))
+        else:
+            text, trouble = _rust.model(dumped(request), surface, count(None), second)
+    answer = json.loads(text)
+    found = iter(answer["points"])
+    hole = {**dict.fromkeys((*_NUMBERS, "caveat")), "error": {"kind": "not_a_number", "message": f"the {kind} is NaN"}}
+    answer["points"] = [hole if math.isnan(value) else next(found) for value in values]
+    curve = ModelCurve(answer)
+    if trouble is not None and np.isnan(curve.area_fraction).all():
+        kind, message = trouble
+        raise made(kind, message, ModelError, curve)
+    return curve
+
+
+def _asked(
+    name: str,
+    source: Source,
+    modulus: Q | None,
+    bodies: Bodies | None,
+    hardness: Q | Literal["elastic"] | None,
+    gamma: float | None,
+    joint: dict[str, Any],
+    level: Level,
+    laid_on: tuple[Surface | None, Flip, Q | None],
+) -> tuple[dict[str, Any], Any, Any]:
+    """What the extension is asked of a model, the surface and the second body, if there are such."""
+    check("level", level, LEVELS)
     surface, roughness, second = None, None, None
     if isinstance(source, Surface):
         surface = (source._heights, source._facts)
-        second = laid(source, against, flip, shift)
-    elif against is not None or flip != "columns" or shift is not None:
+        second = laid(source, *laid_on)
+    elif laid_on != (None, "columns", None):
         raise TypeError("against, flip and shift are for a second body on a surface; add the moments of two bodies that are typed in")
-    elif isinstance(source, Profile):
-        pass
     elif isinstance(source, _Roughness):
         roughness = source._given()
-    else:
+    elif not isinstance(source, Profile):
         raise TypeError(f"source takes a surface or roughness typed in, not {type(source).__name__}")
     if modulus is None and bodies is None and "mean-slope" in (roughness or {}):
         own = None if hardness is None else _units.scalar(hardness, "pressure", "hardness")
         made_of: dict[str, Any] = {"modulus": None, "bodies": [], "hardness": own, "materials": []}
     else:
         made_of = _bodies.given(modulus, bodies, hardness)
-    of_part = None if area is None else _units.scalar(area, "area", "area")
     request = {
         "name": name,
         **made_of,
-        "joint": _bodies.joint(resistivity, conductivity, gas, of_part),
+        "joint": joint,
         "hardness_is_given": hardness is not None,
         "gamma": None if gamma is None else _units.number(gamma, "gamma"),
-        "pressures": None if pressure is None else _units.several(pressure, "pressure", "pressure"),
-        "separations": None if separation is None else _units.several(separation, "length", "separation"),
+        "pressures": None,
+        "separations": None,
         "level": level,
         "roughness": roughness,
     }
-    with sorted_as(SettingError):
+    return request, surface, second
+
+
+class ClosedForm:
+    """A closed form that is built once and asked on arrays: ``f(pressure)`` is the area fraction at each.
+
+    Parameters are those of `model`, without the pressures; a `Profile` is no source.
+
+    Examples
+    --------
+    >>> import numpy as np, rough_contact as rc
+    >>> f = rc.ClosedForm('persson', rc.Moments(m2=0.006), modulus='110 GPa')
+    >>> f(np.array([[10, 100], [200, 400]]) * rc.units.MPa).round(4)
+    array([[0.0013, 0.0132],
+           [0.0265, 0.053 ]])
+    """
+
+    __slots__ = ("_arguments", "_model")
+
+    def __init__(
+        self,
+        name: str,
+        source: Source,
+        *,
+        modulus: Q | None = None,
+        bodies: Bodies | None = None,
+        hardness: Q | Literal["elastic"] | None = None,
+        gamma: float | None = None,
+        level: Level = "auto",
+    ) -> None:
         if isinstance(source, Profile):
-            text, trouble = _rust.profile_model(json.dumps(request), source.heights, source._facts, count(None))
-        else:
-            text, trouble = _rust.model(json.dumps(request), surface, count(None), second)
-    curve = ModelCurve(json.loads(text))
-    if trouble is not None and np.isnan(curve.area_fraction).all():
-        kind, message = trouble
-        raise made(kind, message, ModelError, curve)
-    return curve
+            raise TypeError("a profile has intervals beside the areas; see rc.model")
+        joint = _bodies.joint(None, None, None, None)
+        request, surface, _ = _asked(name, source, modulus, bodies, hardness, gamma, joint, level, (None, "columns", None))
+        self._set(dumped(request), surface)
+
+    def _set(self, request: str, surface: Any) -> None:
+        self._arguments = (request, surface)
+        with sorted_as(ModelError):
+            self._model = _rust.Closed(request, surface, count(None))
+
+    @classmethod
+    def _made(cls, *arguments: Any) -> ClosedForm:
+        made = cls.__new__(cls)
+        made._set(*arguments)
+        return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return ClosedForm._made, self._arguments
+
+    def _at(self, pressure: Q, which: int) -> NDArray[np.float64]:
+        asked = _units.array(pressure, "pressure", "pressure")
+        return self._model.at(np.ascontiguousarray(asked.ravel()))[which].reshape(asked.shape)
+
+    def __call__(self, pressure: Q) -> NDArray[np.float64]:
+        """Area fraction at nominal pressures of any shape; NaN where there is no answer."""
+        return self._at(pressure, 0)
+
+    def mean_gap(self, pressure: Q) -> NDArray[np.float64]:
+        """Mean gap (m) at nominal pressures of any shape; NaN where there is no answer."""
+        return self._at(pressure, 1)

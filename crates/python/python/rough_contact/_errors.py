@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -81,9 +82,7 @@ class NotConverged(Error, RuntimeError):
 class AccuracyNotMet(Error, RuntimeError):
     """The accuracy asked for is not reached; ``result`` has what was found."""
 
-
-
-class InternalError(RuntimeError):
+class InternalError(Error, RuntimeError):
     """A bug of this package. Please report it."""
 
 
@@ -104,6 +103,16 @@ class Interrupted(KeyboardInterrupt):
         return type(self), (str(self), self.partial)
 
 
+def stopped(by: BaseException, message: str, partial: Any) -> BaseException:
+    """What ended a call, with what was done in ``.partial``."""
+    if isinstance(by, KeyboardInterrupt):
+        interrupted = Interrupted(message, partial)
+        interrupted.__cause__ = by
+        return interrupted
+    by.partial = partial  # type: ignore[attr-defined]
+    return by
+
+
 class ContactWarning(UserWarning):
     """A finding that may change a conclusion."""
 
@@ -116,6 +125,7 @@ _KINDS: dict[str, type[Error]] = {
     "not_converged": NotConverged,
     "stopped_at_rounding": NotConverged,
     "accuracy_not_met": AccuracyNotMet,
+    "model": ModelError,
 }
 
 
@@ -123,8 +133,40 @@ def made(kind: str, message: str, default: type[Error], result: Any = None) -> E
     """The exception of this kind of trouble."""
     if kind in ("internal", "panic"):
         text = f"rough_contact {_rust.__version__}: {message}; please report it at {ISSUES}"
-        return InternalError(text)
+        return InternalError(text, kind, result)
     return _KINDS.get(kind, default)(message, kind, result)
+
+
+def dumped(value: Any) -> str:
+    """JSON for the extension."""
+    try:
+        return json.dumps(value, allow_nan=False)
+    except ValueError:
+        raise SettingError("a number of the request is not finite", "setting") from None
+
+
+_UNREAD: dict[type[OSError], type[OSError]] = {}
+
+
+def unread(number: int, why: str, path: str) -> OSError:
+    """A file that the system does not give: an `Error` that is also the error of the system."""
+    found = OSError(number, why, path)
+    kind = type(found)
+    if kind not in _UNREAD:
+        members: dict[str, Any] = {"kind": "unreadable", "result": None, "__module__": __name__}
+        members["__reduce__"] = lambda self: (unread, (self.errno, self.strerror, self.filename))
+        _UNREAD[kind] = type(kind.__name__, (kind, ReadError), members)
+    return _UNREAD[kind](number, why, path)
+
+
+@contextmanager
+def of_file() -> Iterator[None]:
+    """As `sorted_as`, of a file."""
+    try:
+        with sorted_as(ReadError):
+            yield
+    except OSError as error:
+        raise unread(error.errno or 0, error.strerror or str(error), str(error.filename or "")) from None
 
 
 @contextmanager

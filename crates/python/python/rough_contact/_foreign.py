@@ -13,24 +13,44 @@ from ._errors import SurfaceError, UnitError
 #: Largest deviation of the steps of a coordinate from equal ones.
 UNEVEN = 1e-6
 
+#: What dimensions are called that lie along the rows of a map (x) and down its columns (y).
+_ALONG_X = ("x", "column", "columns", "col", "cols", "longitude", "lon")
+_ALONG_Y = ("y", "row", "rows", "latitude", "lat")
+
 
 @dataclass(frozen=True)
 class Foreign:
-    """What an object says of a surface; lengths in its own units."""
+    """What an object says of a surface, rows first; lengths in its own units."""
 
     heights: Any
     unit: str | None
-    pixel: tuple[float, float] | None
-    pixel_units: tuple[str | None, str | None]
-    repeats: bool | None
+    steps: tuple[float | None, float | None]
+    #: Of the steps; ``''`` where it is that of the heights, None where it is not said.
+    step_units: tuple[str | None, str | None]
     name: str
 
-    def pixel_in(self, unit: str) -> list[_units.Quantity]:
-        """The pixel, in `unit` where the object gives no other."""
-        if self.pixel is None:
-            raise UnitError("the object has no spacing of points; give pixel='1um'", "unit")
-        scales = [_units.factor(own or unit) for own in self.pixel_units]
-        return [step * scale * _units.m for step, scale in zip(self.pixel, scales)]
+    def pixel(self, unit: str | None, given: tuple[float, float] | None) -> tuple[float, float]:
+        """``(dy, dx)`` in metres: as given, which may not contradict the object, or as the object says."""
+        found = []
+        for axis, step, own, wanted in zip("yx", self.steps, self.step_units, given or (None, None)):
+            known = None
+            named = unit if own == "" else own
+            if step is not None and named is not None:
+                known = float(_units.scaled(step, _units.factor(named)))
+            if wanted is None and step is None:
+                raise UnitError("the object has no spacing of points; give pixel='1um'", "unit")
+            if wanted is None and known is None:
+                raise UnitError(f"the coordinates along {axis} have no unit; give pixel='1um', or give them attrs['units']", "unit")
+            if wanted is not None and known is not None and abs(wanted - known) > UNEVEN * known:
+                raise SurfaceError(
+                    f"pixel = {wanted:g} m along {axis}, and the object's own coordinates are {known:g} m apart; leave pixel out, or give "
+                    "the heights as a plain array",
+                    "pixel",
+                )
+            found.append(known if wanted is None else wanted)
+        dy, dx = found
+        assert dy is not None and dx is not None
+        return dy, dx
 
 
 def heights_of(obj: Any) -> Foreign:
@@ -38,9 +58,10 @@ def heights_of(obj: Any) -> Foreign:
     if hasattr(obj, "physical_sizes") and callable(getattr(obj, "heights", None)):
         return _surface_topography(obj)
     if hasattr(obj, "step_x") and hasattr(obj, "step_y") and hasattr(obj, "data"):
-        return _surfalize(obj)
-    if hasattr(obj, "coords") and hasattr(obj, "dims") and hasattr(obj, "attrs"):
-        return _xarray(obj)
+        pixel = (float(obj.step_y), float(obj.step_x))
+        return Foreign(np.asarray(obj.data), "um", pixel, ("um", "um"), "")
+    if _units.is_xarray(obj):
+        return of_xarray(obj)
     raise TypeError(
         f"{type(obj).__name__} is none of SurfaceTopography, surfalize and xarray; "
         "give its heights to Surface(heights, pixel=, height_unit=)"
@@ -51,34 +72,33 @@ def _surface_topography(obj: Any) -> Foreign:
     if len(obj.physical_sizes) != 2:
         raise SurfaceError("a line scan is a profile, and no map", "profile")
     # x comes first there.
-    heights = np.ma.filled(np.ma.asarray(obj.heights()).astype(float), np.nan).T
+    heights = _units.plain(obj.heights(), "heights").T
     nx, ny = obj.nb_grid_pts
     width, height = obj.physical_sizes
-    unit = getattr(obj, "unit", None)
     # Whether it is periodic is said by most readers for want of anything better: the edges tell.
-    return Foreign(heights, unit, (height / ny, width / nx), (unit, unit), None, "")
+    return Foreign(heights, getattr(obj, "unit", None), (height / ny, width / nx), ("", ""), "")
 
 
-def _surfalize(obj: Any) -> Foreign:
-    pixel = (float(obj.step_y), float(obj.step_x))
-    return Foreign(np.asarray(obj.data), "um", pixel, ("um", "um"), None, "")
-
-
-def _xarray(obj: Any) -> Foreign:
+def of_xarray(obj: Any) -> Foreign:
+    """What an array of xarray says: its dimensions are told by their names, else they are rows and columns."""
     if len(obj.dims) != 2:
         raise SurfaceError(f"the array has {len(obj.dims)} dimensions; a map has 2", "shape")
-    steps: list[float] = []
+    first, second = (str(dim).lower() for dim in obj.dims)
+    if first in _ALONG_X or second in _ALONG_Y:
+        if first in _ALONG_Y or second in _ALONG_X:
+            raise SurfaceError(f"dimensions {first!r} and {second!r} lie along one axis; call them 'y' and 'x'", "shape")
+        obj = obj.transpose(*reversed(obj.dims))
+    steps: list[float | None] = []
     units: list[str | None] = []
     for dim in obj.dims:
-        if dim not in obj.coords:
-            steps = []
-            break
+        steps.append(None)
+        units.append(None)
+        if dim not in obj.coords or len(obj.coords[dim]) < 2:
+            continue
         along = np.asarray(obj.coords[dim], dtype=float)
         step = (along[-1] - along[0]) / (len(along) - 1)
-        if np.max(np.abs(np.diff(along) - step)) > UNEVEN * abs(step):
+        if not np.max(np.abs(np.diff(along) - step)) <= UNEVEN * abs(step):
             raise SurfaceError(f"coordinate {dim!r} is not evenly spaced; interpolate it first", "uneven")
-        steps.append(abs(float(step)))
-        units.append(obj.coords[dim].attrs.get("units"))
-    pixel = (steps[0], steps[1]) if len(steps) == 2 else None
-    own = (units[0], units[1]) if len(units) == 2 else (None, None)
-    return Foreign(np.asarray(obj), obj.attrs.get("units"), pixel, own, None, str(obj.name or ""))
+        unit = obj.coords[dim].attrs.get("units")
+        steps[-1], units[-1] = abs(float(step)), None if unit is None else str(unit)
+    return Foreign(obj, _units.own_unit(obj), (steps[0], steps[1]), (units[0], units[1]), str(obj.name or ""))

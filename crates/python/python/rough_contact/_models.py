@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _rough_contact as _rust
+from . import _units
 from ._errors import ModelError
 from ._statistics import Statistics
 
@@ -92,7 +93,7 @@ class ContactModel(Protocol):
     name: str
 
     def area_fraction(self, pressure: NDArray[np.float64], inputs: Inputs) -> ArrayLike:
-        """Area fraction at nominal pressures (Pa), shape (n,) to (n,); NaN where there is no answer."""
+        """Area fraction at nominal pressures (Pa), shape (n,) to (n,); NaN where there is no answer, which stays without one."""
 
 
 def curve(model: ContactModel, pressures: list[float], inputs: Inputs) -> dict[str, Any]:
@@ -106,19 +107,30 @@ def curve(model: ContactModel, pressures: list[float], inputs: Inputs) -> dict[s
     asked.setflags(write=False)
     areas = _vector(model, "area_fraction", asked, inputs)
     gaps = _vector(model, "mean_gap", asked, inputs) if hasattr(model, "mean_gap") else None
-    points = []
+    points, holes = [], []
     for i, (pressure, area) in enumerate(zip(pressures, areas)):
         if np.isnan(area):
+            holes.append(pressure)
             continue
         if not 0.0 <= area <= 1.0:
             raise ModelError(f"{model.name}: area fraction {area} at {pressure} Pa is not from 0 to 1", "model")
         gap = None if gaps is None or np.isnan(gaps[i]) else float(gaps[i])
+        if gap is not None and not 0.0 <= gap < np.inf:
+            raise ModelError(f"{model.name}: mean gap {gap} m at {pressure} Pa is no distance", "model")
         points.append({"mean_pressure": pressure, "area_fraction": float(area), "mean_gap": gap})
-    return {"Ok": points} if points else {"Err": "no answer at any load"}
+    if not points:
+        raise ModelError(f"{model.name}: NaN at every load; a model that does not apply says so by applies(inputs)", "model")
+    return {"Ok": {"points": points, "holes": holes}}
 
 
 def _vector(model: ContactModel, method: str, pressures: NDArray[np.float64], inputs: Inputs) -> NDArray[np.float64]:
-    values = np.asarray(getattr(model, method)(pressures, inputs), dtype=float)
+    found = getattr(model, method)(pressures, inputs)
+    kind = "number" if method == "area_fraction" else "length"
+    try:
+        name = f"{model.name}: {method}"
+        values = _units.plain(found, name) if _units.own_unit(found) is None else _units.array(found, kind, name)
+    except TypeError as error:
+        raise ModelError(str(error), "model") from None
     if values.shape != pressures.shape:
         raise ModelError(f"{model.name}: {method} has shape {values.shape} for {pressures.shape[0]} loads", "model")
     return values

@@ -7,16 +7,21 @@ import json
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from html import escape
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _rough_contact as _rust
-from ._errors import ReadError, sorted_as
-from ._surface import LEVELS, Crop, Fill, Level, PathLike, check, cleaned_by, length, reading
+from . import _units, plotting
+from ._errors import SurfaceError, dumped, of_file
+from ._surface import LEVELS, Crop, File, Fill, Level, check, cleaned_by, length, metres, opened, reading
 from ._threads import count
 from ._units import Q
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 __all__ = ["Profile", "read_profile"]
 
@@ -49,6 +54,36 @@ class Profile:
     path: str
     _facts: str
 
+    @classmethod
+    def of(cls, heights: Any, *, spacing: Q, height_unit: str | None = None, **reading: Any) -> Profile:
+        """Traces of an array, one or one in each row, as `read_profile` takes them; `reading` is what it takes beside the file.
+
+        Examples
+        --------
+        >>> import numpy as np, rough_contact as rc
+        >>> rc.Profile.of(np.sin(np.arange(8000) / 50), spacing='0.5 um', height_unit='um')
+        Profile(1 trace of 8000 points, 500 nm apart)
+        """
+        rows = np.atleast_2d(metres(heights, height_unit))
+        step = _units.scalar(spacing, "length", "spacing")
+        if not step > 0:
+            raise SurfaceError(f"spacing = {step} m must be greater than 0", "pixel")
+        columns = np.column_stack([np.arange(rows.shape[1]) * step, rows.T])
+        text = "\n".join("\t".join(f"{x:.17g}" for x in line) for line in columns.tolist())
+        layout: Any = "list" if len(rows) == 1 else "traces"
+        return read_profile(text.encode(), layout=layout, lateral_unit="m", height_unit="m", **reading)
+
+    def plot(self, ax: Axes | None = None, *, unit: str = "um", **line: Any) -> Axes:
+        """The traces on matplotlib axes."""
+        return plotting.traces(self.heights, self.spacing, ax, unit, **line)
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td>{escape(name)}</td><td style='text-align:right'>{'–' if value is None else f'{value:.4g}'}</td></tr>"
+            for name, value in (self.roughness or self.primary).items()
+        )
+        return f"<p>{escape(repr(self))}</p><table>{rows}</table>"
+
     def __repr__(self) -> str:
         traces, points = self.heights.shape
         many = "1 trace" if traces == 1 else f"{traces} traces"
@@ -76,7 +111,7 @@ class Profile:
 
 
 def read_profile(
-    path: PathLike,
+    path: File,
     *,
     channel: str | None = None,
     pixel: Q | None = None,
@@ -127,6 +162,7 @@ def read_profile(
         channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop
     )
     request.update(fill=fill, cleaning=cleaned_by(False, outliers, form, s_filter, l_filter))
-    with sorted_as(ReadError):
-        heights, spacing, format_, facts, text = _rust.profile(os.fspath(path), json.dumps(request), level, count(None))
-    return Profile(heights, spacing, format_, json.loads(text), os.fspath(path), facts)
+    file, content = opened(path)
+    with of_file():
+        heights, spacing, format_, facts, text = _rust.profile(file, dumped(request), level, count(None), content)
+    return Profile(heights, spacing, format_, json.loads(text), file, facts)

@@ -12,7 +12,7 @@ from . import _named as _names
 from . import _rough_contact as _rust
 from ._bodies import Bodies
 from ._documents import Documents
-from ._errors import SettingError, sorted_as
+from ._errors import SettingError, dumped, sorted_as
 from ._profile import Profile
 from ._results import pressure as shown
 from ._surface import LEVELS, Level, check, digest_of
@@ -127,8 +127,8 @@ def compare_profiles(
     if models is not None:
         settings["models"] = list(models)
     if fractal_range is not None:
-        settings["fractal_range"] = _units.several(fractal_range, "length", "fractal_range")
+        settings["fractal_range"] = _units.ends(fractal_range, "fractal_range")
     given = [(p.heights, p._facts, name) for name, p in named.items()]
     with sorted_as(SettingError):
-        files = _rust.profile_study(given, json.dumps(settings), [digest_of(p.path) for p in named.values()])
+        files = _rust.profile_study(given, dumped(settings), [digest_of(p.path) for p in named.values()])
     return ProfileComparison(files)

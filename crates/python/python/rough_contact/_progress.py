@@ -17,11 +17,11 @@ class Progress:
     Attributes
     ----------
     stage : str
-        ``'iteration'``, ``'load'`` (a load is done), ``'surface'``, ``'models'``.
+        ``'iteration'``, ``'load'`` (a load is done), and of a study ``'surface'`` (one begins), ``'models'`` (they are asked).
     surface : str
         Name of the surface.
     index, count : int
-        Place of the load, and how many there are.
+        Place of the load in the order asked, from 0, and how many there are.
     iteration : int
         Iterations on this load.
     residual, tolerance : float

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import copy
 import json
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, fields
 from html import escape
 from typing import TYPE_CHECKING, Any, overload
@@ -13,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _rough_contact as _rust
+from . import plotting
+from ._extras import extra
 from ._findings import Finding, findings_html
 
 if TYPE_CHECKING:
@@ -23,67 +26,65 @@ __all__ = ["LoadCurve", "Point"]
 Interval = tuple[float, float]
 
 
-def _n(unit: str = "") -> Any:
-    return field(default=None, metadata={"unit": unit})
+def _n(unit: str = "", meaning: str = "") -> Any:
+    return field(default=None, metadata={"unit": unit, "meaning": meaning})
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Point:
     """One load: the keys of a point of ``rough-contact solve --json``. SI units; None where there is no number."""
 
-    mean_pressure: float | None = _n("Pa")
-    area_fraction: float | None = _n("1")
-    area_fraction_corrected: float | None = _n("1")
-    area_interval: Interval | None = _n("1")
-    area_prediction_interval: Interval | None = _n("1")
-    area_interval_reason: Any = _n()
-    mean_gap: float | None = _n("m")
-    mean_gap_interval: Interval | None = _n("m")
-    mean_gap_prediction_interval: Interval | None = _n("m")
-    mean_pressure_interval: Interval | None = _n("Pa")
-    mean_pressure_prediction_interval: Interval | None = _n("Pa")
-    real_pressure: float | None = _n("Pa")
-    real_pressure_corrected: float | None = _n("Pa")
-    real_pressure_interval: Interval | None = _n("Pa")
-    real_pressure_prediction_interval: Interval | None = _n("Pa")
-    max_pressure: float | None = _n("Pa")
-    approach: float | None = _n("m")
-    load: float | None = _n("N")
-    stiffness: float | None = _n("Pa/m")
-    stiffness_interval: Interval | None = _n("Pa/m")
-    stiffness_prediction_interval: Interval | None = _n("Pa/m")
-    electrical_conductance: float | None = _n("S/m2")
-    thermal_conductance: float | None = _n("W/m2/K")
-    gas_conductance: float | None = _n("W/m2/K")
-    joint_conductance: float | None = _n("W/m2/K")
-    electrical_resistance: float | None = _n("ohm")
-    thermal_resistance: float | None = _n("K/W")
-    contact_set: str | None = _n()
-    conduction: dict[str, Any] | None = _n()
-    saturated_fraction: float | None = _n("1")
-    plastic_load_fraction: float | None = _n("1")
-    elastic_area_fraction: float | None = _n("1")
-    contact_pixels: int | None = _n("1")
-    contact_perimeter: float | None = _n("1")
-    converged: bool = field(default=False, metadata={"unit": ""})
-    stopped_at_rounding: bool = field(default=False, metadata={"unit": ""})
-    iterations: int | None = _n("1")
-    transforms: float | None = _n("1")
-    seconds: float | None = _n("s")
-    residuals: dict[str, float] | None = _n()
-    duality_gap: float | None = _n("1")
-    energy_bound: Any = _n()
-    exact: Any = _n()
-    budget: dict[str, Any] | None = _n()
-    coarser: Any = _n()
-    finer: dict[str, Any] | None = _n()
-    interpolation_indicator: float | None = _n("1")
-    distributions: dict[str, Any] | None = _n()
-    error: dict[str, str] | None = _n()
-    #: Pressure (Pa) of every point, shape (ny, nx), if maps were kept.
-    pressure: NDArray[np.float64] | None = field(default=None, metadata={"unit": "Pa"})
-    #: Gap (m) of every point, shape (ny, nx), if maps were kept; its zero is the pressure-weighted mean in contact.
-    gap: NDArray[np.float64] | None = field(default=None, metadata={"unit": "m"})
+    mean_pressure: float | None = _n("Pa", "nominal pressure: load over nominal area")
+    area_fraction: float | None = _n("1", "counted: points that carry pressure over all points; too high by what the contact line adds")
+    area_fraction_corrected: float | None = _n("1", "real over nominal contact area: `area_fraction` less 0.1013 points for each edge of the contact line")
+    area_interval: Interval | None = _n("1", "error interval of `area_fraction_corrected` by grid and iteration")
+    area_prediction_interval: Interval | None = _n("1", "the same for another map of the surface: with the sampling variability")
+    area_interval_reason: Any = _n("", "why there is no interval")
+    mean_gap: float | None = _n("m", "mean distance of the deformed surfaces")
+    mean_gap_interval: Interval | None = _n("m", "error interval of `mean_gap` by grid and iteration")
+    mean_gap_prediction_interval: Interval | None = _n("m", "error interval of `mean_gap` for another map of the surface")
+    mean_pressure_interval: Interval | None = _n("Pa", "error interval of `mean_pressure` by grid and iteration")
+    mean_pressure_prediction_interval: Interval | None = _n("Pa", "error interval of `mean_pressure` for another map of the surface")
+    real_pressure: float | None = _n("Pa", "load over the counted area")
+    real_pressure_corrected: float | None = _n("Pa", "load over the corrected area")
+    real_pressure_interval: Interval | None = _n("Pa", "error interval of `real_pressure_corrected` by grid and iteration")
+    real_pressure_prediction_interval: Interval | None = _n("Pa", "error interval of `real_pressure_corrected` for another map of the surface")
+    max_pressure: float | None = _n("Pa", "highest pressure of a point")
+    approach: float | None = _n("m", "displacement since first touch")
+    load: float | None = _n("N", "force, if forces were given")
+    stiffness: float | None = _n("Pa/m", "contact stiffness per nominal area, if asked for")
+    stiffness_interval: Interval | None = _n("Pa/m", "error interval of `stiffness` by grid and iteration")
+    stiffness_prediction_interval: Interval | None = _n("Pa/m", "error interval of `stiffness` for another map of the surface")
+    electrical_conductance: float | None = _n("S/m2", "per nominal area, if resistivities were given")
+    thermal_conductance: float | None = _n("W/m2/K", "per nominal area, if conductivities were given")
+    gas_conductance: float | None = _n("W/m2/K", "of the gas in the gap, per nominal area, if one was given")
+    joint_conductance: float | None = _n("W/m2/K", "of solid and gas together, per nominal area")
+    electrical_resistance: float | None = _n("ohm", "of the whole joint")
+    thermal_resistance: float | None = _n("K/W", "of the whole joint")
+    contact_set: str | None = _n("", "which contact the stiffness is of")
+    conduction: dict[str, Any] | None = _n("", "what the conductances are made of")
+    saturated_fraction: float | None = _n("1", "area at the hardness over the whole area")
+    plastic_load_fraction: float | None = _n("1", "share of the load on it")
+    elastic_area_fraction: float | None = _n("1", "contact area below the hardness over the whole area")
+    contact_pixels: int | None = _n("1", "points that carry pressure")
+    contact_perimeter: float | None = _n("1", "edges of the contact line over all points")
+    converged: bool = field(default=False, metadata={"unit": "", "meaning": "whether the tolerance was reached"})
+    stopped_at_rounding: bool = field(default=False, metadata={"unit": "", "meaning": "whether rounding kept it from that"})
+    iterations: int | None = _n("1", "iterations of the solver")
+    transforms: float | None = _n("1", "pairs of FFTs")
+    solver_seconds: float | None = _n("s", "time of the solver on all grids; that of the call is ``LoadCurve.seconds``")
+    residuals: dict[str, float] | None = _n("", "what is left: of the pressure, of complementarity, of penetration")
+    duality_gap: float | None = _n("J/m2", "upper bound of the energy error per nominal area")
+    energy_bound: Any = _n("", "proven relative error in the energy norm, with ``certify=True``")
+    exact: Any = _n("", "why no iteration was needed")
+    budget: dict[str, Any] | None = _n("", "parts of the uncertainty")
+    coarser: Any = _n("", "the same load on thinned maps")
+    finer: dict[str, Any] | None = _n("", "the same load on twice the points along each side, where that was needed")
+    interpolation_indicator: float | None = _n("1", "how far the answer depends on what lies between the points; above 0.05 measure finer")
+    distributions: dict[str, Any] | None = _n("", "of pressure, gap and spots, if asked for")
+    error: dict[str, str] | None = _n("", "why there is no answer: kind and message")
+    pressure: NDArray[np.float64] | None = _n("Pa", "of every point, shape (ny, nx), if maps were kept")
+    gap: NDArray[np.float64] | None = _n("m", "of every point, if maps were kept; 0 is its pressure-weighted mean in contact")
 
     @classmethod
     def _of(
@@ -93,6 +94,7 @@ class Point:
         gap: NDArray[np.float64] | None = None,
     ) -> Point:
         known = {f.name for f in fields(cls)}
+        json = {**json, "solver_seconds": json.get("seconds")}
         values: dict[str, Any] = {
             k: ends(v) if isinstance(v, list) else v for k, v in json.items() if k in known
         }
@@ -112,6 +114,15 @@ class Point:
             shown.append(f"mean gap {self.mean_gap:.4g} m")
         return f"Point({', '.join(shown)}{'' if self.converged else ', not converged'})"
 
+
+def _table(names: Iterable[str]) -> str:
+    """Fields with units and meaning, as numpydoc lists them."""
+    facts = {f.name: f.metadata for f in fields(Point)}
+    lines = [f"{n} : {facts[n]['unit'] or '-'}\n    {facts[n]['meaning'].capitalize()}." for n in names]
+    return "\n\nAttributes\n----------\n" + "\n".join(lines)
+
+
+Point.__doc__ = f"{Point.__doc__}{_table(f.name for f in fields(Point))}"
 
 #: Which interval belongs to which number.
 _INTERVALS = {
@@ -155,6 +166,8 @@ class LoadCurve:
 
     json: dict[str, Any] = field(repr=False)
     maps: dict[int, tuple[NDArray[np.float64] | None, NDArray[np.float64] | None]] = field(repr=False)
+    #: Time of the whole call (s); ``solver_seconds`` is that of the solver for each load.
+    seconds: float = field(default=math.nan, repr=False)
 
     mean_pressure: NDArray[np.float64] = field(init=False)
     area_fraction: NDArray[np.float64] = field(init=False)
@@ -189,7 +202,7 @@ class LoadCurve:
     contact_perimeter: NDArray[np.float64] = field(init=False)
     iterations: NDArray[np.float64] = field(init=False)
     transforms: NDArray[np.float64] = field(init=False)
-    seconds: NDArray[np.float64] = field(init=False)
+    solver_seconds: NDArray[np.float64] = field(init=False)
     duality_gap: NDArray[np.float64] = field(init=False)
     converged: NDArray[np.bool_] = field(init=False)
     findings: tuple[Finding, ...] = field(init=False)
@@ -197,7 +210,7 @@ class LoadCurve:
     def __post_init__(self) -> None:
         points = self.json["points"]
         for name in _SCALARS:
-            object.__setattr__(self, name, _vector(points, name))
+            object.__setattr__(self, name, _vector(points, "seconds" if name == "solver_seconds" else name))
         for name in _PAIRS:
             object.__setattr__(self, name, _pairs(points, name))
         converged = np.array([p["converged"] for p in points], dtype=np.bool_)
@@ -206,15 +219,15 @@ class LoadCurve:
         object.__setattr__(self, "findings", tuple(Finding._of(f) for f in self.json["findings"]))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return LoadCurve._restored, (self.json, self.maps)
+        return LoadCurve._restored, (self.json, self.maps, self.seconds)
 
     @classmethod
-    def _restored(cls, json: dict[str, Any], maps: dict[int, Any]) -> LoadCurve:
+    def _restored(cls, json: dict[str, Any], maps: dict[int, Any], seconds: float) -> LoadCurve:
         for kept in maps.values():
             for array in kept:
                 if array is not None:
                     array.setflags(write=False)
-        return cls(json, maps)
+        return cls(json, maps, seconds)
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -251,7 +264,7 @@ class LoadCurve:
             places = range(len(self))[index]
             points = [self.json["points"][i] for i in places]
             maps = {new: self.maps[old] for new, old in enumerate(places) if old in self.maps}
-            return LoadCurve({**self.json, "points": points}, maps)
+            return LoadCurve({**self.json, "points": points}, maps, self.seconds)
         place = range(len(self))[index]
         return Point._of(self.json["points"][place], *self.maps.get(place, (None, None)))
 
@@ -307,27 +320,34 @@ class LoadCurve:
 
     def to_pandas(self) -> Any:
         """A `pandas.DataFrame` of one line for each load, units in ``attrs['units']``."""
-        import pandas
+        pandas = extra("pandas", "tables")
 
         frame = pandas.DataFrame(self.records())
         frame.attrs["units"] = self.units()
         return frame
 
     def to_xarray(self) -> Any:
-        """An `xarray.Dataset` over the loads, with the maps that were kept."""
-        import xarray
+        """An `xarray.Dataset` over the loads: numbers, intervals (``end`` is low or high) and the maps that were kept.
 
-        units = self.units()
-        data: dict[str, Any] = {n: ("point", getattr(self, n), {"units": units[n]}) for n in _SCALARS}
+        Each variable has its unit and meaning in ``attrs``; ``mean_pressure`` is a coordinate.
+        """
+        xarray = extra("xarray", "tables")
+
+        about = {f.name: {"units": f.metadata["unit"], "long_name": f.metadata["meaning"]} for f in fields(Point)}
+        data: dict[str, Any] = {n: ("load", getattr(self, n), about[n]) for n in _SCALARS if n not in ("mean_pressure", "load")}
+        data["force"] = ("load", self.load, about["load"])
+        data |= {n: (("load", "end"), getattr(self, n), about[n]) for n in _PAIRS}
+        coords: dict[str, Any] = {"mean_pressure": ("load", self.mean_pressure, about["mean_pressure"]), "end": ["low", "high"]}
         ny, nx = self.shape
         for which, name in enumerate(("pressure", "gap")):
             kept = [self.maps.get(i, (None, None))[which] for i in range(len(self))]
             if any(k is not None for k in kept):
                 empty = np.full((ny, nx), np.nan)
                 stack = np.stack([empty if k is None else k for k in kept])
-                data[name] = (("point", "y", "x"), stack, {"units": units[name]})
-        coords = {"y": np.arange(ny) * self.pixel[0], "x": np.arange(nx) * self.pixel[1]}
-        return xarray.Dataset(data, coords if "pressure" in data else None)
+                data[name] = (("load", "y", "x"), stack, about[name])
+                for axis, n, step in (("y", ny, self.pixel[0]), ("x", nx, self.pixel[1])):
+                    coords[axis] = (axis, np.arange(n) * step, {"units": "m"})
+        return xarray.Dataset(data, coords, attrs={"modulus": self.json["modulus"], "units": "SI"})
 
     def plot(
         self,
@@ -339,9 +359,9 @@ class LoadCurve:
         **errorbar: Any,
     ) -> Axes:
         """A number over the mean pressure on matplotlib axes, with its bars."""
-        from .plotting import curve
-
-        return curve(self, ax, y, bars, unit, **errorbar)
+        half = self.bars(y) if bars and y in _INTERVALS else None
+        names = (y, self.units().get(y, ""))
+        return plotting.curve(self.mean_pressure, getattr(self, y), half, names, ax, unit, **errorbar)
 
     def __repr__(self) -> str:
         ny, nx = self.shape
@@ -366,12 +386,15 @@ class LoadCurve:
                 "–" if p.mean_gap is None else f"{p.mean_gap * 1e9:.4g} nm",
                 _rust.pressure_within(p.real_pressure_corrected, p.real_pressure_interval),
                 f"{residual:.1e}",
-                f"{p.seconds or 0:.2g} s",
+                f"{p.solver_seconds or 0:.2g} s",
             )
             rows.append("<tr>" + "".join(f"<td style='text-align:right'>{escape(c)}</td>" for c in cells) + "</tr>")
         heads = "".join(f"<th>{h}</th>" for h in head)
         about = f"<p>{escape(made_of(self.json))}</p>"
         return f"{findings_html(self.findings)}{about}<table><tr>{heads}</tr>{''.join(rows)}</table>"
+
+
+LoadCurve.__doc__ = f"{LoadCurve.__doc__}{_table([*_SCALARS, *_PAIRS, 'converged'])}"
 
 
 def flat(value: dict[str, Any], above: str = "") -> dict[str, Any]:

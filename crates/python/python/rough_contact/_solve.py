@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
+import math
+import time
 import warnings
 from typing import Any, Literal
 
 from . import _bodies, _progress, _units
 from . import _rough_contact as _rust
 from ._bodies import Bodies
-from ._errors import ContactWarning, Interrupted, NotConverged, SettingError, made, sorted_as
+from ._errors import ContactWarning, NotConverged, SettingError, dumped, made, sorted_as, stopped
 from ._profile import Profile
 from ._progress import ProgressArgument
 from ._results import LoadCurve
@@ -68,7 +70,7 @@ def solve(
     bodies : Body or (Body, Body)
         What E* is made of.
     pressure, gap, load : quantity or list
-        Exactly one: nominal pressures, mean gaps, or forces on `area` (that of the map by default).
+        Exactly one: nominal pressures, mean gaps, or forces on `area` (that of the map by default). NaN among several gives NaN.
     level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
         Form that is taken off first; 'auto' is the plane, but the mean of a map that repeats.
     boundary : {'periodic', 'free'}
@@ -119,7 +121,7 @@ def solve(
     NotConverged, AccuracyNotMet
         With what was found in ``.result``.
     Interrupted
-        Ctrl-C; the loads that were done are in ``.partial``.
+        Ctrl-C; the loads that were done are in ``.partial``, also of an exception that `progress` raises.
 
     Notes
     -----
@@ -213,24 +215,28 @@ def asked(
     """Asks the extension, and raises or warns of what it says."""
     if not isinstance(surface, Surface):
         raise TypeError(f"surface takes an rc.Surface, not {type(surface).__name__}; see rc.Surface.of")
+    start = time.perf_counter()
+    kind, values = request["loads"]
+    places = [i for i, value in enumerate(values) if not math.isnan(value)]
+    request = {**request, "loads": (kind, [values[i] for i in places])}
     with sorted_as(SettingError):
         text, kept, trouble, stopped_by = _rust.solve(
             surface._heights,
             surface._facts,
-            json.dumps(request),
+            dumped(request),
             _progress.listener(progress),
             laid(surface, *second),
             keep,
         )
     if stopped_by is not None and not text:
-        if isinstance(stopped_by, KeyboardInterrupt):
-            raise Interrupted("no load was done") from stopped_by
-        raise stopped_by
-    curve = LoadCurve(json.loads(text), {index: (p, g) for index, p, g in kept})
+        raise stopped(stopped_by, "no load was done", None)
+    answer = json.loads(text)
+    if stopped_by is None and len(places) < len(values):
+        found = dict(zip(places, answer["points"]))
+        answer["points"] = [found.get(i, _hole(kind)) for i in range(len(values))]
+    curve = LoadCurve(answer, {places[index]: (p, g) for index, p, g in kept}, time.perf_counter() - start)
     if stopped_by is not None:
-        if isinstance(stopped_by, KeyboardInterrupt):
-            raise Interrupted(f"{len(curve)} of {len(request['loads'][1])} loads were done", curve) from stopped_by
-        raise stopped_by
+        raise stopped(stopped_by, f"{len(curve)} of {len(values)} loads were done", curve)
     for finding in curve.findings:
         if finding.weight == "check":
             warnings.warn(f"{finding.claim} {finding.text}".strip(), ContactWarning, stacklevel=3)
@@ -238,6 +244,12 @@ def asked(
         kind, message = trouble
         raise made(kind, message, NotConverged if _some(curve) else SettingError, curve)
     return curve
+
+
+def _hole(kind: str) -> dict[str, Any]:
+    """What a load that is NaN gives."""
+    error = {"kind": "not_a_number", "message": f"the {kind} is NaN"}
+    return {"mean_pressure": None, "area_fraction": None, "converged": False, "error": error}
 
 
 def _some(curve: LoadCurve) -> bool:
@@ -256,8 +268,8 @@ def loads(pressure: Q | None, gap: Q | None, load: Q | None) -> tuple[str, list[
         raise TypeError("give exactly one of pressure, gap and load")
     name, value = given[0]
     kind = {"pressure": "pressure", "gap": "length", "load": "force"}[name]
-    values = _units.several(value, kind, name)
-    bad = [v for v in values if not v > 0]
+    values = _units.several(value, kind, name, holes=True)
+    bad = [v for v in values if v <= 0]
     if bad:
         raise SettingError(f"{name} = {bad[0]} must be greater than 0", "bad_load")
     return name, values

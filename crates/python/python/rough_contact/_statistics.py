@@ -7,13 +7,10 @@ from dataclasses import dataclass, field, fields
 from html import escape
 from typing import Any
 
+from ._extras import extra
 from ._findings import Finding, findings_html
 
 __all__ = ["Statistics"]
-
-
-def _number(unit: str) -> Any:
-    return field(metadata={"unit": unit})
 
 
 @dataclass(frozen=True, repr=False)
@@ -24,49 +21,49 @@ class Statistics:
     """
 
     shape: tuple[int, int]
-    pixel: tuple[float, float] = _number("m")
-    level: str = _number("")
-    boundary: str = _number("")
-    missing: int = _number("1")
-    rms_height: float = _number("m")
-    mean_abs_height: float = _number("m")
-    skewness: float | None = _number("1")
-    kurtosis: float | None = _number("1")
-    peak_height: float = _number("m")
-    pit_depth: float = _number("m")
-    rms_gradient: float = _number("1")
-    m0: float = _number("m2")
-    m2: float = _number("1")
-    m4: float = _number("m-2")
-    m2_x: float = _number("1")
-    m2_y: float = _number("1")
-    m4_x: float = _number("m-2")
-    m4_y: float = _number("m-2")
-    m0_spectral: float = _number("m2")
-    m2_spectral: float = _number("1")
-    m4_spectral: float = _number("m-2")
-    bandwidth: float | None = _number("1")
-    anisotropy: float | None = _number("1")
-    asperities: dict[str, float] | None = _number("")
-    summits: dict[str, Any] = _number("")
-    hurst: float | None = _number("1")
-    dimension: float | None = _number("1")
-    roughness: float | None = _number("m")
-    fractal_range: tuple[float, float] | None = _number("m")
-    rolloff: float | None = _number("m")
-    cutoff: float | None = _number("m")
-    reliable_wavelength: float | None = _number("m")
-    max_amplitude_ratio: float = _number("1")
-    record_length: float = _number("m")
-    height_step: float | None = _number("m")
-    noise_rms: float | None = _number("m")
-    warnings: tuple[dict[str, Any], ...] = _number("")
-    findings: tuple[Finding, ...] = _number("")
-    cleaning: tuple[dict[str, Any], ...] = _number("")
+    pixel: tuple[float, float] = field(metadata={"unit": "m"})
+    level: str = field(metadata={"unit": ""})
+    boundary: str = field(metadata={"unit": ""})
+    missing: int = field(metadata={"unit": "1"})
+    rms_height: float = field(metadata={"unit": "m"})
+    mean_abs_height: float = field(metadata={"unit": "m"})
+    skewness: float | None = field(metadata={"unit": "1"})
+    kurtosis: float | None = field(metadata={"unit": "1"})
+    peak_height: float = field(metadata={"unit": "m"})
+    pit_depth: float = field(metadata={"unit": "m"})
+    rms_gradient: float = field(metadata={"unit": "1"})
+    m0: float = field(metadata={"unit": "m2"})
+    m2: float = field(metadata={"unit": "1"})
+    m4: float = field(metadata={"unit": "m-2"})
+    m2_x: float = field(metadata={"unit": "1"})
+    m2_y: float = field(metadata={"unit": "1"})
+    m4_x: float = field(metadata={"unit": "m-2"})
+    m4_y: float = field(metadata={"unit": "m-2"})
+    m0_spectral: float = field(metadata={"unit": "m2"})
+    m2_spectral: float = field(metadata={"unit": "1"})
+    m4_spectral: float = field(metadata={"unit": "m-2"})
+    bandwidth: float | None = field(metadata={"unit": "1"})
+    anisotropy: float | None = field(metadata={"unit": "1"})
+    asperities: dict[str, float] | None = field(metadata={"unit": ""})
+    summits: dict[str, Any] = field(metadata={"unit": ""})
+    hurst: float | None = field(metadata={"unit": "1"})
+    dimension: float | None = field(metadata={"unit": "1"})
+    roughness: float | None = field(metadata={"unit": "m"})
+    fractal_range: tuple[float, float] | None = field(metadata={"unit": "m"})
+    rolloff: float | None = field(metadata={"unit": "m"})
+    cutoff: float | None = field(metadata={"unit": "m"})
+    reliable_wavelength: float | None = field(metadata={"unit": "m"})
+    max_amplitude_ratio: float = field(metadata={"unit": "1"})
+    record_length: float = field(metadata={"unit": "m"})
+    height_step: float | None = field(metadata={"unit": "m"})
+    noise_rms: float | None = field(metadata={"unit": "m"})
+    warnings: tuple[dict[str, Any], ...] = field(metadata={"unit": ""})
+    findings: tuple[Finding, ...] = field(metadata={"unit": ""})
+    cleaning: tuple[dict[str, Any], ...] = field(metadata={"unit": ""})
     #: Areal parameters of ISO 25178-2 by their symbols (SI units, Std in degrees), if they were asked for.
-    iso25178: dict[str, float | None] | None = _number("")
+    iso25178: dict[str, float | None] | None = field(metadata={"unit": ""})
     #: Slope, curvature and autocorrelation by distance along x and y, if they were asked for.
-    scales: dict[str, list[dict[str, float | None]]] | None = _number("")
+    scales: dict[str, list[dict[str, float | None]]] | None = field(metadata={"unit": ""})
     json: dict[str, Any] = field(repr=False, compare=False, default_factory=dict)
 
     @classmethod
@@ -94,7 +91,7 @@ class Statistics:
 
     def to_pandas(self) -> Any:
         """A `pandas.Series` of the plain numbers, units in ``attrs``."""
-        import pandas
+        pandas = extra("pandas", "tables")
 
         series = pandas.Series({name: getattr(self, name) for name in self.units() if name != "pixel"}, dtype=object)
         series = series[[isinstance(x, (int, float)) for x in series]].astype(float)

@@ -19,7 +19,8 @@ from . import _named as _names
 from . import _rough_contact as _rust
 from ._bodies import Bodies
 from ._documents import Documents
-from ._errors import Interrupted, NotConverged, SettingError, made, sorted_as
+from ._errors import NotConverged, SettingError, dumped, made, sorted_as, stopped
+from ._extras import extra
 from ._findings import Finding, findings_html
 from ._models import Citation, ContactModel, Inputs, curve, models
 from ._progress import ProgressArgument
@@ -146,7 +147,7 @@ class SurfaceComparison:
 
     def digest(self) -> dict[str, Any]:
         """What a page over many maps keeps of it: keys as in the table of ``rough-contact compare --summary``."""
-        kept: dict[str, Any] = json.loads(_rust.digest(json.dumps(self.json)))
+        kept: dict[str, Any] = json.loads(_rust.digest(dumped(self.json)))
         return kept
 
     @property
@@ -214,11 +215,14 @@ class Comparison(Documents):
                 head = {"surface": name, "model": model.name}
                 errors = model.area_error.signed.tolist()
                 rows += [{**head, **flat(p), "area_error": e} for p, e in zip(model.points, errors)]
+                if not model.points:
+                    nothing = {"area_fraction": None, "area_error": None, "reason": model.reason}
+                    rows += [{**head, "mean_pressure": p["mean_pressure"], **nothing} for p in surface.deterministic]
         return rows
 
     def to_pandas(self) -> Any:
         """A `pandas.DataFrame` of one line for each surface, model and load."""
-        import pandas
+        pandas = extra("pandas", "tables")
 
         frame = pandas.DataFrame(self.records())
         frame.attrs["units"] = {"mean_pressure": "Pa", "area_fraction": "1", "area_error": "1", "mean_gap": "m"}
@@ -240,7 +244,7 @@ class Comparison(Documents):
 
     def __repr__(self) -> str:
         settings = self.json["settings"]
-        about = _rust.bodies_line(settings["modulus"], json.dumps(settings.get("bodies", [])))
+        about = _rust.bodies_line(settings["modulus"], dumped(settings.get("bodies", [])))
         lines = [f"Comparison({'1 surface' if len(self) == 1 else f'{len(self)} surfaces'}; {about})"]
         for head, rows in self._lines():
             lines.append(f"  {head}")
@@ -310,8 +314,14 @@ def compare(
     against, flip, shift
         A second body, as in `solve`, that each surface is pressed on.
     on_failure : {'raise', 'keep'}
-        What to do if a load or a surface has no answer, or a model of one's own raises: raise, with the study in
-        ``.result`` where there is one, or keep it as a reason.
+        What to do if a load or a surface has no answer, or a model of one's own raises or has none at any load: raise, with the
+        study in ``.result`` where there is one, or keep it as a reason.
+
+    Raises
+    ------
+    Interrupted
+        Ctrl-C; mean pressure and area fraction of the loads that were done are in ``.partial``, by surface. So they are in
+        ``.partial`` of an exception that `progress` raises.
 
     Examples
     --------
@@ -351,7 +361,7 @@ def compare(
     if accuracy is not None:
         settings["accuracy"] = _units.number(accuracy, "accuracy")
     if fractal_range is not None:
-        settings["fractal_range"] = _units.several(fractal_range, "length", "fractal_range")
+        settings["fractal_range"] = _units.ends(fractal_range, "fractal_range")
     own: list[ContactModel] = []
     if models is not None:
         own = [model for model in models if not isinstance(model, str)]
@@ -375,19 +385,26 @@ def studied(
 ) -> Comparison:
     """Asks the extension for a study with curves and a second body beside it, and raises what it says."""
     curves, second = beside
+    tell = _progress.listener(progress)
+    done: dict[str, list[dict[str, float | None]]] = {name: [] for name in named}
+
+    def listen(news: dict[str, Any]) -> None:
+        if news["stage"] == "load":
+            done.setdefault(news["surface"], []).append({k: news[k] for k in ("mean_pressure", "area_fraction")})
+        if tell is not None:
+            tell(news)
+
     with sorted_as(SettingError):
         files, trouble, stopped_by = _rust.study(
             [(s._heights, s._facts, name) for name, s in named.items()],
-            json.dumps(settings),
-            json.dumps(curves),
+            dumped(settings),
+            dumped(curves),
             [digest(s) for s in named.values()],
-            _progress.listener(progress),
+            listen,
             second,
         )
     if stopped_by is not None:
-        if isinstance(stopped_by, KeyboardInterrupt):
-            raise Interrupted("the study was stopped; nothing of it is kept") from stopped_by
-        raise stopped_by
+        raise stopped(stopped_by, f"the study was stopped after {sum(map(len, done.values()))} loads", done)
     study = Comparison(files)
     if trouble is not None and on_failure == "raise":
         kind, message = trouble
@@ -407,8 +424,7 @@ def _own(
     curves: dict[str, Any] = {}
     seconds: dict[str, float] = {}
     for name, surface in named.items():
-        edges: Any = _rust.boundary(surface._facts)
-        statistics = surface.statistics(level=level, boundary=edges)
+        statistics = surface.statistics(level=level)
         asked = pressures or _rust.default_pressures(modulus, statistics.rms_gradient)
         start = time.perf_counter()
         try:

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from typing import Any, Union
 
 from . import _rough_contact as _rust
-from ._errors import SettingError
+from ._errors import SettingError, dumped
+from ._extras import extra
 from ._results import flat
 from ._study import Comparison
 
@@ -52,7 +53,7 @@ class Summary:
 
     def to_pandas(self) -> Any:
         """A `pandas.DataFrame` of one line for each map."""
-        import pandas
+        pandas = extra("pandas", "tables")
 
         return pandas.DataFrame(self.records())
 
@@ -117,9 +118,9 @@ def summary(
     if asked is None:
         raise SettingError("a page needs at least one study", "combination")
     html = _rust.summary(
-        [(name, json.dumps(kept)) for name, kept in maps.items()],
+        [(name, dumped(kept)) for name, kept in maps.items()],
         list(without.items()),
-        json.dumps({**asked, "threads": 1}),
+        dumped({**asked, "threads": 1}),
         seconds,
     )
     return Summary(maps, without, html)

@@ -8,18 +8,20 @@ import operator
 import os
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal, Union, get_args
+from typing import TYPE_CHECKING, Any, Literal, Protocol, Union, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _rough_contact as _rust
-from . import _units
-from ._errors import ReadError, SettingError, SurfaceError, UnitError, sorted_as
-from ._foreign import heights_of
+from . import _units, plotting
+from ._errors import SettingError, SurfaceError, UnitError, dumped, of_file, sorted_as
+from ._extras import extra
+from ._foreign import heights_of, of_xarray
 from ._statistics import Statistics
 from ._threads import count
 from ._units import Q
+from .units import m as _metre
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,6 +34,14 @@ LEVELS = get_args(Level)
 Flip = Literal["columns", "rows", "none"]
 Crop = Union[tuple[int, int, int, int], Literal["complete", "middle"]]
 PathLike = Union[str, "os.PathLike[str]"]
+#: A file: its path, its bytes, or an object that gives them.
+File = Union[PathLike, bytes, bytearray, memoryview, "Readable"]
+
+
+class Readable(Protocol):
+    """A file object, open for bytes."""
+
+    def read(self) -> bytes: ...
 
 
 class Surface:
@@ -51,7 +61,8 @@ class Surface:
     name : str, optional
         What messages and reports call it.
     repeats : bool, optional
-        Whether the map is one cell of a surface that repeats; by default its edges tell.
+        Whether the map is one cell of a surface that repeats: of one that does ``level='auto'`` is the mean, and slopes
+        go on across its edges. By default nothing is known beyond them, and whether they meet tells 'auto'.
 
     Examples
     --------
@@ -62,11 +73,12 @@ class Surface:
     Surface(64 x 64 points, 1.00 um apart, rms height 50.0 nm)
     """
 
-    __slots__ = ("_facts", "_heights", "_said")
+    __slots__ = ("_facts", "_heights", "_kept", "_said")
 
     _heights: NDArray[np.float64]
     _facts: str
     _said: dict[str, Any]
+    _kept: dict[tuple[Any, ...], Statistics]
 
     def __init__(
         self,
@@ -78,22 +90,20 @@ class Surface:
         name: str = "",
         repeats: bool | None = None,
     ) -> None:
-        values = _metres(heights, height_unit)
-        given = {
-            "name": name or "heights",
-            "note": f"an array of {values.shape[0]} x {values.shape[1]} heights handed over by a Python program",
-            "pixel": _units.pixel(pixel),
-            "fill": fill,
-            "repeats": repeats,
-        }
-        with sorted_as(SurfaceError):
-            made = _rust.given(values, json.dumps(given), count(None))
-        self._set(*made)
+        if _units.is_xarray(heights):
+            found = of_xarray(heights)
+            heights, pixel = found.heights, [step * _metre for step in found.pixel(None, _units.pixel(pixel))]
+        values = metres(heights, height_unit)
+        if values.ndim != 2:
+            raise SurfaceError(f"heights have {values.ndim} dimensions; a map has 2, rows and columns", "shape")
+        check("fill", fill, ("refuse", "harmonic", "nearest"))
+        self._set(*_given(values, _units.pixel(pixel), name or "heights", fill, repeats, {}))
 
     def _set(self, heights: NDArray[np.float64], facts: str, said: str) -> None:
         object.__setattr__(self, "_heights", heights)
         object.__setattr__(self, "_facts", facts)
         object.__setattr__(self, "_said", json.loads(said))
+        object.__setattr__(self, "_kept", {})
 
     @classmethod
     def _made(cls, heights: NDArray[np.float64], facts: str, said: str) -> Surface:
@@ -119,17 +129,11 @@ class Surface:
         if isinstance(obj, Surface):
             return obj
         found = heights_of(obj)
-        unit = height_unit or found.unit
+        unit = _agreed(found.unit, height_unit)
         if unit is None:
             raise UnitError(f"{type(obj).__name__} has no unit; give height_unit='um'", "unit")
-        return cls(
-            found.heights,
-            pixel=found.pixel_in(unit) if pixel is None else pixel,
-            height_unit=unit,
-            fill=fill,
-            name=name or found.name,
-            repeats=found.repeats,
-        )
+        dy, dx = found.pixel(unit or None, None if pixel is None else _units.pixel(pixel))
+        return cls(found.heights, pixel=[dy * _metre, dx * _metre], height_unit=unit or None, fill=fill, name=name or found.name)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a Surface does not change: {name} cannot be set")
@@ -223,7 +227,7 @@ class Surface:
         self,
         *,
         level: Level = "auto",
-        boundary: Literal["open", "periodic"] = "open",
+        boundary: Literal["auto", "open", "periodic"] = "auto",
         iso: bool = False,
         scales: bool = False,
         against: Surface | None = None,
@@ -236,8 +240,9 @@ class Surface:
         ----------
         level : {'auto', 'none', 'mean', 'plane', 'quadratic'}
             Form that is taken off first; 'auto' is the plane, but the mean of a map that repeats.
-        boundary : {'open', 'periodic'}
-            What lies beyond the edges where slopes are taken.
+        boundary : {'auto', 'open', 'periodic'}
+            What lies beyond the edges where slopes are taken; 'auto' is the map again if it was made so, by `synth` or with
+            ``repeats=True``, as in `compare`.
         iso : bool
             The areal parameters of ISO 25178-2 too: ``.iso25178['Sdr']``.
         scales : bool
@@ -245,14 +250,19 @@ class Surface:
         against, flip, shift
             A second body, as in `solve`: the statistics are those of the sum of both.
         """
-        request = {"level": level, "boundary": boundary, "iso": iso, "scales": scales}
+        request = {"level": level, "boundary": None if boundary == "auto" else boundary, "iso": iso, "scales": scales}
         check("level", level, LEVELS)
-        check("boundary", boundary, ("open", "periodic"))
+        check("boundary", boundary, ("auto", "open", "periodic"))
+        asked = tuple(request.values())
+        if against is None and asked in self._kept:
+            return self._kept[asked]
+        second = laid(self, against, flip, shift)
         with sorted_as(SurfaceError):
-            text = _rust.statistics(
-                self._heights, self._facts, json.dumps(request), count(None), laid(self, against, flip, shift)
-            )
-        return Statistics._of(json.loads(text))
+            text = _rust.statistics(self._heights, self._facts, dumped(request), count(None), second)
+        found = Statistics._of(json.loads(text))
+        if against is None:
+            self._kept[asked] = found
+        return found
 
     def levelled(self, form: Level = "plane") -> Surface:
         """A new surface with a form taken off by least squares."""
@@ -260,16 +270,54 @@ class Surface:
         with sorted_as(SurfaceError):
             return Surface._made(*_rust.reshape(self._heights, self._facts, form, count(None)))
 
+    def cleaned(
+        self,
+        *,
+        align_rows: bool = False,
+        outliers: float | None = None,
+        form: str | None = None,
+        s_filter: Q | None = None,
+        l_filter: Q | None = None,
+        fill: Fill = "refuse",
+    ) -> Surface:
+        """A new surface, cleaned as `read` does it, in the order of the parameters; ``.cleaning`` says what each step did.
+
+        Filters leave out what they cannot reach at the edges.
+        """
+        check("fill", fill, ("refuse", "harmonic", "nearest"))
+        how = cleaned_by(align_rows, outliers, form, s_filter, l_filter)
+        return Surface._made(*_given(self._heights, self.pixel, self.name, fill, None, how))
+
+    def scaled(self, factor: float) -> Surface:
+        """A new surface with all heights times a number, as for a calibration."""
+        dy, dx = self.pixel
+        heights = self._heights * _units.number(factor, "factor")
+        return Surface(heights, pixel=[dy * _metre, dx * _metre], height_unit="m", name=self.name)
+
+    def psd(self, *, level: Level = "auto") -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Wavenumbers q (rad/m) and the isotropic power spectrum C(q) (m^4), ``rms_height**2`` = integral of C d^2q: of the map as it
+        repeats if it was made so, else under a Hann window."""
+        check("level", level, LEVELS)
+        with sorted_as(SurfaceError):
+            wavenumbers, spectrum = _rust.psd(self._heights, self._facts, level, count(None))
+        return wavenumbers, spectrum
+
+    def bearing_curve(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Heights (m), highest first, and the fraction of the points at or above each (ISO 25178-2: areal material ratio)."""
+        heights = np.sort(self._heights, axis=None)[::-1]
+        return heights, np.arange(1, heights.size + 1) / heights.size
+
     def cropped(self, y0: int, x0: int, ny: int, nx: int) -> Surface:
         """A new surface of ny x nx points from row y0, column x0."""
         rows, columns = self.shape
+        y0, x0, ny, nx = (_units.whole(n, "crop", -(2**31)) for n in (y0, x0, ny, nx))
         if min(y0, x0) < 0 or min(ny, nx) < 2 or y0 + ny > rows or x0 + nx > columns:
             raise SurfaceError(
                 f"{ny} x {nx} points from row {y0}, column {x0} are no part of {rows} x {columns}", "crop"
             )
         part = np.ascontiguousarray(self._heights[y0 : y0 + ny, x0 : x0 + nx])
         dy, dx = self.pixel
-        return Surface(part * _units.m, pixel=[dy * _units.m, dx * _units.m], name=self.name)
+        return Surface(part, pixel=[dy * _metre, dx * _metre], height_unit="m", name=self.name)
 
     def write(self, path: PathLike, *, overwrite: bool = False) -> None:
         """Writes the heights; the ending chooses the format: .x3p, .npy, .sdf, .txt or .vti.
@@ -288,7 +336,7 @@ class Surface:
 
     def to_xarray(self) -> Any:
         """An `xarray.DataArray` of the heights with coordinates in metres."""
-        import xarray
+        xarray = extra("xarray", "tables")
 
         dy, dx = self.pixel
         coords = {"y": np.arange(self.shape[0]) * dy, "x": np.arange(self.shape[1]) * dx}
@@ -299,13 +347,11 @@ class Surface:
 
     def plot(self, ax: Axes | None = None, *, unit: str = "um", **imshow: Any) -> Axes:
         """A map of the heights on matplotlib axes."""
-        from .plotting import heights
-
-        return heights(self, ax, unit, **imshow)
+        return plotting.heights(self._heights, self.size, ax, unit, **imshow)
 
 
 def read(
-    path: PathLike,
+    path: File,
     *,
     channel: str | None = None,
     pixel: Q | None = None,
@@ -327,8 +373,8 @@ def read(
 
     Parameters
     ----------
-    path : str or path
-        The file.
+    path : str, path, bytes or file object
+        The file, or what it holds.
     channel : str, optional
         Name of the channel, a part of it, or ``'#2'``; the topography by default.
     pixel : quantity, optional
@@ -368,14 +414,15 @@ def read(
         channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop
     )
     request.update(fill=fill, cleaning=cleaned_by(align_rows, outliers, form, s_filter, l_filter))
-    file = os.fspath(path)
-    with sorted_as(ReadError):
-        heights, facts, said = _rust.read(file, json.dumps(request), count(None))
-    return Surface._made(heights, facts, json.dumps({**json.loads(said), "path": file}))
+    file, content = opened(path)
+    with of_file():
+        heights, facts, said = _rust.read(file, dumped(request), count(None), content)
+    known = {} if content is not None else {"path": file}
+    return Surface._made(heights, facts, json.dumps({**json.loads(said), **known}))
 
 
 def info(
-    path: PathLike,
+    path: File,
     *,
     channel: str | None = None,
     pixel: Q | None = None,
@@ -391,8 +438,9 @@ def info(
     request = reading(
         channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop
     )
-    with sorted_as(ReadError):
-        found: dict[str, Any] = json.loads(_rust.info(os.fspath(path), json.dumps(request)))
+    with of_file():
+        file, content = opened(path)
+        found: dict[str, Any] = json.loads(_rust.info(file, dumped(request), content))
     return found
 
 
@@ -436,21 +484,37 @@ def synth(
     """
     if (rms_height is None) == (rms_gradient is None):
         raise TypeError("give exactly one of rms_height and rms_gradient")
-    ny, nx = shape
+    if np.shape(shape) != (2,):
+        raise SettingError(f"shape = {shape!r} must be (rows, columns)", "setting")
+    ny, nx = (_units.whole(n, "shape", 2, 1 << 20) for n in shape)
+    seed = _units.whole(seed, "seed")
     recipe = {
-        "name": name or f"synth {int(seed)}",
-        "shape": [int(ny), int(nx)],
+        "name": name or f"synth {seed}",
+        "shape": [ny, nx],
         "pixel": _units.pixel(pixel),
         "hurst": _units.number(hurst, "hurst"),
         "rolloff": _units.scalar(rolloff, "length", "rolloff"),
         "cutoff": _units.scalar(cutoff, "length", "cutoff"),
         "rms_height": None if rms_height is None else _units.scalar(rms_height, "length", "rms_height"),
         "rms_gradient": None if rms_gradient is None else _units.number(rms_gradient, "rms_gradient"),
-        "seed": int(seed),
+        "seed": seed,
         "quantise": None if quantise is None else _units.scalar(quantise, "length", "quantise"),
     }
     with sorted_as(SettingError):
-        return Surface._made(*_rust.synth(json.dumps(recipe), count(None)))
+        return Surface._made(*_rust.synth(dumped(recipe), count(None)))
+
+
+def opened(file: File) -> tuple[str, bytes | None]:
+    """The path of a file; or a name for it and what it holds."""
+    if isinstance(file, (str, os.PathLike)):
+        return os.fspath(file), None
+    if isinstance(file, (bytes, bytearray, memoryview)):
+        return "bytes", bytes(file)
+    content = file.read()
+    if not isinstance(content, bytes):
+        raise TypeError(f"{type(file).__name__} gives {type(content).__name__}; open the file for bytes, with mode 'rb'")
+    name = getattr(file, "name", None)
+    return os.path.basename(name) if isinstance(name, str) else "bytes", content
 
 
 def reading(
@@ -487,32 +551,43 @@ def reading(
     }
 
 
-def _metres(heights: ArrayLike | Q, unit: str | None) -> NDArray[np.float64]:
+def metres(heights: Any, unit: str | None) -> NDArray[np.float64]:
     """Heights as a C-ordered array of doubles in metres, NaN where they are missing."""
-    scale = 1.0
-    if isinstance(heights, np.ma.MaskedArray) and not hasattr(heights, "m_as"):
-        # Read without its mask a missing point would be a height.
-        heights = np.ma.filled(np.ma.asarray(heights, dtype=np.float64), np.nan)
-    if unit is not None:
-        values = np.asarray(heights)
-        scale = _units.factor(unit)
+    own = _units.own_unit(heights)
+    agreed = _agreed(own, unit)
+    if agreed is None:
+        raise UnitError("heights have no unit; write height_unit='um', or heights * rc.units.um", "unit")
+    if own is None:
+        made = _units.scaled(_units.plain(heights, "heights"), _units.factor(agreed))
     else:
-        bare = isinstance(heights, (np.ndarray, list, tuple)) and not hasattr(heights, "to_value")
-        if bare and not hasattr(heights, "m_as"):
-            raise UnitError("heights have no unit; write height_unit='um', or heights * rc.um", "unit")
-        values = np.asarray(_units.array(heights, "length", "heights"))
-    if values.dtype == bool or not (
-        np.issubdtype(values.dtype, np.integer) or np.issubdtype(values.dtype, np.floating)
-    ):
-        raise TypeError(f"heights take real numbers, not {values.dtype}")
-    if values.ndim != 2:
-        raise SurfaceError(f"heights have {values.ndim} dimensions; a map has 2, rows and columns", "shape")
-    metres = values.astype(np.float64)
-    if scale != 1.0:
-        # 1 nm is 1e-9 only rounded; division by an exact power of ten rounds once.
-        down = 1.0 / scale
-        metres = metres / round(down) if down > 1.0 and abs(round(down) * scale - 1) < 1e-15 else metres * scale
-    return np.ascontiguousarray(metres)
+        made = _units.array(heights, "length", "heights")
+    return np.ascontiguousarray(made)
+
+
+def _agreed(own: str | None, given: str | None) -> str | None:
+    """The unit of heights: that which they carry or that which is given; two that differ are refused."""
+    if own is None or given is None:
+        return given if own is None else own
+    if own == "" or _units.factor(own) != _units.factor(given):
+        shown = "their unit" if own == "" else f"the unit {own!r}"
+        raise UnitError(f"height_unit = {given!r}, and the heights carry {shown}; leave height_unit out, or give a plain array", "unit")
+    return own
+
+
+def _given(
+    heights: NDArray[np.float64],
+    pixel: tuple[float, float],
+    name: str,
+    fill: Fill,
+    repeats: bool | None,
+    cleaning: dict[str, Any],
+) -> Any:
+    """An array as the extension makes a surface of it."""
+    ny, nx = heights.shape
+    note = f"an array of {ny} x {nx} heights handed over by a Python program"
+    given = {"name": name, "note": note, "pixel": pixel, "fill": fill, "repeats": repeats, "cleaning": cleaning}
+    with sorted_as(SurfaceError):
+        return _rust.given(heights, dumped(given), count(None))
 
 
 def check(name: str, value: object, known: tuple[object, ...]) -> None:
@@ -557,7 +632,7 @@ def laid(
         raise TypeError(f"against takes an rc.Surface, not {type(against).__name__}")
     placing = {"flip": flip, "shift": (0.0, 0.0) if shift is None else _units.shift(shift)}
     how = {"placing": placing, "hashes": [digest(first), digest(against)]}
-    return against._heights, against._facts, json.dumps(how)
+    return against._heights, against._facts, dumped(how)
 
 
 def cleaned_by(

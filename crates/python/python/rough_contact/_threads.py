@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 
+from . import _units
+
 __all__ = ["default_threads"]
 
 
@@ -26,8 +28,4 @@ def count(threads: int | None) -> int:
     """The threads asked for, checked."""
     if threads is None:
         return default_threads()
-    if isinstance(threads, bool) or not 1 <= int(threads) <= 1024:
-        from ._errors import SettingError
-
-        raise SettingError(f"threads = {threads!r} is no number from 1 to 1024", "setting")
-    return int(threads)
+    return _units.whole(threads, "threads", 1, 1024)

@@ -6,137 +6,225 @@ equally reasonable.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import operator
+from collections.abc import Sequence
 from numbers import Real
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Protocol, Union, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _rough_contact as _rust
-from ._errors import UnitError, sorted_as
+from ._errors import SettingError, UnitError, sorted_as
 
-__all__ = [
-    "GPa",
-    "J_per_m2",
-    "MPa",
-    "N",
-    "Pa",
-    "Q",
-    "Quantity",
-    "Unit",
-    "W_per_m_K",
-    "bar",
-    "kN",
-    "kPa",
-    "m",
-    "mN",
-    "mm",
-    "nm",
-    "ohm_m",
-    "um",
-]
+__all__ = ["Q", "Quantity"]
 
-#: The unit of SI of each kind of quantity, for packages of units.
-_SI = {
-    "length": "m",
-    "area": "m**2",
-    "per_area": "m**-2",
-    "pressure": "Pa",
-    "force": "N",
-    "resistivity": "ohm*m",
-    "conductivity": "W/(m*K)",
-    "energy_per_area": "J/m**2",
+#: Of each kind of quantity: powers of m, kg, s, A and K; its unit of SI for packages of units; an example as text
+#: and as a unit of this package.
+_KINDS: dict[str, tuple[tuple[int, ...], str, str, str]] = {
+    "number": ((0, 0, 0, 0, 0), "", "0.8", "1"),
+    "length": ((1, 0, 0, 0, 0), "m", "1.5 um", "um"),
+    "area": ((2, 0, 0, 0, 0), "m**2", "2 mm2", "mm**2"),
+    "per_area": ((-2, 0, 0, 0, 0), "m**-2", "3e12 m^-2", "m**-2"),
+    "pressure": ((-1, 1, -2, 0, 0), "Pa", "110 GPa", "GPa"),
+    "force": ((1, 1, -2, 0, 0), "N", "10 N", "N"),
+    "resistivity": ((3, 1, -3, -2, 0), "ohm*m", "22 nohm.m", "ohm * rc.units.m"),
+    "conductivity": ((1, 1, -3, 0, -1), "W/(m*K)", "50 W/m/K", "W / rc.units.m / rc.units.K"),
+    "energy_per_area": ((0, 1, -2, 0, 0), "J/m**2", "50 mJ/m^2", "J / rc.units.m**2"),
 }
-
-_EXAMPLE = {
-    "length": ("1.5 um", "um"),
-    "area": ("2 mm2", "mm * mm"),
-    "per_area": ("3e12 m^-2", None),
-    "pressure": ("110 GPa", "GPa"),
-    "force": ("10 N", "N"),
-    "resistivity": ("22 nohm.m", "ohm_m"),
-    "conductivity": ("50 W/m/K", "W_per_m_K"),
-    "energy_per_area": ("50 mJ/m^2", "J_per_m2"),
-}
+_NAMES = {powers: (kind, unit) for kind, (powers, unit, _, _) in _KINDS.items()}
 
 
 class Quantity:
-    """A number or an array with a unit: what ``110 * rc.GPa`` makes.
+    """A number or an array with a unit: ``110 * rc.units.GPa``.
+
+    Quantities multiply, divide, take powers and compare; adding or comparing those of different kinds is refused.
+    Masked and missing entries of an array are NaN.
 
     Attributes
     ----------
     si : float or ndarray
         The value in SI units.
-    dimension : str
-        Kind of quantity.
     """
 
-    __slots__ = ("dimension", "si")
+    __slots__ = ("_exponent", "_magnitude", "_powers")
+    # Operators of numpy, pandas and xarray leave the work to this class, which knows masks.
     __array_ufunc__ = None
+    __pandas_priority__ = 10_000
+    __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, si: Any, dimension: str) -> None:
-        self.si = si
-        self.dimension = dimension
+    def __init__(self, magnitude: Any, powers: tuple[int, ...], exponent: int = 0) -> None:
+        self._magnitude = magnitude
+        self._powers = powers
+        self._exponent = exponent
 
-    def __mul__(self, other: Any) -> Quantity:
-        if isinstance(other, (Quantity, Unit)):
+    @property
+    def si(self) -> Any:
+        # A power of ten is exact, its inverse is not: 1.5 um is the double nearest to 1.5e-6.
+        ten = 10.0 ** abs(self._exponent)
+        return self._magnitude * ten if self._exponent >= 0 else self._magnitude / ten
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the array; ``()`` of a number."""
+        return np.shape(self._magnitude)
+
+    @property
+    def ndim(self) -> int:
+        """Dimensions of the array."""
+        return np.ndim(self._magnitude)
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """That of doubles."""
+        return np.dtype(np.float64)
+
+    if not TYPE_CHECKING:  # for a type checker what has these is an array
+
+        def __array_function__(self, *_: Any) -> Any:  # how xarray tells what it may keep
             return NotImplemented
-        return Quantity(self.si * np.asarray(other, dtype=float)[()], self.dimension)
+
+        def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+            raise UnitError("a quantity is no bare array; take .si, its value in SI units", "unit")
+
+    def __getitem__(self, key: Any) -> Quantity:
+        return Quantity(self._magnitude[key], self._powers, self._exponent)
+
+    def __len__(self) -> int:
+        return len(self._magnitude)
+
+    def transpose(self, *axes: Any) -> Quantity:
+        """As of an array."""
+        return Quantity(self._magnitude.transpose(*axes), self._powers, self._exponent)
+
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, (str, bytes)) or hasattr(other, "dims"):  # xarray, its arrays and their variables
+            return NotImplemented
+        if isinstance(other, Quantity):
+            powers = tuple(a + b for a, b in zip(self._powers, other._powers))
+            return Quantity(self._magnitude * other._magnitude, powers, self._exponent + other._exponent)
+        return Quantity(self._magnitude * _value(other), self._powers, self._exponent)
 
     __rmul__ = __mul__
 
-    def __repr__(self) -> str:
-        return f"{self.si} {_SI.get(self.dimension, '')}"
+    def __truediv__(self, other: Any) -> Any:
+        if isinstance(other, Quantity):
+            return self * other**-1
+        return self * (1.0 / _value(other))
 
+    def __rtruediv__(self, other: Any) -> Any:
+        return (self**-1).__mul__(other)
 
-class Unit:
-    """A unit: multiply numbers, lists or arrays with it, as in ``np.geomspace(1, 1000, 16) * rc.MPa``."""
+    def __pow__(self, power: int) -> Quantity:
+        n = operator.index(power)
+        return Quantity(self._magnitude**n if n >= 0 else 1.0 / self._magnitude**-n, tuple(n * p for p in self._powers), n * self._exponent)
 
-    __slots__ = ("_down", "_up", "dimension", "name")
-    __array_ufunc__ = None
+    def __neg__(self) -> Quantity:
+        return Quantity(-self._magnitude, self._powers, self._exponent)
 
-    def __init__(self, name: str, dimension: str, exponent: int) -> None:
-        self.name = name
-        self.dimension = dimension
-        # A power of ten is exact, its inverse is not: 1.5 um is the double nearest to 1.5e-6.
-        self._up = 10.0 ** max(exponent, 0)
-        self._down = 10.0 ** max(-exponent, 0)
+    def _same(self, other: Any) -> Any:
+        if not isinstance(other, Quantity):
+            other = Quantity(_value(other), (0,) * 5)
+        if other._powers != self._powers:
+            raise UnitError(f"{self!r} and {other!r} are of different kinds", "unit")
+        return other.si
 
-    def __rmul__(self, number: Any) -> Quantity:
-        if isinstance(number, (str, bytes)):
+    def __add__(self, other: Any) -> Quantity:
+        return Quantity(self.si + self._same(other), self._powers)
+
+    def __sub__(self, other: Any) -> Quantity:
+        return Quantity(self.si - self._same(other), self._powers)
+
+    def __eq__(self, other: object) -> Any:
+        if not isinstance(other, Quantity):
             return NotImplemented
-        value = np.asarray(number, dtype=float)[()] * self._up / self._down
-        return Quantity(float(value) if np.ndim(value) == 0 else value, self.dimension)
+        return self._powers == other._powers and self.si == other.si
 
-    __mul__ = __rmul__
+    def __lt__(self, other: Any) -> Any:
+        return self.si < self._same(other)
+
+    def __le__(self, other: Any) -> Any:
+        return self.si <= self._same(other)
+
+    def __gt__(self, other: Any) -> Any:
+        return self.si > self._same(other)
+
+    def __ge__(self, other: Any) -> Any:
+        return self.si >= self._same(other)
 
     def __repr__(self) -> str:
-        return f"rough_contact.{self.name}"
+        named = zip(("m", "kg", "s", "A", "K"), self._powers)
+        base = " ".join(n if p == 1 else f"{n}^{p}" for n, p in named if p)
+        return f"{self.si} {_NAMES[self._powers][1] if self._powers in _NAMES else base}".strip()
 
-    def __reduce__(self) -> str:
-        return self.name
+
+@runtime_checkable
+class _PintLike(Protocol):
+    def m_as(self, unit: str, /) -> Any: ...
 
 
-Pa = Unit("Pa", "pressure", 0)
-kPa = Unit("kPa", "pressure", 3)
-MPa = Unit("MPa", "pressure", 6)
-GPa = Unit("GPa", "pressure", 9)
-bar = Unit("bar", "pressure", 5)
-m = Unit("m", "length", 0)
-mm = Unit("mm", "length", -3)
-um = Unit("um", "length", -6)
-nm = Unit("nm", "length", -9)
-N = Unit("N", "force", 0)
-kN = Unit("kN", "force", 3)
-mN = Unit("mN", "force", -3)
-J_per_m2 = Unit("J_per_m2", "energy_per_area", 0)
-ohm_m = Unit("ohm_m", "resistivity", 0)
-W_per_m_K = Unit("W_per_m_K", "conductivity", 0)
+@runtime_checkable
+class _AstropyLike(Protocol):
+    def to_value(self, unit: str, /) -> Any: ...
+
+
+@runtime_checkable
+class _XarrayLike(Protocol):
+    @property
+    def dims(self) -> Any: ...
+    @property
+    def coords(self) -> Any: ...
+    @property
+    def attrs(self) -> Any: ...
+
 
 #: What is taken where a unit is needed: text such as ``'110 GPa'`` or ``'1 MPa..1 GPa:16'``; a number or an array
-#: times a unit of this package; a quantity of pint or astropy; an `xarray.DataArray` with ``attrs['units']``.
-Q = Union[str, Quantity, Any]
+#: times a unit of `rough_contact.units`; a quantity of pint or astropy; an `xarray.DataArray` with ``attrs['units']``; a
+#: list or a tuple of these.
+Q = Union[str, Quantity, _PintLike, _AstropyLike, _XarrayLike, Sequence["Q"]]
+
+
+def is_xarray(value: object) -> bool:
+    """Whether it is like an `xarray.DataArray`."""
+    return hasattr(value, "dims") and hasattr(value, "coords") and hasattr(value, "attrs")
+
+
+def plain(values: Any, name: str) -> NDArray[np.float64]:
+    """Real numbers as doubles, NaN where they are masked or missing."""
+    mask: Any = None
+    if isinstance(values, (list, tuple)):
+        values = np.ma.array(values)  # which keeps the masks of its rows
+    if is_xarray(values):
+        values = values.data
+    if callable(getattr(values, "to_numpy", None)):  # pandas, polars
+        try:
+            array = np.asarray(values.to_numpy(na_value=np.nan))
+        except TypeError:
+            array = np.asarray(values.to_numpy())
+    else:
+        mask = getattr(values, "mask", None)  # of numpy, or of astropy
+        array = np.asarray(getattr(values, "unmasked", values))
+    if array.dtype == object:
+        for item in array.flat:
+            if not (isinstance(item, Real) and not isinstance(item, (bool, np.bool_)) or item is None or item is np.ma.masked or str(item) == "<NA>"):
+                raise TypeError(f"{name} takes real numbers, not {type(item).__name__}{_other_way(item)}")
+        floats = [np.nan if item is None or not isinstance(item, Real) else float(item) for item in array.flat]
+        array = np.array(floats, dtype=np.float64).reshape(array.shape)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name} takes real numbers, not {array.dtype}")
+    made = array.astype(np.float64)
+    if mask is not None and np.any(mask):
+        made = np.where(mask, np.nan, made)
+    return made
+
+
+def _other_way(item: object) -> str:
+    return " in an array; multiply the unit by the array, not the array by the unit" if isinstance(item, _PintLike) else ""
+
+
+def _value(other: Any) -> Any:
+    made = plain(other, "a quantity")
+    return float(made) if made.ndim == 0 else made
 
 
 def parsed(text: str, dimension: str, many: bool = False) -> list[float]:
@@ -150,63 +238,92 @@ def factor(unit: str, dimension: str = "length") -> float:
     return parsed(f"1{unit}", dimension)[0]
 
 
+def scaled(values: Any, factor: float) -> Any:
+    """Values in SI units: 1 nm is 1e-9 only rounded, and division by an exact power of ten rounds once."""
+    down = 1.0 / factor
+    if down > 1.0 and abs(round(down) * factor - 1) < 1e-15:
+        return values / round(down)
+    return values * factor
+
+
 def _bare(name: str, value: Any, dimension: str) -> UnitError:
-    text, unit = _EXAMPLE[dimension]
-    shown = repr(value) if np.ndim(value) == 0 else "an array"
-    other = f" or {value if np.ndim(value) == 0 else 'array'} * rc.{unit}" if unit else ""
-    return UnitError(f"{name} = {shown} has no unit; write {name}={text!r}{other}", "unit")
+    _, _, text, unit = _KINDS[dimension]
+    is_one = np.ndim(value) == 0 and not is_xarray(value)
+    shown = repr(value) if is_one else "an array"
+    return UnitError(f"{name} = {shown} has no unit; write {name}={text!r} or {value if is_one else 'array'} * rc.units.{unit}", "unit")
 
 
 def _other(name: str, value: Any, dimension: str, found: object) -> UnitError:
     return UnitError(f"{name} = {value!r} is no {dimension.replace('_', ' ')}: {found}", "unit")
 
 
+def own_unit(value: Any) -> str | None:
+    """The unit that an object carries: of an array of xarray its name, of a quantity ``''``; None of bare numbers."""
+    if is_xarray(value):
+        if own_unit(value.data) == "":
+            return ""
+        units = value.attrs.get("units")
+        return None if units is None else str(units)
+    return "" if isinstance(value, (Quantity, _PintLike, _AstropyLike)) else None
+
+
 def _si(value: Any, dimension: str, name: str, many: bool) -> Any:
     """The value in SI units, as a number or an array."""
+    powers, si, _, _ = _KINDS[dimension]
     if isinstance(value, str):
         try:
             found = parsed(value, dimension, many)
         except UnitError as error:
             raise UnitError(f"{name}: {error}", error.kind) from None
         return found if many else found[0]
-    if isinstance(value, Unit):
-        value = 1 * value
+    unit = own_unit(value)
+    if is_xarray(value) and unit is not None:
+        if unit == "" and "units" in value.attrs:
+            raise UnitError(f"{name} has a unit in its data and another in attrs['units']; leave one out", "unit")
+        return _si(value.data, dimension, name, many) if unit == "" else scaled(plain(value, name), factor(unit, dimension))
     if isinstance(value, Quantity):
-        if value.dimension != dimension:
-            raise _other(name, value, dimension, f"its unit is one of {value.dimension}")
+        if value._powers != powers:
+            other = _NAMES.get(value._powers, ("another kind",))[0].replace("_", " ")
+            raise _other(name, value, dimension, f"its unit is one of {other}")
         return value.si
-    for method in ("m_as", "to_value"):  # pint, astropy
-        convert = getattr(value, method, None)
-        if convert is not None:
-            try:
-                return convert(_SI[dimension])
-            except Exception as error:  # whatever the package raises of a wrong dimension
-                raise _other(name, value, dimension, error) from error
-    units = getattr(getattr(value, "attrs", None), "get", lambda _: None)("units")
-    if units is not None:  # xarray
-        return np.asarray(value, dtype=float) * factor(str(units), dimension)
-    if many and isinstance(value, Iterable) and not isinstance(value, np.ndarray):
-        items = [_si(item, dimension, name, many) for item in value]
-        arrays = [np.atleast_1d(np.asarray(item, dtype=float)) for item in items]
-        return np.concatenate(arrays) if arrays else np.empty(0)
+    if unit == "":
+        try:  # pint has .units, astropy .unit
+            is_pint = hasattr(value, "m_as")
+            one = type(value)(1.0, value.units).m_as(si) if is_pint else value.unit.to(si)
+            numbers = value.magnitude if is_pint else value.to_value(value.unit)
+        except Exception as error:  # whatever the package raises of a wrong dimension
+            raise _other(name, value, dimension, error) from error
+        return scaled(plain(numbers, name), one)
+    if many and isinstance(value, (list, tuple)):
+        items = [np.atleast_1d(np.asarray(_si(item, dimension, name, many), dtype=float)) for item in value]
+        return np.concatenate(items) if items else np.empty(0)
     raise _bare(name, value, dimension)
 
 
-def scalar(value: Q, dimension: str, name: str) -> float:
+def _checked(found: NDArray[np.float64], name: str) -> NDArray[np.float64]:
+    if not np.isfinite(found).all():
+        bad = float(found[~np.isfinite(found)].flat[0]) if found.ndim else float(found)
+        raise SettingError(f"{name} = {bad} is no finite number", "setting")
+    return found
+
+
+def scalar(value: Q, dimension: str, name: str, *, infinite: bool = False) -> float:
     """One quantity in SI units."""
     found = np.asarray(_si(value, dimension, name, many=False), dtype=float)
     if found.ndim != 0:
         raise UnitError(f"{name} takes one quantity, and {found.size} were given", "unit")
-    return float(found)
+    return float(found if infinite and found > 0 else _checked(found, name))
 
 
-def several(value: Q, dimension: str, name: str) -> list[float]:
-    """One quantity or more in SI units; the order is kept."""
+def several(value: Q, dimension: str, name: str, *, holes: bool = False) -> list[float]:
+    """One quantity or more in SI units; the order is kept. NaN among others is one with `holes`."""
     found = np.atleast_1d(np.asarray(_si(value, dimension, name, many=True), dtype=float))
     if found.ndim != 1:
         raise UnitError(f"{name} takes a list of quantities, not {found.ndim} dimensions", "unit")
     if found.size == 0:
         raise UnitError(f"{name} is empty; give at least one quantity", "unit")
+    is_hole = np.isnan(found)
+    _checked(found[~is_hole] if holes and not is_hole.all() else found, name)
     return [float(x) for x in found]
 
 
@@ -222,11 +339,23 @@ def number(value: Any, name: str) -> float:
             return parsed(value, "number")[0]
         except UnitError as error:
             raise UnitError(f"{name}: {error}", error.kind) from None
-    if isinstance(value, (Quantity, Unit)) or hasattr(value, "m_as") or hasattr(value, "to_value"):
+    if own_unit(value) is not None:
         raise UnitError(f"{name} is a pure number and takes no unit; write {name}=0.8", "unit")
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (Real, np.ndarray)):
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (Real, np.ndarray)) or isinstance(value, np.ndarray) and value.ndim:
         raise TypeError(f"{name} takes a number, not {type(value).__name__}")
-    return float(value)
+    return float(_checked(plain(value, name), name))
+
+
+def whole(value: Any, name: str, least: int = 0, most: int = 2**63 - 1) -> int:
+    """A whole number in a range."""
+    if isinstance(value, (float, np.floating)) and float(value).is_integer():
+        value = int(value)
+    if isinstance(value, (bool, np.bool_)) or isinstance(value, Real) and not hasattr(value, "__index__"):
+        raise SettingError(f"{name} = {value!r} is no whole number", "setting")
+    found = operator.index(value)
+    if not least <= found <= most:
+        raise SettingError(f"{name} = {found} must be from {least} to {most}", "setting")
+    return found
 
 
 def pixel(value: Q) -> tuple[float, float]:
@@ -246,6 +375,14 @@ def shift(value: Q) -> tuple[float, float]:
     if len(found) != 2:
         raise UnitError(f"shift takes a pair (dy, dx), and {len(found)} were given", "unit")
     return (found[1], found[0]) if isinstance(value, str) else (found[0], found[1])
+
+
+def ends(value: Q, name: str) -> list[float]:
+    """Two lengths, the shorter first."""
+    found = several(value, "length", name)
+    if len(found) != 2 or not 0 < found[0] < found[1]:
+        raise UnitError(f"{name} takes two lengths, the shorter first, and {value!r} is given", "unit")
+    return found
 
 
 def pair(value: Q, dimension: str, name: str) -> list[float]:

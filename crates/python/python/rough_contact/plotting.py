@@ -1,18 +1,17 @@
-"""Pictures on matplotlib axes; matplotlib is imported on first use."""
+"""Pictures on matplotlib axes, of arrays; matplotlib is imported on first use."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import matplotlib.pyplot as plt
+import numpy as np
+from numpy.typing import NDArray
 
 from . import _units
+from ._extras import extra
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from ._results import LoadCurve
-    from ._surface import Surface
 
 _NAMES = {
     "area_fraction_corrected": "area fraction",
@@ -22,13 +21,18 @@ _NAMES = {
 }
 
 
-def heights(surface: Surface, ax: Axes | None = None, unit: str = "um", **imshow: Any) -> Axes:
-    """A map of heights: row 0 on top, x to the right."""
-    axes = plt.gca() if ax is None else ax
+def _axes(ax: Axes | None) -> Axes:
+    plt = extra("matplotlib.pyplot", "plot")
+    return plt.gca() if ax is None else ax
+
+
+def heights(values: NDArray[np.float64], size: tuple[float, float], ax: Axes | None, unit: str, **imshow: Any) -> Axes:
+    """A map of heights (m) on a rectangle (y, x) in metres: row 0 on top, x to the right."""
+    axes = _axes(ax)
     scale = _units.factor(unit)
-    height, width = surface.size
+    height, width = size
     options = {"extent": (0, width / scale, height / scale, 0), "interpolation": "nearest", **imshow}
-    picture = axes.imshow(surface.heights / scale, **options)
+    picture = axes.imshow(values / scale, **options)
     axes.set_xlabel(f"x ({unit})")
     axes.set_ylabel(f"y ({unit})")
     axes.figure.colorbar(picture, ax=axes, label=f"height ({unit})")
@@ -36,20 +40,31 @@ def heights(surface: Surface, ax: Axes | None = None, unit: str = "um", **imshow
 
 
 def curve(
-    found: LoadCurve, ax: Axes | None = None, y: str = "area_fraction_corrected", bars: bool = True,
-    unit: str = "MPa", **errorbar: Any,
+    pressure: NDArray[np.float64],
+    values: NDArray[np.float64],
+    half: NDArray[np.float64] | None,
+    names: tuple[str, str],
+    ax: Axes | None,
+    unit: str,
+    **errorbar: Any,
 ) -> Axes:
-    """A number over the mean pressure, with its bars where it has them."""
-    axes = plt.gca() if ax is None else ax
-    scale = _units.factor(unit, "pressure")
+    """A number, of this name and unit, over the mean pressure (Pa), with half widths below and above."""
+    axes = _axes(ax)
     options: dict[str, Any] = {"fmt": "o-", "capsize": 3, **errorbar}
-    try:
-        half = found.bars(y) if bars else None
-    except KeyError:
-        half = None
-    axes.errorbar(found.mean_pressure / scale, getattr(found, y), yerr=half, **options)
+    axes.errorbar(pressure / _units.factor(unit, "pressure"), values, yerr=half, **options)
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlabel(f"mean pressure ({unit})")
-    axes.set_ylabel(_NAMES.get(y, f"{y.replace('_', ' ')} ({found.units().get(y, '')})"))
+    name, own = names
+    axes.set_ylabel(_NAMES.get(name, f"{name.replace('_', ' ')} ({own})"))
+    return axes
+
+
+def traces(values: NDArray[np.float64], spacing: float, ax: Axes | None, unit: str, **line: Any) -> Axes:
+    """Heights (m), one trace in each row, over their length."""
+    axes = _axes(ax)
+    scale = _units.factor(unit)
+    axes.plot(np.arange(values.shape[1]) * spacing / scale, values.T / scale, **line)
+    axes.set_xlabel(f"x ({unit})")
+    axes.set_ylabel(f"height ({unit})")
     return axes
