@@ -160,7 +160,7 @@ def joint(
     if gas is not None and gas != "vacuum":
         if conductivity is None:
             raise TypeError("gas conducts heat beside the contact; give conductivity, too")
-        given = {"gas": gas} if isinstance(gas, str) else dict(gas)
+        given: dict[str, Any] = {"gas": gas} if isinstance(gas, str) else dict(gas)
         unknown = [key for key in given if key not in ("gas", "temperature", "pressure", "accommodation")]
         if given.get("gas") not in ("air", "helium", "argon", "nitrogen") or unknown:
             raise SettingError(
