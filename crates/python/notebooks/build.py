@@ -1,5 +1,4 @@
-"""Executes the notebooks of the cells below and writes them with their outputs; with `--execute` nothing is written, with
-`--check` those that are here are compared with the cells.
+"""Writes the notebooks from the cells below, without outputs, or executes them in place: `build.py --execute`.
 
 The text lives here, where a change shows; the notebooks are made of it.
 """
@@ -208,19 +207,16 @@ def notebook(cells):
 def main():
     for name, cells in ALL.items():
         made = notebook(cells)
-        if "--check" in sys.argv:
-            there = nbformat.read(HERE / f"{name}.ipynb", as_version=4)
-            code = [c for c in there.cells if c.cell_type == "code"]
-            if [c.source for c in there.cells] != [c.source for c in made.cells] or not any(c.outputs for c in code):
-                raise SystemExit(f"{name}.ipynb is not what build.py makes: run it")
-            continue
-        from nbclient import NotebookClient
+        if "--execute" in sys.argv:
+            from nbclient import NotebookClient
 
-        NotebookClient(made, timeout=1200, kernel_name="python3").execute()
-        print(name, "executed")
-        if "--execute" not in sys.argv:
-            for cell in made.cells:
-                cell.metadata.pop("execution", None)  # the hour
+            NotebookClient(made, timeout=1200, kernel_name="python3").execute()
+            print(name, "executed")
+        elif "--check" in sys.argv:
+            there = nbformat.read(HERE / f"{name}.ipynb", as_version=4)
+            if [c.source for c in there.cells] != [c.source for c in made.cells]:
+                raise SystemExit(f"{name}.ipynb is not what build.py makes: run it")
+        if "--check" not in sys.argv and "--execute" not in sys.argv:
             nbformat.write(made, HERE / f"{name}.ipynb")
 
 
