@@ -387,7 +387,7 @@ class ClosedForm:
     >>> f = rc.ClosedForm('persson', rc.Moments(m2=0.006), modulus='110 GPa')
     >>> f(np.array([[10, 100], [200, 400]]) * rc.units.MPa).round(4)
     array([[0.0013, 0.0132],
-           [0.0265, 0.053 ]])
+           [0.0265, 0.0529]])
     """
 
     __slots__ = ("_arguments", "_model")
