@@ -15,7 +15,13 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
     ("asperity-models", 1, &["contact-types", "gw-closed-form"], 10),
     ("multiscale-models", 1, &["contact-types"], 10),
     ("fft-bem-solver", 1, &["contact-types", "grid-fft"], 30),
-    ("contact-accuracy", 2, &["contact-types", "grid-fft", "surface-stats", "fft-bem-solver"], 65),
+    ("gap-flow", 1, &["contact-types"], 50),
+    (
+        "contact-accuracy",
+        2,
+        &["contact-types", "grid-fft", "surface-stats", "fft-bem-solver", "gap-flow"],
+        65,
+    ),
     (
         "contact-compare",
         3,

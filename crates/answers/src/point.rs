@@ -3,7 +3,7 @@
 use crate::failure::variant;
 use crate::hardness;
 use compare::{Budget, Conducted};
-use contact_accuracy::{Answered, Map, Numbers};
+use contact_accuracy::{Answered, Leaks, Map, Numbers};
 use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};
 
@@ -24,6 +24,8 @@ pub struct Point {
     pub finer: Option<Numbers>,
     /// What it conducts, if that was asked for.
     pub conducted: Option<Conducted>,
+    /// What leaks through it, if that was asked for, without its maps.
+    pub leak: Option<Leaks>,
     /// True if it was solved to the tolerance.
     pub converged: bool,
 }
@@ -54,6 +56,7 @@ impl Point {
             budget: None,
             finer: None,
             conducted: None,
+            leak: None,
             converged: false,
         }
     }

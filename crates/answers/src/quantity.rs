@@ -196,6 +196,7 @@ fn range(
             Dimension::Resistivity => "10nohm.m..1uohm.m:16",
             Dimension::Conductivity => "1W/m/K..100W/m/K:16",
             Dimension::Adhesion => "1mJ/m^2..1J/m^2:16",
+            Dimension::Viscosity => "1mPa.s..1Pa.s:16",
         },
     };
     let (last, count) = tail.split_once(':').ok_or(fault("the number of points is missing"))?;
@@ -313,6 +314,7 @@ fn missing_unit(number: &str, dimension: Dimension) -> QuantityError {
         Dimension::Resistivity => format!("{number}nohm.m or {number}uohm.cm"),
         Dimension::Conductivity => format!("{number}W/m/K"),
         Dimension::Adhesion => format!("{number}mJ/m^2"),
+        Dimension::Viscosity => format!("{number}mPa.s or {number}Pa.s"),
     };
     QuantityError::MissingUnit { number: number.to_owned(), suggestion }
 }

@@ -3,6 +3,7 @@
 use crate::adhesion;
 use crate::failure::Failure;
 use crate::hardness;
+use crate::leak::Leak;
 use crate::loads::{Spread, rising};
 use crate::planned;
 use crate::point::Point;
@@ -20,6 +21,11 @@ use serde_json::{Value, json};
 use std::path::Path;
 use surface_stats::StatsError;
 use surface_stats::clean::Record;
+
+/// Why a contact has no leak.
+const NO_SEAL: &str = "a leak is that of a map which touches all over, from one edge to the other: a profile has no \
+                       way around its contacts, and around an isolated contact everything is open; solve a map with a \
+                       periodic boundary, or leave the leak out";
 
 /// What is asked, and how it is to be solved.
 #[derive(Clone, Debug)]
@@ -59,6 +65,8 @@ pub struct Question {
     pub hardness: Option<f64>,
     /// What the contact conducts.
     pub conduction: Joint,
+    /// What leaks through the gap.
+    pub leak: Option<Leak>,
     /// Whether the bodies stick.
     pub adhesion: Option<WorkOfAdhesion>,
     /// Materials whose numbers are among these.
@@ -129,6 +137,9 @@ impl Question {
         kept: &mut Option<Ladder>,
         watch: &mut dyn Watch,
     ) -> Result<Answer, Failure> {
+        if self.leak.is_some() && (self.plane_strain || self.boundary == Boundary::Free) {
+            return Err(Failure::refused("leak", NO_SEAL));
+        }
         let Subject { path, map: surface, missing, fill, cleaned, pair } = subject;
         let refused = |e: StatsError| Failure::in_file(path, &e);
         let mut solved = Solved {
@@ -156,6 +167,7 @@ impl Question {
         let mut work = Work::new(self.loads.len(), self.method.to_string(), level, surface.grid());
         work.spikes = spikes;
         let repeats = self.boundary == Boundary::Periodic && self.edges == EdgesName::Periodic;
+        work.leak.clone_from(&self.leak);
         work.distributions = self.distributions.then_some(repeats);
         solved.spikes = work.spikes.clone();
         let grid = surface.grid();
@@ -176,6 +188,7 @@ impl Question {
             modulus: self.modulus,
             finer: Finer::WhenNeeded,
             jump,
+            leak: self.leak.as_ref().map_or_else(Vec::new, |leak| leak.axes.clone()),
         };
         let of_set = self.stiffness || self.conduction.is_asked();
         let spread = self.spread.as_ref().map(|s| s.area);
@@ -293,6 +306,9 @@ impl Question {
             let spread = self.spread.as_ref().map(|s| s.area);
             json["nominal_area"] =
                 json!(self.conduction.area.or(spread).unwrap_or(work.grid.area()));
+        }
+        if let Some(leak) = &self.leak {
+            json["leak"] = leak.object(hardness.is_some());
         }
         if let Some(adhesion) = adhesion {
             json["adhesion"] = json!(adhesion);

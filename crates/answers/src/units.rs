@@ -21,6 +21,8 @@ pub enum Dimension {
     Conductivity,
     /// Joules per square metre.
     Adhesion,
+    /// Pascal seconds.
+    Viscosity,
 }
 
 /// A unit: its name, and a factor and a power of ten that make it one of SI.
@@ -114,6 +116,16 @@ const ADHESIONS: &[Unit] = &[
     ("erg/cm^2", 1.0, -3),
 ];
 
+/// Units of viscosity, written without what stands between their parts.
+const VISCOSITIES: &[Unit] = &[
+    ("Pas", 1.0, 0),
+    ("mPas", 1.0, -3),
+    ("uPas", 1.0, -6),
+    ("P", 1.0, -1),
+    ("cP", 1.0, -3),
+    ("kg/ms", 1.0, 0),
+];
+
 /// What people write who mean a unit of the table: kilograms and pounds are masses.
 const MEANT: &[(Dimension, &str, &str)] = &[
     (Dimension::Force, "kg", "kgf"),
@@ -138,6 +150,7 @@ impl Dimension {
             Self::Resistivity => "resistivity",
             Self::Conductivity => "thermal conductivity",
             Self::Adhesion => "work of adhesion",
+            Self::Viscosity => "viscosity",
         }
     }
 
@@ -153,6 +166,7 @@ impl Dimension {
             Self::Resistivity => "ohm.m, uohm.m, nohm.m or uohm.cm",
             Self::Conductivity => "W/m/K",
             Self::Adhesion => "J/m^2, mJ/m^2 or mN/m",
+            Self::Viscosity => "Pa.s, mPa.s, uPa.s or cP",
         }
     }
 
@@ -168,6 +182,7 @@ impl Dimension {
             Self::Resistivity => "ohm.m",
             Self::Conductivity => "W/m/K",
             Self::Adhesion => "J/m^2",
+            Self::Viscosity => "Pa.s",
         }
     }
 
@@ -183,6 +198,7 @@ impl Dimension {
             Self::Resistivity => "for example 22nohm.m",
             Self::Conductivity => "for example 50W/m/K",
             Self::Adhesion => "for example 50mJ/m^2",
+            Self::Viscosity => "for example 1mPa.s",
         }
     }
 
@@ -211,6 +227,7 @@ impl Dimension {
             Self::Resistivity => find(RESISTIVITIES, &unit.replace(['.', '*', '-'], "")),
             Self::Conductivity => find(CONDUCTIVITIES, &unit.replace(['.', '*', '(', ')'], "")),
             Self::Adhesion => find(ADHESIONS, unit),
+            Self::Viscosity => find(VISCOSITIES, &unit.replace(['.', '*', '-'], "")),
         }
     }
 

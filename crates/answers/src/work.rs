@@ -2,6 +2,7 @@
 
 use crate::conduction;
 use crate::failure::{Failure, variant};
+use crate::leak::Leak;
 use crate::loads::shown;
 use crate::point::Point;
 use crate::watch::Watch;
@@ -19,6 +20,8 @@ use surface_stats::Level;
 pub(crate) struct Work {
     /// Distributions are wanted: whether a spot at one edge goes on at the other.
     pub(crate) distributions: Option<bool>,
+    /// The leak is wanted.
+    pub(crate) leak: Option<Leak>,
     pub(crate) trouble: Option<Failure>,
     pub(crate) method: String,
     /// What was taken off the map.
@@ -41,6 +44,7 @@ impl Work {
     pub(crate) fn new(loads: usize, method: String, level: Level, grid: Grid) -> Self {
         Self {
             distributions: None,
+            leak: None,
             trouble: None,
             method,
             level,
@@ -106,7 +110,7 @@ impl Work {
         &mut self,
         index: usize,
         load: Load,
-        result: Result<Answered, SolverError>,
+        mut result: Result<Answered, SolverError>,
         known: &Map,
         part: Option<(&Joint, ContactModulus)>,
         watch: &mut dyn Watch,
@@ -117,6 +121,14 @@ impl Work {
         };
         if let (Some(set), Some(part), Some(budget)) = (&set, part, &point.budget) {
             point.conducted = conduction::add(part, &mut point.json, set, budget);
+        }
+        if let Some(asked) = &self.leak {
+            point.leak = result.as_mut().ok().and_then(|answered| answered.leak.take());
+            let along = point.leak.iter_mut().flat_map(|leaks| &mut leaks.along);
+            for leak in along.filter_map(|(_, found)| found.as_mut().ok()) {
+                leak.flow.flux = Vec::new();
+            }
+            point.json["leak"] = json!(point.leak.as_ref().map(|leaks| asked.point(leaks)));
         }
         let budget = point.budget;
         let (result, error) = match result {

@@ -75,6 +75,7 @@ fn certify(
         modulus,
         finer: Finer::WhenNeeded,
         jump: None,
+        leak: Vec::new(),
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
     let found = ladder.solve(load, true, |now| watch.iteration(now)).ok()?;

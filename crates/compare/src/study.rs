@@ -165,6 +165,7 @@ fn compare(
         modulus,
         finer,
         jump: settings.gas.map(|gas| gas.jump()),
+        leak: Vec::new(),
     };
     let rungs = |builder, finer| {
         Ladder::new(map.clone(), setup(builder, finer)).map_err(|e| refused_ladder(e, &name))

@@ -4,10 +4,12 @@
 //! thinned twice, from the first point and from the one diagonally beside it, since one choice alone may agree
 //! with the whole map by accident.
 
+use crate::leak::permeability;
 use contact_types::{ContactModulus, Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
     Answer, Iteration, Load, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
 };
+use gap_flow::Axis;
 
 /// First row and column of each thinned map.
 const PHASES: [[usize; 2]; 2] = [[0, 0], [1, 1]];
@@ -29,6 +31,8 @@ pub struct Numbers {
     /// Conductance over conductivity of a gas in the gap (1/m): parallel plates locally, `⟨1/(g + M)⟩` over the nominal
     /// area with 0 where it touches, M the length of the temperature jumps at both walls; if it was asked for.
     pub gas: Option<f64>,
+    /// Permeability of the gap along x and y (m³), if the leak was asked for.
+    pub permeability: [Option<f64>; 2],
 }
 
 impl Numbers {
@@ -42,6 +46,7 @@ impl Numbers {
             mean_gap: solution.state.mean_gap,
             stiffness,
             gas: jump.map(|jump| gas(&solution.pressure, &solution.gap, jump)),
+            permeability: [None; 2],
         }
     }
 }
@@ -74,6 +79,7 @@ pub fn thinned(map: &HeightMap, first: [usize; 2]) -> Result<HeightMap, SurfaceE
 pub struct Coarser {
     solvers: Vec<Solver>,
     jump: Option<f64>,
+    leak: Vec<Axis>,
 }
 
 impl Coarser {
@@ -83,7 +89,8 @@ impl Coarser {
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }
 
-    /// Thins `map`, to be solved as `builder` says, with a gas of this temperature jump (m) in the gap, if there is one.
+    /// Thins `map`, to be solved as `builder` says, with a gas of this temperature jump (m) in the gap, if there is one, and
+    /// the leak along these axes.
     ///
     /// # Errors
     /// [`SolverError`].
@@ -92,6 +99,7 @@ impl Coarser {
         builder: &SolverBuilder,
         modulus: ContactModulus,
         jump: Option<f64>,
+        leak: &[Axis],
     ) -> Result<Self, SolverError> {
         let solver = |first| {
             let map = thinned(map, first).map_err(|_| SolverError::NoSurface)?;
@@ -100,7 +108,7 @@ impl Coarser {
             Ok(solver)
         };
         let solvers = PHASES.into_iter().map(solver).collect::<Result<_, SolverError>>()?;
-        Ok(Self { solvers, jump })
+        Ok(Self { solvers, jump, leak: leak.to_vec() })
     }
 
     /// Another map on the same grid.
@@ -129,11 +137,12 @@ impl Coarser {
         stiffness: bool,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Vec<Numbers>, SolverError> {
-        let jump = self.jump;
+        let (jump, leak) = (self.jump, &self.leak);
         let one = |solver: &mut Solver| {
             let solution = solver.solve_again_observed(load, &mut observer)?;
             let set = stiffness.then(|| solver.contact_stiffness()).transpose()?;
-            Ok(Numbers::of(&solution, set.as_ref(), jump))
+            let permeability = permeability(&solution, leak);
+            Ok(Numbers { permeability, ..Numbers::of(&solution, set.as_ref(), jump) })
         };
         self.solvers.iter_mut().map(one).collect()
     }

@@ -5,6 +5,7 @@ use crate::budget::{Budget, Map};
 use crate::coarser::{Coarser, Numbers};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
+use crate::leak::Leaks;
 use crate::regrid;
 use crate::uncertainty::Beside;
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -12,6 +13,7 @@ use fft_bem_solver::{
     Answer, Boundary, Iteration, Load, Maps, SetStiffness, Solution, Solver, SolverBuilder,
     SolverError,
 };
+use gap_flow::Axis;
 use std::time::Instant;
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
@@ -49,12 +51,14 @@ pub struct Setup {
     /// Length of the temperature jumps of a gas in the gap (m), if its conductance is asked for; the builder then keeps
     /// pressure and gap.
     pub jump: Option<f64>,
+    /// Axes along which the leak through the gap is asked for; pressure and gap are then kept.
+    pub leak: Vec<Axis>,
 }
 
 impl Setup {
     /// What the rungs beside the map keep of a solution.
     fn maps(&self) -> Maps {
-        if self.jump.is_some() { Maps::PressureAndGap } else { Maps::None }
+        if self.jump.is_some() || !self.leak.is_empty() { Maps::PressureAndGap } else { Maps::None }
     }
 }
 
@@ -85,6 +89,8 @@ pub struct Answered {
     pub coarser: Vec<Numbers>,
     /// On twice the points, if that was needed.
     pub finer: Option<Numbers>,
+    /// The leak, if it was asked for.
+    pub leak: Option<Leaks>,
     /// Of its seconds those on the thinned maps, and on twice the points (s).
     pub seconds: [f64; 2],
 }
@@ -105,13 +111,16 @@ impl Ladder {
     pub fn new(map: HeightMap, setup: Setup) -> Result<Self, LadderError> {
         let known = Map::of(&map);
         let whole = setup.mirrored.then(|| mirrored(&map)).transpose()?;
-        let builder = setup.builder.clone().boundary(setup.boundary);
+        let mut builder = setup.builder.clone().boundary(setup.boundary);
+        if !setup.leak.is_empty() {
+            builder = builder.maps(Maps::PressureAndGap);
+        }
         let surface = whole.as_ref().unwrap_or(&map);
         let solver = builder.clone().build(surface.grid(), setup.modulus)?;
         let grid = map.grid();
         let coarser = if Coarser::is_possible(grid) {
             let builder = builder.maps(setup.maps()).certified(false).section(None);
-            Ok(Coarser::of(surface, &builder, setup.modulus, setup.jump)?)
+            Ok(Coarser::of(surface, &builder, setup.modulus, setup.jump, &setup.leak)?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
@@ -192,9 +201,12 @@ impl Ladder {
             found = Budget { indicator: found.indicator, ..budget(&beside, &self.known) };
         }
         let seconds = [coarse_seconds, clock.elapsed().as_secs_f64()];
+        let (axes, mirrored) = (&self.setup.leak, self.whole.is_some());
+        let thinned: Vec<_> = coarser.iter().flatten().map(|n| n.permeability).collect();
+        let leak = Leaks::of(&solution, axes, &thinned, mirrored);
         solution.diagnostics.seconds += seconds[0] + seconds[1];
         let (set, coarser) = (set.cloned(), coarser.unwrap_or_default());
-        Ok(Answered { solution, set, budget: found, coarser, finer, seconds })
+        Ok(Answered { solution, set, budget: found, coarser, finer, leak, seconds })
     }
 
     fn needs_finer(&self, budget: &Budget) -> bool {

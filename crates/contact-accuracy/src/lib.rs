@@ -14,6 +14,7 @@ mod edge_share;
 mod estimate;
 mod indicator;
 mod ladder;
+mod leak;
 mod request;
 mod sampling;
 mod table;
@@ -30,8 +31,10 @@ pub use fft_bem_solver::{
     Boundary, Load, Maps, Method, PERIMETER_CORRECTION, Precision, Solution, Solver, SolverBuilder,
     SolverError,
 };
+pub use gap_flow::{Axis, Bottleneck, Flow, NotSolved};
 pub use indicator::{LIMIT as INDICATOR_LIMIT, indicator};
 pub use ladder::{Answered, Finer, Ladder, LadderError, Setup, on_given};
+pub use leak::{Leak, Leaks};
 pub use request::{BadRequest, Request};
 pub use surface_stats::StatsError;
 pub use table::{median, quantile, round_to_digits};

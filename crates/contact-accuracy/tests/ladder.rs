@@ -21,6 +21,7 @@ fn setup(builder: SolverBuilder) -> Setup {
         modulus: ContactModulus::from_pascals(1.0).unwrap(),
         finer: Finer::WhenNeeded,
         jump: None,
+        leak: Vec::new(),
     }
 }
 

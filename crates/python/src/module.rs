@@ -41,6 +41,7 @@ mod _rough_contact {
             "resistivity" => Dimension::Resistivity,
             "conductivity" => Dimension::Conductivity,
             "energy_per_area" => Dimension::Adhesion,
+            "viscosity" => Dimension::Viscosity,
             other => return Err(crate::failure::bug(&format!("no dimension {other}"))),
         };
         let found =

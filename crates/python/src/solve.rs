@@ -3,7 +3,7 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, array, surface_of};
 use crate::watched::{News, Outcome, Reporter, watched};
-use answers::{Failure, Question, Subject, Watch, bodies};
+use answers::{Failure, Leak, Question, Subject, Watch, bodies};
 use compare::Request as Accuracy;
 use compare::{
     Body, EdgesName, Iteration, Joint, Level, Load, MaterialUse, Method, Origin, Precision,
@@ -46,6 +46,10 @@ struct Request {
     hardness: Option<f64>,
     materials: Vec<MaterialUse>,
     joint: Joint,
+    /// `x`, `y` or `both`.
+    leak: Option<String>,
+    /// Viscosity, pressure drop, length and width.
+    seal: [Option<f64>; 4],
     adhesion: Option<WorkOfAdhesion>,
     distributions: bool,
     /// The heights are the one trace of ridges.
@@ -93,6 +97,7 @@ impl Request {
             stiffness: self.stiffness,
             hardness: self.hardness,
             conduction: self.joint,
+            leak: Leak::asked(self.leak.as_deref(), self.seal)?,
             adhesion: self.adhesion,
             materials: self.materials.clone(),
             distributions: self.distributions,

@@ -30,6 +30,17 @@ CASES = {
         ["--pressure", "100MPa", "--resistivity", "22nohm.m,70nohm.m", "--conductivity", "400W/m/K"],
         {"pressure": "100MPa", "resistivity": ["22nohm.m", "70nohm.m"], "conductivity": "400W/m/K"},
     ),
+    "leak": (
+        "--pressure 100MPa --leak both --viscosity 1mPa.s --pressure-drop 1MPa --seal-length 1mm --seal-width 10mm".split(),
+        {
+            "pressure": "100MPa",
+            "leak": "both",
+            "viscosity": "1 mPa.s",
+            "pressure_drop": "1 MPa",
+            "seal_length": "1mm",
+            "seal_width": "10 mm",
+        },
+    ),
     "free": (["--pressure", "100MPa", "--boundary", "free"], {"pressure": "100MPa", "boundary": "free"}),
     "mirrored": (
         ["--pressure", "100MPa", "--edges", "mirrored", "--distributions"],

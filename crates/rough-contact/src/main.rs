@@ -26,6 +26,7 @@ mod info;
 mod input;
 mod intervals;
 mod iso;
+mod leak;
 mod loads;
 mod manual;
 mod materials;

@@ -11,6 +11,7 @@ use crate::files::folder_name;
 use crate::hardness;
 use crate::input::{Complete, Input, Measured};
 use crate::intervals;
+use crate::leak::{self, LeakOptions};
 use crate::loads::{Loads, carried, shown};
 use crate::outcome::{Failure, Reply};
 use crate::planned;
@@ -76,6 +77,8 @@ pub(crate) struct Solve {
     hardness: Option<f64>,
     #[command(flatten)]
     conduction: Conduction,
+    #[command(flatten)]
+    leak: LeakOptions,
     #[command(flatten)]
     adhesion: Adhesion,
     /// Take a profile for the cross-section of ridges that are infinitely long: plane strain
@@ -169,6 +172,7 @@ impl PerFile for Solve {
         let conduction = self.conduction.asked(&mut made_of, area)?;
         let answers::bodies::Bodies { modulus, bodies, hardness, materials } = made_of;
         let adhesion = self.adhesion.asked()?;
+        let leak = self.leak.asked()?;
         let count = self.loads.count()?;
         let boundary = match self.boundary.as_str() {
             "free" if self.loads.is_by_gap() => {
@@ -204,6 +208,7 @@ impl PerFile for Solve {
             stiffness: self.stiffness,
             hardness,
             conduction,
+            leak,
             adhesion,
             materials,
             distributions: self.distributions,
@@ -286,7 +291,8 @@ impl Solve {
     /// Whether more than the solution is asked, which only maps answer.
     fn asks_set(&self) -> Result<bool, Failure> {
         let adhesion = self.adhesion.asked()?.is_some();
-        Ok(self.stiffness || self.conduction.is_asked() || adhesion)
+        let leak = self.leak.asked()?.is_some();
+        Ok(self.stiffness || self.conduction.is_asked() || leak || adhesion)
     }
 
     fn alone(&self) -> Result<Complete, Failure> {
@@ -321,8 +327,8 @@ impl Solve {
                 if self.accuracy.is_some() || self.fast || self.asks_set()? =>
             {
                 refused(
-                    "--accuracy, --fast, --stiffness, --resistivity, --conductivity and --work-of-adhesion \
-                     are for maps; give --tolerance with --plane-strain",
+                    "--accuracy, --fast, --stiffness, --resistivity, --conductivity, --leak and \
+                     --work-of-adhesion are for maps; give --tolerance with --plane-strain",
                 )
             }
             (Measured::Profile(traces), true) => {
@@ -386,6 +392,7 @@ impl Solve {
         let gaps: Vec<f64> = answer.points.iter().filter_map(gap).collect();
         let text =
             text::cleaning(cleaned) + &text::findings(&answer.findings) + &columns.to_string();
+        let text = text + &leak::lines(question.leak.as_ref(), &answer, question.modulus.pascals());
         let text = text + &spread.map_or_else(String::new, carried);
         let text = text
             + &against::lines(pair, Some((question.modulus.pascals(), question.bodies.clone())));

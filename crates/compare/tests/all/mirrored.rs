@@ -98,6 +98,7 @@ fn the_intervals_hold() {
             modulus: ContactModulus::from_pascals(1e9).unwrap(),
             finer: Finer::WhenNeeded,
             jump: None,
+            leak: Vec::new(),
         };
         let mut ladder = Ladder::new(map, setup).unwrap();
         for load in [0.02, 0.2] {

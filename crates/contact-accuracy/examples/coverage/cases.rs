@@ -129,6 +129,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         modulus: ContactModulus::from_pascals(1.0).unwrap(),
         finer: if case == Case::Fast { Finer::Never } else { Finer::WhenNeeded },
         jump: None,
+        leak: Vec::new(),
     };
     let half = thinned(&given, [0, 0]).unwrap();
     let unit = Map::of(&given).rms_height;
@@ -232,6 +233,7 @@ pub(crate) fn sampling() -> String {
                 modulus: ContactModulus::from_pascals(1.0).unwrap(),
                 finer: Finer::Never,
                 jump: None,
+                leak: Vec::new(),
             };
             let mut ladder = Ladder::new(map(POINTS, &family(name, seed).unwrap()), setup).unwrap();
             for (k, p) in pressures.iter().enumerate() {

@@ -47,6 +47,11 @@ def solve(
     resistivity: Q | None = None,
     conductivity: Q | None = None,
     gas: str | dict[str, Any] | None = None,
+    leak: Literal["x", "y", "both"] | None = None,
+    viscosity: Q | None = None,
+    pressure_drop: Q | None = None,
+    seal_length: Q | None = None,
+    seal_width: Q | None = None,
     work_of_adhesion: Q | None = None,
     attraction_range: Q | None = None,
     distributions: bool = False,
@@ -92,6 +97,10 @@ def solve(
     gas : str or dict, optional
         In the gap, beside `conductivity`: ``'air'``, ``'helium'``, ``'argon'`` or ``'nitrogen'``, or a dict of ``gas``,
         ``temperature`` (K), ``pressure`` and ``accommodation``; vacuum by default.
+    leak : {'x', 'y', 'both'}, optional
+        The permeability of the gap for a flow along an axis, in ``json['points'][i]['leak']``.
+    viscosity, pressure_drop, seal_length, seal_width : quantity, optional
+        All four: the leak rate too.
     plane_strain : bool
         The profile is the cross-section of long parallel ridges (Westergaard 1939, doi:10.1115/1.4008919).
     work_of_adhesion, attraction_range : quantity, optional
@@ -141,6 +150,7 @@ def solve(
     check("edges", edges, ("periodic", "mirrored"))
     check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))
     check("precision", precision, (None, "f64", "f32"))
+    check("leak", leak, (None, "x", "y", "both"))
     check("maps", maps, (False, True, "pressure"))
     check("on_failure", on_failure, ("raise", "keep"))
     conduction = resistivity is not None or conductivity is not None
@@ -159,6 +169,8 @@ def solve(
         ("plane_strain", plane_strain, "fast", fast),
         ("plane_strain", plane_strain, "stiffness", stiffness),
         ("plane_strain", plane_strain, "resistivity or conductivity", conduction),
+        ("plane_strain", plane_strain, "leak", leak is not None),
+        ("boundary='free'", boundary == "free", "leak", leak is not None),
         ("plane_strain", plane_strain, "work_of_adhesion", work_of_adhesion is not None),
     )
     used = count(threads)
@@ -178,6 +190,16 @@ def solve(
         "certify": bool(certify),
         "stiffness": bool(stiffness),
         "joint": _bodies.joint(resistivity, conductivity, gas, of_part),
+        "leak": leak,
+        "seal": [
+            None if value is None else _units.scalar(value, dimension, name)
+            for value, dimension, name in (
+                (viscosity, "viscosity", "viscosity"),
+                (pressure_drop, "pressure", "pressure_drop"),
+                (seal_length, "length", "seal_length"),
+                (seal_width, "length", "seal_width"),
+            )
+        ],
         "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
         "distributions": bool(distributions),
         "plane_strain": bool(plane_strain),

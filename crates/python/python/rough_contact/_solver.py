@@ -95,6 +95,8 @@ class Solver:
             "certify": False,
             "stiffness": False,
             "joint": {},
+            "leak": None,
+            "seal": [None] * 4,
             "adhesion": None,
             "distributions": False,
             "plane_strain": False,

@@ -31,6 +31,7 @@ _KINDS: dict[str, tuple[tuple[int, ...], str, str, str]] = {
     "resistivity": ((3, 1, -3, -2, 0), "ohm*m", "22 nohm.m", "ohm * rc.units.m"),
     "conductivity": ((1, 1, -3, 0, -1), "W/(m*K)", "50 W/m/K", "W / rc.units.m / rc.units.K"),
     "energy_per_area": ((0, 1, -2, 0, 0), "J/m**2", "50 mJ/m^2", "J / rc.units.m**2"),
+    "viscosity": ((-1, 1, -1, 0, 0), "Pa*s", "1 mPa.s", "Pa * rc.units.s"),
 }
 _NAMES = {powers: (kind, unit) for kind, (powers, unit, _, _) in _KINDS.items()}
 

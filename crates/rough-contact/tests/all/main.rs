@@ -12,6 +12,7 @@ mod cli_conduction;
 mod cli_export;
 mod cli_findings;
 mod cli_joint;
+mod cli_leak;
 mod cli_load;
 mod cli_materials;
 mod cli_metals;

@@ -1,0 +1,111 @@
+//! The leak through the gap of a solution, with its uncertainty.
+
+use fft_bem_solver::Solution;
+use gap_flow::{Axis, Flow, Gap, NotSolved};
+use std::time::Instant;
+
+/// Fewest open points across the bottleneck for a rate; with less there is a bound only.
+const FEWEST_ACROSS: usize = 4;
+
+/// The leak along one axis.
+#[derive(Debug, Clone)]
+pub struct Leak {
+    /// The flow.
+    pub flow: Flow,
+    /// Permeability K on the thinned maps (m³).
+    pub coarser: Vec<f64>,
+}
+
+impl Leak {
+    /// Whether K is more than a bound: four points and more across the bottleneck, or no channel on any grid.
+    pub fn is_rate(&self) -> bool {
+        match &self.flow.bottleneck {
+            None => self.coarser.iter().all(|k| *k <= 0.0),
+            Some(bottleneck) => bottleneck.width >= FEWEST_ACROSS,
+        }
+    }
+
+    /// `[low, high]` of K (m³): K over and times the largest factor by which it differs on the thinned maps and with
+    /// arithmetic faces. Low is 0 where K is a bound. `None` without thinned maps, and where they are sealed as well.
+    pub fn interval(&self) -> Option<[f64; 2]> {
+        if self.coarser.is_empty() {
+            return None;
+        }
+        let (k, coarser) = (self.flow.permeability, self.coarser.iter().copied());
+        if self.flow.bottleneck.is_none() {
+            let most = coarser.fold(0.0, f64::max);
+            return (most > 0.0).then_some([0.0, most]);
+        }
+        let faces = self.flow.arithmetic / k;
+        let factor = coarser.clone().map(|c| (c / k).max(k / c)).fold(faces, f64::max);
+        if self.is_rate() && factor.is_finite() {
+            return Some([k / factor, k * factor]);
+        }
+        let most =
+            if factor.is_finite() { factor } else { coarser.map(|c| c / k).fold(faces, f64::max) };
+        Some([0.0, k * most])
+    }
+}
+
+/// The leak of a solution along the axes asked for, and what closed forms make of the same gap.
+#[derive(Debug, Clone)]
+pub struct Leaks {
+    /// Along each axis.
+    pub along: Vec<(Axis, Result<Leak, NotSolved>)>,
+    /// Mean gap ⟨g⟩ (m), contact counted as 0: its cube is the permeability of plates.
+    pub mean_gap: f64,
+    /// Bruggeman's effective medium (m³).
+    pub bruggeman: f64,
+    /// Time of the flow, of the mean and of Bruggeman's formula (s).
+    pub seconds: [f64; 3],
+}
+
+/// The gap where nothing touches, 0 elsewhere.
+fn open(solution: &Solution) -> Vec<f64> {
+    let points = solution.gap.iter().zip(&solution.pressure);
+    points.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { gap.max(0.0) }).collect()
+}
+
+/// Permeability of a solution on a thinned map along x and y.
+pub(crate) fn permeability(solution: &Solution, axes: &[Axis]) -> [Option<f64>; 2] {
+    if axes.is_empty() {
+        return [None; 2];
+    }
+    let open = open(solution);
+    let gap = Gap::new(solution.grid, &open);
+    Axis::BOTH.map(|axis| {
+        let flow = axes.contains(&axis).then(|| gap.flow(axis).ok()).flatten()?;
+        Some(flow.permeability)
+    })
+}
+
+impl Leaks {
+    /// Of a solution with its maps and K on the thinned maps along x and y; between walls where the map is continued by its mirror images.
+    pub(crate) fn of(
+        solution: &Solution,
+        axes: &[Axis],
+        coarser: &[[Option<f64>; 2]],
+        mirrored: bool,
+    ) -> Option<Self> {
+        if axes.is_empty() {
+            return None;
+        }
+        let open = open(solution);
+        let gap = Gap::new(solution.grid, &open);
+        let gap = if mirrored { gap.between_walls() } else { gap };
+        let clock = Instant::now();
+        let leak = |axis: Axis| {
+            let coarser = coarser.iter().filter_map(|k| k[axis as usize]).collect();
+            gap.flow(axis).map(|flow| Leak { flow, coarser })
+        };
+        let along = axes.iter().map(|&axis| (axis, leak(axis))).collect();
+        let flow = clock.elapsed().as_secs_f64();
+        let clock = Instant::now();
+        let mean_gap = gap.mean();
+        let mean = clock.elapsed().as_secs_f64();
+        let clock = Instant::now();
+        let bruggeman = gap.bruggeman();
+        let seconds = [flow, mean, clock.elapsed().as_secs_f64()];
+        Some(Self { along, mean_gap, bruggeman, seconds })
+    }
+}

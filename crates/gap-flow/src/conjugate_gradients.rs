@@ -1,0 +1,162 @@
+//! Potentials in a network of conductances, by conjugate gradients behind Cholesky's factorisation of its matrix.
+
+use faer::linalg::solvers::Solve as _;
+use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
+use faer::sparse::{SparseColMat, Triplet};
+use faer::{Mat, Side};
+
+/// Most unknowns whose matrix is factorised; beyond, the factorisation is incomplete.
+const MOST_FACTORISED: usize = 1 << 21;
+/// Error over the potential in the energy norm, as the factorisation estimates it, at which the iteration ends.
+const TOLERANCE: f64 = 1e-12;
+/// Most iterations.
+const MOST_ITERATIONS: usize = 20_000;
+
+/// Nodes between an inlet of potential 1 and an outlet of potential 0. In equilibrium what flows to a node flows away.
+pub(crate) struct Network<'a> {
+    /// Pairs of nodes, the lower first, in rising order of it.
+    pub(crate) links: &'a [[usize; 2]],
+    /// Conductance of each link.
+    pub(crate) conductances: Vec<f64>,
+    /// Conductance of each node to inlet and outlet.
+    pub(crate) ends: Vec<[f64; 2]>,
+}
+
+/// What approximates the inverse of the matrix.
+enum Factor {
+    /// Cholesky's factors of the matrix scaled to the diagonal 1, and the scale.
+    Whole(Llt<usize, f64>, Vec<f64>),
+    /// Pivots of the factorisation that keeps the pattern of the matrix.
+    Incomplete(Vec<f64>),
+}
+
+impl Network<'_> {
+    fn diagonal(&self) -> Vec<f64> {
+        let mut sums: Vec<f64> = self.ends.iter().map(|[inlet, outlet]| inlet + outlet).collect();
+        for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
+            sums[a] += c;
+            sums[b] += c;
+        }
+        sums
+    }
+
+    /// The matrix times potentials: what flows away from each node, inlet and outlet at 0.
+    fn outflow(&self, potentials: &[f64], out: &mut [f64]) {
+        for ((out, p), [inlet, outlet]) in out.iter_mut().zip(potentials).zip(&self.ends) {
+            *out = (inlet + outlet) * p;
+        }
+        for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
+            let flow = c * (potentials[a] - potentials[b]);
+            out[a] += flow;
+            out[b] -= flow;
+        }
+    }
+
+    /// What is dissipated: the flow from inlet to outlet, with an error of second order in the potentials.
+    pub(crate) fn dissipation(&self, potentials: &[f64]) -> f64 {
+        let links = self.links.iter().zip(&self.conductances);
+        let inner = links.map(|(&[a, b], c)| c * (potentials[a] - potentials[b]).powi(2));
+        let ends = self.ends.iter().zip(potentials);
+        let outer = ends.map(|([inlet, outlet], p)| inlet * (1.0 - p).powi(2) + outlet * p.powi(2));
+        inner.sum::<f64>() + outer.sum::<f64>()
+    }
+
+    /// The potentials, or the number of iterations that were not enough. `symbolic` is kept for another network of the
+    /// same links.
+    pub(crate) fn solve(
+        &self,
+        symbolic: &mut Option<SymbolicLlt<usize>>,
+    ) -> Result<Vec<f64>, usize> {
+        let n = self.ends.len();
+        let factor = self.factor(symbolic);
+        let mut x = vec![0.0; n];
+        let mut residual: Vec<f64> = self.ends.iter().map(|[inlet, _]| *inlet).collect();
+        let mut step = self.precondition(&factor, &residual);
+        let mut product = vec![0.0; n];
+        let first = dot(&residual, &step);
+        let mut energy = first;
+        for _ in 0..MOST_ITERATIONS {
+            self.outflow(&step, &mut product);
+            let length = energy / dot(&step, &product);
+            for i in 0..n {
+                x[i] += length * step[i];
+                residual[i] -= length * product[i];
+            }
+            let corrected = self.precondition(&factor, &residual);
+            let next = dot(&residual, &corrected);
+            if next <= TOLERANCE * TOLERANCE * first {
+                return Ok(x);
+            }
+            for (step, corrected) in step.iter_mut().zip(&corrected) {
+                *step = corrected + next / energy * *step;
+            }
+            energy = next;
+        }
+        Err(MOST_ITERATIONS)
+    }
+
+    fn factor(&self, symbolic: &mut Option<SymbolicLlt<usize>>) -> Factor {
+        let diagonal = self.diagonal();
+        let scale: Vec<f64> = diagonal.iter().map(|d| d.sqrt().recip()).collect();
+        // Rounding may leave a pool behind an almost closed gap without a positive pivot: conjugate gradients mend
+        // what a shift of the diagonal does to it.
+        let shifts = if scale.len() > MOST_FACTORISED { &[][..] } else { &[0.0, 1e-14, 1e-10] };
+        for shift in shifts {
+            if let Some(whole) = self.cholesky(&scale, *shift, symbolic) {
+                return Factor::Whole(whole, scale);
+            }
+        }
+        let mut pivots = diagonal;
+        for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
+            pivots[b] -= c * c / pivots[a];
+        }
+        Factor::Incomplete(pivots)
+    }
+
+    fn cholesky(
+        &self,
+        scale: &[f64],
+        shift: f64,
+        symbolic: &mut Option<SymbolicLlt<usize>>,
+    ) -> Option<Llt<usize, f64>> {
+        let n = scale.len();
+        let on_diagonal = (0..n).map(|i| Triplet::new(i, i, 1.0 + shift));
+        let links = self.links.iter().zip(&self.conductances);
+        let below = links.map(|(&[a, b], c)| Triplet::new(b, a, -c * scale[a] * scale[b]));
+        let entries: Vec<_> = on_diagonal.chain(below).collect();
+        let matrix = SparseColMat::try_new_from_triplets(n, n, &entries).ok()?;
+        drop(entries);
+        let known = match symbolic {
+            Some(known) => known.clone(),
+            None => SymbolicLlt::try_new(matrix.symbolic(), Side::Lower).ok()?,
+        };
+        *symbolic = Some(known.clone());
+        Llt::try_new_with_symbolic(known, matrix.as_ref(), Side::Lower).ok()
+    }
+
+    fn precondition(&self, factor: &Factor, residual: &[f64]) -> Vec<f64> {
+        match factor {
+            Factor::Whole(cholesky, scale) => {
+                let scaled = Mat::from_fn(scale.len(), 1, |i, _| scale[i] * residual[i]);
+                let solved = cholesky.solve(scaled);
+                scale.iter().enumerate().map(|(i, scale)| scale * solved[(i, 0)]).collect()
+            }
+            Factor::Incomplete(pivots) => {
+                let mut out = residual.to_vec();
+                let links = self.links.iter().zip(&self.conductances);
+                for (&[a, b], c) in links.clone() {
+                    out[b] += c * out[a] / pivots[a];
+                }
+                out.iter_mut().zip(pivots).for_each(|(out, pivot)| *out /= pivot);
+                for (&[a, b], c) in links.rev() {
+                    out[a] += c * out[b] / pivots[a];
+                }
+                out
+            }
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
