@@ -253,7 +253,11 @@ impl Origin {
     pub fn level(&self, asked: Level) -> Level {
         match self {
             Self::Given(GivenOrigin { repeats: Some(repeats), .. }) if asked == Level::Auto => {
-                if *repeats { Level::Mean } else { Level::Plane }
+                if *repeats {
+                    Level::Mean
+                } else {
+                    Level::Plane
+                }
             }
             _ => asked,
         }

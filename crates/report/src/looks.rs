@@ -9,7 +9,7 @@ use crate::draw::svg::escape;
 use compare::Card;
 
 /// Name, look, and inputs as HTML symbols.
-const LOOKS: [(&str, Look, &str); 12] = [
+const LOOKS: [(&str, Look, &str); 14] = [
     ("gw", Look::model(GW, "6 2.5", Marker::Square, 1), MOMENTS),
     ("bgt", Look::model(BGT, "2 2", Marker::TriangleUp, 2), MOMENTS),
     ("greenwood-elliptical", Look::model(ELLIPTICAL, "", Marker::Diamond, 3), MOMENTS),
@@ -42,6 +42,8 @@ const LOOKS: [(&str, Look, &str); 12] = [
         Look::model(PERSSON, "3 1.5 1 1.5", Marker::Hexagon, 2),
         "<i>m</i><sub>2</sub>, <i>H</i>",
     ),
+    ("cmy", Look::model(BGT, "6 1 1 1", Marker::Diamond, 1), "<i>σ</i>, <i>m</i>, <i>H</i>"),
+    ("mikic", Look::model(BGT, "9 3", Marker::Cross, 3), "<i>σ</i>, <i>m</i>, <i>E</i>*"),
 ];
 
 const MOMENTS: &str = "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>";
