@@ -7,9 +7,9 @@ use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
 use crate::threads::on_threads;
 use crate::{EdgesName, Listener, Origin, Settings, StudyError, Surrounded};
-use contact_accuracy::{Finer, Ladder, Setup, regrid};
+use contact_accuracy::{Ladder, Setup, regrid};
 use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Boundary, Load, Maps, Solver};
+use fft_bem_solver::{Load, Maps, Solver};
 use rayon::join;
 use std::borrow::Cow;
 use std::time::Instant;
@@ -69,13 +69,8 @@ fn certify(
 ) -> Option<f64> {
     let load = Load::MeanPressure(surface.headline_pressure());
     let setup = Setup {
-        builder: builder(settings).certified(true).maps(Maps::Pressure),
-        boundary: Boundary::Periodic,
         mirrored: settings.edges == EdgesName::Mirrored,
-        modulus,
-        finer: Finer::WhenNeeded,
-        jump: None,
-        leak: Vec::new(),
+        ..Setup::new(builder(settings).certified(true).maps(Maps::Pressure), modulus)
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
     let found = ladder.solve(load, true, |now| watch.iteration(now)).ok()?;

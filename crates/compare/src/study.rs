@@ -21,7 +21,7 @@ use contact_accuracy::{
     Aim, ClimbError, Finer, Ladder, LadderError, Map, Request, Setup, Task, climb, round_to_digits,
 };
 use contact_types::{ContactModulus, ContactState, ModelError};
-use fft_bem_solver::{Boundary, Iteration, Load, Maps, SolverBuilder, SolverError};
+use fft_bem_solver::{Iteration, Load, Maps, SolverBuilder, SolverError};
 use rayon::join;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -159,13 +159,10 @@ fn compare(
 
     let section = Some(telling_row(&map));
     let setup = |builder: SolverBuilder, finer: Finer| Setup {
-        builder,
-        boundary: Boundary::Periodic,
         mirrored: settings.edges == EdgesName::Mirrored,
-        modulus,
         finer,
         jump: settings.gas.map(|gas| gas.jump()),
-        leak: Vec::new(),
+        ..Setup::new(builder, modulus)
     };
     let rungs = |builder, finer| {
         Ladder::new(map.clone(), setup(builder, finer)).map_err(|e| refused_ladder(e, &name))

@@ -56,6 +56,12 @@ pub struct Setup {
 }
 
 impl Setup {
+    /// Of a map that repeats; twice the points where needed, nothing of the gap besides its mean.
+    pub fn new(builder: SolverBuilder, modulus: ContactModulus) -> Self {
+        let (boundary, finer) = (Boundary::Periodic, Finer::WhenNeeded);
+        Self { builder, boundary, mirrored: false, modulus, finer, jump: None, leak: Vec::new() }
+    }
+
     /// What the rungs beside the map keep of a solution.
     fn maps(&self) -> Maps {
         if self.jump.is_some() || !self.leak.is_empty() { Maps::PressureAndGap } else { Maps::None }

@@ -6,7 +6,7 @@
 mod families;
 
 use contact_accuracy::{
-    Aim, Answered, Boundary, ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Load, Map,
+    Aim, Answered, Boundary, ContactModulus, Estimate, Grid, HeightMap, Ladder, Load, Map,
     NoUncertainty, Numbers, Reached, Request, Setup, Sink, Solver, SolverBuilder, SolverError,
     Task, climb,
 };
@@ -14,15 +14,7 @@ use families::{family, map};
 use std::ops::ControlFlow;
 
 fn setup(builder: SolverBuilder) -> Setup {
-    Setup {
-        builder,
-        boundary: Boundary::Periodic,
-        mirrored: false,
-        modulus: ContactModulus::from_pascals(1.0).unwrap(),
-        finer: Finer::WhenNeeded,
-        jump: None,
-        leak: Vec::new(),
-    }
+    Setup::new(builder, ContactModulus::from_pascals(1.0).unwrap())
 }
 
 /// Distance of the truth over the half width.

@@ -6,7 +6,7 @@
 mod families;
 
 use contact_accuracy::{
-    Axis, Boundary, ContactModulus, Finer, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
+    Axis, ContactModulus, Finer, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
 };
 use families::{family, map};
 use gap_flow::Gap;
@@ -17,13 +17,9 @@ fn leak(points: usize, name: &str, seed: u64, pressure: f64) -> Leak {
     let given = map(points, &heights);
     let rms = Map::of(&given).rms_height;
     let setup = Setup {
-        builder: Solver::builder(),
-        boundary: Boundary::Periodic,
-        mirrored: false,
-        modulus: ContactModulus::from_pascals(1.0).unwrap(),
         finer: Finer::Never,
-        jump: None,
         leak: vec![Axis::X],
+        ..Setup::new(Solver::builder(), ContactModulus::from_pascals(1.0).unwrap())
     };
     let mut ladder = Ladder::new(given, setup).unwrap();
     let found = ladder.solve(Load::MeanPressure(pressure * rms), false, |_| ()).unwrap();

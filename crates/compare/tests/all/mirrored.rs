@@ -6,9 +6,9 @@
 )]
 
 use compare::{EdgesName, Surrounded};
-use contact_accuracy::{Finer, Ladder, Setup};
+use contact_accuracy::{Ladder, Setup};
 use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{Boundary, Load, Solution, Solver};
+use fft_bem_solver::{Load, Solution, Solver};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 use surface_stats::clean::resample;
@@ -92,13 +92,8 @@ fn the_intervals_hold() {
         };
         let (map, finer) = (crop(1), crop(4));
         let setup = Setup {
-            builder: Solver::builder().threads(2),
-            boundary: Boundary::Periodic,
             mirrored: true,
-            modulus: ContactModulus::from_pascals(1e9).unwrap(),
-            finer: Finer::WhenNeeded,
-            jump: None,
-            leak: Vec::new(),
+            ..Setup::new(Solver::builder().threads(2), ContactModulus::from_pascals(1e9).unwrap())
         };
         let mut ladder = Ladder::new(map, setup).unwrap();
         for load in [0.02, 0.2] {

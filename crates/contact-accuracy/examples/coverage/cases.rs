@@ -2,8 +2,8 @@
 
 use crate::families::{FAMILIES, Heights, family, map};
 use contact_accuracy::{
-    Boundary, ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Load, Map, Maps, Setup,
-    Solver, SolverBuilder, median, thinned,
+    ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Load, Map, Maps, Setup, Solver,
+    SolverBuilder, median, thinned,
 };
 
 const POINTS: usize = 128;
@@ -123,13 +123,8 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         given = HeightMap::new(given.grid(), rounded).unwrap();
     }
     let setup = |builder: SolverBuilder| Setup {
-        builder: builder.threads(1),
-        boundary: Boundary::Periodic,
-        mirrored: false,
-        modulus: ContactModulus::from_pascals(1.0).unwrap(),
         finer: if case == Case::Fast { Finer::Never } else { Finer::WhenNeeded },
-        jump: None,
-        leak: Vec::new(),
+        ..Setup::new(builder.threads(1), ContactModulus::from_pascals(1.0).unwrap())
     };
     let half = thinned(&given, [0, 0]).unwrap();
     let unit = Map::of(&given).rms_height;
@@ -227,13 +222,11 @@ pub(crate) fn sampling() -> String {
         };
         for seed in 100..100 + MAPS {
             let setup = Setup {
-                builder: Solver::builder().tolerance(1e-3).threads(1),
-                boundary: Boundary::Periodic,
-                mirrored: false,
-                modulus: ContactModulus::from_pascals(1.0).unwrap(),
                 finer: Finer::Never,
-                jump: None,
-                leak: Vec::new(),
+                ..Setup::new(
+                    Solver::builder().tolerance(1e-3).threads(1),
+                    ContactModulus::from_pascals(1.0).unwrap(),
+                )
             };
             let mut ladder = Ladder::new(map(POINTS, &family(name, seed).unwrap()), setup).unwrap();
             for (k, p) in pressures.iter().enumerate() {
