@@ -14,6 +14,13 @@ PAGES = ["docs/src/python.md", "README.md", "crates/python/README.md"]
 FLAGS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS | doctest.IGNORE_EXCEPTION_DETAIL
 
 
+class Spaces(doctest.OutputChecker):
+    """Doctest takes only ASCII for a space; numbers and units are joined by narrow ones."""
+
+    def check_output(self, want, got, optionflags):
+        return super().check_output(want, got.replace("\u202f", " "), optionflags)
+
+
 class Client:
     """What the page calls `client`, in this process."""
 
@@ -40,7 +47,7 @@ def test_examples(page, tmp_path, monkeypatch):
     for number, block in enumerate(blocks):
         if ">>>" in block:
             test = doctest.DocTestParser().get_doctest(block, names, f"{page} {number}", page, 0)
-            doctest.DocTestRunner(optionflags=FLAGS, verbose=False).run(test, out=failed.append, clear_globs=False)
+            doctest.DocTestRunner(checker=Spaces(), optionflags=FLAGS, verbose=False).run(test, out=failed.append, clear_globs=False)
             names = test.globs
         else:
             exec(compile(block, f"{page} {number}", "exec"), names)
