@@ -24,7 +24,7 @@ pub struct Point {
     pub finer: Option<Numbers>,
     /// What it conducts, if that was asked for.
     pub conducted: Option<Conducted>,
-    /// What leaks through it, if that was asked for, without its maps.
+    /// What leaks through it, if that was asked for.
     pub leak: Option<Leaks>,
     /// True if it was solved to the tolerance.
     pub converged: bool,

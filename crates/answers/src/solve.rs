@@ -14,7 +14,7 @@ use compare::{
     Adhesion, Body, EdgesName, Finding, Hardness, Joint, Level, MaterialUse, Method, PairOrigin,
     Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
 };
-use contact_accuracy::{Aim, Finer, Ladder, LadderError, Setup};
+use contact_accuracy::{Aim, Ladder, LadderError, Setup};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solver, SolverError};
 use serde_json::{Value, json};
@@ -118,6 +118,13 @@ pub struct Answer {
 }
 
 impl Question {
+    /// What of the resistance of the part is known; without an area of its own, that of the map is the part's (m²).
+    fn joint(&self, map_area: f64) -> Joint {
+        let given = self.conduction.area.or(self.spread.as_ref().map(|s| s.area));
+        let area = Some(given.unwrap_or(map_area));
+        Joint { area, hardness: self.hardness, ..self.conduction }
+    }
+
     /// Solves the map for the loads, by rising load, each the start of the next.
     ///
     /// # Errors
@@ -172,28 +179,24 @@ impl Question {
         solved.spikes = work.spikes.clone();
         let grid = surface.grid();
         // The indicator looks at the pressure.
-        let jump = self.conduction.gas.map(|gas| gas.jump());
-        let gap_too = self.keep_gap || self.distributions || jump.is_some();
+        let gap_too = self.keep_gap || self.distributions;
+        let builder = Solver::builder()
+            .method(self.method)
+            .precision(self.precision)
+            .tolerance(self.tolerance)
+            .threads(self.threads)
+            .hardness(self.hardness.unwrap_or(f64::INFINITY))
+            .certified(self.certify)
+            .maps(if gap_too { Maps::PressureAndGap } else { Maps::Pressure });
         let setup = Setup {
-            builder: Solver::builder()
-                .method(self.method)
-                .precision(self.precision)
-                .tolerance(self.tolerance)
-                .threads(self.threads)
-                .hardness(self.hardness.unwrap_or(f64::INFINITY))
-                .certified(self.certify)
-                .maps(if gap_too { Maps::PressureAndGap } else { Maps::Pressure }),
             boundary: self.boundary,
             mirrored: self.edges == EdgesName::Mirrored,
-            modulus: self.modulus,
-            finer: Finer::WhenNeeded,
-            jump,
+            jump: self.conduction.gas.map(|gas| gas.jump()),
             leak: self.leak.as_ref().map_or_else(Vec::new, |leak| leak.axes.clone()),
+            ..Setup::new(builder, self.modulus)
         };
         let of_set = self.stiffness || self.conduction.is_asked();
-        let spread = self.spread.as_ref().map(|s| s.area);
-        let area = self.conduction.area.or(spread).unwrap_or(grid.area());
-        let joint = Joint { area: Some(area), hardness: self.hardness, ..self.conduction };
+        let joint = self.joint(grid.area());
         let part = of_set.then_some((&joint, self.modulus));
         let mut plan = None;
         let mut is_stopped = false;
@@ -303,9 +306,7 @@ impl Question {
             json["gas"] = report::gas_json(gas);
         }
         if self.conduction.is_asked() {
-            let spread = self.spread.as_ref().map(|s| s.area);
-            json["nominal_area"] =
-                json!(self.conduction.area.or(spread).unwrap_or(work.grid.area()));
+            json["nominal_area"] = json!(self.joint(work.grid.area()).area);
         }
         if let Some(leak) = &self.leak {
             json["leak"] = leak.object(hardness.is_some());

@@ -124,10 +124,6 @@ impl Work {
         }
         if let Some(asked) = &self.leak {
             point.leak = result.as_mut().ok().and_then(|answered| answered.leak.take());
-            let along = point.leak.iter_mut().flat_map(|leaks| &mut leaks.along);
-            for leak in along.filter_map(|(_, found)| found.as_mut().ok()) {
-                leak.flow.flux = Vec::new();
-            }
             point.json["leak"] = json!(point.leak.as_ref().map(|leaks| asked.point(leaks)));
         }
         let budget = point.budget;

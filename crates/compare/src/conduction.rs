@@ -33,8 +33,7 @@ impl Conduction {
             return None;
         }
         let modulus = surface.inputs.modulus.pascals();
-        let area = settings.load_area.unwrap_or(surface.surface.grid().area());
-        let joint = Joint { area: Some(area), ..settings.joint() };
+        let joint = Joint { area: Some(surface.nominal_area()), ..settings.joint() };
         let [electrical, thermal] = joint.factors().map(|f| f.map(|f| f / modulus));
         Some(Self {
             joint,

@@ -34,13 +34,18 @@ pub enum Gas {
 }
 
 impl Gas {
-    /// Every gas, with its name.
-    pub const ALL: [(&'static str, Self); 4] = [
-        ("air", Self::Air),
-        ("helium", Self::Helium),
-        ("argon", Self::Argon),
-        ("nitrogen", Self::Nitrogen),
-    ];
+    /// Every gas.
+    pub const ALL: [Self; 4] = [Self::Air, Self::Helium, Self::Argon, Self::Nitrogen];
+
+    /// For options, files and sentences.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Air => "air",
+            Self::Helium => "helium",
+            Self::Argon => "argon",
+            Self::Nitrogen => "nitrogen",
+        }
+    }
 
     fn row(self) -> Row {
         let (conductivity, free_path, prandtl, heat_ratio) = match self {
@@ -166,7 +171,7 @@ mod tests {
         let dense = GapGas { pressure: 2.0 * ATMOSPHERE, ..air };
         assert!((dense.jump() * 2.0 / air.jump() - 1.0).abs() < 1e-14);
         for (i, t) in TEMPERATURES.into_iter().enumerate() {
-            for (_, gas) in Gas::ALL {
+            for gas in Gas::ALL {
                 let found = GapGas { temperature: t, ..GapGas::new(gas) }.conductivity();
                 assert!((found / gas.row().conductivity[i] - 1.0).abs() < 1e-14);
             }

@@ -360,6 +360,11 @@ impl ModelCurve {
 }
 
 impl SurfaceComparison {
+    /// Nominal area that the loads press on (m²): the one given, or that of the map.
+    pub fn nominal_area(&self) -> f64 {
+        self.load_area.unwrap_or(self.surface.grid().area())
+    }
+
     /// The deterministic answer at the headline load.
     pub fn headline_answer(&self) -> Option<&DeterministicAnswer> {
         self.deterministic.get(self.headline)?.answer.as_ref()

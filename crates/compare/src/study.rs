@@ -18,7 +18,7 @@ use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
 use crate::{Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, default_pressures};
 use contact_accuracy::{
-    Aim, ClimbError, Finer, Ladder, LadderError, Map, Request, Setup, Task, climb, round_to_digits,
+    Aim, ClimbError, Ladder, LadderError, Map, Request, Setup, Task, climb, round_to_digits,
 };
 use contact_types::{ContactModulus, ContactState, ModelError};
 use fft_bem_solver::{Iteration, Load, Maps, SolverBuilder, SolverError};
@@ -158,16 +158,15 @@ fn compare(
     tell(Progress::Surface { name: &name, index, count, loads: pressures.len() })?;
 
     let section = Some(telling_row(&map));
-    let setup = |builder: SolverBuilder, finer: Finer| Setup {
+    let setup = |builder: SolverBuilder| Setup {
         mirrored: settings.edges == EdgesName::Mirrored,
-        finer,
-        jump: settings.gas.map(|gas| gas.jump()),
         ..Setup::new(builder, modulus)
     };
-    let rungs = |builder, finer| {
-        Ladder::new(map.clone(), setup(builder, finer)).map_err(|e| refused_ladder(e, &name))
+    let rungs = |setup| Ladder::new(map.clone(), setup).map_err(|e| refused_ladder(e, &name));
+    let whole = Setup {
+        jump: settings.gas.map(|gas| gas.jump()),
+        ..setup(builder(settings).maps(Maps::PressureAndGap).section(section))
     };
-    let whole = builder(settings).maps(Maps::PressureAndGap).section(section);
     let materials = spreads(&settings.materials);
     let new_curve = |known| Curve::new(known, settings.headline, settings.edges, materials);
     let aim = match (settings.accuracy, settings.fast) {
@@ -181,7 +180,7 @@ fn compare(
     };
     let (curve, plan) = match aim {
         None => {
-            let mut ladder = rungs(whole, Finer::WhenNeeded)?;
+            let mut ladder = rungs(whole)?;
             let mut curve = new_curve(*ladder.known());
             ladder.follow_curve(pressures.len());
             for (i, &p) in pressures.iter().enumerate() {
@@ -193,9 +192,8 @@ fn compare(
         }
         Some(aim) => {
             let loads: Vec<Load> = pressures.iter().map(|&p| Load::MeanPressure(p)).collect();
-            let setup = setup(whole, Finer::WhenNeeded);
             let stiffness = settings.conducts();
-            let task = Task { map: &map, setup, loads: &loads, aim, stiffness, section };
+            let task = Task { map: &map, setup: whole, loads: &loads, aim, stiffness, section };
             let mut curve = new_curve(Map::of(&map));
             let mut sink = ToCurve {
                 curve: &mut curve,
@@ -212,7 +210,7 @@ fn compare(
     let Curve { first, pressures: pressure_maps, sections, solved, .. } = curve;
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
-        let mut ladder = rungs(elastic(settings).maps(Maps::Pressure), Finer::WhenNeeded)?;
+        let mut ladder = rungs(setup(elastic(settings).maps(Maps::Pressure)))?;
         ladder.follow_curve(deterministic.len());
         let mut beside = new_curve(known);
         for (i, point) in deterministic.iter().enumerate() {

@@ -48,10 +48,10 @@ pub struct Setup {
     pub modulus: ContactModulus,
     /// When a load is solved on twice the points.
     pub finer: Finer,
-    /// Length of the temperature jumps of a gas in the gap (m), if its conductance is asked for; the builder then keeps
-    /// pressure and gap.
+    /// Length of the temperature jumps of a gas in the gap (m), if its conductance is asked for. With this or the next,
+    /// pressure and gap are kept.
     pub jump: Option<f64>,
-    /// Axes along which the leak through the gap is asked for; pressure and gap are then kept.
+    /// Axes along which the leak through the gap is asked for.
     pub leak: Vec<Axis>,
 }
 
@@ -118,8 +118,8 @@ impl Ladder {
         let known = Map::of(&map);
         let whole = setup.mirrored.then(|| mirrored(&map)).transpose()?;
         let mut builder = setup.builder.clone().boundary(setup.boundary);
-        if !setup.leak.is_empty() {
-            builder = builder.maps(Maps::PressureAndGap);
+        if setup.maps() != Maps::None {
+            builder = builder.maps(setup.maps());
         }
         let surface = whole.as_ref().unwrap_or(&map);
         let solver = builder.clone().build(surface.grid(), setup.modulus)?;

@@ -73,10 +73,7 @@ pub(crate) fn permeability(solution: &Solution, axes: &[Axis]) -> [Option<f64>; 
     }
     let open = open(solution);
     let gap = Gap::new(solution.grid, &open);
-    Axis::BOTH.map(|axis| {
-        let flow = axes.contains(&axis).then(|| gap.flow(axis).ok()).flatten()?;
-        Some(flow.permeability)
-    })
+    Axis::BOTH.map(|axis| axes.contains(&axis).then(|| gap.permeability(axis).ok()).flatten())
 }
 
 impl Leaks {

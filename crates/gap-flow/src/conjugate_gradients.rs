@@ -19,7 +19,7 @@ pub(crate) struct Network<'a> {
     /// Conductance of each link.
     pub(crate) conductances: Vec<f64>,
     /// Conductance of each node to inlet and outlet.
-    pub(crate) ends: Vec<[f64; 2]>,
+    pub(crate) ends: &'a [[f64; 2]],
 }
 
 /// What approximates the inverse of the matrix.
@@ -42,7 +42,7 @@ impl Network<'_> {
 
     /// The matrix times potentials: what flows away from each node, inlet and outlet at 0.
     fn outflow(&self, potentials: &[f64], out: &mut [f64]) {
-        for ((out, p), [inlet, outlet]) in out.iter_mut().zip(potentials).zip(&self.ends) {
+        for ((out, p), [inlet, outlet]) in out.iter_mut().zip(potentials).zip(self.ends) {
             *out = (inlet + outlet) * p;
         }
         for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
@@ -126,12 +126,10 @@ impl Network<'_> {
         let entries: Vec<_> = on_diagonal.chain(below).collect();
         let matrix = SparseColMat::try_new_from_triplets(n, n, &entries).ok()?;
         drop(entries);
-        let known = match symbolic {
-            Some(known) => known.clone(),
-            None => SymbolicLlt::try_new(matrix.symbolic(), Side::Lower).ok()?,
-        };
-        *symbolic = Some(known.clone());
-        Llt::try_new_with_symbolic(known, matrix.as_ref(), Side::Lower).ok()
+        if symbolic.is_none() {
+            *symbolic = SymbolicLlt::try_new(matrix.symbolic(), Side::Lower).ok();
+        }
+        Llt::try_new_with_symbolic(symbolic.clone()?, matrix.as_ref(), Side::Lower).ok()
     }
 
     fn precondition(&self, factor: &Factor, residual: &[f64]) -> Vec<f64> {

@@ -3,13 +3,12 @@
 use crate::channel::Bottleneck;
 use crate::conjugate_gradients::Network;
 use crate::gap::{Axis, Gap};
+use faer::sparse::linalg::solvers::SymbolicLlt;
 
 /// The flow through a gap along an axis.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Flow {
-    /// The axis.
-    pub axis: Axis,
     /// Permeability K (m³): `Q = K W Δp/(12 η L)` through a width W over a length L. 0 exactly where no channel is
     /// open.
     pub permeability: f64,
@@ -20,9 +19,6 @@ pub struct Flow {
     pub imbalance: f64,
     /// The narrowest place of the best channel; `None` where no channel is open.
     pub bottleneck: Option<Bottleneck>,
-    /// Flow per width through each point times length over pressure drop and 1/12η (m³), row-major: the mean of its part along the axis
-    /// is K.
-    pub flux: Vec<f64>,
 }
 
 /// The iteration did not converge.
@@ -35,7 +31,81 @@ pub struct NotSolved {
     pub iterations: usize,
 }
 
+/// Mean of g³ over the face between two points, so that the flow through both halves is one.
+const HARMONIC: fn(f64, f64) -> f64 = |a, b| 2.0 * a * b / (a + b);
+const ARITHMETIC: fn(f64, f64) -> f64 = |a, b| 0.5 * (a + b);
+
+/// The points that carry a flow along an axis, and their links.
+struct Mesh {
+    links: Vec<[usize; 2]>,
+    /// Of each link: width of the face over distance of the points.
+    shapes: Vec<f64>,
+    /// g³ of each point, in units of the highest, so that none underflows.
+    cubes: Vec<f64>,
+    ends: Vec<[f64; 2]>,
+    /// Permeability over conductance (m³).
+    scale: f64,
+}
+
+impl Mesh {
+    fn network(&self, face: fn(f64, f64) -> f64) -> Network<'_> {
+        let of = |(&[a, b], shape): (&[usize; 2], &f64)| shape * face(self.cubes[a], self.cubes[b]);
+        let conductances = self.links.iter().zip(&self.shapes).map(of).collect();
+        Network { links: &self.links, conductances, ends: &self.ends }
+    }
+}
+
+fn solved(
+    network: &Network<'_>,
+    symbolic: &mut Option<SymbolicLlt<usize>>,
+) -> Result<Vec<f64>, NotSolved> {
+    network.solve(symbolic).map_err(|iterations| NotSolved { iterations })
+}
+
 impl Gap<'_> {
+    fn mesh(&self, axis: Axis, open: &[bool]) -> Mesh {
+        let [dy, dx] = self.grid.pixel();
+        let [height, length] = self.grid.size();
+        // Along x and along y.
+        let shape = [dy / dx, dx / dy];
+        let (along, squares) = match axis {
+            Axis::X => (shape[0], length / height),
+            Axis::Y => (shape[1], height / length),
+        };
+        let points: Vec<usize> = (0..open.len()).filter(|&i| open[i]).collect();
+        let mut unknown = vec![usize::MAX; open.len()];
+        points.iter().enumerate().for_each(|(k, &i)| unknown[i] = k);
+        let highest = points.iter().map(|&i| self.heights[i]).fold(0.0, f64::max);
+        let cubes: Vec<f64> = points.iter().map(|&i| (self.heights[i] / highest).powi(3)).collect();
+        let (mut links, mut shapes) = (Vec::new(), Vec::new());
+        for (k, &i) in points.iter().enumerate() {
+            // Before and after along x, then along y.
+            let next = self.neighbours(i, axis).map(|n| n.map_or(usize::MAX, |n| unknown[n]));
+            for (step, b) in next.into_iter().enumerate() {
+                if b != usize::MAX && b > k {
+                    links.push([k, b]);
+                    shapes.push(shape[step / 2]);
+                }
+            }
+        }
+        let to_ends = |(&i, cube): (&usize, &f64)| {
+            self.at_ends(i, axis).map(|at| if at { 2.0 * along * cube } else { 0.0 })
+        };
+        let ends = points.iter().zip(&cubes).map(to_ends).collect();
+        Mesh { links, shapes, cubes, ends, scale: squares * highest.powi(3) }
+    }
+
+    /// [`Flow::permeability`] alone, for half of the work.
+    ///
+    /// # Errors
+    /// [`NotSolved`].
+    pub fn permeability(&self, axis: Axis) -> Result<f64, NotSolved> {
+        let Some(channel) = self.channel(axis) else { return Ok(0.0) };
+        let mesh = self.mesh(axis, &channel.open);
+        let network = mesh.network(HARMONIC);
+        Ok(mesh.scale * network.dissipation(&solved(&network, &mut None)?))
+    }
+
     /// Solves Reynolds' equation with the pressure drop along an axis:
     ///
     /// ```math
@@ -49,83 +119,25 @@ impl Gap<'_> {
     /// [`NotSolved`].
     pub fn flow(&self, axis: Axis) -> Result<Flow, NotSolved> {
         let Some(channel) = self.channel(axis) else {
-            let flux = vec![0.0; self.heights.len()];
             let (permeability, arithmetic, imbalance) = (0.0, 0.0, 0.0);
-            return Ok(Flow { axis, permeability, arithmetic, imbalance, bottleneck: None, flux });
+            return Ok(Flow { permeability, arithmetic, imbalance, bottleneck: None });
         };
-        let [dy, dx] = self.grid.pixel();
-        let [height, length] = self.grid.size();
-        // Conductance of a square of gap 1 along x and along y.
-        let aspect = [dy / dx, dx / dy];
-        let (along, squares, length) = match axis {
-            Axis::X => (aspect[0], length / height, length),
-            Axis::Y => (aspect[1], height / length, height),
-        };
-        let points: Vec<usize> = (0..channel.open.len()).filter(|&i| channel.open[i]).collect();
-        let mut unknown = vec![usize::MAX; channel.open.len()];
-        points.iter().enumerate().for_each(|(k, &i)| unknown[i] = k);
-        // In units of the highest gap, so that no cube underflows.
-        let highest = points.iter().map(|&i| self.heights[i]).fold(0.0, f64::max);
-        let unit = highest.powi(3);
-        let cubes: Vec<f64> = points.iter().map(|&i| (self.heights[i] / highest).powi(3)).collect();
-        // The neighbour that a link leads to: before or after along x, along y.
-        let (mut links, mut steps) = (Vec::new(), Vec::new());
-        for (k, &i) in points.iter().enumerate() {
-            let next = self.neighbours(i, axis).map(|n| n.map_or(usize::MAX, |n| unknown[n]));
-            for (step, b) in next.into_iter().enumerate() {
-                if b != usize::MAX && b > k {
-                    links.push([k, b]);
-                    steps.push(step);
-                }
-            }
-        }
-        let to_ends = |(&i, cube): (&usize, &f64)| {
-            self.at_ends(i, axis).map(|at| if at { 2.0 * along * cube } else { 0.0 })
-        };
-        let ends: Vec<[f64; 2]> = points.iter().zip(&cubes).map(to_ends).collect();
-        let network = |face: fn(f64, f64) -> f64| {
-            let of = |(&[a, b], step): (&[usize; 2], &usize)| {
-                aspect[step / 2] * face(cubes[a], cubes[b])
-            };
-            let conductances = links.iter().zip(&steps).map(of).collect();
-            Network { links: &links, conductances, ends: ends.clone() }
-        };
+        let mesh = self.mesh(axis, &channel.open);
         let mut symbolic = None;
-        let mut solved = |network: &Network<'_>| {
-            network.solve(&mut symbolic).map_err(|iterations| NotSolved { iterations })
-        };
-        let arithmetic = network(|a, b| 0.5 * (a + b));
-        let arithmetic = arithmetic.dissipation(&solved(&arithmetic)?);
-        let harmonic = network(|a, b| 2.0 * a * b / (a + b));
-        let pressures = solved(&harmonic)?;
+        let arithmetic = mesh.network(ARITHMETIC);
+        let arithmetic = arithmetic.dissipation(&solved(&arithmetic, &mut symbolic)?);
+        let harmonic = mesh.network(HARMONIC);
+        let pressures = solved(&harmonic, &mut symbolic)?;
         let permeability = harmonic.dissipation(&pressures);
         let through = |end: usize, at: f64| -> f64 {
-            ends.iter().zip(&pressures).map(|(ends, p)| ends[end] * (p - at).abs()).sum()
+            mesh.ends.iter().zip(&pressures).map(|(ends, p)| ends[end] * (p - at).abs()).sum()
         };
         let (inflow, outflow) = (through(0, 1.0), through(1, 0.0));
-        // Both components of the flow of each point: the mean of its two faces.
-        let mut flows = vec![[0.0; 2]; points.len()];
-        for ((&[a, b], c), step) in links.iter().zip(&harmonic.conductances).zip(&steps) {
-            let flow = 0.5 * c * (pressures[a] - pressures[b]);
-            let signed = if step.is_multiple_of(2) { -flow } else { flow };
-            flows[a][step / 2] += signed;
-            flows[b][step / 2] += signed;
-        }
-        let component = usize::from(axis == Axis::Y);
-        let mut flux = vec![0.0; channel.open.len()];
-        for (k, &i) in points.iter().enumerate() {
-            let [inlet, outlet] = ends[k];
-            flows[k][component] += 0.5 * (inlet * (1.0 - pressures[k]) + outlet * pressures[k]);
-            let [x, y] = flows[k];
-            flux[i] = unit * length * (x / dy).hypot(y / dx);
-        }
         Ok(Flow {
-            axis,
-            permeability: permeability * squares * unit,
-            arithmetic: arithmetic * squares * unit,
+            permeability: permeability * mesh.scale,
+            arithmetic: arithmetic * mesh.scale,
             imbalance: (inflow - outflow).abs() / permeability,
             bottleneck: Some(channel.bottleneck),
-            flux,
         })
     }
 }

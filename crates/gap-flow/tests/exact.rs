@@ -78,7 +78,7 @@ fn rough(n: usize, level: f64) -> Vec<f64> {
     (0..n * n).map(|i| (height(i) - level).max(0.0) * 1e-6).collect()
 }
 
-/// What flows in flows out; the mean of the flux is the permeability; arithmetic faces let more through; both directions of
+/// What flows in flows out; arithmetic faces let more through; both directions of
 /// a transposed map agree.
 #[test]
 fn balance_on_a_rough_map() {

@@ -63,7 +63,7 @@ fn write_surface(
     let panels = Lines::panels(surface);
     let lines = &panels[0];
     let name = quoted(&surface.name);
-    let load_area = surface.load_area.unwrap_or(surface.surface.grid().area());
+    let nominal_area = surface.nominal_area();
     for (i, &p) in lines.pressures.iter().enumerate() {
         let area = lines.area[i];
         let interval = lines.interval[i];
@@ -71,7 +71,7 @@ fn write_surface(
         let real = |a: Option<f64>| a.filter(|a| *a > 0.0).map(|a| p / a);
         let mut cells = vec![
             Some(p),
-            Some(p * load_area),
+            Some(p * nominal_area),
             area,
             interval.map(|b| b[0]),
             interval.map(|b| b[1]),

@@ -107,9 +107,8 @@ impl Conduction {
 
 fn filling(text: &str) -> Result<Filling, String> {
     let name = text.trim().to_ascii_lowercase();
-    let known = Gas::ALL.into_iter().find(|(known, _)| *known == name);
-    match known {
-        Some((_, gas)) => Ok(Filling::Gas(gas)),
+    match Gas::ALL.into_iter().find(|gas| gas.name() == name) {
+        Some(gas) => Ok(Filling::Gas(gas)),
         None if name == "vacuum" => Ok(Filling::Vacuum),
         None => Err("write vacuum, air, helium, argon or nitrogen".to_owned()),
     }

@@ -7,16 +7,14 @@ const ROUNDING = 1e-6;
 // What an iteration leaves over is a small difference of large numbers, and rounding is a larger part of it.
 const LEFT_OVER = /residuals|iteration|duality_gap|energy_bound|seam|stiffness/;
 const LEFT_OVER_ROUNDING = 1e-3;
-// An uncertainty is a difference of two answers.
-const DIFFERENCE = /interval|budget/;
-const DIFFERENCE_ROUNDING = 1e-5;
-// Steps are guessed in single precision: of leftovers that are a part of something (of the energy, of the area) so much comes of it.
-const LEAST_LEFT = 1e-7;
+// Steps are guessed in single precision: of leftovers that are a part of something (of the energy, of the area) its rounding comes.
+const LEAST_LEFT = 2 ** -24;
 // What two machines differ in.
 const OWN = /seconds|platform|speed|sha256/;
 
-// Asserts that every number is the same but for rounding, every word and every count exactly.
-export function numbers(found, expected, path = '') {
+// Asserts that every number is the same but for rounding, every word and every count exactly. `answer` is the number that this
+// one is a part of: the end of an interval and a part of an uncertainty are differences of answers, and known as well as these.
+export function numbers(found, expected, path = '', answer = 0) {
   if (OWN.test(path)) return 0;
   if (expected === null || typeof expected === 'string' || typeof expected === 'boolean') {
     if (typeof expected === 'string' && /message|text|claim/.test(path)) return 0; // these are compared as printed
@@ -26,13 +24,18 @@ export function numbers(found, expected, path = '') {
   if (typeof expected === 'number') {
     const off = Math.abs(found - expected), size = Math.max(Math.abs(found), Math.abs(expected));
     if (Number.isInteger(expected) && Math.abs(expected) < 1e9) { assert.equal(found, expected, path); return 1; }
-    const limit = LEFT_OVER.test(path) ? Math.max(LEFT_OVER_ROUNDING * size, LEAST_LEFT)
-      : (DIFFERENCE.test(path) ? DIFFERENCE_ROUNDING : ROUNDING) * size;
+    const limit = LEFT_OVER.test(path) ? Math.max(LEFT_OVER_ROUNDING * size, LEAST_LEFT) : ROUNDING * Math.max(size, answer);
     assert.ok(off <= limit, `${path}: ${found} in the page, ${expected} by the command`);
     return 1;
   }
   assert.deepEqual(Object.keys(found), Object.keys(expected), path);
-  const seen = Object.keys(expected).map(key => numbers(found[key], expected[key], `${path}/${key}`));
+  const part = key => {
+    if (/interval$/.test(path)) return Math.max(...expected.map(Math.abs));
+    if (key !== 'budget' || !expected.budget) return answer;
+    return { area: expected.area_fraction_corrected, mean_gap: expected.mean_gap, stiffness: expected.stiffness };
+  };
+  const of = key => (/budget$/.test(path) ? Math.abs(answer[key] || 0) : part(key));
+  const seen = Object.keys(expected).map(key => numbers(found[key], expected[key], `${path}/${key}`, of(key)));
   return seen.reduce((a, b) => a + b, 0);
 }
 

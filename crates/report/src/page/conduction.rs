@@ -27,10 +27,8 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     let conducted = surface.conducted(surface.headline);
     if let Some(all) = &conducted {
         for r in resistances(all) {
-            let spot = r.one_spot.map_or_else(String::new, |r| {
-                format!("one spot of the same load and hardness (Holm) {r}")
-            });
-            row(r.name, r.value, &spot);
+            let beside = r.beside().unwrap_or_default();
+            row(r.name, r.value, &beside);
         }
         let each = [
             ("Electrical conductance", all.electrical, "S/m²", "of the contact, per nominal area"),
@@ -80,17 +78,12 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
         let of = |values: &[Option<f64>]| -> Vec<Option<f64>> {
             values.iter().map(|k| k.map(|k| conductance(kind, k))).collect()
         };
-        // Correlations are no models of the study: in the looks of strangers.
+        // Correlations are no models of the study: no other figure has their series.
         let theory = |theory: &'_ TheoryStiffness| {
             let (name, values) = (theory.name.clone(), of(&theory.stiffness));
             let is_correlation = ["mikic", "cmy"].contains(&name.as_str());
             let series = if is_correlation { String::new() } else { name.clone() };
-            Line {
-                label: theory.label.clone(),
-                series,
-                look: look(&name, usize::from(name == "mikic")),
-                values,
-            }
+            Line { label: theory.label.clone(), series, look: look(&name, 0), values }
         };
         let lines: Vec<Line> = found.theories.iter().map(theory).collect();
         let gamma = found.theories.iter().find_map(|theory| theory.gamma);

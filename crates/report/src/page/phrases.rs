@@ -30,7 +30,7 @@ pub(crate) fn tolerance_words(tolerance: f64) -> String {
 
 /// Load on the whole map (N), "10 MPa × 0.262 mm²".
 pub(crate) fn load_words(surface: &SurfaceComparison) -> (String, String) {
-    let area = surface.load_area.unwrap_or(surface.surface.grid().area());
+    let area = surface.nominal_area();
     let force = surface.headline_pressure() * area;
     let side = unit_for(area.sqrt(), METRES);
     (

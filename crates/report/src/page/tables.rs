@@ -25,10 +25,8 @@ pub(crate) fn key_numbers(surface: &SurfaceComparison) -> String {
     for r in surface.conducted(surface.headline).iter().flat_map(words::conduction::resistances) {
         let area = surface.conduction.as_ref().and_then(|c| c.joint.area);
         let of = area.map_or_else(String::new, |area| format!("of {}", quantity(area, AREAS, 3)));
-        let spot = r.one_spot.map_or_else(String::new, |spot| {
-            format!("; one spot of the same load and hardness (Holm) {spot}")
-        });
-        rows.push((r.name.into(), r.value, of + &spot));
+        let beside = r.beside().map_or_else(String::new, |words| format!("; {words}"));
+        rows.push((r.name.into(), r.value, of + &beside));
     }
     if let Some(a) = surface.headline_answer() {
         let covers = match (a.budget.area.interval(), a.budget.area.sampling) {

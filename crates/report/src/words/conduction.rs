@@ -45,6 +45,14 @@ pub struct ResistanceWords {
     pub one_spot: Option<String>,
 }
 
+impl ResistanceWords {
+    /// Where the hand estimate stands, if it is known: "one spot of the same load and hardness (Holm) 16.5 K/W".
+    pub(crate) fn beside(&self) -> Option<String> {
+        let spot = self.one_spot.as_ref()?;
+        Some(format!("one spot of the same load and hardness (Holm) {spot}"))
+    }
+}
+
 /// Those of the part, if its area is known.
 pub fn resistances(found: &Conducted) -> Vec<ResistanceWords> {
     let kinds = [("Contact resistance", OHMS), ("Thermal resistance", KELVINS_PER_WATT)];
@@ -88,7 +96,7 @@ pub fn joint_words(joint: &Joint, gaps: &[f64]) -> String {
         None => String::new(),
         Some(gas) => {
             let [a, b] = gas.accommodation;
-            let name = format!("{:?}", gas.gas).to_lowercase();
+            let name = gas.gas.name();
             let radiation = 4.0 * STEFAN_BOLTZMANN * gas.temperature.powi(3);
             let widest = gaps.iter().copied().fold(0.0, f64::max);
             let narrowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
