@@ -19,10 +19,11 @@ pub(crate) fn cargo() -> Command {
     cargo
 }
 
-/// `rough-contact ARGS`, built in release. Relative paths are the caller's: the command runs
-/// where the task was started.
+/// `rough-contact ARGS`, built in release with what the study needs and no more. Relative paths are the
+/// caller's: the command runs where the task was started.
 pub(crate) fn rough_contact(args: &[String]) -> Command {
-    let mut command = released("rough-contact", ["--bin", "rough-contact"]);
+    let mut command =
+        released("rough-contact", &["--no-default-features"], ["--bin", "rough-contact"]);
     command.args(args);
     command
 }
@@ -30,7 +31,7 @@ pub(crate) fn rough_contact(args: &[String]) -> Command {
 /// The example `name` of a crate, built in release; its arguments are to follow. It runs in the
 /// repository root.
 pub(crate) fn example(package: &str, name: &str) -> Command {
-    let mut command = released(package, ["--example", name]);
+    let mut command = released(package, &[], ["--example", name]);
     command.current_dir(root());
     command
 }
@@ -41,14 +42,14 @@ pub(crate) const BUILT: &str = "XTASK_BUILT";
 
 /// A program of a crate, built in release unless [`BUILT`] is set, and run where the task was
 /// started; its arguments are to follow.
-pub(crate) fn released(package: &str, program: [&str; 2]) -> Command {
+pub(crate) fn released(package: &str, features: &[&str], program: [&str; 2]) -> Command {
     if std::env::var_os(BUILT).is_some() {
         return Command::new(built(program));
     }
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.args(["run", "--locked", "--release", "--manifest-path"]);
     cargo.arg(root().join("crates").join(package).join("Cargo.toml"));
-    cargo.args(program).arg("--");
+    cargo.args(features).args(program).arg("--");
     cargo
 }
 

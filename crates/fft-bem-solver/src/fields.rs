@@ -11,10 +11,10 @@ use std::ops::Range;
 const BLOCK: usize = 4096;
 
 /// Combines `piece(range)` of all blocks of `range`, two by two.
-fn by_blocks<A: Send>(
+pub(crate) fn by_blocks<A: Send>(
     range: Range<usize>,
-    piece: &(impl Fn(Range<usize>) -> A + Sync),
-    combine: &(impl Fn(A, A) -> A + Sync),
+    piece: &(dyn Fn(Range<usize>) -> A + Sync),
+    combine: &(dyn Fn(A, A) -> A + Sync),
 ) -> A {
     let blocks = range.len().div_ceil(BLOCK);
     if blocks <= 1 {

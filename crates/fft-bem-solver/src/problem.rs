@@ -5,11 +5,10 @@
 //! a change of physical units changes nothing but rounding, and an offset of the heights costs no
 //! more digits than the heights themselves had lost.
 
-use crate::row_work::TASK;
 use crate::simd::vectorised;
 use crate::{Real, SolverError};
 use contact_types::{ContactModulus, Grid, HeightMap};
-use grid_fft::parallel::prelude::*;
+use std::ops::Range;
 
 /// What one unit of the scaled problem is in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,12 +97,11 @@ impl<T: Real> Problem<T> {
     /// Whether `surface` is the one this problem was made from.
     pub(crate) fn is_of(&self, surface: &HeightMap) -> bool {
         let differ = |(h, k): (&f64, &T)| u32::from(self.units.scaled::<T>(*h) != *k);
-        surface
-            .heights()
-            .par_chunks(TASK)
-            .zip(self.heights.par_chunks(TASK))
-            .map(|(raw, known)| vectorised!(raw.iter().zip(known).map(differ).sum::<u32>()))
-            .all(|others| others == 0)
+        let others = |range: Range<usize>| {
+            let pairs = surface.heights()[range.clone()].iter().zip(&self.heights[range]);
+            vectorised!(pairs.map(differ).sum::<u32>())
+        };
+        crate::fields::by_blocks(0..self.heights.len(), &others, &|a, b| a + b) == 0
     }
 
     pub(crate) fn is_flat(&self) -> bool {

@@ -1,14 +1,9 @@
 //! Potentials in a network of conductances, by conjugate gradients behind Cholesky's factorisation of its matrix.
 
-use faer::linalg::solvers::Solve as _;
-use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side};
+use crate::cholesky::{Cholesky, Symbolic};
 
-/// Most unknowns whose matrix is factorised; beyond, the factorisation is incomplete.
-const MOST_FACTORISED: usize = 1 << 21;
 /// Error over the potential in the energy norm, as the factorisation estimates it, at which the iteration ends.
-const TOLERANCE: f64 = 1e-12;
+const TOLERANCE: f64 = 1e-14;
 /// Most iterations.
 const MOST_ITERATIONS: usize = 20_000;
 
@@ -24,8 +19,8 @@ pub(crate) struct Network<'a> {
 
 /// What approximates the inverse of the matrix.
 enum Factor {
-    /// Cholesky's factors of the matrix scaled to the diagonal 1, and the scale.
-    Whole(Llt<usize, f64>, Vec<f64>),
+    /// Cholesky's factors of the matrix.
+    Whole(Cholesky),
     /// Pivots of the factorisation that keeps the pattern of the matrix.
     Incomplete(Vec<f64>),
 }
@@ -63,10 +58,7 @@ impl Network<'_> {
 
     /// The potentials, or the number of iterations that were not enough. `symbolic` is kept for another network of the
     /// same links.
-    pub(crate) fn solve(
-        &self,
-        symbolic: &mut Option<SymbolicLlt<usize>>,
-    ) -> Result<Vec<f64>, usize> {
+    pub(crate) fn solve(&self, symbolic: &mut Symbolic) -> Result<Vec<f64>, usize> {
         let n = self.ends.len();
         let factor = self.factor(symbolic);
         let mut x = vec![0.0; n];
@@ -95,50 +87,20 @@ impl Network<'_> {
         Err(MOST_ITERATIONS)
     }
 
-    fn factor(&self, symbolic: &mut Option<SymbolicLlt<usize>>) -> Factor {
-        let diagonal = self.diagonal();
-        let scale: Vec<f64> = diagonal.iter().map(|d| d.sqrt().recip()).collect();
-        // Rounding may leave a pool behind an almost closed gap without a positive pivot: conjugate gradients mend
-        // what a shift of the diagonal does to it.
-        let shifts = if scale.len() > MOST_FACTORISED { &[][..] } else { &[0.0, 1e-14, 1e-10] };
-        for shift in shifts {
-            if let Some(whole) = self.cholesky(&scale, *shift, symbolic) {
-                return Factor::Whole(whole, scale);
-            }
+    fn factor(&self, symbolic: &mut Symbolic) -> Factor {
+        let mut pivots = self.diagonal();
+        if let Some(whole) = Cholesky::of(self, &pivots, symbolic) {
+            return Factor::Whole(whole);
         }
-        let mut pivots = diagonal;
         for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
             pivots[b] -= c * c / pivots[a];
         }
         Factor::Incomplete(pivots)
     }
 
-    fn cholesky(
-        &self,
-        scale: &[f64],
-        shift: f64,
-        symbolic: &mut Option<SymbolicLlt<usize>>,
-    ) -> Option<Llt<usize, f64>> {
-        let n = scale.len();
-        let on_diagonal = (0..n).map(|i| Triplet::new(i, i, 1.0 + shift));
-        let links = self.links.iter().zip(&self.conductances);
-        let below = links.map(|(&[a, b], c)| Triplet::new(b, a, -c * scale[a] * scale[b]));
-        let entries: Vec<_> = on_diagonal.chain(below).collect();
-        let matrix = SparseColMat::try_new_from_triplets(n, n, &entries).ok()?;
-        drop(entries);
-        if symbolic.is_none() {
-            *symbolic = SymbolicLlt::try_new(matrix.symbolic(), Side::Lower).ok();
-        }
-        Llt::try_new_with_symbolic(symbolic.clone()?, matrix.as_ref(), Side::Lower).ok()
-    }
-
     fn precondition(&self, factor: &Factor, residual: &[f64]) -> Vec<f64> {
         match factor {
-            Factor::Whole(cholesky, scale) => {
-                let scaled = Mat::from_fn(scale.len(), 1, |i, _| scale[i] * residual[i]);
-                let solved = cholesky.solve(scaled);
-                scale.iter().enumerate().map(|(i, scale)| scale * solved[(i, 0)]).collect()
-            }
+            Factor::Whole(cholesky) => cholesky.solve(residual),
             Factor::Incomplete(pivots) => {
                 let mut out = residual.to_vec();
                 let links = self.links.iter().zip(&self.conductances);

@@ -1,6 +1,11 @@
 #![doc = include_str!("../README.md")]
 
 mod channel;
+#[cfg(feature = "cholesky")]
+mod cholesky;
+#[cfg(not(feature = "cholesky"))]
+#[path = "no_cholesky.rs"]
+mod cholesky;
 mod conjugate_gradients;
 mod gap;
 mod network;

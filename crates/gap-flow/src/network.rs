@@ -1,9 +1,9 @@
 //! Reynolds' equation on a map of the gap.
 
 use crate::channel::Bottleneck;
+use crate::cholesky::Symbolic;
 use crate::conjugate_gradients::Network;
 use crate::gap::{Axis, Gap};
-use faer::sparse::linalg::solvers::SymbolicLlt;
 
 /// The flow through a gap along an axis.
 #[derive(Debug, Clone)]
@@ -55,10 +55,7 @@ impl Mesh {
     }
 }
 
-fn solved(
-    network: &Network<'_>,
-    symbolic: &mut Option<SymbolicLlt<usize>>,
-) -> Result<Vec<f64>, NotSolved> {
+fn solved(network: &Network<'_>, symbolic: &mut Symbolic) -> Result<Vec<f64>, NotSolved> {
     network.solve(symbolic).map_err(|iterations| NotSolved { iterations })
 }
 
@@ -103,7 +100,7 @@ impl Gap<'_> {
         let Some(channel) = self.channel(axis) else { return Ok(0.0) };
         let mesh = self.mesh(axis, &channel.open);
         let network = mesh.network(HARMONIC);
-        Ok(mesh.scale * network.dissipation(&solved(&network, &mut None)?))
+        Ok(mesh.scale * network.dissipation(&solved(&network, &mut Symbolic::default())?))
     }
 
     /// Solves Reynolds' equation with the pressure drop along an axis:
@@ -123,7 +120,7 @@ impl Gap<'_> {
             return Ok(Flow { permeability, arithmetic, imbalance, bottleneck: None });
         };
         let mesh = self.mesh(axis, &channel.open);
-        let mut symbolic = None;
+        let mut symbolic = Symbolic::default();
         let arithmetic = mesh.network(ARITHMETIC);
         let arithmetic = arithmetic.dissipation(&solved(&arithmetic, &mut symbolic)?);
         let harmonic = mesh.network(HARMONIC);

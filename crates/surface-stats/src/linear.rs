@@ -1,25 +1,24 @@
 //! Normal equations of small least-squares problems.
 
-use faer::{Mat, Side};
-
-/// Eigenvalues of the normal matrix below this fraction of the largest belong to combinations
-/// of terms that the points cannot tell apart; those combinations are left out.
+/// Pivots below this fraction of the largest belong to terms that the points cannot tell from those taken before;
+/// their coefficients are 0.
 const RANK_TOLERANCE: f64 = 1e-12;
 
 /// Sums `b bᵀ` and `b r` over points with basis values `b` and residuals `r`.
 pub(crate) struct NormalEquations {
-    matrix: Mat<f64>,
+    /// Rows of the lower triangle.
+    matrix: Vec<Vec<f64>>,
     right: Vec<f64>,
 }
 
 impl NormalEquations {
     pub(crate) fn new(terms: usize) -> Self {
-        Self { matrix: Mat::zeros(terms, terms), right: vec![0.0; terms] }
+        Self { matrix: vec![vec![0.0; terms]; terms], right: vec![0.0; terms] }
     }
 
     /// Adds to one entry of the lower triangle of the matrix.
     pub(crate) fn add_product(&mut self, row: usize, column: usize, product: f64) {
-        self.matrix[(row, column)] += product;
+        self.matrix[row][column] += product;
     }
 
     /// Adds to one entry of the right-hand side.
@@ -32,37 +31,45 @@ impl NormalEquations {
         for (i, b) in basis.iter().enumerate() {
             self.right[i] += b * residual;
             for (j, c) in basis[..=i].iter().enumerate() {
-                self.matrix[(i, j)] += b * c;
+                self.matrix[i][j] += b * c;
             }
         }
     }
 
-    /// The solution in the space of eigenvectors that the points determine. Terms are scaled to
-    /// equal weight first, so that their units do not matter.
-    pub(crate) fn solve(mut self) -> Vec<f64> {
-        let n = self.right.len();
+    /// Coefficients of the terms that the points determine, the largest pivot first. Terms are scaled to equal weight
+    /// first, so that their units do not matter.
+    pub(crate) fn solve(self) -> Vec<f64> {
+        let (mut right, n) = (self.right, self.matrix.len());
         let scale: Vec<f64> = (0..n)
-            .map(|i| self.matrix[(i, i)].sqrt())
+            .map(|i| self.matrix[i][i].sqrt())
             .map(|s| if s > 0.0 { s.recip() } else { 0.0 })
             .collect();
-        for i in 0..n {
-            self.right[i] *= scale[i];
-            for j in 0..=i {
-                self.matrix[(i, j)] *= scale[i] * scale[j];
+        let whole = |i: usize, j: usize| self.matrix[i.max(j)][i.min(j)] * scale[i] * scale[j];
+        let mut a: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| whole(i, j)).collect()).collect();
+        right.iter_mut().zip(&scale).for_each(|(r, s)| *r *= s);
+        // Gauss and Jordan's elimination: what is left of the diagonal is the part of each term that is new.
+        let mut left: Vec<usize> = (0..n).collect();
+        let mut solution = vec![0.0; n];
+        let mut taken = Vec::new();
+        while let Some(at) = (0..left.len()).rev().max_by(|&i, &j| {
+            let [i, j] = [left[i], left[j]];
+            a[i][i].total_cmp(&a[j][j])
+        }) {
+            let k = left[at];
+            if a[k][k] <= RANK_TOLERANCE {
+                break;
+            }
+            left.remove(at);
+            taken.push(k);
+            let (row, value) = (a[k].clone(), right[k]);
+            for i in (0..n).filter(|i| *i != k) {
+                let factor = a[i][k] / row[k];
+                a[i].iter_mut().zip(&row).for_each(|(x, r)| *x -= factor * r);
+                right[i] -= factor * value;
             }
         }
-        let eigen = self
-            .matrix
-            .self_adjoint_eigen(Side::Lower)
-            .expect("a symmetric matrix of finite numbers has eigenvectors");
-        let (vectors, values) = (eigen.U(), eigen.S().column_vector());
-        let largest = (0..n).map(|k| values[k]).fold(0.0, f64::max);
-        let mut solution = vec![0.0; n];
-        for k in (0..n).filter(|&k| values[k] > RANK_TOLERANCE * largest) {
-            let projection: f64 = (0..n).map(|i| vectors[(i, k)] * self.right[i]).sum();
-            for (i, s) in solution.iter_mut().enumerate() {
-                *s += scale[i] * vectors[(i, k)] * projection / values[k];
-            }
+        for k in taken {
+            solution[k] = scale[k] * right[k] / a[k][k];
         }
         solution
     }
