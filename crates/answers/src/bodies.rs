@@ -210,7 +210,7 @@ pub fn of_modulus(pascals: f64) -> Result<ContactModulus, Failure> {
 ///
 /// # Errors
 /// [`Failure`] of constants out of their domain, or of another number of bodies.
-pub fn contact_modulus(bodies: &[Body]) -> Result<ContactModulus, Failure> {
+pub(crate) fn contact_modulus(bodies: &[Body]) -> Result<ContactModulus, Failure> {
     let elastic = |body: &Body| Elastic::new(body.young, body.poisson);
     let modulus = match bodies {
         [only] => elastic(only).and_then(ContactModulus::against_rigid),

@@ -10,7 +10,8 @@ pub const DOCUMENTS: [&str; 6] =
     ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg", "run.toml"];
 
 /// Names of the documents of profiles that do not depend on how many there are.
-pub const PROFILE_DOCUMENTS: [&str; 4] = ["report.html", "results.json", "curves.csv", "run.toml"];
+pub(crate) const PROFILE_DOCUMENTS: [&str; 4] =
+    ["report.html", "results.json", "curves.csv", "run.toml"];
 
 /// Names of all documents of a study of so many profiles: figures are numbered where there are several.
 pub fn profile_documents_named(count: usize) -> Vec<String> {

@@ -30,9 +30,7 @@ mod watch;
 mod work;
 
 pub use complete::{Complete, Incomplete, clean, complete};
-pub use documents::{
-    DOCUMENTS, PROFILE_DOCUMENTS, documents, profile_documents, profile_documents_named,
-};
+pub use documents::{DOCUMENTS, documents, profile_documents, profile_documents_named};
 pub use failure::{Failure, variant};
 pub use hardness::doubt as hardness_doubt;
 pub use info::info;

@@ -97,17 +97,6 @@ impl ChangEtsionBogy {
         self.w * self.asperities.height_std
     }
 
-    /// Of the summits in contact at `separation` (m), the fraction that has yielded.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the separation is not finite.
-    pub fn yielded_fraction(&self, separation: f64) -> Result<f64, ModelError> {
-        let alpha = self.alpha(separation)?;
-        let [all, deep] =
-            [alpha, alpha + self.w].map(|alpha| partial_moments::value(Order::Zero, alpha));
-        Ok(if all > 0.0 { deep / all } else { 0.0 })
-    }
-
     fn alpha(&self, separation: f64) -> Result<f64, ModelError> {
         require::finite(MODEL, "separation", separation)?;
         Ok((separation - self.asperities.mean_offset) / self.asperities.height_std)

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub const NO_PULL_OFF: f64 = 10.0;
 
 /// Share of the load that attraction may have and still be called negligible.
-pub const NEGLIGIBLE_ATTRACTION: f64 = 0.05;
+pub(crate) const NEGLIGIBLE_ATTRACTION: f64 = 0.05;
 
 /// A work of adhesion, and how far it reaches.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

@@ -14,7 +14,7 @@ use std::borrow::Cow;
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
-pub const COARSER: [usize; 3] = [2, 4, 8];
+pub(crate) const COARSER: [usize; 3] = [2, 4, 8];
 
 /// Points along the shorter side below which a grid is not tried.
 const FEWEST_POINTS: usize = 16;

@@ -46,10 +46,9 @@ mod threads;
 mod verdict;
 mod yielding;
 
-pub use adhesion::{Adhesion, NEGLIGIBLE_ATTRACTION, NO_PULL_OFF, Rough, WorkOfAdhesion};
+pub use adhesion::{Adhesion, NO_PULL_OFF, Rough, WorkOfAdhesion};
 pub use ask::{at_pressure, at_separation};
 pub use cleaning::{Cleaning, CleaningError};
-pub use coarser::COARSER;
 pub use conducted::{
     Conductance, Conducted, Conduction, Joint, Octave, Resistance, TheoryStiffness,
 };
@@ -82,7 +81,7 @@ pub use profile::{
 };
 pub use progress::{Listener, Progress, StudyError};
 pub use reason::{Applies, Excess, Reason, Verdict};
-pub use recipe::{Recipe, RecipeError, built_in_recipes, parse_recipes};
+pub use recipe::{Recipe, RecipeError, built_in_recipes};
 pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
     Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer, DeterministicPoint,
@@ -91,7 +90,7 @@ pub use result::{
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
 pub use sections::Sections;
-pub use settings::{Body, EdgesName, STEEL, STEEL_ON_STEEL, Settings, default_pressures, poisson};
+pub use settings::{Body, EdgesName, STEEL, Settings, default_pressures, poisson};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spot, Spots, contact_spots, spot_list};
 pub use study::loads as loads_of_study;

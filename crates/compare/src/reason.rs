@@ -98,7 +98,7 @@ pub enum Reason {
 
 impl Reason {
     /// True if it depends on the load, and not on the surface alone.
-    pub fn is_by_load(&self) -> bool {
+    pub(crate) fn is_by_load(&self) -> bool {
         match self {
             Self::Crowded { .. }
             | Self::Beyond { .. }

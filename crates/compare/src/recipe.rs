@@ -118,7 +118,7 @@ struct RecipeFile {
 ///
 /// # Errors
 /// [`RecipeError`]; the message names the recipe or the line.
-pub fn parse_recipes(text: &str) -> Result<Vec<Recipe>, RecipeError> {
+pub(crate) fn parse_recipes(text: &str) -> Result<Vec<Recipe>, RecipeError> {
     let file: RecipeFile = toml::from_str(text)?;
     for (index, recipe) in file.surface.iter().enumerate() {
         let found =

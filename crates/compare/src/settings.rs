@@ -130,7 +130,7 @@ impl Settings {
     }
 
     /// The theories to ask, in the order of the registry.
-    pub fn asked_models<'a>(
+    pub(crate) fn asked_models<'a>(
         &'a self,
         registry: &'a Registry,
     ) -> impl Iterator<Item = &'a dyn Theory> {
@@ -167,7 +167,7 @@ pub struct Body {
 pub const STEEL: Body = Body { young: 210e9, poisson: 0.3 };
 
 /// E* of two steel bodies, `E / (2 (1 - nu^2))` with E = 210 GPa and nu = 0.3 (Pa).
-pub const STEEL_ON_STEEL: f64 = 210e9 / (2.0 * (1.0 - 0.3 * 0.3));
+pub(crate) const STEEL_ON_STEEL: f64 = 210e9 / (2.0 * (1.0 - 0.3 * 0.3));
 
 macro_rules! names {
     ($(#[$doc:meta])* $name:ident { $($(#[$vdoc:meta])* $variant:ident = $text:literal),+ $(,)? }) => {

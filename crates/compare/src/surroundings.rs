@@ -37,11 +37,6 @@ impl<'a> Surrounded<'a> {
         &self.map
     }
 
-    /// What the solver gets, to be handed over to it.
-    pub fn into_map(self) -> HeightMap {
-        self.map.into_owned()
-    }
-
     /// Solves, and cuts the answer of the given map out.
     ///
     /// # Errors

@@ -84,7 +84,7 @@ pub struct Coarser {
 
 impl Coarser {
     /// Whether maps on `grid` can be thinned: 32 points are left along each side (of a profile along its one).
-    pub fn is_possible(grid: Grid) -> bool {
+    pub(crate) fn is_possible(grid: Grid) -> bool {
         let enough = |n: usize| n == 1 || n / 2 >= FEWEST;
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }

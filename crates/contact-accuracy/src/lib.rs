@@ -38,4 +38,4 @@ pub use leak::{Leak, Leaks};
 pub use request::{BadRequest, Request};
 pub use surface_stats::StatsError;
 pub use table::{median, quantile, round_to_digits};
-pub use uncertainty::{Beside, iteration_of_area};
+pub use uncertainty::Beside;

@@ -38,7 +38,7 @@ const ITERATION: [f64; 2] = [9.0, 0.6];
 const LOOSEST: f64 = 1e-2;
 
 /// Relative error of the area at this relative rms error of the pressure.
-pub fn iteration_of_area(residual: f64) -> f64 {
+pub(crate) fn iteration_of_area(residual: f64) -> f64 {
     ITERATION[0] * residual.max(0.0)
 }
 

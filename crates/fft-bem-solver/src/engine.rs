@@ -4,7 +4,6 @@ use crate::methods::{
     self, Compliance, ContactMethod, Outcome, Start, State, Step, Target, Task, Top,
 };
 use crate::observer::Observe;
-use crate::parts::part;
 use crate::problem::Problem;
 use crate::{
     Boundary, End, Iteration, Load, Maps, Method, Precision, Real, Solution, SolverError, control,
@@ -98,7 +97,7 @@ impl<T: Real> Engine<T> {
         self.suspected_closing_load = None;
         self.problem = None;
         let new = || Problem::new(surface, self.scaled, self.settings.modulus);
-        let problem = part("heights", new)?;
+        let problem = new()?;
         if let Some(map) = &self.hardness_map {
             self.ceilings = map.iter().map(|h| T::of(h / problem.units.pressure)).collect();
         }
@@ -137,7 +136,7 @@ impl<T: Real> Engine<T> {
             }
         };
         let end = found.outcome.end;
-        let solution = part("answer", || self.solution(problem, &found, load));
+        let solution = self.solution(problem, &found, load);
         self.is_warm = solution.diagnostics.contact_pixels > 0;
         match end {
             End::Converged => Ok(solution),
@@ -292,9 +291,7 @@ impl<T: Real> Engine<T> {
         let mut spent = 0.0;
         let mut start = start;
         if let Target::Pressure(load) = target {
-            let tried = part("exact answers", || {
-                self.without_iterating(problem, load, ceiling, &mut start)
-            });
+            let tried = { self.without_iterating(problem, load, ceiling, &mut start) };
             match tried {
                 (Some(reason), pairs) => return exact(reason, pairs, clock),
                 (None, pairs) => spent += pairs,

@@ -34,7 +34,6 @@ mod memory;
 mod methods;
 mod mixed_problem;
 mod observer;
-mod parts;
 mod perimeter_correction;
 mod pool;
 mod problem;
@@ -60,8 +59,6 @@ pub use half_space::HalfSpace;
 pub use half_space_free::{FreeHalfSpace, love};
 pub use mixed_problem::{Conductors, SetStiffness};
 pub use observer::{Answer, Iteration};
-#[cfg(feature = "parts")]
-pub use parts::take_parts;
 pub use perimeter_correction::PERIMETER_CORRECTION;
 pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};

@@ -1,6 +1,5 @@
 //! Cholesky's factorisation of the matrix of a network.
 
-use crate::conjugate_gradients::Network;
 use faer::linalg::solvers::Solve as _;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
 use faer::sparse::{SparseColMat, Triplet};
@@ -16,9 +15,9 @@ pub(crate) type Symbolic = Option<SymbolicLlt<usize>>;
 pub(crate) struct Cholesky(Llt<usize, f64>, Vec<f64>);
 
 impl Cholesky {
-    /// `None` where the network is too large.
+    /// From links and their conductances, and the diagonal of the matrix; `None` where it is too large.
     pub(crate) fn of(
-        network: &Network<'_>,
+        (links, conductances): (&[[usize; 2]], &[f64]),
         diagonal: &[f64],
         symbolic: &mut Symbolic,
     ) -> Option<Self> {
@@ -28,8 +27,9 @@ impl Cholesky {
         }
         // Rounding may leave a pool behind an almost closed gap without a positive pivot: conjugate gradients mend
         // what a shift of the diagonal does to it.
-        let factors =
-            [0.0, 1e-14, 1e-10].iter().find_map(|&s| shifted(network, &scale, s, symbolic))?;
+        let factors = [0.0, 1e-14, 1e-10]
+            .iter()
+            .find_map(|&s| shifted((links, conductances), &scale, s, symbolic))?;
         Some(Self(factors, scale))
     }
 
@@ -41,14 +41,14 @@ impl Cholesky {
 }
 
 fn shifted(
-    network: &Network<'_>,
+    (links, conductances): (&[[usize; 2]], &[f64]),
     scale: &[f64],
     shift: f64,
     symbolic: &mut Symbolic,
 ) -> Option<Llt<usize, f64>> {
     let n = scale.len();
     let on_diagonal = (0..n).map(|i| Triplet::new(i, i, 1.0 + shift));
-    let links = network.links.iter().zip(&network.conductances);
+    let links = links.iter().zip(conductances);
     let below = links.map(|(&[a, b], c)| Triplet::new(b, a, -c * scale[a] * scale[b]));
     let entries: Vec<_> = on_diagonal.chain(below).collect();
     let matrix = SparseColMat::try_new_from_triplets(n, n, &entries).ok()?;

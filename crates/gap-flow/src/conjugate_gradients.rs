@@ -89,7 +89,7 @@ impl Network<'_> {
 
     fn factor(&self, symbolic: &mut Symbolic) -> Factor {
         let mut pivots = self.diagonal();
-        if let Some(whole) = Cholesky::of(self, &pivots, symbolic) {
+        if let Some(whole) = Cholesky::of((self.links, &self.conductances), &pivots, symbolic) {
             return Factor::Whole(whole);
         }
         for (&[a, b], c) in self.links.iter().zip(&self.conductances) {

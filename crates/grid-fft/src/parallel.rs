@@ -10,7 +10,7 @@
 use std::ops::Range;
 
 /// Index of the running thread among those that share the work; 0 outside a pool.
-pub fn thread_index() -> usize {
+pub(crate) fn thread_index() -> usize {
     #[cfg(feature = "parallel")]
     return rayon::current_thread_index().unwrap_or(0);
     #[cfg(not(feature = "parallel"))]
@@ -26,7 +26,7 @@ pub fn threads() -> usize {
 }
 
 /// Calls `work` with every index below `count`.
-pub fn for_each_index(count: usize, work: impl Fn(usize) + Sync) {
+pub(crate) fn for_each_index(count: usize, work: impl Fn(usize) + Sync) {
     Pieces::for_each(0..count, work);
 }
 

@@ -76,14 +76,6 @@ pub fn from_area(area: f64) -> Result<f64, InverseError> {
     from_value(Order::One, area)
 }
 
-/// α from ln J_1(α) = `logarithm`.
-///
-/// # Errors
-/// [`InverseError::NotFinite`] and [`InverseError::TooLarge`].
-pub fn from_ln_area(logarithm: f64) -> Result<f64, InverseError> {
-    from_logarithm(Order::One, logarithm)
-}
-
 pub(crate) fn from_value(order: Order, value: f64) -> Result<f64, InverseError> {
     if !(value > 0.0 && value.is_finite()) {
         return Err(InverseError::NotPositive { value });

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 const MODEL: &str = "Weierstrass-Mandelbrot profile";
 
 /// The usual ratio `gamma` of successive frequencies.
-pub const FREQUENCY_RATIO: f64 = 1.5;
+pub(crate) const FREQUENCY_RATIO: f64 = 1.5;
 
 /// A Weierstrass-Mandelbrot profile, `z(x) = G^(D-1) sum_n gamma^(-(2-D)n) cos(2 pi gamma^n x)`.
 ///

@@ -86,7 +86,7 @@ fn decimals_of(uncertainty: f64) -> i32 {
 
 /// "1.96 ± 0.12": both to the place the uncertainty supports. Without a usable uncertainty,
 /// three significant digits of the value.
-pub fn plus_minus(value: f64, uncertainty: f64) -> String {
+pub(crate) fn plus_minus(value: f64, uncertainty: f64) -> String {
     if !(uncertainty > 0.0 && uncertainty.is_finite()) {
         return significant(value, 3);
     }
@@ -103,7 +103,7 @@ pub fn plus_minus(value: f64, uncertainty: f64) -> String {
 /// A number that cannot be negative and the ends between which it lies: "1.96 ± 0.12"; "20 to 166" where one side is
 /// longer than the other, as of a quotient; "at most 0.80" or "at least 31" where one end is not known, 0 or
 /// infinite. Ends are rounded outwards, so that what is known is inside.
-pub fn with_interval(value: f64, [low, high]: [f64; 2]) -> String {
+pub(crate) fn with_interval(value: f64, [low, high]: [f64; 2]) -> String {
     let sides = [value - low, high - value];
     let half = sides[0].max(sides[1]);
     match (low > 0.0, high.is_finite()) {
@@ -289,7 +289,7 @@ pub(crate) const KELVINS_PER_WATT: &[Unit] = &[
 ];
 
 /// Multiples of the newton.
-pub const NEWTONS: &[Unit] = &[
+pub(crate) const NEWTONS: &[Unit] = &[
     Unit { scale: 1e-9, name: "nN" },
     Unit { scale: 1e-6, name: "µN" },
     Unit { scale: 1e-3, name: "mN" },
@@ -299,7 +299,7 @@ pub const NEWTONS: &[Unit] = &[
 ];
 
 /// The multiple in which `value` reads as 1 to 999.
-pub fn unit_for(value: f64, units: &[Unit]) -> Unit {
+pub(crate) fn unit_for(value: f64, units: &[Unit]) -> Unit {
     let size = value.abs();
     units
         .iter()

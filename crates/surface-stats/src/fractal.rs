@@ -64,7 +64,7 @@ impl PowerLaw {
     ///
     /// # Source
     /// Majumdar & Bhushan (1990), doi:10.1115/1.2920243.
-    pub fn fractal_of_profile(&self) -> (f64, Option<FractalParameters>) {
+    pub(crate) fn fractal_of_profile(&self) -> (f64, Option<FractalParameters>) {
         let dimension = 0.5 * (5.0 + self.slope);
         let ln_roughness = ((2.0 * GAMMA.ln()).ln() + self.intercept) / (2.0 * (dimension - 1.0));
         let roughness = ln_roughness.exp();
@@ -112,7 +112,7 @@ impl PowerLaw {
 
 /// Fits a power law to the radial PSD between two wavelengths (m), over logarithmic bins so that
 /// every octave counts alike. `None` if they hold less than four bins or one octave with waves.
-pub fn fit_radial(rings: &[Ring], range: [f64; 2]) -> Option<PowerLaw> {
+pub(crate) fn fit_radial(rings: &[Ring], range: [f64; 2]) -> Option<PowerLaw> {
     PowerLaw::of(&radial_points(rings, range))
 }
 

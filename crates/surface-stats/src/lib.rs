@@ -40,7 +40,7 @@ pub use error::StatsError;
 pub use heights::HeightStatistics;
 pub use level::{Level, level};
 pub use options::StatsOptions;
-pub use seam::{MOST_SEAM_JUMP, repeats, seam_height, seam_jump};
+pub use seam::{MOST_SEAM_JUMP, repeats, seam_jump};
 pub use spectral_scales::SpectralScales;
 pub use statistics::{Spectra, SurfaceStatistics};
 pub use steps::height_step;

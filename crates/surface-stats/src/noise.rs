@@ -16,7 +16,7 @@ const SIGNAL: f64 = 3.0;
 ///
 /// Rounding to steps of height Q is noise of rms Q/√12, if the relief changes by a step or more
 /// from pixel to pixel.
-pub fn white_noise_moments(s: f64, [dy, dx]: [f64; 2]) -> SpectralMoments {
+pub(crate) fn white_noise_moments(s: f64, [dy, dx]: [f64; 2]) -> SpectralMoments {
     SpectralMoments {
         m0: s * s,
         m2: (s / dx).powi(2) + (s / dy).powi(2),

@@ -9,7 +9,7 @@ use crate::{StatsError, scale};
 use contact_types::Grid;
 
 /// Highest total degree offered.
-pub const MAX_DEGREE: usize = 12;
+pub(crate) const MAX_DEGREE: usize = 12;
 
 /// A polynomial in x and y of limited total degree.
 #[derive(Debug, Clone, PartialEq)]

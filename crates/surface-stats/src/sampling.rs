@@ -3,10 +3,8 @@
 //! For a self-affine surface m2 and m4 have no limit for small pixels; αN, asperity density and
 //! radius even less. These functions show by how much, on the map itself.
 
-use crate::spectrum::Ring;
 use crate::{DirectionalMoments, Edges, HeightStatistics, StatsError, Summits};
 use contact_types::{Grid, HeightMap, SpectralMoments};
-use std::f64::consts::TAU;
 
 /// Moments of the map as if it had been measured with larger pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,33 +86,6 @@ pub(crate) fn differences(
     [sums[0] / counts[0] as f64, sums[1] / counts[1] as f64]
 }
 
-/// Moments of the waves that are not shorter than a cut-off.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct AtCutoff {
-    /// Shortest wavelength kept (m).
-    pub cutoff: f64,
-    /// Moments of all longer waves.
-    pub moments: SpectralMoments,
-}
-
-/// Moments as a sharp cut-off moves from long to short wavelengths, ring by ring; the last entry
-/// has the moments of all rings.
-pub fn moments_by_cutoff(rings: &[Ring]) -> Vec<AtCutoff> {
-    let mut moments = SpectralMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
-    rings
-        .iter()
-        .map(|ring| {
-            let q2 = ring.wavenumber * ring.wavenumber;
-            moments.m0 += ring.variance;
-            moments.m2 += 0.5 * ring.variance * q2;
-            moments.m4 += ring.fourth;
-            AtCutoff { cutoff: TAU / ring.wavenumber, moments }
-        })
-        .collect()
-}
-
 /// What rounding the heights to a step does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -168,9 +139,9 @@ fn rounded(grid: Grid, heights: &[f64], step: f64) -> Result<HeightMap, StatsErr
 mod tests {
     use super::*;
     use crate::noise::white_noise_moments;
-    use crate::spectrum::{PowerSpectrum, Window};
     use crate::synthesis::{Scale, SelfAffine};
     use approx::assert_relative_eq;
+    use std::f64::consts::TAU;
 
     fn surface() -> HeightMap {
         let recipe = SelfAffine {
@@ -211,16 +182,6 @@ mod tests {
         for p in moments_by_interval(&map, Edges::Open).unwrap() {
             assert_relative_eq!(p.moments.m4, 0.5 * (1.0 + 9.0), max_relative = 1e-12);
         }
-    }
-
-    #[test]
-    fn the_last_cutoff_has_all_moments() {
-        let power = PowerSpectrum::of(&surface(), Window::None).unwrap();
-        let last = *moments_by_cutoff(&power.rings()).last().unwrap();
-        let (all, _) = power.moments();
-        assert_relative_eq!(last.moments.m0, all.m0, max_relative = 1e-12);
-        assert_relative_eq!(last.moments.m2, all.m2, max_relative = 1e-12);
-        assert_relative_eq!(last.moments.m4, all.m4, max_relative = 1e-12);
     }
 
     /// Steps add the moments of noise of rms Q/√12 once slopes climb a good part of a step per

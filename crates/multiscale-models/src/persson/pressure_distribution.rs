@@ -94,9 +94,4 @@ impl PressureDistribution {
         let pascals = square * self.deviation * self.deviation;
         pascals.is_finite().then_some(pascals)
     }
-
-    /// Deviation `sqrt(V) = E* g_rms / 2` of the pressure in full contact \[Pa\].
-    pub fn full_contact_deviation(&self) -> f64 {
-        self.deviation
-    }
 }

@@ -153,7 +153,7 @@ fn tick_size<'a>(texts: impl Iterator<Item = &'a str>) -> f64 {
 }
 
 /// 1, 2 or 5 times a power of ten, at least `about`.
-pub fn round_step(about: f64) -> f64 {
+pub(crate) fn round_step(about: f64) -> f64 {
     let decade = 10f64.powf(about.log10().floor());
     [1.0, 2.0, 5.0, 10.0]
         .map(|m| m * decade)

@@ -4,9 +4,9 @@ use crate::draw::palette::Colour;
 use crate::draw::svg::{Canvas, Rect, Stroke, Text, overlap};
 
 /// Distance between base lines of neighbouring labels, in units.
-pub const PITCH: f64 = 11.5;
+pub(crate) const PITCH: f64 = 11.5;
 /// What is left for them beside a figure, in units: the longest, bold, has room in fonts wider than those asked for.
-pub const ROOM: f64 = 90.0;
+pub(crate) const ROOM: f64 = 90.0;
 
 /// A name for the right end of a line.
 #[derive(Debug, Clone)]
@@ -51,7 +51,12 @@ pub fn push_apart(wanted: &[f64], pitch: f64, [lo, hi]: [f64; 2]) -> Vec<f64> {
 }
 
 /// Draws the labels right of `x` with hairline leaders, within `[top, bottom]`.
-pub fn draw_end_labels(canvas: &mut Canvas, x: f64, [top, bottom]: [f64; 2], labels: &[EndLabel]) {
+pub(crate) fn draw_end_labels(
+    canvas: &mut Canvas,
+    x: f64,
+    [top, bottom]: [f64; 2],
+    labels: &[EndLabel],
+) {
     let wanted: Vec<f64> = labels.iter().map(|l| l.y).collect();
     for (label, y) in labels.iter().zip(push_apart(&wanted, PITCH, [top, bottom])) {
         let leader = [[x + 1.5, label.y], [x + 9.0, y]];

@@ -19,9 +19,9 @@ const fn colour(class: &'static str, light: &'static str, dark: &'static str) ->
 }
 
 /// The page.
-pub const PAPER: Colour = colour("paper", "#FFFFFF", "#15181B");
+pub(crate) const PAPER: Colour = colour("paper", "#FFFFFF", "#15181B");
 /// Text.
-pub const INK: Colour = colour("ink", "#111418", "#F2F4F5");
+pub(crate) const INK: Colour = colour("ink", "#111418", "#F2F4F5");
 /// Ticks and notes.
 pub const INK2: Colour = colour("ink2", "#4A5259", "#B4BCC3");
 /// Axes.
@@ -40,20 +40,20 @@ pub const GW: Colour = colour("gw", "#8C001A", "#F86237");
 /// Bush–Gibson–Thomas.
 pub const BGT: Colour = colour("bgt", "#3C26AE", "#909FFA");
 /// Greenwood's simplified elliptical model.
-pub const ELLIPTICAL: Colour = colour("sge", "#13836F", "#30E4F5");
+pub(crate) const ELLIPTICAL: Colour = colour("sge", "#13836F", "#30E4F5");
 /// Persson.
-pub const PERSSON: Colour = colour("per", "#B542B5", "#EC83B7");
+pub(crate) const PERSSON: Colour = colour("per", "#B542B5", "#EC83B7");
 /// Stacked multiscale.
-pub const STACKED: Colour = colour("stk", "#835C00", "#F9C379");
+pub(crate) const STACKED: Colour = colour("stk", "#835C00", "#F9C379");
 /// Majumdar–Bhushan.
-pub const MAJUMDAR_BHUSHAN: Colour = colour("mb", "#5A2D69", "#B46987");
+pub(crate) const MAJUMDAR_BHUSHAN: Colour = colour("mb", "#5A2D69", "#B46987");
 /// Jackson–Streator multiscale.
-pub const MULTISCALE: Colour = colour("js", "#780FFF", "#6978F0");
+pub(crate) const MULTISCALE: Colour = colour("js", "#780FFF", "#6978F0");
 /// The fitted equation.
-pub const EQUATION: Colour = colour("eq", "#00665C", "#B4F0C8");
+pub(crate) const EQUATION: Colour = colour("eq", "#00665C", "#B4F0C8");
 
 /// Every colour, in the order of the stylesheet.
-pub const COLOURS: [Colour; 16] = [
+pub(crate) const COLOURS: [Colour; 16] = [
     PAPER,
     INK,
     INK2,
@@ -127,15 +127,15 @@ pub const DETERMINISTIC_LOOK: Look =
     Look { colour: DETERMINISTIC, width: 2.0, dash: "", marker: Marker::Dot, marker_offset: 0 };
 
 /// The solution of elastic bodies beside that of bodies that yield: thin.
-pub const ELASTIC_LOOK: Look =
+pub(crate) const ELASTIC_LOOK: Look =
     Look { colour: INK2, width: 0.8, dash: "", marker: Marker::Ring, marker_offset: 2 };
 
 /// Height: dark low, light high, lightness linear in the value.
-pub const HEIGHT_RAMP: [u32; 9] =
+pub(crate) const HEIGHT_RAMP: [u32; 9] =
     [0x1F2D4C, 0x234560, 0x2A5F71, 0x3B797D, 0x569286, 0x79A98D, 0xA1C096, 0xCBD4A1, 0xF6E8B3];
 
 /// Pressure: light low, dark high, lightness linear in the value.
-pub const PRESSURE_RAMP: [u32; 9] =
+pub(crate) const PRESSURE_RAMP: [u32; 9] =
     [0xFCBE62, 0xF7983D, 0xEB7230, 0xD74F38, 0xBB3045, 0x9A164D, 0x75064E, 0x500247, 0x2D0236];
 
 /// A colour as OKLab lightness and the two opponent axes (Ottosson 2020).
@@ -149,7 +149,7 @@ fn linear(channel: u32) -> f64 {
 
 impl OkLab {
     /// From `0xRRGGBB`.
-    pub fn from_rgb(rgb: u32) -> Self {
+    pub(crate) fn from_rgb(rgb: u32) -> Self {
         Self::from_linear(linear(rgb >> 16), linear(rgb >> 8), linear(rgb))
     }
 
@@ -165,7 +165,7 @@ impl OkLab {
     }
 
     /// To 8-bit sRGB; colours outside it are clipped.
-    pub fn to_rgb(self) -> [u8; 3] {
+    pub(crate) fn to_rgb(self) -> [u8; 3] {
         let Self(lightness, a, b) = self;
         let l = (lightness + 0.3963377774 * a + 0.2158037573 * b).powi(3);
         let m = (lightness - 0.1055613458 * a - 0.0638541728 * b).powi(3);
@@ -185,7 +185,7 @@ impl OkLab {
 }
 
 /// A ramp resampled to `N` colours in OKLab, for fast look-up.
-pub fn ramp_table<const N: usize>(stops: &[u32; 9]) -> [OkLab; N] {
+pub(crate) fn ramp_table<const N: usize>(stops: &[u32; 9]) -> [OkLab; N] {
     let labs = stops.map(OkLab::from_rgb);
     std::array::from_fn(|i| {
         let x = i as f64 / (N - 1) as f64 * 8.0;

@@ -98,12 +98,12 @@ impl MaterialRatioCurve {
 
     /// Material above the height of ratio `ratio`, per area (m): the area between the curve and
     /// that height.
-    pub fn material_volume(&self, ratio: f64) -> f64 {
+    pub(crate) fn material_volume(&self, ratio: f64) -> f64 {
         self.scale * self.area_above(ratio.clamp(0.0, 1.0), self.scaled_height(ratio))
     }
 
     /// Void below the height of ratio `ratio`, per area (m).
-    pub fn void_volume(&self, ratio: f64) -> f64 {
+    pub(crate) fn void_volume(&self, ratio: f64) -> f64 {
         let (ratio, level) = (ratio.clamp(0.0, 1.0), self.scaled_height(ratio));
         // Whole curve minus the part above, both counted from the level.
         self.scale * (self.area_above(ratio, level) - self.area_above(1.0, level)).max(0.0)

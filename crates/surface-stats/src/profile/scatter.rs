@@ -34,7 +34,7 @@ pub struct MomentScatter {
 
 /// Two-sided 95 % quantile of Student's t for `freedom` degrees of freedom, by its expansion about
 /// the normal one (Abramowitz & Stegun 26.7.5); `None` below 2, where it means nothing.
-pub fn students_t(freedom: f64) -> Option<f64> {
+pub(crate) fn students_t(freedom: f64) -> Option<f64> {
     const Z: f64 = 1.959_963_984_540_054;
     if freedom.is_nan() || freedom < 2.0 {
         return None;

@@ -63,7 +63,7 @@ impl Setting {
 
     /// A λc that was asked for, on points at this spacing: with λs as asked for, else that of the class
     /// with this λc if there is one and the points resolve it.
-    pub fn of_cutoff(cutoff: f64, short: Option<f64>, spacing: f64) -> Self {
+    pub(crate) fn of_cutoff(cutoff: f64, short: Option<f64>, spacing: f64) -> Self {
         let known = SETTING_CLASSES.iter().find(|c| (c.cutoff / cutoff - 1.0).abs() < 1e-6);
         match (short, known) {
             (None, Some(class)) => {
@@ -86,7 +86,7 @@ impl Setting {
     }
 
     /// Shortest trace that has one section length of roughness, with half a cut-off at each end (m).
-    pub fn least_length(&self) -> f64 {
+    pub(crate) fn least_length(&self) -> f64 {
         2.0 * self.cutoff
     }
 }

@@ -6,7 +6,7 @@ use crate::{Edges, StatsError};
 use contact_types::{Grid, HeightMap};
 
 /// Fewest points of which statistics of a profile are taken.
-pub const LEAST_POINTS: usize = 32;
+pub(crate) const LEAST_POINTS: usize = 32;
 
 /// One line of evenly spaced heights: a height map of one row, so that everything that is defined
 /// for rows of maps holds here too.
@@ -79,7 +79,7 @@ impl Trace {
     ///
     /// # Errors
     /// As [`gaussian_filter`].
-    pub fn without_short_waves(&self, nesting_index: f64) -> Result<Self, StatsError> {
+    pub(crate) fn without_short_waves(&self, nesting_index: f64) -> Result<Self, StatsError> {
         let heights = gaussian_filter(self.0.grid(), self.heights(), nesting_index, Edges::Open)?;
         Self::new(self.spacing(), heights)
     }
@@ -89,7 +89,7 @@ impl Trace {
     ///
     /// # Errors
     /// As [`gaussian_filter`].
-    pub fn without_long_waves(&self, nesting_index: f64) -> Result<Self, StatsError> {
+    pub(crate) fn without_long_waves(&self, nesting_index: f64) -> Result<Self, StatsError> {
         let mut heights =
             gaussian_filter(self.0.grid(), self.heights(), nesting_index, Edges::Open)?;
         for (long, z) in heights.iter_mut().zip(self.heights()) {
@@ -111,7 +111,7 @@ impl Trace {
     ///
     /// # Errors
     /// [`StatsError::TooFewPoints`] if fewer than [`LEAST_POINTS`] are left.
-    pub fn without_ends(&self, distance: f64) -> Result<Self, StatsError> {
+    pub(crate) fn without_ends(&self, distance: f64) -> Result<Self, StatsError> {
         let cut = (distance / self.spacing() - 1e-9).ceil().max(0.0) as usize;
         self.part(cut, self.len().saturating_sub(cut))
     }

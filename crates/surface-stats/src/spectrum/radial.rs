@@ -104,43 +104,6 @@ impl PowerSpectrum {
         (all > 0.0).then(|| (seen / all).sqrt())
     }
 
-    /// How well the slopes repeat at another place, by their autocorrelation \[-\]: 1 for a pattern of like
-    /// cells, near 0 for a rough surface, which is like itself only nearby. What hangs together with no
-    /// shift at all at half or more, such as shifts along a lay, is no other place.
-    pub fn slopes_repeat(&self) -> f64 {
-        let [ny, nx] = self.grid.shape();
-        let nq = nx / 2 + 1;
-        let mut power = self.waves.clone();
-        for (i, wave) in power.iter_mut().enumerate() {
-            let [qy, qx] = self.grid.wave_vector(i / nq, i % nq);
-            *wave = Complex::new(wave.norm_sqr() * (qy * qy + qx * qx), 0.0);
-        }
-        let mut alike = vec![0.0; ny * nx];
-        GridFft::new([ny, nx]).inverse(&mut power, &mut alike);
-        let own = alike[0];
-        if own <= 0.0 {
-            return 0.0;
-        }
-        // Shifts that hang together with none; a narrow ridge may pass between the points.
-        let mut nearby = vec![false; ny * nx];
-        let mut left = vec![0];
-        nearby[0] = true;
-        while let Some(i) = left.pop() {
-            let (iy, ix) = (i / nx, i % nx);
-            for k in 0..25 {
-                let y = (iy + ny.saturating_mul(2) + k / 5 - 2) % ny;
-                let x = (ix + nx.saturating_mul(2) + k % 5 - 2) % nx;
-                let next = y * nx + x;
-                if !nearby[next] && alike[next] >= 0.5 * own {
-                    nearby[next] = true;
-                    left.push(next);
-                }
-            }
-        }
-        let elsewhere = alike.iter().zip(&nearby).filter(|(_, near)| !**near);
-        elsewhere.fold(0.0, |most: f64, (a, _)| most.max(a / own))
-    }
-
     /// Waves gathered into rings of strictly rising wavenumber, as wide as the finer of the two wavenumber steps of the map
     /// (wider only if the sides differ so much that there would be more than 8 rings per row and
     /// column).

@@ -7,7 +7,6 @@ use crate::Real;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::cheap_compliance::CheapCompliance;
 use crate::methods::passes::{self, ContactSet};
-use crate::parts::part;
 use crate::row_work::total;
 
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
@@ -19,12 +18,12 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let (stiffness, grid) = (&self.work.stiffness, self.work.grid);
         let new = || CheapCompliance::new(stiffness, grid.pixel());
         let known = self.work.cheap.take();
-        let Some(cheap) = known.or_else(|| part("planning of K~", new)) else { return false };
-        part("sweep", || self.sweep_trial(set, 1.0));
-        let factor = part("end", || self.end_trial(level)).unwrap_or(1.0);
+        let Some(cheap) = known.or_else(new) else { return false };
+        self.sweep_trial(set, 1.0);
+        let factor = self.end_trial(level).unwrap_or(1.0);
         let has_load = self.control.is_none();
         let work = &mut *self.work;
-        part("K~", || {
+        {
             work.pairs.change(factor, self.iterate, &mut work.residual);
             let Lead { pressure, base, displacement, spare } = work.pairs.lead(self.iterate);
             let (rows, h) = (work.rows, self.heights);
@@ -44,7 +43,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             if has_load && response > 0.0 {
                 self.memory.adapt_length(1.0 - along / response);
             }
-        });
+        };
         self.memory.has_before = false;
         work.cheap = Some(cheap);
         self.transforms += work.stiffness.cost; // a transform on the same coarse grid

@@ -44,7 +44,6 @@ use crate::methods::extrapolation::Earlier;
 use crate::methods::node::Node;
 use crate::methods::passes::{self, ContactSet};
 use crate::methods::stiffness::Stiffness;
-use crate::parts::part;
 use crate::problem::Problem;
 use crate::{Boundary, End, Real, certificate, fields};
 use contact_types::Grid;
@@ -152,7 +151,7 @@ impl<T: Real> Chord<T> {
         let Self { work, earlier, force, .. } = self;
         let mut run = Run::new(ceiling, work, task, operator, start, *force, state);
         run.guesses = guesses;
-        part("start", || run.begin(start, earlier.as_deref_mut()));
+        run.begin(start, earlier.as_deref_mut());
         let mut proposal = run.first_proposal(start, task.tolerance);
         let mut iteration = 0;
         let end = loop {
@@ -191,7 +190,7 @@ impl<T: Real> Chord<T> {
         let yielding = C::IS_FINITE.then(|| run.level_of_iterate());
         let Run { transforms, fallbacks, .. } = run;
         let level = || certificate::level(state, &task.problem.heights, Top::NONE);
-        state.level = part("level of the answer", || yielding.unwrap_or_else(level));
+        state.level = yielding.unwrap_or_else(level);
         Outcome { end, iterations: iteration, transforms, residual, fallbacks }
     }
 }
@@ -293,7 +292,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         } else if looks_ahead {
             set = self.look_ahead(level, release);
         }
-        part("S", || self.precondition());
+        self.precondition();
         self.proposed(level, set, tolerance)
     }
 
@@ -309,7 +308,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
 
     /// The trial that `S E g` leads to.
     fn proposed(&mut self, level: f64, set: ContactSet, tolerance: f64) -> Proposal {
-        let estimate = part("trial", || self.make_trial(self.memory.tau, set));
+        let estimate = self.make_trial(self.memory.tau, set);
         self.memory.residual = estimate.residual;
         if self.work.pairs.base == Base::Iterate && estimate.residual <= tolerance {
             self.memory.residual = self.credible(&estimate, level);
@@ -338,10 +337,10 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let products = loop {
             let trial = match kind {
                 Kind::Chord => {
-                    part("sweep", || self.sweep_trial(proposal.set, self.memory.residual.min(1.0)));
+                    self.sweep_trial(proposal.set, self.memory.residual.min(1.0));
                     // The first trial is likely to need more than a factor.
                     if self.memory.is_first || C::IS_FINITE {
-                        part("end", || self.end_trial(proposal.level)).map(Trial::Ended)
+                        self.end_trial(proposal.level).map(Trial::Ended)
                     } else {
                         Some(Trial::Swept)
                     }
@@ -351,8 +350,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
                     Some(Trial::Ended(1.0))
                 }
             };
-            let products = trial
-                .and_then(|trial| part("pair", || self.respond(trial, [level, proposal.level])));
+            let products = trial.and_then(|trial| self.respond(trial, [level, proposal.level]));
             if let Some(products) = products
                 && (products.theta() > 0.0 || kind != Kind::Chord)
             {
@@ -364,6 +362,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             self.fallbacks.gradient_steps += 1;
         }
         self.work.pairs.base = Base::Iterate;
-        part("advance", || self.advance(kind, &products, proposal.level));
+        self.advance(kind, &products, proposal.level);
     }
 }

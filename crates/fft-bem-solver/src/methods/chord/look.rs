@@ -5,7 +5,6 @@ use super::run::Run;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::contract::State;
 use crate::methods::passes::{self, ContactSet, Gap};
-use crate::parts::part;
 use crate::{Real, fields};
 use std::f64::consts::FRAC_PI_2;
 
@@ -37,7 +36,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let measured = |partial| passes::level(p, u, self.heights, partial);
         let (level, excess) = match known {
             _ if C::IS_FINITE => (self.level_of_base(), None),
-            Known::Nothing => (part("level", || measured(&mut self.work.partial)), None),
+            Known::Nothing => (measured(&mut self.work.partial), None),
             Known::Level(level) => (level, None),
             Known::Gap { level, counted_from } => (level, Some(level - counted_from)),
         };
@@ -86,7 +85,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             Some(excess) => Gap::Known { excess },
             None => Gap::Of { u, h: self.heights, level },
         };
-        let found = part("contact set", || {
+        let found = {
             passes::residual(
                 self.ceiling,
                 p,
@@ -99,12 +98,12 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
                 &mut work.pyramid,
                 &mut work.partial,
             )
-        });
-        part("extension", || {
+        };
+        {
             work.pyramid.extend_above();
             let (pyramid, stiffness) = (&work.pyramid, &mut work.stiffness);
             passes::push(&work.nodes, &work.residual, pyramid, size[1], stiffness, extended);
-        });
+        };
         found
     }
 
