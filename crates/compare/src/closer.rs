@@ -8,11 +8,10 @@ use crate::solver_of::builder;
 use crate::threads::on_threads;
 use crate::{EdgesName, Listener, Origin, Settings, StudyError, Surrounded};
 use contact_accuracy::{Ladder, Setup, regrid};
-use contact_types::{ContactModulus, HeightMap};
+use contact_types::{Clock, ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Maps, Solver};
 use rayon::join;
 use std::borrow::Cow;
-use std::time::Instant;
 use surface_stats::clean::mirrored;
 use surface_stats::{Level, level};
 
@@ -44,7 +43,7 @@ fn look(
     modulus: ContactModulus,
     progress: &mut Listener<'_>,
 ) -> Result<(), StudyError> {
-    let start = Instant::now();
+    let start = Clock::now();
     let is_solved = surface.headline_answer().is_some_and(|a| a.converged);
     if !is_solved || surface.map.rms_height <= 0.0 {
         return Ok(());

@@ -15,10 +15,9 @@ use crate::threads::on_threads;
 use crate::{GapGas, Input, Inputs, Listener, StudyError, Surrounded, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
-use contact_types::{ContactModel, ContactModulus, ContactState, HeightMap};
+use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
 use fft_bem_solver::Load;
 use std::borrow::Cow;
-use std::time::Instant;
 
 /// Points along the shorter side that the shortest wave left must fit, twice.
 const FEWEST_POINTS: usize = 16;
@@ -157,7 +156,7 @@ impl Comparison {
         let Self { settings, surfaces, .. } = self;
         on_threads(settings.threads, || {
             for surface in surfaces {
-                let start = Instant::now();
+                let start = Clock::now();
                 let mut watch = Watch::new(progress, surface.headline);
                 let octaves = octaves(surface, settings, modulus, &mut watch);
                 watch.go_on()?;

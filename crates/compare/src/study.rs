@@ -20,11 +20,10 @@ use crate::{Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, def
 use contact_accuracy::{
     Aim, ClimbError, Ladder, LadderError, Map, Request, Setup, Task, climb, round_to_digits,
 };
-use contact_types::{ContactModulus, ContactState, ModelError};
+use contact_types::{Clock, ContactModulus, ContactState, ModelError};
 use fft_bem_solver::{Iteration, Load, Maps, SolverBuilder, SolverError};
 use rayon::join;
 use std::ops::ControlFlow;
-use std::time::Instant;
 use surface_stats::Spectra;
 
 impl Comparison {
@@ -42,7 +41,7 @@ impl Comparison {
         registry: &Registry,
         progress: &mut Listener<'_>,
     ) -> Result<Self, StudyError> {
-        let start = Instant::now();
+        let start = Clock::now();
         if surfaces.is_empty() {
             return Err(StudyError::NoSurface);
         }
@@ -133,7 +132,7 @@ fn compare(
 ) -> Result<SurfaceComparison, StudyError> {
     let Surface { name, origin, heights } = surface;
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
-    let setup = Instant::now();
+    let setup = Clock::now();
     let asked = (settings, registry);
     // Spikes of the map before levelling, as they are removed.
     let (spikes, described) = join(

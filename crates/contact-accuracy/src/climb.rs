@@ -7,10 +7,9 @@ use crate::indicator::LIMIT;
 use crate::ladder::{Answered, Finer, Ladder, LadderError, MOST, Setup};
 use crate::regrid;
 use crate::request::Request;
-use contact_types::{Grid, HeightMap};
+use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Precision, SolverError};
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 /// How well the area is to be known.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -131,7 +130,7 @@ impl Reached {
 /// # Errors
 /// [`ClimbError`]. A load that is not solved or a request that is not met is a result.
 pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, ClimbError> {
-    let start = Instant::now();
+    let start = Clock::now();
     let grid = task.map.grid();
     let possible = |factor: f64| match factor {
         0.5 => Coarser::is_possible(grid) && Coarser::is_possible(half(grid)),
@@ -181,7 +180,7 @@ struct Outcome {
 
 /// Every load on one rung; of every second point until one misses the request.
 fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt, ClimbError> {
-    let begun = Instant::now();
+    let begun = Clock::now();
     let statistics = |source| ClimbError::Ladder(LadderError::Statistics(source));
     let repeats = Map::of(task.map).repeats && task.setup.boundary == Boundary::Periodic;
     let map = match factor {
@@ -255,7 +254,7 @@ impl Attempt {
     }
 
     /// As the result, with the rung above of so many points per side over those of the map.
-    fn reached(self, task: &Task<'_>, above: Option<f64>, start: Instant) -> Reached {
+    fn reached(self, task: &Task<'_>, above: Option<f64>, start: Clock) -> Reached {
         let request = match task.aim {
             Aim::Fast => None,
             Aim::Within(request) => Some(request),

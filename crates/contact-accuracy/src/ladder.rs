@@ -8,13 +8,12 @@ use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
 use crate::regrid;
 use crate::uncertainty::Beside;
-use contact_types::{ContactModulus, Grid, HeightMap};
+use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
     Answer, Boundary, Iteration, Load, Maps, SetStiffness, Solution, Solver, SolverBuilder,
     SolverError,
 };
 use gap_flow::Axis;
-use std::time::Instant;
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
 
@@ -176,7 +175,7 @@ impl Ladder {
         stiffness: bool,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Answered, SolverError> {
-        let clock = Instant::now();
+        let clock = Clock::now();
         let coarser = match &mut self.coarser {
             Ok(coarser) => match coarser.solve(load, stiffness, &mut observer) {
                 Ok(numbers) => Ok(numbers),
@@ -199,7 +198,7 @@ impl Ladder {
         let mut found = budget(&beside, &self.known);
         let repeats = self.known.repeats && self.setup.boundary == Boundary::Periodic;
         found.indicator = indicator(&self.given, repeats, &solution.pressure, self.setup.modulus);
-        let clock = Instant::now();
+        let clock = Clock::now();
         let mut finer = None;
         if self.needs_finer(&found) {
             finer = self.on_finer(load, stiffness, observer);

@@ -1,8 +1,8 @@
 //! The leak through the gap of a solution, with its uncertainty.
 
+use contact_types::Clock;
 use fft_bem_solver::Solution;
 use gap_flow::{Axis, Flow, Gap, NotSolved};
-use std::time::Instant;
 
 /// Fewest open points across the bottleneck for a rate; with less there is a bound only.
 const FEWEST_ACROSS: usize = 4;
@@ -90,17 +90,17 @@ impl Leaks {
         let open = open(solution);
         let gap = Gap::new(solution.grid, &open);
         let gap = if mirrored { gap.between_walls() } else { gap };
-        let clock = Instant::now();
+        let clock = Clock::now();
         let leak = |axis: Axis| {
             let coarser = coarser.iter().filter_map(|k| k[axis as usize]).collect();
             gap.flow(axis).map(|flow| Leak { flow, coarser })
         };
         let along = axes.iter().map(|&axis| (axis, leak(axis))).collect();
         let flow = clock.elapsed().as_secs_f64();
-        let clock = Instant::now();
+        let clock = Clock::now();
         let mean_gap = gap.mean();
         let mean = clock.elapsed().as_secs_f64();
-        let clock = Instant::now();
+        let clock = Clock::now();
         let bruggeman = gap.bruggeman();
         let seconds = [flow, mean, clock.elapsed().as_secs_f64()];
         Some(Self { along, mean_gap, bruggeman, seconds })

@@ -10,6 +10,7 @@
 
 #[cfg(feature = "serde")]
 mod any_number;
+mod clock;
 mod contact;
 mod error;
 mod grid;
@@ -22,6 +23,7 @@ mod reading;
 pub mod require;
 mod spectrum;
 
+pub use clock::Clock;
 pub use contact::{Caveat, Citation, ContactModel, ContactState, SeparationModel};
 pub use error::{ModelError, SurfaceError};
 pub use grid::Grid;

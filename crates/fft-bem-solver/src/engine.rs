@@ -9,9 +9,8 @@ use crate::{
     Boundary, End, Iteration, Load, Maps, Method, Precision, Real, Solution, SolverError, control,
     fields, special_cases,
 };
-use contact_types::{ContactModulus, Grid, HeightMap};
+use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 use std::sync::Arc;
-use std::time::Instant;
 
 /// The settings of a solver, checked.
 #[derive(Debug, Clone, Copy)]
@@ -52,7 +51,7 @@ pub(crate) struct Engine<T> {
 pub(crate) struct Run {
     pub(crate) exact: Option<&'static str>,
     pub(crate) outcome: Outcome,
-    pub(crate) clock: Instant,
+    pub(crate) clock: Clock,
 }
 
 impl<T: Real> Engine<T> {
@@ -109,7 +108,7 @@ impl<T: Real> Engine<T> {
         &mut self,
         load: Load,
         observer: &mut Observe<'_>,
-        clock: Instant,
+        clock: Clock,
     ) -> Result<Solution, SolverError> {
         let problem = self.problem.clone().ok_or(SolverError::NoSurface)?;
         self.solve_problem(&problem, load, observer, clock)
@@ -120,7 +119,7 @@ impl<T: Real> Engine<T> {
         problem: &Problem<T>,
         load: Load,
         observer: &mut Observe<'_>,
-        clock: Instant,
+        clock: Clock,
     ) -> Result<Solution, SolverError> {
         let ceilings = self.ceilings.clone();
         let ceiling = self.top(problem, &ceilings);
@@ -247,7 +246,7 @@ impl<T: Real> Engine<T> {
     }
 
     /// Nothing carries load: the undeformed surface, its highest point at `-level` from the flat.
-    fn apart(&mut self, level: f64, clock: Instant) -> Run {
+    fn apart(&mut self, level: f64, clock: Clock) -> Run {
         self.state.pressure.fill(T::zero());
         self.state.displacement.fill(T::zero());
         self.state.level = level;
@@ -255,7 +254,7 @@ impl<T: Real> Engine<T> {
     }
 
     /// The least load that closes every gap.
-    fn closed(&mut self, problem: &Problem<T>, clock: Instant) -> Run {
+    fn closed(&mut self, problem: &Problem<T>, clock: Clock) -> Run {
         let (operator, state) = (self.operator.as_mut(), &mut self.state);
         let least = special_cases::flattening_pressure(problem, operator, &mut state.pressure);
         special_cases::full_contact(problem, least.unwrap_or(0.0), state);
@@ -263,7 +262,7 @@ impl<T: Real> Engine<T> {
     }
 
     /// Everything at the ceiling. The flat is where the lowest point still touches it.
-    fn yielded(&mut self, problem: &Problem<T>, ceiling: Top<'_, T>, clock: Instant) -> Run {
+    fn yielded(&mut self, problem: &Problem<T>, ceiling: Top<'_, T>, clock: Clock) -> Run {
         let State { pressure, displacement, level } = &mut self.state;
         fields::write(pressure, |i, _| ceiling.at(i));
         let mut spent = 0.0;
@@ -286,7 +285,7 @@ impl<T: Real> Engine<T> {
         target: Target,
         start: Start,
         observer: &mut Observe<'_>,
-        clock: Instant,
+        clock: Clock,
     ) -> Run {
         let mut spent = 0.0;
         let mut start = start;
@@ -422,7 +421,7 @@ enum Prescribed {
     Target(Target),
 }
 
-fn exact(reason: &'static str, transforms: f64, clock: Instant) -> Run {
+fn exact(reason: &'static str, transforms: f64, clock: Clock) -> Run {
     let outcome = Outcome::without_iterating(transforms);
     Run { exact: Some(reason), outcome, clock }
 }

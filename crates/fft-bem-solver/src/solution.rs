@@ -5,6 +5,7 @@ use contact_types::{ContactState, Grid};
 
 /// A contact at one load.
 #[derive(Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Solution {
     /// The grid it was found on.
@@ -34,6 +35,7 @@ pub struct Solution {
 
 /// What lies along one row of the map, signs and units as in [`Solution`].
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Section {
     /// The row, counted from 0.
@@ -119,6 +121,7 @@ pub enum End {
 /// Steps that a method took because its own did not help: they cost time, not accuracy. The
 /// baselines have none.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Fallbacks {
     /// Projected gradients, in place of a chord that does not descend or where the estimate stalls.
@@ -129,6 +132,7 @@ pub struct Fallbacks {
 
 /// How an answer was found and how accurate it is.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Diagnostics {
     /// The method that found it; never [`Method::Auto`].

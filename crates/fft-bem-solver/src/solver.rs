@@ -9,9 +9,8 @@ use crate::{
     Boundary, Iteration, Load, Maps, Method, Precision, SetStiffness, Solution, SolverError,
     mixed_problem, problem,
 };
-use contact_types::{ContactModulus, Grid, HeightMap};
+use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 use std::sync::Arc;
-use std::time::Instant;
 
 /// Settings of a [`Solver`], each with a default.
 #[derive(Debug, Clone)]
@@ -336,7 +335,7 @@ impl Solver {
         load: Load,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Solution, SolverError> {
-        let clock = Instant::now();
+        let clock = Clock::now();
         self.keep(surface)?;
         self.solve_kept(load, &mut |iteration: &Iteration<'_>| observer(iteration).flow(), clock)
     }
@@ -371,7 +370,7 @@ impl Solver {
         load: Load,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Solution, SolverError> {
-        let clock = Instant::now();
+        let clock = Clock::now();
         self.solve_kept(load, &mut |iteration: &Iteration<'_>| observer(iteration).flow(), clock)
     }
 
@@ -409,7 +408,7 @@ impl Solver {
         &mut self,
         load: Load,
         observer: &mut Observe<'_>,
-        clock: Instant,
+        clock: Clock,
     ) -> Result<Solution, SolverError> {
         let Self { engine, pool, .. } = self;
         pool.run(|| match engine {

@@ -12,8 +12,7 @@ use crate::study::{check_models, check_pressures, loads, named};
 use crate::theory::{BuildError, Card, Theory};
 use crate::verdict::{Judged, verdict};
 use crate::{Origin, Registry, Settings, StudyError};
-use contact_types::{ContactModulus, ContactState, SpectralMoments};
-use std::time::Instant;
+use contact_types::{Clock, ContactModulus, ContactState, SpectralMoments};
 use surface_stats::StatsError;
 use surface_stats::profile::{ProfileOptions, ProfileStatistics, Trace, TraceSpectrum};
 
@@ -163,7 +162,7 @@ impl ProfileComparison {
         settings: Settings,
         registry: &Registry,
     ) -> Result<Self, StudyError> {
-        let start = Instant::now();
+        let start = Clock::now();
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
         check_pressures(&settings)?;
         check_models(&settings, registry)?;
