@@ -10,7 +10,7 @@
 use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMoments};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use gw_closed_form::partial_moments::{Order, ln, scaled, value};
-use gw_closed_form::{GreenwoodWilliamson, appendix, approximations, inverse};
+use gw_closed_form::{GreenwoodWilliamson, appendix, inverse};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
@@ -62,9 +62,6 @@ fn load_integral(c: &mut Criterion) {
             ("closed form, literal (A1)", |a| appendix::load_a1(a, 1.0)),
             ("Simpson, 40 intervals", |a| simpson(1.5, a, 40)),
             ("Simpson, 200 intervals", |a| simpson(1.5, a, 200)),
-            ("exponential height law", |a| {
-                approximations::exponential_height_law(Order::ThreeHalves, a)
-            }),
         ],
     );
     let arguments: Vec<f64> = (0..100).map(|k| 0.035 * f64::from(k) + 1e-3).collect();
@@ -75,8 +72,6 @@ fn load_integral(c: &mut Criterion) {
         &arguments,
         &[
             ("closed form, stable", |a| value(Order::FiveHalves, a)),
-            ("power fit", approximations::power_fit),
-            ("log-quadratic fit", approximations::log_quadratic_fit),
             ("Simpson, 40 intervals", |a| simpson(2.5, a, 40)),
         ],
     );

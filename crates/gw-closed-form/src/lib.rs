@@ -11,14 +11,12 @@
     doc = "- [`GreenwoodWilliamson`]: the model with units: pressure, area, stiffness, contacts."
 )]
 //! - [`appendix`], [`bessel`]: (A1) and (A2) literally, with their loss of digits.
-//! - [`approximations`]: the exponential height law and the curve fits they replaced.
 //!
 //! # Source
 //! Greenwood & Williamson (1966), doi:10.1098/rspa.1966.0242; Jackson & Green, IJTC2009-15106.
 #![no_std]
 
 pub mod appendix;
-pub mod approximations;
 mod arithmetic;
 pub mod bessel;
 pub mod integrals;

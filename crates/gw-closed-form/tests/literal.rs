@@ -4,7 +4,7 @@ mod common;
 use common::{Worst, relative_error};
 use gw_closed_form::appendix::{area_a2, load_a1};
 use gw_closed_form::bessel::{IOrder, KOrder, i_scaled, k_scaled};
-use gw_closed_form::{approximations, integrals, partial_moments};
+use gw_closed_form::integrals;
 
 /// Interval of α, documented largest error of (A1) and of (A2).
 const LOSS: [(f64, f64, f64, f64); 8] = [
@@ -90,30 +90,3 @@ const BESSEL: [f64; 10] = [
     0.28311410930587452787,
     0.2782814558950887876,
 ];
-
-/// Errors of the approximations that the closed form replaced, in per cent, at h = 0, 1, 2, 3,
-/// 3.5, 4: the table in the documentation of `approximations`.
-#[test]
-fn approximations_are_as_wrong_as_documented() {
-    use partial_moments::{Order, value};
-    let table = [
-        (0.0, 237.1, -10.7, -11.3),
-        (1.0, -4.6, -3.5, -12.8),
-        (2.0, -45.95, -9.2, 4.6),
-        (3.0, -32.2, -74.2, 24.9),
-        (3.5, 4.4, -98.2, 30.4),
-        (4.0, 100.6, -100.0, -100.0),
-    ];
-    for (h, exponential, power, log_quadratic) in table {
-        let percent = |x: f64, order| 100.0 * (x / value(order, h) - 1.0);
-        let law = approximations::exponential_height_law(Order::ThreeHalves, h);
-        for (found, documented) in [
-            (percent(law, Order::ThreeHalves), exponential),
-            (percent(approximations::power_fit(h), Order::FiveHalves), power),
-            (percent(approximations::log_quadratic_fit(h), Order::FiveHalves), log_quadratic),
-        ] {
-            println!("h = {h}: {found:.2} %");
-            assert!((found - documented).abs() < 0.06, "h = {h}: {found} {documented}");
-        }
-    }
-}

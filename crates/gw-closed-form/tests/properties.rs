@@ -5,7 +5,7 @@ use contact_types::{
     SpectralMoments,
 };
 use gw_closed_form::partial_moments::{Order, derivative, ln, ln_derivative, scaled, value};
-use gw_closed_form::{GreenwoodWilliamson, appendix, approximations, integrals, inverse};
+use gw_closed_form::{GreenwoodWilliamson, appendix, integrals, inverse};
 use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::prelude::*;
 
@@ -71,8 +71,6 @@ proptest! {
     #[test]
     fn literal_and_approximate_forms_are_finite(a in any_finite(), std in positive(1e-3, 1e3)) {
         prop_assert!(appendix::load_a1(a, std).is_finite() || (a / std).is_infinite());
-        prop_assert!(approximations::power_fit(a.clamp(-1e30, 1e30)).is_finite());
-        prop_assert!(approximations::log_quadratic_fit(a.clamp(-1e5, 1e300)).is_finite());
     }
 
     #[test]
