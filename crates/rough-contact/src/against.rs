@@ -15,7 +15,6 @@ use std::path::{Path, PathBuf};
 
 /// Options of a second body.
 #[derive(Args, Clone, Debug)]
-#[command(next_help_heading = "Second body")]
 pub(crate) struct Against {
     /// Surface file of a second body that lies face down on FILE: the sum of both heights is solved
     #[arg(long = "against", id = "against", value_name = "FILE2")]

@@ -8,7 +8,6 @@ use surface_stats::clean::Form;
 
 /// Done in this order on the valid points, before missing points are filled.
 #[derive(Args, Clone, Copy, Debug, Default)]
-#[command(next_help_heading = "Cleaning, in this order, before the fill")]
 pub(crate) struct CleaningOptions {
     /// Put rows in line that stand at heights of their own, by the median of their differences
     #[arg(long)]

@@ -49,7 +49,6 @@ impl Fill {
 
 /// What the file does not say, and which part of it is wanted.
 #[derive(Args, Clone, Debug)]
-#[command(next_help_heading = "File options")]
 pub(crate) struct Reading {
     /// Channel to read: its name, a part of it, or #2 [default: the topography]
     #[arg(long, value_name = "NAME")]

@@ -21,6 +21,7 @@ mod fields;
 mod files;
 mod given;
 mod hardness;
+mod help;
 mod http;
 mod info;
 mod input;
@@ -107,7 +108,9 @@ enum Command {
 fn main() -> ExitCode {
     // clap's own errors leave through the same door as ours, so scripts see one contract.
     let wants_json = std::env::args_os().any(|arg| arg == "--json");
-    let parsed = Cli::command()
+    let words: Vec<String> =
+        std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect();
+    let parsed = help::grouped(Cli::command(), &words)
         .try_get_matches()
         .and_then(|mut matches| Cli::from_arg_matches_mut(&mut matches));
     let cli = match parsed {
@@ -141,6 +144,6 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::App(app) => app.run(common),
         Command::Validate(validate) => validate.run(common),
         Command::Completions(completions) => completions.run(Cli::command()),
-        Command::Man(man) => man.run(Cli::command(), common),
+        Command::Man(man) => man.run(help::grouped(Cli::command(), &[]), common),
     }
 }

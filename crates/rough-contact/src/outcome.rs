@@ -52,47 +52,10 @@ pub(crate) fn tell(line: &str) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
-/// Writes help or version, as far as the reader wants it; in a terminal as wide as that is.
+/// Writes help or version, as far as the reader wants it.
 pub(crate) fn show(help: &str) {
-    let asked = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
-    let terminal = || console::Term::stdout().size_checked().map(|(_, columns)| columns.into());
-    let help =
-        asked.or_else(terminal).map_or_else(|| help.to_owned(), |width| wrapped(help, width));
     let mut stdout = std::io::stdout().lock();
     let _ = stdout.write_all(help.as_bytes()).and_then(|()| stdout.flush());
-}
-
-/// Lines broken between words, what follows below where the text of its option begins.
-fn wrapped(help: &str, width: usize) -> String {
-    let mut out = String::new();
-    for line in help.lines() {
-        let lead = line.len() - line.trim_start().len();
-        let text = line.get(lead..).and_then(|rest| {
-            let gap = rest.find("  ")?;
-            Some(lead + gap + rest[gap..].len() - rest[gap..].trim_start().len())
-        });
-        let indent = text.filter(|text| text + 20 <= width).unwrap_or(lead);
-        let mut column = 0;
-        for word in line[lead..].split(' ') {
-            let length = word.chars().count();
-            if column == 0 {
-                out.push_str(&line[..lead]);
-                column = lead;
-            } else if column + 1 + length > width && !word.is_empty() {
-                out.truncate(out.trim_end_matches(' ').len());
-                out.push('\n');
-                out.push_str(&" ".repeat(indent));
-                column = indent;
-            } else {
-                out.push(' ');
-                column += 1;
-            }
-            out.push_str(word);
-            column += length;
-        }
-        out.push('\n');
-    }
-    out
 }
 
 /// Writes the reply or the failure and chooses the exit status.
@@ -120,21 +83,5 @@ pub(crate) fn finish(result: Result<Reply, Failure>, json: bool) -> ExitCode {
             ExitCode::from(1)
         }
         _ => ExitCode::SUCCESS,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn help_is_broken_between_words_and_stays_in_its_column() {
-        let help =
-            "Usage: x\n\n  -h, --help  Print this help, which is long\n      --no        Short\n";
-        let shown = "Usage: x\n\n  -h, --help  Print this help,\n              which is long\n      --no        Short\n";
-        assert_eq!(wrapped(help, 34), shown);
-        assert_eq!(wrapped(help, 80), help);
-        let narrow = wrapped(help, 20);
-        assert!(narrow.lines().all(|line| line.chars().count() <= 20), "{narrow}");
     }
 }

@@ -202,3 +202,21 @@ fn help_and_version_are_answers() {
         assert!(said.err.is_empty() && !said.out.is_empty(), "{line}");
     }
 }
+
+/// `-h` has what most people need, `model NAME -h` what that model is made from and nothing of others.
+#[test]
+fn short_help_is_short() {
+    let dir = folder();
+    let help = |command: &str| rough_contact(dir.path(), &format!("{command} -h")).out;
+    for command in ["solve", "compare", "model", "stats", "synth", "convert"] {
+        let help = help(command);
+        let options = help.lines().filter(|line| line.trim_start().starts_with("--")).count();
+        let mut lines = help.lines().filter(|line| !line.starts_with("Usage:"));
+        assert!(options <= 25 && lines.all(|line| line.chars().count() <= 100), "{help}");
+    }
+    assert!(help("synth").contains("--hurst"));
+    let gw = help("model gw");
+    assert!(gw.contains("--asperity-radius") && !gw.contains("--critical-area"), "{gw}");
+    let fractal = help("model majumdar-bhushan");
+    assert!(fractal.contains("--critical-area") || fractal.contains("--dimension"), "{fractal}");
+}
