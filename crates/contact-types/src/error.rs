@@ -55,7 +55,7 @@ pub enum SurfaceError {
         count: usize,
     },
     /// A material constant is outside its physical range.
-    #[error("{quantity} = {value:e} {unit} is outside its domain, {}", shown(domain))]
+    #[error("{quantity} = {value:e} {unit} is outside its domain, {}", shown(domain, *value))]
     Material {
         /// Which constant.
         quantity: &'static str,
@@ -109,7 +109,7 @@ pub enum ModelError {
     #[error(
         "{model}: {quantity} = {} is outside its domain, {}: {reason}",
         number(*value),
-        shown(domain)
+        shown(domain, *value)
     )]
     OutsideDomain {
         /// The model asked.
@@ -137,13 +137,13 @@ pub enum ModelError {
     },
 }
 
-/// A range as people write it; the largest and the smallest double stand for no bound.
-fn shown(domain: &RangeInclusive<f64>) -> String {
+/// A range as people write it, for a value outside it; the largest and the smallest double stand for no bound.
+fn shown(domain: &RangeInclusive<f64>, value: f64) -> String {
     let (low, high) = (*domain.start(), *domain.end());
     match (low <= f64::MIN, high >= f64::MAX) {
         (true, true) => "any finite number".to_owned(),
         (true, false) => format!("at most {}", number(high)),
-        (false, true) if low <= f64::MIN_POSITIVE => "greater than 0".to_owned(),
+        (false, true) if low <= f64::MIN_POSITIVE && value <= 0.0 => "greater than 0".to_owned(),
         (false, true) => format!("at least {}", number(low)),
         (false, false) => format!("{} to {}", number(low), number(high)),
     }
@@ -168,7 +168,7 @@ mod tests {
             (1.0..=1.5, "1 to 1.5"),
             (0.0..=1e18, "0 to 1e18"),
         ] {
-            assert_eq!(shown(&domain), text);
+            assert_eq!(shown(&domain, 0.0), text);
         }
     }
 }

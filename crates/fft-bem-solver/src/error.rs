@@ -1,6 +1,6 @@
 //! Why there is no solution, or not the one asked for.
 
-use crate::{Residuals, Solution};
+use crate::{Precision, Residuals, Solution};
 
 /// Why a solve did not end with an answer to the tolerance asked for.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -109,8 +109,9 @@ pub enum SolverError {
     /// inside, as good as this floating-point type can give it; its residual says how good that is.
     #[error(
         "stopped at rounding after {} iterations: estimated relative pressure error {:.2e}; \
-         ask for no smaller tolerance than that, or use double precision",
-        .0.diagnostics.iterations, residual(.0)
+         ask for no smaller tolerance than that{}",
+        .0.diagnostics.iterations, residual(.0),
+        if .0.diagnostics.precision == Precision::Single { ", or use f64" } else { "" }
     )]
     Rounding(Box<Solution>),
     /// The iteration limit was reached first. The last iterate is inside; to keep the best one would

@@ -198,7 +198,7 @@ impl SolverBuilder {
             if map.len() != grid.len() {
                 let n = map.len() as f64;
                 return bad(
-                    "hardness_map",
+                    "length of hardness_map",
                     n,
                     "it must have one number for each pixel of the grid",
                 );

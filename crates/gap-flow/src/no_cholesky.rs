@@ -1,12 +1,13 @@
 //! In place of [`cholesky`](../cholesky.rs) without the feature.
 
-pub(crate) type Symbolic = ();
+#[derive(Default)]
+pub(crate) struct Symbolic(());
 
 /// There is none.
 pub(crate) enum Cholesky {}
 
 impl Cholesky {
-    pub(crate) fn of(_: (&[[usize; 2]], &[f64]), _: &[f64], (): &mut Symbolic) -> Option<Self> {
+    pub(crate) fn of(_: (&[[usize; 2]], &[f64]), _: &[f64], _: &mut Symbolic) -> Option<Self> {
         None
     }
 
