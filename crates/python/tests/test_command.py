@@ -6,13 +6,11 @@ import rough_contact as rc
 
 
 def without_times(answer):
-    plan = answer.get("accuracy") or {}
-    for timed in filter(None, (plan, plan.get("next"))):
-        timed.pop("seconds")
-    plan.pop("explanation", None)  # in words, with its time
-    for point in answer["points"]:
-        point["seconds"] = None
-    return answer
+    """What is left when every time is taken out."""
+    if isinstance(answer, dict):
+        # `explanation` is in words, with its time.
+        return {key: without_times(value) for key, value in answer.items() if key not in ("seconds", "explanation")}
+    return [without_times(value) for value in answer] if isinstance(answer, list) else answer
 
 
 CASES = {
