@@ -15,6 +15,4 @@ mod work;
 
 pub(crate) use iteration::Chord;
 #[cfg(test)]
-pub(crate) use memory::{Kind, Known};
-#[cfg(test)]
-pub(crate) use run::Run;
+pub(crate) use memory::Kind;

@@ -22,8 +22,6 @@ mod cut_cells;
 mod equal_cells;
 mod extension;
 mod extrapolation;
-#[cfg(test)]
-mod figures;
 mod fitted_stencil;
 mod folded_rows;
 mod free_chord;
