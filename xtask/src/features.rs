@@ -17,7 +17,10 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     for package in packages {
         let features: Vec<&String> =
             package["features"].as_object().into_iter().flat_map(|all| all.keys()).collect();
-        let Some(name) = package["name"].as_str().filter(|_| !features.is_empty()) else {
+        let mut targets = package["targets"].as_array().into_iter().flatten();
+        let is_library = targets.any(|target| target["kind"][0] == "lib");
+        let Some(name) = package["name"].as_str().filter(|_| is_library && !features.is_empty())
+        else {
             continue;
         };
         let alone =

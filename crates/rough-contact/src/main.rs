@@ -4,6 +4,7 @@
 
 mod adhesion;
 mod against;
+#[cfg(feature = "app")]
 mod app;
 mod args;
 mod batch;
@@ -13,6 +14,7 @@ mod cleaning;
 mod compare;
 mod compare_many;
 mod compare_profiles;
+#[cfg(feature = "shell")]
 mod completions;
 mod conduction;
 mod convert;
@@ -22,6 +24,7 @@ mod files;
 mod given;
 mod hardness;
 mod help;
+#[cfg(feature = "app")]
 mod http;
 mod info;
 mod input;
@@ -29,6 +32,7 @@ mod intervals;
 mod iso;
 mod leak;
 mod loads;
+#[cfg(feature = "shell")]
 mod manual;
 mod materials;
 mod model;
@@ -42,6 +46,7 @@ mod profiles;
 mod progress;
 mod roughness;
 mod rows;
+#[cfg(feature = "app")]
 mod serve;
 mod shell;
 mod solve;
@@ -96,12 +101,15 @@ enum Command {
     /// The table of materials that --material takes names of
     Materials(materials::Materials),
     /// The page in a browser, computed by this program: drop a measurement, read the report
+    #[cfg(feature = "app")]
     App(app::App),
     /// The solver against exact solutions, on this machine
     Validate(validate::Validate),
     /// What a shell needs to complete this command, its options and their values
+    #[cfg(feature = "shell")]
     Completions(completions::Completions),
     /// The manual page, of this command or of one below it
+    #[cfg(feature = "shell")]
     Man(manual::Man),
 }
 
@@ -141,9 +149,12 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::Convert(convert) => convert.run(common),
         Command::Synth(synth) => synth.run(common),
         Command::Materials(materials) => materials.run(),
+        #[cfg(feature = "app")]
         Command::App(app) => app.run(common),
         Command::Validate(validate) => validate.run(common),
+        #[cfg(feature = "shell")]
         Command::Completions(completions) => completions.run(Cli::command()),
+        #[cfg(feature = "shell")]
         Command::Man(man) => man.run(help::grouped(Cli::command(), &[]), common),
     }
 }
