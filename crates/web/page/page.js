@@ -24,7 +24,7 @@ async function begin() {
   wireRunning();
   $('bodies-back').onclick = () => go(now.read ? 'read' : 'empty');
   addEventListener('state', e => {
-    if (e.detail === 'read' && now.read.cancelled) { now.read.cancelled = false; plan().then(planned => { if (planned) areas(); }); }
+    if (e.detail === 'read' && !now.read.areas) areas();
     if (e.detail === 'bodies' && now.file) { $('bodies-file').textContent = now.read ? now.read.about : ''; plan(); }
   });
   addEventListener('hashchange', show);

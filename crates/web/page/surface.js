@@ -59,8 +59,7 @@ function showRead(answer) {
   showDoubts(answer.doubts);
   $('findings').replaceChildren(...answer.findings.map(finding => part('li', {}, tag(finding.weight), part('b', {}, finding.claim), ' ' + finding.text)));
   $('h-read').dataset.ready = String((Number($('h-read').dataset.ready) || 0) + 1);
-  plan().then(planned => { if (planned) areas(); });
-  if (first) go('read');
+  if (first) go('read'); else areas();
 }
 
 // A fact that is chosen from a list, and read with anew.
@@ -73,13 +72,13 @@ function chosen(key, name, options) {
 // How much touches without each remedy and with it, told one by one when nothing else is asked. What comes between ends
 // it; it begins again when the page is back.
 async function areas() {
-  const of = now.read, keys = of ? of.doubts.map(doubt => doubt.key) : [];
-  if (keys.length === 0 || of.areas || engine.running) return;
+  const of = now.read, planned = await plan();
+  const keys = of ? of.doubts.map(doubt => doubt.key) : [];
+  if (!planned || of !== now.read || keys.length === 0 || of.areas || engine.running) return;
   const cells = key => all('[data-area]').filter(cell => cell.dataset.area === key);
   const answer = await engine.ask('areas', request({ doubts: keys }), now.file, news => {
     cells(news.key).forEach(cell => cell.replaceChildren(...broken(news.lines[cell.dataset.side])));
   });
-  of.cancelled = !answer;
   if (!answer || of !== now.read) return;
   of.areas = true;
   if (answer.kind !== 'done') { all('[data-area]').forEach(cell => cell.replaceChildren()); return; }
