@@ -9,7 +9,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
     ("contact-types", 0, &[], 10),
     ("grid-fft", 0, &["contact-types"], 20),
     ("surface-io", 1, &["contact-types"], 40),
-    ("surface-stats", 1, &["contact-types", "grid-fft"], 60),
+    ("surface-stats", 1, &["contact-types", "grid-fft"], 20),
     ("gw-closed-form", 1, &["contact-types"], 10),
     // Bush-Gibson-Thomas is the Greenwood-Williamson integral averaged over curvatures.
     ("asperity-models", 1, &["contact-types", "gw-closed-form"], 10),
@@ -20,7 +20,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         "contact-accuracy",
         2,
         &["contact-types", "grid-fft", "surface-stats", "fft-bem-solver", "gap-flow"],
-        65,
+        30,
     ),
     (
         "contact-compare",
@@ -34,14 +34,14 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
             "multiscale-models",
             "fft-bem-solver",
         ],
-        90,
+        50,
     ),
     // Types of results only: nothing is computed there.
     (
         "contact-report",
         4,
         &["contact-accuracy", "contact-types", "surface-stats", "contact-compare"],
-        100,
+        65,
     ),
     // What a front end answers, without its words for options, its tables and its files.
     (
@@ -57,7 +57,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
             "contact-compare",
             "contact-report",
         ],
-        120,
+        75,
     ),
     // The page in a browser: the engine and what it shows.
     (
@@ -71,7 +71,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
             "contact-compare",
             "contact-report",
         ],
-        120,
+        75,
     ),
     // The research programs: their tests and examples reach for every crate.
     (
@@ -84,7 +84,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
             "contact-compare",
             "contact-report",
         ],
-        100,
+        65,
     ),
     // The command, which serves the page of `contact-web`.
     (
