@@ -71,7 +71,7 @@ fn limits(text: &str) -> BTreeMap<&str, usize> {
 fn bytes(folder: &Path) -> usize {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     entries
-        .filter(|entry| entry.file_name() != "target")
+        .filter(|entry| entry.file_name() != "target" && entry.file_name() != "Cargo.lock")
         .map(|entry| match entry.metadata() {
             Ok(data) if data.is_dir() => bytes(&entry.path()),
             Ok(data) => usize::try_from(data.len()).unwrap_or(usize::MAX),
