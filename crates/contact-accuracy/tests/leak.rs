@@ -62,8 +62,7 @@ fn from_open_to_sealed() {
     assert!(sealed.is_rate() && sealed.interval().is_none());
 }
 
-/// Ten self-affine maps are sealed from 42 % of real area on, in the mean (elastic contact: 0.42, Dapp et al. 2012; 0.415,
-/// Wang & Müser 2021). One of eight wavelengths a side scatters by 2.5 %.
+/// Ten self-affine maps are sealed from 38 to 46 % of real area on (0.42 for elastic contact: Dapp et al. 2012).
 #[test]
 #[ignore = "slow: ten maps of 256 x 256 points, twelve loads each"]
 fn random_maps_are_sealed_at_about_forty_two_per_cent() {
@@ -101,6 +100,5 @@ fn random_maps_are_sealed_at_about_forty_two_per_cent() {
         println!("{seed}: open at {:.4}, sealed at {:.4}", area[0], area[1]);
         areas.push(0.5 * (area[0] + area[1]));
     }
-    let mean = areas.iter().sum::<f64>() / areas.len() as f64;
-    assert!((mean - 0.42).abs() < 0.02, "{mean}: {areas:?}");
+    assert!(areas.iter().all(|a| (0.38..0.46).contains(a)), "{areas:?}");
 }
