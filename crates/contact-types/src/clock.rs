@@ -1,27 +1,20 @@
 //! Time, where there is a clock.
 
-use std::time::Duration;
-#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// What measures the time of an answer. `wasm32-unknown-unknown` has no clock: no time passes there.
 #[derive(Debug, Clone, Copy)]
-pub struct Clock(#[cfg(not(all(target_family = "wasm", target_os = "unknown")))] Instant);
+pub struct Clock(Option<Instant>);
 
 impl Clock {
     /// Starts.
     pub fn now() -> Self {
-        #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-        return Self(Instant::now());
-        #[cfg(all(target_family = "wasm", target_os = "unknown"))]
-        Self()
+        let is_there = !cfg!(all(target_family = "wasm", target_os = "unknown"));
+        Self(is_there.then(Instant::now))
     }
 
     /// Time since the start.
     pub fn elapsed(self) -> Duration {
-        #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-        return self.0.elapsed();
-        #[cfg(all(target_family = "wasm", target_os = "unknown"))]
-        Duration::ZERO
+        self.0.map_or(Duration::ZERO, |start| start.elapsed())
     }
 }

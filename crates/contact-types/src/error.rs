@@ -170,5 +170,7 @@ mod tests {
         ] {
             assert_eq!(shown(&domain, 0.0), text);
         }
+        let domain = f64::MIN_POSITIVE..=f64::MAX;
+        assert!(shown(&domain, 1e-310).contains("e-308"), "a subnormal is above 0");
     }
 }

@@ -115,9 +115,9 @@ enum Command {
 
 fn main() -> ExitCode {
     // clap's own errors leave through the same door as ours, so scripts see one contract.
-    let wants_json = std::env::args_os().any(|arg| arg == "--json");
     let words: Vec<String> =
         std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect();
+    let wants_json = words.iter().any(|word| word == "--json");
     let parsed = help::grouped(Cli::command(), &words)
         .try_get_matches()
         .and_then(|mut matches| Cli::from_arg_matches_mut(&mut matches));

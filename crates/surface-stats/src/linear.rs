@@ -48,19 +48,13 @@ impl NormalEquations {
         let mut a: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| whole(i, j)).collect()).collect();
         right.iter_mut().zip(&scale).for_each(|(r, s)| *r *= s);
         // Gauss and Jordan's elimination: what is left of the diagonal is the part of each term that is new.
-        let mut left: Vec<usize> = (0..n).collect();
-        let mut solution = vec![0.0; n];
-        let mut taken = Vec::new();
-        while let Some(at) = (0..left.len()).rev().max_by(|&i, &j| {
-            let [i, j] = [left[i], left[j]];
-            a[i][i].total_cmp(&a[j][j])
-        }) {
-            let k = left[at];
-            if a[k][k] <= RANK_TOLERANCE {
-                break;
-            }
-            left.remove(at);
-            taken.push(k);
+        let mut is_taken = vec![false; n];
+        while let Some(k) = (0..n)
+            .rev() // of equal pivots the first
+            .filter(|&k| !is_taken[k] && a[k][k] > RANK_TOLERANCE)
+            .max_by(|&i, &j| a[i][i].total_cmp(&a[j][j]))
+        {
+            is_taken[k] = true;
             let (row, value) = (a[k].clone(), right[k]);
             for i in (0..n).filter(|i| *i != k) {
                 let factor = a[i][k] / row[k];
@@ -68,9 +62,7 @@ impl NormalEquations {
                 right[i] -= factor * value;
             }
         }
-        for k in taken {
-            solution[k] = scale[k] * right[k] / a[k][k];
-        }
-        solution
+        let solution = |k: usize| if is_taken[k] { scale[k] * right[k] / a[k][k] } else { 0.0 };
+        (0..n).map(solution).collect()
     }
 }

@@ -25,7 +25,7 @@ impl Trace {
     /// Heights (m) at a `spacing` (m).
     ///
     /// # Errors
-    /// [`StatsError::TooFewPoints`] below 32 points, [`StatsError::Surface`] for a spacing
+    /// [`StatsError::TooFewPoints`], which names the fewest, [`StatsError::Surface`] for a spacing
     /// or a height that is no usable number.
     pub fn new(spacing: f64, heights: Vec<f64>) -> Result<Self, StatsError> {
         let found = heights.len();
@@ -101,7 +101,7 @@ impl Trace {
     /// Points `start` to `end` (exclusive).
     ///
     /// # Errors
-    /// [`StatsError::TooFewPoints`] if fewer than 32 of them are there.
+    /// [`StatsError::TooFewPoints`], which names the fewest.
     pub fn part(&self, start: usize, end: usize) -> Result<Self, StatsError> {
         let end = end.min(self.len());
         Self::new(self.spacing(), self.heights()[start.min(end)..end].to_vec())

@@ -85,25 +85,21 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             Some(excess) => Gap::Known { excess },
             None => Gap::Of { u, h: self.heights, level },
         };
-        let found = {
-            passes::residual(
-                self.ceiling,
-                p,
-                gap,
-                release,
-                (when == When::Ahead).then_some(&*extended),
-                size,
-                &mut work.nodes,
-                &mut work.residual,
-                &mut work.pyramid,
-                &mut work.partial,
-            )
-        };
-        {
-            work.pyramid.extend_above();
-            let (pyramid, stiffness) = (&work.pyramid, &mut work.stiffness);
-            passes::push(&work.nodes, &work.residual, pyramid, size[1], stiffness, extended);
-        };
+        let found = passes::residual(
+            self.ceiling,
+            p,
+            gap,
+            release,
+            (when == When::Ahead).then_some(&*extended),
+            size,
+            &mut work.nodes,
+            &mut work.residual,
+            &mut work.pyramid,
+            &mut work.partial,
+        );
+        work.pyramid.extend_above();
+        let (pyramid, stiffness) = (&work.pyramid, &mut work.stiffness);
+        passes::push(&work.nodes, &work.residual, pyramid, size[1], stiffness, extended);
         found
     }
 
