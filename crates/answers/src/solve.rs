@@ -219,7 +219,6 @@ impl Question {
                 }
                 None => Ladder::new(surface, setup).map_err(failed)?,
             };
-            ladder.follow_curve(self.loads.len());
             for index in rising(&self.loads) {
                 let load = self.loads[index];
                 watch.working_on(load);

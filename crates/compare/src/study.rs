@@ -181,7 +181,6 @@ fn compare(
         None => {
             let mut ladder = rungs(whole)?;
             let mut curve = new_curve(*ladder.known());
-            ladder.follow_curve(pressures.len());
             for (i, &p) in pressures.iter().enumerate() {
                 solve(&mut ladder, (i, p), settings.conducts(), &mut curve, &mut tell)?;
                 tell(curve.news(i))?;
@@ -210,7 +209,6 @@ fn compare(
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
         let mut ladder = rungs(setup(elastic(settings).maps(Maps::Pressure)))?;
-        ladder.follow_curve(deterministic.len());
         let mut beside = new_curve(known);
         for (i, point) in deterministic.iter().enumerate() {
             // Where nothing has yielded, the answer is the elastic one.

@@ -201,7 +201,6 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
     let finer = if is_given { task.setup.finer } else { Finer::Never };
     let setup = Setup { builder, finer, ..task.setup.clone() };
     let mut ladder = Ladder::new(map, setup)?;
-    ladder.follow_curve(task.loads.len());
     sink.begin(ladder.map(), ladder.known());
     let mut loads = Vec::new();
     for (index, &load) in task.loads.iter().enumerate() {

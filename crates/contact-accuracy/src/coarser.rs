@@ -122,11 +122,6 @@ impl Coarser {
         Ok(())
     }
 
-    /// That `loads` will follow, each close to the one before it.
-    pub fn follow_curve(&mut self, loads: usize) {
-        self.solvers.iter_mut().for_each(|solver| solver.follow_curve(loads));
-    }
-
     /// The numbers of both at a load, each from where its last load ended.
     ///
     /// # Errors

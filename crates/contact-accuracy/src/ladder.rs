@@ -156,14 +156,6 @@ impl Ladder {
         Ok(())
     }
 
-    /// That `loads` will follow, each close to the one before it.
-    pub fn follow_curve(&mut self, loads: usize) {
-        self.solver.follow_curve(loads);
-        if let Ok(coarser) = &mut self.coarser {
-            coarser.follow_curve(loads);
-        }
-    }
-
     /// Solves for a load from where the last one ended, with the stiffness of the contact set if that is asked for.
     ///
     /// # Errors

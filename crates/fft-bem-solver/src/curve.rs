@@ -7,8 +7,7 @@ use std::ops::ControlFlow;
 
 impl Solver {
     /// Solves for each of `mean_pressures` (Pa), given in any order, and returns the results in that
-    /// order. Loads are visited in rising order. Each starts from the one before, scaled, and with
-    /// [`Method::Chord`](crate::Method) from the last two, extrapolated, if loads are less than 2.2 times apart, on grids below 8192 x 8192; the answers are
+    /// order. Loads are visited in rising order. Each starts from the one before, scaled; the answers are
     /// those of cold starts, to the tolerance. An error of one load does not keep the others from being solved.
     ///
     /// All solutions are kept, with their [maps](crate::SolverBuilder::maps):
@@ -45,7 +44,6 @@ impl Solver {
     ) {
         let mut order: Vec<usize> = (0..mean_pressures.len()).collect();
         order.sort_by(|&i, &j| mean_pressures[i].total_cmp(&mean_pressures[j]));
-        self.extrapolate(true);
         for index in order {
             let load = Load::MeanPressure(mean_pressures[index]);
             let result = self.solve_observed(surface, load, &mut observer);
@@ -53,6 +51,5 @@ impl Solver {
                 break;
             }
         }
-        self.extrapolate(false);
     }
 }

@@ -77,11 +77,6 @@ impl<T: Real> Engine<T> {
         })
     }
 
-    /// Prepares the method for a load curve, or ends it.
-    pub(crate) fn extrapolate(&mut self, is_on: bool) {
-        self.method.extrapolate(is_on);
-    }
-
     pub(crate) fn forget(&mut self) {
         self.is_warm = false;
     }

@@ -6,8 +6,7 @@ use contact_types::Grid;
 /// Points from which on memory is what limits, 8192 x 8192.
 const LARGE: usize = 1 << 26;
 
-/// Whether a grid of so many points is to be solved without what only saves pairs, guesses, extrapolation and the step
-/// before: two fields of nine, and two more along a curve.
+/// Whether a grid of so many points is to be solved without the step before: two fields of nine.
 pub(crate) fn is_large(points: usize) -> bool {
     points >= LARGE
 }
@@ -20,8 +19,7 @@ pub(crate) struct Needs {
     pub(crate) precision: Precision,
     pub(crate) certified: bool,
     pub(crate) maps: Maps,
-    /// Whether some pixel may yield, and whether each has a hardness of its own.
-    pub(crate) yields: bool,
+    /// Whether each pixel has a hardness of its own.
     pub(crate) ceilings: bool,
 }
 
@@ -68,7 +66,7 @@ impl Needs {
             Boundary::Periodic => points,
             Boundary::Free => points * 25 / 16,
         };
-        let before = if is_large(points) && !self.yields { 0.0 } else { 2.0 * t };
+        let before = if is_large(points) { 0.0 } else { 2.0 * t };
         let trial_and_before = 2.0 * t + before;
         match (self.method, self.boundary) {
             (Method::Auto | Method::Chord, Boundary::Periodic) => trial_and_before + preconditioner,

@@ -167,8 +167,7 @@ impl SolverBuilder {
     fn needs(&self) -> Needs {
         let Self { method, boundary, precision, certified, maps, .. } = *self;
         let ceilings = self.hardness_map.is_some();
-        let yields = ceilings || self.hardness.is_finite();
-        Needs { method, boundary, precision, certified, maps, yields, ceilings }
+        Needs { method, boundary, precision, certified, maps, ceilings }
     }
 
     /// Checks the settings, plans the transforms and allocates: iterations allocate nothing.
@@ -415,21 +414,6 @@ impl Solver {
             Work::Double(engine) => engine.solve(load, observer, clock),
             Work::Single(engine) => engine.solve(load, observer, clock),
         })?
-    }
-
-    /// The next `loads` are those of a curve, solved one after the other: if they are more than two, each starts from the
-    /// last two, extrapolated, as in [`curve`](Self::curve), where it is less than 2.2 times away, and not from the last one alone. With
-    /// [`Method::Chord`](crate::Method), on grids below 8192 x 8192, for two fields more of memory until it is called again
-    /// with fewer; it changes answers within the tolerance.
-    pub fn follow_curve(&mut self, loads: usize) {
-        self.extrapolate(loads > 2);
-    }
-
-    pub(crate) fn extrapolate(&mut self, is_on: bool) {
-        match &mut self.engine {
-            Work::Double(engine) => engine.extrapolate(is_on),
-            Work::Single(engine) => engine.extrapolate(is_on),
-        }
     }
 
     fn check_grid(&self, found: Grid) -> Result<(), SolverError> {

@@ -101,7 +101,6 @@ fn holds_the_row(surface: &SurfaceComparison, page: &str, settings: &compare::Se
         .hardness(settings.hardness.unwrap_or(f64::INFINITY))
         .build(map.grid(), surface.inputs.modulus)
         .unwrap();
-    solver.follow_curve(surface.deterministic.len());
     let (gaps, pressures) =
         (sixteen("gaps"), STANDARD.decode(facts["pressures"].as_str().unwrap()));
     let (pressures, mut touched, mut open) = (pressures.unwrap(), 0, 0);

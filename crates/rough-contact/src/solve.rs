@@ -358,7 +358,7 @@ impl Solve {
             "area",
             "corrected",
             "±",
-            "± sample",
+            "± surface",
             "mean gap",
             "real pressure",
             "highest",

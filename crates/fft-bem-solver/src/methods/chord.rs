@@ -1,9 +1,8 @@
-//! The chord iteration: [the loop](iteration) with its steps in order, [look], [trial], [guess],
-//! [line]; the [fallback](face_cg); what it [remembers](memory), the [pairs] of fields and all else it
+//! The chord iteration: [the loop](iteration) with its steps in order, [look], [trial], [line];
+//! the [fallback](face_cg); what it [remembers](memory), the [pairs] of fields and all else it
 //! [works](work) with.
 
 mod face_cg;
-mod guess;
 mod iteration;
 mod line;
 mod look;

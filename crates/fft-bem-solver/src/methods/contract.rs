@@ -119,12 +119,6 @@ pub(crate) trait ContactMethod<T: Real>: Send + Sync {
         false
     }
 
-    /// From now on (or no longer), each warm start extrapolates from the last two solutions. Costs
-    /// memory for one more of them. A method without extrapolation, or without room for it, ignores it.
-    fn extrapolate(&mut self, is_on: bool) {
-        let _ = is_on;
-    }
-
     /// The mean pressure from which it is worth one pair to see if every gap closes, and what finding
     /// that out cost in pairs. A method that spends many pairs anyway says: from any.
     fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {

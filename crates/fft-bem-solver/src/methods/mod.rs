@@ -1,8 +1,8 @@
 //! The methods: a [contract](contract) that all fulfil, three that do, and the parts of the first.
 //!
 //! From the ground up: *contract* and *compliance* (what a method is given); the parts of the chord
-//! iteration that know nothing of it (*transfer*, *extension*, *stiffness*, *`cheap_compliance`*,
-//! *sweep*, *passes*); *chord* and, around it, *`free_chord`*; the baselines *`polonsky_keer`* and
+//! iteration that know nothing of it (*transfer*, *extension*, *stiffness*, *sweep*,
+//! *passes*); *chord* and, around it, *`free_chord`*; the baselines *`polonsky_keer`* and
 //! *`stanley_kato`*; *choice*.
 
 #![allow(
@@ -13,7 +13,6 @@
 
 mod begin;
 mod ceiling;
-mod cheap_compliance;
 mod choice;
 mod chord;
 mod compliance;
@@ -21,8 +20,6 @@ mod contract;
 mod cut_cells;
 mod equal_cells;
 mod extension;
-mod extrapolation;
-mod fitted_stencil;
 mod folded_rows;
 mod free_chord;
 mod level_control;
@@ -32,7 +29,6 @@ mod polonsky_keer;
 #[cfg(test)]
 mod safeguards;
 mod set_inverse;
-mod spline;
 mod stanley_kato;
 mod stiffness;
 mod sweep;

@@ -216,28 +216,6 @@ impl Stiffness {
         self.stencil_and_smooth(x, y);
     }
 
-    pub(crate) fn shape(&self) -> [usize; 2] {
-        self.shape
-    }
-
-    /// Shape of the coarse grid; that of the grid itself if it is not coarsened.
-    pub(crate) fn coarse_shape(&self) -> [usize; 2] {
-        self.transform.shape()
-    }
-
-    /// A convolution on the coarse grid, with another symbol, of a field that `write(row, x)` writes.
-    pub(crate) fn convolve_coarse(
-        &mut self,
-        write: impl Fn(usize, &mut [f32]) + Sync + Send,
-        symbol: &[f32],
-    ) -> &[f32] {
-        let [cy, cx] = self.transform.shape();
-        self.coarse.par_chunks_mut(cx).enumerate().for_each(|(j, row)| write(j, row));
-        let column = columns_of(symbol, cy / 2 + 1);
-        self.transform.apply_in_place(&mut self.coarse, column);
-        &self.coarse
-    }
-
     /// Tests: multiplies the operator by `factor`, and its coarse part by an oscillation.
     #[cfg(test)]
     pub(crate) fn spoil(&mut self, factor: f64, ripple: f64) {

@@ -36,38 +36,15 @@ fn a_curve_equals_cold_starts_in_any_order() {
             assert!(difference <= 3.0 * tolerance * size, "load {}", given[index]);
             pairs += found.diagnostics.transforms;
         }
-        // 71.1 cold: a first guess costs no second S there, so that a curve saves half a pair less than it did.
-        assert!(pairs < 66.4 && pairs < cold_pairs, "{pairs} pairs, cold {cold_pairs}");
+        assert!(pairs < cold_pairs, "{pairs} pairs, cold {cold_pairs}");
     }
     // One solver asked for loads one by one, up and down, warm-starts and agrees as well.
-    for followed in [0, loads.len()] {
-        let mut solver = build();
-        solver.follow_curve(followed);
-        for &k in &shuffled {
-            let found = solver.solve(&surface, Load::MeanPressure(loads[k])).unwrap();
-            let gap = (found.state.mean_gap.unwrap(), cold[k].state.mean_gap.unwrap());
-            let scale = cold[0].state.mean_gap.unwrap();
-            assert!((gap.0 - gap.1).abs() < 1e-7 * scale, "load {}", loads[k]);
-        }
-    }
-}
-
-#[test]
-fn loads_one_by_one_along_a_curve_are_the_curve() {
-    let grid = unit_grid(63, 65);
-    let surface = self_affine(grid, 0.8, 16.0, 2.0, 5);
-    let build = || Solver::builder().tolerance(1e-6).build(grid, unit_modulus()).unwrap();
-    // Near enough to each other to be extrapolated.
-    let loads = [0.05, 0.08, 0.13, 0.2];
     let mut solver = build();
-    let mut plain = build();
-    solver.follow_curve(loads.len());
-    for (k, result) in build().curve(&surface, &loads).into_iter().enumerate() {
-        let load = Load::MeanPressure(loads[k]);
-        let found = solver.solve(&surface, load).unwrap();
-        assert_eq!(found.pressure, result.unwrap().pressure, "{k}");
-        let warm = plain.solve(&surface, load).unwrap();
-        assert_eq!(found.pressure == warm.pressure, k < 2, "{k}");
+    for &k in &shuffled {
+        let found = solver.solve(&surface, Load::MeanPressure(loads[k])).unwrap();
+        let gap = (found.state.mean_gap.unwrap(), cold[k].state.mean_gap.unwrap());
+        let scale = cold[0].state.mean_gap.unwrap();
+        assert!((gap.0 - gap.1).abs() < 1e-7 * scale, "load {}", loads[k]);
     }
 }
 

@@ -236,7 +236,7 @@ fn a_conductance_has_its_bars() {
             }
         }
         let said = rough_contact(at, &line).out;
-        assert!(said.contains("± sample") && said.contains("S/m²") && said.contains("±"), "{said}");
+        assert!(said.contains("± surface") && said.contains("S/m²") && said.contains("±"), "{said}");
     }
 }
 

@@ -12,9 +12,6 @@
 //! 1  g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}             look.rs
 //! 2  z = E^T S E g on F, less its mean;  trial = p - tau z on F                       trial.rs
 //!    |z on F, p off F| <= tolerance |p|: stop
-//!    before the first pair, while the trial is expected to be wrong by more than 1.5 %, and once or twice
-//!    before each other that is not expected to be the last: guess.rs
-//!        u = u + K~ (trial - p),  p = trial swept,  and again from 1       (no pair: a guess)
 //! 3  trial = trial swept, clipped, scaled to the load                                 trial.rs
 //! 4  K trial                                                               (the one pair)  line.rs
 //!    theta = -<g,s>/<s,Ks> along the chord s = trial - p
@@ -33,44 +30,22 @@ use super::face_cg;
 use super::line::{FULL, Trial};
 use super::look::RELEASE;
 use super::memory::{Kind, Known};
-use super::pairs::Base;
 use super::run::Run;
 use super::work::Work;
 use crate::memory::is_large;
 use crate::methods::ceiling::{Ceiling, Top, under};
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{ContactMethod, Outcome, Start, State, Step, Task, Watch};
-use crate::methods::extrapolation::Earlier;
 use crate::methods::node::Node;
 use crate::methods::passes::{self, ContactSet};
 use crate::methods::stiffness::Stiffness;
 use crate::problem::Problem;
-use crate::{Boundary, End, Real, certificate, fields};
+use crate::{End, Real, certificate, fields};
 use contact_types::Grid;
-
-/// Most steps with the cheap compliance before the first trial, and the error that this trial is expected to have
-/// when they end: twice what the cheap compliance leaves.
-const GUESSES: u8 = 6;
-const GUESSED: f64 = 0.015;
-
-/// What a step is expected to leave of the estimate. Where that is not enough it is guessed first, and what is
-/// made with a pair is the step after it.
-const CONTRACTION: f64 = 0.1;
-
-/// What the cheap compliance gets wrong of a change, about.
-const CHEAP_ERROR: f64 = 0.006;
-
-/// Relative error from which on a trial does not tell how much the next one gains: where little touches, the first is thousands
-/// of times better than the constant pressure, and still wrong.
-const LOST: f64 = 0.5;
 
 /// The method: its memory, and how it begins.
 pub(crate) struct Chord<T: Real> {
     pub(crate) work: Work<T>,
-    /// On a load curve.
-    earlier: Option<Box<Earlier<T>>>,
-    /// Most guesses before the first pair.
-    guesses: u8,
     /// Tests: make every step of this kind.
     pub(crate) force: Option<Kind>,
 }
@@ -78,22 +53,21 @@ pub(crate) struct Chord<T: Real> {
 impl<T: Real> Chord<T> {
     /// For a periodic grid whose finer pixel side is 1.
     pub(crate) fn new(scaled: Grid) -> Self {
-        Self::with(scaled, Stiffness::new(scaled.shape(), scaled.pixel()), GUESSES)
+        Self::with(scaled, Stiffness::new(scaled.shape(), scaled.pixel()))
     }
 
-    /// For the grid of an isolated map whose copies would matter: nothing knows of them. Without guesses,
-    /// since the cheap compliance is periodic.
+    /// For the grid of an isolated map whose copies would matter: nothing knows of them.
     pub(crate) fn isolated(scaled: Grid) -> Self {
-        Self::with(scaled, Stiffness::isolated(scaled.shape(), scaled.pixel()), 0)
+        Self::with(scaled, Stiffness::isolated(scaled.shape(), scaled.pixel()))
     }
 
-    /// On a large grid without room for what only saves pairs: a lead, and the step before.
-    fn with(scaled: Grid, stiffness: Stiffness, guesses: u8) -> Self {
+    /// On a large grid without room for what only saves pairs: the step before.
+    fn with(scaled: Grid, stiffness: Stiffness) -> Self {
         let mut work = Work::new(scaled, stiffness);
         if !is_large(scaled.len()) {
             work.pairs.make_room();
         }
-        Self { work, earlier: None, guesses, force: None }
+        Self { work, force: None }
     }
 }
 
@@ -109,11 +83,6 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
         under!(task.ceiling, ceiling => self.iterate(ceiling, task, operator, start, state, watch))
     }
 
-    fn extrapolate(&mut self, is_on: bool) {
-        let n = self.work.nodes.len();
-        self.earlier = (is_on && self.work.pairs.has_room()).then(|| Box::new(Earlier::new(n)));
-    }
-
     fn controls_level(&self) -> bool {
         true
     }
@@ -122,7 +91,6 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
     /// trial from the constant pressure, without what is swept: `S E g` is kept for it.
     fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
         let work = &mut self.work;
-        work.pairs.base = Base::Iterate;
         let gap = work.pairs.spare();
         passes::gap_of_constant(&problem.heights, problem.mean_height, gap);
         work.stiffness.apply(gap, &mut work.residual);
@@ -142,16 +110,9 @@ impl<T: Real> Chord<T> {
         state: &mut State<T>,
         watch: &mut Watch<'_, T>,
     ) -> Outcome {
-        if C::IS_FINITE {
-            self.work.pairs.make_room(); // what is scaled to a load may become a lead
-        }
-        let guesses =
-            if self.force.is_none() && self.work.pairs.has_room() { self.guesses } else { 0 };
-        let guesses = if C::IS_FINITE { 2 * guesses } else { guesses };
-        let Self { work, earlier, force, .. } = self;
+        let Self { work, force } = self;
         let mut run = Run::new(ceiling, work, task, operator, start, *force, state);
-        run.guesses = guesses;
-        run.begin(start, earlier.as_deref_mut());
+        run.begin(start);
         let mut proposal = run.first_proposal(start, task.tolerance);
         let mut iteration = 0;
         let end = loop {
@@ -165,21 +126,19 @@ impl<T: Real> Chord<T> {
             if watch(&shown).is_break() {
                 break End::Stopped;
             }
-            if run.work.pairs.base == Base::Iterate {
-                // A single pixel leaves no residual at any level: the level must be right as well.
-                if error <= task.tolerance {
-                    if run.memory.residual <= task.tolerance {
-                        break End::Converged;
-                    }
-                    if run.is_rounding(proposal.level) {
-                        break End::Rounding;
-                    }
+            // A single pixel leaves no residual at any level: the level must be right as well.
+            if error <= task.tolerance {
+                if run.memory.residual <= task.tolerance {
+                    break End::Converged;
                 }
-                if iteration >= task.max_iterations {
-                    break End::Exhausted;
+                if run.is_rounding(proposal.level) {
+                    break End::Rounding;
                 }
             }
-            run.step(proposal, task.tolerance);
+            if iteration >= task.max_iterations {
+                break End::Exhausted;
+            }
+            run.step(proposal);
             iteration += 1;
             proposal = run.propose(false, task.tolerance);
         };
@@ -196,87 +155,31 @@ impl<T: Real> Chord<T> {
 }
 
 /// Steps 1 and 2: a trial that is still to be swept.
+#[derive(Clone, Copy)]
 struct Proposal {
-    /// Of the base.
+    /// Of the iterate.
     level: f64,
     set: ContactSet,
 }
 
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
-    /// The pressure to start from, whose displacement is known or, on a load curve, guessed.
-    fn begin(&mut self, start: Start, earlier: Option<&mut Earlier<T>>) {
-        match (start, earlier) {
-            (Start::Cold, earlier) => {
-                if let Some(earlier) = earlier {
-                    earlier.forget();
-                }
-                self.begin_constant();
-            }
-            (Start::Warm, earlier) => {
-                if let Some(earlier) = earlier.filter(|_| self.control.is_none()) {
-                    let pairs = &mut self.work.pairs;
-                    let lead = [&mut pairs.trial.pressure[..], &mut pairs.trial.displacement];
-                    if earlier.guess(self.load, self.iterate, lead) {
-                        pairs.base = Base::Lead;
-                    }
-                }
-                self.begin_scaled();
-            }
+    /// The pressure to start from, whose displacement is known.
+    fn begin(&mut self, start: Start) {
+        match start {
+            Start::Cold => self.begin_constant(),
+            Start::Warm => self.begin_scaled(),
         }
     }
 
-    /// The first proposal. Before its trial costs a pair: the same without one, while there is much to
-    /// gain.
+    /// The first proposal.
     fn first_proposal(&mut self, start: Start, tolerance: f64) -> Proposal {
         let is_flattening = std::mem::take(&mut self.work.holds_flattening);
-        let mut proposal = if is_flattening && start == Start::Cold && self.control.is_none() {
+        if is_flattening && start == Start::Cold && self.control.is_none() {
             self.propose_from_constant(tolerance)
         } else {
             // The contact of another load: the step will close much that it leaves open.
             self.propose(start == Start::Warm, tolerance)
-        };
-        // With a tolerance a little lower the first pair may be the last.
-        let is_little_lower = tolerance < GUESSED && tolerance > 0.5 * GUESSED;
-        let enough = if is_little_lower { tolerance } else { GUESSED };
-        let mut before = self.memory.residual;
-        for guess in 0..self.guesses {
-            let residual = self.memory.residual;
-            // If the next trial gains as much as the last did.
-            let expected = if residual > LOST { residual } else { residual * residual / before };
-            before = residual;
-            let is_lead = self.work.pairs.base == Base::Lead;
-            let is_first = guess == 0 && (is_lead || residual > tolerance);
-            if !(expected > enough || is_first) || !self.guess(proposal.set, proposal.level) {
-                break;
-            }
-            proposal = self.propose_from_lead(tolerance);
         }
-        proposal
-    }
-
-    /// The proposal from the iterate or, if one step is not expected to be enough, the one after it without a pair;
-    /// once more if that is not enough either, and what the cheap compliance gets wrong of the change may be left. On
-    /// the free half space the cheap compliance, which is periodic, is good for a beginning only.
-    fn refined(&mut self, mut proposal: Proposal, tolerance: f64) -> Proposal {
-        let is_periodic = self.operator.boundary() == Boundary::Periodic;
-        if self.work.pairs.base == Base::Lead || !is_periodic {
-            return proposal;
-        }
-        let most = if CHEAP_ERROR * self.memory.residual < tolerance { 2 } else { 1 };
-        for _ in 0..most.min(self.guesses) {
-            let is_last = CONTRACTION * self.memory.residual <= tolerance;
-            if is_last || !self.guess(proposal.set, proposal.level) {
-                break;
-            }
-            proposal = self.propose_from_lead(tolerance);
-        }
-        proposal
-    }
-
-    /// A proposal from what was just guessed: nodes with little pressure are let go.
-    fn propose_from_lead(&mut self, tolerance: f64) -> Proposal {
-        self.memory.length = 0.0;
-        self.propose(false, tolerance)
     }
 
     /// Residual gap and contact set, with the level prescribed once more at a better load, or once more a
@@ -310,30 +213,21 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     fn proposed(&mut self, level: f64, set: ContactSet, tolerance: f64) -> Proposal {
         let estimate = self.make_trial(self.memory.tau, set);
         self.memory.residual = estimate.residual;
-        if self.work.pairs.base == Base::Iterate && estimate.residual <= tolerance {
+        if estimate.residual <= tolerance {
             self.memory.residual = self.credible(&estimate, level);
         }
         Proposal { level, set }
     }
 
     /// Steps 3 to 5, or a step of another kind if the estimate has not been halved for long.
-    fn step(&mut self, mut proposal: Proposal, tolerance: f64) {
-        let (mut kind, base) = (self.memory.next_kind(), self.work.pairs.base);
-        if kind == Kind::FaceCg && base == Base::Iterate {
+    fn step(&mut self, proposal: Proposal) {
+        let mut kind = self.memory.next_kind();
+        if kind == Kind::FaceCg {
             self.transforms += face_cg::step(self, proposal.level);
             (self.memory.is_first, self.memory.has_before) = (false, true);
             self.fallbacks.face_cg_steps += 1;
             return;
         }
-        // The chord is drawn from the iterate, whose displacement is known, also where a lead proposed.
-        let known = (base == Base::Iterate && self.control.is_none()).then_some(proposal.level);
-        if kind == Kind::Chord {
-            proposal = self.refined(proposal, tolerance);
-        }
-        let level = match self.work.pairs.base {
-            Base::Iterate => proposal.level,
-            Base::Lead => known.unwrap_or_else(|| self.level_of_iterate()),
-        };
         let products = loop {
             let trial = match kind {
                 Kind::Chord => {
@@ -346,11 +240,11 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
                     }
                 }
                 Kind::Gradient | Kind::FaceCg => {
-                    self.gradient_trial(level);
+                    self.gradient_trial(proposal.level);
                     Some(Trial::Ended(1.0))
                 }
             };
-            let products = trial.and_then(|trial| self.respond(trial, [level, proposal.level]));
+            let products = trial.and_then(|trial| self.respond(trial, proposal.level));
             if let Some(products) = products
                 && (products.theta() > 0.0 || kind != Kind::Chord)
             {
@@ -361,7 +255,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         if kind != Kind::Chord {
             self.fallbacks.gradient_steps += 1;
         }
-        self.work.pairs.base = Base::Iterate;
         self.advance(kind, &products, proposal.level);
     }
 }

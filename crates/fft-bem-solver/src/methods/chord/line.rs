@@ -22,9 +22,9 @@ pub(super) enum Trial {
 
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// Gives the trial the load and computes `K trial`, the one pair. Returns the inner products
-    /// along the chord to it; `None` if nothing is left of the trial. `levels` are that of the iterate
-    /// and the one from which the gap of the trial is to be counted.
-    pub(super) fn respond(&mut self, trial: Trial, levels: [f64; 2]) -> Option<Products> {
+    /// along the chord to it; `None` if nothing is left of the trial. The gap of the trial is counted from
+    /// the level of the iterate.
+    pub(super) fn respond(&mut self, trial: Trial, level: f64) -> Option<Products> {
         let (ceiling, wanted) = (self.ceiling, self.total());
         let work = &mut *self.work;
         let nx = work.columns;
@@ -49,7 +49,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let before = if has_before { &work.pairs.before.pressure[..] } else { p }; // without one, d = 0
         let finish = |first: usize, scale: T, qv: [&mut [T]; 2], gap: &mut [f32]| {
             let [p, u, h, b] = [p, u, h, before].map(|x| &x[first..][..gap.len()]);
-            passes::inner_products(ceiling, [p, u, h], levels, qv, scale, b, gap)
+            passes::inner_products(ceiling, [p, u, h], level, qv, scale, b, gap)
         };
         let around = RowWork {
             prepare: &prepare,
@@ -65,7 +65,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             return Some(Products::new(sums, dkd));
         }
         let scale = self.give_load(sum)?;
-        self.respond(Trial::Ended(scale), levels)
+        self.respond(Trial::Ended(scale), level)
     }
 
     /// Goes along the chord, or to the minimum over the chord and the step before. The gap of the trial

@@ -1,4 +1,4 @@
-//! Step 1: what is wrong with the base. The level, the contact set F, the residual gap g on it, `E g`.
+//! Step 1: what is wrong with the iterate. The level, the contact set F, the residual gap g on it, `E g`.
 
 use super::memory::Known;
 use super::run::Run;
@@ -26,31 +26,22 @@ enum When {
 }
 
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
-    /// The level of the base, from which the residual gap g is counted; its contact set F; and `E g`.
+    /// The level of the iterate, from which the residual gap g is counted; its contact set F; and `E g`.
     ///
     /// The level is the plain mean of `u - h` in contact, so that g has no mean there, which no
     /// pressure could remove. (The [contract](crate::methods::contract) wants that of the answer
     /// weighted with the pressure. Both are the same once g is zero.)
     pub(crate) fn look(&mut self, known: Known, release: f64) -> (f64, ContactSet) {
-        let [p, u] = self.work.pairs.start(self.iterate);
-        let measured = |partial| passes::level(p, u, self.heights, partial);
         let (level, excess) = match known {
-            _ if C::IS_FINITE => (self.level_of_base(), None),
-            Known::Nothing => (measured(&mut self.work.partial), None),
+            _ if C::IS_FINITE => (self.level_of_iterate(), None),
+            Known::Nothing => (self.level_of_iterate(), None),
             Known::Level(level) => (level, None),
             Known::Gap { level, counted_from } => (level, Some(level - counted_from)),
         };
         (level, self.contact_set(level, excess, release, When::Now))
     }
 
-    /// The level of the base under a ceiling.
-    fn level_of_base(&mut self) -> f64 {
-        let work = &mut *self.work;
-        let [p, u] = work.pairs.start(self.iterate);
-        passes::level_under(self.ceiling, [p, u, self.heights], &mut work.partial)
-    }
-
-    /// The level of the iterate, whatever the base.
+    /// The level of the iterate.
     pub(super) fn level_of_iterate(&mut self) -> f64 {
         let State { pressure: p, displacement: u, .. } = &*self.iterate;
         if C::IS_FINITE {
@@ -80,7 +71,8 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     ) -> ContactSet {
         let work = &mut *self.work;
         let size = [work.rows, work.columns];
-        let ([p, u], extended) = work.pairs.start_and_spare(self.iterate);
+        let State { pressure: p, displacement: u, .. } = &*self.iterate;
+        let extended = work.pairs.spare();
         let gap = match excess {
             Some(excess) => Gap::Known { excess },
             None => Gap::Of { u, h: self.heights, level },
@@ -109,8 +101,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let Some(control) = &mut self.control else { return };
         let pairs = &mut self.work.pairs;
         if control.wants_guess(self.memory.residual) {
-            let [p, u] = pairs.start(self.iterate);
-            control.guess(p, u);
+            control.guess(&self.iterate.pressure, &self.iterate.displacement);
         }
         let extended = pairs.spare();
         let rise = fields::sum(extended) / extended.len() as f64;

@@ -4,15 +4,6 @@ use crate::Real;
 use crate::methods::contract::State;
 use crate::methods::passes;
 
-/// Where the next trial starts from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Base {
-    /// The iterate. Its displacement is `K p`.
-    Iterate,
-    /// A guess of the solution, which stands where the trial will be. Its displacement is nearly `K p`.
-    Lead,
-}
-
 /// A pressure and the displacement it causes.
 pub(crate) struct Pair<T> {
     pub(crate) pressure: Vec<T>,
@@ -35,20 +26,18 @@ impl<T: Real> Pair<T> {
 ///
 /// The displacement of the trial is known only once a pair has been spent on it. Until then its place
 /// is the *spare*: room for a field in single precision, which holds first `E g`, then the smallest
-/// trial pressure below each cell. Under a lead, whose displacement stands there, the spare is that of the
-/// iterate before, since the first step has none. `docs/src/solver/method.md` names the fields.
+/// trial pressure below each cell. `docs/src/solver/method.md` names the fields.
 pub(crate) struct Pairs<T> {
     pub(crate) trial: Pair<T>,
     pub(crate) before: Pair<T>,
-    pub(crate) base: Base,
 }
 
 impl<T: Real> Pairs<T> {
     pub(super) fn new(n: usize) -> Self {
-        Self { trial: Pair::new(n), before: Pair::new(0), base: Base::Iterate }
+        Self { trial: Pair::new(n), before: Pair::new(0) }
     }
 
-    /// Makes room for the iterate before, which a lead and a step of two directions need.
+    /// Makes room for the iterate before, which a step of two directions needs.
     pub(super) fn make_room(&mut self) {
         if !self.has_room() {
             self.before = Pair::new(self.trial.pressure.len());
@@ -65,119 +54,24 @@ impl<T: Real> Pairs<T> {
         self.before = Pair::new(0);
     }
 
-    /// Pressure and displacement of the base.
-    pub(super) fn start<'a>(&'a self, iterate: &'a State<T>) -> [&'a [T]; 2] {
-        match self.base {
-            Base::Iterate => [&iterate.pressure, &iterate.displacement],
-            Base::Lead => [&self.trial.pressure, &self.trial.displacement],
-        }
-    }
-
-    /// The same, and the spare.
-    pub(super) fn start_and_spare<'a>(
-        &'a mut self,
-        iterate: &'a State<T>,
-    ) -> ([&'a [T]; 2], &'a mut [f32]) {
-        let Self { trial, before, base } = self;
-        match base {
-            Base::Iterate => {
-                let start = [&iterate.pressure[..], &iterate.displacement];
-                (start, narrowed(&mut trial.displacement))
-            }
-            Base::Lead => {
-                let start = [&trial.pressure[..], &trial.displacement];
-                (start, narrowed(&mut before.displacement))
-            }
-        }
-    }
-
-    /// The spare alone.
+    /// The spare.
     pub(crate) fn spare(&mut self) -> &mut [f32] {
-        self.trial_and_spare().1
+        narrowed(&mut self.trial.displacement)
     }
 
     /// The pressure of the trial, and the spare.
     pub(super) fn trial_and_spare(&mut self) -> (&mut [T], &mut [f32]) {
-        let Self { trial, before, base } = self;
-        let free = match base {
-            Base::Iterate => &mut trial.displacement,
-            Base::Lead => &mut before.displacement,
-        };
-        (&mut trial.pressure, narrowed(free))
-    }
-
-    /// Makes a multiple of the iterate the lead, unless there is one.
-    pub(super) fn lead_from(&mut self, factor: f64, iterate: &State<T>) {
-        if self.base == Base::Lead {
-            return;
-        }
-        self.base = Base::Lead;
-        passes::copy(&iterate.pressure, &mut self.trial.pressure);
-        passes::copy(&iterate.displacement, &mut self.trial.displacement);
-        passes::scale(factor, &mut self.trial.pressure);
-        passes::scale(factor, &mut self.trial.displacement);
-    }
-
-    /// The pressure of the trial and, until it has its own, the displacement of the base.
-    pub(super) fn trial_and_displacement<'a>(
-        &'a mut self,
-        iterate: &'a State<T>,
-    ) -> (&'a mut [T], &'a [T]) {
-        let Self { trial, base, .. } = self;
-        match base {
-            Base::Iterate => (&mut trial.pressure, &iterate.displacement),
-            Base::Lead => (&mut trial.pressure, &trial.displacement),
-        }
-    }
-
-    /// Makes room for a trial: the pressure of a lead steps aside. Returns the pressure of the base, that of
-    /// the trial, which holds nothing yet, and the spare.
-    pub(super) fn begin_trial<'a>(
-        &'a mut self,
-        iterate: &'a State<T>,
-    ) -> (&'a [T], &'a mut [T], &'a mut [f32]) {
-        let Self { trial, before, base } = self;
-        match base {
-            Base::Iterate => {
-                (&iterate.pressure, &mut trial.pressure, narrowed(&mut trial.displacement))
-            }
-            Base::Lead => {
-                std::mem::swap(&mut trial.pressure, &mut before.pressure);
-                (&before.pressure, &mut trial.pressure, narrowed(&mut before.displacement))
-            }
-        }
-    }
-
-    /// Writes what the trial differs by from the pressure it was [begun](Self::begin_trial) with, once it
-    /// has been multiplied by `factor`.
-    pub(super) fn change(&mut self, factor: f64, iterate: &State<T>, change: &mut [f32]) {
-        let from = match self.base {
-            Base::Iterate => &iterate.pressure,
-            Base::Lead => &self.before.pressure,
-        };
-        passes::difference(factor, from, &mut self.trial.pressure, change);
-    }
-
-    /// Makes the trial the lead: its displacement becomes that of the base, to which the caller adds what
-    /// the change of the pressure adds.
-    pub(super) fn lead<'a>(&'a mut self, iterate: &'a State<T>) -> Lead<'a, T> {
-        let base = (self.base == Base::Iterate).then_some(&iterate.displacement[..]);
-        self.base = Base::Lead;
         let Pair { pressure, displacement } = &mut self.trial;
-        Lead { pressure, base, displacement, spare: narrowed(&mut self.before.displacement) }
+        (pressure, narrowed(displacement))
     }
 
     /// Multiplies the pairs that the next step will use by the factor of the load: K is linear.
     pub(super) fn scale(&mut self, factor: f64, iterate: &mut State<T>) {
-        // Under no lead, the step before must stay one that changes no load.
-        let other = match self.base {
-            Base::Iterate => &mut self.before,
-            Base::Lead => &mut self.trial,
-        };
-        passes::scale(factor, &mut iterate.pressure);
-        passes::scale(factor, &mut iterate.displacement);
-        passes::scale(factor, &mut other.pressure);
-        passes::scale(factor, &mut other.displacement);
+        // The step before must stay one that changes no load.
+        let Pair { pressure, displacement } = &mut self.before;
+        for field in [&mut iterate.pressure, &mut iterate.displacement, pressure, displacement] {
+            passes::scale(factor, field);
+        }
     }
 
     /// Makes the trial the iterate and, where there is room, the iterate the one before.
@@ -192,15 +86,6 @@ impl<T: Real> Pairs<T> {
     pub(super) fn take_combined(&mut self, iterate: &mut State<T>) {
         self.before.swap(iterate);
     }
-}
-
-/// A lead in the making.
-pub(super) struct Lead<'a, T> {
-    pub(super) pressure: &'a [T],
-    /// The displacement of the base, unless it stands in the place of that of the lead already.
-    pub(super) base: Option<&'a [T]>,
-    pub(super) displacement: &'a mut [T],
-    pub(super) spare: &'a mut [f32],
 }
 
 /// The memory of a field, as a field in single precision.

@@ -1,7 +1,6 @@
 //! One run of the iteration: the problem, the iterate, and what the steps to it have shown.
 
 use super::memory::{Kind, Memory};
-use super::pairs::Base;
 use super::work::Work;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::compliance::Compliance;
@@ -24,8 +23,6 @@ pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
     /// If the level is prescribed and not the load.
     pub(super) control: Option<LevelControl>,
     pub(super) memory: Memory,
-    /// Most guesses before the first pair; without any, there are none later.
-    pub(super) guesses: u8,
     /// Level of the iterate that it began with, where that is a constant pressure without displacement.
     pub(super) first_level: Option<f64>,
     /// Pairs spent.
@@ -51,7 +48,6 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
                 (guess, Some(LevelControl::new(level, mean_height, operator.boundary())))
             }
         };
-        work.pairs.base = Base::Iterate;
         Self {
             ceiling,
             work,
@@ -62,7 +58,6 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             load,
             control,
             memory: Memory::new(start == Start::Cold, forced),
-            guesses: 0,
             first_level: None,
             transforms: 0.0,
             fallbacks: Fallbacks::default(),
@@ -96,21 +91,20 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
     /// Begins with the iterate there is, scaled to the load: K is linear. Where the level is prescribed, the
     /// load is that of the iterate.
     ///
-    /// What was near the ceiling may so come to lie above it. It is then a lead, not feasible itself: the
-    /// chord is drawn from the constant pressure.
+    /// What was near the ceiling may so come to lie above it: it is projected, for one pair.
     pub(super) fn begin_scaled(&mut self) {
         let present = mean(&self.iterate.pressure);
-        if C::IS_FINITE {
-            let factor = self.load / present;
-            if self.ceiling.is_passed(factor, &self.iterate.pressure) {
-                self.work.pairs.lead_from(factor, self.iterate);
-                return self.begin_constant();
-            }
-        }
-        if self.control.is_none() {
-            self.scale_iterate(self.load / present);
-        } else {
+        if self.control.is_some() {
             self.load = present;
+            return;
+        }
+        let factor = self.load / present;
+        let is_cut = C::IS_FINITE && self.ceiling.is_passed(factor, &self.iterate.pressure);
+        self.scale_iterate(factor);
+        if is_cut {
+            project(self.ceiling, &mut self.iterate.pressure, self.load);
+            self.operator.apply(&self.iterate.pressure, &mut self.iterate.displacement);
+            self.transforms += 1.0;
         }
     }
 

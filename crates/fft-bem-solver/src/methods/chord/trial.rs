@@ -25,15 +25,15 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         self.transforms += work.stiffness.cost;
     }
 
-    /// `trial = p - tau z` on F, `p` elsewhere, where p is the pressure of the base. Where `E g` was, the
+    /// `trial = p - tau z` on F, `p` elsewhere, where p is the pressure of the iterate. Where `E g` was, the
     /// smallest of it below each cell is left for [`sweep_trial`](Self::sweep_trial).
     pub(crate) fn make_trial(&mut self, tau: f64, set: ContactSet) -> Estimate {
         let work = &mut *self.work;
         let size = [work.rows, work.columns];
-        let (start, trial, smallest) = work.pairs.begin_trial(self.iterate);
+        let (trial, smallest) = work.pairs.trial_and_spare();
         passes::trial(
             self.ceiling,
-            start,
+            &self.iterate.pressure,
             &work.residual,
             tau,
             &work.nodes,
@@ -106,11 +106,11 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
 
     /// Gives the clipped trial the load where nodes at the ceiling cannot be scaled: by a factor on the
     /// others, if that is a small matter. Else the contact set is too small or too large to carry it, and the
-    /// nodes that come next, those with the least gap in the base or the least overlap, join or leave it.
+    /// nodes that come next, those with the least gap in the iterate or the least overlap, join or leave it.
     fn give_load_below_ceiling(&mut self, level: f64) {
         let (load, total, ceiling) = (self.load, self.total(), self.ceiling);
         let heights = self.heights;
-        let (trial, u) = self.work.pairs.trial_and_displacement(self.iterate);
+        let (trial, u) = (&mut self.work.pairs.trial.pressure, &self.iterate.displacement);
         if projection::scale_below(trial, total, ceiling, sweep::ROUGH) {
             return;
         }

@@ -1,7 +1,6 @@
 //! What a chord iteration works with, allocated once: fields, pyramid, coarse grids.
 
 use super::pairs::Pairs;
-use crate::methods::cheap_compliance::CheapCompliance;
 use crate::methods::extension::Pyramid;
 use crate::methods::node::Node;
 use crate::methods::passes;
@@ -15,7 +14,6 @@ use contact_types::Grid;
 /// The trial and the iterate before, one field in single precision, the contact set, the pyramid
 /// and the coarse grids.
 pub(crate) struct Work<T: Real> {
-    pub(super) grid: Grid,
     /// Rows that one task of a pass handles, and columns.
     pub(super) rows: usize,
     pub(super) columns: usize,
@@ -37,8 +35,6 @@ pub(crate) struct Work<T: Real> {
     /// Whether the residual field holds `S E g` of a constant pressure on the surface at hand: the negative of
     /// the pressure that flattens it.
     pub(super) holds_flattening: bool,
-    /// Once a first trial has been looked for.
-    pub(super) cheap: Option<CheapCompliance>,
 }
 
 impl<T: Real> Work<T> {
@@ -49,7 +45,6 @@ impl<T: Real> Work<T> {
         let rows = passes::rows_per_task(&pyramid, shape);
         let pieces = passes::tasks(n, rows, shape[1]).max(HalfSpace::<T>::pieces(shape));
         Self {
-            grid: scaled,
             rows,
             columns: shape[1],
             elongation: thin_pixels::ratio(scaled),
@@ -63,7 +58,6 @@ impl<T: Real> Work<T> {
             pairs: Pairs::new(n),
             partial: vec![Partial::default(); pieces],
             holds_flattening: false,
-            cheap: None,
         }
     }
 }

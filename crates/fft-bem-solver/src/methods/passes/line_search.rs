@@ -59,21 +59,21 @@ impl Products {
 }
 
 /// Multiplies the trial `q` by `scale`, as its displacement `v` is already; writes its gap, counted
-/// from the level `from`; and returns one piece of the sums of [`Products`]: `<g,s>, <s,Ks>, <s,s>, <g,d>,
+/// from the level of the iterate; and returns one piece of the sums of [`Products`]: `<g,s>, <s,Ks>, <s,s>, <g,d>,
 /// <d,Ks>`, the nodes dropped, the sum of `v - h` over the contact of the trial and its nodes. `b`
 /// is the pressure before the last step.
 pub(crate) fn inner_products<T: Real, C: Ceiling<T>>(
     ceiling: C,
     [p, u, h]: [&[T]; 3],
-    levels: [f64; 2],
+    level: f64,
     [q, v]: [&mut [T]; 2],
     scale: T,
     b: &[T],
     gap: &mut [f32],
 ) -> Partial {
-    let levels = levels.map(T::of);
+    let level = T::of(level);
     let fields = [p, u, h, b, &*v];
-    let mut sums = vectorised!(x => products_by_fours(x, ceiling, fields, levels, q, scale, gap));
+    let mut sums = vectorised!(x => products_by_fours(x, ceiling, fields, level, q, scale, gap));
     let whole = gap.len() - gap.len() % LANES;
     if whole < gap.len() {
         let (mut last, mut its_gap) = (rest(q), [0.0; LANES]);
@@ -81,7 +81,7 @@ pub(crate) fn inner_products<T: Real, C: Ceiling<T>>(
         let fields = fields.each_ref().map(|x| &x[..]);
         let (vectors, ceiling) = (Fallback::new(), ceiling.after(whole));
         let more =
-            products_by_fours(vectors, ceiling, fields, levels, &mut last, scale, &mut its_gap);
+            products_by_fours(vectors, ceiling, fields, level, &mut last, scale, &mut its_gap);
         sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
         q[whole..].iter_mut().zip(last).for_each(|(q, x)| *q = x);
         gap[whole..].iter_mut().zip(its_gap).for_each(|(gap, x)| *gap = x);
@@ -96,7 +96,7 @@ fn products_by_fours<S: Simd, T: Real, C: Ceiling<T>>(
     vectors: S,
     ceiling: C,
     [p, u, h, b, v]: [&[T]; 5],
-    [level, from]: [T; 2],
+    level: T,
     q: &mut [T],
     scale: T,
     gap: &mut [f32],
@@ -109,7 +109,7 @@ fn products_by_fours<S: Simd, T: Real, C: Ceiling<T>>(
         let trial = four(vectors, q, i) * scale;
         trial.store_slice(&mut q[i..i + LANES]);
         let height = v - h;
-        for (gap, g) in gap[i..i + LANES].iter_mut().zip((height - from).as_slice()) {
+        for (gap, g) in gap[i..i + LANES].iter_mut().zip((height - level).as_slice()) {
             *gap = g.narrow();
         }
         let (g, s) = (T::widened(u - h - level), T::widened(trial - p));

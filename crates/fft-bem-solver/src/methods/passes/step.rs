@@ -3,7 +3,7 @@
 use crate::Real;
 use crate::methods::ceiling::Ceiling;
 use crate::row_work::{Partial, TASK, total};
-use crate::simd::{LANES, Lane, four, rest, vectorised};
+use crate::simd::{LANES, four, rest, vectorised};
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -135,42 +135,4 @@ fn contact_sums_by_fours<S: Simd, T: Real>(vectors: S, p: &[T], u: &[T], h: &[T]
         count += is_contact.select(one, zero);
     }
     [sum.iter().sum(), count.iter().sum()]
-}
-
-/// What a guess finds out, over a piece of it: the sum over its contact of `u - h`, its number of nodes, and `<s, u - h>` of
-/// the change `s` that led to it.
-pub(crate) fn guess_sums<T: Real>(p: &[T], u: &[T], h: &[T], change: &[f32]) -> [f64; 3] {
-    vectorised!(x => {
-        let [sum, count, ..] = contact_sums(x, p, u, h);
-        let mut along = f64x4::splat(x, 0.0);
-        let mut add = |s: &[f32], u: &[T], h: &[T], i: usize| {
-            along += f32::widened(four(x, s, i)) * T::widened(four(x, u, i) - four(x, h, i));
-        };
-        for i in (0..u.len() - u.len() % LANES).step_by(LANES) {
-            add(change, u, h, i);
-        }
-        add(&rest(change), &rest(u), &rest(h), 0);
-        [sum, count, along.iter().sum()]
-    })
-}
-
-/// `trial *= factor`, and what it differs from `p` by.
-pub(crate) fn difference<T: Real>(factor: f64, p: &[T], trial: &mut [T], difference: &mut [f32]) {
-    let factor = T::of(factor);
-    let pieces = trial.par_chunks_mut(TASK).zip(p.par_chunks(TASK));
-    pieces.zip(difference.par_chunks_mut(TASK)).for_each(|((trial, p), difference)| {
-        vectorised!({
-            for ((q, p), d) in trial.iter_mut().zip(p).zip(difference) {
-                *q *= factor;
-                *d = (*q - *p).narrow();
-            }
-        });
-    });
-}
-
-/// Copies a field.
-pub(crate) fn copy<T: Real>(from: &[T], to: &mut [T]) {
-    to.par_chunks_mut(TASK).zip(from.par_chunks(TASK)).for_each(|(to, from)| {
-        to.copy_from_slice(from);
-    });
 }
