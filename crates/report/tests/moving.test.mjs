@@ -131,7 +131,6 @@ test('the distributions are those of the load read off, and on paper those of th
     const said = await cells(), touching = maps[i].filter(p => p > 0), share = touching.length / (ROWS * COLUMNS);
     const near = (text, value, slack) => assert.ok(Math.abs(parseFloat(text.replace('\u202f', '')) / value - 1) < slack, `load ${i}: ${text}, expected ${value}`);
     near(said['d-touches'], 100 * share, 0.06);
-    near(said['d-apart'], 100 * (1 - share), 0.06);
     // Bars are as high as the points of their class are many.
     const [bars] = await figure(), highest = touching.reduce((a, b) => Math.max(a, b));
     const counts = new Array(40).fill(0);
@@ -158,7 +157,6 @@ test('a large map is coloured by the highest pressure of each square of points',
   rough('compare', 'wide.x3p', '--modulus', '110GPa', '--pressure', '20MPa,200MPa,1GPa', '--out', 'wide');
   const found = JSON.parse(readFileSync(at('wide/results.json'), 'utf8')).surfaces[0], loads = found.deterministic.points;
   const maps = solved('wide.x3p', loads, rows * columns), page = await opened({}, 'wide/report.html');
-  assert.match(await page.text('figcaption .moves'), /of 2 × 2 points the highest/);
   const shown = loads.map((_, i) => i).filter(i => loads[i].mean_pressure !== found.headline_pressure);
   assert.equal(shown.length, 2);
   for (const i of shown) {

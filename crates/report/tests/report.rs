@@ -9,7 +9,7 @@ use compare::{Comparison, FileOrigin, Origin, Settings, Surface, built_in_recipe
 use contact_types::{Grid, HeightMap};
 use report::{write_area_svg, write_csv, write_json, write_pressure_svg};
 use std::collections::HashMap;
-use studies::{all, hostile, html, one, provenance, run, small, three};
+use studies::{all, hostile, html, one, provenance, run, small, three, yielding};
 
 /// Width of a letter in ems, at least, in Helvetica and what replaces it.
 fn least_width(letter: char) -> f64 {
@@ -336,9 +336,7 @@ fn the_budget_has_every_source_and_choices_are_listed() {
     }
 }
 
-/// A flat map has an answer, a reason for every model, and a report.
-/// Grids that were solved are in Fig. 4, in its caption and in the results; those that were not
-/// asked for are nowhere.
+/// Grids that were solved are in Fig. 4 and in the results; those that were not asked for are nowhere.
 #[test]
 fn coarser_grids_are_drawn_and_listed_where_they_were_solved() {
     let page = html(one());
@@ -355,22 +353,8 @@ fn coarser_grids_are_drawn_and_listed_where_they_were_solved() {
         let truth = one().surfaces[0].headline_answer().unwrap().area_fraction_corrected;
         assert!((grid["area_error"].as_f64().unwrap() - (area / truth - 1.0)).abs() < 1e-12);
     }
-    assert!(page.contains("1/2 to 1/4 as many points a side"));
-    // The headline names a grid only if it is within 10 %, with points in the order x, y.
-    let is_known = one().surfaces[0].headline_answer().unwrap();
-    let is_known = is_known.uncertainty().unwrap() < 0.1 * is_known.area_fraction_corrected;
-    let near = listed
-        .iter()
-        .filter(|_| is_known)
-        .take_while(|g| g["area_error"].as_f64().unwrap().abs() <= 0.1)
-        .last();
-    match near.map(|g| g["shape"].clone()) {
-        Some(shape) => assert!(page.contains(&format!("{} × {} points (", shape[1], shape[0]))),
-        None => assert!(!page.contains("Cheapest grid")),
-    }
-
     let page = html(three());
-    assert!(!page.contains("½ grid") && !page.contains("as many points a side"));
+    assert!(!page.contains("½ grid"));
 }
 
 #[test]
@@ -386,25 +370,34 @@ fn a_flat_surface_is_answered() {
     assert!(page.contains("flat") && !page.contains("NaN"));
 }
 
-/// A strained domain is said of a model that is asked with caution, the strip along the edges is
-/// described once, and no page advises the finer solution that it already stands on.
-#[test]
-fn sentences_agree_with_the_page_around_them() {
-    let mut strained = 0;
-    for comparison in all() {
-        let page = html(comparison);
-        assert!(!page.contains("refined 2 times"));
-        for said in page.split("The domain of ").skip(1) {
-            let name = said.split(" is strained here").next().unwrap();
-            let models = comparison.surfaces.iter().flat_map(|s| &s.models);
-            // A title that begins with an article has a small one within a sentence.
-            let mut of = models.filter(|m| m.card.title.replace("The ", "the ") == name);
-            assert!(of.any(|m| m.verdict.answer == compare::Applies::Caution), "{name}");
-            strained += 1;
+/// All words of the page, folded ones and numbers of tables among them; not those of figures.
+fn words(page: &str) -> usize {
+    let body = page.split("<body>").nth(1).unwrap();
+    let mut text = String::new();
+    let mut rest = body;
+    while let Some((before, tag)) = rest.split_once('<') {
+        text.push_str(before);
+        let skipped = ["svg", "script"].iter().find(|name| tag.starts_with(**name));
+        if let Some(name) = skipped {
+            rest = tag.split_once(&format!("</{name}>")).unwrap().1;
+            continue;
         }
-        let strips = page.matches("Its outer ").count();
-        assert!(strips <= comparison.surfaces.len(), "{strips}");
+        let name = tag.trim_start_matches('/').split([' ', '>']).next().unwrap();
+        if !["a", "b", "code", "i", "span", "sub", "sup"].contains(&name) {
+            text.push(' ');
+        }
+        // An attribute in single quotes may hold the sign that ends an element.
+        let quoted = tag.split('>').next().unwrap().contains("='");
+        let end = if quoted { tag.find("'>").unwrap() + 1 } else { tag.find('>').unwrap() };
+        rest = &tag[end + 1..];
     }
-    assert!(strained > 0, "no sentence was tried");
-    assert_eq!(html(hostile()).matches("Its outer ").count(), 1);
+    text.split_whitespace().count()
+}
+
+/// The report of one map reads in minutes: of an elastic one, and of one that yields and conducts, with two panels
+/// of each curve.
+#[test]
+fn the_page_is_short() {
+    let count = [one(), yielding()].map(|study| words(&html(study)));
+    assert!(count[0] <= 1200 && count[1] <= 1450, "{count:?} words");
 }

@@ -9,6 +9,7 @@ use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
 use crate::figures::curves::log_limits;
 use crate::lines::load_axis;
 use crate::numbers::{METRES, significant, times, unit_for};
+use crate::words::finding::capital;
 use compare::Octave;
 
 const LEFT: f64 = 52.0;
@@ -26,12 +27,12 @@ pub(crate) struct Line {
     pub(crate) values: Vec<Option<f64>>,
 }
 
-/// Conductance per area over the load: the deterministic one, theories, and correlations of the field.
+/// Resistance over the load: the deterministic one, theories, and correlations of the field.
 pub(crate) fn over_load(
     (pressures, area): (&[f64], Option<f64>),
     deterministic: &[Option<f64>],
     lines: &[Line],
-    unit_name: &str,
+    (kind, of): (&str, &str),
     key: &str,
 ) -> Figure {
     let (unit, x_title) = load_axis(pressures, area);
@@ -45,7 +46,7 @@ pub(crate) fn over_load(
         x: Axis::log(ends.map(|p| p / unit.scale), [LEFT, RIGHT]),
         y: Axis::log(log_limits(&reference, &others, f64::INFINITY), [BOTTOM, TOP]),
         x_title,
-        y_title: format!("Contact conductance ({unit_name})"),
+        y_title: format!("{} contact resistance ({of})", capital(kind)),
     };
     let mut canvas = Canvas::default();
     frame.draw(&mut canvas);
@@ -60,11 +61,11 @@ pub(crate) fn over_load(
     draw(&mut canvas, &frame, (pressures, unit.scale), &reference, DETERMINISTIC_LOOK);
     labels.extend(end(&frame, &reference, "Deterministic", DETERMINISTIC, true));
     draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
-    let range = crate::lines::range_words(&reference, &format!(" {unit_name}"));
+    let range = crate::lines::range_words(&reference, &format!(" {of}"));
     Figure {
         key: key.into(),
-        title: "Contact conductance over the load".into(),
-        description: format!("Log-log plot. Deterministic conductance: {range}."),
+        title: "Contact resistance over the load".into(),
+        description: format!("Log-log plot. Deterministic resistance: {range}."),
         size: [COLUMN, HEIGHT],
         canvas,
     }

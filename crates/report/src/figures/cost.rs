@@ -31,17 +31,17 @@ pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
     let seconds: Vec<f64> = routes.iter().map(|r| r.seconds).collect();
     let fastest = seconds.iter().copied().fold(f64::INFINITY, f64::min).max(1e-9);
     let slowest = seconds.iter().copied().fold(0.0, f64::max).max(10.0 * fastest);
-    let errors = routes.iter().map(|r| 100.0 * r.error).chain(floor.map(|f| 100.0 * f));
-    let (mut lo, mut hi) = (f64::INFINITY, 0.0_f64);
-    for e in errors {
-        // An error of 0 has no place on a logarithmic axis; it is drawn at the lower edge.
-        lo = lo.min(e.max(1e-3));
-        hi = hi.max(e);
+    let (mut lo, mut hi) = (f64::INFINITY, 1e-3);
+    // An error of 0, as the reference has, is drawn below all others.
+    for e in routes.iter().map(|r| r.error).chain(floor).filter(|e| *e > 0.0) {
+        lo = lo.min(100.0 * e.max(1e-5));
+        hi = f64::max(hi, 100.0 * e);
     }
+    lo = lo.min(hi);
     hi = hi.max(10.0 * lo);
     let frame = Frame {
         x: Axis::log([fastest / 3.0, slowest * 4.0], [FRAME[0], FRAME[2]]),
-        y: Axis::log([lo / 2.5, hi * 1.8], [FRAME[3], FRAME[1]]),
+        y: Axis::log([lo / 6.0, hi * 1.8], [FRAME[3], FRAME[1]]),
         x_title: "Time per load".into(),
         y_title: format!("|Error| in area at {at} (%)"),
     };
@@ -54,7 +54,7 @@ pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
     let y_ticks: Vec<_> = frame.y.major().into_iter().map(|v| (v, frame.y.tick_text(v))).collect();
     frame.draw_with(&mut canvas, &x_ticks, &y_ticks);
     if let Some(floor) = floor {
-        let note = format!("within the reference’s own ±{}: not ranked", percent(floor));
+        let note = format!("within the solver’s own ±{}: not ranked", percent(floor));
         let text =
             Text { colour: INK2, size: 9.0, ..Text::new([FRAME[0] + 4.0, FRAME[3] - 5.0], &note) };
         taken.push(text.bounds());
@@ -109,14 +109,14 @@ pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
     }
 }
 
-/// The deterministic solution as a route: its error is its own uncertainty.
-pub(crate) fn deterministic(seconds: f64, uncertainty: f64) -> Route {
+/// The deterministic solution, by which the others are judged.
+pub(crate) fn deterministic(seconds: f64) -> Route {
     Route {
-        label: "Deterministic".into(),
+        label: "Deterministic (0)".into(),
         series: String::new(),
         look: DETERMINISTIC_LOOK,
         seconds,
-        error: uncertainty,
+        error: 0.0,
         bold: true,
     }
 }

@@ -22,8 +22,6 @@ const NOTE: f64 = 11.5;
 pub(crate) enum Quantity {
     /// Real area in per cent of nominal.
     Area,
-    /// Real pressure over E* times rms gradient.
-    Pressure,
     /// Signed error of the area in per cent.
     Error,
 }
@@ -41,22 +39,15 @@ impl<'a> Panel<'a> {
     fn new(surface: &'a SurfaceComparison, lines: &'a Lines, quantity: Quantity) -> Self {
         let scale = surface.inputs.modulus.pascals() * surface.inputs.rms_gradient();
         let scale = if scale > 0.0 { scale } else { surface.inputs.modulus.pascals() };
-        let values = |area: &[Option<f64>]| -> Vec<Option<f64>> {
-            area.iter()
-                .zip(&lines.pressures)
-                .map(|(a, p)| match quantity {
-                    Quantity::Area => a.map(|a| 100.0 * a),
-                    _ => a.filter(|a| *a > 0.0).map(|a| p / a / scale),
-                })
-                .collect()
-        };
+        let percent =
+            |values: &[Option<f64>]| values.iter().map(|v| v.map(|v| 100.0 * v)).collect();
         let of_model = |m: &ModelLine| match quantity {
-            Quantity::Error => lines.errors(m).into_iter().map(|e| e.map(|e| 100.0 * e)).collect(),
-            _ => values(&m.area),
+            Quantity::Error => percent(&lines.errors(m)),
+            Quantity::Area => percent(&m.area),
         };
         let reference = match quantity {
             Quantity::Error => lines.area.iter().map(|a| a.map(|_| 0.0)).collect(),
-            _ => values(&lines.area),
+            Quantity::Area => percent(&lines.area),
         };
         Self {
             name: lines.named(surface),
@@ -112,7 +103,7 @@ pub(crate) fn figure(
     let limits = if quantity == Quantity::Error {
         error_limits(&panels)
     } else {
-        shared_log_limits(&panels, quantity)
+        shared_log_limits(&panels)
     };
     let notes: Vec<_> = panels.iter().map(|p| p.outside(limits, quantity)).collect();
     let most = notes.iter().map(Vec::len).max().unwrap_or(0);
@@ -168,7 +159,6 @@ pub(crate) fn figure(
 fn axis_title(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Area => "Real area (% of nominal)",
-        Quantity::Pressure => "Real pressure / (E* g)",
         Quantity::Error => "Error in area (%)",
     }
 }
@@ -185,7 +175,7 @@ fn error_limits(panels: &[Panel<'_>]) -> [f64; 2] {
 }
 
 /// One logarithmic axis for all panels.
-fn shared_log_limits(panels: &[Panel<'_>], quantity: Quantity) -> [f64; 2] {
+fn shared_log_limits(panels: &[Panel<'_>]) -> [f64; 2] {
     let reference: Vec<Option<f64>> =
         panels.iter().flat_map(|p| p.reference.iter().copied()).collect();
     let most = panels.iter().map(|p| p.models.len()).max().unwrap_or(0);
@@ -197,8 +187,7 @@ fn shared_log_limits(panels: &[Panel<'_>], quantity: Quantity) -> [f64; 2] {
             panels.iter().flat_map(values).collect()
         })
         .collect();
-    let ceiling = if quantity == Quantity::Area { 100.0 } else { f64::INFINITY };
-    log_limits(&reference, &models, ceiling)
+    log_limits(&reference, &models, 100.0)
 }
 
 fn draw_panel(

@@ -2,9 +2,11 @@
 
 use crate::draw::svg::escape;
 use crate::numbers::{
-    METRES, SPACE, duration, quantity, relative_interval, signed_percent, significant,
+    METRES, PASCALS, SPACE, quantity, quantity_within, relative_interval, signed_percent,
+    significant,
 };
 use crate::page::phrases::tolerance_words;
+use crate::words;
 use crate::words::edges::edge_words;
 use compare::ChoiceKind;
 use compare::{DeterministicAnswer, SurfaceComparison};
@@ -22,7 +24,12 @@ fn shares(value: f64, ends: Option<[f64; 2]>) -> String {
 }
 
 /// Rows by source, columns by number, and how each part was obtained.
-pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, at: &str) -> String {
+pub(crate) fn table(
+    answer: &DeterministicAnswer,
+    surface: &SurfaceComparison,
+    at: &str,
+    correction: usize,
+) -> String {
     let budget = &answer.budget;
     let row = |class: &str, name: &str, part: &dyn Fn(&Estimate) -> Option<[f64; 2]>, how: &str| {
         let of = |e: Option<Estimate>| e.map_or("–".into(), |e| shares(e.value, part(&e)));
@@ -37,60 +44,67 @@ pub(crate) fn table(answer: &DeterministicAnswer, surface: &SurfaceComparison, a
             of(budget.stiffness)
         )
     };
-    let eta = answer.energy_bound.map_or(String::new(), |eta| {
-        format!("; proven: energy error at most {} (η)", tolerance_words(eta.max(1e-16)))
-    });
     let left = tolerance_words(answer.residuals.preconditioned.max(1e-16));
     let part = |e: &Estimate, of: fn(&Parts) -> f64| ends(e.value, Some(of(&e.uncertainty.ok()?)));
-    let rows = [
+    let micro = 1e-6; // Pa per metre -> Pa per micrometre
+    let value = |e: Option<Estimate>, scale: f64, units| {
+        e.map_or("–".into(), |e| {
+            let stated = e.stated().map(|ends| ends.map(|end| end * scale));
+            quantity_within(e.value * scale, stated, units)
+        })
+    };
+    let mut rows = vec![
+        format!(
+            "<tr><th scope=\"row\">Value</th><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
+             <td class=\"n\">{}/µm</td><td class=\"why\">stiffness −d<i>p</i>/d(mean gap) of the contact set</td></tr>\n",
+            words::area(answer),
+            words::real_pressure(answer),
+            value(budget.mean_gap, 1.0, METRES),
+            value(budget.stiffness, micro, PASCALS)
+        ),
         row("", "Half the points", &|e| part(e, |p| p.coarser), &coarser_words(answer)),
         row(
             "",
             "Contact line",
             &|e| part(e, |p| p.contact_line.hypot(p.counting)),
-            "a tenth of the perimeter correction, and the chance of points to fall inside; of the others what the \
-             uncertainty of the area brings",
+            &format!(
+                "a tenth of the perimeter correction [<a href=\"#r{correction}\">{correction}</a>], and counting"
+            ),
         ),
-        row("", "Twice the points", &|e| part(e, |p| p.finer), &finer_words(answer, surface)),
-        row(
-            "",
-            "Iteration",
-            &|e| part(e, |p| p.iteration),
-            &format!("from the relative rms pressure error left, {left}{eta}"),
-        ),
-        row(
-            " class=\"sum\"",
-            "Of this map ±",
-            &|e| e.interval().ok(),
-            "root of the squares, and the iteration on top: Figs. 1 to 4, both sides see this map",
-        ),
-        row(
-            "",
-            "Sampling variability, 95{SPACE}%",
-            &|e| ends(e.value, e.sampling),
-            "from 8 × 8 blocks of this solution and the long waves of the map",
-        ),
-        row(
+    ];
+    if let Some(finer) = answer.finer {
+        let read = significant(100.0 * finer.area, 3);
+        let how = format!("they read {read}{SPACE}%");
+        rows.push(row("", "Twice the points", &|e| part(e, |p| p.finer), &how));
+    }
+    rows.push(row(
+        "",
+        "Iteration",
+        &|e| part(e, |p| p.iteration),
+        &format!("rms pressure error {left}"),
+    ));
+    rows.push(row(" class=\"sum\"", "Of this map ±", &|e| e.interval().ok(), "Figs. 1 to 4"));
+    if budget.area.sampling.is_some() {
+        let how = "8 × 8 blocks, and the long waves";
+        rows.push(row("", "Sampling variability", &|e| ends(e.value, e.sampling), how));
+    }
+    if budget.area.materials > 0.0 {
+        rows.push(row(
             "",
             "Materials",
             &|e| ends(e.value, Some(e.materials).filter(|m| *m > 0.0)),
-            "spread of the table's modulus and hardness",
-        ),
-        row(
-            " class=\"sum\"",
-            "Of the surface ±",
-            &Estimate::prediction,
-            "root of the squares: the ± of the headline",
-        ),
-    ];
+            "range of modulus and hardness",
+        ));
+    }
+    rows.push(row(" class=\"sum\"", "Of the surface ±", &Estimate::prediction, "first screen"));
     format!(
-        "<table class=\"bud\"><caption>Uncertainty at {at}, shares of each number</caption>\
+        "<table class=\"bud\"><caption>Uncertainty at {at}, relative, 95{SPACE}%</caption>\
          <thead><tr><th scope=\"col\">Source</th><th scope=\"col\" class=\"n\">Area</th>\
          <th scope=\"col\" class=\"n\">Real pressure</th><th scope=\"col\" class=\"n\">Mean \
          gap</th><th scope=\"col\" class=\"n\">Stiffness</th><th scope=\"col\">How \
          obtained</th></tr></thead><tbody>\n{}<tr><th scope=\"row\">Edges, in no ±</th>\
          <td class=\"why\" colspan=\"5\">{}</td></tr>\n</tbody></table>\n",
-        rows.concat().replace("{SPACE}", &SPACE.to_string()),
+        rows.concat(),
         edge_words(surface)
     )
 }
@@ -100,36 +114,21 @@ fn coarser_words(answer: &DeterministicAnswer) -> String {
     let areas: Vec<String> =
         answer.coarser.iter().map(|n| significant(100.0 * n.area, 3)).collect();
     if areas.is_empty() {
-        return "the map was not solved on every second point".into();
+        return "not solved".into();
     }
-    format!(
-        "twice what every second point moves; two choices of them read {}{SPACE}%",
-        areas.join(" and ")
-    )
-}
-
-/// What twice the points said.
-fn finer_words(answer: &DeterministicAnswer, surface: &SurfaceComparison) -> String {
-    let Some(finer) = answer.finer else {
-        return "not needed: the answer does not depend on what lies between the points".into();
-    };
-    format!(
-        "twice what twice the points move; they read {}{SPACE}% ({})",
-        significant(100.0 * finer.area, 3),
-        duration(surface.beside_seconds[1])
-    )
+    format!("they read {}{SPACE}%", areas.join(" and "))
 }
 
 /// What other choices in preparing the map do to the area, largest first; only what was computed.
 pub(crate) fn choices(surface: &SurfaceComparison) -> String {
     let Some(closer) = &surface.closer else { return String::new() };
     let mut list: Vec<(f64, String)> =
-        closer.choices.iter().map(|c| (c.effect, words(c.kind))).collect();
+        closer.choices.iter().map(|c| (c.effect, choice(c.kind))).collect();
     if let Some(answer) = surface.headline_answer()
         && answer.area_fraction_corrected > 0.0
     {
         let counted = answer.area_fraction / answer.area_fraction_corrected - 1.0;
-        list.push((counted, "touching points counted, contact line not corrected".into()));
+        list.push((counted, "contact points counted, perimeter not corrected".into()));
     }
     list.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
     let rows: String = list
@@ -141,20 +140,13 @@ pub(crate) fn choices(surface: &SurfaceComparison) -> String {
             )
         })
         .collect();
-    let fill = if surface.origin.missing() > 0 {
-        " Filling of missing points was not varied."
-    } else {
-        ""
-    };
     format!(
         "<table class=\"key\"><caption>Choices that move the answer: area</caption>\
-         <tbody>\n{rows}</tbody></table>\n<p class=\"why\">Each by one more solution with that \
-         choice alone changed, with stiffness and η in {} together.{fill}</p>\n",
-        duration(closer.seconds)
+         <tbody>\n{rows}</tbody></table>\n"
     )
 }
 
-fn words(kind: ChoiceKind) -> String {
+fn choice(kind: ChoiceKind) -> String {
     match kind {
         ChoiceKind::Paraboloid => "paraboloid removed, not a plane".into(),
         ChoiceKind::Cutoff(shortest) => {

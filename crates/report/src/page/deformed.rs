@@ -3,7 +3,7 @@
 use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
 use crate::figures::deformed::{Cut, Pressed, section};
 use crate::figures::maps::FEWEST_STEPS;
-use crate::numbers::{METRES, SPACE, fixed, quantity, significant};
+use crate::numbers::{METRES, fixed, quantity, significant};
 use crate::page::context::Page;
 use crate::page::moving::LARGEST;
 use crate::page::phrases::{attribute, touching};
@@ -87,25 +87,12 @@ pub(crate) fn through(
     };
     let tall = cut.exaggeration();
     let tall = if tall < 9.5 { significant(tall, 2) } else { fixed(tall.round(), 0) };
-    let dots = if surface.solved_map().grid().shape()[1] > LARGEST {
-        format!(" Drawn with {LARGEST} parts, each the highest of the points it covers.")
-    } else {
-        String::new()
-    };
-    let (k, zoom) = if moves {
-        (
-            " data-k=\"cut\"",
-            "<span class=\"moves\"> It follows the slider and the zoom of the map.</span>",
-        )
-    } else {
-        ("", "")
-    };
+    let k = if moves { " data-k=\"cut\"" } else { "" };
     let shown = figure(
         &(svg.inline() + &facts),
         &format!(
-            "<b>Fig. {n}. Section</b> along the dashed line of the map. Solid: the body under load, coloured by the \
-             pressure where it touches the flat (<span{k}>{}</span> of this line). Dotted: the same heights \
-             before. Heights are drawn <span class=\"tall\">{tall}</span>{SPACE}times too tall.{dots}{zoom}",
+            "<b>Fig. {n}. Section</b> along the dashed line; <span{k}>{}</span> of it touches. Dotted: before \
+             loading. Vertical exaggeration <span class=\"tall\">{tall}</span>×.",
             touching[headline]
         ),
     );

@@ -4,7 +4,6 @@ use crate::draw::svg::escape;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, significant};
 use crate::page::context::Page;
 use crate::page::phrases::{levelled, tolerance_words};
-use crate::words::edges::treatment;
 use crate::words::loads::loads_words;
 use crate::words::materials::material_line;
 use crate::words::pair::{bodies, lying, moments};
@@ -45,14 +44,6 @@ pub(crate) fn section(page: &Page<'_>) -> String {
             rows.push((term.into(), steps.join("<br>\n")));
         }
     }
-    for surface in &page.comparison.surfaces {
-        let term = if page.several() {
-            format!("{}, edges", escape(&surface.name))
-        } else {
-            "Edges".into()
-        };
-        rows.push((term, treatment(surface).into()));
-    }
     for refused in &page.comparison.refused {
         let reason = format!("no study: {}", escape(&refused.reason));
         rows.push((escape(&refused.name), reason));
@@ -89,9 +80,8 @@ pub(crate) fn section(page: &Page<'_>) -> String {
     let list: String =
         rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();
     format!(
-        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<p>Repeat, from the folder it was made in, with</p><pre>{}</pre>\n\
-         <p class=\"why\">The numbers behind the figures are in <code>curves.csv</code>, all \
-         results in <code>results.json</code>, every setting in <code>run.toml</code>.</p>\n",
+        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<pre>{}</pre>\n<p class=\"why\">All numbers: <code>curves.csv</code>, \
+         <code>results.json</code>; settings: <code>run.toml</code>.</p>\n",
         escape(&made.repeat)
     )
 }
@@ -107,14 +97,11 @@ pub(crate) fn hardness_words(settings: &Settings) -> Option<String> {
     let hardness = settings.hardness?;
     let poisson = significant(settings.poisson(), 2);
     let whose = if settings.bodies.is_empty() {
-        format!("CEB assumes ν = {poisson}, for <i>E</i>* alone was given")
+        format!("CEB assumes ν = {poisson}")
     } else {
-        format!("CEB takes ν = {poisson} of the bodies")
+        format!("CEB takes ν = {poisson}")
     };
-    Some(format!(
-        "no pressure exceeds <i>H</i> = {}; models are judged by that contact; {whose}",
-        chosen(hardness, PASCALS)
-    ))
+    Some(format!("<i>H</i> = {}; {whose}", chosen(hardness, PASCALS)))
 }
 
 /// The form taken off, of all maps.
@@ -142,7 +129,7 @@ pub(crate) fn bodies_words(bodies: &[Body]) -> String {
         format!("<i>E</i> = {}, ν = {poisson}", chosen(b.young, PASCALS))
     };
     match bodies {
-        [] => "as given: an elastic half space against a rigid flat, or two elastic ones".into(),
+        [] => "of one body against a rigid flat, or of two".into(),
         [body] => format!("elastic half space ({}) against a rigid flat", one(body)),
         many => {
             let list: Vec<String> = many.iter().map(one).collect();
@@ -254,8 +241,7 @@ fn solver_words(page: &Page<'_>) -> String {
     let (precision, tolerance) =
         plan.map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
     format!(
-        "periodic half space, FFT; {}, {}; stop at a relative rms pressure error of {}; {}, \
-         {} FFT pairs, {}; area corrected for the contact line, c = {}",
+        "{}, {}, tolerance {}; {}, {} FFT pairs, {}; perimeter correction c = {}",
         methods.into_iter().collect::<Vec<_>>().join(", "),
         precision,
         tolerance_words(tolerance),

@@ -3,9 +3,8 @@
 use crate::draw::palette::{COLOURS, Colour};
 use crate::draw::svg::escape;
 use crate::error::ReportError;
-use crate::numbers::{METRES, PASCALS, SPACE, chosen, fixed};
+use crate::numbers::{PASCALS, chosen};
 use crate::page::context::Page;
-use crate::page::how_made::modulus_in_head;
 use crate::page::{conduction, contact_map, distributions, how_made, overview, sections, slider};
 use crate::provenance::Provenance;
 use crate::words;
@@ -49,12 +48,9 @@ pub fn write(
     let mut body = String::new();
     if several {
         body.push_str(&overview::section(&mut page));
-        for (index, surface) in comparison.surfaces.iter().enumerate() {
-            let title = format!("<h2>{}</h2>", escape(&surface.name));
-            body.push_str(&surface_sections(&mut page, surface, index, &title)?);
-        }
-    } else if let Some(surface) = comparison.surfaces.first() {
-        body.push_str(&surface_sections(&mut page, surface, 0, "")?);
+    }
+    for (index, surface) in comparison.surfaces.iter().enumerate() {
+        body.push_str(&surface_sections(&mut page, surface, index)?);
     }
     body.push_str(&how_made::section(&page));
     body.push_str(&references(&page.sources));
@@ -103,18 +99,23 @@ fn title(comparison: &Comparison) -> String {
     }
 }
 
-/// All sections of one surface. `title` is its heading where there are several.
+/// All sections of one surface; folded behind the overview where there are three or more.
 fn surface_sections(
     page: &mut Page<'_>,
     surface: &SurfaceComparison,
     index: usize,
-    title: &str,
 ) -> Result<String, ReportError> {
     let id = format!("s{index}");
     let loads = surface.deterministic.len();
-    let mut out = format!("<div class=\"surface\" data-loads=\"{loads}\">\n{title}");
+    let heading = format!("<h2>{}</h2>", escape(&surface.name));
+    let (element, title) = match page.comparison.surfaces.len() {
+        1 => ("div", String::new()),
+        2 => ("div", heading),
+        _ => ("details", format!("<summary>{heading}</summary>")),
+    };
+    let mut out = format!("<{element} class=\"surface\" data-loads=\"{loads}\">\n{title}");
     out.push_str(&opening(page, surface));
-    out.push_str(&sections::key_and_notes(surface, &id));
+    out.push_str(&sections::key_and_notes(page, surface, &id));
     out.push_str(&sections::over_load(page, surface, &id));
     out.push_str(&sections::models(page, surface));
     let limit = page.map_limit;
@@ -128,45 +129,20 @@ fn surface_sections(
     out.push_str(&sections::the_surface(page, surface, &heights?, &id));
     out.push_str(&sections::accuracy(page, surface));
     out.push_str(&slider::data(surface));
-    out.push_str("</div>\n");
+    out.push_str(&format!("</{element}>\n"));
     Ok(out)
 }
 
 fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
-    let grid = surface.surface.grid();
-    let ([ly, lx], [ny, nx]) = (grid.size(), grid.shape());
-    let unit = crate::numbers::unit_for(lx, METRES);
-    let side = |metres: f64| {
-        let v = metres / unit.scale;
-        fixed(v, if v < 9.995 { 3 } else { 1 })
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_owned()
-    };
-    let (before, after) = if page.several() {
-        (String::new(), String::new())
-    } else {
-        (
-            format!("rough-contact report · <b>{}</b> · ", escape(&surface.name)),
-            format!(" · {}", words::date(page.provenance.unix_time)),
-        )
-    };
-    let hardness = hardness_in_head(surface.inputs.hardness);
-    let line = format!(
-        "<p class=\"file\">{before}{} × {}{SPACE}{}, {nx} × {ny} points · \
-         {}{hardness}{after}</p>\n",
-        side(lx),
-        side(ly),
-        unit.name,
-        modulus_in_head(&page.comparison.settings)
-    );
     let say = words::headline(surface);
-    let first = if page.several() {
-        format!("<p class=\"say\">{say}</p>\n")
-    } else {
-        format!("<h1>{say}</h1>\n")
-    };
-    format!("<header>{line}{first}<p>{}</p></header>\n", words::recommendation(surface))
+    if page.several() {
+        return format!("<header><p class=\"say\">{say}</p></header>\n");
+    }
+    format!(
+        "<header><p class=\"file\">rough-contact report · <b>{}</b> · {}</p>\n<h1>{say}</h1></header>\n",
+        escape(&surface.name),
+        words::date(page.provenance.unix_time)
+    )
 }
 
 /// " · H = 2 GPa"; nothing of elastic bodies.
@@ -184,13 +160,10 @@ pub(crate) fn references(sources: &[Citation]) -> String {
                 if c.doi.is_empty() { String::new() } else { format!(", doi:{}", escape(&c.doi)) };
             // A model of a user's own may have none.
             let year = if c.year > 0 { format!(" ({})", c.year) } else { String::new() };
-            format!(
-                "<li id=\"r{}\">{}, {}, {}{year}{doi}.</li>\n",
-                i + 1,
-                escape(&c.authors),
-                escape(&c.title),
-                escape(&c.journal),
-            )
+            let title =
+                if doi.is_empty() { format!("{}, ", escape(&c.title)) } else { String::new() };
+            let (authors, journal) = (escape(&c.authors), escape(&c.journal));
+            format!("<li id=\"r{}\">{authors}, {title}{journal}{year}{doi}.</li>\n", i + 1)
         })
         .collect();
     format!("<h2>References</h2>\n<ol class=\"refs\">{items}</ol>\n")

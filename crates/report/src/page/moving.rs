@@ -47,8 +47,7 @@ impl<'a> Moving<'a> {
         fits.then_some(Self { surface, contact })
     }
 
-    /// Hidden pictures and facts behind the whole map: relief, load of first contact, pressures; these also for
-    /// themselves. The page is of so many `surfaces`.
+    /// Hidden pictures and facts behind the whole map: relief, load of first contact, pressures. The page is of so many `surfaces`.
     ///
     /// # Errors
     /// If a picture cannot be encoded.
@@ -56,7 +55,7 @@ impl<'a> Moving<'a> {
         &self,
         relief_limit: usize,
         surfaces: usize,
-    ) -> Result<(String, Pressures), ReportError> {
+    ) -> Result<String, ReportError> {
         let grid = self.surface.solved_map().grid();
         let [ny, nx] = grid.shape();
         let loads = self.surface.deterministic.len();
@@ -114,7 +113,7 @@ impl<'a> Moving<'a> {
             pressures.pictures,
             relief?
         );
-        Ok((images, pressures))
+        Ok(images)
     }
 
     /// The pressure of the headline in the dots of the contact: 0 where nothing touches, else 1 to 255 along the
@@ -156,10 +155,6 @@ impl<'a> Moving<'a> {
 pub(crate) struct Pressures {
     /// Points along the side of a dot.
     pub(crate) block: usize,
-    /// How many steps the scale has.
-    pub(crate) steps: u8,
-    /// How many loads have one, that of the headline among them.
-    pub(crate) count: usize,
     /// Of each load that has a picture, the number at the upper end of the bar, in the unit of the headline.
     tops: Vec<Option<String>>,
     pictures: String,
@@ -175,9 +170,9 @@ impl Pressures {
         let Some(maps) = &surface.pressure_maps else { return Ok(Self::default()) };
         let last = maps.loads.len().saturating_sub(1);
         let most = PRESSURES / surfaces.max(1);
-        let (mut steps, mut encoded) = (0, Vec::new());
-        for coarser in STEPS {
-            (steps, encoded) = (coarser, encoded_until(maps, surface.headline, coarser, most)?);
+        let mut encoded = Vec::new();
+        for steps in STEPS {
+            encoded = encoded_until(maps, surface.headline, steps, most)?;
             if encoded.iter().map(String::len).sum::<usize>() <= most {
                 break;
             }
@@ -186,12 +181,11 @@ impl Pressures {
         let kept = within(&bytes, most);
         let (headline, _) = pressure_top(&surface.pressure);
         let unit = unit_for(headline, PASCALS);
-        let mut found = Self { block: maps.block, steps, count: 1, ..Self::default() };
+        let mut found = Self { block: maps.block, ..Self::default() };
         found.tops.resize(last + 1, None);
         for load in kept.into_iter().filter(|load| *load != surface.headline) {
             let PressureMap { top, clipped, .. } = maps.loads[load];
             found.tops[load] = Some(maps::upper_end(top, clipped, unit));
-            found.count += 1;
             found.pictures.push_str(&format!(
                 "<img class=\"pressed\" hidden alt=\"\" data-load=\"{load}\" src=\"{}\">",
                 encoded[load]

@@ -18,37 +18,24 @@ pub(crate) fn section(page: &mut Page<'_>) -> String {
         modulus_in_head(&page.comparison.settings),
         words::date(page.provenance.unix_time)
     );
-    let mut out = format!(
-        "<header>{line}<h1>{}</h1>\n<p>{}</p></header>\n{}",
-        headline(surfaces),
-        ranking(surfaces),
-        table(surfaces)
-    );
+    let mut out =
+        format!("<header>{line}<h1>{}</h1></header>\n{}", headline(surfaces), table(surfaces));
     let surfaces = &page.comparison.surfaces;
     let names: Vec<&str> = surfaces.iter().map(|s| s.name.as_str()).collect();
     for (quantity, title, caption) in [
         (
             Quantity::Area,
             "Real contact area on each surface",
-            "Real contact area</b> over the load. Dots: deterministic solutions.".to_owned(),
-        ),
-        (
-            Quantity::Pressure,
-            "Mean real pressure on each surface",
-            "Mean real pressure</b>, load over real area, in units of E* times the rms gradient g."
-                .to_owned(),
+            "Real contact area</b>. Dots: solver.".to_owned(),
         ),
         (
             Quantity::Error,
             "Error of the closed forms on each surface",
-            format!(
-                "Does the ranking hold?</b> Error of each closed form. Grey: within 10{SPACE}%. \
-                 What lies beyond an axis is listed above its panel."
-            ),
+            format!("Error of each closed form</b>. Grey: within 10{SPACE}%."),
         ),
     ] {
         let n = page.next_figure();
-        let description = format!("{title}: {}. {}", names.join(", "), ranking(surfaces));
+        let description = format!("{title}: {}.", names.join(", "));
         let svg =
             multiples::figure(surfaces, quantity, title, description, &format!("o-f{n}")).inline();
         out.push_str(&format!(
@@ -110,66 +97,6 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
     }
 }
 
-/// Whether the order of the models is the same on every surface, among those that answer on all,
-/// and which do not.
-fn ranking(surfaces: &[SurfaceComparison]) -> String {
-    if !surfaces.iter().all(words::is_known) {
-        return String::new(); // the headline says why
-    }
-    let all = mean_errors(surfaces);
-    let elastic = ranks_elastic(surfaces);
-    let labels: Vec<Option<String>> = surfaces
-        .first()
-        .map_or(&[][..], |s| &s.models)
-        .iter()
-        .map(|m| (m.card.yields || elastic).then(|| escape(&m.card.label)))
-        .collect();
-    let of_elastic = if elastic { "" } else { words::NOT_RANKED };
-    format!("{}{}{of_elastic}", order(surfaces, &all), left_out(&labels, &all))
-}
-
-/// " Not ranked: MB (answers on 1 of 3)."; empty if every model answers on every surface.
-fn left_out(labels: &[Option<String>], all: &[Vec<Option<f64>>]) -> String {
-    let missing: Vec<String> = labels
-        .iter()
-        .enumerate()
-        .filter_map(|(k, label)| {
-            let label = label.as_ref()?;
-            let answers = all.iter().filter(|e| e.get(k).is_some_and(Option::is_some)).count();
-            (answers < all.len())
-                .then(|| format!("{label} (answers on {answers} of {})", all.len()))
-        })
-        .collect();
-    if missing.is_empty() { String::new() } else { format!(" Not ranked: {}.", missing.join(", ")) }
-}
-
-fn order(surfaces: &[SurfaceComparison], all: &[Vec<Option<f64>>]) -> String {
-    let order = |errors: &[Option<f64>], s: &SurfaceComparison| -> Vec<String> {
-        let mut list: Vec<(f64, String)> = errors
-            .iter()
-            .enumerate()
-            .filter(|(k, _)| all.iter().all(|e| e[*k].is_some()))
-            .filter_map(|(k, e)| Some(((*e)?, escape(&s.models[k].card.label))))
-            .collect();
-        list.sort_by(|a, b| a.0.total_cmp(&b.0));
-        list.into_iter().map(|(_, label)| label).collect()
-    };
-    let orders: Vec<Vec<String>> = all.iter().zip(surfaces).map(|(e, s)| order(e, s)).collect();
-    let Some(first) = orders.first().filter(|o| !o.is_empty()) else { return String::new() };
-    if orders.iter().all(|o| o == first) {
-        return format!(
-            "The ranking by mean error is the same on all of them, nearest first: {}.",
-            first.join(", ")
-        );
-    }
-    let each: Vec<String> = surfaces
-        .iter()
-        .zip(&orders)
-        .map(|(s, o)| format!("{}: {}", escape(&s.name), o.join(", ")))
-        .collect();
-    format!("The ranking by mean error, nearest first, differs. {}.", each.join("; "))
-}
-
 fn table(surfaces: &[SurfaceComparison]) -> String {
     let rows: String = surfaces
         .iter()
@@ -198,27 +125,11 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
         })
         .collect();
     format!(
-        "<table class=\"over\" tabindex=\"0\"><caption>Each surface at one load; ± with sampling \
-         variability</caption><thead><tr><th \
+        "<table class=\"over\" tabindex=\"0\"><caption>Each surface at one load</caption><thead><tr><th \
          scope=\"col\">Surface</th><th scope=\"col\" class=\"n\"><i>Sq</i></th><th scope=\"col\" \
          class=\"n\"><i>Sdq</i></th><th scope=\"col\" class=\"n\">Load</th><th scope=\"col\" \
          class=\"n\">Area</th><th scope=\"col\" class=\"n\">Real pressure</th><th \
          scope=\"col\">Nearest closed form</th><th scope=\"col\" class=\"n\">Solver, per \
          load</th></tr></thead><tbody>\n{rows}</tbody></table>\n"
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_model_without_an_answer_everywhere_is_named() {
-        let labels = ["GW", "MB"].map(|label| Some(label.to_owned()));
-        let all = [vec![Some(0.1), None], vec![Some(0.2), Some(0.8)]];
-        assert_eq!(left_out(&labels, &all), " Not ranked: MB (answers on 1 of 2).");
-        assert_eq!(left_out(&labels[..1], &all), "");
-        // A theory that is not ranked at all is said otherwise.
-        assert_eq!(left_out(&[labels[0].clone(), None], &all), "");
-    }
 }

@@ -1,10 +1,9 @@
 //! Phrases that several sections use.
 
 use crate::numbers::{
-    METRES, NEWTONS, PASCALS, SPACE, chosen, percent, power_of_ten, quantity, relative_interval,
-    significant, unit_for,
+    METRES, NEWTONS, PASCALS, SPACE, chosen, percent, power_of_ten, quantity, significant, unit_for,
 };
-use compare::{DeterministicPoint, Sections, SurfaceComparison};
+use compare::{Sections, SurfaceComparison};
 
 /// What was done to the form of the map.
 pub(crate) fn levelled(surface: &SurfaceComparison) -> &'static str {
@@ -42,24 +41,6 @@ pub(crate) fn load_words(surface: &SurfaceComparison) -> (String, String) {
             side.name
         ),
     )
-}
-
-/// The narrowest and the widest interval of the area over the loads, as shares of it: "±2.1 %; ±12 %".
-pub(crate) fn spread_words(points: &[DeterministicPoint]) -> String {
-    let stated = points.iter().filter_map(|p| {
-        let area = p.answer.as_ref()?.budget.area;
-        Some((area.value, area.stated().filter(|_| area.value > 0.0)?))
-    });
-    let mut all: Vec<(f64, [f64; 2])> = stated.collect();
-    all.sort_by(|(a, x), (b, y)| ((x[1] - x[0]) / a).total_cmp(&((y[1] - y[0]) / b)));
-    let ends = all.first().zip(all.last());
-    let words =
-        ends.map(|ends| [ends.0, ends.1].map(|(value, ends)| relative_interval(*value, *ends)));
-    match words {
-        None => "no ±".into(),
-        Some([a, b]) if a == b => a,
-        Some([a, b]) => format!("{a}; {b}"),
-    }
 }
 
 /// How much of the row touches at each load, as the caption says it.

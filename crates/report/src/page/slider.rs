@@ -28,11 +28,7 @@ fn read_out(surface: &SurfaceComparison) -> Vec<String> {
                 || format!("{p}: no answer"),
                 |a| {
                     let (area, pressure) = (words::area(a), words::real_pressure(a));
-                    let covers = match words::covers(a) {
-                        "" => String::new(),
-                        covers => format!(" ({covers})"),
-                    };
-                    format!("{p}: area {area}, real pressure {pressure}{covers}")
+                    format!("{p}: area {area}, real pressure {pressure}")
                 },
             )
         })

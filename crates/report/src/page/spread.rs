@@ -1,6 +1,6 @@
 //! What captions say of the distributions at each load.
 
-use crate::numbers::{AREAS, METRES, percent, quantity, significant};
+use crate::numbers::{AREAS, METRES, PASCALS, percent, quantity};
 use compare::{Distributions, SurfaceComparison};
 
 /// Touching points below which classes say little.
@@ -9,9 +9,8 @@ pub(crate) const LEAST: usize = 200;
 /// What the captions say of a load: the key of a cell of the slider, and its words; `None` where there are none.
 pub(crate) type Say = (&'static str, fn(&Distributions) -> Option<String>);
 
-pub(crate) const APART: Say = ("d-apart", |d| Some(percent(d.pressure.apart)));
-pub(crate) const EXPONENT: Say =
-    ("d-exponent", |d| d.pressure.exponent_at_zero.map(|s| significant(s, 2)));
+pub(crate) const HIGHEST: Say =
+    ("d-highest", |d| Some(quantity(*d.pressure.edges.last()?, PASCALS, 2)));
 pub(crate) const SPOTS: Say = ("d-spots", |d| Some(d.spots.count.to_string()));
 pub(crate) const HALF: Say = ("d-half", |d| {
     let half = d.spots.area_share.iter().rposition(|s| *s >= 0.5).unwrap_or(0);
@@ -31,7 +30,7 @@ pub(crate) fn at(surface: &SurfaceComparison, load: usize) -> Option<&Distributi
 
 /// What the slider writes into the captions at each load.
 pub(crate) fn cells(surface: &SurfaceComparison) -> impl Iterator<Item = (&str, Vec<String>)> {
-    let all = [APART, EXPONENT, SPOTS, HALF, TOUCHES, MEAN_GAP, MOST_GAP];
+    let all = [HIGHEST, SPOTS, HALF, TOUCHES, MEAN_GAP, MOST_GAP];
     all.into_iter().map(|(key, words)| {
         let of = |load| at(surface, load).and_then(words).unwrap_or_else(|| "–".into());
         (key, (0..surface.deterministic.len()).map(of).collect())

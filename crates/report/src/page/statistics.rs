@@ -1,14 +1,12 @@
 //! The table of a surface's statistics.
 
-use crate::draw::svg::escape;
 use crate::numbers::{METRES, Unit, chosen, fixed, power_of_ten, quantity, significant, unit_for};
 use compare::SurfaceComparison;
 use contact_types::AsperityStatistics;
 
-/// One row: symbol (HTML), definition, name with unit, value, and the value by the spectrum.
+/// One row: symbol (HTML), name with unit, value, and the value by the spectrum.
 struct Row {
     symbol: &'static str,
-    definition: &'static str,
     name: String,
     value: String,
     spectral: Option<String>,
@@ -23,36 +21,18 @@ fn named(name: &str, unit: &str) -> String {
 }
 
 /// A length in the multiple that suits it.
-fn length(symbol: &'static str, definition: &'static str, name: &str, value: f64) -> Row {
+fn length(symbol: &'static str, name: &str, value: f64) -> Row {
     let unit = unit_for(value, METRES);
-    Row {
-        symbol,
-        definition,
-        name: named(name, unit.name),
-        value: three(value / unit.scale),
-        spectral: None,
-    }
+    Row { symbol, name: named(name, unit.name), value: three(value / unit.scale), spectral: None }
 }
 
 /// A number without unit.
-fn plain(symbol: &'static str, definition: &'static str, name: &str, value: Option<f64>) -> Row {
-    Row {
-        symbol,
-        definition,
-        name: name.into(),
-        value: value.map_or("–".into(), three),
-        spectral: None,
-    }
+fn plain(symbol: &'static str, name: &str, value: Option<f64>) -> Row {
+    Row { symbol, name: name.into(), value: value.map_or("–".into(), three), spectral: None }
 }
 
 /// A value and the same by the spectrum, in a power of ten of a power of a unit.
-fn pair(
-    symbol: &'static str,
-    definition: &'static str,
-    name: &str,
-    values: [f64; 2],
-    (unit, power): (Unit, i32),
-) -> Row {
+fn pair(symbol: &'static str, name: &str, values: [f64; 2], (unit, power): (Unit, i32)) -> Row {
     let base = unit.scale.powi(power);
     let e = (values[0].abs() / base).max(f64::MIN_POSITIVE).log10().floor() as i32;
     let e = if (-1..4).contains(&e) { 0 } else { e };
@@ -66,7 +46,6 @@ fn pair(
     let scale = base * 10f64.powi(e);
     Row {
         symbol,
-        definition,
         name: named(name, &text.join(" ")),
         value: three(values[0] / scale),
         spectral: Some(three(values[1] / scale)),
@@ -84,158 +63,68 @@ fn rows(surface: &SurfaceComparison) -> Vec<Row> {
         if v > 0.005 { format!("+{text}") } else { text }
     });
     let mut rows = vec![
-        length(
-            "<i>Sq</i>",
-            "Root mean square height about the mean (ISO 25178-2)",
-            "RMS height",
-            s.rms_height,
-        ),
-        length(
-            "<i>Sa</i>",
-            "Mean absolute height about the mean (ISO 25178-2)",
-            "Mean absolute height",
-            s.mean_abs_height,
-        ),
+        length("<i>Sq</i>", "RMS height", s.rms_height),
+        length("<i>Sa</i>", "Mean absolute height", s.mean_abs_height),
         Row {
             value: signed.unwrap_or_else(|| "–".into()),
-            ..plain("<i>Ssk</i>", "Third moment / Sq³; 0 for a normal surface", "Skewness", None)
+            ..plain("<i>Ssk</i>", "Skewness", None)
         },
-        plain("<i>Sku</i>", "Fourth moment / Sq⁴; 3 for a normal surface", "Kurtosis", s.kurtosis),
-        pair(
-            "<i>Sdq</i>",
-            "Root mean square of |∇z|, equal to √(2 m₂)",
-            "RMS gradient",
-            [s.rms_gradient, spectral.rms_gradient()],
-            none,
-        ),
-        pair(
-            "<i>m</i><sub>0</sub>",
-            "Mean square height",
-            "Height variance",
-            [s.m0, spectral.m0],
-            (height, 2),
-        ),
-        pair(
-            "<i>m</i><sub>2</sub>",
-            "Mean square slope of profiles, mean of both axes",
-            "Slope variance",
-            [s.m2, spectral.m2],
-            none,
-        ),
-        pair(
-            "<i>m</i><sub>4</sub>",
-            "Mean square second derivative of profiles, mean of both axes",
-            "Curvature variance",
-            [s.m4, spectral.m4],
-            (micrometre, -2),
-        ),
+        plain("<i>Sku</i>", "Kurtosis", s.kurtosis),
+        pair("<i>Sdq</i>", "RMS gradient √(2m₂)", [s.rms_gradient, spectral.rms_gradient()], none),
+        pair("<i>m</i><sub>0</sub>", "Height variance", [s.m0, spectral.m0], (height, 2)),
+        pair("<i>m</i><sub>2</sub>", "Slope variance", [s.m2, spectral.m2], none),
+        pair("<i>m</i><sub>4</sub>", "Curvature variance", [s.m4, spectral.m4], (micrometre, -2)),
     ];
     if let Some(bandwidth) = s.bandwidth {
-        rows.push(pair(
-            "<i>α</i>",
-            "m₀ m₄ / m₂²; at least 1.5 for any isotropic Gaussian surface",
-            "Nayak bandwidth",
-            [bandwidth, spectral.bandwidth()],
-            none,
-        ));
+        let both = [bandwidth, spectral.bandwidth()];
+        rows.push(pair("<i>α</i>", "Bandwidth m₀m₄/m₂²", both, none));
     }
     if let Some(a) = s.asperities {
         let b = AsperityStatistics::from_moments(spectral).ok();
         let other = |pick: fn(&AsperityStatistics) -> f64| b.as_ref().map_or(f64::NAN, pick);
         let side = if a.density >= 1e6 { METRES[4] } else { METRES[5] };
-        rows.push(pair(
-            "<i>η</i>",
-            "(m₄/m₂)/(6π√3)",
-            "Summit density",
-            [a.density, other(|b| b.density)],
-            (side, -2),
-        ));
-        rows.push(pair(
-            "<i>R</i>",
-            "(3/8)√(π/m₄)",
-            "Summit radius",
-            [a.radius, other(|b| b.radius)],
-            (unit_for(a.radius, METRES), 1),
-        ));
-        rows.push(pair(
-            "<i>σ</i><sub>s</sub>",
-            "√((1 − 0.8968/α) m₀)",
-            "Summit deviation",
-            [a.height_std, other(|b| b.height_std)],
-            (unit_for(a.height_std, METRES), 1),
-        ));
+        let both = [a.density, other(|b| b.density)];
+        rows.push(pair("<i>η</i>", "Summit density m₄/(6π√3m₂)", both, (side, -2)));
+        let both = [a.radius, other(|b| b.radius)];
+        let unit = (unit_for(a.radius, METRES), 1);
+        rows.push(pair("<i>R</i>", "Summit radius ⅜√(π/m₄)", both, unit));
+        let both = [a.height_std, other(|b| b.height_std)];
+        let unit = (unit_for(a.height_std, METRES), 1);
+        rows.push(pair("<i>σ</i><sub>s</sub>", "Summit rms height √(m₀(1−0.8968/α))", both, unit));
     }
-    rows.push(plain(
-        "<i>a</i><sub>2</sub>",
-        "Largest over smallest mean square slope over all directions; 1 if isotropic",
-        "Anisotropy of slopes",
-        s.anisotropy,
-    ));
+    rows.push(plain("<i>a</i><sub>2</sub>", "Slope anisotropy", s.anisotropy));
     if let (Some(hurst), Some([short, long])) = (s.hurst, s.fractal_range) {
-        let name = format!(
-            "Hurst exponent, {} to {}",
-            quantity(short, METRES, 2),
-            quantity(long, METRES, 2)
-        );
+        let [short, long] = [short, long].map(|l| quantity(l, METRES, 2));
         rows.push(Row {
             spectral: Some(significant(hurst, 2)),
-            ..plain(
-                "<i>H</i>",
-                "From the slope −2 − 2H of the radial PSD over the fit range",
-                &name,
-                None,
-            )
+            ..plain("<i>H</i>", &format!("Hurst exponent, {short} to {long}"), None)
         });
-        if let Some(dimension) = s.dimension {
-            rows.push(Row {
-                spectral: Some(three(dimension)),
-                ..plain(
-                    "<i>D</i>",
-                    "Fractal dimension of a profile, from profile PSDs over the fit range",
-                    "Fractal dimension",
-                    None,
-                )
-            });
-        }
+        rows.extend(s.dimension.map(|dimension| Row {
+            spectral: Some(three(dimension)),
+            ..plain("<i>D</i>", "Fractal dimension", None)
+        }));
     }
-    let name = format!("Amplitude ratio, rows of {}", chosen(s.record_length, METRES));
+    let name = format!("Amplitude/wavelength, rows of {}", chosen(s.record_length, METRES));
     rows.push(Row {
         spectral: Some(significant(s.max_amplitude_ratio, 3)),
-        ..plain(
-            "<i>B</i><sub>max</sub>",
-            "Largest mean amplitude over wavelength of the rows; depends on their length",
-            &name,
-            None,
-        )
+        ..plain("<i>B</i><sub>max</sub>", &name, None)
     });
     rows
 }
 
 /// Statistics of the levelled map; beside each moment the one by the spectrum.
 pub(crate) fn table(surface: &SurfaceComparison) -> String {
-    let rows = rows(surface);
-    let body: String = rows
-        .iter()
-        .map(|r| {
-            format!(
-                "<tr><th scope=\"row\"><abbr tabindex=\"0\" title=\"{}\">{}</abbr></th><td>{}</td>\
-                 <td class=\"n\">{}</td><td class=\"n alt\">{}</td></tr>\n",
-                escape(r.definition),
-                r.symbol,
-                r.name,
-                r.value,
-                r.spectral.as_deref().filter(|t| !t.contains("NaN")).unwrap_or("–")
-            )
-        })
-        .collect();
-    let definitions: Vec<String> =
-        rows.iter().map(|r| format!("{}: {}", r.symbol, escape(r.definition))).collect();
+    let row = |r: &Row| {
+        let spectral = r.spectral.as_deref().filter(|t| !t.contains("NaN")).unwrap_or("–");
+        format!(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"n\">{}</td><td class=\"n alt\">{spectral}</td></tr>\n",
+            r.symbol, r.name, r.value
+        )
+    };
+    let body: String = rows(surface).iter().map(row).collect();
     format!(
         "<div><table class=\"stat\"><caption>Statistics of the levelled map</caption><thead><tr>\
-         <th scope=\"col\" colspan=\"2\">Hover or tap a symbol for its definition</th><th \
-         scope=\"col\" class=\"n\">From heights</th><th scope=\"col\" class=\"n\">By \
-         spectrum</th></tr></thead><tbody>\n{body}</tbody></table>\n<p class=\"why \
-         printonly\">Definitions. {}.</p></div>\n",
-        definitions.join("; ")
+         <td colspan=\"2\"></td><th scope=\"col\" class=\"n\">From heights</th><th scope=\"col\" \
+         class=\"n\">By spectrum</th></tr></thead><tbody>\n{body}</tbody></table></div>\n"
     )
 }

@@ -1,7 +1,7 @@
 //! Sentences on the deterministic answer. They state what was computed and name the number.
 
 use crate::draw::svg::escape;
-use crate::numbers::{PASCALS, SPACE, percent_within, quantity, quantity_within};
+use crate::numbers::{PASCALS, SPACE, percent_within, quantity_within};
 use crate::words::yielding;
 use compare::{DeterministicAnswer, SurfaceComparison};
 
@@ -29,18 +29,6 @@ pub(crate) fn covers(answer: &DeterministicAnswer) -> &'static str {
         (Some(_), None, true) => "± with materials",
         (Some(_), None, false) => "± of this map",
     }
-}
-
-/// The highest pressure of a point, and what it means. A mean over the contact cannot exceed it:
-/// where it seems to, the contacts are smaller than the points.
-pub(crate) fn highest_pressure(highest: f64, load: f64, area: f64) -> (String, &'static str) {
-    if area > 0.0 && load / area > highest {
-        return (
-            format!("above {}", quantity(load / area, PASCALS, 2)),
-            "not below the mean; no point of the map resolves it",
-        );
-    }
-    (quantity(highest, PASCALS, 2), "one point of the map; grows with a finer grid")
 }
 
 /// The headline of a surface in plain text, for the terminal: the numbers of the page.
@@ -84,14 +72,10 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
     } else {
         ""
     };
-    let label = match covers(answer) {
-        "" => String::new(),
-        covers => format!(" <small>({covers})</small>"),
-    };
     let whole = if surface.origin.pair().is_some() { "the area in common" } else { "the surface" };
     format!(
         "{opening}{}t {p}, {about}<b>{}</b> of {whole} touches{}{}; the mean real pressure is \
-         {about}<b>{}</b>{unresolved}.{label}",
+         {about}<b>{}</b>{unresolved}.",
         if opening.is_empty() { 'A' } else { 'a' },
         area(answer),
         yielding::share(surface),
@@ -109,11 +93,5 @@ mod tests {
         assert_eq!(opening(true, false), "");
         assert_eq!(opening(false, true), "Stopped at rounding: ");
         assert_eq!(opening(false, false), "Not converged: ");
-    }
-
-    #[test]
-    fn the_highest_pressure_is_never_below_the_mean() {
-        assert_eq!(highest_pressure(100e6, 100.0, 100.0 / 190e6).0, "above 190\u{202F}MPa");
-        assert_eq!(highest_pressure(400e6, 100.0, 100.0 / 190e6).0, "400\u{202F}MPa");
     }
 }

@@ -1,9 +1,9 @@
-//! What a coarser grid would have cost in accuracy: its place in Fig. 4 and in the headline.
+//! What a coarser grid would have cost in accuracy: its place in Fig. 4 and on the first screen.
 
 use crate::draw::palette::{INK2, Look, Marker};
 use crate::figures::cost::Route;
 use crate::lines::WANTED;
-use crate::numbers::{SPACE, duration, signed_percent, times};
+use crate::numbers::{duration, signed_percent};
 use compare::Coarser;
 use compare::SurfaceComparison;
 
@@ -39,37 +39,12 @@ fn cheapest(grids: &[Coarser]) -> Option<&Coarser> {
     grids.iter().take_while(|c| c.error.abs() <= WANTED).last()
 }
 
-/// " Cheapest grid within 10 %: the map on 128 × 128 points (+1.2 %), 3.1 ms, 14 times faster."; empty if
-/// no coarser grid comes that near or none is faster.
-pub(crate) fn sentence(surface: &SurfaceComparison, full_seconds: f64) -> String {
-    let Some(grid) = cheapest(&surface.coarser).filter(|c| c.seconds < full_seconds) else {
-        return String::new();
-    };
+/// That grid with its error and time; `None` if no coarser grid comes that near.
+pub(crate) fn cheapest_words(surface: &SurfaceComparison) -> Option<[String; 2]> {
+    let grid = cheapest(&surface.coarser)?;
     let [ny, nx] = grid.shape;
-    format!(
-        " Cheapest grid within 10{SPACE}%: the map on {nx} × {ny} points ({}), {}, {} times faster.",
-        signed_percent(grid.error),
-        duration(grid.seconds),
-        times(full_seconds / grid.seconds)
-    )
-}
-
-/// What the grids in Fig. 4 are, for its caption; empty if there are none.
-pub(crate) fn caption(surface: &SurfaceComparison, full_seconds: f64) -> String {
-    let (Some(first), Some(last)) = (surface.coarser.first(), surface.coarser.last()) else {
-        return String::new();
-    };
-    let spent: f64 = surface.coarser.iter().map(|c| c.seconds).sum();
-    let which = if first.factor == last.factor {
-        format!("1/{} as many points a side", first.factor)
-    } else {
-        format!("1/{} to 1/{} as many points a side", first.factor, last.factor)
-    };
-    format!(
-        " Grids: the deterministic solution of the same map with {which}, each the shortest of up to five runs within 50{SPACE}ms; together they take \
-         {:.0}{SPACE}% of the time of the full one.",
-        100.0 * spent / full_seconds
-    )
+    let words = format!("{}, {}", signed_percent(grid.error), duration(grid.seconds));
+    Some([format!("Solver on {nx} × {ny} points"), words])
 }
 
 #[cfg(test)]

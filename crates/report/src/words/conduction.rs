@@ -1,16 +1,19 @@
 //! What a contact conducts, in words and numbers.
 
 use crate::numbers::{
-    AREAS, KELVINS_PER_WATT, METRES, OHMS, PASCALS, SPACE, Unit, length, percent, power_of_ten,
-    quantity, quantity_within, significant, times,
+    AREAS, KELVINS_PER_WATT, METRES, OHMS, PASCALS, SPACE, Unit, power_of_ten, quantity,
+    quantity_within, significant,
 };
 use compare::{Conducted, Conduction, Joint, SurfaceComparison};
 
-/// A kind of conductance: what it is called and its unit per area.
+/// A kind of conductance: what it is called and its units.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Kind {
     pub(crate) name: &'static str,
-    pub(crate) per_area: &'static str,
+    /// Unit of the resistance.
+    pub(crate) resistance: &'static str,
+    /// That of a unit of area.
+    pub(crate) of_area: &'static str,
     /// Per area, in letters that every program reads.
     pub(crate) plain_unit: &'static str,
     /// Per stiffness.
@@ -21,13 +24,15 @@ pub(crate) struct Kind {
 pub(crate) fn kinds(found: &Conduction) -> Vec<Kind> {
     let electrical = found.electrical.map(|factor| Kind {
         name: "electrical",
-        per_area: "S/m²",
+        resistance: "Ω",
+        of_area: "Ω m²",
         plain_unit: "S/m^2",
         factor,
     });
     let thermal = found.thermal.map(|factor| Kind {
         name: "thermal",
-        per_area: "W/m²/K",
+        resistance: "K/W",
+        of_area: "K m²/W",
         plain_unit: "W/m^2/K",
         factor,
     });
@@ -46,10 +51,10 @@ pub struct ResistanceWords {
 }
 
 impl ResistanceWords {
-    /// Where the hand estimate stands, if it is known: "one spot of the same load and hardness (Holm) 16.5 K/W".
+    /// Where the hand estimate stands, if it is known: "one spot (Holm) 16.5 K/W".
     pub(crate) fn beside(&self) -> Option<String> {
         let spot = self.one_spot.as_ref()?;
-        Some(format!("one spot of the same load and hardness (Holm) {spot}"))
+        Some(format!("one spot (Holm) {spot}"))
     }
 }
 
@@ -159,40 +164,4 @@ pub(crate) fn scientific(value: f64, unit: &str) -> String {
         significant(value / 10f64.powf(exponent), 3),
         power_of_ten(exponent as i32)
     )
-}
-
-/// "12 %", "a factor of 3": a ratio of at least 1.
-fn factor(ratio: f64) -> String {
-    if ratio < 1.995 { percent(ratio - 1.0) } else { format!("a factor of {}", times(ratio)) }
-}
-
-/// Which of area and conductance depends on the shortest wave, with the numbers of this surface.
-pub(crate) fn octaves(found: &Conduction) -> Option<String> {
-    let [area, conductance] = found.changes()?;
-    let removed = found.octaves.len() - 1;
-    let last = found.octaves[removed];
-    let first = found.octaves[0];
-    let numbers = format!(
-        "Without {}, that is without waves shorter than {} (the map has {} and longer), the area changes by up to \
-         {}, the conductance by up to {}.",
-        match removed {
-            1 => "its shortest octave".to_owned(),
-            n => format!("its {n} shortest octaves"),
-        },
-        length(last.shortest),
-        quantity(first.shortest, METRES, 2),
-        factor(area),
-        factor(conductance)
-    );
-    let verdict = if found.is_sturdy()? {
-        "The area depends on the shortest wave that was measured; the conductance hardly does."
-    } else if area > conductance {
-        "On this surface both depend on the shortest wave that was measured, the area more."
-    } else if !found.yields() {
-        "On this surface the conductance depends on the shortest wave that was measured more than the area."
-    } else {
-        "On this surface the conductance depends on the shortest wave that was measured more than the area, \
-         which nears load over hardness, whatever the waves, where all of the contact yields."
-    };
-    Some(format!("<b>{verdict}</b> {numbers}"))
 }

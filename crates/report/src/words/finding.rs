@@ -53,19 +53,18 @@ pub fn finding(finding: &Finding) -> Worded {
              precision.",
         ),
         Fact::PlanUnmet(outcome) => unmet(outcome),
-        Fact::Interpolation { indicator, finer, loads, of } => worded(
+        Fact::Interpolation { indicator, loads, of, .. } => worded(
             format!(
                 "Result depends on interpolation between points (indicator {}, limit {INDICATOR_LIMIT}).",
                 significant(*indicator, 2)
             ),
             format!(
-                "{}{} Measure on a finer grid.",
-                if of > loads { format!("At {loads} of {}. ", counted(*of, "load")) } else { String::new() },
-                finer.map_or(String::new(), |area| format!(
-                    "If the surface is band-limited between the points, the area is {}{SPACE}%; the uncertainty \
-                     covers both.",
-                    significant(100.0 * area, 3)
-                )),
+                "{}The uncertainty covers both ways to interpolate. Measure on a finer grid.",
+                if of > loads {
+                    format!("At {loads} of {}. ", counted(*of, "load"))
+                } else {
+                    String::new()
+                },
             ),
         ),
         Fact::BelowPoint { loads, of } => worded(
@@ -79,7 +78,9 @@ pub fn finding(finding: &Finding) -> Worded {
         Fact::NoUncertainty { why, at } => {
             let claim = match at {
                 Bare::Every => "The area is without uncertainty estimate.".to_owned(),
-                Bare::Headline => "The area at this load is without uncertainty estimate.".to_owned(),
+                Bare::Headline => {
+                    "The area at this load is without uncertainty estimate.".to_owned()
+                }
                 Bare::Some { loads, of } => {
                     format!("The area is without uncertainty estimate at {loads} of {of} loads.")
                 }
@@ -173,12 +174,7 @@ fn beyond_yield(found: &Yield) -> Worded {
     let bear = if is_known {
         format!("their hardness is {}", show(low))
     } else {
-        format!(
-            "solids with a contact modulus of {} have a hardness of about {} to {}",
-            show(found.modulus),
-            show(low),
-            show(high)
-        )
+        format!("solids of this modulus have a hardness of {} to {}", show(low), show(high))
     };
     let ends = found.full.map_or_else(String::new, |full| {
         if found.at.mean > full && found.at.nominal > 0.5 * found.at.mean {
@@ -191,14 +187,8 @@ fn beyond_yield(found: &Yield) -> Worded {
             );
         }
         format!(
-            " The elastic area holds while E* g / H is below about 1, so for a hardness H of at \
-             least {}; here E* g / H is {}.",
-            show(full),
-            if is_known {
-                significant(full / low, 2)
-            } else {
-                format!("{} to {}", significant(full / high, 2), significant(full / low, 2))
-            }
+            " The elastic area holds for a hardness of at least E* g = {}.",
+            show(full)
         )
     });
     worded(

@@ -18,10 +18,8 @@ mod verdict;
 pub(crate) mod yielding;
 
 pub use answer::headline_line;
-pub(crate) use answer::{area, covers, headline, highest_pressure, real_pressure};
+pub(crate) use answer::{area, headline, real_pressure};
 pub(crate) use date::date;
 pub(crate) use loads::{headline_load, load};
-pub(crate) use ranking::{
-    NOT_RANKED, curves_lead, is_known, named, nearest, ranked, recommendation, within_ten,
-};
+pub(crate) use ranking::{cheapest, is_known, named, nearest, published, ranked};
 pub(crate) use verdict::{SMALL_SLOPES, reason, reason_of};

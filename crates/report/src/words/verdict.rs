@@ -1,6 +1,6 @@
 //! Whether a theory covers a surface, in words.
 
-use crate::numbers::{SPACE, counted, length, percent, pressure, significant};
+use crate::numbers::{SPACE, counted, length, pressure, significant};
 use compare::{Assumes, Card, ModelComparison, Reason, Verdict};
 use contact_types::ModelError;
 
@@ -44,17 +44,16 @@ fn words(reason: &Reason) -> String {
         Reason::NotGaussian { skewness, kurtosis } => {
             format!("skewness {}, kurtosis {}", plain(*skewness), plain(*kurtosis))
         }
-        Reason::Crowded { from } => format!(
-            "area exceeds 5{SPACE}% from {}, where summits no longer act alone",
-            pressure(*from)
-        ),
+        Reason::Crowded { from } => {
+            format!("asperities interact from {} (area 5{SPACE}%)", pressure(*from))
+        }
         Reason::RecordLength { wavelength, length: record } => format!(
-            "its input sits at λ = {} and depends on the record length ({})",
+            "B_max at λ = {} depends on the record length ({})",
             wavelength.map_or("–".into(), length),
             length(*record)
         ),
         Reason::FitRange { dimension, short, long } => format!(
-            "D = {} from the fit between {} and {}; another range gives another D",
+            "D = {} depends on the fit range, {} to {}",
             plain(*dimension),
             length(*short),
             length(*long)
@@ -62,15 +61,7 @@ fn words(reason: &Reason) -> String {
         Reason::Beyond { quantity, value, limit, reason } => {
             format!("{quantity} {} beyond {}: {reason}", plain(*value), plain(*limit))
         }
-        Reason::Elastic(excess) => format!(
-            "is of elastic bodies; these yield and touch on up to {} more{}",
-            percent(excess.most),
-            if excess.everywhere {
-                String::new()
-            } else {
-                format!(", from {} on", pressure(excess.from))
-            }
-        ),
+        Reason::Elastic(_) => "elastic bodies only".to_owned(),
         Reason::Full { from } => format!("full contact from {}", pressure(*from)),
         Reason::NoAnswer { loads, of } => {
             format!("no answer at {loads} of {}", counted(*of, "load"))

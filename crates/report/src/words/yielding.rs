@@ -1,6 +1,6 @@
 //! Sentences on bodies that yield: claim and text.
 
-use crate::numbers::{PASCALS, SPACE, chosen, percent, quantity, signed_percent, significant};
+use crate::numbers::{PASCALS, SPACE, chosen, percent, quantity, signed_percent};
 use compare::{BULK_YIELD, SurfaceComparison, Yielding, elastic_limit, typical_hardness};
 
 /// What a pressure that is held to a hardness leaves out.
@@ -21,14 +21,8 @@ pub(crate) fn headline(found: &Yielding) -> [String; 2] {
             signed_percent(elastic / found.area - 1.0)
         )
     });
-    let ratio = found.over_elastic.map_or_else(String::new, |ratio| {
-        format!(
-            " E* g / H is {}; up to about 1 the elastic area would be right to 2\u{202F}%.",
-            significant(ratio, 2)
-        )
-    });
     let text = format!(
-        "At {} it carries {} of the load.{elastic}{ratio} {LEFT_OUT}",
+        "At {} it carries {} of the load.{elastic} {LEFT_OUT}",
         chosen(found.load, PASCALS),
         percent(found.load_share)
     );

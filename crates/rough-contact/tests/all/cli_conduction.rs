@@ -109,7 +109,9 @@ fn a_study_conducts_as_its_solutions_do() {
             assert!(area(&octaves[1]) > 1.05 * area(&octaves[0]), "{octaves:?}");
         }
         let page = std::fs::read_to_string(at.join("report/report.html")).expect("page");
-        assert!(page.contains("What it conducts") && page.contains("Thermal conductance"));
+        assert!(
+            page.contains("thermal contact conductance") && page.contains("Thermal conductance")
+        );
         assert_eq!(page.contains(">CMY<"), !more.is_empty());
     }
 }

@@ -110,7 +110,7 @@ fn a_study_at_forces_reads_in_newtons() {
     assert!(forces.out.contains("at 10 N (10 MPa) "), "{}", forces.out);
     assert!(read("n/area.svg").contains("Load (N)") && read("n/pressure.svg").contains("Load (N)"));
     let page = read("n/report.html").replace('\u{202f}', " ");
-    assert!(page.contains("Key numbers at 10 N (10 MPa)") && page.contains("20 N (20 MPa): area"));
+    assert!(page.contains("<h1>At 10 N (10 MPa), ") && page.contains("20 N (20 MPa): area"));
     let pressures = rough_contact(
         at,
         "compare a.x3p --modulus 110GPa --pressure 10MPa,20MPa --headline 10MPa --out p",

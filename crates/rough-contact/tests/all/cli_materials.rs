@@ -308,5 +308,5 @@ fn modulus_and_the_other_body_are_said() {
         }
     }
     let page = std::fs::read_to_string(at.join("of-one/report.html")).expect("a page");
-    assert!(page.contains(", against a rigid flat ·"), "in the head");
+    assert!(page.contains(", against a rigid flat</td>"), "on the first screen");
 }
