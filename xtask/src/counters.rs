@@ -35,7 +35,7 @@ pub(crate) fn check(sources: &[(String, String)], faults: &mut Vec<String>) {
     }
 }
 
-fn numbers(sources: &[(String, String)]) -> [(&'static str, usize); 7] {
+fn numbers(sources: &[(String, String)]) -> [(&'static str, usize); 8] {
     let text = |path: &Path| std::fs::read_to_string(path).unwrap_or_default();
     let words = |text: String| text.split_whitespace().count();
     let book = files(&root().join("docs/src"), "md");
@@ -49,6 +49,7 @@ fn numbers(sources: &[(String, String)]) -> [(&'static str, usize); 7] {
     [
         ("rust-lines", sources.iter().map(|(_, text)| text.lines().count()).sum()),
         ("book-words", book.iter().map(|page| words(text(page))).sum()),
+        ("readme-words", words(text(&root().join("README.md")))),
         ("changelog-words", words(text(&root().join("CHANGELOG.md")))),
         ("fixtures-bytes", bytes(&root().join("fixtures"))),
         ("public-names", public.map(|(_, text)| public_names(text)).sum()),

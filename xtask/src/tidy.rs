@@ -35,6 +35,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     book(&mut faults);
     release::versions(&mut faults);
     paper(&mut faults);
+    terms(&mut faults);
     counters::check(&read_sources(), &mut faults);
     if faults.is_empty() {
         println!("tidy: no faults");
@@ -306,6 +307,46 @@ fn paper(faults: &mut Vec<String>) {
         }
     }
     println!("quotations of the paper: {quoted}");
+}
+
+/// Words of our own where the field has its own.
+const OURS: [&str; 21] = [
+    "between the points",
+    "took part",
+    "kept back",
+    "theory card",
+    "how hard pressed",
+    "what it conducts",
+    "both surfaces as one",
+    "times too tall",
+    "its input sits",
+    "summits no longer act",
+    "finite differences see",
+    "that nobody measured",
+    "drawn with",
+    "that does not ring",
+    "four of five maps",
+    "slopes differ",
+    "error bar",
+    "one map of many",
+    "share of the line",
+    "held by floor",
+    "carry no ±",
+];
+
+/// None of them is in the book, the README or what the report says.
+fn terms(faults: &mut Vec<String>) {
+    let mut prose = files(&root().join("docs/src"), "md");
+    prose.extend(files(&root().join("crates/report/src"), "rs"));
+    prose.push(root().join("README.md"));
+    for path in prose {
+        let text = std::fs::read_to_string(&path).unwrap_or_default().replace("\\\n", "");
+        // A line may end within a term.
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
+        for term in OURS.iter().filter(|term| text.contains(**term)) {
+            faults.push(format!("{} says {term:?}: the field has its own word", relative(&path)));
+        }
+    }
 }
 
 fn relative(path: &Path) -> String {

@@ -103,7 +103,7 @@ pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
             significant(*load, 2)
         };
         format!(
-            "at {load} median {}{SPACE}%, four of five maps {} to {}{SPACE}%",
+            "at {load} median {}{SPACE}%, 10th–90th percentile {} to {}{SPACE}%",
             significant(100.0 * mid, 3),
             significant(100.0 * low, 3),
             significant(100.0 * high, 3)
@@ -128,7 +128,7 @@ pub(crate) struct Strip {
     pub errors: Spread,
 }
 
-/// A strip for each model: a line over four of five maps, a bar over the middle half, a mark at the
+/// A strip for each model: a line over the 10th–90th percentile, a bar over the interquartile range, a mark at the
 /// median.
 pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
     const LEFT: f64 = 84.0;
@@ -174,7 +174,7 @@ pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
             ..Text::new([LEFT - 6.0, y + 3.4], &strip.label)
         });
         said.push(format!(
-            "{} median {}, four of five maps {} to {}",
+            "{} median {}, 10th–90th percentile {} to {}",
             strip.label,
             signed_percent(strip.errors.median()),
             signed_percent(strip.errors.quantile(0.1)),
@@ -213,7 +213,7 @@ pub(crate) fn histograms(all: &[Histogram], key: &str) -> Figure {
         histogram(one, [left, top, left + PANEL[0], top + PANEL[1]], &mut canvas);
         let q = |part| significant(one.values.quantile(part), 3);
         said.push(format!(
-            "{}: median {}, four of five {} to {}",
+            "{}: median {}, 10th–90th percentile {} to {}",
             one.title,
             q(0.5),
             q(0.1),

@@ -56,7 +56,7 @@ pub(crate) fn table(
     let mut rows = vec![
         format!(
             "<tr><th scope=\"row\">Value</th><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-             <td class=\"n\">{}/µm</td><td class=\"why\">stiffness −d<i>p</i>/d(mean gap) of the contact set</td></tr>\n",
+             <td class=\"n\">{}/µm</td><td class=\"why\">stiffness −d<i>p</i>/d(mean gap) at fixed contact area</td></tr>\n",
             words::area(answer),
             words::real_pressure(answer),
             value(budget.mean_gap, 1.0, METRES),
@@ -83,7 +83,7 @@ pub(crate) fn table(
         &|e| part(e, |p| p.iteration),
         &format!("rms pressure error {left}"),
     ));
-    rows.push(row(" class=\"sum\"", "Of this map ±", &|e| e.interval().ok(), "Figs. 1 to 4"));
+    rows.push(row(" class=\"sum\"", "Of this map ±", &|e| e.interval().ok(), ""));
     if budget.area.sampling.is_some() {
         let how = "8 × 8 blocks, and the long waves";
         rows.push(row("", "Sampling variability", &|e| ends(e.value, e.sampling), how));
@@ -96,7 +96,7 @@ pub(crate) fn table(
             "range of modulus and hardness",
         ));
     }
-    rows.push(row(" class=\"sum\"", "Of the surface ±", &Estimate::prediction, "first screen"));
+    rows.push(row(" class=\"sum\"", "Of the surface ±", &Estimate::prediction, ""));
     format!(
         "<table class=\"bud\"><caption>Uncertainty at {at}, relative, 95{SPACE}%</caption>\
          <thead><tr><th scope=\"col\">Source</th><th scope=\"col\" class=\"n\">Area</th>\

@@ -55,7 +55,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     let gap = joint_words(&found.joint, gap.as_slice());
     let mut out = format!(
         "<{h}>Electrical and thermal contact conductance at {p}</{h}>\n<table class=\"key\"><tbody>\n{rows}</tbody></table>\n\
-         <p class=\"why\">{covers}{gap} From the stiffness of the contact set [<a href=\"#r{barber}\">{barber}</a>]; clean \
+         <p class=\"why\">{covers}{gap} From the stiffness at fixed contact area [<a href=\"#r{barber}\">{barber}</a>]; clean \
          bodies, no film or plating.</p>\n<div class=\"two\">\n",
     );
     let drawn = kinds(found).into_iter().find(|k| k.factor > 0.0 && k.factor.is_finite());

@@ -35,7 +35,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
         (
             Kind::Gap,
             format!(
-                "Gap</b>: {} touches; elsewhere {} in the mean, {} at most.",
+                "Gap</b>: none at {} of the points; elsewhere {} in the mean, {} at most.",
                 say(TOUCHES),
                 say(MEAN_GAP),
                 say(MOST_GAP)

@@ -129,7 +129,7 @@ pub(crate) fn bodies_words(bodies: &[Body]) -> String {
         format!("<i>E</i> = {}, ν = {poisson}", chosen(b.young, PASCALS))
     };
     match bodies {
-        [] => "of one body against a rigid flat, or of two".into(),
+        [] => "as given".into(),
         [body] => format!("elastic half space ({}) against a rigid flat", one(body)),
         many => {
             let list: Vec<String> = many.iter().map(one).collect();

@@ -262,7 +262,7 @@ fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
             rows.push((
                 "Moments".into(),
                 format!(
-                    "finite differences of neighbouring points; they see {} of m₂ and {} of m₄ of the \
+                    "finite differences of neighbouring points; they recover {} of m₂ and {} of m₄ of the \
                      spectrum",
                     percent(m2),
                     percent(m4)

@@ -201,7 +201,7 @@ pub(crate) fn sampling(study: &ProfileComparison) -> String {
         .collect();
     let seen = s.seen.map_or(String::new(), |[m2, m4]| {
         format!(
-            "Differences of neighbouring points see {} of m₂ and {} of m₄ of the waves in the trace. ",
+            "Differences of neighbouring points recover {} of m₂ and {} of m₄ of the waves in the trace. ",
             percent(m2),
             percent(m4)
         )

@@ -80,8 +80,7 @@ pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &s
         let four = page.next_figure();
         let floor = relative_uncertainty(surface);
         let caption = format!(
-            "<b>Fig. {four}. Error against time</b> at {p}. Dashed: nothing is both nearer and faster. \
-             Set-up, once per map: {}.",
+            "<b>Fig. {four}. Error against time</b> at {p}. Dashed: Pareto front. Set-up, once per map: {}.",
             duration(surface.setup_seconds)
         );
         let svg = cost::figure(&routes, floor, &p, &format!("{id}-f{four}")).inline();
@@ -214,7 +213,7 @@ pub(crate) fn the_surface(
     let grid = surface.surface.grid();
     let p = words::headline_load(surface);
     let (title, first) = match surface.origin.pair() {
-        Some(both) => ("Both surfaces as one", pair::opening(both)),
+        Some(both) => ("Composite surface", pair::opening(both)),
         None => ("The surface", String::new()),
     };
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
@@ -280,7 +279,7 @@ pub(crate) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> Stri
     };
     format!(
         "<{h}>Accuracy</{h}>\n{budget}{}<p class=\"why\">Not covered: {}, \
-         friction, adhesion, waves longer than the map, calibration of the instrument.</p>\n",
+         friction, adhesion, waves longer than the map, instrument calibration.</p>\n",
         budget::choices(surface),
         if surface.inputs.hardness.is_some() {
             "hardening, pile-up, yield in the volume, unloading"

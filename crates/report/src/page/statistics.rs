@@ -123,8 +123,8 @@ pub(crate) fn table(surface: &SurfaceComparison) -> String {
     };
     let body: String = rows(surface).iter().map(row).collect();
     format!(
-        "<div><table class=\"stat\"><caption>Statistics of the levelled map</caption><thead><tr>\
-         <td colspan=\"2\"></td><th scope=\"col\" class=\"n\">From heights</th><th scope=\"col\" \
+        "<div><table class=\"stat\"><caption>Levelled map</caption><thead><tr>\
+         <th scope=\"col\" colspan=\"2\">Quantity</th><th scope=\"col\" class=\"n\">From heights</th><th scope=\"col\" \
          class=\"n\">By spectrum</th></tr></thead><tbody>\n{body}</tbody></table></div>\n"
     )
 }

@@ -126,7 +126,7 @@ fn headline(summary: &Summary<'_>) -> String {
         return format!("{maps} solved; no closed form answers on all of them");
     };
     format!(
-        "Nearest over {maps}: {}, <b>{}</b> off in the median, {} to {} on four of five",
+        "Nearest over {maps}: {}, <b>{}</b> off in the median, 10th–90th percentile {} to {}",
         label(name),
         percent(size),
         signed_percent(errors.quantile(0.1)),
@@ -152,7 +152,7 @@ fn standing(summary: &Summary<'_>) -> String {
         ));
     }
     text.push_str(&format!(
-        ". Headlines that did not converge: {short}; without an error bar: {bare}. Maps with something to \
+        ". Headlines that did not converge: {short}; without uncertainty estimate: {bare}. Maps with something to \
          check: {warned}. Loads: {}.",
         match &summary.settings.pressures {
             Some(_) => "the same for every map; the headline is the one at which about 2 % touches, or the \
@@ -182,14 +182,12 @@ fn load_and_errors(summary: &Summary<'_>) -> String {
         "<h2>Area and load</h2>\n<div class=\"two\">\n{}{}</div>\n",
         figure(
             &curves(&summary.curves(), "b-f1").inline(),
-            "<b>Fig. 1. Real contact area</b> of every map by the deterministic solution. Thick: median; \
-             grey: four of five maps, where at least half of them have an answer.",
+            "<b>Fig. 1. Real contact area</b> of every map by the deterministic solution. Thick: median; grey: 10th–90th percentile.",
         ),
         figure(
             &strips(&list, "b-f2").inline(),
             &format!(
-                "<b>Fig. 2. Error of the closed forms</b> at the headline of each map. Mark: median; bar: \
-                 middle half; line: four of five maps. Grey: within 10{SPACE}%."
+                "<b>Fig. 2. Error of the closed forms</b> at the headline of each map. Mark: median; bar: interquartile range; line: 10th–90th percentile. Grey: within 10{SPACE}%."
             ),
         ),
     )
@@ -235,11 +233,8 @@ fn models(summary: &Summary<'_>) -> String {
     format!(
         "<h2>Models</h2>\n<div class=\"scroll\" tabindex=\"0\"><table class=\"models\"><caption>Error of the area against the \
          deterministic solution</caption><thead><tr><th scope=\"col\">Model</th><th scope=\"col\" \
-         class=\"n\">Maps</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" class=\"n\">Four of \
-         five maps</th><th scope=\"col\" class=\"n\">Over all loads</th><th scope=\"col\" class=\"n\">Yes / caution / no</th><th scope=\"col\">Farthest \
-         off</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n<p class=\"why\">Median, four of five and farthest: at the headline of \
-         each map. Over all loads: median over the maps of the mean size of the error over the \
-         loads. Yes, caution, no: on how many maps the theory applies.</p>\n"
+         class=\"n\">Maps</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" class=\"n\">10th–90th percentile</th><th scope=\"col\" class=\"n\">Over all loads</th><th scope=\"col\" class=\"n\">Yes / caution / no</th><th scope=\"col\">Farthest \
+         off</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n<p class=\"why\">At the headline of each map; over all loads: median of the mean |error|.</p>\n"
     )
 }
 

@@ -43,13 +43,13 @@ pub fn finding(finding: &Finding) -> Worded {
         }
         Fact::NotConverged { loads, of } => worded(
             format!("{loads} of {} did not converge.", counted(*of, "load")),
-            "Their numbers are marked and carry no ±. Raise the number of iterations or loosen \
+            "They are without uncertainty estimate. Raise the number of iterations or loosen \
              the tolerance.",
         ),
         Fact::AtRounding { loads, of } => worded(
             format!("{loads} of {} stopped at rounding.", counted(*of, "load")),
             "Their numbers are as good as this floating-point type gives them, short of the \
-             tolerance; they are marked and carry no ±. Ask for a larger tolerance, or for double \
+             tolerance; they are without uncertainty estimate. Ask for a larger tolerance, or for double \
              precision.",
         ),
         Fact::PlanUnmet(outcome) => unmet(outcome),
@@ -187,7 +187,7 @@ fn beyond_yield(found: &Yield) -> Worded {
             );
         }
         format!(
-            " The elastic area holds for a hardness of at least E* g = {}.",
+            " The elastic area holds for a hardness H of at least {} (E* h′rms).",
             show(full)
         )
     });
@@ -306,7 +306,7 @@ pub fn warning(warning: &Warning) -> Worded {
             "The closed forms assume an isotropic surface; none of them is safe.",
         ),
         Warning::Anisotropic { ratio: r } => worded(
-            format!("The surface has a lay: mean square slopes differ {} times.", ratio(r)),
+            format!("The surface has a lay: slope anisotropy {}.", ratio(r)),
             "The closed forms assume an isotropic surface; beyond 2 none of them is safe.",
         ),
         Warning::NotGaussian { skewness, kurtosis } => worded(
@@ -322,7 +322,7 @@ pub fn warning(warning: &Warning) -> Worded {
             "No isotropic Gaussian surface has that; the summit models do not apply.",
         ),
         Warning::Unresolved { ratio: r } => worded(
-            format!("Finite differences see {} of the rms gradient.", percent(r)),
+            format!("Finite differences recover {} of the spectral rms gradient.", percent(r)),
             "The shortest waves are near two points, so m₂, m₄ and every area depend on the point spacing. Measure finer, or \
              remove short wavelengths and quote the cut-off.",
         ),
@@ -403,12 +403,14 @@ fn tested(passed: &Passed) -> Worded {
     }
     if let Some(anisotropy) = passed.anisotropy {
         claims.push("isotropy");
-        texts
-            .push(format!("slopes differ {} times between directions", significant(anisotropy, 3)));
+        texts.push(format!("slope anisotropy {}", significant(anisotropy, 3)));
     }
     if let Some(resolved) = passed.resolved {
         claims.push("resolution");
-        texts.push(format!("finite differences see {} of the rms gradient", percent(resolved)));
+        texts.push(format!(
+            "finite differences recover {} of the spectral rms gradient",
+            percent(resolved)
+        ));
     }
     if let Some(found) = &passed.independence {
         claims.push("independence");
