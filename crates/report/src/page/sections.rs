@@ -48,12 +48,12 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
         )
     };
     let mut items: String = open.iter().take(MOST).map(item).collect();
-    match open.len() {
-        0 => items.push_str("<li>Nothing to check.</li>\n"),
-        n if n > MOST => {
-            items.push_str(&format!("<li>{} more in <code>results.json</code></li>\n", n - MOST))
-        }
-        _ => {}
+    if open.is_empty() {
+        items.push_str("<li>Nothing to check.</li>\n");
+    }
+    if open.len() > MOST {
+        let more = open.len() - MOST;
+        items.push_str(&format!("<li>{more} more in <code>results.json</code></li>\n"));
     }
     format!(
         "<div><p class=\"cap\" id=\"{id}-w\">Read before use</p>\
