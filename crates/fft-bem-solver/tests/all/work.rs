@@ -54,7 +54,7 @@ fn a_light_load_from_nothing_takes_no_more_pairs() {
             let mut solver = Solver::builder().tolerance(1e-4).build(grid, unit_modulus()).unwrap();
             let found = solver.solve(map, Load::MeanPressure(load)).unwrap().diagnostics;
             println!("{load}: {} iterations, {:.2} pairs", found.iterations, found.transforms);
-            assert!(found.transforms < 6.4, "{load}: {:.2} pairs", found.transforms);
+            assert!(found.transforms < 7.5, "{load}: {:.2} pairs", found.transforms);
         }
     }
 }

@@ -236,7 +236,10 @@ fn a_conductance_has_its_bars() {
             }
         }
         let said = rough_contact(at, &line).out;
-        assert!(said.contains("± surface") && said.contains("S/m²") && said.contains("±"), "{said}");
+        assert!(
+            said.contains("± surface") && said.contains("S/m²") && said.contains("±"),
+            "{said}"
+        );
     }
 }
 
