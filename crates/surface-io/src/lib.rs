@@ -58,8 +58,6 @@ pub use limits::Limits;
 pub use measurement::{ChannelInfo, Measurement};
 pub use need::{Ambiguity, Need};
 pub use options::{HeightUnit, ReadOptions};
-pub use read::{
-    read, read_bytes, read_channels, read_channels_bytes, read_traces, read_traces_bytes,
-};
+pub use read::{read, read_bytes, read_channels_bytes, read_traces, read_traces_bytes};
 pub use resample::Resampled;
 pub use units::metres_per;

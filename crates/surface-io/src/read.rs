@@ -53,21 +53,10 @@ pub fn read_traces_bytes(
     recognise(&bytes)?.read_traces(&bytes, options)
 }
 
-/// Lists the channels of a file without decoding them.
+/// Lists the channels in the bytes of a file without decoding them.
 ///
 /// # Errors
 /// As [`read`], except that nothing is refused for missing units or being no height.
-pub fn read_channels(
-    path: impl AsRef<Path>,
-    limits: &Limits,
-) -> Result<Vec<ChannelInfo>, ReadError> {
-    read_channels_bytes(&load(path.as_ref(), limits)?, limits)
-}
-
-/// Lists the channels in the bytes of a file.
-///
-/// # Errors
-/// As [`read_channels`].
 pub fn read_channels_bytes(bytes: &[u8], limits: &Limits) -> Result<Vec<ChannelInfo>, ReadError> {
     let bytes = unwrap_container(bytes, limits)?;
     let spec = recognise(&bytes)?;

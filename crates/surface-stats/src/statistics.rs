@@ -267,11 +267,6 @@ impl SurfaceStatistics {
         SpectralMoments { m0: self.m0, m2: self.m2, m4: self.m4 }
     }
 
-    /// m0, m2, m4 by the spectrum of the map as it repeats.
-    pub fn moments_spectral(&self) -> SpectralMoments {
-        SpectralMoments { m0: self.m0_spectral, m2: self.m2_spectral, m4: self.m4_spectral }
-    }
-
     /// D and G for the model of Majumdar and Bhushan; `None` unless 1 < D < 2.
     pub fn fractal(&self) -> Option<FractalParameters> {
         Some(FractalParameters { dimension: self.dimension?, roughness: self.roughness? })
