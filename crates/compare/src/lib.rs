@@ -92,7 +92,7 @@ pub use scene::{Scene, is_steep, typical_hardness};
 pub use sections::Sections;
 pub use settings::{Body, EdgesName, STEEL, Settings, default_pressures, poisson};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
-pub use spots::{Spot, Spots, contact_spots, spot_list};
+pub use spots::{Spot, Spots, labelled_spots, spot_list};
 pub use study::loads as loads_of_study;
 pub use surface::{
     FileOrigin, GivenOrigin, NoPair, Origin, PairFound, PairOrigin, Surface, sha256_hex,

@@ -15,12 +15,6 @@ pub struct Spots {
     pub largest_area: f64,
 }
 
-/// Counts the spots of a pressure field that repeats periodically; `None` if nothing touches or
-/// the field is not of this grid.
-pub fn contact_spots(pressure: &[f64], grid: Grid) -> Option<Spots> {
-    Spots::of(&spot_list(pressure, grid, true))
-}
-
 impl Spots {
     /// Of a list, largest first; `None` if it is empty.
     pub(crate) fn of(list: &[Spot]) -> Option<Self> {
@@ -57,19 +51,30 @@ pub struct Spot {
 /// what lies at the other edge, and counts by its part on the map. Empty if nothing touches or the field is
 /// not of this grid.
 pub fn spot_list(pressure: &[f64], grid: Grid, repeats: bool) -> Vec<Spot> {
+    let (mut spots, _) = labelled_spots(pressure, grid, repeats);
+    spots.sort_by_key(|spot| std::cmp::Reverse(spot.points));
+    spots
+}
+
+/// The spots of [`spot_list`] in the order of their first points, and of each point the number of its spot, from 1; 0
+/// where nothing touches.
+pub fn labelled_spots(pressure: &[f64], grid: Grid, repeats: bool) -> (Vec<Spot>, Vec<i32>) {
     let [ny, nx] = grid.shape();
     if pressure.len() != grid.len() {
-        return Vec::new();
+        return (Vec::new(), Vec::new());
     }
     let [dy, dx] = grid.pixel();
-    let mut left: Vec<bool> = pressure.iter().map(|p| *p > 0.0).collect();
-    let mut spots = Vec::new();
+    let mut labels = vec![0; pressure.len()];
+    let (mut spots, mut label) = (Vec::new(), 0);
     // Points with the way to them from the first one, which does not jump at the seam.
     let mut front: Vec<(usize, [isize; 2])> = Vec::new();
-    for start in 0..left.len() {
-        if !std::mem::take(&mut left[start]) {
+    for start in 0..pressure.len() {
+        let is_new = |labels: &[i32], i: usize| labels[i] == 0 && pressure[i] > 0.0;
+        if !is_new(&labels, start) {
             continue;
         }
+        label += 1;
+        labels[start] = label;
         front.push((start, [0, 0]));
         let (mut points, mut sum, mut highest, mut way) = (0_usize, 0.0, 0.0_f64, [0.0; 2]);
         while let Some((i, [wy, wx])) = front.pop() {
@@ -86,7 +91,8 @@ pub fn spot_list(pressure: &[f64], grid: Grid, repeats: bool) -> Vec<Spot> {
                         continue;
                     }
                     let j = y * nx + x;
-                    if std::mem::take(&mut left[j]) {
+                    if is_new(&labels, j) {
+                        labels[j] = label;
                         front.push((j, [wy + ay, wx + ax]));
                     }
                 }
@@ -104,8 +110,7 @@ pub fn spot_list(pressure: &[f64], grid: Grid, repeats: bool) -> Vec<Spot> {
             points,
         });
     }
-    spots.sort_by_key(|spot| std::cmp::Reverse(spot.points));
-    spots
+    (spots, labels)
 }
 
 /// Before, here and after on a ring of `n`, with the way there.
@@ -132,7 +137,8 @@ mod tests {
         let pressure: Vec<f64> =
             map.concat().chars().map(|c| f64::from(u8::from(c == 'x'))).collect();
         let grid = Grid::new([6, 6], [2.0, 1.0]).unwrap();
-        let spots = contact_spots(&pressure, grid).unwrap();
+        let contact_spots = |pressure: &[f64]| Spots::of(&spot_list(pressure, grid, true));
+        let spots = contact_spots(&pressure).unwrap();
         assert_eq!(spots, Spots { count: 2, median_area: 6.0, largest_area: 6.0 });
         let inside = Spots::of(&spot_list(&pressure, grid, false)).unwrap();
         assert_eq!((inside.count, inside.largest_area), (4, 4.0));
@@ -146,7 +152,7 @@ mod tests {
             (y - 2.0 * (6.0 - 1.0 / 3.0)).abs() < 1e-12 && (x - (6.0 - 2.0 / 3.0)).abs() < 1e-12,
             "{y} {x}"
         );
-        assert!(contact_spots(&[0.0; 36], grid).is_none());
-        assert!(contact_spots(&[1.0; 35], grid).is_none());
+        assert!(contact_spots(&[0.0; 36]).is_none());
+        assert!(contact_spots(&[1.0; 35]).is_none());
     }
 }

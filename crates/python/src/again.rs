@@ -9,6 +9,7 @@ use fft_bem_solver::validation::{self, Options};
 use pyo3::prelude::*;
 use serde::Serialize;
 use std::path::Path;
+use surface_io::Cut;
 
 /// What Python has to read or make again.
 #[derive(Serialize)]
@@ -38,9 +39,11 @@ pub(crate) fn run_file_in(text: &str, folder: &str) -> PyResult<String> {
 pub(crate) fn run_file(text: &str) -> PyResult<String> {
     let run = RunFile::parse(text).map_err(|e| raise(&Failure::from_error(&e)))?;
     let again = |name: String, origin: Origin| match origin {
-        Origin::File(file) => {
-            let reading = Reading::again(&file);
-            Ok(Again { name, file: Some((file.path, file.sha256, reading)), recipe: None })
+        Origin::File(mut file) => {
+            let (path, hash) = (file.path.clone(), std::mem::take(&mut file.sha256));
+            let crop = file.crop.map(|part| Cut::Rectangle(part).to_string());
+            let reading = Reading { file, crop, ..Reading::default() };
+            Ok(Again { name, file: Some((path, hash, reading)), recipe: None })
         }
         Origin::Recipe(recipe) => Ok(Again { name, file: None, recipe: Some(recipe) }),
         _ => {

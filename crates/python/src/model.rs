@@ -232,20 +232,17 @@ pub(crate) struct Closed {
 #[pymethods]
 impl Closed {
     #[new]
-    #[pyo3(signature = (request, surface, threads, against=None))]
     fn new(
         py: Python<'_>,
         request: &str,
         surface: Option<(PyReadonlyArray2<'_, f64>, String)>,
         threads: usize,
-        against: Option<Second<'_>>,
     ) -> PyResult<Self> {
         let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
         let surface = surface.map(|(heights, facts)| surface_of(&heights, &facts)).transpose()?;
-        let laid = Laid::of(against.as_ref())?;
         let made = quietly(py, threads, move || {
             let theory = request.theory()?;
-            let inputs = Made::of(&request, theory.card(), surface, laid)?.inputs;
+            let inputs = Made::of(&request, theory.card(), surface, None)?.inputs;
             let model = theory.build(&inputs).map_err(|e| match e {
                 BuildError::Model(error) => failure(&error),
                 missing @ BuildError::Missing { .. } => Unasked::Missing(missing).failure(WAY_OUT),

@@ -18,7 +18,7 @@ mod _rough_contact {
     #[pymodule_export]
     use crate::profile::{profile, profile_model, profile_study};
     #[pymodule_export]
-    use crate::solve::{Keep, solve};
+    use crate::solve::{Keep, displacement, solve, spots};
     #[pymodule_export]
     use crate::statistics::{psd, statistics};
     #[pymodule_export]

@@ -3,7 +3,7 @@
 use crate::failure::{bug, raise};
 use crate::model::{Answered, Request};
 use crate::reading::{Reading, Unread, rule, unmade};
-use crate::surface::{Facts, array};
+use crate::surface::{Facts, array, form, measurement};
 use crate::watched::quietly;
 use answers::model::of_profile;
 use answers::{Failure, Traces};
@@ -11,11 +11,13 @@ use compare::{
     Cleaning, Level, Origin, ProfileComparison, ProfileSurface, Registry, RunFile, RunSurface,
     Settings,
 };
+use numpy::ndarray::Axis;
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use report::Provenance;
 use std::collections::BTreeMap;
 use std::path::Path;
+use surface_io::Measurement;
 use surface_stats::clean::Form;
 use surface_stats::profile::Trace;
 
@@ -23,9 +25,9 @@ use surface_stats::profile::Trace;
 /// JSON.
 type Profile<'py> = (Bound<'py, PyArray2<f64>>, f64, String, String, String);
 
-/// Reads the traces of a file and takes their statistics.
+/// Reads the traces of a file, or takes `rows` (m) at the distance of `pixel`, and takes their statistics.
 #[pyfunction]
-#[pyo3(signature = (path, request, level, threads, content=None))]
+#[pyo3(signature = (path, request, level, threads, content=None, rows=None))]
 pub(crate) fn profile<'py>(
     py: Python<'py>,
     path: &str,
@@ -33,34 +35,39 @@ pub(crate) fn profile<'py>(
     level: &str,
     threads: usize,
     content: Option<Vec<u8>>,
+    rows: Option<PyReadonlyArray2<'py, f64>>,
 ) -> PyResult<Profile<'py>> {
     let mut how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
-    how.content = content;
-    let unknown = || bug(&format!("level = {level:?} is no form"));
-    let level = Level::ALL.iter().find(|l| l.name() == level).copied().ok_or_else(unknown)?;
+    (how.content, how.is_array) = (content, rows.is_some());
+    let given = rows.as_ref().map(|rows| -> Result<Vec<_>, Failure> {
+        let pixel = how.file.pixel.unwrap_or_default();
+        rows.as_array().axis_chunks_iter(Axis(0), 1).map(|row| measurement(row, pixel)).collect()
+    });
+    let given = given.transpose().map_err(|e| raise(&e))?;
+    let level = form(level)?;
     let at = Path::new(path);
     let (file, asked) = (path.to_owned(), how.clone());
-    let found = quietly(py, threads, move || traces(Path::new(&file), &asked, level))?;
+    let found = quietly(py, threads, move || traces(Path::new(&file), &asked, level, given))?;
     let (traces, json) = found.map_err(|e| e.raise(at))?;
     let Traces { each, missing, cleaned, uneven, height_step, format, crop, .. } = traces;
     let (count, points) = (each.len(), each.first().map_or(0, Trace::len));
     let spacing = each.first().map_or(0.0, Trace::spacing);
     let heights = each.iter().flat_map(|t| t.heights().iter().copied()).collect();
-    let facts = Facts {
-        name: at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned(),
-        pixel: [spacing; 2],
-        missing,
-        fill: how.rule_name(),
-        height_step,
-        origin: how.origin(path, format.clone(), crop, (missing, &cleaned, height_step)),
-        cleaned,
-        uneven,
-    };
+    let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();
+    let origin = how.origin(path, format.clone(), crop, (missing, &cleaned, height_step));
+    let known = (missing, cleaned, height_step);
+    let facts = Facts::new(name, [spacing; 2], &how.file.fill, known, origin);
+    let facts = Facts { uneven, ..facts };
     Ok((array(py, [count, points], heights)?, spacing, format, facts.text()?, json))
 }
 
-fn traces(path: &Path, how: &Reading, level: Level) -> Result<(Traces, String), Unread> {
-    let measurements = how.measurements(path)?;
+fn traces(
+    path: &Path,
+    how: &Reading,
+    level: Level,
+    given: Option<Vec<Measurement>>,
+) -> Result<(Traces, String), Unread> {
+    let measurements = given.map_or_else(|| how.measurements(path), Ok)?;
     if measurements.first().is_some_and(|m| !m.is_profile()) {
         let message = format!("{}: this is a map; read it with rc.read", path.display());
         return Err(Unread::Other(Failure::refused("profile", message)));
@@ -68,18 +75,18 @@ fn traces(path: &Path, how: &Reading, level: Level) -> Result<(Traces, String), 
     let refused = |message: &str| {
         Err(Unread::Other(Failure::refused("profile", format!("{}: {message}", path.display()))))
     };
-    if how.cleaning.align_rows {
+    if how.file.cleaning.align_rows {
         return refused(
             "align_rows puts the rows of a map in line, and this is a profile; leave it out",
         );
     }
-    if let Some(Form::Sphere | Form::Cylinder) = how.cleaning.form {
+    if let Some(Form::Sphere | Form::Cylinder) = how.file.cleaning.form {
         return refused(
             "sphere and cylinder are forms of maps, and this is a profile; give form='polynomial:2', or another degree",
         );
     }
-    let traces =
-        Traces::of(measurements, how.cleaning, rule(&how.fill)?).map_err(|e| unmade(path, &e))?;
+    let traces = Traces::of(measurements, how.file.cleaning, rule(&how.file.fill)?)
+        .map_err(|e| unmade(path, &e, how))?;
     let statistics = traces.statistics(level.degree().unwrap_or(0));
     let (_, json) = statistics.map_err(|e| Failure::in_file(path, &e))?;
     Ok((traces, json.to_string()))

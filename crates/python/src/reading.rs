@@ -2,7 +2,7 @@
 
 use crate::failure::raise;
 use answers::{Complete, Failure, Incomplete};
-use compare::{Cleaning, FileOrigin, Origin};
+use compare::{FileOrigin, Origin};
 use pyo3::PyErr;
 use pyo3::exceptions::PyOSError;
 use serde::{Deserialize, Serialize};
@@ -14,20 +14,12 @@ use surface_stats::clean::Record;
 
 /// What is said of a file.
 #[derive(Debug, Clone, Default, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields)]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Reading {
-    pub(crate) channel: Option<String>,
-    pub(crate) pixel: Option<[f64; 2]>,
-    pub(crate) lateral_unit: Option<f64>,
-    pub(crate) height_unit: Option<f64>,
-    pub(crate) override_height_unit: Option<f64>,
-    pub(crate) layout: Option<String>,
-    pub(crate) decimal: Option<String>,
-    pub(crate) missing: Vec<String>,
+    /// As a run file has it.
+    pub(crate) file: FileOrigin,
     /// As the command takes it.
     pub(crate) crop: Option<String>,
-    pub(crate) fill: String,
-    pub(crate) cleaning: Cleaning,
     /// No file, but an array, which is not cropped.
     #[serde(skip)]
     pub(crate) is_array: bool,
@@ -37,43 +29,24 @@ pub(crate) struct Reading {
 }
 
 impl Reading {
-    /// How a file was read.
-    pub(crate) fn again(file: &FileOrigin) -> Self {
-        Self {
-            channel: file.channel.clone(),
-            pixel: file.pixel,
-            lateral_unit: file.lateral_unit,
-            height_unit: file.height_unit,
-            override_height_unit: file.override_height_unit,
-            layout: file.layout.clone(),
-            decimal: file.decimal.clone(),
-            missing: file.missing_marks.clone(),
-            crop: file.crop.map(|part| Cut::Rectangle(part).to_string()),
-            fill: file.fill.clone(),
-            cleaning: file.cleaning,
-            is_array: false,
-            content: None,
-        }
-    }
-
     pub(crate) fn options(&self) -> Result<ReadOptions, Failure> {
         let mut options = ReadOptions::default();
-        options.channel.clone_from(&self.channel);
-        options.pixel = self.pixel;
-        options.lateral_unit = self.lateral_unit;
-        options.height_unit = match self.override_height_unit {
+        options.channel.clone_from(&self.file.channel);
+        options.pixel = self.file.pixel;
+        options.lateral_unit = self.file.lateral_unit;
+        options.height_unit = match self.file.override_height_unit {
             Some(metres) => Some(HeightUnit::Always(metres)),
-            None => self.height_unit.map(HeightUnit::IfSilent),
+            None => self.file.height_unit.map(HeightUnit::IfSilent),
         };
-        if let Some(name) = &self.layout {
+        if let Some(name) = &self.file.layout {
             let unknown = || Failure::refused("setting", format!("layout {name:?} is none"));
             options.layout = Some(Layout::of_name(name).ok_or_else(unknown)?);
         }
-        if let Some(name) = &self.decimal {
+        if let Some(name) = &self.file.decimal {
             let unknown = || Failure::refused("setting", format!("decimal {name:?} is none"));
             options.decimal = Some(DecimalMark::of_name(name).ok_or_else(unknown)?);
         }
-        options.missing.clone_from(&self.missing);
+        options.missing.clone_from(&self.file.missing_marks);
         Ok(options)
     }
 
@@ -88,11 +61,6 @@ impl Reading {
         all.into_iter().map(|m| self.part(m)).collect()
     }
 
-    /// The name of the rule for missing points.
-    pub(crate) fn rule_name(&self) -> String {
-        if self.fill.is_empty() { "refuse".to_owned() } else { self.fill.clone() }
-    }
-
     /// Where heights came from that were read so; what is known of them is how many points were filled, what cleaning
     /// did, and the step of the heights as measured.
     pub(crate) fn origin(
@@ -102,26 +70,10 @@ impl Reading {
         crop: Option<[usize; 4]>,
         (missing, cleaned, height_step): (usize, &[Record], Option<f64>),
     ) -> Origin {
-        Origin::File(FileOrigin {
-            path: path.to_owned(),
-            // Made when a run file needs it: most surfaces never do.
-            sha256: String::new(),
-            format,
-            channel: self.channel.clone(),
-            pixel: self.pixel,
-            lateral_unit: self.lateral_unit,
-            height_unit: self.height_unit,
-            override_height_unit: self.override_height_unit,
-            layout: self.layout.clone(),
-            decimal: self.decimal.clone(),
-            missing_marks: self.missing.clone(),
-            crop,
-            fill: self.rule_name(),
-            missing,
-            cleaning: self.cleaning,
-            cleaned: cleaned.to_vec(),
-            height_step,
-        })
+        let (path, cleaned) = (path.to_owned(), cleaned.to_vec());
+        let file = self.file.clone();
+        // The hash is made when a run file needs it: most surfaces never do.
+        Origin::File(FileOrigin { path, format, crop, missing, cleaned, height_step, ..file })
     }
 
     pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
@@ -203,7 +155,7 @@ fn needs(needs: &[surface_io::Need]) -> String {
 
 pub(crate) fn rule(name: &str) -> Result<Fill, Failure> {
     Ok(match name {
-        "" | "refuse" => Fill::Refuse,
+        "refuse" => Fill::Refuse,
         "harmonic" => Fill::Harmonic,
         "nearest" => Fill::Nearest,
         other => {
@@ -214,12 +166,15 @@ pub(crate) fn rule(name: &str) -> Result<Fill, Failure> {
 }
 
 /// Why a measurement gives no map, with the arguments that help.
-pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
+pub(crate) fn unmade(path: &Path, error: &Incomplete, how: &Reading) -> Failure {
     let way_out = match error {
         Incomplete::Line(_) => "of a profile, one row, see rc.read_profile".to_owned(),
         Incomplete::Short(_) => "measure a longer trace".to_owned(),
         Incomplete::Spikes(_) => "give fill='harmonic', or a higher threshold".to_owned(),
         Incomplete::Fill(FillError::NotConverged { .. }) => "give fill='nearest'".to_owned(),
+        Incomplete::Fill(FillError::Missing { .. }) if how.is_array => {
+            "fill them with fill='harmonic' or fill='nearest'".to_owned()
+        }
         Incomplete::Fill(e) => needs(&e.needs()),
         _ => String::new(),
     };
@@ -237,11 +192,6 @@ pub(crate) fn filled(
     measurement: Measurement,
     how: &Reading,
 ) -> Result<Complete, Failure> {
-    answers::complete(measurement, how.cleaning, rule(&how.fill)?).map_err(|e| match e {
-        Incomplete::Fill(FillError::Missing { .. }) if how.is_array => {
-            Failure::refused("missing", format!("{}: {}", path.display(), e.failure().message()))
-                .adding("fill them with fill='harmonic' or fill='nearest'")
-        }
-        _ => unmade(path, &e),
-    })
+    let found = answers::complete(measurement, how.file.cleaning, rule(&how.file.fill)?);
+    found.map_err(|e| unmade(path, &e, how))
 }

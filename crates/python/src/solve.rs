@@ -2,16 +2,16 @@
 
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, array, surface_of};
-use crate::watched::{News, Outcome, Reporter, watched};
+use crate::watched::{News, Outcome, Reporter, quietly, watched};
 use answers::{Failure, Leak, Question, Subject, Watch, bodies};
 use compare::Request as Accuracy;
 use compare::{
     Body, EdgesName, Iteration, Joint, Level, Load, MaterialUse, Method, Origin, Precision,
-    Solution, Surface, WorkOfAdhesion,
+    Solution, Surface, WorkOfAdhesion, labelled_spots,
 };
 use contact_accuracy::Ladder;
 use contact_types::Grid;
-use fft_bem_solver::Boundary;
+use fft_bem_solver::{Boundary, FreeHalfSpace, HalfSpace};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -24,8 +24,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 const CHECK: &str = "check the units of load and area";
 
 /// What Python asks. SI units.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 #[allow(clippy::struct_excessive_bools, reason = "the switches of a call")]
 struct Request {
     modulus: f64,
@@ -211,6 +211,49 @@ fn one_trace(surface: &Surface) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Elastic displacement (m), positive into the body, of a pressure (Pa) that repeats or, if `free`, is alone.
+#[pyfunction]
+pub(crate) fn displacement<'py>(
+    py: Python<'py>,
+    pressure: PyReadonlyArray2<'py, f64>,
+    pixel: [f64; 2],
+    modulus: f64,
+    free: bool,
+    threads: usize,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let (grid, mut field) = field(&pressure, pixel)?;
+    let modulus = bodies::of_modulus(modulus).map_err(|e| raise(&e))?;
+    let found = quietly(py, threads, move || {
+        let done = if free {
+            FreeHalfSpace::new(grid, modulus).displace(&mut field)
+        } else {
+            HalfSpace::new(grid, modulus).displace(&mut field)
+        };
+        done.map(|()| field)
+    })?;
+    array(py, grid.shape(), found.map_err(|e| bug(&e))?)
+}
+
+/// The number of the contact spot of each point of a pressure (Pa), from 1; 0 where nothing touches.
+#[pyfunction]
+pub(crate) fn spots<'py>(
+    py: Python<'py>,
+    pressure: PyReadonlyArray2<'py, f64>,
+    pixel: [f64; 2],
+    repeats: bool,
+) -> PyResult<Bound<'py, PyArray2<i32>>> {
+    let (grid, field) = field(&pressure, pixel)?;
+    let (_, labels) = quietly(py, 1, move || labelled_spots(&field, grid, repeats))?;
+    array(py, grid.shape(), labels)
+}
+
+fn field(values: &PyReadonlyArray2<'_, f64>, pixel: [f64; 2]) -> PyResult<(Grid, Vec<f64>)> {
+    let values = values.as_array();
+    let grid = Grid::new([values.nrows(), values.ncols()], pixel);
+    let grid = grid.map_err(|e| raise(&Failure::from_error(&e)))?;
+    Ok((grid, values.iter().copied().collect()))
 }
 
 /// What `rough-contact solve` answers.

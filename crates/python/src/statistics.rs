@@ -1,7 +1,7 @@
 //! Roughness statistics.
 
 use crate::failure::{bug, raise};
-use crate::surface::{Laid, Second, surface_of};
+use crate::surface::{Laid, Second, form, surface_of};
 use crate::watched::quietly;
 use answers::{Failure, Measured};
 use compare::Level;
@@ -62,11 +62,11 @@ pub(crate) fn psd<'py>(
     py: Python<'py>,
     heights: PyReadonlyArray2<'py, f64>,
     facts: &str,
-    form: &str,
+    level: &str,
     threads: usize,
 ) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
     let (surface, facts) = surface_of(&heights, facts)?;
-    let form = Level::ALL.iter().find(|l| l.name() == form).copied().unwrap_or_default();
+    let form = form(level)?;
     let window = match surface.origin.edges() {
         Edges::Periodic => Window::None,
         Edges::Open => Window::Hann,

@@ -185,48 +185,29 @@ pub(crate) fn study(
     }
     let threads = settings.threads;
     let Outcome { value, stopped_by } = watched(py, threads, progress, move |reporter| {
-        let mut told = (String::new(), 0, 0.0);
+        let mut told = (String::new(), 0);
         let mut listen = move |news: Progress<'_>| {
+            if let Progress::Surface { name, loads, .. } = news {
+                told = (name.to_owned(), loads);
+            }
+            let of = |stage, index| {
+                let (surface, count) = told.clone();
+                News { stage, surface, index, count, ..News::default() }
+            };
             match news {
-                Progress::Surface { name, loads, .. } => {
-                    told = (name.to_owned(), loads, 0.0);
-                    reporter.tell(News {
-                        stage: "surface",
-                        surface: told.0.clone(),
-                        count: loads,
-                        ..News::default()
-                    });
-                }
-                Progress::Iterated { index, number, residual, tolerance, .. } => {
+                Progress::Surface { .. } => reporter.tell(of("surface", 0)),
+                Progress::Models => reporter.tell(of("models", 0)),
+                Progress::Iterated { index, number: iteration, residual, tolerance, .. } => {
                     reporter.tell_at_times(|| News {
-                        stage: "iteration",
-                        surface: told.0.clone(),
-                        index,
-                        count: told.1,
-                        iteration: number,
+                        iteration,
                         residual,
                         tolerance,
-                        ..News::default()
+                        ..of("iteration", index)
                     });
                 }
                 Progress::Solved { index, mean_pressure, area_fraction, .. } => {
-                    reporter.tell(News {
-                        stage: "load",
-                        surface: told.0.clone(),
-                        index,
-                        count: told.1,
-                        mean_pressure: Some(mean_pressure),
-                        area_fraction,
-                        ..News::default()
-                    });
-                }
-                Progress::Models => {
-                    reporter.tell(News {
-                        stage: "models",
-                        surface: told.0.clone(),
-                        count: told.1,
-                        ..News::default()
-                    });
+                    let mean_pressure = Some(mean_pressure);
+                    reporter.tell(News { mean_pressure, area_fraction, ..of("load", index) });
                 }
                 _ => {}
             }

@@ -6,15 +6,15 @@ use crate::watched::quietly;
 use answers::{Complete, Failure};
 use compare::{Cleaning, GivenOrigin, Level, Origin, Placing, Recipe, Surface, Unevenness};
 use contact_types::{Grid, HeightMap};
-use numpy::ndarray::Array2;
-use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
+use numpy::ndarray::{Array2, ArrayView2};
+use numpy::{Element, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use std::io::Cursor;
 use std::path::Path;
-use surface_io::write;
+use surface_io::{Measurement, write};
 use surface_stats::Edges;
 use surface_stats::clean::Record;
 
@@ -36,6 +36,18 @@ pub(crate) struct Facts {
 }
 
 impl Facts {
+    /// Of heights that were read or made; what is known of them as in [`Reading::origin`].
+    pub(crate) fn new(
+        name: String,
+        pixel: [f64; 2],
+        fill: &str,
+        (missing, cleaned, height_step): (usize, Vec<Record>, Option<f64>),
+        origin: Origin,
+    ) -> Self {
+        let fill = fill.to_owned();
+        Self { name, pixel, missing, fill, height_step, origin, cleaned, uneven: None }
+    }
+
     pub(crate) fn of_text(text: &str) -> PyResult<Self> {
         let mut facts: Self = toml::from_str(text).map_err(|e| bug(&e))?;
         if let Origin::File(file) = &mut facts.origin {
@@ -65,6 +77,16 @@ pub(crate) fn map_of(heights: &PyReadonlyArray2<'_, f64>, facts: &Facts) -> PyRe
     let refused = |e| raise(&Failure::from_error(&e));
     let grid = Grid::new([array.nrows(), array.ncols()], facts.pixel).map_err(refused)?;
     HeightMap::new(grid, array.iter().copied().collect()).map_err(refused)
+}
+
+/// Heights (m) as if measured.
+pub(crate) fn measurement(
+    rows: ArrayView2<'_, f64>,
+    pixel: [f64; 2],
+) -> Result<Measurement, Failure> {
+    let grid =
+        Grid::new([rows.nrows(), rows.ncols()], pixel).map_err(|e| Failure::from_error(&e))?;
+    Measurement::new(grid, rows.iter().copied().collect()).map_err(|e| Failure::from_error(&e))
 }
 
 /// A surface of the study.
@@ -129,12 +151,18 @@ impl Laid {
     }
 }
 
+/// A form by its name.
+pub(crate) fn form(name: &str) -> PyResult<Level> {
+    let unknown = || bug(&format!("level = {name:?} is no form"));
+    Level::ALL.iter().find(|l| l.name() == name).copied().ok_or_else(unknown)
+}
+
 /// Rows and columns that cannot be written to.
-pub(crate) fn array(
+pub(crate) fn array<T: Element>(
     py: Python<'_>,
     shape: [usize; 2],
-    values: Vec<f64>,
-) -> PyResult<Bound<'_, PyArray2<f64>>> {
+    values: Vec<T>,
+) -> PyResult<Bound<'_, PyArray2<T>>> {
     let array = Array2::from_shape_vec(shape, values).map_err(|e| bug(&e))?;
     let array = PyArray2::from_owned_array(py, array);
     array.clone().try_readwrite().map_err(|e| bug(&e))?.make_nonwriteable();
@@ -194,16 +222,8 @@ pub(crate) fn read<'py>(
     let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();
     let origin = how.origin(path, format, crop, (missing, &cleaned, height_step));
     let pixel = map.grid().pixel();
-    let facts = Facts {
-        name,
-        pixel,
-        missing,
-        fill: how.rule_name(),
-        height_step,
-        origin,
-        cleaned,
-        uneven: None,
-    };
+    let known = (missing, cleaned, height_step);
+    let facts = Facts::new(name, pixel, &how.file.fill, known, origin);
     let said = json!({
         "format": said["format"], "channel": said["channel"], "channels": said["channels"],
         "metadata": said["metadata"], "ambiguity": said["ambiguity"],
@@ -248,40 +268,16 @@ pub(crate) fn given<'py>(
         cleaning: Cleaning,
     }
     let given: Given = serde_json::from_str(request).map_err(|e| bug(&e))?;
-    let shape = [heights.as_array().nrows(), heights.as_array().ncols()];
-    let values: Vec<f64> = heights.as_array().iter().copied().collect();
-    let how = Reading {
-        pixel: Some(given.pixel),
-        height_unit: Some(1.0),
-        fill: given.fill.clone(),
-        is_array: true,
-        cleaning: given.cleaning,
-        ..Reading::default()
-    };
+    let measurement = measurement(heights.as_array(), given.pixel).map_err(|e| raise(&e))?;
+    let mut how = Reading { is_array: true, ..Reading::default() };
+    (how.file.fill, how.file.cleaning) = (given.fill.clone(), given.cleaning);
     let name = given.name.clone();
-    let found = quietly(py, threads, move || {
-        // The one way to a map with holes filled goes through a measurement.
-        let mut file = Vec::new();
-        write::npy_array(&mut file, shape, &values)
-            .map_err(|e| Failure::refused("surface", e.to_string()))?;
-        let options = how.options()?;
-        let measurement = surface_io::read_bytes(&file, &options).map_err(Unread::File)?;
-        Ok(filled(Path::new(&name), measurement, &how)?)
-    })?;
-    let Complete { map, missing, cleaned, height_step, .. } =
-        found.map_err(|e: Unread| e.raise(Path::new(&given.name)))?;
+    let found = quietly(py, threads, move || filled(Path::new(&name), measurement, &how))?;
+    let Complete { map, missing, cleaned, height_step, .. } = found.map_err(|e| raise(&e))?;
     let mut origin = GivenOrigin::of(&map, given.note);
     (origin.missing, origin.height_step, origin.repeats) = (missing, height_step, given.repeats);
-    let facts = Facts {
-        name: given.name,
-        pixel: given.pixel,
-        missing,
-        fill: given.fill,
-        height_step,
-        origin: Origin::Given(origin),
-        cleaned,
-        uneven: None,
-    };
+    let (known, origin) = ((missing, cleaned, height_step), Origin::Given(origin));
+    let facts = Facts::new(given.name, given.pixel, &given.fill, known, origin);
     made(py, map, &facts, &json!({}))
 }
 
@@ -291,16 +287,8 @@ pub(crate) fn synth<'py>(py: Python<'py>, recipe: &str, threads: usize) -> PyRes
     let recipe: Recipe = serde_json::from_str(recipe).map_err(|e| bug(&e))?;
     let surface = quietly(py, threads, move || recipe.make())?;
     let Surface { name, origin, heights } = surface.map_err(|e| raise(&Failure::from_error(&e)))?;
-    let facts = Facts {
-        name,
-        pixel: heights.grid().pixel(),
-        missing: 0,
-        fill: "refuse".to_owned(),
-        height_step: None,
-        origin,
-        cleaned: Vec::new(),
-        uneven: None,
-    };
+    let known = (0, Vec::new(), None);
+    let facts = Facts::new(name, heights.grid().pixel(), "refuse", known, origin);
     made(py, heights, &facts, &json!({}))
 }
 
@@ -314,13 +302,8 @@ pub(crate) fn reshape<'py>(
     threads: usize,
 ) -> PyResult<Made<'py>> {
     let (surface, mut facts) = surface_of(&heights, facts)?;
-    let unknown = || raise(&Failure::refused("setting", format!("level = {level:?} is no form")));
-    let form = Level::ALL.iter().find(|l| l.name() == level).copied().ok_or_else(unknown)?;
-    let form = surface
-        .origin
-        .level(form)
-        .on(&surface.heights)
-        .map_err(|e| raise(&Failure::from_error(&e)))?;
+    let form = surface.origin.level(form(level)?).on(&surface.heights);
+    let form = form.map_err(|e| raise(&Failure::from_error(&e)))?;
     let repeats = match &surface.origin {
         Origin::Given(given) => given.repeats,
         made => (made.edges() == Edges::Periodic).then_some(true),

@@ -122,9 +122,24 @@ def test_profiles_of_arrays(tmp_path):
     assert made.roughness == pytest.approx(read.roughness, rel=1e-9)
     assert (rc.Profile.of(heights * rc.units.um, spacing="0.5um").heights == made.heights).all()
     assert rc.Profile.of(np.stack([heights, heights[::-1]]) * rc.units.um, spacing="0.5um").heights.shape == (2, 8000)
+    # Whatever the traces are, they are taken as they are.
+    tiny = rc.Profile.of(heights * 1e-9 / 3, spacing="0.5um", height_unit="m")
+    assert (tiny.heights == heights * 1e-9 / 3).all() and tiny.spacing == 0.5e-6
+    options = {"s_filter": "5um", "l_filter": "250um", "level": "quadratic"}
+    again = rc.read_profile(path, layout="list", lateral_unit="um", height_unit="um", **options)
+    there = rc.Profile.of(heights, spacing="0.5um", height_unit="um", **options)
+    assert there.roughness == pytest.approx(again.roughness, rel=1e-9) and there.roughness["Rq"] != made.roughness["Rq"]
+    for wrong in ("0um", "-1um"):
+        with pytest.raises(rc.SurfaceError):
+            rc.Profile.of(heights, spacing=wrong, height_unit="um")
+    with pytest.raises(rc.SurfaceError, match="dimensions"):
+        rc.Profile.of(heights.reshape(2, 2, -1), spacing="1um", height_unit="um")
+    with pytest.raises(rc.SurfaceError):
+        rc.Profile.of(np.where(np.arange(8000) == 7, np.inf, heights), spacing="1um", height_unit="um")
     holed = np.ma.masked_array(heights, mask=np.arange(8000) == 7)
-    with pytest.raises(rc.MissingPoints):
+    with pytest.raises(rc.MissingPoints, match="fill='nearest'$"):
         rc.Profile.of(holed * rc.units.um, spacing="0.5um")
+    assert rc.Profile.of(holed * rc.units.um, spacing="0.5um", fill="nearest").to_dict()["missing"] == 1
     assert "<table>" in made._repr_html_() and "Ra" in made._repr_html_()
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")

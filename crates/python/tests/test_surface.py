@@ -272,3 +272,20 @@ def test_power_spectrum(rough):
     wave = rc.Surface(np.tile(np.cos(5 * x), (64, 1)), pixel="1um", height_unit="nm", repeats=True)
     q, c = wave.psd()
     assert q[np.argmax(c)] == pytest.approx(5 * 2 * np.pi / 64e-6, rel=1e-6)
+
+
+def test_scales_against_numpy(rough):
+    """Autocorrelation by a padded FFT, slope and curvature by differences, along both axes."""
+    found = rough.statistics(level="mean", scales=True).scales
+    h = rough.heights - rough.heights.mean()
+    for axis, z in (("x", h), ("y", h.T)):
+        n = z.shape[1]
+        correlation = np.fft.irfft(np.abs(np.fft.rfft(z, 2 * n)) ** 2).sum(axis=0) / z.var() / z.shape[0]
+        scales = found[axis]
+        lags = np.rint(scales["distance"] / 1e-6).astype(int)
+        np.testing.assert_allclose(scales["autocorrelation"], correlation[lags] / (n - lags), atol=1e-9)
+        for i, (lag, d) in enumerate(zip(lags, scales["distance"])):
+            assert scales["slope"][i] == pytest.approx(np.sqrt(np.mean((z[:, lag:] - z[:, :-lag]) ** 2)) / d, rel=1e-9)
+            bend = z[:, 2 * lag :] - 2 * z[:, lag : n - lag] + z[:, : n - 2 * lag]
+            expected = np.sqrt(np.mean(bend**2)) / d**2 if bend.size else np.nan
+            assert scales["curvature"][i] == pytest.approx(expected, rel=1e-9, nan_ok=True)

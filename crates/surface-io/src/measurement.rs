@@ -7,7 +7,7 @@ use crate::format::Format;
 use crate::meaning::{self, UNUSED};
 use crate::need::Ambiguity;
 use crate::units::metres_per;
-use contact_types::Grid;
+use contact_types::{Grid, HeightMap, SurfaceError};
 use std::collections::BTreeMap;
 
 /// One channel of a file.
@@ -231,6 +231,29 @@ pub struct Measurement {
 }
 
 impl Measurement {
+    /// Heights (m) of a program rather than a file, NaN where a point is missing; one row is a profile.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] of another number of heights, or of infinite ones.
+    pub fn new(grid: Grid, heights: Vec<f64>) -> Result<Self, SurfaceError> {
+        let known = heights.iter().map(|h| if h.is_nan() { 0.0 } else { *h }).collect();
+        HeightMap::new(grid, known)?;
+        Ok(Self {
+            grid,
+            missing: heights.iter().filter(|h| h.is_nan()).count(),
+            heights,
+            format: Format::Npy,
+            channel: String::new(),
+            channels: Vec::new(),
+            metadata: BTreeMap::new(),
+            is_profile: grid.shape()[0] == 1,
+            uneven: None,
+            positions: None,
+            ambiguity: None,
+            cropped: None,
+        })
+    }
+
     /// The grid: `[ny, nx]` points, `[dy, dx]` metres. A profile has one row, and dy = dx.
     pub fn grid(&self) -> Grid {
         self.grid

@@ -7,6 +7,7 @@
 `compare`, `summary`, `rerun`           every closed form beside the solution; many studies on one page; one again
 `model`, `models`                       one closed form, from a surface, `Moments`, `Asperities`, `SelfAffine`, `Fractal`, `Numbers`
 `ClosedForm`                            a closed form on arrays of any shape
+`displacement`                          of a pressure map
 `read_profile`, `compare_profiles`      traces of a stylus
 `Body`, `material`, `contact_modulus`   what presses on each other
 `units`, `results`                      units; what calls return
@@ -77,7 +78,10 @@ from ._results import (
     Point as Point,
 )
 from ._rough_contact import __version__ as __version__
-from ._solve import solve as solve
+from ._solve import (
+    displacement as displacement,
+    solve as solve,
+)
 from ._solver import Solver as Solver
 from ._statistics import Statistics as Statistics
 from ._study import (

@@ -177,8 +177,7 @@ class ModelCurve:
 
     def __post_init__(self) -> None:
         for name in _NUMBERS:
-            values = [point[name] for point in self.json["points"]]
-            vector = np.array([np.nan if v is None else v for v in values], dtype=np.float64)
+            vector = np.array([point[name] for point in self.json["points"]], dtype=np.float64)  # of None NaN
             vector.setflags(write=False)
             object.__setattr__(self, name, vector)
 

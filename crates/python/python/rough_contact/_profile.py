@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from . import _rough_contact as _rust
 from . import _units, plotting
-from ._errors import SurfaceError, dumped, of_file
-from ._surface import LEVELS, Crop, File, Fill, Level, check, cleaned_by, length, metres, opened, reading
+from ._errors import SurfaceError, dumped, of_file, sorted_as
+from ._surface import LEVELS, Crop, File, Fill, Level, check, cleaned_by, file_of, length, metres, opened, reading
 from ._threads import count
 from ._units import Q
 
@@ -55,8 +55,20 @@ class Profile:
     _facts: str
 
     @classmethod
-    def of(cls, heights: Any, *, spacing: Q, height_unit: str | None = None, **reading: Any) -> Profile:
-        """Traces of an array, one or one in each row, as `read_profile` takes them; `reading` is what it takes beside the file.
+    def of(
+        cls,
+        heights: Any,
+        *,
+        spacing: Q,
+        height_unit: str | None = None,
+        outliers: float | None = None,
+        form: str | None = None,
+        s_filter: Q | None = None,
+        l_filter: Q | None = None,
+        fill: Fill = "refuse",
+        level: Level = "auto",
+    ) -> Profile:
+        """Traces of an array, one or one in each row; the rest is as of `read_profile`.
 
         Examples
         --------
@@ -65,13 +77,25 @@ class Profile:
         Profile(1 trace of 8000 points, 500 nm apart)
         """
         rows = np.atleast_2d(metres(heights, height_unit))
-        step = _units.scalar(spacing, "length", "spacing")
-        if not step > 0:
-            raise SurfaceError(f"spacing = {step} m must be greater than 0", "pixel")
-        columns = np.column_stack([np.arange(rows.shape[1]) * step, rows.T])
-        text = "\n".join("\t".join(f"{x:.17g}" for x in line) for line in columns.tolist())
-        layout: Any = "list" if len(rows) == 1 else "traces"
-        return read_profile(text.encode(), layout=layout, lateral_unit="m", height_unit="m", **reading)
+        if rows.ndim != 2:
+            raise SurfaceError(f"heights have {rows.ndim} dimensions; traces have 1, or 2 with one in each row", "shape")
+        said = {"pixel": [_units.scalar(spacing, "length", "spacing")] * 2}
+        request = {"file": file_of(said, fill, cleaned_by(False, outliers, form, s_filter, l_filter))}
+        with sorted_as(SurfaceError):
+            return cls._taken("heights", request, level, rows=rows)
+
+    @classmethod
+    def _taken(
+        cls,
+        file: str,
+        request: dict[str, Any],
+        level: Level,
+        content: bytes | None = None,
+        rows: NDArray[np.float64] | None = None,
+    ) -> Profile:
+        check("level", level, LEVELS)
+        heights, spacing, format_, facts, text = _rust.profile(file, dumped(request), level, count(None), content, rows)
+        return cls(heights, spacing, format_, json.loads(text), file, facts)
 
     def plot(self, ax: Axes | None = None, *, unit: str = "um", **line: Any) -> Axes:
         """The traces on matplotlib axes."""
@@ -156,13 +180,10 @@ def read_profile(
     MissingPoints
         Points are missing, and none are filled.
     """
-    check("fill", fill, ("refuse", "harmonic", "nearest"))
-    check("level", level, LEVELS)
+    cleaning = cleaned_by(False, outliers, form, s_filter, l_filter)
     request = reading(
-        channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop
+        channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop, fill, cleaning
     )
-    request.update(fill=fill, cleaning=cleaned_by(False, outliers, form, s_filter, l_filter))
-    file, content = opened(path)
     with of_file():
-        heights, spacing, format_, facts, text = _rust.profile(file, dumped(request), level, count(None), content)
-    return Profile(heights, spacing, format_, json.loads(text), file, facts)
+        file, content = opened(path)
+        return Profile._taken(file, request, level, content)

@@ -100,12 +100,10 @@ def compare_profiles(
 
     Examples
     --------
-    >>> import tempfile, numpy as np, rough_contact as rc
+    >>> import numpy as np, rough_contact as rc
     >>> rng = np.random.default_rng(1)
     >>> heights = np.convolve(rng.normal(size=8200), np.hanning(60), 'same')[100:8100] * 0.05
-    >>> path = tempfile.NamedTemporaryFile(suffix='.txt', delete=False).name
-    >>> np.savetxt(path, np.column_stack([np.arange(8000) * 0.5, heights]))
-    >>> trace = rc.read_profile(path, layout='list', lateral_unit='um', height_unit='um')
+    >>> trace = rc.Profile.of(heights, spacing='0.5um', height_unit='um')
     >>> len(rc.compare_profiles(trace, modulus='110 GPa', pressure='10MPa,100MPa'))
     1
     """

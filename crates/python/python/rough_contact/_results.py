@@ -17,6 +17,7 @@ from . import _rough_contact as _rust
 from . import plotting
 from ._extras import extra
 from ._findings import Finding, findings_html
+from ._threads import count
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -138,8 +139,7 @@ _PAIRS = [f.name for f in fields(Point) if f.name.endswith("_interval")]
 
 
 def _vector(points: Sequence[dict[str, Any]], key: str) -> NDArray[np.float64]:
-    values = [p.get(key) for p in points]
-    made = np.array([np.nan if v is None else v for v in values], dtype=np.float64)
+    made = np.array([p.get(key) for p in points], dtype=np.float64)  # of None NaN
     made.setflags(write=False)
     return made
 
@@ -285,6 +285,23 @@ class LoadCurve:
     def gap(self, index: int) -> NDArray[np.float64]:
         """Gap (m) of every point at a load, shape (ny, nx), read-only."""
         return self._map(index, 1, "gap")
+
+    def displacement(self, index: int) -> NDArray[np.float64]:
+        """Elastic displacement (m) of every point at a load, as `rough_contact.displacement`, from the pressure that was kept."""
+        pressure = self.pressure(index)
+        ny, nx = pressure.shape
+        if self.json["edges"] == "mirrored":
+            pressure = np.pad(pressure, ((0, ny), (0, nx)), "symmetric")
+        is_free = self.json["boundary"] == "free"
+        return _rust.displacement(pressure, self.pixel, self.json["modulus"], is_free, count(None))[:ny, :nx]
+
+    def spots(self, index: int) -> NDArray[np.int32]:
+        """The number of the contact spot of every point at a load: 1, 2, ... in the order of rows, 0 where nothing touches.
+
+        Points are connected over edges and corners; of a periodic map across its edges too.
+        """
+        repeats = self.json["boundary"] == "periodic" and self.json["edges"] == "periodic"
+        return _rust.spots(self.pressure(index), self.pixel, repeats)
 
     def bars(self, name: str = "area_fraction_corrected", *, prediction: bool = False) -> NDArray[np.float64]:
         """Half widths below and above, shape (2, n), for `errorbar`; NaN where there is no interval.

@@ -19,6 +19,7 @@ __all__ = [
     "bodies_line",
     "default_pressures",
     "digest",
+    "displacement",
     "encode",
     "given",
     "info",
@@ -39,6 +40,7 @@ __all__ = [
     "run_file",
     "run_file_in",
     "solve",
+    "spots",
     "statistics",
     "study",
     "summary",
@@ -58,9 +60,7 @@ class Keep:
 
 @final
 class Closed:
-    def __new__(
-        cls, request: str, surface: tuple[_Heights, str] | None, threads: int, against: _Second | None = None
-    ) -> Closed: ...
+    def __new__(cls, request: str, surface: tuple[_Heights, str] | None, threads: int) -> Closed: ...
     def at(self, pressures: _Heights) -> tuple[_Heights, _Heights]: ...
 
 def parse(text: str, dimension: str, many: bool) -> list[float]: ...
@@ -68,8 +68,10 @@ def bodies(given: str) -> str: ...
 def material(name: str | None) -> str: ...
 def read(path: str, request: str, threads: int, content: bytes | None = None) -> _Made: ...
 def profile(
-    path: str, request: str, level: str, threads: int, content: bytes | None = None
+    path: str, request: str, level: str, threads: int, content: bytes | None = None, rows: _Heights | None = None
 ) -> tuple[_Heights, float, str, str, str]: ...
+def displacement(pressure: _Heights, pixel: tuple[float, float], modulus: float, free: bool, threads: int) -> _Heights: ...
+def spots(pressure: _Heights, pixel: tuple[float, float], repeats: bool) -> NDArray[np.int32]: ...
 def profile_model(
     request: str, heights: _Heights, facts: str, threads: int
 ) -> tuple[str, tuple[str, str] | None]: ...
@@ -90,7 +92,7 @@ def encode(heights: _Heights, facts: str, format: str, comment: str) -> bytes: .
 def statistics(
     heights: _Heights, facts: str, request: str, threads: int, against: _Second | None = None
 ) -> str: ...
-def psd(heights: _Heights, facts: str, form: str, threads: int) -> list[NDArray[np.float64]]: ...
+def psd(heights: _Heights, facts: str, level: str, threads: int) -> list[NDArray[np.float64]]: ...
 def solve(
     heights: _Heights,
     facts: str,

@@ -8,10 +8,13 @@ import time
 import warnings
 from typing import Any, Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
 from . import _bodies, _progress, _units
 from . import _rough_contact as _rust
 from ._bodies import Bodies
-from ._errors import ContactWarning, NotConverged, SettingError, dumped, made, sorted_as, stopped
+from ._errors import ContactWarning, NotConverged, SettingError, SurfaceError, dumped, made, sorted_as, stopped
 from ._profile import Profile
 from ._progress import ProgressArgument
 from ._results import LoadCurve
@@ -19,7 +22,7 @@ from ._surface import LEVELS, Flip, Level, Surface, check, laid
 from ._threads import count
 from ._units import Q
 
-__all__ = ["solve"]
+__all__ = ["displacement", "solve"]
 
 Method = Literal["auto", "chord", "polonsky-keer", "stanley-kato"]
 
@@ -145,13 +148,8 @@ def solve(
     >>> curve.area_fraction_corrected.shape
     (2,)
     """
-    check("level", level, LEVELS)
-    check("boundary", boundary, ("periodic", "free"))
     check("edges", edges, ("periodic", "mirrored"))
-    check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))
-    check("precision", precision, (None, "f64", "f32"))
     check("leak", leak, (None, "x", "y", "both"))
-    check("maps", maps, (False, True, "pressure"))
     check("on_failure", on_failure, ("raise", "keep"))
     conduction = resistivity is not None or conductivity is not None
     made_of = _bodies.given(modulus, bodies, hardness)
@@ -173,18 +171,13 @@ def solve(
         ("boundary='free'", boundary == "free", "leak", leak is not None),
         ("plane_strain", plane_strain, "work_of_adhesion", work_of_adhesion is not None),
     )
-    used = count(threads)
     of_part = None if area is None else _units.scalar(area, "area", "area")
     request: dict[str, Any] = {
         **made_of,
+        **settings(level, boundary, method, precision, tolerance, maps, threads),
         "loads": loads(pressure, gap, load),
         "area": of_part,
-        "level": level,
-        "boundary": boundary,
         "edges": edges,
-        "method": method,
-        "precision": precision or "f64",
-        "tolerance": 1e-4 if tolerance is None else _units.number(tolerance, "tolerance"),
         "accuracy": _accuracy(accuracy),
         "fast": bool(fast),
         "certify": bool(certify),
@@ -203,12 +196,82 @@ def solve(
         "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
         "distributions": bool(distributions),
         "plane_strain": bool(plane_strain),
-        "maps": {False: "none", True: "all", "pressure": "pressure"}[maps],
-        "threads": used,
     }
     if area is not None and load is None and not conduction:
         raise TypeError("area is that load presses on or whose resistance is asked for, and neither load nor conductivity is given")
     return asked(section(surface, plane_strain), request, (against, flip, shift), progress, on_failure)
+
+
+def settings(
+    level: Level,
+    boundary: str,
+    method: Method,
+    precision: str | None,
+    tolerance: float | None,
+    maps: bool | str,
+    threads: int | None,
+) -> dict[str, Any]:
+    """How to solve, checked, as the extension takes it."""
+    check("level", level, LEVELS)
+    check("boundary", boundary, ("periodic", "free"))
+    check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))
+    check("precision", precision, (None, "f64", "f32"))
+    check("maps", maps, (False, True, "pressure"))
+    return {
+        "level": level,
+        "boundary": boundary,
+        "method": method,
+        "precision": precision or "f64",
+        "tolerance": 1e-4 if tolerance is None else _units.number(tolerance, "tolerance"),
+        "maps": {False: "none", True: "all", "pressure": "pressure"}[maps],
+        "threads": count(threads),
+    }
+
+
+def displacement(
+    pressure: Q,
+    *,
+    pixel: Q,
+    modulus: Q | None = None,
+    bodies: Bodies | None = None,
+    boundary: Literal["periodic", "free"] = "periodic",
+    threads: int | None = None,
+) -> NDArray[np.float64]:
+    """Elastic displacement of a half-space under a pressure: the forward operator of `solve`.
+
+    Parameters
+    ----------
+    pressure : quantity, shape (ny, nx)
+        Pressure of each point, as ``array * rc.units.MPa``.
+    pixel : quantity
+        Distance of the points, ``'1 um'`` or a pair ``(dy, dx)``.
+    modulus, bodies
+        As of `solve`; of two bodies it is the sum of both displacements.
+    boundary : {'periodic', 'free'}
+        Beyond the map the pressure repeats, u(q) = 2 p(q)/(E* q) with mean 0; or there is none, and u vanishes far away.
+    threads : int, optional
+        `default_threads` by default.
+
+    Returns
+    -------
+    ndarray, shape (ny, nx)
+        Displacement (m), positive into the body.
+
+    Examples
+    --------
+    >>> import numpy as np, rough_contact as rc
+    >>> wave = np.cos(2 * np.pi * np.arange(64) / 64)
+    >>> u = rc.displacement(np.tile(wave, (64, 1)) * rc.units.MPa, pixel='1um', modulus='100 GPa')
+    >>> bool(np.isclose(u.max(), 2 * 1e6 / (100e9 * 2 * np.pi / 64e-6)))
+    True
+    """
+    check("boundary", boundary, ("periodic", "free"))
+    field = _units.array(pressure, "pressure", "pressure")
+    if field.ndim != 2 or not np.isfinite(field).all():
+        raise SurfaceError("pressure takes a map of rows and columns without holes", "shape")
+    elastic = _bodies.given(modulus, bodies)["modulus"]
+    with sorted_as(SurfaceError):
+        return _rust.displacement(field, _units.pixel(pixel), elastic, boundary == "free", count(threads))
 
 
 def section(surface: Surface | Profile, plane_strain: bool) -> Surface:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from . import _bodies, _units
+from . import _bodies
 from . import _rough_contact as _rust
 from ._bodies import Bodies
 from ._errors import SettingError
 from ._progress import ProgressArgument
 from ._results import LoadCurve, Point
-from ._solve import Method, asked, loads, section
-from ._surface import LEVELS, Level, Surface, check
-from ._threads import count
+from ._solve import Method, asked, loads, section, settings
+from ._surface import Level, Surface, check
 from ._units import Q
 
 __all__ = ["Solver"]
@@ -75,34 +74,9 @@ class Solver:
         maps: bool | Literal["pressure"] = True,
         threads: int | None = None,
     ) -> None:
-        check("level", level, LEVELS)
-        check("boundary", boundary, ("periodic", "free"))
-        check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))
-        check("precision", precision, ("f64", "f32"))
-        check("maps", maps, (False, True, "pressure"))
         self._keep = _rust.Keep()
-        self._settings: dict[str, Any] = {
-            **_bodies.given(modulus, bodies, hardness),
-            "area": None,
-            "level": level,
-            "boundary": boundary,
-            "edges": "periodic",
-            "method": method,
-            "precision": precision,
-            "tolerance": _units.number(tolerance, "tolerance"),
-            "accuracy": None,
-            "fast": False,
-            "certify": False,
-            "stiffness": False,
-            "joint": {},
-            "leak": None,
-            "seal": [None] * 4,
-            "adhesion": None,
-            "distributions": False,
-            "plane_strain": False,
-            "maps": {False: "none", True: "all", "pressure": "pressure"}[maps],
-            "threads": count(threads),
-        }
+        how = settings(level, boundary, method, precision, tolerance, maps, threads)
+        self._settings = {**_bodies.given(modulus, bodies, hardness), **how}
 
     def __reduce__(self) -> Any:
         raise TypeError("an rc.Solver is not pickled; make one in each worker")

@@ -7,6 +7,9 @@ from dataclasses import dataclass, field, fields
 from html import escape
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ._extras import extra
 from ._findings import Finding, findings_html
 
@@ -62,8 +65,9 @@ class Statistics:
     cleaning: tuple[dict[str, Any], ...] = field(metadata={"unit": ""})
     #: Areal parameters of ISO 25178-2 by their symbols (SI units, Std in degrees), if they were asked for.
     iso25178: dict[str, float | None] | None = field(metadata={"unit": ""})
-    #: Slope, curvature and autocorrelation by distance along x and y, if they were asked for.
-    scales: dict[str, list[dict[str, float | None]]] | None = field(metadata={"unit": ""})
+    #: If asked for, along ``'x'`` and ``'y'``, arrays over ``'distance'`` (m): rms ``'slope'``, rms ``'curvature'`` (1/m) and
+    #: ``'autocorrelation'``; NaN where there is none.
+    scales: dict[str, dict[str, NDArray[np.float64]]] | None = field(compare=False, metadata={"unit": ""})
     json: dict[str, Any] = field(repr=False, compare=False, default_factory=dict)
 
     @classmethod
@@ -75,6 +79,8 @@ class Statistics:
                 value = None if value is None else tuple(value)
             elif f.name == "findings":
                 value = tuple(Finding._of(x) for x in json["findings"])
+            elif f.name == "scales" and value is not None:
+                value = {axis: {k: np.array([d[k] for d in all_], dtype=float) for k in all_[0]} for axis, all_ in value.items()}
             elif f.name == "json":
                 value = json
             values[f.name] = value

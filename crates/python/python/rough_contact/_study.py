@@ -98,19 +98,17 @@ class ModelComparison:
     @property
     def area_fraction(self) -> NDArray[np.float64]:
         """Area fraction at each load; NaN where there is no answer."""
-        values = [point.get("area_fraction") for point in self.points]
-        return np.array([np.nan if v is None else v for v in values], dtype=np.float64)
+        return np.array([point.get("area_fraction") for point in self.points], dtype=np.float64)  # of None NaN
 
     @cached_property
     def area_error(self) -> AreaError:
         """Its errors against the deterministic solution."""
         found = self.json["area_error"] or {}
-        signed = [np.nan if e is None else e for e in found.get("signed") or []]
         return AreaError(
             found.get("headline"),
             found.get("mean_absolute"),
             found.get("worst"),
-            np.array(signed, dtype=np.float64),
+            np.array(found.get("signed") or [], dtype=np.float64),
         )
 
 

@@ -96,7 +96,6 @@ class Surface:
         values = metres(heights, height_unit)
         if values.ndim != 2:
             raise SurfaceError(f"heights have {values.ndim} dimensions; a map has 2, rows and columns", "shape")
-        check("fill", fill, ("refuse", "harmonic", "nearest"))
         self._set(*_given(values, _units.pixel(pixel), name or "heights", fill, repeats, {}))
 
     def _set(self, heights: NDArray[np.float64], facts: str, said: str) -> None:
@@ -284,7 +283,6 @@ class Surface:
 
         Filters leave out what they cannot reach at the edges.
         """
-        check("fill", fill, ("refuse", "harmonic", "nearest"))
         how = cleaned_by(align_rows, outliers, form, s_filter, l_filter)
         return Surface._made(*_given(self._heights, self.pixel, self.name, fill, None, how))
 
@@ -409,13 +407,12 @@ def read(
     MissingPoints
         Points are missing, and none are filled.
     """
-    check("fill", fill, ("refuse", "harmonic", "nearest"))
+    cleaning = cleaned_by(align_rows, outliers, form, s_filter, l_filter)
     request = reading(
-        channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop
+        channel, pixel, lateral_unit, height_unit, override_height_unit, layout, decimal, missing, crop, fill, cleaning
     )
-    request.update(fill=fill, cleaning=cleaned_by(align_rows, outliers, form, s_filter, l_filter))
-    file, content = opened(path)
     with of_file():
+        file, content = opened(path)
         heights, facts, said = _rust.read(file, dumped(request), count(None), content)
     known = {} if content is not None else {"path": file}
     return Surface._made(heights, facts, json.dumps({**json.loads(said), **known}))
@@ -527,7 +524,11 @@ def reading(
     decimal: str | None,
     missing: str | Sequence[str],
     crop: Crop | None,
+    fill: str = "refuse",
+    cleaning: dict[str, Any] = {},
 ) -> dict[str, Any]:
+    """What is said of a file, as the extension takes it."""
+
     def unit(text: str | None) -> float | None:
         return None if text is None else _units.factor(text)
 
@@ -537,7 +538,7 @@ def reading(
         check("layout", layout, ("matrix", "list", "traces"))
     if decimal is not None:
         check("decimal", decimal, ("point", "comma"))
-    return {
+    said = {
         "channel": channel,
         "pixel": None if pixel is None else _units.pixel(pixel),
         "lateral_unit": unit(lateral_unit),
@@ -545,10 +546,16 @@ def reading(
         "override_height_unit": unit(override_height_unit),
         "layout": layout,
         "decimal": decimal,
-        "missing": [missing] if isinstance(missing, str) else list(missing),
-        "crop": crop if crop is None or isinstance(crop, str) else ",".join(str(operator.index(n)) for n in crop),
-        "fill": "refuse",
+        "missing_marks": [missing] if isinstance(missing, str) else list(missing),
     }
+    cut = crop if crop is None or isinstance(crop, str) else ",".join(str(operator.index(n)) for n in crop)
+    return {"file": file_of(said, fill, cleaning), "crop": cut}
+
+
+def file_of(said: dict[str, Any], fill: str, cleaning: dict[str, Any]) -> dict[str, Any]:
+    """A file as a run file has it, before it is read."""
+    check("fill", fill, get_args(Fill))
+    return {**said, "fill": fill, "cleaning": cleaning, "path": "", "sha256": "", "format": "", "missing": 0}
 
 
 def metres(heights: Any, unit: str | None) -> NDArray[np.float64]:
@@ -583,6 +590,7 @@ def _given(
     cleaning: dict[str, Any],
 ) -> Any:
     """An array as the extension makes a surface of it."""
+    check("fill", fill, get_args(Fill))
     ny, nx = heights.shape
     note = f"an array of {ny} x {nx} heights handed over by a Python program"
     given = {"name": name, "note": note, "pixel": pixel, "fill": fill, "repeats": repeats, "cleaning": cleaning}
