@@ -1,12 +1,13 @@
-"""Writes the notebooks from the cells below, without outputs, or executes them in place: `build.py --execute`.
+"""Executes the notebooks of the cells below and writes them with their outputs; `--execute` writes nothing.
 
-The text lives here, where a change shows; the notebooks are made of it.
+The text lives here, where a change shows; `--check` compares it with the notebooks.
 """
 
 import sys
 from pathlib import Path
 
 import nbformat
+from nbclient import NotebookClient
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 HERE = Path(__file__).parent
@@ -207,16 +208,15 @@ def notebook(cells):
 def main():
     for name, cells in ALL.items():
         made = notebook(cells)
-        if "--execute" in sys.argv:
-            from nbclient import NotebookClient
-
-            NotebookClient(made, timeout=1200, kernel_name="python3").execute()
-            print(name, "executed")
-        elif "--check" in sys.argv:
+        if "--check" in sys.argv:
             there = nbformat.read(HERE / f"{name}.ipynb", as_version=4)
-            if [c.source for c in there.cells] != [c.source for c in made.cells]:
+            code = [c for c in there.cells if c.cell_type == "code"]
+            if [c.source for c in there.cells] != [c.source for c in made.cells] or not all(c.execution_count for c in code):
                 raise SystemExit(f"{name}.ipynb is not what build.py makes: run it")
-        if "--check" not in sys.argv and "--execute" not in sys.argv:
+            continue
+        NotebookClient(made, timeout=1200, kernel_name="python3", record_timing=False).execute()
+        print(name, "executed")
+        if "--execute" not in sys.argv:
             nbformat.write(made, HERE / f"{name}.ipynb")
 
 
