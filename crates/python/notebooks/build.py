@@ -41,16 +41,15 @@ heights[rng.random(heights.shape) < 0.002] = np.nan                      # missi
 path = Path(tempfile.mkdtemp()) / 'measured.npy'
 np.save(path, heights)
 rc.info(path, pixel='1um', height_unit='m')['missing']""",
-    "Read, cleaned, solved and drawn. Spikes become missing, missing points are filled from around them, the tilt is taken off.",
+    "Read, cleaned, solved and drawn. Spikes become missing, the tilt is taken off, missing points are filled from around them.",
     """
-measured = rc.read(path, pixel='1um', height_unit='m', outliers=8, fill='harmonic')
+measured = rc.read(path, pixel='1um', height_unit='m', outliers=8, form='plane', fill='harmonic')
 steel = rc.Body(young='210 GPa', poisson=0.3)
 touching = rc.solve(measured, bodies=(steel, steel), pressure='10MPa..1GPa:5')
 touching.plot()
 [step['step'] for step in measured.cleaning], measured.missing""",
     "The contact of the surface with a flat, both of steel, at five loads. `±` is the error interval of the area.",
     """
-steel = rc.Body(young='210 GPa', poisson=0.3)
 curve = rc.solve(s, bodies=(steel, steel), pressure='10MPa..1GPa:5', maps=True)
 curve""",
     "Numbers are numpy vectors under the names of the command's JSON; tables are pandas frames.",
