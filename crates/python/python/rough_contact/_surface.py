@@ -111,6 +111,9 @@ class Surface:
         surface._set(heights, facts, said)
         return surface
 
+    def _with(self, heights: NDArray[np.float64], fill: Fill = "refuse", cleaning: dict[str, Any] = {}) -> Surface:
+        return Surface._made(*_given(heights, self.pixel, self.name, fill, None, cleaning))
+
     @classmethod
     def of(
         cls,
@@ -283,14 +286,11 @@ class Surface:
 
         Filters leave out what they cannot reach at the edges.
         """
-        how = cleaned_by(align_rows, outliers, form, s_filter, l_filter)
-        return Surface._made(*_given(self._heights, self.pixel, self.name, fill, None, how))
+        return self._with(self._heights, fill, cleaned_by(align_rows, outliers, form, s_filter, l_filter))
 
     def scaled(self, factor: float) -> Surface:
         """A new surface with all heights times a number, as for a calibration."""
-        dy, dx = self.pixel
-        heights = self._heights * _units.number(factor, "factor")
-        return Surface(heights, pixel=[dy * _metre, dx * _metre], height_unit="m", name=self.name)
+        return self._with(self._heights * _units.number(factor, "factor"))
 
     def psd(self, *, level: Level = "auto") -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Wavenumbers q (rad/m) and the isotropic power spectrum C(q) (m^4), ``rms_height**2`` = integral of C d^2q: of the map as it
@@ -313,9 +313,7 @@ class Surface:
             raise SurfaceError(
                 f"{ny} x {nx} points from row {y0}, column {x0} are no part of {rows} x {columns}", "crop"
             )
-        part = np.ascontiguousarray(self._heights[y0 : y0 + ny, x0 : x0 + nx])
-        dy, dx = self.pixel
-        return Surface(part, pixel=[dy * _metre, dx * _metre], height_unit="m", name=self.name)
+        return self._with(np.ascontiguousarray(self._heights[y0 : y0 + ny, x0 : x0 + nx]))
 
     def write(self, path: PathLike, *, overwrite: bool = False) -> None:
         """Writes the heights; the ending chooses the format: .x3p, .npy, .sdf, .txt or .vti.
