@@ -142,6 +142,8 @@ mod tests {
         assert_eq!(spots, Spots { count: 2, median_area: 6.0, largest_area: 6.0 });
         let inside = Spots::of(&spot_list(&pressure, grid, false)).unwrap();
         assert_eq!((inside.count, inside.largest_area), (4, 4.0));
+        let (_, labels) = labelled_spots(&pressure, grid, true);
+        assert_eq!([0, 1, 5, 14, 21, 35].map(|i| labels[i]), [1, 0, 1, 2, 2, 1]);
         let list = spot_list(&pressure, grid, true);
         let sorted = list.windows(2).all(|w| w[0].points >= w[1].points);
         assert!(sorted && list.iter().all(|s| (s.load / s.area - 1.0).abs() < 1e-12));

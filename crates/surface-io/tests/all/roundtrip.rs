@@ -6,7 +6,7 @@ use common::binary::complete_map;
 use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
 use std::io::Cursor;
-use surface_io::{Fill, ReadOptions, read_bytes, write};
+use surface_io::{Fill, HeightUnit, Measurement, ReadOptions, read_bytes, write};
 
 fn x3p(map: &HeightMap) -> Vec<u8> {
     let mut file = Cursor::new(Vec::new());
@@ -28,6 +28,26 @@ fn npy_data_start_is_aligned() {
     write::npy(&mut file, &complete_map()).unwrap();
     assert_eq!((file.len() - 35 * 8) % 64, 0);
     assert!(write::npy_array(&mut file, [2, 3], &[0.0; 5]).is_err());
+}
+
+#[test]
+fn heights_of_a_program_are_those_of_an_array_file() {
+    for shape in [[5, 7], [1, 35]] {
+        let grid = Grid::new(shape, [1e-6; 2]).unwrap();
+        let mut heights = complete_map().into_heights();
+        heights[11] = f64::NAN;
+        let mut file = Vec::new();
+        write::npy_array(&mut file, shape, &heights).unwrap();
+        let mut options = ReadOptions::default();
+        (options.pixel, options.height_unit) = (Some([1e-6; 2]), Some(HeightUnit::Always(1.0)));
+        let (read, made) = (read_bytes(&file, &options).unwrap(), Measurement::new(grid, heights));
+        let made = made.unwrap();
+        assert_eq!((made.grid(), made.missing()), (read.grid(), 1));
+        assert_eq!(made.is_profile(), read.is_profile());
+        assert_eq!(made.fill(Fill::Nearest).unwrap(), read.fill(Fill::Nearest).unwrap());
+    }
+    let infinite = vec![f64::INFINITY; 35];
+    assert!(Measurement::new(complete_map().grid(), infinite).is_err());
 }
 
 #[test]
