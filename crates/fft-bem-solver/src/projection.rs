@@ -1,7 +1,10 @@
 //! The nearest pressure that is nowhere negative and carries the load.
 
 use crate::methods::Ceiling;
+use crate::simd::{LANES, four, vectorised};
 use crate::{Real, fields};
+use fearless_simd::{Select, SimdBase, SimdFloat, f64x4};
+use std::ops::Range;
 
 /// Replaces `field` by `max(field + c, 0)` with the `c` that gives it the mean `load`: its
 /// projection on the admissible pressures.
@@ -43,7 +46,8 @@ pub(crate) fn between<T: Real, C: Ceiling<T>>(field: &mut [T], load: f64, ceilin
     let mut high = fields::largest_of(n, |i| top(i) - field[i].wide());
     let mut shift = low.max(0.0).min(high);
     for _ in 0..MOST_STEPS {
-        let [carried, free] = carried_between(field, shift, ceiling);
+        let [full, sum, free] = cut(field, [1.0, shift], ceiling);
+        let carried = full + sum + free * shift;
         if carried > total {
             high = shift;
         } else {
@@ -67,14 +71,38 @@ pub(crate) fn between<T: Real, C: Ceiling<T>>(field: &mut [T], load: f64, ceilin
 /// Most steps of a search for the shift or the factor that carries a load.
 const MOST_STEPS: usize = 200;
 
-/// What `field + shift`, cut to the bounds, carries, and on how many nodes between them.
-fn carried_between<T: Real, C: Ceiling<T>>(field: &[T], shift: f64, ceiling: C) -> [f64; 2] {
-    let carried = |i: usize| (field[i].wide() + shift).clamp(0.0, ceiling.at(i).wide());
-    let is_free = |i: usize| {
-        let p = field[i].wide() + shift;
-        if p > 0.0 && p < ceiling.at(i).wide() { 1.0 } else { 0.0 }
+/// Of `factor field + shift`, cut to the bounds: what the nodes at the ceiling carry, the sum of the field over those between
+/// the bounds, and their number.
+fn cut<T: Real, C: Ceiling<T>>(field: &[T], [factor, shift]: [f64; 2], ceiling: C) -> [f64; 3] {
+    let piece = |range: Range<usize>| {
+        let (field, ceiling) = (&field[range.clone()], ceiling.after(range.start));
+        let whole = field.len() - field.len() % LANES;
+        vectorised!(x => {
+            let (zero, one) = (f64x4::splat(x, 0.0), f64x4::splat(x, 1.0));
+            let [mut full, mut sum, mut free] = [zero; 3];
+            for i in (0..whole).step_by(LANES) {
+                let (p, top) = (T::widened(four(x, field, i)), ceiling.four(x, i));
+                let moved = p * factor + shift;
+                let (is_below, is_loaded) = (moved.simd_lt(top), moved.simd_gt(zero));
+                full += is_below.select(zero, top);
+                sum += is_below.select(is_loaded.select(p, zero), zero);
+                free += is_below.select(is_loaded.select(one, zero), zero);
+            }
+            let mut sums = [full, sum, free].map(|lanes| lanes.iter().sum());
+            for (i, p) in field.iter().enumerate().skip(whole) {
+                let (moved, top) = (p.wide() * factor + shift, ceiling.at(i).wide());
+                let [full, sum, free] = &mut sums;
+                if moved >= top {
+                    *full += top;
+                } else if moved > 0.0 {
+                    (*sum, *free) = (*sum + p.wide(), *free + 1.0);
+                }
+            }
+            sums
+        })
     };
-    [fields::sum_of(field.len(), carried), fields::sum_of(field.len(), is_free)]
+    let add = |a: [f64; 3], b: [f64; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+    fields::by_blocks(0..field.len(), &piece, &add)
 }
 
 /// Multiplies the nodes below `ceiling` by the factor that lets all carry `total`; those that would come above
@@ -89,12 +117,8 @@ pub(crate) fn scale_below<T: Real, C: Ceiling<T>>(
     let top = |i: usize| ceiling.at(i).wide();
     let mut factor = 1.0;
     for _ in 0..MOST_STEPS {
-        let is_full = |i: usize| {
-            let p = field[i].wide();
-            p >= top(i) || factor * p >= top(i)
-        };
-        let full = fields::sum_of(n, |i| if is_full(i) { top(i) } else { 0.0 });
-        let free = fields::sum_of(n, |i| if is_full(i) { 0.0 } else { field[i].wide() });
+        // What is at the ceiling stays there.
+        let [full, free, _] = cut(field, [f64::max(factor, 1.0), 0.0], ceiling);
         let next = (total - full) / free;
         if !(next >= 1.0 - most && next <= 1.0 + most) {
             // Nothing to scale, and nothing lacks.
