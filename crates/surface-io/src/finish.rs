@@ -12,6 +12,8 @@ use contact_types::Grid;
 
 /// No surface is higher than this (m).
 const HIGHEST: f64 = 1e6;
+/// The largest number of single precision, to the digits of a text.
+const LARGEST: f64 = 3.402823e38;
 
 /// Chooses the channel, decodes it and brings it to metres.
 pub(crate) fn finish(
@@ -109,13 +111,18 @@ pub(crate) fn finish(
     let highest = if options.height_unit.is_none() { HIGHEST } else { f64::MAX };
     let mut missing = 0;
     for (i, height) in heights.iter_mut().enumerate() {
+        // The largest number of single precision is no height: instruments mark missing points with it.
+        if height.is_finite() && height.abs() >= LARGEST {
+            *height = f64::NAN;
+        }
         *height *= scale;
         if height.is_nan() {
             missing += 1;
         } else if height.abs() > highest {
             let [_, nx] = grid.shape();
             let place = Place::Point { iy: i / nx, ix: i % nx };
-            return Err(malformed(place, format!("the height is {height:e} m")));
+            let what = "if it marks missing points, give --missing and that number";
+            return Err(malformed(place, format!("the height is {height:e} m; {what}")));
         }
     }
     Ok(Measurement {

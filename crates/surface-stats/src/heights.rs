@@ -76,11 +76,6 @@ impl HeightStatistics {
             ..flat
         }
     }
-
-    /// Sz = Sp + Sv: from the deepest pit to the highest peak (m).
-    pub fn peak_to_valley(&self) -> f64 {
-        self.peak_height + self.pit_depth
-    }
 }
 
 #[cfg(test)]
@@ -106,7 +101,7 @@ mod tests {
             let skewness = 6.0 / 3f64.powf(1.5);
             assert_relative_eq!(s.skewness.unwrap(), skewness, max_relative = 1e-15);
             assert_relative_eq!(s.kurtosis.unwrap(), 21.0 / 9.0, max_relative = 1e-15);
-            assert_relative_eq!(s.peak_to_valley(), 4.0 * scale, max_relative = 1e-15);
+            assert_relative_eq!(s.peak_height + s.pit_depth, 4.0 * scale, max_relative = 1e-15);
         }
     }
 

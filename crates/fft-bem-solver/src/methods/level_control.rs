@@ -47,13 +47,11 @@ impl LevelControl {
         Self { target, mean_gap, slope: None, last: None, error: f64::INFINITY }
     }
 
-    /// Whether the rise has still to be guessed from the fields.
-    pub(crate) fn wants_guess(&self, residual: f64) -> bool {
-        self.slope.is_none() || residual > ROUGH
-    }
-
-    /// Guesses the rise from a pressure and its displacement.
-    pub(crate) fn guess<T: Real>(&mut self, pressure: &[T], displacement: &[T]) {
+    /// Guesses the rise from a pressure and its displacement, while nothing better is known.
+    pub(crate) fn guess<T: Real>(&mut self, [pressure, displacement]: [&[T]; 2], residual: f64) {
+        if self.slope.is_some() && residual <= ROUGH {
+            return;
+        }
         let indentation = fields::dot(pressure, displacement) / fields::sum(pressure);
         let rise = RISE * indentation;
         let usable = |slope: f64| slope > 0.0 && slope.is_finite();

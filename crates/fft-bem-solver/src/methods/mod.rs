@@ -20,7 +20,6 @@ mod contract;
 mod cut_cells;
 mod equal_cells;
 mod extension;
-mod folded_rows;
 mod free_chord;
 mod level_control;
 mod node;

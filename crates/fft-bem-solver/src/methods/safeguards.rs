@@ -61,7 +61,7 @@ fn each_kind_of_step_alone_finds_the_solution() {
     }
 }
 
-/// On grids on which memory is what limits, there is no step before to go by, and no guess. Only the last resort
+/// On grids on which memory is what limits, there is no step before to go by. Only the last resort
 /// asks for the room.
 #[test]
 fn without_room_for_the_step_before_the_answer_is_the_same() {

@@ -128,7 +128,13 @@ fn a_study_says_its_materials_and_whether_they_stick() {
     assert!(said.out.contains("copper (copper, pure"), "{}", said.out);
     let read = |name: &str| std::fs::read_to_string(at.join(name)).expect("a file");
     let page = read("r/report.html");
-    for word in ["copper (copper, pure", "makeitfrom.com", "Adhesion is negligible", "Pastewka"] {
+    for word in [
+        "copper (copper, pure",
+        "makeitfrom.com",
+        "Adhesion is negligible",
+        "capillary",
+        "Pastewka",
+    ] {
         assert!(page.contains(word), "{word}");
     }
     let found: Value = serde_json::from_str(&read("r/results.json")).expect("JSON");

@@ -160,7 +160,8 @@ fn statistics_with_a_hardness_say_go_or_no_go() {
     let of = |rest: &str| rough_contact(dir.path(), &format!("stats a.x3p {rest}"));
     for (hardness, said) in [(3e9, "the contact yields"), (60e9, "right to 2 %")] {
         let line = format!("--modulus 110GPa --hardness {hardness}Pa");
-        assert!(of(&line).out.contains(said), "{}", of(&line).out);
+        let out = of(&line).out;
+        assert!(out.contains(said) && out.contains("summits elastic below 0.6"), "{out}");
         let found = of(&format!("{line} --json")).answered();
         let (indices, asperities) = (&found["plasticity"], &found["asperities"]);
         let strength = 110e9 / hardness;

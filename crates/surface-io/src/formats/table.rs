@@ -3,7 +3,7 @@
 //! | what | recognised by |
 //! |---|---|
 //! | separators | semicolon, tab, comma, blanks; none inside quotation marks |
-//! | missing points | empty cells, `NaN`, `1.#QNAN`, `No Data`, `---`, and marks that are given |
+//! | missing points | empty cells, `NaN`, `1.#QNAN`, `No Data`, `---`, 3.402823e38, and marks that are given |
 //! | decimal mark, thousands | by their pattern; what can be either is refused |
 //! | encodings | UTF-8, UTF-16 with byte order mark, Latin-1; `\n`, `\r\n`, `\r`, also mixed |
 //! | header | the lines before the first two lines with equally many numbers; lines starting with `#`, `%`, `!`, `//` |

@@ -304,6 +304,7 @@ fn marks_of_missing_points() {
         "#VALUE!",
         "BAD",
         "null",
+        "3.40282346638529E+38",
         "***",
         "---",
         "\u{2013}",

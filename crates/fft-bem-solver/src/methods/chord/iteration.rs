@@ -112,7 +112,10 @@ impl<T: Real> Chord<T> {
     ) -> Outcome {
         let Self { work, force } = self;
         let mut run = Run::new(ceiling, work, task, operator, start, *force, state);
-        run.begin(start);
+        match start {
+            Start::Cold => run.begin_constant(),
+            Start::Warm => run.begin_scaled(),
+        }
         let mut proposal = run.first_proposal(start, task.tolerance);
         let mut iteration = 0;
         let end = loop {
@@ -163,14 +166,6 @@ struct Proposal {
 }
 
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
-    /// The pressure to start from, whose displacement is known.
-    fn begin(&mut self, start: Start) {
-        match start {
-            Start::Cold => self.begin_constant(),
-            Start::Warm => self.begin_scaled(),
-        }
-    }
-
     /// The first proposal.
     fn first_proposal(&mut self, start: Start, tolerance: f64) -> Proposal {
         let is_flattening = std::mem::take(&mut self.work.holds_flattening);

@@ -33,10 +33,11 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// weighted with the pressure. Both are the same once g is zero.)
     pub(crate) fn look(&mut self, known: Known, release: f64) -> (f64, ContactSet) {
         let (level, excess) = match known {
-            _ if C::IS_FINITE => (self.level_of_iterate(), None),
-            Known::Nothing => (self.level_of_iterate(), None),
-            Known::Level(level) => (level, None),
-            Known::Gap { level, counted_from } => (level, Some(level - counted_from)),
+            Known::Level(level) if !C::IS_FINITE => (level, None),
+            Known::Gap { level, counted_from } if !C::IS_FINITE => {
+                (level, Some(level - counted_from))
+            }
+            _ => (self.level_of_iterate(), None),
         };
         (level, self.contact_set(level, excess, release, When::Now))
     }
@@ -100,9 +101,8 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     pub(super) fn towards_level(&mut self, level: f64) {
         let Some(control) = &mut self.control else { return };
         let pairs = &mut self.work.pairs;
-        if control.wants_guess(self.memory.residual) {
-            control.guess(&self.iterate.pressure, &self.iterate.displacement);
-        }
+        let State { pressure, displacement, .. } = &*self.iterate;
+        control.guess([pressure, displacement], self.memory.residual);
         let extended = pairs.spare();
         let rise = fields::sum(extended) / extended.len() as f64;
         let factor = control.factor(level + rise, self.load, self.memory.residual);
