@@ -63,7 +63,7 @@ fn the_answer_is_that_of_the_map_among_its_images() {
 }
 
 /// Crops whose edges do not match, with their mirror images, against the same on four times as many
-/// points a side: the comparison intervals of area and gap hold.
+/// points a side: of the 95 % intervals of area and gap, 95 % hold.
 #[test]
 fn the_intervals_hold() {
     let (mut areas, mut gaps, mut answers) = (0, 0, 0);
@@ -110,9 +110,9 @@ fn the_intervals_hold() {
             let gap = off(gap.value, truth.state.mean_gap.unwrap(), gap.half_width().unwrap());
             println!("seed {seed}: errors over half widths: area {area:.2}, gap {gap:.2}");
             answers += 1;
-            areas += usize::from(area <= 1.0);
-            gaps += usize::from(gap <= 1.0);
+            areas += u32::from(area <= 1.0);
+            gaps += u32::from(gap <= 1.0);
         }
     }
-    assert_eq!([areas, gaps], [answers; 2], "held, of {answers}");
+    assert!(f64::from(areas + gaps) >= 1.9 * f64::from(answers), "{areas} and {gaps} held, of {answers}");
 }
