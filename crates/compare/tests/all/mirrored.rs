@@ -110,9 +110,9 @@ fn the_intervals_hold() {
             let gap = off(gap.value, truth.state.mean_gap.unwrap(), gap.half_width().unwrap());
             println!("seed {seed}: errors over half widths: area {area:.2}, gap {gap:.2}");
             answers += 1;
-            areas += u32::from(area <= 1.0);
-            gaps += u32::from(gap <= 1.0);
+            areas += usize::from(area <= 1.0);
+            gaps += usize::from(gap <= 1.0);
         }
     }
-    assert!(f64::from(areas + gaps) >= 1.9 * f64::from(answers), "{areas} and {gaps} held, of {answers}");
+    assert!(20 * (areas + gaps) >= 38 * answers, "{areas} and {gaps} held, of {answers}");
 }
