@@ -10,6 +10,8 @@ use fft_bem_solver::{
     Answer, Iteration, Load, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
 };
 use gap_flow::Axis;
+use surface_stats::StatsError;
+use surface_stats::clean::mirrored;
 
 /// First row and column of each thinned map.
 const PHASES: [[usize; 2]; 2] = [[0, 0], [1, 1]];
@@ -74,9 +76,19 @@ pub fn thinned(map: &HeightMap, first: [usize; 2]) -> Result<HeightMap, SurfaceE
     HeightMap::new(grid, rows.flat_map(row).collect())
 }
 
+/// Both, with their mirror images if those belong to the map. (Of a map and its images, every second row would be the image of
+/// the others: twice the same.)
+pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>, StatsError> {
+    let part = |first| {
+        let part = thinned(map, first)?;
+        if is_mirrored { mirrored(&part) } else { Ok(part) }
+    };
+    PHASES.into_iter().map(part).collect()
+}
+
 /// Both thinned maps, ready to be solved.
 #[derive(Debug)]
-pub struct Coarser {
+pub(crate) struct Coarser {
     solvers: Vec<Solver>,
     jump: Option<f64>,
     leak: Vec<Axis>,
@@ -89,44 +101,28 @@ impl Coarser {
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }
 
-    /// Thins `map`, to be solved as `builder` says, with a gas of this temperature jump (m) in the gap, if there is one, and
-    /// the leak along these axes.
-    ///
-    /// # Errors
-    /// [`SolverError`].
-    pub fn of(
-        map: &HeightMap,
+    /// Of [`both`] thinned maps, to be solved as `builder` says, with a gas of this temperature jump (m) in the gap, if there is
+    /// one, and the leak along these axes.
+    pub(crate) fn of(
+        maps: Vec<HeightMap>,
         builder: &SolverBuilder,
         modulus: ContactModulus,
         jump: Option<f64>,
         leak: &[Axis],
     ) -> Result<Self, SolverError> {
-        let solver = |first| {
-            let map = thinned(map, first).map_err(|_| SolverError::NoSurface)?;
-            let mut solver = builder.clone().build(map.grid(), modulus)?;
-            solver.take_surface(map)?;
-            Ok(solver)
-        };
-        let solvers = PHASES.into_iter().map(solver).collect::<Result<_, SolverError>>()?;
-        Ok(Self { solvers, jump, leak: leak.to_vec() })
+        let solver = |map: &HeightMap| builder.clone().build(map.grid(), modulus);
+        let solvers = maps.iter().map(solver).collect::<Result<_, SolverError>>()?;
+        let mut made = Self { solvers, jump, leak: leak.to_vec() };
+        made.take(maps).map(|()| made)
     }
 
-    /// Another map on the same grid.
-    ///
-    /// # Errors
-    /// [`SolverError`].
-    pub fn take_map(&mut self, map: &HeightMap) -> Result<(), SolverError> {
-        for (solver, first) in self.solvers.iter_mut().zip(PHASES) {
-            solver.take_surface(thinned(map, first).map_err(|_| SolverError::NoSurface)?)?;
-        }
-        Ok(())
+    /// Others on the same grids.
+    pub(crate) fn take(&mut self, maps: Vec<HeightMap>) -> Result<(), SolverError> {
+        self.solvers.iter_mut().zip(maps).try_for_each(|(solver, map)| solver.take_surface(map))
     }
 
     /// The numbers of both at a load, each from where its last load ended.
-    ///
-    /// # Errors
-    /// [`SolverError`] of the first that is not solved.
-    pub fn solve<A: Answer>(
+    pub(crate) fn solve<A: Answer>(
         &mut self,
         load: Load,
         stiffness: bool,

@@ -2,7 +2,7 @@
 //! between the points, on twice as many.
 
 use crate::budget::{Budget, Map};
-use crate::coarser::{Coarser, Numbers};
+use crate::coarser::{Coarser, Numbers, both};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
@@ -125,7 +125,8 @@ impl Ladder {
         let grid = map.grid();
         let coarser = if Coarser::is_possible(grid) {
             let builder = builder.maps(setup.maps()).certified(false).section(None);
-            Ok(Coarser::of(surface, &builder, setup.modulus, setup.jump, &setup.leak)?)
+            let maps = both(&map, setup.mirrored)?;
+            Ok(Coarser::of(maps, &builder, setup.modulus, setup.jump, &setup.leak)?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
@@ -150,7 +151,7 @@ impl Ladder {
         self.known = Map::of(&map);
         self.whole = self.setup.mirrored.then(|| mirrored(&map)).transpose()?;
         if let Ok(coarser) = &mut self.coarser {
-            coarser.take_map(self.whole.as_ref().unwrap_or(&map))?;
+            coarser.take(both(&map, self.setup.mirrored)?)?;
         }
         (self.given, self.finer) = (map, None);
         Ok(())

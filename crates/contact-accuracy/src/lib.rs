@@ -22,7 +22,7 @@ mod uncertainty;
 
 pub use budget::{Budget, Given, Map, RealPressure};
 pub use climb::{Aim, ClimbError, Next, Reached, Sink, Task, Unmet, climb};
-pub use coarser::{Coarser, FEWEST, Numbers, thinned};
+pub use coarser::{FEWEST, Numbers, thinned};
 pub use contact_types::{ContactModulus, Grid, HeightMap};
 pub use continuation::regrid;
 pub use edge_share::EdgeShare;

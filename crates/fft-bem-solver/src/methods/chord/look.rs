@@ -34,9 +34,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     pub(crate) fn look(&mut self, known: Known, release: f64) -> (f64, ContactSet) {
         let (level, excess) = match known {
             Known::Level(level) if !C::IS_FINITE => (level, None),
-            Known::Gap { level, counted_from } if !C::IS_FINITE => {
-                (level, Some(level - counted_from))
-            }
+            Known::Gap { level, counted_from: c } if !C::IS_FINITE => (level, Some(level - c)),
             _ => (self.level_of_iterate(), None),
         };
         (level, self.contact_set(level, excess, release, When::Now))
