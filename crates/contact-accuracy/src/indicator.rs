@@ -14,9 +14,8 @@ use std::f64::consts::PI;
 pub const LIMIT: f64 = 0.05;
 
 /// Difference of the polynomials through eight and through four points, halfway: weights of the pairs of points
-/// from the inner to the outer one.
-const WEIGHTS: [f64; 4] =
-    [1225.0 / 2048.0 - 9.0 / 16.0, 1.0 / 16.0 - 245.0 / 2048.0, 49.0 / 2048.0, -5.0 / 2048.0];
+/// from the inner to the outer one, in 2048ths.
+const WEIGHTS: [i16; 4] = [1225 - 1152, -245 + 128, 49, -5];
 
 /// The indicator of a `surface` under `pressure` (Pa, of its grid). Beyond its edges stands itself if it
 /// `repeats`, its mirror image otherwise. `None` if nothing touches, the pressure is not of this grid, or a side
@@ -77,7 +76,8 @@ pub fn indicator(
 /// Difference of the interpolants between the points 0 and 1 of a line.
 fn difference(at: impl Fn(isize) -> f64) -> f64 {
     let pairs = WEIGHTS.iter().enumerate();
-    pairs.map(|(k, weight)| weight * (at(-k.cast_signed()) + at(k.cast_signed() + 1))).sum()
+    let pair = |k: isize| at(-k) + at(k + 1);
+    pairs.map(|(k, weight)| f64::from(*weight) / 2048.0 * pair(k.cast_signed())).sum()
 }
 
 /// The point `k` away from `i` of `n` in line: around the edge if the map `repeats`, mirrored at it otherwise.
@@ -130,7 +130,7 @@ mod tests {
         let mut pressure = vec![0.0; 256];
         pressure[8 * 16 + 4] = 0.05;
         // To both sides of a crest 1, 0, -1, 0, 1 the difference is that of the sums of pairs.
-        let [a, b, c, d] = WEIGHTS;
+        let [a, b, c, d] = WEIGHTS.map(|weight| f64::from(weight) / 2048.0);
         let rms = (1e-7 * (a - b - c + d)).abs() / 2f64.sqrt();
         let found = indicator(&map, true, &pressure, modulus()).unwrap();
         assert!((found / (rms / (0.05 * 2e-6)) - 1.0).abs() < 1e-9, "{found}");
