@@ -112,13 +112,11 @@ pub(crate) fn height_scatter(surface: &HeightMap) -> f64 {
     }
     let power = sums.iter().map(|[re, im]| (re * re + im * im) / (all * all)).sum::<f64>();
     let h = 0.5 * (power / LONGEST.len() as f64).sqrt(); // a root scatters by half of what is under it
-    h * students(1.0 / (8.0 * h * h))
+    h * students(0.5 * (0.5 / h).powi(2))
 }
 
 /// Student's quantile over the normal one at 97.5 %, in its expansion for many degrees of freedom
 /// (Abramowitz & Stegun 26.7.5).
 fn students(freedom: f64) -> f64 {
-    let x2 = 1.96_f64.powi(2);
-    let next = (5.0 * x2 * x2 + 16.0 * x2 + 3.0) / 96.0;
-    1.0 + ((x2 + 1.0) / 4.0 + next / freedom) / freedom
+    1.0 + (1.21 + 1.44 / freedom) / freedom
 }
