@@ -208,8 +208,11 @@ fn help_and_version_are_answers() {
 fn short_help_is_short() {
     let dir = folder();
     let help = |command: &str| rough_contact(dir.path(), &format!("{command} -h")).out;
+    let words = |text: &str| text.split_whitespace().count();
     for command in ["solve", "compare", "model", "stats", "synth", "convert"] {
         let help = help(command);
+        let long = rough_contact(dir.path(), &format!("{command} --help")).out;
+        assert!(words(&help) <= 480 && words(&long) <= 1200, "{command}");
         let options = help.lines().filter(|line| line.trim_start().starts_with("--")).count();
         let mut lines = help.lines().filter(|line| !line.starts_with("Usage:"));
         assert!(options <= 25 && lines.all(|line| line.chars().count() <= 100), "{help}");
