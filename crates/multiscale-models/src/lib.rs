@@ -17,7 +17,6 @@
 
 mod archard;
 mod equation;
-pub mod fractal;
 mod jackson_streator;
 mod majumdar_bhushan;
 mod persson;

@@ -8,6 +8,9 @@ use std::f64::consts::PI;
 
 const MODEL: &str = "Yan-Komvopoulos";
 
+/// Ratio gamma of successive frequencies of the surface.
+const FREQUENCY_RATIO: f64 = 1.5;
+
 /// Contact of an isotropic fractal *surface* of dimension 2 < D < 3.
 ///
 /// Spots are counted by their truncated area `a'`, the cut of the undeformed surface at the
@@ -37,7 +40,6 @@ const MODEL: &str = "Yan-Komvopoulos";
 pub struct YanKomvopoulos {
     dimension: f64,
     roughness: f64,
-    frequency_ratio: f64,
     nominal_area: f64,
     modulus: ContactModulus,
     critical_area: f64,
@@ -68,31 +70,9 @@ impl YanKomvopoulos {
         }
         require::positive(MODEL, "fractal roughness", roughness)?;
         require::positive(MODEL, "nominal area", nominal_area)?;
-        let frequency_ratio = crate::fractal::FREQUENCY_RATIO;
         let (critical_area, hardness) = (0.0, None);
-        let model = Self {
-            dimension,
-            roughness,
-            frequency_ratio,
-            nominal_area,
-            modulus,
-            critical_area,
-            hardness,
-        };
+        let model = Self { dimension, roughness, nominal_area, modulus, critical_area, hardness };
         Ok(model)
-    }
-
-    /// Sets the ratio `gamma` of successive frequencies of the surface (1.5 by default). Set it
-    /// before a hardness, whose critical area depends on it.
-    ///
-    /// # Errors
-    /// [`ModelError::OutsideDomain`] unless it is finite and greater than 1.
-    pub fn with_frequency_ratio(mut self, ratio: f64) -> Result<Self, ModelError> {
-        self.frequency_ratio = crate::fractal::check_ratio(MODEL, ratio)?;
-        match self.hardness {
-            Some(hardness) => self.with_hardness(hardness),
-            None => Ok(self),
-        }
     }
 
     /// Counts as elastic only spots of truncated area above `critical_area` (m²). Load is the
@@ -170,7 +150,7 @@ impl YanKomvopoulos {
             coefficient: Wide::from(self.roughness).powf(d - 2.0)
                 * self.modulus.pascals()
                 * (((11.0 - 2.0 * d) / 2.0).exp2() / (3.0 * PI.powf((4.0 - d) / 2.0)))
-                * self.frequency_ratio.ln().sqrt(),
+                * FREQUENCY_RATIO.ln().sqrt(),
         }
     }
 

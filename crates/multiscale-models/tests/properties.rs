@@ -4,7 +4,6 @@ use contact_types::{
     AmplitudeSpectrum, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError,
     RoughnessSpectrum, Shell, SpectralMoments, Wave,
 };
-use multiscale_models::fractal::WeierstrassMandelbrot;
 use multiscale_models::{
     Archard, AreaLaw, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SinusoidLaw,
     SphereLevel, Stacked, YanKomvopoulos,
@@ -206,29 +205,10 @@ proptest! {
             let mut all = vec![model];
             all.extend(model.with_critical_area(critical));
             all.extend(model.with_hardness(critical));
-            all.extend(model.with_frequency_ratio(critical));
             for model in all {
                 prop_assert!(is_sound(&model.at_pressure(p)));
                 prop_assert!(is_number(&model.pressure_at_largest_spot(p)));
             }
-        }
-    }
-
-    #[test]
-    fn the_profile(
-        dimension in prop_oneof![1.0..2.0, any_finite()], roughness in any_finite(), length in any_finite(),
-        w in any_finite(), slope in prop_oneof![-4.0..4.0, any_finite()],
-    ) {
-        let surface = FractalParameters { dimension, roughness };
-        if let Ok(profile) = WeierstrassMandelbrot::new(surface) {
-            prop_assert!(is_number(&profile.psd(w)));
-            prop_assert!(is_number(&profile.structure_function(w)));
-        }
-        for profile in [
-            WeierstrassMandelbrot::from_psd(slope, length, w),
-            WeierstrassMandelbrot::from_structure_function(slope, length, w),
-        ].into_iter().flatten() {
-            prop_assert!(profile.surface().roughness.is_normal());
         }
     }
 }

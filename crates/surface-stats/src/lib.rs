@@ -18,7 +18,6 @@ mod options;
 pub mod pair;
 pub mod polynomial;
 pub mod profile;
-pub mod sampling;
 mod scale;
 mod seam;
 mod spectral_scales;

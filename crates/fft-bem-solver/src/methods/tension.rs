@@ -1,19 +1,15 @@
 //! Nodes in tension, cell by cell: which of them are dropped, and what they hand up.
 //!
-//! Most blocks of cells hold none. Where there are few they are dealt with one cell at a time; where there are many, as in
-//! a first trial, a block at a time, in vectors.
+//! Most blocks of cells hold none.
 
 use super::ceiling::Ceiling;
 use super::extension::Capacity;
 use super::node::Node;
-use super::transfer::{Transfer, Weight};
+use super::transfer::Transfer;
 use crate::Real;
-use crate::simd::LANES;
 
 /// Cells or nodes that are looked at in one go. Most blocks hold nothing to do.
 const BLOCK: usize = 32;
-/// Cells in tension from which on a block is dealt with as a whole.
-const MANY: u8 = 4;
 
 /// What is added to the nodes below the cells of a row.
 #[derive(Clone, Copy)]
@@ -85,46 +81,6 @@ impl Handed<'_> {
         let both = [upper[0] + lower[0], upper[1] + lower[1]].map(|x| 0.75 * x);
         self.t.add_columns_transposed(c, both, &mut self.value[r * mx..][..mx]);
     }
-
-    /// The same for a block of cells from `c` on, along both axes.
-    #[inline(always)]
-    fn add_block(&mut self, r: usize, c: usize, loads: &[[f32; 2 * BLOCK]; 2]) {
-        let mx = self.t.coarse[1];
-        let last = self.value.len() / mx - 1;
-        let (before, after) = self.beyond.split_at_mut(mx);
-        let above = if r == 0 { before } else { &mut self.value[(r - 1) * mx..][..mx] };
-        add_columns(0.25, c, &loads[0], above);
-        let below = if r == last { after } else { &mut self.value[(r + 1) * mx..][..mx] };
-        add_columns(0.25, c, &loads[1], below);
-        let mut both = loads[0];
-        both.iter_mut().zip(&loads[1]).for_each(|(sum, lower)| *sum += lower);
-        add_columns(0.75, c, &both, &mut self.value[r * mx..][..mx]);
-    }
-}
-
-/// Adds to a coarse row `factor` times what its cells from `c` on gather from the fine columns below: as
-/// [`Transfer::add_columns_transposed`], of halved columns.
-#[inline(always)]
-fn add_columns(factor: f32, c: usize, fine: &[f32; 2 * BLOCK], row: &mut [f32]) {
-    let left = if c == 0 { row.len() - 1 } else { c - 1 };
-    let right = if c + BLOCK == row.len() { 0 } else { c + BLOCK };
-    let (side, own) = (0.25 * factor, 0.75 * factor);
-    let mut line = [0.0; BLOCK + 2];
-    let pairs = fine.as_chunks::<2>().0;
-    for (x, pair) in line.iter_mut().zip(pairs) {
-        *x = side * pair[0];
-    }
-    for (x, pair) in line[1..].iter_mut().zip(pairs) {
-        *x += own * (pair[0] + pair[1]);
-    }
-    for (x, pair) in line[2..].iter_mut().zip(pairs) {
-        *x += side * pair[1];
-    }
-    row[left] += line[0];
-    for (x, more) in row[c..c + BLOCK].iter_mut().zip(&line[1..]) {
-        *x += more;
-    }
-    row[right] += line[BLOCK + 1];
 }
 
 /// Which nodes are dropped: those in tension, and those above the ceiling if it counts by now.
@@ -202,72 +158,6 @@ impl Cell {
     }
 }
 
-/// What becomes of the nodes below a block of cells, all of them at once.
-struct Block {
-    /// As of a [`Cell`], by rows of nodes.
-    loads: [[f32; 2 * BLOCK]; 2],
-    excess: f64,
-    dropped: usize,
-    smallest: [f32; BLOCK],
-    filled: [f32; BLOCK],
-}
-
-impl Block {
-    /// Drops the nodes in tension with `added` to the nodes below each cell. There are two rows of
-    /// nodes, and no ceiling. In single precision, as `added` is: what rounding leaves is clipped.
-    #[inline(always)]
-    fn drop_in_tension<T: Real>(
-        added: &[f32; BLOCK],
-        trial: [&[T]; 2],
-        nodes: [&mut [Node]; 2],
-    ) -> Self {
-        let mut more = [0.0; 2 * BLOCK];
-        for (more, a) in more.as_chunks_mut::<2>().0.iter_mut().zip(added) {
-            *more = [*a; 2];
-        }
-        let mut loads = [[0.0; 2 * BLOCK]; 2];
-        let (mut rest, mut kept) = ([f32::INFINITY; 2 * BLOCK], [0.0; 2 * BLOCK]);
-        // Loops over numbers of one size: see `passes`.
-        let (mut q, mut is_in, mut drops) = ([0.0; 2 * BLOCK], [0.0; 2 * BLOCK], [0.0; 2 * BLOCK]);
-        let mut dropped = 0.0;
-        for ((trial, nodes), load) in trial.into_iter().zip(nodes).zip(&mut loads) {
-            q.iter_mut().zip(trial).for_each(|(q, trial)| *q = trial.narrow());
-            is_in.iter_mut().zip(&*nodes).for_each(|(is_in, node)| *is_in = node.value());
-            for i in 0..2 * BLOCK {
-                let p = q[i] + more[i];
-                drops[i] = if p < 0.0 { is_in[i] } else { 0.0 };
-                load[i] = drops[i] * p;
-                let stays = is_in[i] - drops[i];
-                let here = if stays > 0.0 { q[i] } else { f32::INFINITY };
-                rest[i] = if here < rest[i] { here } else { rest[i] };
-                kept[i] += stays;
-            }
-            for (node, drops) in nodes.iter_mut().zip(&drops) {
-                *node = node.or(Node::Dropped, *drops > 0.0);
-            }
-            dropped += sum(&drops);
-        }
-        let (mut smallest, mut filled) = ([0.0; BLOCK], [0.0; BLOCK]);
-        let pairs = rest.as_chunks::<2>().0.iter().zip(kept.as_chunks::<2>().0);
-        for ((s, f), (rest, kept)) in smallest.iter_mut().zip(&mut filled).zip(pairs) {
-            *s = if rest[1] < rest[0] { rest[1] } else { rest[0] };
-            *f = kept[0] + kept[1];
-        }
-        let excess = -sum(loads.as_flattened());
-        Self { loads, excess, dropped: dropped as usize, smallest, filled }
-    }
-}
-
-/// Sum of some loads or counts.
-#[inline(always)]
-fn sum(values: &[f32]) -> f64 {
-    let mut lanes = [0.0; LANES];
-    for four in values.as_chunks::<LANES>().0 {
-        lanes.iter_mut().zip(four).for_each(|(sum, x)| *sum += f64::from(*x));
-    }
-    lanes.iter().sum()
-}
-
 /// Some rows of cells, with the rows of nodes below them.
 pub(super) struct Rows<'a, T, C> {
     pub(super) bounds: Bounds<C>,
@@ -288,47 +178,7 @@ impl<T: Real, C: Ceiling<T>> Rows<'_, T, C> {
         for (k, block) in smallest.chunks_mut(BLOCK).enumerate() {
             let first = k * BLOCK;
             let flags = added.tension_flags(first, block, C::IS_FINITE);
-            let count: u8 = flags.iter().sum();
-            if count >= MANY && self.has_whole(r, first, block.len()) {
-                self.drop_block(r, first, added, block);
-                continue;
-            }
             for_each_set(&flags, |c| self.drop_cell([r, first + c], added, &mut block[c]));
-        }
-    }
-
-    /// Whether the block of cells from `first` on is one that [`Block`] can handle.
-    #[inline(always)]
-    fn has_whole(&self, r: usize, first: usize, cells: usize) -> bool {
-        let (t, end) = (self.handed.t, 2 * (first + BLOCK));
-        !C::IS_FINITE
-            && t.halved == [true, true]
-            && cells == BLOCK
-            && end <= t.fine[1]
-            && (2 * r + 1) * t.fine[1] + end <= self.nodes.len()
-    }
-
-    #[inline(always)]
-    fn drop_block(&mut self, r: usize, first: usize, added: Added<'_>, smallest: &mut [f32]) {
-        let t = self.handed.t;
-        let mut more = [0.0; BLOCK];
-        more.iter_mut().enumerate().for_each(|(c, more)| *more = added.at(first + c));
-        let upper = 2 * r * t.fine[1] + 2 * first;
-        let lower = upper + t.fine[1];
-        let trial = [upper, lower].map(|i| &self.trial[i..][..2 * BLOCK]);
-        let (above, below) = self.nodes.split_at_mut(lower);
-        let nodes = [&mut above[upper..][..2 * BLOCK], &mut below[..2 * BLOCK]];
-        let block = Block::drop_in_tension(&more, trial, nodes);
-        if block.dropped > 0 {
-            self.handed.begin_with(self.found.1);
-            self.handed.add_block(r, first, &block.loads);
-        }
-        self.found.0 += block.excess;
-        self.found.1 += block.dropped;
-        smallest.copy_from_slice(&block.smallest);
-        let weight = &mut self.weight[r * t.coarse[1] + first..][..BLOCK];
-        for (w, filled) in weight.iter_mut().zip(block.filled) {
-            *w = self.capacity.of(filled * t.node_share());
         }
     }
 

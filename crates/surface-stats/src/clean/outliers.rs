@@ -53,8 +53,8 @@ impl Outliers {
     }
 }
 
-/// Points whose distances give the standard deviation, with a standard error of 2 %.
-const SAMPLE: usize = 5_000;
+/// Points whose distances give the standard deviation, with a standard error of 1 to 2 %.
+const SAMPLE: usize = 8_000;
 
 /// Parts of a Gaussian's distances and how many standard deviations they stay within. Where half of a map is flat, as worn
 /// tops are or heights in coarse steps, the median says nothing of the rest.

@@ -1,8 +1,7 @@
 //! Moments of a trace by finite differences, and how they depend on the spacing.
 
 use super::Trace;
-use crate::sampling::differences;
-use crate::{Edges, HeightStatistics};
+use crate::HeightStatistics;
 use contact_types::SpectralMoments;
 
 /// m0, m2, m4 of a trace by finite differences of neighbouring points:
@@ -47,13 +46,20 @@ pub fn moments_by_spacing(trace: &Trace) -> Vec<AtSpacing> {
 
 fn at(trace: &Trace, every: usize) -> SpectralMoments {
     let distance = every as f64 * trace.spacing();
-    let [slope, curvature] = differences(trace.as_map(), Edges::Open, every, [0, 1]);
-    let square = distance * distance;
+    let (square, z) = (distance * distance, trace.heights());
+    let slope = mean_square(z.windows(every + 1).map(|w| w[every] - w[0]));
+    let middle = |w: &[f64]| w[2 * every] - w[every] - (w[every] - w[0]);
+    let curvature = mean_square(z.windows(2 * every + 1).map(middle));
     SpectralMoments {
         m0: HeightStatistics::of(trace.as_map()).rms_height.powi(2),
         m2: slope / square,
         m4: curvature / square / square,
     }
+}
+
+fn mean_square(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = values.len() as f64;
+    values.map(|value| value * value).sum::<f64>() / count
 }
 
 #[cfg(test)]
