@@ -14,10 +14,7 @@ struct Published {
     folder: String,
 }
 
-pub(crate) fn run(args: &[String]) -> TaskResult {
-    if !args.is_empty() {
-        return Err(format!("unknown arguments {args:?}; strangers takes none"));
-    }
+pub(crate) fn run() -> TaskResult {
     let published = published()?;
     package(&published)?;
     compile_front_pages(&published)?;
