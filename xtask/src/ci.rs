@@ -37,6 +37,7 @@ fn run_all(also: Also) -> TaskResult {
     if also == Also::Slow {
         steps.push(check("extremes"));
         steps.push(step(&["xtask", "figures", "--check"]));
+        steps.push(step(&["xtask", "bench", "--check"]));
         steps.push(step(&["test", "--workspace", "--locked", "--", "--ignored"]));
     }
     let mut failed = Vec::new();

@@ -5,12 +5,11 @@
 use crate::progress::Watch;
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use crate::threads::on_threads;
 use crate::{EdgesName, Listener, Origin, Settings, StudyError, Surrounded};
 use contact_accuracy::{Ladder, Setup, regrid};
 use contact_types::{Clock, ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Maps, Solver};
-use rayon::join;
+use grid_fft::parallel::{join, on_threads};
 use std::borrow::Cow;
 use surface_stats::clean::mirrored;
 use surface_stats::{Level, level};

@@ -4,12 +4,11 @@
 use crate::progress::Watch;
 use crate::result::{Coarser, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use crate::threads::on_threads;
 use crate::{Listener, Settings, StudyError, Surrounded};
 use contact_accuracy::thinned;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Maps};
-use rayon::prelude::*;
+use grid_fft::parallel::{self, on_threads};
 use std::borrow::Cow;
 
 /// Point spacings tried, in spacings of the map. Together they have
@@ -55,8 +54,7 @@ fn solve_all(
 ) -> Result<(), StudyError> {
     let mut watch = Watch::new(progress, surface.headline);
     // All maps first: nothing else runs while a solution is timed.
-    let maps: Vec<Option<HeightMap>> =
-        COARSER.into_par_iter().map(|factor| coarsened(&surface.surface, factor)).collect();
+    let maps = parallel::map(&COARSER, |factor| coarsened(&surface.surface, *factor));
     for (factor, map) in COARSER.into_iter().zip(maps) {
         let found =
             map.and_then(|map| solve(surface, settings, modulus, (factor, &map), &mut watch));

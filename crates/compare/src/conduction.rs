@@ -11,12 +11,12 @@ use crate::registry::find;
 use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
 use crate::solver_of::builder;
-use crate::threads::on_threads;
 use crate::{GapGas, Input, Inputs, Listener, StudyError, Surrounded, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
 use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
 use fft_bem_solver::Load;
+use grid_fft::parallel::on_threads;
 use std::borrow::Cow;
 
 /// Points along the shorter side that the shortest wave left must fit, twice.

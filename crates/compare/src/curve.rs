@@ -11,7 +11,7 @@ use crate::spots::{Spots, spot_list};
 use contact_accuracy::{Answered, Map, Sink};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Iteration, Solution, SolverError};
-use rayon::join;
+use grid_fft::parallel::join;
 use std::ops::ControlFlow;
 
 /// Area fraction the headline is looked for at.

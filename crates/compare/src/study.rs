@@ -13,7 +13,6 @@ use crate::result::{
 use crate::sections::telling_row;
 use crate::solver_of::{builder, elastic};
 use crate::theory::{BuildError, Theory};
-use crate::threads::on_threads;
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
 use crate::{Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, default_pressures};
@@ -22,7 +21,7 @@ use contact_accuracy::{
 };
 use contact_types::{Clock, ContactModulus, ContactState, ModelError};
 use fft_bem_solver::{Iteration, Load, Maps, SolverBuilder, SolverError};
-use rayon::join;
+use grid_fft::parallel::{join, on_threads};
 use std::ops::ControlFlow;
 use surface_stats::Spectra;
 
