@@ -71,7 +71,7 @@ fn solve(
     (factor, map): (usize, &HeightMap),
     watch: &mut Watch<'_, '_>,
 ) -> Option<Coarser> {
-    let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction_corrected;
+    let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction;
     let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
     let mut solver = builder(settings).maps(Maps::None).build(whole.map().grid(), modulus).ok()?;
     let load = Load::MeanPressure(surface.headline_pressure());
@@ -89,9 +89,9 @@ fn solve(
     (truth > 0.0).then(|| Coarser {
         factor,
         shape: map.grid().shape(),
+        touching_fraction: solution.touching_fraction(),
         area_fraction: solution.state.area_fraction,
-        area_fraction_corrected: found.area_fraction_corrected,
-        error: found.area_fraction_corrected / truth - 1.0,
+        error: solution.state.area_fraction / truth - 1.0,
         seconds,
     })
 }
@@ -136,11 +136,11 @@ mod tests {
         let surface = &study.surfaces[0];
         let shapes: Vec<[usize; 2]> = surface.coarser.iter().map(|c| c.shape).collect();
         assert_eq!(shapes, [[64, 64], [32, 32], [16, 16]]);
-        let truth = surface.headline_answer().unwrap().area_fraction_corrected;
+        let truth = surface.headline_answer().unwrap().area_fraction;
         for c in &surface.coarser {
-            let error = c.area_fraction_corrected / truth - 1.0;
+            let error = c.area_fraction / truth - 1.0;
             assert!((c.error - error).abs() < 1e-15);
-            assert!(c.area_fraction > c.area_fraction_corrected && c.seconds > 0.0);
+            assert!(c.touching_fraction > c.area_fraction && c.seconds > 0.0);
         }
         let half = &surface.coarser[0];
         let uncertainty = surface.headline_answer().unwrap().uncertainty().unwrap();

@@ -286,7 +286,7 @@ fn sticking(found: &SurfaceComparison, settings: &Settings) -> Option<Adhesion> 
         .iter()
         .filter_map(|p| {
             let answer = p.answer.as_ref().filter(|a| a.converged)?;
-            Some([p.mean_pressure, answer.area_fraction_corrected])
+            Some([p.mean_pressure, answer.area_fraction])
         })
         .collect();
     let own = found
@@ -391,7 +391,7 @@ fn ask(
 /// Signed relative error of an area.
 fn error(model: &Result<ContactState, ModelError>, reference: &DeterministicPoint) -> Option<f64> {
     let area = model.as_ref().ok()?.area_fraction;
-    let truth = reference.answer.as_ref()?.area_fraction_corrected;
+    let truth = reference.answer.as_ref()?.area_fraction;
     (truth > 0.0).then(|| area / truth - 1.0)
 }
 
