@@ -9,7 +9,7 @@ use std::time::Instant;
 #[derive(Clone, Copy, PartialEq)]
 enum Also {
     Nothing,
-    /// Tests that take minutes.
+    /// Tests that take minutes, and the solver in Node.
     Slow,
     /// What needs more than the Rust toolchain: Python and the package index; Chromium and Node.
     All,
@@ -39,6 +39,7 @@ fn run_all(also: Also) -> TaskResult {
         steps.push(step(&["xtask", "figures", "--check"]));
         steps.push(step(&["xtask", "bench", "--check"]));
         steps.push(step(&["test", "--workspace", "--locked", "--", "--ignored"]));
+        steps.push(Command::new(shell::root().join(".ci/wasm")));
     }
     let mut failed = Vec::new();
     for step in &mut steps {

@@ -18,7 +18,7 @@ pub(crate) fn thread_index() -> usize {
 }
 
 /// How many threads share the work of the code that runs now.
-pub fn threads() -> usize {
+pub(crate) fn threads() -> usize {
     #[cfg(feature = "parallel")]
     return rayon::current_num_threads();
     #[cfg(not(feature = "parallel"))]

@@ -96,7 +96,7 @@ pub fn relative_interval(value: f64, [low, high]: [f64; 2]) -> String {
 
 /// "+399 %", "−4.3 %": a signed relative error, whole per cent from 10, one decimal below, three
 /// digits from 1000.
-pub fn signed_percent(error: f64) -> String {
+pub(crate) fn signed_percent(error: f64) -> String {
     format!("{}{SPACE}%", signed(100.0 * error))
 }
 
@@ -107,7 +107,7 @@ pub fn signed_range(low: f64, high: f64) -> String {
 }
 
 /// The number of [`signed_percent`] without its unit.
-pub fn signed(percent: f64) -> String {
+pub(crate) fn signed(percent: f64) -> String {
     let text = match percent.abs() {
         size if size >= 999.5 => fixed_significant(percent, 3),
         size => fixed(percent, usize::from(size < 9.95)),
@@ -131,7 +131,7 @@ pub fn duration(seconds: f64) -> String {
 }
 
 /// "20 000" or "21": how many times; two digits below 100, one above.
-pub fn times(ratio: f64) -> String {
+pub(crate) fn times(ratio: f64) -> String {
     fixed_significant(ratio, if ratio < 99.5 { 2 } else { 1 })
 }
 
@@ -146,7 +146,7 @@ pub const PASCALS: &[Unit] = &[
 ];
 
 /// Multiples of the square metre.
-pub const AREAS: &[Unit] = &[
+pub(crate) const AREAS: &[Unit] = &[
     Unit { scale: 1e-18, name: "nm²" },
     Unit { scale: 1e-12, name: "µm²" },
     Unit { scale: 1e-6, name: "mm²" },
