@@ -98,19 +98,19 @@ fn run(args: &[String]) -> TaskResult {
 
 /// Prints how to call the tasks whose name begins so.
 fn help(task: &str) -> TaskResult {
+    let begins = |line: &str| line.trim_start().starts_with(task);
+    // What is further in goes on with the line above it.
+    let paragraphs: Vec<&str> = USAGE.split("\n  ").collect();
     let mut is_shown = false;
-    println!("Usage: cargo xtask TASK");
-    for line in USAGE.lines() {
-        // A line further in goes on with the one above it.
-        is_shown = if line.starts_with("    ") {
-            is_shown
-        } else {
-            line.trim_start().starts_with(task) || line.starts_with("--")
-        };
-        if is_shown {
-            println!("{line}");
-        }
+    let shown = paragraphs.into_iter().filter(|text| {
+        is_shown = if text.starts_with(' ') { is_shown } else { begins(text) };
+        is_shown
+    });
+    let shown: Vec<&str> = shown.collect();
+    if shown.is_empty() {
+        return Err(format!("there is no task '{task}'\n{USAGE}"));
     }
+    println!("cargo xtask\n  {}", shown.join("\n  ").trim());
     Ok(())
 }
 

@@ -347,8 +347,8 @@ impl Solve {
             headings.push("±"); // the load is an answer too
         }
         headings.extend([
+            "touching",
             "area",
-            "corrected",
             "±",
             "± surface",
             "mean gap",
