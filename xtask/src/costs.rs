@@ -38,14 +38,14 @@ fn packages() -> impl Iterator<Item = &'static str> {
 
 fn dependencies() -> Result<String, String> {
     let mut table =
-        String::from("| crate | of ours | from the registry | limit | public names |\n");
-    table.push_str("|---|---:|---:|---:|---:|\n");
+        String::from("| crate | of ours | from the registry (limit) | public names |\n");
+    table.push_str("|---|---:|---:|---:|\n");
     for package in packages() {
         let along = brought_along(package)?;
         let limit = LAYERS.iter().find(|row| row.0 == package).map_or(0, |row| row.3);
         let (own, others) = (along.own.len(), along.from_registry.len());
         let names: usize = sources(package).iter().map(|text| public_names(text)).sum();
-        let _ = writeln!(table, "| `{package}` | {own} | {others} | {limit} | {names} |");
+        let _ = writeln!(table, "| `{package}` | {own} | {others} ({limit}) | {names} |");
     }
     Ok(table)
 }
