@@ -17,6 +17,7 @@ pub enum Level {
     /// Nothing: the heights stay as they are.
     None,
     /// The mean height.
+    #[default]
     Mean,
     /// The plane.
     Plane,
@@ -24,7 +25,6 @@ pub enum Level {
     Quadratic,
     /// The plane, the tilt of a mounting; but the mean where opposite edges meet and the plane would take them apart,
     /// for a map that repeats has no tilt.
-    #[default]
     Auto,
 }
 

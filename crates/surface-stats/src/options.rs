@@ -2,7 +2,7 @@
 
 use crate::{Edges, Level, StatsError};
 
-/// How statistics are taken; by default as the command takes them, without the tilt.
+/// How statistics are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct StatsOptions {
