@@ -3,6 +3,7 @@
 use crate::generated::keep_section;
 use crate::shell::{self, TaskResult, cargo, files, output, read, root};
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -11,11 +12,16 @@ use std::process::Command;
 const SHOWN: [&str; 5] =
     ["curve/", "kernels/transform", "read/", "solve/chord/f64", "statistics/of/"];
 
+const PAGE: &str = "docs/src/benchmarks.md";
+
 /// Runs `cargo bench ARGS` (by default every benchmark of the workspace), then collects the
-/// results that lie in `target/criterion`.
+/// results that lie in `target/criterion`. `--check` compares the names on the page with those of the benchmarks.
 pub(crate) fn run(args: &[String]) -> TaskResult {
     let mut bench = cargo();
     bench.args(["bench", "--locked"]);
+    if args == ["--check"] {
+        return check(&output(bench.args(["--workspace", "--benches", "--", "--list"]))?);
+    }
     if args.is_empty() {
         bench.arg("--workspace");
     }
@@ -28,14 +34,33 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
             rows.push(row(folder)?);
         }
     }
-    rows.retain(|(id, _)| SHOWN.iter().any(|group| id.starts_with(group)));
+    rows.retain(|(id, _)| is_shown(id));
     rows.sort_by(|a, b| a.0.cmp(&b.0));
     let mut text = machine()?;
     text.push_str("\n| benchmark | time | spread | per pixel |\n|---|---:|---:|---:|\n");
     for (_, line) in rows {
         text.push_str(&line);
     }
-    keep_section("docs/src/benchmarks.md", "benchmarks", &text, false)
+    keep_section(PAGE, "benchmarks", &text, false)
+}
+
+fn is_shown(id: &str) -> bool {
+    SHOWN.iter().any(|group| id.starts_with(group))
+}
+
+/// The page has the benchmarks that criterion lists, and no others.
+fn check(list: &str) -> TaskResult {
+    let listed = list.lines().filter_map(|line| line.strip_suffix(": benchmark"));
+    let listed: BTreeSet<&str> = listed.filter(|id| is_shown(id)).collect();
+    let page = read(&root().join(PAGE))?;
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    let differ: Vec<&str> =
+        rows.collect::<BTreeSet<_>>().symmetric_difference(&listed).copied().collect();
+    if differ.is_empty() {
+        Ok(())
+    } else {
+        Err(format!("only in {PAGE} or only in the benchmarks: {}", differ.join(", ")))
+    }
 }
 
 /// The id of one benchmark and its line of the table.

@@ -9,26 +9,24 @@ use std::time::Instant;
 #[derive(Clone, Copy, PartialEq)]
 enum Also {
     Nothing,
-    /// Tests that take minutes.
+    /// Tests that take minutes, and the solver in Node.
     Slow,
     /// What needs more than the Rust toolchain: Python and the package index; Chromium and Node.
     All,
 }
 
-/// Studies whose pages follow from committed tables, which takes seconds: no page may stay behind its table.
-const PAGES: [&str; 2] = ["coverage", "tradeoff"];
+/// Studies whose pages are compared with what they would be, which takes seconds.
+const PAGES: [&str; 4] = ["tables", "costs", "coverage", "tradeoff"];
 
 fn run_all(also: Also) -> TaskResult {
     let mut steps = vec![
         step(&["fmt", "--all", "--check"]),
-        step(&["xtask", "tidy"]),
+        step(&["xtask", "check", "tidy"]),
         clippy()?,
         documentation(),
-        step(&["xtask", "features"]),
-        step(&["xtask", "strangers"]),
+        step(&["xtask", "check", "features"]),
+        step(&["xtask", "check", "strangers"]),
         step(&["test", "--workspace", "--locked"]),
-        check("docs"),
-        check("costs"),
     ];
     steps.extend(PAGES.map(check));
     if also == Also::All {
@@ -39,7 +37,9 @@ fn run_all(also: Also) -> TaskResult {
     if also == Also::Slow {
         steps.push(check("extremes"));
         steps.push(step(&["xtask", "figures", "--check"]));
+        steps.push(step(&["xtask", "bench", "--check"]));
         steps.push(step(&["test", "--workspace", "--locked", "--", "--ignored"]));
+        steps.push(Command::new(shell::root().join(".ci/wasm")));
     }
     let mut failed = Vec::new();
     for step in &mut steps {
@@ -56,9 +56,9 @@ fn run_all(also: Also) -> TaskResult {
     if failed.is_empty() { Ok(()) } else { Err(format!("failed: {}", failed.join("; "))) }
 }
 
-/// Verifies that what `task` generates is current, with the programs that the tests have built.
-fn check(task: &str) -> Command {
-    let mut command = step(&["xtask", task, "--check"]);
+/// Verifies that what a study writes is current, with the programs that the tests have built.
+fn check(study: &str) -> Command {
+    let mut command = step(&["xtask", "study", study, "--check"]);
     command.env(shell::BUILT, "1");
     command
 }

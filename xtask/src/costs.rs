@@ -1,9 +1,11 @@
 //! The page "what each part costs": dependencies, allocations, build times.
 
 use crate::bench::machine;
+use crate::counters::public_names;
 use crate::dependencies::{LAYERS, brought_along};
 use crate::generated::{keep_section, keep_section_within};
-use crate::shell::{self, TaskResult, cargo, example, output, root};
+use crate::shell::{self, TaskResult, cargo, example, files, output, root};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -35,15 +37,25 @@ fn packages() -> impl Iterator<Item = &'static str> {
 }
 
 fn dependencies() -> Result<String, String> {
-    let mut table = String::from("| crate | of ours | from the registry | limit |\n");
+    let mut table =
+        String::from("| crate | of ours | from the registry (limit) | public names |\n");
     table.push_str("|---|---:|---:|---:|\n");
     for package in packages() {
         let along = brought_along(package)?;
         let limit = LAYERS.iter().find(|row| row.0 == package).map_or(0, |row| row.3);
         let (own, others) = (along.own.len(), along.from_registry.len());
-        let _ = writeln!(table, "| `{package}` | {own} | {others} | {limit} |");
+        let names: usize = sources(package).iter().map(|text| public_names(text)).sum();
+        let _ = writeln!(table, "| `{package}` | {own} | {others} ({limit}) | {names} |");
     }
     Ok(table)
+}
+
+/// The sources of a crate, whose folder may lack the beginning of its name.
+fn sources(package: &str) -> Vec<String> {
+    let short = package.strip_prefix("contact-").unwrap_or(package);
+    let folders = [package, short].map(|name| root().join("crates").join(name).join("src"));
+    let paths = folders.iter().flat_map(|folder| files(folder, "rs")).collect::<BTreeSet<_>>();
+    paths.iter().filter_map(|path| std::fs::read_to_string(path).ok()).collect()
 }
 
 /// Programs whose size is shown: package, arguments that build it, where it lies.

@@ -88,7 +88,7 @@ fn code(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Public items and methods of a file; fields and variants are not counted.
-fn public_names(text: &str) -> usize {
+pub(crate) fn public_names(text: &str) -> usize {
     let kinds = ["fn ", "struct ", "enum ", "trait ", "const ", "type ", "static "];
     let named = |line: &str| {
         line.trim_start()

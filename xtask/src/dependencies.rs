@@ -28,6 +28,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         &[
             "contact-accuracy",
             "contact-types",
+            "grid-fft",
             "surface-stats",
             "gw-closed-form",
             "asperity-models",
@@ -40,7 +41,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
     (
         "contact-report",
         4,
-        &["contact-accuracy", "contact-types", "surface-stats", "contact-compare"],
+        &["contact-accuracy", "contact-types", "grid-fft", "surface-stats", "contact-compare"],
         65,
     ),
     // What a front end answers, without its words for options, its tables and its files.
@@ -50,6 +51,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         &[
             "contact-accuracy",
             "contact-types",
+            "grid-fft",
             "surface-io",
             "surface-stats",
             "multiscale-models",

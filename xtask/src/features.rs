@@ -4,10 +4,7 @@ use crate::shell::{self, TaskResult, cargo, output};
 use serde_json::Value;
 
 /// Checks each crate of the workspace that has features, one combination after the other.
-pub(crate) fn run(args: &[String]) -> TaskResult {
-    if !args.is_empty() {
-        return Err(format!("unknown arguments {args:?}; features takes none"));
-    }
+pub(crate) fn run() -> TaskResult {
     let text =
         output(cargo().args(["metadata", "--no-deps", "--locked", "--format-version", "1"]))?;
     let metadata: Value =

@@ -7,10 +7,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Prints them for a package, for a target that its program is built for.
-pub(crate) fn run(args: &[String]) -> TaskResult {
-    let [package, target] = args else {
-        return Err("give a package and a target, as x86_64-unknown-linux-musl".to_owned());
-    };
+pub(crate) fn run(package: &str, target: &str) -> TaskResult {
     print!("{}", text(package, target)?);
     Ok(())
 }

@@ -9,7 +9,6 @@ mod costs;
 mod counters;
 mod coverage;
 mod dependencies;
-mod docs;
 mod extremes;
 mod features;
 mod figures;
@@ -19,79 +18,108 @@ mod release;
 mod shell;
 mod strangers;
 mod surfaces;
+mod tables;
 mod tidy;
 mod tradeoff;
 mod validate;
 mod web;
 
+use shell::TaskResult;
 use std::process::ExitCode;
 
-const USAGE: &str = "\
-Usage: cargo xtask <task> [options]
-
-  compare [FILE.. OPTIONS]  the study: measured or built-in surfaces, every model, the
-                            deterministic solution; without arguments into target/compare/
-  validate [--check]        the solver against exact solutions; table into the book
-  figures [--check]         the figures that README and book show
-  docs [--check]            the tables of models and formats in the book
-  extremes [--check]        models, statistics, solver at their extremes; table into the book
-  costs [--check | --build] what each crate brings along and each call allocates; with --build
-                            how long each takes to build from clean (minutes)
-  coverage [--check]        how often the uncertainties hold; tables into the book (ten minutes)
-  bench [ARGS]              the benchmarks; their table into the book
+const USAGE: &str = "
+  compare [FILE.. OPTIONS]    every model on surfaces; without arguments the built-in ones, into target/compare
+  figures [--check]           the figures of README and book
+  bench [--check | ARGS]      the benchmarks, their table into the book
+  study costs [--build]       what each crate brings along and allocates; --build: build times (minutes)
+  study coverage              how often the intervals cover the error (ten minutes)
+  study extremes              models, statistics and solver at extreme inputs
+  study tables                the tables of models and of file formats
+  study tradeoff [--quick | --figures-only]
+                              time against true error (ten minutes, idle machine)
   surfaces --dir DIR --expected FILE
-                            files of instruments against expected values, one line each
-  tradeoff [--quick | --figures-only | --check]
-                            time against true error, models and solver; table, figures, page
-                            (under 10 minutes; wants a quiet machine)
-  tidy                      layers, circles of files, citations, pages, file lengths, dependency counts,
-                            and what the project weighs against xtask/counters.toml
-  features                  every crate builds without and with each of its features
-  web                       the page that computes in a browser, one file: target/page/rough-contact.html
-  licences PACKAGE TARGET   the licences of what a program is linked with, as archives carry them
-  release [TAG | --notes]   the version is the same in every file that states it, and that of the tag; with
-                            --notes what has changed with it
-  strangers                 every published crate can be packaged, and its front-page example
-                            compiles with that crate alone
-  ci [--slow]               everything a change must pass, as the CI runs it
+                              files of instruments against expected values, one line each
+  validate [--check]          the solver against exact solutions, into the book
+  check                       tidy, features and strangers
+  check tidy                  layers, circles of files, pages, file lengths, limits of xtask/counters.toml
+  check features              every crate builds without and with each of its features
+  check strangers             every published crate can be packaged, and used from outside
+  web                         the page for a browser: target/page/rough-contact.html
+  release [TAG | --notes]     the version agrees everywhere and with TAG; its part of the changelog
+  release --licences PACKAGE TARGET
+                              licences of what a program is linked with
+  ci [--slow | --all]         everything a change must pass
 
---check verifies that what is committed is current instead of writing it.";
+--check, also of each study, compares with what is committed instead of writing it.";
+
+/// Former names and what they are called now.
+const FORMER: [(&str, &str); 9] = [
+    ("costs", "study costs"),
+    ("coverage", "study coverage"),
+    ("docs", "study tables"),
+    ("extremes", "study extremes"),
+    ("features", "check features"),
+    ("licences", "release --licences"),
+    ("strangers", "check strangers"),
+    ("tidy", "check tidy"),
+    ("tradeoff", "study tradeoff"),
+];
+
+fn run(args: &[String]) -> TaskResult {
+    match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => help(""),
+        ["study"] => help("study"),
+        [ref task @ .., "help" | "--help" | "-h"] if task.len() < 3 => help(&task.join(" ")),
+        ["compare", ..] => compare::run(&args[1..]),
+        ["figures", ..] => figures::run(&args[1..]),
+        ["bench", ..] => bench::run(&args[1..]),
+        ["study", "costs", ..] => costs::run(&args[2..]),
+        ["study", "coverage", ..] => coverage::run(&args[2..]),
+        ["study", "extremes", ..] => extremes::run(&args[2..]),
+        ["study", "tables", ..] => tables::run(&args[2..]),
+        ["study", "tradeoff", ..] => tradeoff::run(&args[2..]),
+        ["surfaces", ..] => surfaces::run(&args[1..]),
+        ["validate", ..] => validate::run(&args[1..]),
+        ["check"] => tidy::run().and_then(|()| features::run()).and_then(|()| strangers::run()),
+        ["check", "tidy"] => tidy::run(),
+        ["check", "features"] => features::run(),
+        ["check", "strangers"] => strangers::run(),
+        ["web"] => web::run(),
+        ["release", "--licences", package, target] => licences::run(package, target),
+        ["release", "--notes"] => release::print_notes(),
+        ["release", ..] => release::run(&args[1..]),
+        ["ci", ..] => ci::run(&args[1..]),
+        [task, ..] => match FORMER.iter().find(|(former, _)| *former == task) {
+            Some((_, now)) => Err(format!("'{task}' is now 'cargo xtask {now}'")),
+            None => Err(format!("there is no task '{}'\n{USAGE}", args.join(" "))),
+        },
+    }
+}
+
+/// Prints how to call the tasks whose name begins so.
+fn help(task: &str) -> TaskResult {
+    let begins = |line: &str| line.trim_start().starts_with(task);
+    // What is further in goes on with the line above it.
+    let paragraphs: Vec<&str> = USAGE.split("\n  ").collect();
+    let mut is_shown = false;
+    let shown = paragraphs.into_iter().filter(|text| {
+        is_shown = if text.starts_with(' ') { is_shown } else { begins(text) };
+        is_shown
+    });
+    let shown: Vec<&str> = shown.collect();
+    if shown.is_empty() {
+        return Err(format!("there is no task '{task}'\n{USAGE}"));
+    }
+    println!("cargo xtask\n  {}", shown.join("\n  ").trim());
+    Ok(())
+}
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
-    let (task, rest) = match args.split_first() {
-        Some((task, rest)) => (task.as_str(), rest),
-        None => ("help", &[][..]),
-    };
-    let result = match task {
-        "compare" => compare::run(rest),
-        "validate" => validate::run(rest),
-        "figures" => figures::run(rest),
-        "costs" => costs::run(rest),
-        "coverage" => coverage::run(rest),
-        "docs" => docs::run(rest),
-        "extremes" => extremes::run(rest),
-        "features" => features::run(rest),
-        "strangers" => strangers::run(rest),
-        "bench" => bench::run(rest),
-        "release" if rest == ["--notes"] => release::print_notes(),
-        "release" => release::run(rest),
-        "surfaces" => surfaces::run(rest),
-        "licences" => licences::run(rest),
-        "tradeoff" => tradeoff::run(rest),
-        "tidy" => tidy::run(rest),
-        "web" => web::run(rest),
-        "ci" => ci::run(rest),
-        "help" | "--help" | "-h" => {
-            println!("{USAGE}");
-            Ok(())
-        }
-        other => Err(format!("there is no task '{other}'\n\n{USAGE}")),
-    };
-    match result {
+    match run(&args) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
-            eprintln!("xtask {task}: {message}");
+            eprintln!("xtask: {message}");
             ExitCode::FAILURE
         }
     }

@@ -22,6 +22,14 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
         if notes(&version)?.trim().is_empty() {
             faults.push(format!("CHANGELOG.md has nothing below \"## {version}\""));
         }
+        let heading =
+            format!("\n## {version} ({})\n", stated("CITATION.cff", "\ndate-released: ", "\n")?);
+        if !read(&root().join("CHANGELOG.md"))?.replace("\r\n", "\n").contains(&heading) {
+            faults.push(format!(
+                "CHANGELOG.md has not the heading of CITATION.cff, \"{}\"",
+                heading.trim()
+            ));
+        }
     } else if !args.is_empty() {
         return Err(format!("unknown arguments {args:?}; release takes a tag or nothing"));
     }

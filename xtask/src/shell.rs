@@ -22,8 +22,8 @@ pub(crate) fn cargo() -> Command {
 /// `rough-contact ARGS`, built in release with what the study needs and no more. Relative paths are the
 /// caller's: the command runs where the task was started.
 pub(crate) fn rough_contact(args: &[String]) -> Command {
-    let mut command =
-        released("rough-contact", &["--no-default-features"], ["--bin", "rough-contact"]);
+    let needed = ["--no-default-features", "--features", "command,parallel"];
+    let mut command = released("rough-contact", &needed, ["--bin", "rough-contact"]);
     command.args(args);
     command
 }

@@ -14,10 +14,7 @@ struct Published {
     folder: String,
 }
 
-pub(crate) fn run(args: &[String]) -> TaskResult {
-    if !args.is_empty() {
-        return Err(format!("unknown arguments {args:?}; strangers takes none"));
-    }
+pub(crate) fn run() -> TaskResult {
     let published = published()?;
     package(&published)?;
     compile_front_pages(&published)?;
@@ -37,12 +34,15 @@ fn run_external() -> TaskResult {
         // The versions of the workspace above; a lock file of its own would be one more to keep.
         std::fs::copy(root().join("Cargo.lock"), program.join("Cargo.lock"))
             .map_err(|e| format!("cannot copy Cargo.lock: {e}"))?;
-        let mut run = cargo();
-        run.current_dir(root().join("target"));
-        run.args(["run", "--quiet", "--offline", "--target-dir", "."]);
-        run.arg("--manifest-path").arg(program.join("Cargo.toml"));
-        run.args(["--", "external"]); // the folder that it writes to
-        shell::run(&mut run)?;
+        // The folder that it writes to, and the examples in its documentation.
+        for (what, args) in [("run", &["--", "target/external"][..]), ("test", &["--doc"])] {
+            let mut run = cargo();
+            // The flags of .cargo/config.toml name a file by its path from here.
+            run.env("RUSTDOCFLAGS", "");
+            run.args([what, "--quiet", "--offline", "--target-dir", "target"]);
+            run.arg("--manifest-path").arg(program.join("Cargo.toml"));
+            shell::run(run.args(args))?;
+        }
     }
     println!("external programs: {} built and run", programs.len());
     Ok(())

@@ -21,10 +21,7 @@ const MEDIAN_FILE: usize = 250;
 /// Folders of crates that talk to a person; all others are libraries.
 const TALKING: [&str; 3] = ["rough-contact", "studies", "web"];
 
-pub(crate) fn run(args: &[String]) -> TaskResult {
-    if !args.is_empty() {
-        return Err(format!("unknown arguments {args:?}; tidy takes none"));
-    }
+pub(crate) fn run() -> TaskResult {
     let mut faults = Vec::new();
     let packages = packages()?;
     layers(&packages, &mut faults);

@@ -35,7 +35,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
 }
 
 /// Figures and page from the committed table, or whether they are what they would be.
-pub(crate) fn redraw(check: bool) -> TaskResult {
+fn redraw(check: bool) -> TaskResult {
     let folder = root().join("target/tradeoff-page");
     draw(Path::new(TABLE), &folder)?;
     for name in ["tradeoff-area.svg", "tradeoff-pressure.svg"] {
@@ -57,7 +57,7 @@ fn measure(args: &[&str]) -> Result<String, String> {
     let load = before.zip(load_average()).map_or(String::new(), |(before, after)| {
         format!("# Load average of the machine: {before} before, {after} at the end, this run included.\n")
     });
-    Ok(format!("# Made by 'cargo xtask tradeoff'.\n# {}\n{load}{table}", machine.trim()))
+    Ok(format!("# Made by 'cargo xtask study tradeoff'.\n# {}\n{load}{table}", machine.trim()))
 }
 
 /// Load average over the last minute, where the system tells.

@@ -6,10 +6,7 @@ use std::process::Command;
 /// The system interface that the engine of the page is built for: arguments, one file in, lines out.
 const TARGET: &str = "wasm32-wasip1";
 
-pub(crate) fn run(args: &[String]) -> TaskResult {
-    if !args.is_empty() {
-        return Err(format!("unknown arguments {args:?}; web takes none"));
-    }
+pub(crate) fn run() -> TaskResult {
     let installed = output(Command::new("rustup").args(["target", "list", "--installed"]))?;
     if !installed.lines().any(|line| line == TARGET) {
         return Err(format!("the engine is built for {TARGET}: rustup target add {TARGET}"));

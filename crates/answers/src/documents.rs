@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use compare::{Comparison, ProfileComparison, RunFile};
-use rayon::prelude::*;
+use grid_fft::parallel;
 use report::{Provenance, ReportError};
 
 /// Names of the documents, in the order in which they are written.
@@ -81,6 +81,6 @@ pub fn documents(
         }
         Ok(out)
     };
-    let all: Vec<_> = DOCUMENTS.into_par_iter().map(|name| Ok((name, made(name)?))).collect();
+    let all = parallel::map(&DOCUMENTS, |name| Ok((*name, made(name)?)));
     all.into_iter().collect()
 }

@@ -28,7 +28,7 @@ pub(crate) fn object(given: Hardness) -> Value {
 pub(crate) fn add(point: &mut Value, solution: &Solution) {
     let Some(yielded) = solution.diagnostics.yielded else { return };
     if let Value::Object(keys) = point {
-        keys.extend(report::yield_keys(Some(yielded), solution.state.area_fraction));
+        keys.extend(report::yield_keys(Some(yielded), solution.touching_fraction()));
     }
 }
 

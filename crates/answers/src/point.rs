@@ -65,7 +65,7 @@ impl Point {
 /// The numbers of another rung.
 fn numbers(found: &Numbers) -> Value {
     json!({
-        "area_fraction_corrected": found.area,
+        "area_fraction": found.area,
         "mean_pressure": found.mean_pressure,
         "mean_gap": found.mean_gap,
         "stiffness": found.stiffness,
@@ -77,9 +77,9 @@ fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&Solver
     let Some((solution, budget)) = found else {
         let asked = if let Load::MeanPressure(p) = load { Some(p) } else { None };
         let mut json = json!({
-                "mean_pressure": asked, "area_fraction": null, "area_fraction_corrected": null,
+                "mean_pressure": asked, "touching_fraction": null, "area_fraction": null,
                 "mean_gap": if let Load::MeanGap(g) = load { Some(g) } else { None },
-                "approach": null, "max_pressure": null, "real_pressure": null,
+                "approach": null, "max_pressure": null,
                 "converged": false, "stopped_at_rounding": false, "iterations": null,
                 "transforms": null, "seconds": null,
                 "residuals": null, "duality_gap": null, "error": error_json,
@@ -88,15 +88,13 @@ fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&Solver
         return json;
     };
     let (state, d) = (&solution.state, &solution.diagnostics);
-    let real = state.real_pressure();
     let mut json = json!({
         "mean_pressure": state.mean_pressure,
+        "touching_fraction": solution.touching_fraction(),
         "area_fraction": state.area_fraction,
-        "area_fraction_corrected": d.area_fraction_corrected,
         "mean_gap": state.mean_gap,
         "approach": solution.approach,
         "max_pressure": d.max_pressure,
-        "real_pressure": real,
         "converged": error.is_none(),
         "stopped_at_rounding": d.end == End::Rounding,
         "iterations": d.iterations,

@@ -67,7 +67,7 @@ impl Work {
     pub(crate) fn small(&self) -> usize {
         let solved = self.points.iter().flatten().filter_map(|point| point.solution.as_ref());
         let is_small = |s: &&Solution| {
-            is_below_a_point(s.state.area_fraction, s.diagnostics.contact_perimeter)
+            is_below_a_point(s.touching_fraction(), s.diagnostics.contact_perimeter)
         };
         solved.filter(is_small).count()
     }
@@ -77,7 +77,7 @@ impl Work {
         let solved = self.points.iter().flatten().filter(|p| p.converged);
         let contact = |p: &Point| {
             let solution = p.solution.as_ref()?;
-            let area = solution.diagnostics.area_fraction_corrected;
+            let area = solution.state.area_fraction;
             Some([solution.state.mean_pressure, area])
         };
         solved.filter_map(contact).collect()

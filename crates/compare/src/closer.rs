@@ -5,12 +5,11 @@
 use crate::progress::Watch;
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use crate::threads::on_threads;
 use crate::{EdgesName, Listener, Origin, Settings, StudyError, Surrounded};
 use contact_accuracy::{Ladder, Setup, regrid};
 use contact_types::{Clock, ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Maps, Solver};
-use rayon::join;
+use grid_fft::parallel::{join, on_threads};
 use std::borrow::Cow;
 use surface_stats::clean::mirrored;
 use surface_stats::{Level, level};
@@ -73,7 +72,7 @@ fn certify(
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
     let found = ladder.solve(load, true, |now| watch.iteration(now)).ok()?;
-    let area = found.solution.diagnostics.area_fraction_corrected;
+    let area = found.solution.state.area_fraction;
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
     if let Some(answer) = answer {
         answer.energy_bound = found.solution.diagnostics.energy_bound;
@@ -105,7 +104,7 @@ fn choices(
         let load = Load::MeanPressure(surface.headline_pressure());
         let found = whole.solve_observed(solver, load, |now| watch.iteration(now));
         let solution = found.ok()?;
-        Some(solution.diagnostics.area_fraction_corrected).filter(|a| *a > 0.0)
+        Some(solution.state.area_fraction).filter(|a| *a > 0.0)
     };
     let repeats = surface.map.repeats;
     let on = |map: &HeightMap, shape: [usize; 2]| regrid(map, shape, repeats).ok();

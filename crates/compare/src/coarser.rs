@@ -4,12 +4,11 @@
 use crate::progress::Watch;
 use crate::result::{Coarser, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use crate::threads::on_threads;
 use crate::{Listener, Settings, StudyError, Surrounded};
 use contact_accuracy::thinned;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Maps};
-use rayon::prelude::*;
+use grid_fft::parallel::{self, on_threads};
 use std::borrow::Cow;
 
 /// Point spacings tried, in spacings of the map. Together they have
@@ -55,8 +54,7 @@ fn solve_all(
 ) -> Result<(), StudyError> {
     let mut watch = Watch::new(progress, surface.headline);
     // All maps first: nothing else runs while a solution is timed.
-    let maps: Vec<Option<HeightMap>> =
-        COARSER.into_par_iter().map(|factor| coarsened(&surface.surface, factor)).collect();
+    let maps = parallel::map(&COARSER, |factor| coarsened(&surface.surface, *factor));
     for (factor, map) in COARSER.into_iter().zip(maps) {
         let found =
             map.and_then(|map| solve(surface, settings, modulus, (factor, &map), &mut watch));
@@ -73,7 +71,7 @@ fn solve(
     (factor, map): (usize, &HeightMap),
     watch: &mut Watch<'_, '_>,
 ) -> Option<Coarser> {
-    let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction_corrected;
+    let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction;
     let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
     let mut solver = builder(settings).maps(Maps::None).build(whole.map().grid(), modulus).ok()?;
     let load = Load::MeanPressure(surface.headline_pressure());
@@ -91,9 +89,9 @@ fn solve(
     (truth > 0.0).then(|| Coarser {
         factor,
         shape: map.grid().shape(),
+        touching_fraction: solution.touching_fraction(),
         area_fraction: solution.state.area_fraction,
-        area_fraction_corrected: found.area_fraction_corrected,
-        error: found.area_fraction_corrected / truth - 1.0,
+        error: solution.state.area_fraction / truth - 1.0,
         seconds,
     })
 }
@@ -138,11 +136,11 @@ mod tests {
         let surface = &study.surfaces[0];
         let shapes: Vec<[usize; 2]> = surface.coarser.iter().map(|c| c.shape).collect();
         assert_eq!(shapes, [[64, 64], [32, 32], [16, 16]]);
-        let truth = surface.headline_answer().unwrap().area_fraction_corrected;
+        let truth = surface.headline_answer().unwrap().area_fraction;
         for c in &surface.coarser {
-            let error = c.area_fraction_corrected / truth - 1.0;
+            let error = c.area_fraction / truth - 1.0;
             assert!((c.error - error).abs() < 1e-15);
-            assert!(c.area_fraction > c.area_fraction_corrected && c.seconds > 0.0);
+            assert!(c.touching_fraction > c.area_fraction && c.seconds > 0.0);
         }
         let half = &surface.coarser[0];
         let uncertainty = surface.headline_answer().unwrap().uncertainty().unwrap();

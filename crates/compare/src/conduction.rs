@@ -11,12 +11,12 @@ use crate::registry::find;
 use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
 use crate::solver_of::builder;
-use crate::threads::on_threads;
 use crate::{GapGas, Input, Inputs, Listener, StudyError, Surrounded, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
 use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
 use fft_bem_solver::Load;
+use grid_fft::parallel::on_threads;
 use std::borrow::Cow;
 
 /// Points along the shorter side that the shortest wave left must fit, twice.
@@ -119,7 +119,7 @@ fn stiffness(answer: &DeterministicAnswer) -> Option<f64> {
     if answer.contact_pixels == 0 {
         return Some(0.0);
     }
-    let is_full = answer.area_fraction >= 1.0;
+    let is_full = answer.touching_fraction >= 1.0;
     answer.budget.stiffness.map(|k| k.value).or(is_full.then_some(f64::INFINITY))
 }
 
@@ -183,14 +183,14 @@ fn octaves(
     let grid = surface.surface.grid();
     let [dy, dx] = grid.pixel();
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
-    let mut found = vec![Octave { shortest, area: answer.area_fraction_corrected, stiffness }];
+    let mut found = vec![Octave { shortest, area: answer.area_fraction, stiffness }];
     let mut solve = |map: &HeightMap| -> Option<[f64; 2]> {
         let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
         let mut solver = builder(settings).build(whole.map().grid(), modulus).ok()?;
         let load = Load::MeanPressure(surface.headline_pressure());
         let solution = whole.solve_observed(&mut solver, load, |now| watch.iteration(now)).ok()?;
         let set = solver.contact_stiffness().ok()?;
-        Some([solution.diagnostics.area_fraction_corrected, set.per_area])
+        Some([solution.state.area_fraction, set.per_area])
     };
     let mut cut = shortest;
     let longest = surface.statistics.rolloff.unwrap_or(f64::INFINITY) / LEAST_BAND;

@@ -11,7 +11,7 @@ use crate::spots::{Spots, spot_list};
 use contact_accuracy::{Answered, Map, Sink};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Iteration, Solution, SolverError};
-use rayon::join;
+use grid_fft::parallel::join;
 use std::ops::ControlFlow;
 
 /// Area fraction the headline is looked for at.
@@ -139,7 +139,7 @@ impl Curve {
     /// What happened at a load.
     pub(crate) fn news(&self, index: usize) -> Progress<'_> {
         let DeterministicPoint { mean_pressure, answer, .. } = &self.points[index];
-        let area_fraction = answer.as_ref().map(|a| a.area_fraction_corrected);
+        let area_fraction = answer.as_ref().map(|a| a.area_fraction);
         let maps = self.pressures.as_ref();
         Progress::Solved { index, mean_pressure: *mean_pressure, area_fraction, maps }
     }
@@ -148,9 +148,9 @@ impl Curve {
     fn distance(&self, mean_pressure: f64, answer: Option<&DeterministicAnswer>) -> f64 {
         match (self.wanted, answer) {
             (Some(wanted), _) => (mean_pressure / wanted).ln().abs(),
-            (None, Some(a)) if a.area_fraction > 0.0 => {
+            (None, Some(a)) if a.touching_fraction > 0.0 => {
                 let penalty = if a.converged { 0.0 } else { 50.0 };
-                (a.area_fraction / TYPICAL_AREA).ln().abs() + penalty
+                (a.touching_fraction / TYPICAL_AREA).ln().abs() + penalty
             }
             _ => 1e3,
         }

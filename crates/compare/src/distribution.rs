@@ -1,7 +1,7 @@
 //! How pressure, gap and contact spots are distributed over a map.
 
 use crate::spots::Spot;
-use rayon::join;
+use grid_fft::parallel::join;
 use serde::Serialize;
 
 /// Classes of pressure and of gap.

@@ -34,7 +34,8 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     found.extend(spiky(&surface.spikes, share));
     found.extend(unsolved_loads(&ends));
     let answers = points.iter().filter_map(|p| p.answer.as_ref());
-    let small = answers.filter(|a| is_below_a_point(a.area_fraction, a.contact_perimeter)).count();
+    let small =
+        answers.filter(|a| is_below_a_point(a.touching_fraction, a.contact_perimeter)).count();
     found.extend(below_a_point(small, points.len()));
     found.extend(surface.plan.as_ref().and_then(unmet));
     found.extend(uncertainty(surface, unsolved));
@@ -99,10 +100,10 @@ fn hardness(surface: &SurfaceComparison) -> Vec<Finding> {
             hardness: pascals,
             over_elastic: given.over_elastic(),
             load: surface.headline_pressure(),
-            share: (yielded.area_fraction / answer.area_fraction).min(1.0),
+            share: (yielded.area_fraction / answer.touching_fraction).min(1.0),
             load_share: yielded.load_share,
-            area: answer.area_fraction_corrected,
-            elastic_area: elastic.map(|a| a.area_fraction_corrected),
+            area: answer.area_fraction,
+            elastic_area: elastic.map(|a| a.area_fraction),
         })));
     }
     found

@@ -42,7 +42,6 @@ pub mod survey;
 mod tabulated;
 mod theories;
 mod theory;
-mod threads;
 mod verdict;
 mod yielding;
 
@@ -68,6 +67,7 @@ pub use finding::{
 pub use findings::{Solved, findings, is_below_a_point, measured, of_pair, seam, spiky, sticking};
 pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
+pub use grid_fft::parallel::on_threads;
 pub use inputs::{Inputs, MomentSource};
 pub use materials::{
     Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
@@ -102,7 +102,6 @@ pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
 pub use surroundings::Surrounded;
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};
-pub use threads::on_threads;
 pub use yielding::{
     BULK_YIELD, Hardness, PlasticityIndices, elastic_holds, elastic_limit, hardness_of,
 };

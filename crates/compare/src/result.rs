@@ -135,9 +135,9 @@ pub struct DeterministicPoint {
 #[non_exhaustive]
 pub struct DeterministicAnswer {
     /// Points that carry pressure over all points.
+    pub touching_fraction: f64,
+    /// Real over nominal area: that less what the contact line cuts.
     pub area_fraction: f64,
-    /// That corrected for the contact line.
-    pub area_fraction_corrected: f64,
     /// Area, gap, real pressure and stiffness with their errors by source.
     pub budget: Budget,
     /// The same load on every second point.
@@ -192,8 +192,8 @@ impl DeterministicAnswer {
     fn of_solution(solution: &Solution, budget: &Budget, converged: bool) -> Self {
         let d = &solution.diagnostics;
         Self {
+            touching_fraction: solution.touching_fraction(),
             area_fraction: solution.state.area_fraction,
-            area_fraction_corrected: d.area_fraction_corrected,
             budget: *budget,
             coarser: Vec::new(),
             finer: None,
@@ -289,9 +289,9 @@ pub struct Coarser {
     /// Points `[ny, nx]`.
     pub shape: [usize; 2],
     /// Points that carry pressure over all points.
+    pub touching_fraction: f64,
+    /// Real over nominal area: that less what the contact line cuts.
     pub area_fraction: f64,
-    /// That corrected for the contact line.
-    pub area_fraction_corrected: f64,
     /// Signed relative error of the corrected area against that of the map as given.
     pub error: f64,
     /// Wall-clock time of the solution (s), the shortest of up to five runs within 0.05 s.

@@ -13,7 +13,6 @@ use crate::result::{
 use crate::sections::telling_row;
 use crate::solver_of::{builder, elastic};
 use crate::theory::{BuildError, Theory};
-use crate::threads::on_threads;
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
 use crate::{Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, default_pressures};
@@ -22,7 +21,7 @@ use contact_accuracy::{
 };
 use contact_types::{Clock, ContactModulus, ContactState, ModelError};
 use fft_bem_solver::{Iteration, Load, Maps, SolverBuilder, SolverError};
-use rayon::join;
+use grid_fft::parallel::{join, on_threads};
 use std::ops::ControlFlow;
 use surface_stats::Spectra;
 
@@ -287,7 +286,7 @@ fn sticking(found: &SurfaceComparison, settings: &Settings) -> Option<Adhesion> 
         .iter()
         .filter_map(|p| {
             let answer = p.answer.as_ref().filter(|a| a.converged)?;
-            Some([p.mean_pressure, answer.area_fraction_corrected])
+            Some([p.mean_pressure, answer.area_fraction])
         })
         .collect();
     let own = found
@@ -392,7 +391,7 @@ fn ask(
 /// Signed relative error of an area.
 fn error(model: &Result<ContactState, ModelError>, reference: &DeterministicPoint) -> Option<f64> {
     let area = model.as_ref().ok()?.area_fraction;
-    let truth = reference.answer.as_ref()?.area_fraction_corrected;
+    let truth = reference.answer.as_ref()?.area_fraction;
     (truth > 0.0).then(|| area / truth - 1.0)
 }
 

@@ -93,7 +93,7 @@ pub(crate) fn excess(
     elastic: &[DeterministicPoint],
 ) -> Option<Excess> {
     let area = |p: &DeterministicPoint| {
-        let area = p.answer.as_ref()?.area_fraction_corrected;
+        let area = p.answer.as_ref()?.area_fraction;
         (area > 0.0).then_some(area)
     };
     let both = yielding.iter().zip(elastic);

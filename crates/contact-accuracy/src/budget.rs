@@ -152,7 +152,7 @@ impl Budget {
     /// contact goes as 1/E\*, yielded contact as 1/H: each by its share of area and load.
     #[must_use]
     pub fn with_materials(mut self, [modulus, hardness]: [f64; 2], solution: &Solution) -> Self {
-        let touching = solution.state.area_fraction;
+        let touching = solution.touching_fraction();
         let yielded = solution.diagnostics.yielded.filter(|_| touching > 0.0);
         let [load, area] =
             yielded.map_or([0.0; 2], |y| [y.load_share, (y.area_fraction / touching).min(1.0)]);

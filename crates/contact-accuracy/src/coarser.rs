@@ -44,7 +44,7 @@ impl Numbers {
         let stiffness = set.map(|set| set.per_area).filter(|k| *k > 0.0 && k.is_finite());
         Self {
             mean_pressure: solution.state.mean_pressure,
-            area: solution.diagnostics.area_fraction_corrected,
+            area: solution.state.area_fraction,
             mean_gap: solution.state.mean_gap,
             stiffness,
             gas: jump.map(|jump| gas(&solution.pressure, &solution.gap, jump)),

@@ -57,12 +57,12 @@ fn uncertainties_hold_the_surface_of_the_formula() {
             let by_gap = ladder.solve(Load::MeanGap(gap.value), false, |_| ()).unwrap().budget;
             let of_gap = exact.solve(&fine, Load::MeanGap(gap.value)).unwrap();
             for (what, off) in [
-                ("area", off(&found.area, truth.diagnostics.area_fraction_corrected)),
+                ("area", off(&found.area, truth.state.area_fraction)),
                 ("gap", off(&gap, truth.state.mean_gap.unwrap())),
                 ("stiffness", off(&found.stiffness.unwrap(), set.per_area)),
                 ("gas", off(&found.gas.unwrap(), Numbers::of(&truth, None, jump).gas.unwrap())),
                 ("pressure", off(&by_gap.mean_pressure, of_gap.state.mean_pressure)),
-                ("area by gap", off(&by_gap.area, of_gap.diagnostics.area_fraction_corrected)),
+                ("area by gap", off(&by_gap.area, of_gap.state.area_fraction)),
             ] {
                 all += 1;
                 if off > 1.0 {
@@ -106,7 +106,7 @@ fn no_map_is_without_an_uncertainty() {
         let builder = setup.builder.clone().boundary(setup.boundary);
         let fine = map(512);
         let truth = builder.build(fine.grid(), setup.modulus).unwrap().solve(&fine, load).unwrap();
-        let area = off(&found.budget.area, truth.diagnostics.area_fraction_corrected);
+        let area = off(&found.budget.area, truth.state.area_fraction);
         assert!(area <= 1.0, "{case}: {area}");
         if case == 0 {
             let [low, _] = found.budget.area.interval().unwrap();

@@ -89,7 +89,7 @@ fn random_maps_are_sealed_at_about_forty_two_per_cent() {
             let open: Vec<f64> =
                 points.map(|(g, p)| if *p > 0.0 { 0.0 } else { g.max(0.0) }).collect();
             let flow = Gap::new(grid, &open).flow(Axis::X).unwrap();
-            (flow.bottleneck.is_none(), found.diagnostics.area_fraction_corrected)
+            (flow.bottleneck.is_none(), found.state.area_fraction)
         };
         let (mut open, mut sealed, mut area) = (0.01, 0.05, [0.0; 2]);
         for _ in 0..12 {

@@ -24,7 +24,10 @@ pub enum SurfaceError {
         nx: usize,
     },
     /// A pixel side must be a positive, finite, normal length.
-    #[error("pixel size d{axis} = {value:e} m must be finite and greater than 0")]
+    #[error(
+        "pixel size d{axis} = {value:e} m must be finite and {}",
+        shown(&(f64::MIN_POSITIVE..=f64::MAX), *value)
+    )]
     BadPixel {
         /// `'x'` or `'y'`.
         axis: char,

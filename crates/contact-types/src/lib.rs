@@ -17,6 +17,7 @@ mod grid;
 mod height_map;
 mod material;
 mod moments;
+pub mod numbers;
 mod psd;
 #[cfg(feature = "serde")]
 mod reading;

@@ -72,9 +72,9 @@ impl<T: Real> Engine<T> {
             load_share: if load_sum > 0.0 { borne / load_sum } else { 0.0 },
             mean_flattening: found.depth * units.height / n,
         });
-        let area_fraction = found.contact / n;
+        let touching = found.contact / n;
         // No pressure exceeds the hardness: whatever the line, it takes this area to carry the load.
-        let least = (load_sum / n / hardest).min(area_fraction);
+        let least = (load_sum / n / hardest).min(touching);
         let work = found.work / n;
         let gap_rounding = problem.rounding + T::EPSILON * (found.highest + 1.0) * units.height;
         let residuals = Residuals {
@@ -110,7 +110,6 @@ impl<T: Real> Engine<T> {
             seconds: run.clock.elapsed().as_secs_f64(),
             contact_pixels: found.contact as usize,
             contact_perimeter,
-            area_fraction_corrected: (area_fraction - PERIMETER_CORRECTION * cut).max(least),
             yielded,
             max_pressure: (found.largest * units.pressure).max(0.0).min(hardest),
             elastic_energy: 0.5 * work * units.pressure * units.height,
@@ -133,7 +132,7 @@ impl<T: Real> Engine<T> {
         });
         let state = ContactState {
             mean_pressure,
-            area_fraction,
+            area_fraction: (touching - PERIMETER_CORRECTION * cut).max(least),
             separation: Some(-(problem.mean_height + state.level) * units.height),
             // Near full contact what is left of the residual may outweigh the gap; bodies do not overlap.
             mean_gap: Some((found.open * units.height / n).max(0.0)),

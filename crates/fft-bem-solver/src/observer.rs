@@ -26,7 +26,7 @@ pub struct Iteration<'a> {
 
 impl Iteration<'_> {
     /// Fraction of the pixels that carry pressure at present. Counted only when asked for.
-    pub fn area_fraction(&self) -> f64 {
+    pub fn touching_fraction(&self) -> f64 {
         (self.area)()
     }
 
@@ -42,7 +42,7 @@ impl std::fmt::Debug for Iteration<'_> {
             .field("number", &self.number)
             .field("transforms", &self.transforms)
             .field("residual", &self.residual)
-            .field("area_fraction", &self.area_fraction())
+            .field("touching_fraction", &self.touching_fraction())
             .finish_non_exhaustive()
     }
 }

@@ -96,7 +96,7 @@ mod tests {
             let width = 30.0 + 12.0 * f64::from(k) / f64::from(loads);
             let load = full * (PI * width / (2.0 * n as f64)).sin().powi(2);
             let solution = solver.solve(&map, Load::MeanPressure(load)).unwrap();
-            let counted = solution.state.area_fraction * n as f64;
+            let counted = solution.touching_fraction() * n as f64;
             counted - width
         };
         let mean = (0..loads).map(excess).sum::<f64>() / f64::from(loads) / 2.0;

@@ -10,8 +10,9 @@ use contact_types::{ContactState, Grid};
 pub struct Solution {
     /// The grid it was found on.
     pub grid: Grid,
-    /// Mean pressure, raw area fraction (pixels that carry pressure), mean gap. With a free boundary
-    /// the gap of pixels in contact counts as the 0 it stands for, not as what the iteration left of it; so does
+    /// Mean pressure, area fraction, mean gap. The area is the pixels that carry pressure less those that the contact
+    /// line cuts, `A - 0.1013 S_d` ([`PERIMETER_CORRECTION`](crate::PERIMETER_CORRECTION)), not below 0, nor below
+    /// load over hardness; edges of pixels at the hardness do not count. With a free boundary the gap of pixels in contact counts as the 0 it stands for, not as what the iteration left of it; so does
     /// that of pixels at the hardness with any.
     pub state: ContactState,
     /// How far the flat has moved since first touch (m); see [`Load::Approach`](crate::Load).
@@ -53,6 +54,11 @@ impl Solution {
     /// The grid of [`coarse_gap`](Self::coarse_gap): at most 32 blocks along each side.
     pub fn coarse_grid(&self) -> Grid {
         coarse(self.grid)
+    }
+
+    /// Pixels that carry pressure over all pixels: more than the area, by what the contact line cuts.
+    pub fn touching_fraction(&self) -> f64 {
+        self.diagnostics.contact_pixels as f64 / self.grid.len() as f64
     }
 }
 
@@ -174,11 +180,6 @@ pub struct Diagnostics {
     /// Edges between contact and gap (4-neighbour) per pixel, S_d (-). With a free boundary the edge
     /// of the map is none: the body ends there, and no pixel is cut.
     pub contact_perimeter: f64,
-    /// Area fraction corrected for the pixels cut by the contact line,
-    /// `A - 0.1013 S_d` ([`PERIMETER_CORRECTION`](crate::PERIMETER_CORRECTION)).
-    /// Not below 0, nor below load over hardness. Edges of pixels at the hardness do not
-    /// count.
-    pub area_fraction_corrected: f64,
     /// What has yielded, if a hardness was given.
     pub yielded: Option<Yielded>,
     /// Highest pressure of a pixel (Pa): a grid quantity.

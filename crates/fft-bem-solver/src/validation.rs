@@ -241,7 +241,7 @@ fn hertz(options: &Options, n: usize, radii: [f64; 2]) -> Solved {
         .collect();
     // The approach is counted from the highest pixel, a little below the summit.
     let approach = solution.approach - map.range().1;
-    let area = solution.diagnostics.area_fraction_corrected * grid.area();
+    let area = solution.state.area_fraction * grid.area();
     let numbers = vec![
         number("approach", approach, contact.approach, 2.0),
         number("maximum pressure", solution.diagnostics.max_pressure, contact.max_pressure, 2.0),
@@ -280,7 +280,7 @@ fn sinusoid(options: &Options, n: usize) -> Solved {
     let numbers = vec![
         number("mean gap", mean_gap, contact.mean_gap(), 2.0),
         field("pressure, rms", &solution.pressure, &exact, 1.0),
-        area_number("area fraction", solution.state.area_fraction, contact.area_fraction()),
+        area_number("area fraction", solution.touching_fraction(), contact.area_fraction()),
     ];
     Ok((solution, numbers))
 }
@@ -299,7 +299,7 @@ fn two_harmonics(options: &Options, n: usize) -> Solved {
     let numbers = vec![
         field("gap, rms", &solution.gap, &gap, 2.0),
         field("pressure, rms", &solution.pressure, &pressure, 1.0),
-        area_number("area fraction", solution.state.area_fraction, contact.area_fraction()),
+        area_number("area fraction", solution.touching_fraction(), contact.area_fraction()),
     ];
     Ok((solution, numbers))
 }
@@ -315,7 +315,7 @@ fn bi_sinusoid(options: &Options, n: usize) -> Solved {
     let mean_pressure = known.pressure_ratio * surface.closing_pressure();
     let solution = solve(options, Boundary::Periodic, &map, mean_pressure)?;
     let gap = solution.state.mean_gap.unwrap_or(f64::NAN) / amplitude;
-    let area = solution.diagnostics.area_fraction_corrected;
+    let area = solution.state.area_fraction;
     let numbers = vec![
         Number {
             uncertainty: known.gap_uncertainty / known.mean_gap,

@@ -18,7 +18,7 @@ pub(crate) fn thread_index() -> usize {
 }
 
 /// How many threads share the work of the code that runs now.
-pub fn threads() -> usize {
+pub(crate) fn threads() -> usize {
     #[cfg(feature = "parallel")]
     return rayon::current_num_threads();
     #[cfg(not(feature = "parallel"))]
@@ -58,6 +58,28 @@ fn both(a: Told<'_>, b: Told<'_>) {
     rayon::join_context(|context| a(context.migrated()), |context| b(context.migrated()));
     #[cfg(not(feature = "parallel"))]
     (a(false), b(false));
+}
+
+/// What `make` makes of each item, in order.
+pub fn map<T: Sync, R: Send>(items: &[T], make: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let mut made: Vec<(&T, Option<R>)> = items.iter().map(|item| (item, None)).collect();
+    made.as_mut_slice().for_each(|(item, made)| *made = Some(make(item)));
+    made.into_iter().filter_map(|(_, made)| made).collect()
+}
+
+/// Does the work on so many threads: those that the caller is on, if it is on so many; where there are none
+/// (WebAssembly, without the feature `parallel`), the caller's own. Their stacks are as large as that of a main thread.
+pub fn on_threads<R: Send>(threads: usize, work: impl FnOnce() -> R + Send) -> R {
+    #[cfg(feature = "parallel")]
+    if rayon::current_thread_index().is_none() || rayon::current_num_threads() != threads.max(1) {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.max(1));
+        if let Ok(pool) = pool.thread_name(|i| format!("study {i}")).stack_size(8 << 20).build() {
+            return pool.install(work);
+        }
+    }
+    #[cfg(not(feature = "parallel"))]
+    let _ = threads;
+    work()
 }
 
 /// What is cut into pieces.

@@ -54,8 +54,8 @@ curve = rc.solve(s, bodies=(steel, steel), pressure='10MPa..1GPa:5', maps=True)
 curve""",
     "Numbers are numpy vectors under the names of the command's JSON; tables are pandas frames.",
     """
-print(curve.area_fraction_corrected)
-curve.to_pandas()[['mean_pressure', 'area_fraction_corrected', 'area_interval_low', 'area_interval_high', 'mean_gap']]""",
+print(curve.area_fraction)
+curve.to_pandas()[['mean_pressure', 'area_fraction', 'area_interval_low', 'area_interval_high', 'mean_gap']]""",
     """
 import matplotlib.pyplot as plt
 
@@ -175,7 +175,7 @@ print(len(some), 'compared')""",
 import pandas as pd
 
 frame = pd.DataFrame([row for row in rows if not row.get('error')])
-frame.groupby((frame.rms_gradient / 0.05).round() * 0.05).area_fraction_corrected.describe()[['count', 'mean', 'std']]""",
+frame.groupby((frame.rms_gradient / 0.05).round() * 0.05).area_fraction.describe()[['count', 'mean', 'std']]""",
     """Every model beside the solution, on some of them: one page of how they differ, as `rough-contact compare --summary`
 makes it. A worker sends back what the page keeps of a study, not the study.""",
     """

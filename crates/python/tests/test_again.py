@@ -72,7 +72,7 @@ def test_ridges_in_plane_strain_are_westergaard_s(command, wave):
     full = math.pi * 100e9 * 0.2 / 16  # Pa, at which all touches: Westergaard 1939
     curve = rc.solve(trace, modulus="100 GPa", pressure=[0.2 * full, 0.5 * full] * rc.units.Pa, plane_strain=True, maps=True)
     exact = 2 / math.pi * np.arcsin(np.sqrt([0.2, 0.5]))
-    assert np.allclose(curve.area_fraction_corrected, exact, rtol=0.02)
+    assert np.allclose(curve.area_fraction, exact, rtol=0.02)
     assert curve.pressure(0).shape == (1, 4096)
     words = ["--layout", "list", "--lateral-unit", "um", "--height-unit", "um", "--plane-strain", "--modulus", "100GPa"]
     theirs = command("solve", wave, *words, "--pressure", ",".join(f"{p!r}Pa" for p in [0.2 * full, 0.5 * full]))

@@ -21,7 +21,7 @@ def helped(thing):
 def test_results_explain_themselves():
     text = helped(rc.LoadCurve)
     units = rc.LoadCurve.units()
-    for name in ("area_fraction", "area_fraction_corrected", "mean_gap", "interpolation_indicator", "area_prediction_interval", "solver_seconds"):
+    for name in ("touching_fraction", "area_fraction", "mean_gap", "interpolation_indicator", "area_prediction_interval", "solver_seconds"):
         assert f"{name} : {units[name]}\n" in text, name
     assert "points that carry pressure over all points" in text and "less 0.1013 points for each edge" in text
     for name in vars(rc.Point)["__dataclass_fields__"]:

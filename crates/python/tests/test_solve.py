@@ -31,7 +31,7 @@ def test_hertz():
         pixel = 1.6 * 2 * a / n
         s = sphere(n, radius, pixel)
         found = rc.solve(s, modulus=E * rc.units.Pa, load=force * rc.units.N, boundary="free", level="none", tolerance=1e-8)
-        area = found.area_fraction_corrected[0] * s.size[0] * s.size[1]
+        area = found.area_fraction[0] * s.size[0] * s.size[1]
         assert abs(area / (np.pi * a**2) - 1) < pixel / a  # half a pixel along the rim
         errors.append([found.max_pressure[0] * np.pi * radius / (2 * E * a) - 1, found.approach[0] * radius / a**2 - 1])
     order = np.log2(np.abs(np.array(errors[:-1]) / errors[1:]))
@@ -51,7 +51,7 @@ def test_a_wave_pressed_flat():
     np.testing.assert_allclose(found.pressure(0), np.tile(exact, (n, 1)), rtol=1e-8)
     # Part of it: A_r/A = 2/pi asin sqrt(p/p*).
     part = rc.solve(s, modulus=E * rc.units.Pa, pressure=0.5 * full * rc.units.Pa, level="none", tolerance=1e-8)
-    assert part.area_fraction_corrected[0] == pytest.approx(2 / np.pi * np.arcsin(np.sqrt(0.5)), abs=1 / n)
+    assert part.area_fraction[0] == pytest.approx(2 / np.pi * np.arcsin(np.sqrt(0.5)), abs=1 / n)
 
 
 def test_light_contact_is_near_persson(rough):
@@ -59,7 +59,7 @@ def test_light_contact_is_near_persson(rough):
     s = rc.synth((512, 512), pixel="1um", hurst=0.8, rolloff="128um", cutoff="16um", rms_gradient=0.1, seed=3)
     found = rc.solve(s, modulus="110 GPa", pressure=np.array([0.3, 1.0]) * rc.units.GPa)
     persson = special.erf(np.sqrt(2) * found.mean_pressure / (E * s.statistics().rms_gradient))
-    ratio = found.area_fraction_corrected / persson
+    ratio = found.area_fraction / persson
     assert ((1.0 < ratio) & (ratio < 1.4)).all(), ratio
 
 
@@ -250,8 +250,8 @@ def test_results(rough):
     bars = curve.bars()
     assert bars.shape == (2, 4) and (bars > 0).all()
     low, high = curve.area_interval[0]
-    assert curve.area_fraction_corrected[0] - bars[0, 0] == pytest.approx(low, rel=1e-12)
-    assert curve.area_fraction_corrected[0] + bars[1, 0] == pytest.approx(high, rel=1e-12)
+    assert curve.area_fraction[0] - bars[0, 0] == pytest.approx(low, rel=1e-12)
+    assert curve.area_fraction[0] + bars[1, 0] == pytest.approx(high, rel=1e-12)
     assert (curve.bars(prediction=True)[:, :3] > bars[:, :3]).all()
     assert json.loads(json.dumps(curve.to_dict())) == curve.to_dict()
     assert "<table>" in curve._repr_html_() and "100 MPa" in repr(curve)

@@ -27,7 +27,7 @@ pub fn keys(budget: Option<&Budget>) -> Map<String, Value> {
     // An area that may be 0 leaves the pressure without an upper end, which JSON writes as null.
     let comparison = real.and_then(|r| r.interval().ok());
     let prediction = real.and_then(RealPressure::prediction);
-    keys.insert("real_pressure_corrected".into(), json!(real.map(RealPressure::value)));
+    keys.insert("real_pressure".into(), json!(real.map(RealPressure::value)));
     keys.insert("real_pressure_interval".into(), json!(comparison));
     keys.insert("real_pressure_prediction_interval".into(), json!(prediction));
     keys.insert("stiffness".into(), json!(stiffness.map(|s| s.value)));

@@ -105,7 +105,7 @@ pub(crate) fn conduction(surface: &SurfaceComparison) -> Value {
         "octaves": found.octaves.iter().map(|o| {
             let mut keys = all(Some(o.stiffness));
             keys.insert("shortest_wavelength".into(), json!(o.shortest));
-            keys.insert("area_fraction_corrected".into(), json!(o.area));
+            keys.insert("area_fraction".into(), json!(o.area));
             Value::Object(keys)
         }).collect::<Vec<_>>(),
         "conductance_hardly_depends_on_shortest_waves": found.is_sturdy(),

@@ -21,7 +21,7 @@ const GAS: &str = ",gas_conductance [W/m^2/K],joint_conductance [W/m^2/K]";
 pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
     let mut header = String::from(
         "surface,mean_pressure [Pa],load [N],area_fraction_deterministic [-],area_fraction_low [-],\
-         area_fraction_high [-],area_fraction_counted [-],real_pressure_deterministic [Pa],\
+         area_fraction_high [-],touching_fraction [-],real_pressure_deterministic [Pa],\
          real_pressure_low [Pa],real_pressure_high [Pa],mean_gap_deterministic [m],\
          area_fraction_prediction_low [-],area_fraction_prediction_high [-],mean_gap_low [m],\
          mean_gap_high [m]",
@@ -75,7 +75,7 @@ fn write_surface(
             area,
             interval.map(|b| b[0]),
             interval.map(|b| b[1]),
-            answer.map(|a| a.area_fraction),
+            answer.map(|a| a.touching_fraction),
             real(area),
             real(interval.map(|b| b[1])),
             real(interval.map(|b| b[0])),
@@ -89,7 +89,7 @@ fn write_surface(
         if yields {
             let yielded = answer.and_then(|a| a.yielded);
             let elastic = surface.elastic.get(i).and_then(|p| p.answer.as_ref());
-            let elastic = elastic.map(|a| a.area_fraction_corrected);
+            let elastic = elastic.map(|a| a.area_fraction);
             cells.extend([
                 yielded.map(|y| y.area_fraction),
                 yielded.map(|y| y.load_share),

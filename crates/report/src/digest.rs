@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 /// What is kept of one surface of `results.json`: its headline, its curve, what each model was wrong by.
 ///
-/// Keys as there; `curve` is `[[mean_pressure (Pa), area_fraction_corrected], …]`, `models` has under
+/// Keys as there; `curve` is `[[mean_pressure (Pa), area_fraction], …]`, `models` has under
 /// the name of each `area_error` (of the headline, signed, relative), `mean_absolute_area_error` (over the
 /// loads) and `verdict`; `checks` has `kind` and `claim` of
 /// each finding that is to be checked.
@@ -31,9 +31,9 @@ pub fn digest(surface: &Value) -> Value {
     let headline = points.iter().find(same).unwrap_or(&Value::Null);
     for key in [
         "mean_pressure",
-        "area_fraction_corrected",
+        "area_fraction",
         "area_interval",
-        "real_pressure_corrected",
+        "real_pressure",
         "mean_gap",
         "max_pressure",
         "converged",
@@ -55,7 +55,7 @@ pub fn digest(surface: &Value) -> Value {
         .collect();
     row.insert("to_check".into(), json!(checks.len()));
     row.insert("checks".into(), json!(checks));
-    let curve = points.iter().map(|p| json!([p["mean_pressure"], p["area_fraction_corrected"]]));
+    let curve = points.iter().map(|p| json!([p["mean_pressure"], p["area_fraction"]]));
     row.insert("curve".into(), curve.collect());
     let mut models = Map::new();
     for model in surface["models"].as_array().unwrap_or(&empty) {
@@ -145,14 +145,14 @@ mod tests {
         let surface = json!({
             "statistics": { "rms_height": 1e-7 }, "headline_pressure": 2e6,
             "deterministic": { "modulus": 1e11, "points": [
-                { "mean_pressure": 1e6, "area_fraction_corrected": 0.01, "seconds": 1.0 },
-                { "mean_pressure": 2e6, "area_fraction_corrected": 0.02, "seconds": 2.0 },
+                { "mean_pressure": 1e6, "area_fraction": 0.01, "seconds": 1.0 },
+                { "mean_pressure": 2e6, "area_fraction": 0.02, "seconds": 2.0 },
             ] },
             "models": [{ "model": "gw", "area_error": { "headline": -0.2, "mean_absolute": 0.3 }, "verdict": "caution" }],
             "findings": [{ "weight": "check", "claim": "It jumps.", "fact": { "edge_jump": 3.5 } }, { "weight": "note" }],
         });
         let row = digest(&surface);
-        assert_eq!(row["area_fraction_corrected"], 0.02);
+        assert_eq!(row["area_fraction"], 0.02);
         assert_eq!(row["seconds"], 3.0);
         assert_eq!(row["to_check"], 1);
         assert_eq!(row["checks"], json!([{ "kind": "edge_jump", "claim": "It jumps." }]));

@@ -3,7 +3,7 @@
 use crate::error::ReportError;
 use crate::provenance::Provenance;
 use crate::words;
-use crate::words::finding::{Worded, finding, warning as warning_words};
+use crate::words::finding::finding;
 use crate::words::plan as plan_words;
 use compare::{
     Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
@@ -95,8 +95,8 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "mean_pressure": s.headline_pressure(),
             "factor": c.factor,
             "shape": c.shape,
+            "touching_fraction": c.touching_fraction,
             "area_fraction": c.area_fraction,
-            "area_fraction_corrected": c.area_fraction_corrected,
             "area_error": c.error,
             "seconds": c.seconds,
         })).collect::<Vec<_>>(),
@@ -130,7 +130,7 @@ fn finer(s: &SurfaceComparison) -> Value {
     finer.map_or(Value::Null, |f| {
         json!({
             "mean_pressure": s.headline_pressure(),
-            "area_fraction_corrected": f.area,
+            "area_fraction": f.area,
             "mean_gap": f.mean_gap,
             "seconds": s.beside_seconds[1],
             "loads": s.deterministic.iter().filter_map(|p| p.answer.as_ref()?.finer).count(),
@@ -143,23 +143,21 @@ fn point(p: &DeterministicPoint) -> Value {
     let Some(a) = &p.answer else {
         return json!({
             "mean_pressure": p.mean_pressure,
+            "touching_fraction": null,
             "area_fraction": null,
-            "area_fraction_corrected": null,
             "converged": false,
             "trouble": p.trouble,
         });
     };
-    let real = |area: f64| (area > 0.0).then(|| p.mean_pressure / area);
     let mut point = json!({
     "mean_pressure": p.mean_pressure,
+    "touching_fraction": a.touching_fraction,
     "area_fraction": a.area_fraction,
-    "area_fraction_corrected": a.area_fraction_corrected,
     "area_interval_covers": "this map",
     "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
     "mean_gap": a.mean_gap,
     "approach": a.approach,
     "max_pressure": a.max_pressure,
-    "real_pressure": real(a.area_fraction),
     "converged": a.converged,
         "stopped_at_rounding": a.stopped_at_rounding,
     "trouble": p.trouble,
@@ -178,7 +176,7 @@ fn point(p: &DeterministicPoint) -> Value {
     });
     if let Value::Object(keys) = &mut point {
         keys.extend(crate::budget_json::keys(Some(&a.budget)));
-        keys.extend(crate::yield_json::yield_keys(a.yielded, a.area_fraction));
+        keys.extend(crate::yield_json::yield_keys(a.yielded, a.touching_fraction));
     }
     point
 }
@@ -314,8 +312,7 @@ fn form(parameters: FormParameters) -> Value {
 
 /// A warning of the statistics, in the words of the page.
 pub(crate) fn warned(warning: &Warning) -> Value {
-    let Worded { claim, text } = warning_words(warning);
-    json!({ "kind": warning.kind(), "message": format!("{claim} {text}") })
+    json!({ "kind": warning.kind(), "message": warning.to_string() })
 }
 
 /// Statistics with the keys of `stats --json`.

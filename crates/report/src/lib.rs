@@ -59,7 +59,7 @@ pub use profile_json::{
 pub use provenance::Provenance;
 pub use table_csv::write as write_table_csv;
 pub use words::conduction::{ResistanceWords, joint_words, resistance_lines, resistances};
-pub use words::finding::{Worded, finding, warning};
+pub use words::finding::{Worded, finding};
 pub use words::headline_line;
 pub use words::loads::loads_line;
 pub use words::materials::{material_in_full, material_json, material_line, materials_json};

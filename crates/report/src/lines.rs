@@ -92,15 +92,11 @@ impl Lines {
             name: "elastic".into(),
             label: "Elastic".into(),
             look: ELASTIC_LOOK,
-            area: surface
-                .elastic
-                .iter()
-                .map(|p| Some(p.answer.as_ref()?.area_fraction_corrected))
-                .collect(),
+            area: surface.elastic.iter().map(|p| Some(p.answer.as_ref()?.area_fraction)).collect(),
         });
         Self {
             pressures: points.iter().map(|p| p.mean_pressure).collect(),
-            area: answers().map(|a| a.map(|a| a.area_fraction_corrected)).collect(),
+            area: answers().map(|a| a.map(|a| a.area_fraction)).collect(),
             interval: answers().map(|a| a.and_then(DeterministicAnswer::interval)).collect(),
             models: elastic.into_iter().chain(models).collect(),
             load_area: surface.load_area,

@@ -1,79 +1,10 @@
-//! Numbers as people read them: digits that the uncertainty supports, true minus signs, narrow
-//! no-break spaces before units and in groups of three digits.
+//! Numbers with their uncertainty, to the digits that it supports.
 
-/// Narrow no-break space.
-pub const SPACE: char = '\u{202F}';
-/// Minus sign, as wide as a plus.
-pub const MINUS: char = '\u{2212}';
-
-/// `value` with `decimals` decimals, a true minus, and groups of three digits from 10 000.
-pub fn fixed(value: f64, decimals: usize) -> String {
-    let text = format!("{:.decimals$}", value.abs());
-    let (whole, fraction) = text.split_once('.').unwrap_or((&text, ""));
-    let mut out = String::new();
-    if value < 0.0 && text.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
-        out.push(MINUS);
-    }
-    for (i, digit) in whole.chars().enumerate() {
-        if i > 0 && whole.len() > 4 && (whole.len() - i) % 3 == 0 {
-            out.push(SPACE);
-        }
-        out.push(digit);
-    }
-    if !fraction.is_empty() {
-        out.push('.');
-        out.push_str(fraction);
-    }
-    out
-}
-
-/// Decimal exponent of the leading digit after rounding to `digits` significant digits.
-fn exponent(value: f64, digits: i32) -> i32 {
-    let text = format!("{:.*e}", (digits - 1).max(0) as usize, value.abs());
-    text.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0)
-}
-
-/// `value` to `digits` significant digits, without an exponent; beyond 10⁵ and below 10⁻³ as a
-/// power of ten. Zero is "0".
-pub fn significant(value: f64, digits: i32) -> String {
-    if value == 0.0 {
-        return "0".into();
-    }
-    let e = exponent(value, digits);
-    if !(-3..6).contains(&e) {
-        let mantissa = value / 10f64.powi(e);
-        return format!(
-            "{}{SPACE}×{SPACE}{}",
-            fixed(mantissa, (digits - 1).max(0) as usize),
-            power_of_ten(e)
-        );
-    }
-    let place = 10f64.powi(e + 1 - digits);
-    let rounded = if place > 1.0 { (value / place).round() * place } else { value };
-    fixed(rounded, usize::try_from(digits - 1 - e).unwrap_or(0))
-}
-
-/// "10⁻⁶".
-pub fn power_of_ten(exponent: i32) -> String {
-    let digits: String = exponent
-        .unsigned_abs()
-        .to_string()
-        .chars()
-        .map(|c| match c {
-            '0' => '⁰',
-            '1' => '¹',
-            '2' => '²',
-            '3' => '³',
-            '4' => '⁴',
-            '5' => '⁵',
-            '6' => '⁶',
-            '7' => '⁷',
-            '8' => '⁸',
-            _ => '⁹',
-        })
-        .collect();
-    format!("10{}{digits}", if exponent < 0 { "⁻" } else { "" })
-}
+pub use contact_types::numbers::{
+    METRES, MINUS, SPACE, Unit, counted, fixed, percent, power_of_ten, quantity, significant,
+    unit_for,
+};
+use contact_types::numbers::{exponent, fixed_significant};
 
 /// Decimals to which a value with this uncertainty is printed, negative for tens, hundreds…:
 /// one significant digit of the uncertainty, two if it starts with 1.
@@ -163,15 +94,9 @@ pub fn relative_interval(value: f64, [low, high]: [f64; 2]) -> String {
     }
 }
 
-/// "1 thread", "3 threads".
-pub fn counted(count: usize, one: &str) -> String {
-    let ending = if count == 1 { "" } else { "s" };
-    format!("{} {one}{ending}", fixed(count as f64, 0))
-}
-
 /// "+399 %", "−4.3 %": a signed relative error, whole per cent from 10, one decimal below, three
 /// digits from 1000.
-pub fn signed_percent(error: f64) -> String {
+pub(crate) fn signed_percent(error: f64) -> String {
     format!("{}{SPACE}%", signed(100.0 * error))
 }
 
@@ -182,7 +107,7 @@ pub fn signed_range(low: f64, high: f64) -> String {
 }
 
 /// The number of [`signed_percent`] without its unit.
-pub fn signed(percent: f64) -> String {
+pub(crate) fn signed(percent: f64) -> String {
     let text = match percent.abs() {
         size if size >= 999.5 => fixed_significant(percent, 3),
         size => fixed(percent, usize::from(size < 9.95)),
@@ -192,16 +117,6 @@ pub fn signed(percent: f64) -> String {
     } else {
         text
     }
-}
-
-/// "15 %": the size of a relative error or bound.
-pub fn percent(fraction: f64) -> String {
-    let p = 100.0 * fraction.abs();
-    if p > 0.0 && p < 0.01 {
-        return format!("<{SPACE}0.01{SPACE}%");
-    }
-    let digits = fixed_significant(p, if p >= 100.0 { 3 } else { 2 });
-    format!("{digits}{SPACE}%")
 }
 
 /// "58 µs": a duration with two significant digits.
@@ -216,31 +131,8 @@ pub fn duration(seconds: f64) -> String {
 }
 
 /// "20 000" or "21": how many times; two digits below 100, one above.
-pub fn times(ratio: f64) -> String {
+pub(crate) fn times(ratio: f64) -> String {
     fixed_significant(ratio, if ratio < 99.5 { 2 } else { 1 })
-}
-
-/// `value` to `digits` significant digits, always written out.
-fn fixed_significant(value: f64, digits: i32) -> String {
-    if value == 0.0 {
-        return "0".into();
-    }
-    let e = exponent(value, digits);
-    let place = 10f64.powi(e + 1 - digits);
-    if place >= 1.0 {
-        fixed((value / place).round() * place, 0)
-    } else {
-        fixed(value, usize::try_from(digits - 1 - e).unwrap_or(0))
-    }
-}
-
-/// A decimal multiple of an SI unit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unit {
-    /// How many SI units one of these is.
-    pub scale: f64,
-    /// How it is written.
-    pub name: &'static str,
 }
 
 /// Multiples of the pascal.
@@ -253,19 +145,8 @@ pub const PASCALS: &[Unit] = &[
     Unit { scale: 1e12, name: "TPa" },
 ];
 
-/// Multiples of the metre.
-pub const METRES: &[Unit] = &[
-    Unit { scale: 1e-15, name: "fm" },
-    Unit { scale: 1e-12, name: "pm" },
-    Unit { scale: 1e-9, name: "nm" },
-    Unit { scale: 1e-6, name: "µm" },
-    Unit { scale: 1e-3, name: "mm" },
-    Unit { scale: 1.0, name: "m" },
-    Unit { scale: 1e3, name: "km" },
-];
-
 /// Multiples of the square metre.
-pub const AREAS: &[Unit] = &[
+pub(crate) const AREAS: &[Unit] = &[
     Unit { scale: 1e-18, name: "nm²" },
     Unit { scale: 1e-12, name: "µm²" },
     Unit { scale: 1e-6, name: "mm²" },
@@ -297,24 +178,6 @@ pub(crate) const NEWTONS: &[Unit] = &[
     Unit { scale: 1e3, name: "kN" },
     Unit { scale: 1e6, name: "MN" },
 ];
-
-/// The multiple in which `value` reads as 1 to 999.
-pub(crate) fn unit_for(value: f64, units: &[Unit]) -> Unit {
-    let size = value.abs();
-    units
-        .iter()
-        .rev()
-        .find(|unit| size >= 0.9995 * unit.scale)
-        .or_else(|| if size > 0.0 { units.first() } else { units.iter().find(|u| u.scale >= 1.0) })
-        .copied()
-        .unwrap_or(Unit { scale: 1.0, name: "" })
-}
-
-/// "62 nm": a value with `digits` significant digits in the multiple that suits it.
-pub fn quantity(value: f64, units: &[Unit], digits: i32) -> String {
-    let unit = unit_for(value, units);
-    format!("{}{SPACE}{}", significant(value / unit.scale, digits), unit.name)
-}
 
 /// "10 MPa", "2.5 kPa": a value that was chosen, with as many digits as it needs up to four.
 pub fn chosen(value: f64, units: &[Unit]) -> String {
@@ -386,9 +249,6 @@ mod tests {
         assert_eq!(signed_range(-0.262, -0.0442), "\u{2212}26 to \u{2212}4.4\u{202F}%");
         assert_eq!(times(20_312.0), "20\u{202F}000");
         assert_eq!(times(21.4), "21");
-        assert_eq!(significant(10_712.0, 3), "10\u{202F}700");
-        assert_eq!(significant(1.6e-5, 2), "1.6\u{202F}×\u{202F}10⁻⁵");
-        assert_eq!(significant(9999.7, 3), "10\u{202F}000");
     }
 
     #[test]
@@ -433,17 +293,12 @@ mod tests {
         assert_eq!(of(0.56, 4.6), "\u{2212}44 to +360 %");
         assert_eq!(of(0.0, 13.2), "at most +1220 %");
         assert_eq!(of(0.076, f64::INFINITY), "at least \u{2212}92 %");
-        assert_eq!(counted(1, "thread"), "1 thread");
-        assert_eq!(counted(12_000, "thread"), "12\u{202F}000 threads");
     }
 
     #[test]
     fn large_errors_have_three_digits() {
         assert_eq!(signed_percent(2302.33), "+230\u{202F}000\u{202F}%");
         assert_eq!(signed_range(4.568, 4.572), "+457\u{202F}%");
-        assert_eq!(percent(22_100.0), "2\u{202F}210\u{202F}000\u{202F}%");
-        assert_eq!(percent(0.0196), "2.0\u{202F}%");
-        assert_eq!(percent(0.0), "0\u{202F}%");
     }
 
     #[test]
@@ -454,8 +309,6 @@ mod tests {
         assert_eq!(chosen(1e7, PASCALS), "10\u{202F}MPa");
         assert_eq!(chosen(2.5e3, PASCALS), "2.5\u{202F}kPa");
         assert_eq!(chosen(115.384_615e9, PASCALS), "115.4\u{202F}GPa");
-        assert_eq!(quantity(6.2e-8, METRES, 2), "62\u{202F}nm");
-        assert_eq!(quantity(0.0, METRES, 2), "0\u{202F}m");
     }
 
     #[test]

@@ -25,7 +25,7 @@ const UNITS: &[(&str, &str)] = &[
     (
         "Pa",
         "modulus mean_pressure mean_pressure_interval mean_pressure_prediction_interval max_pressure \
-            real_pressure real_pressure_corrected real_pressure_interval \
+            real_pressure real_pressure_interval \
             real_pressure_prediction_interval hardness",
     ),
     ("Pa/m", "stiffness stiffness_interval stiffness_prediction_interval"),

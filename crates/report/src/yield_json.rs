@@ -7,14 +7,14 @@ use serde_json::{Map, Value, json};
 pub const YIELD_KEYS: [&str; 3] =
     ["saturated_fraction", "plastic_load_fraction", "elastic_area_fraction"];
 
-/// Area at the hardness, the share of the load that it carries, and the rest of `area_fraction`; nothing
+/// Area at the hardness, the share of the load that it carries, and the rest of `touching_fraction`; nothing
 /// for elastic bodies.
-pub fn yield_keys(yielded: Option<Yielded>, area_fraction: f64) -> Map<String, Value> {
+pub fn yield_keys(yielded: Option<Yielded>, touching: f64) -> Map<String, Value> {
     let Some(Yielded { area_fraction: saturated, load_share, .. }) = yielded else {
         return Map::new();
     };
     // Rounded sums: no area is below 0.
-    let rest = (area_fraction - saturated).max(0.0);
+    let rest = (touching - saturated).max(0.0);
     let values = [saturated, load_share, rest];
     YIELD_KEYS.into_iter().zip(values).map(|(key, value)| (key.to_owned(), json!(value))).collect()
 }

@@ -232,7 +232,7 @@ fn the_fitted_formula_is_printed() {
 fn the_headline_agrees_with_table_and_csv() {
     let page = html(one());
     let surface = &one().surfaces[0];
-    let area = 100.0 * surface.headline_answer().unwrap().area_fraction_corrected;
+    let area = 100.0 * surface.headline_answer().unwrap().area_fraction;
     let h1 = &page[page.find("<h1>").unwrap()..page.find("</h1>").unwrap()];
     let bold = &h1[h1.find("<b>").unwrap() + 3..h1.find("</b>").unwrap()];
     // A map of 96 points a side, whose load few blocks carry, may say the upper end alone.
@@ -349,8 +349,8 @@ fn coarser_grids_are_drawn_and_listed_where_they_were_solved() {
     assert_eq!(listed.len(), 2);
     for (grid, label) in listed.iter().zip(["½ grid", "¼ grid"]) {
         assert!(figure.contains(label), "{label}");
-        let area = grid["area_fraction_corrected"].as_f64().unwrap();
-        let truth = one().surfaces[0].headline_answer().unwrap().area_fraction_corrected;
+        let area = grid["area_fraction"].as_f64().unwrap();
+        let truth = one().surfaces[0].headline_answer().unwrap().area_fraction;
         assert!((grid["area_error"].as_f64().unwrap() - (area / truth - 1.0)).abs() < 1e-12);
     }
     let page = html(three());

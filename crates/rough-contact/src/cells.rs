@@ -21,8 +21,8 @@ pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
         cells.push(text::relative(load.value, load.interval().ok(), text::pressure));
     }
     cells.extend([
+        text::percent(solution.touching_fraction()),
         text::percent(state.area_fraction),
-        text::percent(d.area_fraction_corrected),
         text::relative(area.value, area.interval().ok(), text::percent),
         text::relative(area.value, area.prediction(), text::percent),
         state.mean_gap.map_or_else(|| "–".to_owned(), text::length),

@@ -136,6 +136,7 @@ fn main() -> ExitCode {
 
 fn run(cli: &Cli) -> Result<Reply, Failure> {
     let common = &cli.common;
+    #[cfg(feature = "parallel")]
     if let Some(threads) = common.threads {
         // Fails only if a pool exists already, which nothing before this line makes.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();

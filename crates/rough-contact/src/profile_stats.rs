@@ -3,7 +3,6 @@
 use crate::outcome::{Failure, Reply};
 use crate::profiles::{Traces, uneven_line};
 use crate::text::{self, Columns, Table};
-use report::Worded;
 use std::fmt::Write as _;
 use std::path::Path;
 use surface_stats::profile::ProfileStatistics;
@@ -85,8 +84,7 @@ fn describe(s: &ProfileStatistics, missing: usize) -> String {
         let _ = write!(out, "\n{columns}");
     }
     for warning in &s.warnings {
-        let Worded { claim, text, .. } = report::warning(warning);
-        let _ = writeln!(out, "warning: {claim} {text}");
+        let _ = writeln!(out, "warning: {warning}");
     }
     out
 }

@@ -123,17 +123,9 @@ impl PerFile for Solve {
         Shown { head: "against", at: &["/pair/second/name"], how: How::Word },
         Shown { head: "load", at: &["/points/*/load"], how: How::Force },
         Shown { head: "mean pressure", at: &["/points/*/mean_pressure"], how: How::Pressure },
-        Shown {
-            head: "area",
-            at: &["/points/*/area_fraction_corrected", "/points/*/area_fraction"],
-            how: How::Percent,
-        },
+        Shown { head: "area", at: &["/points/*/area_fraction"], how: How::Percent },
         Shown { head: "mean gap", at: &["/points/*/mean_gap"], how: How::Length },
-        Shown {
-            head: "real pressure",
-            at: &["/points/*/real_pressure_corrected"],
-            how: How::Pressure,
-        },
+        Shown { head: "real pressure", at: &["/points/*/real_pressure"], how: How::Pressure },
         Shown { head: "time", at: &["/points/*/seconds"], how: How::Seconds },
         Shown { head: "to check", at: &["/findings"], how: How::Checks },
     ];
@@ -355,8 +347,8 @@ impl Solve {
             headings.push("±"); // the load is an answer too
         }
         headings.extend([
+            "touching",
             "area",
-            "corrected",
             "±",
             "± surface",
             "mean gap",

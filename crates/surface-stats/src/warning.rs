@@ -1,8 +1,9 @@
 //! What must be known before the numbers are put into a contact model.
 
+use contact_types::numbers::{METRES, counted, percent, quantity, significant};
+use std::fmt;
+
 /// An assumption of the models that this surface strains, or an input that is not the surface's.
-///
-/// The words are those of who shows it; this project's stand in the crate `contact-report`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Warning {
@@ -115,6 +116,153 @@ impl Warning {
             Self::NoRolloff => "no-rolloff",
             Self::FewWaves { .. } => "few-waves",
             Self::NotSelfAffine { .. } => "not-self-affine",
+        }
+    }
+
+    /// What was found, with its number; its effect, and what to do.
+    pub fn words(&self) -> [String; 2] {
+        let ratio = |x: f64| significant(x, 2);
+        match *self {
+            Self::Rounding { rms_height, spacing } => worded(
+                format!("The rms height of {} is rounding.", quantity(rms_height, METRES, 2)),
+                format!(
+                    "The heights are stored to {}; what is left after levelling is no roughness.",
+                    quantity(spacing, METRES, 1)
+                ),
+            ),
+            Self::Flat => worded(
+                "The map is flat.",
+                "There is no roughness: any load closes the contact, and the models have no input.",
+            ),
+            Self::Tilted { explained } => worded(
+                format!("A plane explains {} of the height variance.", percent(explained)),
+                "A tilt left in moves the gap by 3 to 14\u{202F}% and the summit models by −7 to \
+                 −11\u{202F}%. Level the map, unless the tilt belongs to the contact.",
+            ),
+            Self::RowsJump { jump, share } => worded(
+                format!("Rows of the map jump: by {} rms.", quantity(jump, METRES, 2)),
+                format!(
+                    "That makes {} of the mean square difference between rows: slopes across them are \
+                     those of the scan, not of the surface. Align the rows.",
+                    percent(share)
+                ),
+            ),
+            Self::EdgeJump { ratio: r } => worded(
+                format!("Edges do not match: they jump {} times the inner step.", ratio(r)),
+                "Repeated as it is, the map has a step there: spectral moments contain it, and a solution \
+                 presses on it.",
+            ),
+            Self::Anisotropic { ratio: r } if r > 1e6 => worded(
+                "The surface has a lay: one direction has no slope.",
+                "The closed forms assume an isotropic surface; none of them is safe.",
+            ),
+            Self::Anisotropic { ratio: r } => worded(
+                format!("The surface has a lay: slope anisotropy {}.", ratio(r)),
+                "The closed forms assume an isotropic surface; beyond 2 none of them is safe.",
+            ),
+            Self::NotGaussian { skewness, kurtosis } => worded(
+                format!(
+                    "Heights are not normal: skewness {}, kurtosis {}.",
+                    significant(skewness, 2).replace('-', "\u{2212}"),
+                    ratio(kurtosis)
+                ),
+                "The closed forms assume 0 and 3; beyond ±0.2 and ±0.3 none of them is safe.",
+            ),
+            Self::NarrowBand { bandwidth } => worded(
+                format!("Bandwidth α = {} is below 1.5.", ratio(bandwidth)),
+                "No isotropic Gaussian surface has that; the summit models do not apply.",
+            ),
+            Self::Unresolved { ratio: r } => worded(
+                format!("Finite differences recover {} of the spectral rms gradient.", percent(r)),
+                "The shortest waves are near two points, so m₂, m₄ and every area depend on the point spacing. Measure finer, or \
+                 remove short wavelengths and quote the cut-off.",
+            ),
+            Self::Stepped { step, m2_share, m4_share } => worded(
+                format!(
+                    "Height steps of {} make {} of m₂ and {} of \
+                     m₄.",
+                    quantity(step, METRES, 2),
+                    percent(m2_share),
+                    percent(m4_share)
+                ),
+                "Models made of them describe the instrument. Measure with finer steps, or remove \
+                 short wavelengths.",
+            ),
+            Self::Noisy { rms, m2_share, m4_share, reliable } => worded(
+                format!(
+                    "{} of m₄ and {} of m₂ are noise of {} rms.",
+                    percent(m4_share),
+                    percent(m2_share),
+                    quantity(rms, METRES, 2)
+                ),
+                format!(
+                    "Every model made of them describes the instrument, and so does the area at light \
+                     load.{}",
+                    reliable.map_or(String::new(), |l| format!(
+                        " Waves longer than {} stand out of the noise: remove shorter ones and quote \
+                         the cut-off.",
+                        quantity(l, METRES, 2)
+                    ))
+                ),
+            ),
+            Self::FlatTops { plateaus, summits } => worded(
+                format!("{} beside {}.", counted(plateaus, "flat top"), counted(summits, "summit")),
+                "Height steps hide summits; the count depends on the step.",
+            ),
+            Self::NoRolloff => worded(
+                "No roll-off within the map.",
+                "Its longest waves are not sampled: rms height and everything made of it grow with \
+                 the size of the map.",
+            ),
+            Self::FewWaves { count } => worded(
+                format!("Only {} of the longest waves fit the map.", ratio(count)),
+                "Another map of the same surface will give other numbers: the ± here does not cover \
+                 that.",
+            ),
+            Self::NotSelfAffine { hurst } => worded(
+                format!("The spectrum fits H = {}.", outside_unit(hurst)),
+                "A self-affine surface has more than 0 and less than 1: over this range this is none, \
+                 and fractal parameters have no meaning.",
+            ),
+        }
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.words().join(" "))
+    }
+}
+
+fn worded(claim: impl Into<String>, text: impl Into<String>) -> [String; 2] {
+    [claim.into(), text.into()]
+}
+
+/// A number that is not between 0 and 1, with as many digits as it takes to see that.
+fn outside_unit(value: f64) -> String {
+    let digits = (2..12).find(|&d: &i32| {
+        let shown: f64 = format!("{value:.*e}", (d - 1) as usize).parse().unwrap_or(value);
+        !(0.0..=1.0).contains(&shown)
+    });
+    significant(value, digits.unwrap_or(2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_beyond_one_is_not_shown_as_one() {
+        assert_eq!(outside_unit(1.003), "1.003");
+        assert_eq!(outside_unit(1.27), "1.3");
+        assert_eq!(outside_unit(-0.2), "\u{2212}0.20");
+    }
+
+    #[test]
+    fn a_ratio_without_end_is_not_printed() {
+        for ratio in [3.0, 1e7, f64::INFINITY] {
+            let words = Warning::Anisotropic { ratio }.to_string();
+            assert!(words.contains("lay") && !words.contains("inf"), "{ratio}");
         }
     }
 }

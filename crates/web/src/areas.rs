@@ -112,7 +112,7 @@ fn solved(
     let found = whole.solve_observed(&mut solver, Load::MeanPressure(pressure), listen);
     match found {
         _ if out.is_cut() => Ok(None),
-        Ok(solution) => Ok(Some(solution.diagnostics.area_fraction_corrected)),
+        Ok(solution) => Ok(Some(solution.state.area_fraction)),
         Err(error) => Err(Trouble::Refused(Failure::from_error(&error))),
     }
 }

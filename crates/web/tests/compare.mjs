@@ -36,7 +36,7 @@ export function numbers(found, expected, path = '', answer = 0) {
       return /pressure_interval$/.test(path) ? expected[key] ** 2 / Math.min(...ends) : Math.max(...ends);
     }
     if (key !== 'budget' || !expected.budget) return answer;
-    return { area: expected.area_fraction_corrected, mean_gap: expected.mean_gap, stiffness: expected.stiffness };
+    return { area: expected.area_fraction, mean_gap: expected.mean_gap, stiffness: expected.stiffness };
   };
   const of = key => (/budget$/.test(path) ? Math.abs(answer[key] || 0) : part(key));
   const seen = Object.keys(expected).map(key => numbers(found[key], expected[key], `${path}/${key}`, of(key)));

@@ -39,7 +39,7 @@ fn at(hardness: Option<f64>, pressures: &[f64]) -> SurfaceComparison {
 }
 
 fn area(point: &DeterministicPoint) -> f64 {
-    point.answer.as_ref().unwrap().area_fraction_corrected
+    point.answer.as_ref().unwrap().area_fraction
 }
 
 fn model<'a>(surface: &'a SurfaceComparison, name: &str) -> &'a ModelComparison {

@@ -155,7 +155,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         let answered = ladder.solve(load, true, |_| ()).unwrap();
         let Ok(truth) = exact.solve_again(load) else { continue };
         let set = exact.contact_stiffness().unwrap();
-        let (budget, true_area) = (answered.budget, truth.diagnostics.area_fraction_corrected);
+        let (budget, true_area) = (answered.budget, truth.state.area_fraction);
         found.held[0].take(&budget.area, true_area, true_area);
         if case == Case::Gap {
             let pressure = truth.state.mean_pressure;
@@ -180,7 +180,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
 fn pressure_for(solver: &mut Solver, area: f64, guess: f64) -> f64 {
     let mut at = |p: f64| {
         let solution = solver.solve_again(Load::MeanPressure(p)).unwrap();
-        solution.diagnostics.area_fraction_corrected
+        solution.state.area_fraction
     };
     let (mut low, mut high) = (guess, guess);
     while at(low) > area && low > 1e-9 * guess {

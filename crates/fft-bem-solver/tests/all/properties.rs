@@ -90,7 +90,7 @@ proptest! {
         }
         let contact = found.pressure.iter().filter(|p| **p > 0.0).count();
         prop_assert_eq!(contact, d.contact_pixels);
-        prop_assert!((found.state.area_fraction - contact as f64 / n).abs() < 1e-15);
+        prop_assert!((found.touching_fraction() - contact as f64 / n).abs() < 1e-15);
         let open = |i: usize| boundary == Boundary::Periodic || found.pressure[i] <= 0.0;
         let mean_gap = (0..grid.len()).filter(|i| open(*i)).map(|i| found.gap[i]).sum::<f64>() / n;
         prop_assert!((mean_gap - found.state.mean_gap.unwrap()).abs() <= 1e-12 * range);

@@ -35,7 +35,7 @@ fn three_loads_agree_with_two_other_programs() {
             Solver::builder().tolerance(1e-10).build(surface.grid(), unit_modulus()).unwrap();
         let found = solver.solve(&surface, Load::MeanPressure(load)).unwrap();
         let (state, diagnostics) = (&found.state, &found.diagnostics);
-        let values = [state.area_fraction, state.mean_gap.unwrap(), diagnostics.max_pressure];
+        let values = [found.touching_fraction(), state.mean_gap.unwrap(), diagnostics.max_pressure];
         println!(
             "{load}: area {:.9}, mean gap {:.11e}, maximum pressure {:.10}; {:.2} pairs",
             values[0], values[1], values[2], diagnostics.transforms

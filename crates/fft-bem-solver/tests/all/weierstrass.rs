@@ -55,7 +55,7 @@ fn contact_on_two_scales_goes_to_its_limit() {
             let map = HeightMap::from_fn(grid, |_, x| wave(x)).unwrap();
             let mut solver = Solver::builder().tolerance(1e-6).build(grid, modulus).unwrap();
             let found = solver.solve(&map, Load::MeanPressure(load * closes)).unwrap();
-            found.state.area_fraction / two_levels(load, fine) - 1.0
+            found.touching_fraction() / two_levels(load, fine) - 1.0
         };
         let [near, far] = [16, 64].map(error);
         println!(

@@ -88,7 +88,7 @@ impl Worst {
         let largest = |a: f64, b: f64| if b <= a { a } else { b }; // and keeps NaN
         let differences = found.pressure.iter().zip(pressure.clone()).map(|(p, q)| (p - q).abs());
         let p = differences.fold(0.0, largest) / pressure.fold(0.0, largest);
-        let a = (found.state.area_fraction / area - 1.0).abs();
+        let a = (found.touching_fraction() / area - 1.0).abs();
         let differences = found.gap.iter().zip(gap).map(|(g, q)| (g - q).abs());
         let g = differences.fold(0.0, largest) / (top - bottom);
         for (worst, error) in self.errors.iter_mut().zip([p, a, g]) {
@@ -157,7 +157,7 @@ fn scales() -> Vec<Case> {
         let map = scaled(&unit, two(-50), [two(-20); 2]);
         let found = solve(&map, two(30), load);
         let gap = known.gap.iter().map(|g| g * two(-50));
-        worst.compare(&map, &found, known.pressure.iter().copied(), known.state.area_fraction, gap);
+        worst.compare(&map, &found, known.pressure.iter().copied(), known.touching_fraction(), gap);
     }
     let extreme = "heights × 2⁻⁵⁰, pixels × 2⁻²⁰, E* × 2³⁰";
     cases.push(worst.case(

@@ -36,9 +36,9 @@ class Point:
     """One load: the keys of a point of ``rough-contact solve --json``. SI units; None where there is no number."""
 
     mean_pressure: float | None = _n("Pa", "nominal pressure: load over nominal area")
-    area_fraction: float | None = _n("1", "counted: points that carry pressure over all points; too high by what the contact line adds")
-    area_fraction_corrected: float | None = _n("1", "real over nominal contact area: `area_fraction` less 0.1013 points for each edge of the contact line")
-    area_interval: Interval | None = _n("1", "error interval of `area_fraction_corrected` by grid and iteration")
+    touching_fraction: float | None = _n("1", "points that carry pressure over all points; too high by what the contact line adds")
+    area_fraction: float | None = _n("1", "real over nominal contact area: `touching_fraction` less 0.1013 points for each edge of the contact line")
+    area_interval: Interval | None = _n("1", "error interval of `area_fraction` by grid and iteration")
     area_prediction_interval: Interval | None = _n("1", "the same for another map of the surface: with the sampling variability")
     area_interval_reason: Any = _n("", "why there is no interval")
     mean_gap: float | None = _n("m", "mean distance of the deformed surfaces")
@@ -46,10 +46,9 @@ class Point:
     mean_gap_prediction_interval: Interval | None = _n("m", "error interval of `mean_gap` for another map of the surface")
     mean_pressure_interval: Interval | None = _n("Pa", "error interval of `mean_pressure` by grid and iteration")
     mean_pressure_prediction_interval: Interval | None = _n("Pa", "error interval of `mean_pressure` for another map of the surface")
-    real_pressure: float | None = _n("Pa", "load over the counted area")
-    real_pressure_corrected: float | None = _n("Pa", "load over the corrected area")
-    real_pressure_interval: Interval | None = _n("Pa", "error interval of `real_pressure_corrected` by grid and iteration")
-    real_pressure_prediction_interval: Interval | None = _n("Pa", "error interval of `real_pressure_corrected` for another map of the surface")
+    real_pressure: float | None = _n("Pa", "load over the area in contact")
+    real_pressure_interval: Interval | None = _n("Pa", "error interval of `real_pressure` by grid and iteration")
+    real_pressure_prediction_interval: Interval | None = _n("Pa", "error interval of `real_pressure` for another map of the surface")
     max_pressure: float | None = _n("Pa", "highest pressure of a point")
     approach: float | None = _n("m", "displacement since first touch")
     load: float | None = _n("N", "force, if forces were given")
@@ -110,7 +109,7 @@ class Point:
         if self.area_fraction is None:
             why = self.error["message"] if self.error else "no answer"
             return f"Point({pressure(self.mean_pressure)}: {why})"
-        shown = [pressure(self.mean_pressure), f"area {percent(self.area_fraction_corrected, self.area_interval)}"]
+        shown = [pressure(self.mean_pressure), f"area {percent(self.area_fraction, self.area_interval)}"]
         if self.mean_gap is not None:
             shown.append(f"mean gap {self.mean_gap:.4g} m")
         return f"Point({', '.join(shown)}{'' if self.converged else ', not converged'})"
@@ -127,10 +126,10 @@ Point.__doc__ = f"{Point.__doc__}{_table(f.name for f in fields(Point))}"
 
 #: Which interval belongs to which number.
 _INTERVALS = {
-    "area_fraction_corrected": "area",
+    "area_fraction": "area",
     "mean_gap": "mean_gap",
     "mean_pressure": "mean_pressure",
-    "real_pressure_corrected": "real_pressure",
+    "real_pressure": "real_pressure",
     "stiffness": "stiffness",
 }
 
@@ -170,8 +169,8 @@ class LoadCurve:
     seconds: float = field(default=math.nan, repr=False)
 
     mean_pressure: NDArray[np.float64] = field(init=False)
+    touching_fraction: NDArray[np.float64] = field(init=False)
     area_fraction: NDArray[np.float64] = field(init=False)
-    area_fraction_corrected: NDArray[np.float64] = field(init=False)
     area_interval: NDArray[np.float64] = field(init=False)
     area_prediction_interval: NDArray[np.float64] = field(init=False)
     mean_gap: NDArray[np.float64] = field(init=False)
@@ -180,7 +179,6 @@ class LoadCurve:
     mean_pressure_interval: NDArray[np.float64] = field(init=False)
     mean_pressure_prediction_interval: NDArray[np.float64] = field(init=False)
     real_pressure: NDArray[np.float64] = field(init=False)
-    real_pressure_corrected: NDArray[np.float64] = field(init=False)
     real_pressure_interval: NDArray[np.float64] = field(init=False)
     real_pressure_prediction_interval: NDArray[np.float64] = field(init=False)
     max_pressure: NDArray[np.float64] = field(init=False)
@@ -303,7 +301,7 @@ class LoadCurve:
         repeats = self.json["boundary"] == "periodic" and self.json["edges"] == "periodic"
         return _rust.spots(self.pressure(index), self.pixel, repeats)
 
-    def bars(self, name: str = "area_fraction_corrected", *, prediction: bool = False) -> NDArray[np.float64]:
+    def bars(self, name: str = "area_fraction", *, prediction: bool = False) -> NDArray[np.float64]:
         """Half widths below and above, shape (2, n), for `errorbar`; NaN where there is no interval.
 
         Parameters
@@ -370,7 +368,7 @@ class LoadCurve:
         self,
         ax: Axes | None = None,
         *,
-        y: str = "area_fraction_corrected",
+        y: str = "area_fraction",
         bars: bool = True,
         unit: str = "MPa",
         **errorbar: Any,
@@ -399,9 +397,9 @@ class LoadCurve:
             residual = p.residuals["preconditioned"] if p.residuals else float("nan")
             cells = (
                 pressure(p.mean_pressure),
-                percent(p.area_fraction_corrected, p.area_interval) + ("" if p.converged else " (not converged)"),
+                percent(p.area_fraction, p.area_interval) + ("" if p.converged else " (not converged)"),
                 "–" if p.mean_gap is None else f"{p.mean_gap * 1e9:.4g} nm",
-                _rust.pressure_within(p.real_pressure_corrected, p.real_pressure_interval),
+                _rust.pressure_within(p.real_pressure, p.real_pressure_interval),
                 f"{residual:.1e}",
                 f"{p.solver_seconds or 0:.2g} s",
             )

@@ -145,7 +145,7 @@ def solve(
     >>> import rough_contact as rc
     >>> s = rc.synth((128, 128), pixel='1um', hurst=0.8, rolloff='32um', cutoff='8um', rms_gradient=0.1, seed=1)
     >>> curve = rc.solve(s, modulus='110 GPa', pressure='100MPa,300MPa', hardness='20 GPa')
-    >>> curve.area_fraction_corrected.shape
+    >>> curve.area_fraction.shape
     (2,)
     """
     check("edges", edges, ("periodic", "mirrored"))

@@ -236,7 +236,7 @@ class Comparison(Documents):
             points = surface.json["deterministic"]["points"]
             at = [p for p in points if p["mean_pressure"] == surface.headline_pressure]
             interval = (at[0]["area_prediction_interval"] or at[0]["area_interval"]) if at else None
-            area = percent(at[0]["area_fraction_corrected"], interval) if at else "–"
+            area = percent(at[0]["area_fraction"], interval) if at else "–"
             found.append((f"{name}: area {area} at {pressure(surface.headline_pressure)}", rows))
         return found
 

@@ -14,10 +14,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _NAMES = {
-    "area_fraction_corrected": "area fraction",
-    "area_fraction": "area fraction, counted",
+    "area_fraction": "area fraction",
+    "touching_fraction": "touching points over all points",
     "mean_gap": "mean gap (m)",
-    "real_pressure_corrected": "real pressure (Pa)",
+    "real_pressure": "real pressure (Pa)",
 }
 
 

@@ -7,7 +7,7 @@ use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
 use compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
-use rayon::join;
+use grid_fft::parallel::join;
 
 /// Lightness of the relief where nothing touches, and its depth.
 const RELIEF: (f64, f64) = (0.965, 0.022);

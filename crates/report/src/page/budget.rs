@@ -125,9 +125,9 @@ pub(crate) fn choices(surface: &SurfaceComparison) -> String {
     let mut list: Vec<(f64, String)> =
         closer.choices.iter().map(|c| (c.effect, choice(c.kind))).collect();
     if let Some(answer) = surface.headline_answer()
-        && answer.area_fraction_corrected > 0.0
+        && answer.area_fraction > 0.0
     {
-        let counted = answer.area_fraction / answer.area_fraction_corrected - 1.0;
+        let counted = answer.touching_fraction / answer.area_fraction - 1.0;
         list.push((counted, "contact points counted, perimeter not corrected".into()));
     }
     list.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));

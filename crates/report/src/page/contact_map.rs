@@ -8,7 +8,7 @@ use crate::page::deformed;
 use crate::page::moving::Moving;
 use crate::page::sections::{figure, reduced_words};
 use compare::SurfaceComparison;
-use rayon::join;
+use grid_fft::parallel::join;
 
 /// The contact map and an enlargement.
 pub(crate) fn where_it_touches(

@@ -10,7 +10,7 @@ use crate::provenance::Provenance;
 use crate::words;
 use compare::{Comparison, SurfaceComparison};
 use contact_types::Citation;
-use rayon::join;
+use grid_fft::parallel::join;
 use std::io::Write;
 
 const STYLE: &str = include_str!("style.css");

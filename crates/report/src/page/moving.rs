@@ -13,8 +13,7 @@ use crate::page::phrases::attribute;
 use compare::{
     FirstContact, PressureMap, PressureMaps, SurfaceComparison, pressure_class, pressure_top,
 };
-use rayon::join;
-use rayon::prelude::*;
+use grid_fft::parallel::{self, join};
 use serde_json::json;
 
 /// Longest side drawn point by point; larger maps are reduced.
@@ -220,8 +219,7 @@ fn encoded_until(
     // The heaviest, which take most, first: what does not fit is soon known.
     let heaviest_first: Vec<usize> = (0..maps.loads.len()).rev().collect();
     for loads in heaviest_first.chunks(AT_ONCE) {
-        let pictures: Vec<_> = loads.par_iter().map(|load| picture(*load)).collect();
-        for picture in pictures {
+        for picture in parallel::map(loads, |load| picture(*load)) {
             encoded.push(picture?);
             bytes += encoded.last().map_or(0, String::len);
         }

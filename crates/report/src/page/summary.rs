@@ -255,8 +255,8 @@ const QUANTITIES: [Quantity; 13] = [
     q("kurtosis", "<i>Sku</i>", "Kurtosis", &[], false),
     q("hurst", "<i>H</i>", "Hurst exponent", &[], false),
     q("mean_pressure", "<i>p</i>", "Headline load", PASCALS, false),
-    q("area_fraction_corrected", "<i>A</i>/<i>A</i>₀", "Real contact area", &[], true),
-    q("real_pressure_corrected", "<i>p</i><sub>r</sub>", "Mean real pressure", PASCALS, true),
+    q("area_fraction", "<i>A</i>/<i>A</i>₀", "Real contact area", &[], true),
+    q("real_pressure", "<i>p</i><sub>r</sub>", "Mean real pressure", PASCALS, true),
     q("mean_gap", "<i>ḡ</i>", "Mean gap", METRES, true),
     q("contact_spots", "<i>n</i>", "Contact spots", &[], false),
     q("median_spot_area", "", "Median spot area", AREAS, true),
@@ -277,7 +277,7 @@ impl Quantity {
     /// The unit of the median, and of the area per cent.
     fn unit(&self, spread: &Spread) -> Unit {
         match (self.key, self.units) {
-            ("area_fraction_corrected", _) => Unit { scale: 0.01, name: "%" },
+            ("area_fraction", _) => Unit { scale: 0.01, name: "%" },
             (_, []) => Unit { scale: 1.0, name: "" },
             (_, units) => unit_for(spread.median(), units),
         }
@@ -413,7 +413,7 @@ fn listed(summary: &Summary<'_>) -> String {
             of("rms_height", &|v| quantity(v, METRES, 3)),
             of("rms_gradient", &|v| significant(v, 2)),
             of("mean_pressure", &|v| chosen(v, PASCALS)),
-            of("area_fraction_corrected", &percent),
+            of("area_fraction", &percent),
             check.map_or("–".into(), |n| n.to_string()),
         )
     };

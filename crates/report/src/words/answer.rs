@@ -8,7 +8,7 @@ use compare::{DeterministicAnswer, SurfaceComparison};
 /// "1.96 ± 0.25 %", "at most 2.1 %" where the interval begins at zero, or "1.96 %" without one: of grid, iteration
 /// and, where this map can tell, sampling variability.
 pub(crate) fn area(answer: &DeterministicAnswer) -> String {
-    percent_within(answer.area_fraction_corrected, answer.budget.area.stated())
+    percent_within(answer.area_fraction, answer.budget.area.stated())
 }
 
 /// Mean real pressure, load over area, between the ends of that.

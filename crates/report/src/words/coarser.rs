@@ -55,8 +55,8 @@ mod tests {
         Coarser {
             factor,
             shape: [512 / factor; 2],
+            touching_fraction: 0.02,
             area_fraction: 0.02,
-            area_fraction_corrected: 0.02,
             error,
             seconds: 1.0,
         }

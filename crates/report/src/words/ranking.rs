@@ -87,7 +87,6 @@ pub(crate) fn nearest(surface: &SurfaceComparison) -> Option<Ranked<'_>> {
 
 /// Whether the area at the reference load is known well enough to rank closed forms by it.
 pub(crate) fn is_known(surface: &SurfaceComparison) -> bool {
-    let known =
-        |a: &DeterministicAnswer| Some(a.uncertainty()? <= WANTED * a.area_fraction_corrected);
+    let known = |a: &DeterministicAnswer| Some(a.uncertainty()? <= WANTED * a.area_fraction);
     surface.headline_answer().and_then(known).unwrap_or(false)
 }

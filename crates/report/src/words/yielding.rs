@@ -72,7 +72,7 @@ pub(crate) fn or_yielded(surface: &SurfaceComparison) -> String {
     let soft = typical_hardness(modulus).filter(|_| surface.inputs.hardness.is_none());
     // Where all of a contact has yielded, its area is the load over the hardness, and no less where a part has.
     let yielded = soft.map(|[soft, _]| (soft, (surface.headline_pressure() / soft).min(1.0)));
-    match yielded.filter(|(_, area)| *area > answer.area_fraction_corrected) {
+    match yielded.filter(|(_, area)| *area > answer.area_fraction) {
         Some((soft, area)) => format!(
             " if it stays elastic, <b>{}</b> or more if it yields at {}, as soft solids of this modulus do",
             percent(area),

@@ -138,9 +138,9 @@ fn a_run_goes_on_with_what_is_whole_and_of_the_same_content_and_options() {
     let rows: Vec<&str> = table.lines().collect();
     assert_eq!(rows.len(), 4);
     assert!(rows[0].starts_with("file,") && rows[0].contains("mean_gap (m)"), "{}", rows[0]);
-    let column = rows[0].split(',').position(|head| head == "area_fraction_corrected").unwrap();
+    let column = rows[0].split(',').position(|head| head == "area_fraction").unwrap();
     let cell: f64 = rows[1].split(',').nth(column).unwrap().parse().unwrap();
-    assert!((cell - number(&all[0]["points"][0]["area_fraction_corrected"])).abs() < 1e-15);
+    assert!((cell - number(&all[0]["points"][0]["area_fraction"])).abs() < 1e-15);
     assert!(rows[2].starts_with("in/b/broken.x3p,,") && !rows[2].ends_with(','), "{}", rows[2]);
 }
 

@@ -98,7 +98,7 @@ fn a_contact_is_written_whole() {
         .collect();
     let sum = |k: usize| rows.iter().map(|row| row[k]).sum::<f64>();
     let area = 40.0 * 56.0 * 1.25e-12;
-    assert!((sum(0) / area - number(&point["area_fraction"])).abs() < 1e-9);
+    assert!((sum(0) / area - number(&point["touching_fraction"])).abs() < 1e-9);
     assert!((sum(1) / area / number(&point["mean_pressure"]) - 1.0).abs() < 1e-9);
     assert!(
         rows.iter()
@@ -112,7 +112,7 @@ fn a_contact_is_written_whole() {
         |value: &Value| -> Vec<f64> { value.as_array().unwrap().iter().map(number).collect() };
     let (edges, density) = (list(&p["edges"]), list(&p["density"]));
     let integral: f64 = density.iter().map(|d| d * edges[1]).sum();
-    assert!((integral - number(&point["area_fraction"])).abs() < 1e-12);
+    assert!((integral - number(&point["touching_fraction"])).abs() < 1e-12);
     assert!((number(&p["apart"]) + integral - 1.0).abs() < 1e-12);
     assert_eq!(found["spots"]["count"], rows.len());
     let mean = pressure.iter().zip(&gap).filter(|(p, _)| **p <= 0.0).map(|(_, g)| g).sum::<f64>();

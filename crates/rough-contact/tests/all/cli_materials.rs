@@ -182,9 +182,10 @@ fn whether_bodies_stick_is_said() {
     let solved = answer(at, &line);
     let share = number(&solved["adhesion"]["attraction"]);
     let rim = std::f64::consts::PI * (3.0 * 0.3e-9 * d.sqrt() / (4.0 * g)).powf(2.0 / 3.0) / d;
-    let shares = solved["points"].as_array().expect("points").iter().map(|p| {
-        0.05 / 0.3e-9 * rim * number(&p["area_fraction_corrected"]) / number(&p["mean_pressure"])
-    });
+    let shares =
+        solved["points"].as_array().expect("points").iter().map(|p| {
+            0.05 / 0.3e-9 * rim * number(&p["area_fraction"]) / number(&p["mean_pressure"])
+        });
     assert!((share / shares.fold(0.0, f64::max) - 1.0).abs() < 1e-6, "{share}");
     assert!(rough_contact(at, &line).out.contains("Adhesion is not negligible"));
     assert!(answer(at, &format!("stats {FILE} --modulus 1MPa")).get("adhesion").is_none());

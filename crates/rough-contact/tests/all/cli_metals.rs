@@ -38,7 +38,7 @@ fn what_has_yielded_carries_the_hardness_and_has_no_sample() {
     for (point, elastic) in points(&answer).iter().zip(points(&elastic)) {
         let [load, area, saturated, share, rest] = [
             "mean_pressure",
-            "area_fraction",
+            "touching_fraction",
             "saturated_fraction",
             "plastic_load_fraction",
             "elastic_area_fraction",
@@ -49,7 +49,7 @@ fn what_has_yielded_carries_the_hardness_and_has_no_sample() {
         assert!((share * load / (saturated * hard) - 1.0).abs() < 1e-9, "{point}");
         assert!((saturated + rest - area).abs() < 1e-12, "{point}");
         assert!(area >= load / hard && number(&point["max_pressure"]) <= hard);
-        assert!(area >= number(&elastic["area_fraction"]), "{point}");
+        assert!(area >= number(&elastic["touching_fraction"]), "{point}");
         // How it scatters from map to map was not studied. The area is at least load over hardness.
         assert!(point["area_prediction_interval"].is_null(), "{point}");
         let low = number(&point["area_interval"][0]);

@@ -39,10 +39,10 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
     for (i, row) in rows.enumerate() {
         let cell = |name: &str| row[column(name)].parse::<f64>().expect("a number");
         for (name, value) in [
-            ("area_fraction_deterministic", &yielding[i]["area_fraction_corrected"]),
+            ("area_fraction_deterministic", &yielding[i]["area_fraction"]),
             ("area_fraction_at_hardness", &yielding[i]["saturated_fraction"]),
             ("load_share_at_hardness", &yielding[i]["plastic_load_fraction"]),
-            ("area_fraction_elastic", &elastic[i]["area_fraction_corrected"]),
+            ("area_fraction_elastic", &elastic[i]["area_fraction"]),
         ] {
             assert!((cell(name) / number(value) - 1.0).abs() < 1e-12, "{name}: {row:?}");
         }
@@ -61,7 +61,7 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
             let by = if is_elastic { "elastic" } else { "deterministic" };
             assert_eq!(model["area_error"]["against"], by, "{model}");
             let error = number(&model["area_error"]["signed"][2]);
-            let area = |points: &Value| number(&points["points"][2]["area_fraction_corrected"]);
+            let area = |points: &Value| number(&points["points"][2]["area_fraction"]);
             let off = number(&model["points"][2]["area_fraction"]) / area(&surface[by]) - 1.0;
             assert!((error - off).abs() < 1e-12, "{error} {off} {}", model["model"]);
         }
@@ -84,7 +84,7 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
     assert_eq!(repeated["settings"]["hardness"], found["settings"]["hardness"]);
     for i in 0..3 {
         let area = |results: &Value| {
-            results["surfaces"][0]["deterministic"]["points"][i]["area_fraction_corrected"].clone()
+            results["surfaces"][0]["deterministic"]["points"][i]["area_fraction"].clone()
         };
         assert_eq!(area(&found), area(&repeated));
     }

@@ -198,8 +198,9 @@ fn truth(
 ) -> Outcome<[f64; 2]> {
     let solve = |map: &HeightMap| -> Outcome<[f64; 2]> {
         let mut solver = Solver::builder().tolerance(1e-10).build(map.grid(), modulus)?;
-        let found = solver.solve(map, Load::MeanPressure(pressure))?.diagnostics;
-        Ok([found.area_fraction_corrected, PERIMETER_CORRECTION * found.contact_perimeter])
+        let found = solver.solve(map, Load::MeanPressure(pressure))?;
+        let correction = PERIMETER_CORRECTION * found.diagnostics.contact_perimeter;
+        Ok([found.state.area_fraction, correction])
     };
     let ([before, _], [area, correction]) = (solve(half_way)?, solve(finest)?);
     Ok([area, (0.3 * correction).max((area - before).abs())])
@@ -304,13 +305,14 @@ impl Job<'_> {
                 seconds = seconds.min(self.answer(method, precision, tolerance)?.seconds);
                 repeats += 1;
             }
+            let touching = first.solution.touching_fraction();
             let Solution { state, pressure, diagnostics, .. } = first.solution;
             take(Row {
                 method: method.to_string(),
                 precision: Some(name(precision).into()),
                 tolerance: Some(tolerance),
-                area: Some(state.area_fraction),
-                corrected: Some(diagnostics.area_fraction_corrected),
+                area: Some(touching),
+                corrected: Some(state.area_fraction),
                 pressure_error: exact.map(|exact| relative(&pressure, exact)),
                 pairs: Some(diagnostics.transforms),
                 seconds,

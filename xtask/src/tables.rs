@@ -1,5 +1,4 @@
-//! Tables of the book that repeat what the code knows: models and formats; and the page drawn
-//! from the measurements of cost.
+//! Tables of the book that repeat what the code knows: models and formats.
 
 use crate::generated::{check_flag, keep_section};
 use crate::shell::{TaskResult, output, rough_contact};
@@ -12,8 +11,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let models = list("model")?;
     keep_section("docs/src/models.md", "models", &model_table(&models), check)?;
     let formats = list("info")?;
-    keep_section("docs/src/formats.md", "formats", &format_table(&formats), check)?;
-    crate::tradeoff::redraw(check)
+    keep_section("docs/src/formats.md", "formats", &format_table(&formats), check)
 }
 
 /// What `rough-contact COMMAND --list --json` prints.
