@@ -19,6 +19,7 @@ mod findings;
 mod first_contact;
 mod gas;
 mod inputs;
+mod leak;
 mod materials;
 mod needs;
 mod pressure_maps;
@@ -69,6 +70,7 @@ pub use findings::{Solved, findings, is_below_a_point, measured, of_pair, seam, 
 pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
 pub use inputs::{Inputs, MomentSource};
+pub use leak::{Along, Leak, Seal};
 pub use materials::{
     Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
     spreads,

@@ -1,6 +1,6 @@
 //! Everything a user can choose about a study.
 
-use crate::{Card, GapGas, Joint, MaterialUse, Registry, Theory, WorkOfAdhesion};
+use crate::{Card, GapGas, Joint, Leak, MaterialUse, Registry, Theory, WorkOfAdhesion};
 use fft_bem_solver::{Method, Precision};
 use serde::{Deserialize, Serialize};
 use surface_stats::Level;
@@ -24,6 +24,9 @@ pub struct Settings {
     /// A gas in the gap, whose conductance is added to that of the contact; absent: vacuum.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gas: Option<GapGas>,
+    /// The leak through the gap.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub leak: Option<Leak>,
     /// Work of adhesion: whether the bodies stick is said, by formulas.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adhesion: Option<WorkOfAdhesion>,
@@ -86,6 +89,7 @@ impl Default for Settings {
             resistivities: None,
             conductivities: None,
             gas: None,
+            leak: None,
             adhesion: None,
             gamma: None,
             materials: Vec::new(),
@@ -192,6 +196,7 @@ macro_rules! names {
         }
     };
 }
+pub(crate) use names;
 
 names! {
     /// What the solver puts beyond the edges of a map.

@@ -97,7 +97,7 @@ impl Request {
             stiffness: self.stiffness,
             hardness: self.hardness,
             conduction: self.joint,
-            leak: Leak::asked(self.leak.as_deref(), self.seal)?,
+            leak: answers::leak_asked(self.leak.as_deref(), self.seal)?,
             adhesion: self.adhesion,
             materials: self.materials.clone(),
             distributions: self.distributions,

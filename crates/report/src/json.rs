@@ -114,6 +114,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "points": s.deterministic.iter().map(point).collect::<Vec<_>>(),
         },
         "conduction": crate::conduction_json::conduction(s),
+        "leak": crate::leak_json::of_study(s, comparison),
         "plasticity": compare::hardness_of(s).map(|h| h.indices(s.inputs.asperities())),
         "elastic_limit": compare::elastic_limit(s),
         "adhesion": s.adhesion,
