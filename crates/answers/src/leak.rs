@@ -90,9 +90,6 @@ mod tests {
         assert!(of(1, 0.0).is_ok(), "no pressure drop is a limit");
         let missing = asked(Some("x"), [Some(1e-3), None, Some(1e-3), None]).unwrap_err();
         assert!(missing.message().contains("pressure drop is"), "{}", missing.message());
-        assert!(
-            asked(None, good.map(Some)).is_err()
-                && asked(Some("z"), [None; 4]).is_err()
-        );
+        assert!(asked(None, good.map(Some)).is_err() && asked(Some("z"), [None; 4]).is_err());
     }
 }

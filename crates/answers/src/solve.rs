@@ -10,8 +10,8 @@ use crate::scene;
 use crate::watch::Watch;
 use crate::work::Work;
 use compare::{
-    Adhesion, Body, EdgesName, Finding, Hardness, Joint, Leak, Level, MaterialUse, Method, PairOrigin,
-    Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
+    Adhesion, Body, EdgesName, Finding, Hardness, Joint, Leak, Level, MaterialUse, Method,
+    PairOrigin, Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
 };
 use contact_accuracy::{Aim, Ladder, LadderError, Setup};
 use contact_types::{ContactModulus, HeightMap};

@@ -205,7 +205,8 @@ fn compare(
         }
     };
     let (known, beside_seconds) = (curve.map, curve.beside_seconds);
-    let Curve { points: deterministic, headline, pressure, leaks, spots, distributions, .. } = curve;
+    let Curve { points: deterministic, headline, pressure, leaks, spots, distributions, .. } =
+        curve;
     let Curve { first, pressures: pressure_maps, sections, solved, .. } = curve;
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {

@@ -106,7 +106,10 @@ impl Leaks {
 
     /// Leaves the maps of the flux.
     pub fn drop_maps(&mut self) {
-        self.along.iter_mut().flat_map(|(_, leak)| leak).for_each(|leak| leak.flow.flux = Vec::new());
+        self.along
+            .iter_mut()
+            .flat_map(|(_, leak)| leak)
+            .for_each(|leak| leak.flow.flux = Vec::new());
     }
 
     /// Of a solution with its maps and K on the thinned maps along x and y; between walls where the map is continued by its mirror images.

@@ -79,6 +79,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "gamma": s.inputs.has_gap().then(|| s.inputs.gamma()),
         },
         "headline_pressure": s.headline_pressure(),
+        "headline_load": s.load_area.map(|area| s.headline_pressure() * area),
         "resolved": s.spectral.resolved,
         "contact_spots": s.spots.map(|c| json!({
             "count": c.count,

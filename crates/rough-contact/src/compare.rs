@@ -386,7 +386,8 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
         if let Some(line) = report::elastic_line(surface) {
             let _ = writeln!(out, "{line}");
         }
-        let loads = surface.deterministic.iter().map(|point| point.mean_pressure).zip(&surface.leaks);
+        let loads =
+            surface.deterministic.iter().map(|point| point.mean_pressure).zip(&surface.leaks);
         let leaks = loads.filter_map(|(pressure, leaks)| Some((pressure, leaks.as_ref()?)));
         let Settings { leak, modulus, hardness, .. } = &comparison.settings;
         out.push_str(&leak::lines(leak.as_ref(), leaks, *modulus, hardness.is_some()));

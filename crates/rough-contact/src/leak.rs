@@ -37,7 +37,10 @@ impl LeakOptions {
     /// What is asked of the gap.
     pub(crate) fn asked(&self) -> Result<Option<Leak>, Failure> {
         let Self { leak, viscosity, pressure_drop, seal_length, seal_width } = self;
-        answers::leak_asked(leak.as_deref(), [*viscosity, *pressure_drop, *seal_length, *seal_width])
+        answers::leak_asked(
+            leak.as_deref(),
+            [*viscosity, *pressure_drop, *seal_length, *seal_width],
+        )
     }
 }
 

@@ -27,7 +27,8 @@ pub(crate) fn gaps(found: &Coverage) -> String {
         let error = 100.0 * median(held.errors.iter().copied()).unwrap_or(f64::NAN);
         format!("| {name} | {} | {} | {error:.2} % |\n", held.off.len(), cell(found, k))
     };
-    let rows: String = [(3, "conductance of the gas"), (4, "permeability along x")].map(row).concat();
+    let rows: String =
+        [(3, "conductance of the gas"), (4, "permeability along x")].map(row).concat();
     let bounds = &found.held[5];
     let held = bounds.off.iter().filter(|off| **off <= 1.0).count();
     format!(

@@ -5,7 +5,9 @@ use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::numbers::{PASCALS, chosen};
 use crate::page::context::Page;
-use crate::page::{conduction, contact_map, distributions, how_made, leak, overview, sections, slider};
+use crate::page::{
+    conduction, contact_map, distributions, how_made, leak, overview, sections, slider,
+};
 use crate::provenance::Provenance;
 use crate::words;
 use compare::{Comparison, SurfaceComparison};

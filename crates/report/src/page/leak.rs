@@ -16,8 +16,7 @@ use compare::{Leak, SurfaceComparison};
 use contact_accuracy::{Axis, Leak as Along, Leaks};
 
 /// What closed forms are called, in their order.
-const FORMS: [[&str; 2]; 2] =
-    [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", "Bruggeman"]];
+const FORMS: [[&str; 2]; 2] = [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", "Bruggeman"]];
 
 /// K, or what is known of it.
 fn known(leak: &Along, unit: &str, of: impl Fn(f64) -> f64) -> String {
@@ -102,8 +101,13 @@ impl<'a> Curves<'a> {
         };
         let time = leaks.seconds[0] / leaks.along.len() as f64;
         let cells = [known(leak, "m³", |k| k), "reference".into(), "–".into(), duration(time)];
-        let mut rows =
-            row(" class=\"ref\"", swatch(DETERMINISTIC_LOOK), "Reynolds on the gap", cells, &channel);
+        let mut rows = row(
+            " class=\"ref\"",
+            swatch(DETERMINISTIC_LOOK),
+            "Reynolds on the gap",
+            cells,
+            &channel,
+        );
         for (k, (name, permeability, seconds)) in leaks.closed_forms().into_iter().enumerate() {
             let errors = self.errors(k);
             let all = || errors.iter().flatten().copied();
@@ -147,11 +151,8 @@ pub(crate) fn section(
     let settings = &page.comparison.settings;
     let leaks = surface.leaks.get(surface.headline).and_then(Option::as_ref);
     let (Some(asked), Some(leaks)) = (settings.leak, leaks) else { return Ok(String::new()) };
-    let notes = leak_notes(
-        surface.leaks.iter().flatten(),
-        settings.modulus,
-        settings.hardness.is_some(),
-    );
+    let notes =
+        leak_notes(surface.leaks.iter().flatten(), settings.modulus, settings.hardness.is_some());
     let notes: String = notes.iter().map(|note| format!(" {note}.")).collect();
     let (at, h, p) = (surface.headline, page.heading(), crate::words::headline_load(surface));
     let curves: Vec<Curves<'_>> = asked

@@ -10,10 +10,16 @@ pub fn leak_notes<'a>(
     yields: bool,
 ) -> Vec<&'static str> {
     let is = |name: &str| {
-        leaks.clone().flat_map(|l| &l.along).any(|(_, l)| l.as_ref().is_ok_and(|l| l.channel() == name))
+        leaks
+            .clone()
+            .flat_map(|l| &l.along)
+            .any(|(_, l)| l.as_ref().is_ok_and(|l| l.channel() == name))
     };
     let notes = [
-        (is("sealed"), "sealed: sealed at this resolution; a channel finer than a point is not seen"),
+        (
+            is("sealed"),
+            "sealed: sealed at this resolution; a channel finer than a point is not seen",
+        ),
         (
             is("narrow"),
             "narrow: fewer than 4 points across the bottleneck: no rate, a bound; measure on a finer grid",
