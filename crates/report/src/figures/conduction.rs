@@ -144,7 +144,8 @@ fn end(
     colour: Colour,
     bold: bool,
 ) -> Option<EndLabel> {
-    let (last, series) = (values.iter().flatten().last()?, String::new());
+    let last = values.iter().flatten().last().filter(|_| !label.is_empty())?;
+    let series = String::new();
     Some(EndLabel {
         y: frame.y.at(*last).clamp(TOP, BOTTOM),
         text: label.into(),

@@ -11,6 +11,7 @@ use crate::page::context::Page;
 use crate::page::sections::{figure, reduced_words};
 use crate::page::tables::swatch;
 use crate::words::conduction::scientific;
+use crate::words::finding::capital;
 use crate::words::leak::leak_notes;
 use compare::{Leak, SurfaceComparison};
 use contact_accuracy::{Axis, Leak as Along, Leaks};
@@ -153,7 +154,7 @@ pub(crate) fn section(
     let (Some(asked), Some(leaks)) = (settings.leak, leaks) else { return Ok(String::new()) };
     let notes =
         leak_notes(surface.leaks.iter().flatten(), settings.modulus, settings.hardness.is_some());
-    let notes: String = notes.iter().map(|note| format!(" {note}.")).collect();
+    let notes: String = notes.iter().map(|note| format!(" {}.", capital(note))).collect();
     let (at, h, p) = (surface.headline, page.heading(), crate::words::headline_load(surface));
     let curves: Vec<Curves<'_>> = asked
         .along
@@ -180,7 +181,7 @@ pub(crate) fn section(
             Line { label, series: String::new(), look: look(name, k), values }
         };
         let other = curves.get(1).map(|curves| Line {
-            label: format!("along {}", curves.axis.name()),
+            label: String::new(), // it may end before the others; the caption has it
             series: String::new(),
             look: ELASTIC_LOOK,
             values: curves.permeability(),
