@@ -19,7 +19,6 @@ mod findings;
 mod first_contact;
 mod gas;
 mod inputs;
-mod leak;
 mod materials;
 mod needs;
 mod pressure_maps;
@@ -70,7 +69,6 @@ pub use findings::{Solved, findings, is_below_a_point, measured, of_pair, seam, 
 pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
 pub use inputs::{Inputs, MomentSource};
-pub use leak::{Along, Leak, Seal};
 pub use materials::{
     Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
     spreads,
@@ -92,7 +90,9 @@ pub use result::{
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
 pub use sections::Sections;
-pub use settings::{Body, EdgesName, STEEL, Settings, default_pressures, poisson};
+pub use settings::{
+    Along, Body, EdgesName, Leak, STEEL, Seal, Settings, default_pressures, poisson,
+};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spot, Spots, labelled_spots, spot_list};
 pub use study::loads as loads_of_study;

@@ -17,11 +17,15 @@ pub struct Leak {
 }
 
 impl Leak {
-    /// Whether K is more than a bound: four points and more across the bottleneck, or no channel on any grid.
-    pub fn is_rate(&self) -> bool {
+    /// Whether K is more than a bound: four points and more across the bottleneck, and K at least as large as what halving the
+    /// points took off it, for a method of first order takes as much again; or no channel on any grid.
+    fn is_rate(&self) -> bool {
         match &self.flow.bottleneck {
             None => self.coarser.iter().all(|k| *k <= 0.0),
-            Some(bottleneck) => bottleneck.width >= FEWEST_ACROSS,
+            Some(bottleneck) => {
+                let k = self.flow.permeability;
+                bottleneck.width >= FEWEST_ACROSS && self.coarser.iter().all(|c| c - k <= k)
+            }
         }
     }
 

@@ -52,7 +52,7 @@ fn cubic(metres: f64) -> String {
 /// A table with a row for each load and axis, and what must be known of it.
 pub(crate) fn lines<'a>(
     asked: Option<&Leak>,
-    points: impl Iterator<Item = (f64, &'a Leaks)> + Clone,
+    points: impl Iterator<Item = (f64, &'a Leaks)>,
     modulus: f64,
     yields: bool,
 ) -> String {
@@ -70,7 +70,9 @@ pub(crate) fn lines<'a>(
     ]);
     let mut columns = Columns::new(&headings);
     let mut seconds = [0.0; 3];
-    for (pressure, leaks) in points.clone() {
+    let mut all = Vec::new();
+    for (pressure, leaks) in points {
+        all.push(leaks);
         seconds.iter_mut().zip(leaks.seconds).for_each(|(sum, s)| *sum += s);
         for (axis, found) in &leaks.along {
             let load = text::pressure(pressure);
@@ -113,7 +115,7 @@ pub(crate) fn lines<'a>(
         "leak: Reynolds' equation on the gap, Q = K W Δp/(12 η L), {flow}; of the same gap ⟨g⟩³ in {mean}, Bruggeman in \
          {bruggeman}"
     );
-    for note in report::leak_notes(points.map(|(_, leaks)| leaks), modulus, yields) {
+    for note in report::leak_notes(&all, modulus, yields) {
         let _ = writeln!(out, "{note}");
     }
     out

@@ -6,48 +6,18 @@ use crate::figures::conduction::{Line, over_load};
 use crate::figures::cost::{self, Route};
 use crate::figures::flow;
 use crate::looks::look;
-use crate::numbers::{METRES, duration, quantity, relative_interval, signed_percent, signed_range};
+use crate::numbers::{METRES, duration, quantity, signed_percent, signed_range};
 use crate::page::context::Page;
 use crate::page::sections::{figure, reduced_words};
 use crate::page::tables::swatch;
 use crate::words::conduction::scientific;
 use crate::words::finding::capital;
-use crate::words::leak::leak_notes;
-use compare::{Leak, SurfaceComparison};
+use crate::words::leak::{known, leak_notes};
+use compare::SurfaceComparison;
 use contact_accuracy::{Axis, Leak as Along, Leaks};
 
 /// What closed forms are called, in their order.
 const FORMS: [[&str; 2]; 2] = [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", "Bruggeman"]];
-
-/// K, or what is known of it.
-fn known(leak: &Along, unit: &str, of: impl Fn(f64) -> f64) -> String {
-    match (leak.permeability(), leak.interval()) {
-        (Some(k), ends) => {
-            let spread = ends.filter(|_| k > 0.0).map(|ends| relative_interval(k, ends));
-            let spread = spread.map_or_else(String::new, |text| format!(" {text}"));
-            scientific(of(k), unit) + &spread
-        }
-        (None, Some([_, most])) => format!("at most {}", scientific(of(most), unit)),
-        (None, None) => "–".into(),
-    }
-}
-
-/// Rows of the key numbers: the leak rate, or the permeability where no seal is given.
-pub(crate) fn key_rows(asked: &Leak, surface: &SurfaceComparison) -> Vec<[String; 3]> {
-    let leaks = surface.leaks.get(surface.headline).and_then(Option::as_ref);
-    let row = |(axis, leak): &(Axis, Result<Along, _>)| {
-        let leak = leak.as_ref().ok()?;
-        let k = known(leak, "m³", |k| k);
-        let name = axis.name();
-        Some(match asked.seal {
-            None => [format!("Permeability along {name}"), k, leak.channel().into()],
-            Some(seal) => {
-                [format!("Leak rate along {name}"), known(leak, "m³/s", |k| seal.rate(k)), k]
-            }
-        })
-    };
-    leaks.iter().flat_map(|leaks| &leaks.along).filter_map(row).collect()
-}
 
 /// Error of each closed form over the loads, and permeability at each.
 struct Curves<'a> {
@@ -72,8 +42,8 @@ impl<'a> Curves<'a> {
     }
 
     fn errors(&self, k: usize) -> Vec<Option<f64>> {
-        let of = |(leak, form): (&Option<&Along>, Option<f64>)| leak.as_ref()?.error_of(form?);
-        self.found.iter().zip(self.form(k)).map(of).collect()
+        let of = |(leak, form): (Option<&Along>, Option<f64>)| leak?.error_of(form?);
+        self.found.iter().copied().zip(self.form(k)).map(of).collect()
     }
 
     /// The solution, then each closed form.
@@ -152,8 +122,11 @@ pub(crate) fn section(
     let settings = &page.comparison.settings;
     let leaks = surface.leaks.get(surface.headline).and_then(Option::as_ref);
     let (Some(asked), Some(leaks)) = (settings.leak, leaks) else { return Ok(String::new()) };
-    let notes =
-        leak_notes(surface.leaks.iter().flatten(), settings.modulus, settings.hardness.is_some());
+    let notes = leak_notes(
+        &surface.leaks.iter().flatten().collect::<Vec<_>>(),
+        settings.modulus,
+        settings.hardness.is_some(),
+    );
     let notes: String = notes.iter().map(|note| format!(" {}.", capital(note))).collect();
     let (at, h, p) = (surface.headline, page.heading(), crate::words::headline_load(surface));
     let curves: Vec<Curves<'_>> = asked

@@ -10,7 +10,6 @@ use crate::numbers::{
 };
 use crate::page::context::Page;
 use crate::page::how_made::modulus_in_head;
-use crate::page::leak;
 use crate::page::phrases::load_words;
 use crate::sources::DETERMINISTIC;
 use crate::words;
@@ -27,7 +26,7 @@ pub(crate) fn key_numbers(page: &Page<'_>, surface: &SurfaceComparison) -> Strin
         rows.push([r.name.into(), r.value, of + &beside]);
     }
     let settings = &page.comparison.settings;
-    rows.extend(settings.leak.iter().flat_map(|asked| leak::key_rows(asked, surface)));
+    rows.extend(settings.leak.iter().flat_map(|asked| words::leak::key_rows(asked, surface)));
     let (force, product) = load_words(surface);
     rows.push(["Load".into(), force, product]);
     let hardness = surface.inputs.hardness.map(|h| format!("<i>H</i> = {}", chosen(h, PASCALS)));
