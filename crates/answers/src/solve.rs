@@ -3,7 +3,6 @@
 use crate::adhesion;
 use crate::failure::Failure;
 use crate::hardness;
-use crate::leak::Leak;
 use crate::loads::{Spread, rising};
 use crate::planned;
 use crate::point::Point;
@@ -11,8 +10,8 @@ use crate::scene;
 use crate::watch::Watch;
 use crate::work::Work;
 use compare::{
-    Adhesion, Body, EdgesName, Finding, Hardness, Joint, Level, MaterialUse, Method, PairOrigin,
-    Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
+    Adhesion, Body, EdgesName, Finding, Hardness, Joint, Leak, Level, MaterialUse, Method,
+    PairOrigin, Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
 };
 use contact_accuracy::{Aim, Ladder, LadderError, Setup};
 use contact_types::{ContactModulus, HeightMap};
@@ -174,7 +173,7 @@ impl Question {
         let mut work = Work::new(self.loads.len(), self.method.to_string(), level, surface.grid());
         work.spikes = spikes;
         let repeats = self.boundary == Boundary::Periodic && self.edges == EdgesName::Periodic;
-        work.leak.clone_from(&self.leak);
+        work.leak = self.leak;
         work.distributions = self.distributions.then_some(repeats);
         solved.spikes = work.spikes.clone();
         let grid = surface.grid();
@@ -192,7 +191,7 @@ impl Question {
             boundary: self.boundary,
             mirrored: self.edges == EdgesName::Mirrored,
             jump: self.conduction.gas.map(|gas| gas.jump()),
-            leak: self.leak.as_ref().map_or_else(Vec::new, |leak| leak.axes.clone()),
+            leak: self.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
             ..Setup::new(builder, self.modulus)
         };
         let of_set = self.stiffness || self.conduction.is_asked();
@@ -308,7 +307,7 @@ impl Question {
             json["nominal_area"] = json!(self.joint(work.grid.area()).area);
         }
         if let Some(leak) = &self.leak {
-            json["leak"] = leak.object(hardness.is_some());
+            json["leak"] = report::leak_json(leak, hardness.is_some());
         }
         if let Some(adhesion) = adhesion {
             json["adhesion"] = json!(adhesion);

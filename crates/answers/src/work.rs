@@ -2,15 +2,14 @@
 
 use crate::conduction;
 use crate::failure::{Failure, variant};
-use crate::leak::Leak;
 use crate::loads::shown;
 use crate::point::Point;
 use crate::watch::Watch;
 use compare::{
-    Budget, Distributions, Ended, Joint, NoUncertainty, Pressed, Spikes, is_below_a_point,
+    Budget, Distributions, Ended, Joint, Leak, NoUncertainty, Pressed, Spikes, is_below_a_point,
     spot_list,
 };
-use contact_accuracy::{Answered, Map};
+use contact_accuracy::{Answered, Leaks, Map};
 use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, Solution, SolverError};
 use serde_json::json;
@@ -124,7 +123,9 @@ impl Work {
         }
         if let Some(asked) = &self.leak {
             point.leak = result.as_mut().ok().and_then(|answered| answered.leak.take());
-            point.json["leak"] = json!(point.leak.as_ref().map(|leaks| asked.point(leaks)));
+            point.leak.iter_mut().for_each(Leaks::drop_maps);
+            let object = |leaks: &Leaks| report::leak_point_json(asked, leaks);
+            point.json["leak"] = json!(point.leak.as_ref().map(object));
         }
         let budget = point.budget;
         let (result, error) = match result {

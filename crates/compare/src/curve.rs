@@ -8,7 +8,7 @@ use crate::progress::{Progress, StudyError};
 use crate::result::{DeterministicAnswer, DeterministicPoint};
 use crate::sections::Sections;
 use crate::spots::{Spots, spot_list};
-use contact_accuracy::{Answered, Map, Sink};
+use contact_accuracy::{Answered, Leaks, Map, Sink};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Iteration, Solution, SolverError};
 use grid_fft::parallel::join;
@@ -31,6 +31,8 @@ pub(crate) struct Curve {
     score: f64,
     /// Pressure field of the headline (Pa).
     pub(crate) pressure: Vec<f64>,
+    /// The leak at each load; of that of the headline the map of the flux too.
+    pub(crate) leaks: Vec<Option<Leaks>>,
     /// The contact of all loads so far.
     pub(crate) first: Option<FirstContact>,
     /// The pressure of all loads so far.
@@ -64,6 +66,7 @@ impl Curve {
             headline: 0,
             score: f64::INFINITY,
             pressure: Vec::new(),
+            leaks: Vec::new(),
             first: None,
             pressures: None,
             sections: None,
@@ -83,9 +86,11 @@ impl Curve {
             let text = format!("{how}: relative rms pressure error about {reached:.1e}");
             (Some(DeterministicAnswer::of_iterate(&best, &self.map)), Some(*best), Some(text))
         };
+        let mut leak = None;
         let (answer, mut solution, trouble) = match result {
             Ok(answered) => {
-                let answered = answered.with_materials(self.materials);
+                let mut answered = answered.with_materials(self.materials);
+                leak = answered.leak.take();
                 let [coarser, finer] = answered.seconds;
                 self.beside_seconds =
                     [self.beside_seconds[0] + coarser, self.beside_seconds[1] + finer];
@@ -113,6 +118,9 @@ impl Curve {
             self.headline = index;
             (self.spots, self.pressure) = (None, Vec::new());
         }
+        self.leaks.push(leak);
+        let others = self.leaks.iter_mut().enumerate().filter(|(i, _)| *i != self.headline);
+        others.filter_map(|(_, leak)| leak.as_mut()).for_each(Leaks::drop_maps);
         match solution {
             Some(solution) => self.left = Some(Left { index, solution }),
             None => self.distributions.push(None),

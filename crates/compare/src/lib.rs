@@ -90,7 +90,9 @@ pub use result::{
 pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
 pub use sections::Sections;
-pub use settings::{Body, EdgesName, STEEL, Settings, default_pressures, poisson};
+pub use settings::{
+    Along, Body, EdgesName, Leak, STEEL, Seal, Settings, default_pressures, poisson,
+};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spot, Spots, labelled_spots, spot_list};
 pub use study::loads as loads_of_study;

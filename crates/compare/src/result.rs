@@ -11,7 +11,7 @@ use crate::reason::Verdict;
 use crate::sections::Sections;
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes, Spots};
-use contact_accuracy::{Answered, Budget, Map, Numbers, Reached};
+use contact_accuracy::{Answered, Budget, Leaks, Map, Numbers, Reached};
 use contact_types::{ContactModel, ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{End, Residuals, Solution, Yielded};
 use serde::Serialize;
@@ -78,6 +78,9 @@ pub struct SurfaceComparison {
     pub closer: Option<Closer>,
     /// What the contact conducts, if resistivities or conductivities were given.
     pub conduction: Option<Conduction>,
+    /// The leak at each load, at the headline with the map of its flux; nothing unless asked for.
+    #[serde(skip)]
+    pub leaks: Vec<Option<Leaks>>,
     /// Whether the bodies stick, if a work of adhesion was given.
     pub adhesion: Option<Adhesion>,
     /// The rung that was reached, if an accuracy or a fast answer was asked for.

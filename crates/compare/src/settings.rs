@@ -1,6 +1,7 @@
 //! Everything a user can choose about a study.
 
 use crate::{Card, GapGas, Joint, MaterialUse, Registry, Theory, WorkOfAdhesion};
+use contact_accuracy::Axis;
 use fft_bem_solver::{Method, Precision};
 use serde::{Deserialize, Serialize};
 use surface_stats::Level;
@@ -24,6 +25,9 @@ pub struct Settings {
     /// A gas in the gap, whose conductance is added to that of the contact; absent: vacuum.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gas: Option<GapGas>,
+    /// The leak through the gap.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub leak: Option<Leak>,
     /// Work of adhesion: whether the bodies stick is said, by formulas.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adhesion: Option<WorkOfAdhesion>,
@@ -86,6 +90,7 @@ impl Default for Settings {
             resistivities: None,
             conductivities: None,
             gas: None,
+            leak: None,
             adhesion: None,
             gamma: None,
             materials: Vec::new(),
@@ -192,7 +197,6 @@ macro_rules! names {
         }
     };
 }
-
 names! {
     /// What the solver puts beyond the edges of a map.
     #[derive(Default)]
@@ -202,6 +206,61 @@ names! {
         Periodic = "periodic",
         /// Its mirror images: no jump, four times the points.
         Mirrored = "mirrored",
+    }
+}
+
+names! {
+    /// Directions of the pressure drop.
+    Along {
+        /// From the first column to the last.
+        X = "x",
+        /// From the first row to the last.
+        Y = "y",
+        /// Each of the two.
+        Both = "both",
+    }
+}
+
+impl Along {
+    /// The axes.
+    pub fn axes(self) -> &'static [Axis] {
+        match self {
+            Self::X => &[Axis::X],
+            Self::Y => &[Axis::Y],
+            Self::Both => &Axis::BOTH,
+        }
+    }
+}
+
+/// What is asked of the leak.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Leak {
+    /// Directions of the pressure drop.
+    pub along: Along,
+    /// The seal and its fluid, for a rate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seal: Option<Seal>,
+}
+
+/// A seal and its fluid.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Seal {
+    /// Viscosity η (Pa s).
+    pub viscosity: f64,
+    /// Pressure drop Δp (Pa).
+    pub pressure_drop: f64,
+    /// Length L of the way through the seal (m).
+    pub length: f64,
+    /// Width W across the flow (m).
+    pub width: f64,
+}
+
+impl Seal {
+    /// Leak rate Q = K W Δp/(12 η L) (m³/s) of a permeability (m³).
+    pub fn rate(&self, permeability: f64) -> f64 {
+        permeability * self.width * self.pressure_drop / (12.0 * self.viscosity * self.length)
     }
 }
 

@@ -163,6 +163,7 @@ fn compare(
     let rungs = |setup| Ladder::new(map.clone(), setup).map_err(|e| refused_ladder(e, &name));
     let whole = Setup {
         jump: settings.gas.map(|gas| gas.jump()),
+        leak: settings.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
         ..setup(builder(settings).maps(Maps::PressureAndGap).section(section))
     };
     let materials = spreads(&settings.materials);
@@ -203,7 +204,8 @@ fn compare(
         }
     };
     let (known, beside_seconds) = (curve.map, curve.beside_seconds);
-    let Curve { points: deterministic, headline, pressure, spots, distributions, .. } = curve;
+    let Curve { points: deterministic, headline, pressure, leaks, spots, distributions, .. } =
+        curve;
     let Curve { first, pressures: pressure_maps, sections, solved, .. } = curve;
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
@@ -252,6 +254,7 @@ fn compare(
         coarser: Vec::new(),
         closer: None,
         conduction: None,
+        leaks,
         adhesion: None,
         plan,
         solved,

@@ -17,12 +17,35 @@ pub struct Leak {
 }
 
 impl Leak {
-    /// Whether K is more than a bound: four points and more across the bottleneck, or no channel on any grid.
-    pub fn is_rate(&self) -> bool {
+    /// Whether K is more than a bound: four points and more across the bottleneck, and K at least as large as what halving the
+    /// points took off it, for a method of first order takes as much again; or no channel on any grid.
+    fn is_rate(&self) -> bool {
         match &self.flow.bottleneck {
             None => self.coarser.iter().all(|k| *k <= 0.0),
-            Some(bottleneck) => bottleneck.width >= FEWEST_ACROSS,
+            Some(bottleneck) => {
+                let k = self.flow.permeability;
+                bottleneck.width >= FEWEST_ACROSS && self.coarser.iter().all(|c| c - k <= k)
+            }
         }
+    }
+
+    /// K (m³); `None` where there is a bound only.
+    pub fn permeability(&self) -> Option<f64> {
+        self.is_rate().then_some(self.flow.permeability)
+    }
+
+    /// Whether a channel is `open`, too `narrow` for a rate, or none is: `sealed`.
+    pub fn channel(&self) -> &'static str {
+        match (&self.flow.bottleneck, self.is_rate()) {
+            (None, _) => "sealed",
+            (_, true) => "open",
+            (_, false) => "narrow",
+        }
+    }
+
+    /// Relative error of a closed form, where there is a permeability above 0.
+    pub fn error_of(&self, closed: f64) -> Option<f64> {
+        Some(closed / self.permeability().filter(|k| *k > 0.0)? - 1.0)
     }
 
     /// `[low, high]` of K (m³): K over and times the largest factor by which it differs on the thinned maps and with
@@ -77,6 +100,22 @@ pub(crate) fn permeability(solution: &Solution, axes: &[Axis]) -> [Option<f64>; 
 }
 
 impl Leaks {
+    /// Name, permeability (m³) and time (s) of what closed forms make of the gap.
+    pub fn closed_forms(&self) -> [(&'static str, f64, f64); 2] {
+        [
+            ("mean_gap_cubed", self.mean_gap.powi(3), self.seconds[1]),
+            ("bruggeman", self.bruggeman, self.seconds[2]),
+        ]
+    }
+
+    /// Leaves the maps of the flux.
+    pub fn drop_maps(&mut self) {
+        self.along
+            .iter_mut()
+            .flat_map(|(_, leak)| leak)
+            .for_each(|leak| leak.flow.flux = Vec::new());
+    }
+
     /// Of a solution with its maps and K on the thinned maps along x and y; between walls where the map is continued by its mirror images.
     pub(crate) fn of(
         solution: &Solution,

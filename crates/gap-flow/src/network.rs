@@ -19,6 +19,8 @@ pub struct Flow {
     pub imbalance: f64,
     /// The narrowest place of the best channel; `None` where no channel is open.
     pub bottleneck: Option<Bottleneck>,
+    /// Size of the flux at each point over the mean along the axis; empty where no channel is open.
+    pub flux: Vec<f64>,
 }
 
 /// The iteration did not converge.
@@ -37,9 +39,13 @@ const ARITHMETIC: fn(f64, f64) -> f64 = |a, b| 0.5 * (a + b);
 
 /// The points that carry a flow along an axis, and their links.
 struct Mesh {
+    /// Place on the map of each point.
+    points: Vec<usize>,
     links: Vec<[usize; 2]>,
-    /// Of each link: width of the face over distance of the points.
-    shapes: Vec<f64>,
+    /// Of each link: whether it goes along y, and the way from its first point to its second, 1 or −1 over the edge of the map.
+    ways: Vec<(usize, f64)>,
+    /// Width of a face over distance of the points, along x and along y.
+    shape: [f64; 2],
     /// g³ of each point, in units of the highest, so that none underflows.
     cubes: Vec<f64>,
     ends: Vec<[f64; 2]>,
@@ -49,8 +55,10 @@ struct Mesh {
 
 impl Mesh {
     fn network(&self, face: fn(f64, f64) -> f64) -> Network<'_> {
-        let of = |(&[a, b], shape): (&[usize; 2], &f64)| shape * face(self.cubes[a], self.cubes[b]);
-        let conductances = self.links.iter().zip(&self.shapes).map(of).collect();
+        let of = |(&[a, b], &(k, _)): (&[usize; 2], &(usize, f64))| {
+            self.shape[k] * face(self.cubes[a], self.cubes[b])
+        };
+        let conductances = self.links.iter().zip(&self.ways).map(of).collect();
         Network { links: &self.links, conductances, ends: &self.ends }
     }
 }
@@ -63,7 +71,6 @@ impl Gap<'_> {
     fn mesh(&self, axis: Axis, open: &[bool]) -> Mesh {
         let [dy, dx] = self.grid.pixel();
         let [height, length] = self.grid.size();
-        // Along x and along y.
         let shape = [dy / dx, dx / dy];
         let (along, squares) = match axis {
             Axis::X => (shape[0], length / height),
@@ -74,14 +81,14 @@ impl Gap<'_> {
         points.iter().enumerate().for_each(|(k, &i)| unknown[i] = k);
         let highest = points.iter().map(|&i| self.heights[i]).fold(0.0, f64::max);
         let cubes: Vec<f64> = points.iter().map(|&i| (self.heights[i] / highest).powi(3)).collect();
-        let (mut links, mut shapes) = (Vec::new(), Vec::new());
+        let (mut links, mut ways) = (Vec::new(), Vec::new());
         for (k, &i) in points.iter().enumerate() {
             // Before and after along x, then along y.
             let next = self.neighbours(i, axis).map(|n| n.map_or(usize::MAX, |n| unknown[n]));
             for (step, b) in next.into_iter().enumerate() {
                 if b != usize::MAX && b > k {
                     links.push([k, b]);
-                    shapes.push(shape[step / 2]);
+                    ways.push((step / 2, if step % 2 == 0 { -1.0 } else { 1.0 }));
                 }
             }
         }
@@ -89,7 +96,31 @@ impl Gap<'_> {
             self.at_ends(i, axis).map(|at| if at { 2.0 * along * cube } else { 0.0 })
         };
         let ends = points.iter().zip(&cubes).map(to_ends).collect();
-        Mesh { links, shapes, cubes, ends, scale: squares * highest.powi(3) }
+        Mesh { points, links, ways, shape, cubes, ends, scale: squares * highest.powi(3) }
+    }
+
+    /// Size of the flux at each point over the mean along the axis, from the flows through its faces.
+    fn flux(&self, axis: Axis, mesh: &Mesh, network: &Network<'_>, pressures: &[f64]) -> Vec<f64> {
+        let mut through = vec![[0.0; 2]; pressures.len()];
+        for ((&[a, b], c), &(k, way)) in
+            network.links.iter().zip(&network.conductances).zip(&mesh.ways)
+        {
+            let half = 0.5 * way * c * (pressures[a] - pressures[b]);
+            through[a][k] += half;
+            through[b][k] += half;
+        }
+        let total = network.dissipation(pressures);
+        let along = axis as usize;
+        for ((through, [inlet, outlet]), p) in through.iter_mut().zip(network.ends).zip(pressures) {
+            through[along] += 0.5 * (inlet * (1.0 - p) + outlet * p);
+        }
+        let ([dy, dx], [height, length]) = (self.grid.pixel(), self.grid.size());
+        let mean = total / [height, length][along];
+        let mut flux = vec![0.0; self.heights.len()];
+        for (&i, [x, y]) in mesh.points.iter().zip(&through) {
+            flux[i] = (x / dy).hypot(y / dx) / mean;
+        }
+        flux
     }
 
     /// [`Flow::permeability`] alone, for half of the work.
@@ -117,7 +148,8 @@ impl Gap<'_> {
     pub fn flow(&self, axis: Axis) -> Result<Flow, NotSolved> {
         let Some(channel) = self.channel(axis) else {
             let (permeability, arithmetic, imbalance) = (0.0, 0.0, 0.0);
-            return Ok(Flow { permeability, arithmetic, imbalance, bottleneck: None });
+            let (bottleneck, flux) = (None, Vec::new());
+            return Ok(Flow { permeability, arithmetic, imbalance, bottleneck, flux });
         };
         let mesh = self.mesh(axis, &channel.open);
         let mut symbolic = Symbolic::default();
@@ -135,6 +167,7 @@ impl Gap<'_> {
             arithmetic: arithmetic * mesh.scale,
             imbalance: (inflow - outflow).abs() / permeability,
             bottleneck: Some(channel.bottleneck),
+            flux: self.flux(axis, &mesh, &harmonic, &pressures),
         })
     }
 }

@@ -35,6 +35,23 @@ fn sinusoids_in_series_and_in_parallel() {
     }
 }
 
+/// Across waves the flux is the same everywhere, along them it goes with g³.
+#[test]
+fn the_flux_of_sinusoids() {
+    let wave = |i: usize| 1e-6 * (1.0 + 0.6 * (TAU * (i as f64 + 0.5) / 32.0).cos());
+    let pixel = [2e-7, 3e-7];
+    let across = flow([5, 32], pixel, Axis::X, |_, x| wave(x));
+    across.flux.iter().for_each(|flux| close(*flux, 1.0, 1e-9));
+    for (axis, shape) in [(Axis::X, [32, 5]), (Axis::Y, [5, 32])] {
+        let place = |y: usize, x: usize| if axis == Axis::X { y } else { x };
+        let along = flow(shape, pixel, axis, |y, x| wave(place(y, x)));
+        for (i, flux) in along.flux.iter().enumerate() {
+            let expected = wave(place(i / shape[1], i % shape[1])).powi(3) / along.permeability;
+            close(*flux, expected, 1e-9);
+        }
+    }
+}
+
 /// A checkerboard of conductivities κ1, κ2: √(κ1 κ2) (Dykhne 1971). Here with electrodes along lines of mirror symmetry,
 /// which change nothing; from below, and as the corners allow.
 #[test]

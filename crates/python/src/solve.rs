@@ -3,7 +3,7 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, array, surface_of};
 use crate::watched::{News, Outcome, Reporter, quietly, watched};
-use answers::{Failure, Leak, Question, Subject, Watch, bodies};
+use answers::{Failure, Question, Subject, Watch, bodies};
 use compare::Request as Accuracy;
 use compare::{
     Body, EdgesName, Iteration, Joint, Level, Load, MaterialUse, Method, Origin, Precision,
@@ -97,7 +97,7 @@ impl Request {
             stiffness: self.stiffness,
             hardness: self.hardness,
             conduction: self.joint,
-            leak: Leak::asked(self.leak.as_deref(), self.seal)?,
+            leak: answers::leak_asked(self.leak.as_deref(), self.seal)?,
             adhesion: self.adhesion,
             materials: self.materials.clone(),
             distributions: self.distributions,

@@ -2,7 +2,7 @@
 
 use crate::lines::Lines;
 use crate::words::conduction::{conductance, kinds};
-use compare::{Comparison, Conductance, SurfaceComparison};
+use compare::{Comparison, Conductance, Settings, SurfaceComparison};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -12,6 +12,9 @@ const YIELDING: &str = ",area_fraction_at_hardness [-],load_share_at_hardness [-
 
 /// Columns of a gas in the gap.
 const GAS: &str = ",gas_conductance [W/m^2/K],joint_conductance [W/m^2/K]";
+
+/// Columns of closed forms of the leak.
+const LEAK: &str = ",permeability_mean_gap_cubed [m^3],permeability_bruggeman [m^3]";
 
 /// Writes one row per surface and load. SI units; a missing number is an empty cell. Columns of
 /// a model are `area_fraction_NAME` and `real_pressure_NAME [Pa]`, with its signed relative error.
@@ -38,6 +41,11 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
         }
         header.push_str(if found.joint.gas.is_some() { GAS } else { "" });
     }
+    let axes = comparison.settings.leak.map_or(&[][..], |leak| leak.along.axes());
+    for axis in axes {
+        let _ = write!(header, ",permeability_{} [m^3]", axis.name());
+    }
+    header.push_str(if axes.is_empty() { "" } else { LEAK });
     let asked = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
     let models: Vec<&str> = asked.iter().map(|m| m.card.name.as_ref()).collect();
     for model in &models {
@@ -49,7 +57,7 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
     }
     writeln!(out, "{header}")?;
     for surface in &comparison.surfaces {
-        write_surface(surface, &models, yields, out)?;
+        write_surface(surface, &models, &comparison.settings, out)?;
     }
     Ok(())
 }
@@ -57,9 +65,10 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
 fn write_surface(
     surface: &SurfaceComparison,
     models: &[&str],
-    yields: bool,
+    settings: &Settings,
     out: &mut impl Write,
 ) -> io::Result<()> {
+    let (yields, leak) = (settings.hardness.is_some(), settings.leak);
     let panels = Lines::panels(surface);
     let lines = &panels[0];
     let name = quoted(&surface.name);
@@ -106,6 +115,12 @@ fn write_surface(
                 let value = |h: Option<Conductance>| h.map(|h| h.value);
                 cells.extend([of.and_then(|c| value(c.gas)), of.and_then(|c| value(c.joint))]);
             }
+        }
+        if let Some(asked) = leak {
+            let leaks = surface.leaks.get(i).and_then(Option::as_ref);
+            let along = |k: usize| leaks?.along.get(k)?.1.as_ref().ok()?.permeability();
+            cells.extend((0..asked.along.axes().len()).map(along));
+            cells.extend([0, 1].map(|k| Some(leaks?.closed_forms()[k].1)));
         }
         for model in models {
             let mut all = panels.iter().flat_map(|p| p.models.iter().map(move |line| (p, line)));

@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 /// Keys as there; `curve` is `[[mean_pressure (Pa), area_fraction], …]`, `models` has under
 /// the name of each `area_error` (of the headline, signed, relative), `mean_absolute_area_error` (over the
 /// loads) and `verdict`; `checks` has `kind` and `claim` of
-/// each finding that is to be checked.
+/// each finding that is to be checked; `load` is that of the headline, if loads are forces (N).
 pub fn digest(surface: &Value) -> Value {
     let at = |way: &str| surface.pointer(way).cloned().unwrap_or(Value::Null);
     let mut row = Map::new();
@@ -39,6 +39,9 @@ pub fn digest(surface: &Value) -> Value {
         "converged",
     ] {
         row.insert(key.into(), headline.get(key).cloned().unwrap_or(Value::Null));
+    }
+    if surface["headline_load"].is_number() {
+        row.insert("load".into(), at("/headline_load"));
     }
     row.insert("modulus".into(), at("/deterministic/modulus"));
     row.insert("contact_spots".into(), at("/contact_spots/count"));

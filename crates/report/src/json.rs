@@ -79,6 +79,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "gamma": s.inputs.has_gap().then(|| s.inputs.gamma()),
         },
         "headline_pressure": s.headline_pressure(),
+        "headline_load": s.load_area.map(|area| s.headline_pressure() * area),
         "resolved": s.spectral.resolved,
         "contact_spots": s.spots.map(|c| json!({
             "count": c.count,
@@ -114,6 +115,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "points": s.deterministic.iter().map(point).collect::<Vec<_>>(),
         },
         "conduction": crate::conduction_json::conduction(s),
+        "leak": crate::leak_json::of_study(s, comparison),
         "plasticity": compare::hardness_of(s).map(|h| h.indices(s.inputs.asperities())),
         "elastic_limit": compare::elastic_limit(s),
         "adhesion": s.adhesion,

@@ -13,6 +13,7 @@ pub mod draw;
 mod error;
 pub mod figures;
 mod json;
+mod leak_json;
 mod lines;
 pub mod looks;
 pub mod numbers;
@@ -45,6 +46,7 @@ pub use json::{
     findings as findings_json, statistics as statistics_json, surface as surface_json,
     write as write_json,
 };
+pub use leak_json::{leak as leak_json, point as leak_point_json};
 pub use lines::{Reference, references};
 pub use page::html::{style, write as write_html};
 pub use page::profile::write as write_profile_html;
@@ -61,6 +63,7 @@ pub use table_csv::write as write_table_csv;
 pub use words::conduction::{ResistanceWords, joint_words, resistance_lines, resistances};
 pub use words::finding::{Worded, finding};
 pub use words::headline_line;
+pub use words::leak::leak_notes;
 pub use words::loads::loads_line;
 pub use words::materials::{material_in_full, material_json, material_line, materials_json};
 pub use words::pair::{bodies_line, pair_lines};

@@ -8,6 +8,7 @@ use crate::compare_profiles;
 use crate::conduction::Conduction;
 use crate::given::{Given, One, from_file, from_recipe, repeat};
 use crate::input::Reading;
+use crate::leak::{self, LeakOptions};
 use crate::loads::Forces;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
@@ -75,6 +76,8 @@ pub(crate) struct Compare {
     #[command(flatten)]
     conduction: Conduction,
     #[command(flatten)]
+    leak: LeakOptions,
+    #[command(flatten)]
     adhesion: Adhesion,
     /// Floating-point type of the solver's iteration
     #[arg(long, value_parser = args::precision(), default_value = "f64")]
@@ -93,7 +96,7 @@ pub(crate) struct Compare {
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
-        "headline", "models", "hardness", "gamma", "resistivity", "conductivity", "gas", "level", "fractal_range", "edges", "method",
+        "headline", "models", "hardness", "gamma", "resistivity", "conductivity", "gas", "leak", "viscosity", "pressure_drop", "seal_length", "seal_width", "level", "fractal_range", "edges", "method",
         "precision", "tolerance", "accuracy", "fast", "modulus", "young", "material", "work_of_adhesion", "channel", "pixel",
         "lateral_unit", "height_unit", "override_height_unit", "layout", "decimal", "missing", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
     ])]
@@ -186,6 +189,7 @@ impl Compare {
             conductivities: conduction.conductivities,
             gas: conduction.gas,
             load_area: conduction.area,
+            leak: self.leak.asked()?,
             adhesion: self.adhesion.asked()?,
             materials: made_of.materials,
             bodies: made_of.bodies,
@@ -382,6 +386,11 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
         if let Some(line) = report::elastic_line(surface) {
             let _ = writeln!(out, "{line}");
         }
+        let loads =
+            surface.deterministic.iter().map(|point| point.mean_pressure).zip(&surface.leaks);
+        let leaks = loads.filter_map(|(pressure, leaks)| Some((pressure, leaks.as_ref()?)));
+        let Settings { leak, modulus, hardness, .. } = &comparison.settings;
+        out.push_str(&leak::lines(leak.as_ref(), leaks, *modulus, hardness.is_some()));
         if let Some(pair) = surface.origin.pair() {
             out.push_str(&against::lines(Some(pair), Some(made_of.clone())));
         }

@@ -29,6 +29,7 @@ impl PerFile for Compare {
         Shown { head: "points", at: &["/shape"], how: How::Shape },
         Shown { head: "Sq", at: &["/rms_height"], how: How::Length },
         Shown { head: "rms gradient", at: &["/rms_gradient"], how: How::Number },
+        Shown { head: "load", at: &["/load"], how: How::Force },
         Shown { head: "headline", at: &["/mean_pressure"], how: How::Pressure },
         Shown { head: "area", at: &["/area_fraction"], how: How::Percent },
         Shown { head: "real pressure", at: &["/real_pressure"], how: How::Pressure },

@@ -18,6 +18,7 @@ use std::path::Path;
 pub(crate) fn refuse_solver(settings: &Settings) -> Result<(), Failure> {
     let option = match (settings.accuracy, settings.edges) {
         _ if settings.fast => "--fast",
+        _ if settings.leak.is_some() => "--leak",
         (Some(_), _) => "--accuracy",
         (None, EdgesName::Mirrored) => "--edges mirrored",
         _ => return Ok(()),

@@ -384,7 +384,10 @@ impl Solve {
         let gaps: Vec<f64> = answer.points.iter().filter_map(gap).collect();
         let text =
             text::cleaning(cleaned) + &text::findings(&answer.findings) + &columns.to_string();
-        let text = text + &leak::lines(question.leak.as_ref(), &answer, question.modulus.pascals());
+        let solved = |p: &'_ Point| Some(p.solution.as_ref()?.state.mean_pressure);
+        let leaks = answer.points.iter().filter_map(|p| Some((solved(p)?, p.leak.as_ref()?)));
+        let (modulus, yields) = (question.modulus.pascals(), answer.hardness.is_some());
+        let text = text + &leak::lines(question.leak.as_ref(), leaks, modulus, yields);
         let text = text + &spread.map_or_else(String::new, carried);
         let text = text
             + &against::lines(pair, Some((question.modulus.pascals(), question.bodies.clone())));

@@ -2,9 +2,10 @@
 
 use crate::families::{FAMILIES, Heights, family, map};
 use contact_accuracy::{
-    ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Load, Map, Maps, Setup, Solver,
-    SolverBuilder, median, thinned,
+    Axis, ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Numbers,
+    Setup, Solution, Solver, SolverBuilder, median, thinned,
 };
+use gap_flow::Gap;
 
 const POINTS: usize = 128;
 const FINER: usize = 4;
@@ -20,6 +21,22 @@ const FEW: [&str; 8] = [
     "two levels",
     "cones",
     "ridges",
+];
+
+/// Length of the temperature jumps of the gas, over the rms height.
+const JUMP: f64 = 0.3;
+/// Families of which the gas and the leak are asked.
+const GAPS: [&str; 10] = [
+    "waves, 8 points",
+    "short waves",
+    "lay",
+    "log-normal",
+    "balls",
+    "two levels",
+    "cones",
+    "ridges",
+    "scratched",
+    "crop",
 ];
 
 /// How a family is asked.
@@ -39,6 +56,8 @@ pub(crate) enum Case {
     Rounded,
     /// On every second point.
     Fast,
+    /// For the gas and the leak through the gap.
+    Gaps,
 }
 
 impl Case {
@@ -47,6 +66,9 @@ impl Case {
         let mut all = vec![Self::Pressure, Self::Gap, Self::Fast];
         if FEW.contains(&name) {
             all.extend([Self::Yielding, Self::Oblong, Self::Odd, Self::Rounded]);
+        }
+        if GAPS.contains(&name) {
+            all.push(Self::Gaps);
         }
         all
     }
@@ -64,10 +86,25 @@ pub(crate) struct Held {
 impl Held {
     fn take(&mut self, stated: &Estimate, truth: f64, unit: f64) {
         let Ok(half) = stated.half_width() else { return };
-        let error = (stated.value - truth).abs();
+        self.push((stated.value - truth).abs() / unit, half / unit);
+    }
+
+    fn push(&mut self, error: f64, half: f64) {
         self.off.push(error / half.max(f64::MIN_POSITIVE));
-        self.widths.push(half / unit);
-        self.errors.push(error / unit);
+        self.widths.push(half);
+        self.errors.push(error);
+    }
+
+    /// Of a permeability and a bound of one: as logarithms, for each is stated with a factor.
+    fn take_leak(&mut self, bounds: &mut Self, stated: &Leak, truth: f64) {
+        match stated.interval() {
+            Some([low, high]) if low > 0.0 => {
+                let k = stated.flow.permeability;
+                self.push((k / truth).ln().abs(), (high / k).ln());
+            }
+            Some([_, high]) => bounds.push(truth, high),
+            None => {}
+        }
     }
 
     pub(crate) fn share(&self) -> f64 {
@@ -79,12 +116,13 @@ impl Held {
     }
 }
 
-/// Of one family or more: area, gap (at a gap the pressure), stiffness; seconds on the map and beside it.
+/// Of one family or more: area, gap (at a gap the pressure), stiffness, and where they are asked gas, permeability, bounds
+/// of it; seconds on the map and beside it.
 #[derive(Default, Clone)]
 pub(crate) struct Coverage {
-    pub(crate) held: [Held; 3],
-    /// Share of area, gap and stiffness that held in the family where that is least.
-    pub(crate) worst: Option<[f64; 3]>,
+    pub(crate) held: [Held; 6],
+    /// Share of each that held in the family where that is least.
+    pub(crate) worst: Option<[f64; 6]>,
     pub(crate) seconds: [f64; 3],
 }
 
@@ -96,11 +134,11 @@ impl Coverage {
             a.widths.extend(&b.widths);
             a.errors.extend(&b.errors);
         }
-        let of = [0, 1, 2].map(|k| other.held[k].share());
+        let of = other.held.each_ref().map(Held::share);
         // Five answers of one map are no family.
         if other.held[0].off.len() > AREAS.len() {
-            let least = |k: usize| self.worst.map_or(of[k], |w| w[k].min(of[k]));
-            self.worst = Some([0, 1, 2].map(least));
+            let least = self.worst.unwrap_or(of);
+            self.worst = Some(std::array::from_fn(|k| least[k].min(of[k])));
         }
         (0..3).for_each(|k| self.seconds[k] += other.seconds[k]);
     }
@@ -122,12 +160,14 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         let rounded = given.heights().iter().map(|h| (h / step).round() * step).collect();
         given = HeightMap::new(given.grid(), rounded).unwrap();
     }
+    let unit = Map::of(&given).rms_height;
     let setup = |builder: SolverBuilder| Setup {
         finer: if case == Case::Fast { Finer::Never } else { Finer::WhenNeeded },
+        jump: (case == Case::Gaps).then_some(JUMP * unit),
+        leak: if case == Case::Gaps { vec![Axis::X] } else { Vec::new() },
         ..Setup::new(builder.threads(1), ContactModulus::from_pascals(1.0).unwrap())
     };
     let half = thinned(&given, [0, 0]).unwrap();
-    let unit = Map::of(&given).rms_height;
     let mut probe = setup(Solver::builder().tolerance(1e-3))
         .builder
         .build(half.grid(), setup(Solver::builder()).modulus)
@@ -140,7 +180,8 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     let builder = Solver::builder().hardness(hardness);
     let mut ladder =
         Ladder::new(if case == Case::Fast { half } else { given }, setup(builder.clone())).unwrap();
-    let builder = setup(builder.tolerance(1e-5).maps(Maps::None)).builder;
+    let maps = if case == Case::Gaps { Maps::PressureAndGap } else { Maps::None };
+    let builder = setup(builder.tolerance(1e-5).maps(maps)).builder;
     let mut exact = builder.build(fine.grid(), setup(Solver::builder()).modulus).unwrap();
     exact.take_surface(fine).unwrap();
     let mut found = Coverage::default();
@@ -168,12 +209,26 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         {
             found.held[2].take(stiffness, set.per_area, set.per_area);
         }
+        if let (Some(gas), Some(leak)) = (&budget.gas, &answered.leak) {
+            let true_gas = Numbers::of(&truth, None, Some(JUMP * unit)).gas.unwrap();
+            found.held[3].take(gas, true_gas, true_gas);
+            let [_, _, _, _, rates, bounds] = &mut found.held;
+            let stated = leak.along[0].1.as_ref().unwrap();
+            rates.take_leak(bounds, stated, permeability(&truth));
+        }
         let [coarser, finer] = answered.seconds;
         found.seconds[0] += answered.solution.diagnostics.seconds - coarser - finer;
         found.seconds[1] += coarser;
         found.seconds[2] += finer;
     }
     found
+}
+
+/// Permeability along x of a gap that touches where it carries pressure.
+fn permeability(solution: &Solution) -> f64 {
+    let points = solution.gap.iter().zip(&solution.pressure);
+    let open: Vec<f64> = points.map(|(g, p)| if *p > 0.0 { 0.0 } else { g.max(0.0) }).collect();
+    Gap::new(solution.grid, &open).permeability(Axis::X).unwrap()
 }
 
 /// Pressure at which the area on the map of `solver` is `area`, about.

@@ -4,6 +4,7 @@
 //! ```console
 //! $ cargo run --release -p contact-accuracy --example coverage                  # all of it: minutes
 //! $ cargo run --release -p contact-accuracy --example coverage -- waves, long   # one family: a second
+//! $ cargo run --release -p contact-accuracy --example coverage -- gaps          # gas and leak alone
 //! $ cargo run --release -p contact-accuracy --example coverage -- sampling      # the sampling variability alone
 //! ```
 
@@ -26,7 +27,7 @@ fn main() {
         println!("{}", sampling());
         return;
     }
-    if !name.is_empty() {
+    if !name.is_empty() && name != "gaps" {
         let mut found = Coverage::default();
         (0..SEEDS)
             .for_each(|seed| found.add(&solved(&family(&name, seed).unwrap(), Case::Pressure)));
@@ -36,6 +37,7 @@ fn main() {
     // Families are independent: as many at a time as there are cores.
     let jobs: Vec<(usize, Case)> = (0..FAMILIES.len())
         .flat_map(|i| Case::all(FAMILIES[i].0).into_iter().map(move |case| (i, case)))
+        .filter(|(_, case)| name.is_empty() || *case == Case::Gaps)
         .collect();
     let next = Mutex::new(jobs.iter());
     let found = Mutex::new(Vec::new());
@@ -62,6 +64,13 @@ fn main() {
         sum.add(&of(Half::Validation, case));
         sum
     };
+    if name == "gaps" {
+        for (i, _, sum) in &found {
+            println!("{}\n{}", FAMILIES[*i].0, rows::gaps(sum));
+        }
+        println!("{}", rows::gaps(&of_case(Case::Gaps)));
+        return;
+    }
     println!("{}", rows::HEADER);
     for half in [Half::Training, Half::Validation] {
         let count = FAMILIES.iter().filter(|f| f.1 == half).count();
@@ -79,6 +88,7 @@ fn main() {
         println!("{}", rows::row(shown, &of_case(case)));
     }
     println!("\n{}", rows::ladder(&of_case(Case::Fast), &of_case(Case::Pressure)));
+    println!("\n{}", rows::gaps(&of_case(Case::Gaps)));
     println!("\nFamilies in which an answer was missed:\n\n{}", rows::HEADER);
     for (i, case, sum) in &found {
         if *case == Case::Pressure && sum.held.iter().any(|held| held.share() < 1.0) {

@@ -5,16 +5,37 @@ use contact_accuracy::median;
 
 pub(crate) const HEADER: &str = "| surfaces | answers | area held, worst family, median ± | gap (at a gap: pressure) | stiffness | error of the area, median |\n|---|---:|---|---|---|---:|";
 
-/// Held, worst family, median half width of each number.
+/// Held, worst family, median half width of a number.
+fn cell(found: &Coverage, k: usize) -> String {
+    let held = &found.held[k];
+    let worst = found.worst.map_or(String::new(), |w| format!(", {:.0} %", 100.0 * w[k]));
+    format!("{:.1} %{worst}, ±{:.2} %", 100.0 * held.share(), 100.0 * held.median_width())
+}
+
+/// The same of each number.
 pub(crate) fn row(name: &str, found: &Coverage) -> String {
-    let cell = |k: usize| {
-        let held = &found.held[k];
-        let worst = found.worst.map_or(String::new(), |w| format!(", {:.0} %", 100.0 * w[k]));
-        format!("{:.1} %{worst}, ±{:.2} %", 100.0 * held.share(), 100.0 * held.median_width())
-    };
+    let cell = |k: usize| cell(found, k);
     let Held { errors, off, .. } = &found.held[0];
     let error = 100.0 * median(errors.iter().copied()).unwrap_or(f64::NAN);
     format!("| {name} | {} | {} | {} | {} | {error:.2} % |", off.len(), cell(0), cell(1), cell(2))
+}
+
+/// Of gas and leak.
+pub(crate) fn gaps(found: &Coverage) -> String {
+    let row = |(k, name): (usize, &str)| {
+        let held = &found.held[k];
+        let error = 100.0 * median(held.errors.iter().copied()).unwrap_or(f64::NAN);
+        format!("| {name} | {} | {} | {error:.2} % |\n", held.off.len(), cell(found, k))
+    };
+    let rows: String =
+        [(3, "conductance of the gas"), (4, "permeability along x")].map(row).concat();
+    let bounds = &found.held[5];
+    let held = bounds.off.iter().filter(|off| **off <= 1.0).count();
+    format!(
+        "| of the gap, 10 families | answers | held, worst family, median ± | error, median |\n|---|---:|---|---:|\n{rows}\n\
+         Of {} upper bounds of the permeability {held} hold.",
+        bounds.off.len()
+    )
 }
 
 /// What a rung costs and gives.

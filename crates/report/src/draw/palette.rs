@@ -138,6 +138,10 @@ pub(crate) const HEIGHT_RAMP: [u32; 9] =
 pub(crate) const PRESSURE_RAMP: [u32; 9] =
     [0xFCBE62, 0xF7983D, 0xEB7230, 0xD74F38, 0xBB3045, 0x9A164D, 0x75064E, 0x500247, 0x2D0236];
 
+/// Flux: light low, dark high, lightness linear in the value.
+pub(crate) const FLOW_RAMP: [u32; 9] =
+    [0xF4F8FB, 0xD6E6F2, 0xB8D3E8, 0x98C0DD, 0x76ABD1, 0x5595C2, 0x377DB0, 0x1E6399, 0x08467C];
+
 /// A colour as OKLab lightness and the two opponent axes (Ottosson 2020).
 #[derive(Debug, Clone, Copy)]
 pub struct OkLab(pub f64, pub f64, pub f64);

@@ -9,7 +9,6 @@ use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
 use crate::figures::curves::log_limits;
 use crate::lines::load_axis;
 use crate::numbers::{METRES, significant, times, unit_for};
-use crate::words::finding::capital;
 use compare::Octave;
 
 const LEFT: f64 = 52.0;
@@ -27,12 +26,12 @@ pub(crate) struct Line {
     pub(crate) values: Vec<Option<f64>>,
 }
 
-/// Resistance over the load: the deterministic one, theories, and correlations of the field.
+/// A quantity over the load: the deterministic one, and what closed forms make of it.
 pub(crate) fn over_load(
     (pressures, area): (&[f64], Option<f64>),
     deterministic: &[Option<f64>],
     lines: &[Line],
-    (kind, of): (&str, &str),
+    (title, unit_name): (&str, &str),
     key: &str,
 ) -> Figure {
     let (unit, x_title) = load_axis(pressures, area);
@@ -46,7 +45,7 @@ pub(crate) fn over_load(
         x: Axis::log(ends.map(|p| p / unit.scale), [LEFT, RIGHT]),
         y: Axis::log(log_limits(&reference, &others, f64::INFINITY), [BOTTOM, TOP]),
         x_title,
-        y_title: format!("{} contact resistance ({of})", capital(kind)),
+        y_title: format!("{title} ({unit_name})"),
     };
     let mut canvas = Canvas::default();
     frame.draw(&mut canvas);
@@ -61,11 +60,11 @@ pub(crate) fn over_load(
     draw(&mut canvas, &frame, (pressures, unit.scale), &reference, DETERMINISTIC_LOOK);
     labels.extend(end(&frame, &reference, "Deterministic", DETERMINISTIC, true));
     draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
-    let range = crate::lines::range_words(&reference, &format!(" {of}"));
+    let range = crate::lines::range_words(&reference, &format!(" {unit_name}"));
     Figure {
         key: key.into(),
-        title: "Contact resistance over the load".into(),
-        description: format!("Log-log plot. Deterministic resistance: {range}."),
+        title: format!("{title} over the load"),
+        description: format!("Log-log plot. Deterministic: {range}."),
         size: [COLUMN, HEIGHT],
         canvas,
     }
@@ -145,7 +144,8 @@ fn end(
     colour: Colour,
     bold: bool,
 ) -> Option<EndLabel> {
-    let (last, series) = (values.iter().flatten().last()?, String::new());
+    let last = values.iter().flatten().last().filter(|_| !label.is_empty())?;
+    let series = String::new();
     Some(EndLabel {
         y: frame.y.at(*last).clamp(TOP, BOTTOM),
         text: label.into(),

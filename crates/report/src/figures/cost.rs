@@ -26,7 +26,12 @@ pub(crate) struct Route {
 
 /// Error against time per load. `floor` is the uncertainty of the reference; `None` if it has
 /// no bar.
-pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) -> Figure {
+pub(crate) fn figure(
+    routes: &[Route],
+    floor: Option<f64>,
+    (of, at): (&str, &str),
+    key: &str,
+) -> Figure {
     const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 226.0];
     let seconds: Vec<f64> = routes.iter().map(|r| r.seconds).collect();
     let fastest = seconds.iter().copied().fold(f64::INFINITY, f64::min).max(1e-9);
@@ -43,7 +48,7 @@ pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
         x: Axis::log([fastest / 3.0, slowest * 4.0], [FRAME[0], FRAME[2]]),
         y: Axis::log([lo / 6.0, hi * 1.8], [FRAME[3], FRAME[1]]),
         x_title: "Time per load".into(),
-        y_title: format!("|Error| in area at {at} (%)"),
+        y_title: format!("|Error| in {of} at {at} (%)"),
     };
     let mut canvas = Canvas::default();
     let mut taken: Vec<Rect> = Vec::new();
@@ -101,7 +106,7 @@ pub(crate) fn figure(routes: &[Route], floor: Option<f64>, at: &str, key: &str) 
         key: key.into(),
         title: "Error against time per load".into(),
         description: format!(
-            "Log-log plot of the size of the error in area at {at} against computing time: {}.",
+            "Log-log plot of the size of the error in {of} at {at} against computing time: {}.",
             listed.join("; ")
         ),
         size: [COLUMN, 262.0],

@@ -5,6 +5,7 @@ pub(crate) mod cost;
 pub(crate) mod curves;
 pub(crate) mod deformed;
 pub(crate) mod distributions;
+pub(crate) mod flow;
 pub mod front;
 pub(crate) mod heights;
 pub(crate) mod maps;

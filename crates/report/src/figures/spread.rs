@@ -4,14 +4,14 @@ use crate::digest::Spread;
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Look};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
-use crate::numbers::{PASCALS, SPACE, power_of_ten, signed_percent, significant, unit_for};
+use crate::numbers::{SPACE, Unit, power_of_ten, signed_percent, significant, unit_for};
 
 /// Area over load of many maps, `[load, area fraction]` each.
 pub(crate) struct Curves {
     /// One curve each.
     pub each: Vec<Vec<[f64; 2]>>,
-    /// True if the loads are pressures that all maps share (Pa), false if they are `p / (E* g)`.
-    pub shared: bool,
+    /// What the loads are that all maps share, and its units; `None` if they are `p / (E* g)`.
+    pub shared: Option<(&'static str, &'static [Unit])>,
 }
 
 impl Curves {
@@ -23,7 +23,7 @@ impl Curves {
         if high <= 0.0 {
             return Vec::new();
         }
-        let mut grid: Vec<f64> = if self.shared {
+        let mut grid: Vec<f64> = if self.shared.is_some() {
             self.each.first().map_or_else(Vec::new, |c| c.iter().map(|p| p[0]).collect())
         } else {
             let count = 24;
@@ -64,16 +64,14 @@ pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
             .fold((f64::INFINITY, 0.0_f64), |(low, high), v| (low.min(v), high.max(v)));
         if low < high { [low, high] } else { [0.5 * low.min(high), 2.0 * high.max(low)] }
     };
-    let unit = {
-        let [low, high] = limits(|p| p[0]);
-        unit_for((low * high).sqrt(), PASCALS)
-    };
-    let (scale, x_title) = if curves.shared {
-        (unit.scale, format!("Nominal pressure ({})", unit.name))
-    } else {
-        (1.0, "Load p / (E* g)".to_owned())
-    };
-    let [x_low, x_high] = limits(|p| p[0]).map(|x| x / scale);
+    let [low, high] = limits(|p| p[0]);
+    let shared = curves.shared.map(|(name, units)| (name, unit_for((low * high).sqrt(), units)));
+    let scale = shared.map_or(1.0, |(_, unit)| unit.scale);
+    let x_title = shared.map_or_else(
+        || "Load p / (E* g)".to_owned(),
+        |(name, unit)| format!("{name} ({})", unit.name),
+    );
+    let [x_low, x_high] = [low, high].map(|x| x / scale);
     let [y_low, y_high] = limits(|p| p[1]).map(|a| 100.0 * a);
     let frame = Frame {
         x: Axis::log([x_low / 1.15, x_high * 1.15], [FRAME[0], FRAME[2]]),
@@ -97,11 +95,10 @@ pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
     let median: Vec<[f64; 2]> = edge(2).map(|p| place(&p)).collect();
     canvas.polyline(&median, Stroke::solid(DETERMINISTIC, 1.8));
     let said = bands.iter().step_by((bands.len() / 3).max(1)).map(|[load, low, mid, high]| {
-        let load = if curves.shared {
-            format!("{}{SPACE}{}", significant(load / scale, 3), unit.name)
-        } else {
-            significant(*load, 2)
-        };
+        let load = shared.map_or_else(
+            || significant(*load, 2),
+            |(_, unit)| format!("{}{SPACE}{}", significant(load / scale, 3), unit.name),
+        );
         format!(
             "at {load} median {}{SPACE}%, 10th–90th percentile {} to {}{SPACE}%",
             significant(100.0 * mid, 3),
@@ -290,7 +287,7 @@ mod tests {
     fn bands_are_quantiles_of_the_areas_at_one_load() {
         let each: Vec<Vec<[f64; 2]>> =
             (0..=10).map(|i| vec![[1.0, f64::from(i)], [100.0, 100.0 * f64::from(i)]]).collect();
-        let curves = Curves { each, shared: true };
+        let curves = Curves { each, shared: Some(("Load", &[])) };
         assert_eq!(curves.bands(), [[1.0, 1.0, 5.0, 9.0], [100.0, 100.0, 500.0, 900.0]]);
         let line = [[1.0, 2.0], [100.0, 200.0]];
         assert!((between(&line, 10.0).unwrap() - 20.0).abs() < 1e-12);

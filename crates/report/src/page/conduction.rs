@@ -81,7 +81,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
             (&pressures, surface.load_area),
             &deterministic,
             &lines,
-            (kind.name, unit),
+            (&format!("{} contact resistance", capital(kind.name)), unit),
             &format!("{id}-f{n}"),
         );
         out.push_str(&figure(

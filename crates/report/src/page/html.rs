@@ -5,7 +5,9 @@ use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::numbers::{PASCALS, chosen};
 use crate::page::context::Page;
-use crate::page::{conduction, contact_map, distributions, how_made, overview, sections, slider};
+use crate::page::{
+    conduction, contact_map, distributions, how_made, leak, overview, sections, slider,
+};
 use crate::provenance::Provenance;
 use crate::words;
 use compare::{Comparison, SurfaceComparison};
@@ -126,6 +128,7 @@ fn surface_sections(
     out.push_str(&touches?);
     out.push_str(&distributions::section(page, surface, &id));
     out.push_str(&conduction::section(page, surface, &id));
+    out.push_str(&leak::section(page, surface, &id)?);
     out.push_str(&sections::the_surface(page, surface, &heights?, &id));
     out.push_str(&sections::accuracy(page, surface));
     out.push_str(&slider::data(surface));

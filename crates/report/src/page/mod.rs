@@ -8,6 +8,7 @@ pub(crate) mod deformed;
 pub(crate) mod distributions;
 pub(crate) mod how_made;
 pub(crate) mod html;
+pub(crate) mod leak;
 pub(crate) mod moving;
 pub(crate) mod overview;
 mod pair;

@@ -83,7 +83,7 @@ pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &s
             "<b>Fig. {four}. Error against time</b> at {p}. Dashed: Pareto front. Set-up, once per map: {}.",
             duration(surface.setup_seconds)
         );
-        let svg = cost::figure(&routes, floor, &p, &format!("{id}-f{four}")).inline();
+        let svg = cost::figure(&routes, floor, ("area", &p), &format!("{id}-f{four}")).inline();
         out.push_str(&figure(&svg, &caption));
     }
     out.push_str("</div>\n");

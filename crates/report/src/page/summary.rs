@@ -6,7 +6,7 @@ use crate::error::ReportError;
 use crate::figures::spread::{Curves, Histogram, Strip, curves, histograms, strips};
 use crate::looks::look;
 use crate::numbers::{
-    AREAS, METRES, PASCALS, SPACE, Unit, chosen, counted, duration, percent, quantity,
+    AREAS, METRES, NEWTONS, PASCALS, SPACE, Unit, chosen, counted, duration, percent, quantity,
     signed_percent, significant, unit_for,
 };
 use crate::page::how_made::{
@@ -55,14 +55,28 @@ impl Summary<'_> {
             .collect()
     }
 
-    /// Area over load, over pressures if all maps were asked the same.
+    /// Force over pressure (m²), if the loads are forces.
+    fn area(map: &Value) -> Option<f64> {
+        Some(map["load"].as_f64()? / map["mean_pressure"].as_f64()?)
+    }
+
+    /// In what the loads are read that all maps were asked, if they were asked the same.
+    fn shared(&self) -> Option<(&'static str, &'static [Unit])> {
+        let is_force = self.maps.iter().any(|(_, map)| Self::area(map).is_some());
+        let pressure = self.settings.pressures.as_ref().map(|_| ("Nominal pressure", PASCALS));
+        if is_force { Some(("Load", NEWTONS)) } else { pressure }
+    }
+
+    /// Area over load, as all maps were asked if they were asked the same.
     fn curves(&self) -> Curves {
         let list = |map: &Value| -> Vec<[f64; 2]> {
             let points = map["curve"].as_array().map_or(&[][..], Vec::as_slice);
-            points.iter().filter_map(|p| Some([p[0].as_f64()?, p[1].as_f64()?])).collect()
+            let scale = Self::area(map).unwrap_or(1.0);
+            points.iter().filter_map(|p| Some([scale * p[0].as_f64()?, p[1].as_f64()?])).collect()
         };
         let mut each: Vec<Vec<[f64; 2]>> = self.maps.iter().map(|(_, map)| list(map)).collect();
-        if self.settings.pressures.is_none() {
+        let shared = self.shared();
+        if shared.is_none() {
             for (curve, gradient) in each.iter_mut().zip(self.values("rms_gradient")) {
                 let scale = self.settings.modulus * gradient.filter(|g| *g > 0.0).unwrap_or(1.0);
                 for point in curve {
@@ -70,7 +84,7 @@ impl Summary<'_> {
                 }
             }
         }
-        Curves { each, shared: self.settings.pressures.is_some() }
+        Curves { each, shared }
     }
 }
 
@@ -154,7 +168,7 @@ fn standing(summary: &Summary<'_>) -> String {
     text.push_str(&format!(
         ". Headlines that did not converge: {short}; without uncertainty estimate: {bare}. Maps with something to \
          check: {warned}. Loads: {}.",
-        match &summary.settings.pressures {
+        match summary.shared() {
             Some(_) => "the same for every map; the headline is the one at which about 2 % touches, or the \
                         one asked for"
                 .to_owned(),
@@ -247,14 +261,15 @@ struct Quantity {
     drawn: bool,
 }
 
-const QUANTITIES: [Quantity; 13] = [
+const QUANTITIES: [Quantity; 14] = [
     q("rms_height", "<i>Sq</i>", "RMS height", METRES, true),
     q("rms_gradient", "<i>Sdq</i>", "RMS gradient", &[], true),
     q("bandwidth", "<i>α</i>", "Bandwidth m₀m₄/m₂²", &[], false),
     q("skewness", "<i>Ssk</i>", "Skewness", &[], false),
     q("kurtosis", "<i>Sku</i>", "Kurtosis", &[], false),
     q("hurst", "<i>H</i>", "Hurst exponent", &[], false),
-    q("mean_pressure", "<i>p</i>", "Headline load", PASCALS, false),
+    q("load", "<i>F</i>", "Headline load", NEWTONS, false),
+    q("mean_pressure", "<i>p</i>", "Headline pressure", PASCALS, false),
     q("area_fraction", "<i>A</i>/<i>A</i>₀", "Real contact area", &[], true),
     q("real_pressure", "<i>p</i><sub>r</sub>", "Mean real pressure", PASCALS, true),
     q("mean_gap", "<i>ḡ</i>", "Mean gap", METRES, true),
@@ -412,7 +427,7 @@ fn listed(summary: &Summary<'_>) -> String {
             escape(name),
             of("rms_height", &|v| quantity(v, METRES, 3)),
             of("rms_gradient", &|v| significant(v, 2)),
-            of("mean_pressure", &|v| chosen(v, PASCALS)),
+            of("mean_pressure", &|v| words::load(v, Summary::area(map))),
             of("area_fraction", &percent),
             check.map_or("–".into(), |n| n.to_string()),
         )

@@ -25,13 +25,14 @@ pub(crate) fn key_numbers(page: &Page<'_>, surface: &SurfaceComparison) -> Strin
         let beside = r.beside().map_or_else(String::new, |words| format!("; {words}"));
         rows.push([r.name.into(), r.value, of + &beside]);
     }
+    let settings = &page.comparison.settings;
+    rows.extend(settings.leak.iter().flat_map(|asked| words::leak::key_rows(asked, surface)));
     let (force, product) = load_words(surface);
     rows.push(["Load".into(), force, product]);
     let hardness = surface.inputs.hardness.map(|h| format!("<i>H</i> = {}", chosen(h, PASCALS)));
     let limit = elastic_limit(surface).map(|limit| {
         format!("elastic; within 2{SPACE}% for <i>H</i> ≥ {}", quantity(limit, PASCALS, 2))
     });
-    let settings = &page.comparison.settings;
     let names: Vec<&str> = settings.materials.iter().map(|m| m.name.as_str()).collect();
     let names = if names.is_empty() { String::new() } else { names.join(" against ") + ": " };
     rows.push([

@@ -7,6 +7,7 @@ pub(crate) mod conduction;
 mod date;
 pub(crate) mod edges;
 pub(crate) mod finding;
+pub(crate) mod leak;
 pub(crate) mod loads;
 pub(crate) mod materials;
 pub(crate) mod pair;

@@ -63,6 +63,62 @@ fn a_seal_closes_as_it_is_pressed() {
     assert!(!said.out.contains("meaningless"), "rubber does not yield: {}", said.out);
 }
 
+/// A study says of the leak what `solve` says, in JSON, CSV and page; without `--leak` nothing of it, and of a profile none.
+#[test]
+fn a_study_leaks_as_its_solutions_do() {
+    let dir = folder();
+    let at = dir.path();
+    surface(at);
+    let seal =
+        "--leak both --viscosity 1mPa.s --pressure-drop 1MPa --seal-length 1mm --seal-width 10mm";
+    let line = "a.x3p --modulus 10MPa --pressure 20kPa,100kPa,10MPa";
+    let study = |more: &str| {
+        let said = rough_contact(at, &format!("compare {line} {more} --out report --force"));
+        assert_eq!(said.status, 0, "{}", said.err);
+        let read = |name: &str| std::fs::read_to_string(at.join("report").join(name)).expect("it");
+        let results: Value = serde_json::from_str(&read("results.json")).expect("JSON");
+        let found = results["surfaces"][0]["leak"].clone();
+        (found, read("report.html"), read("curves.csv"), said.out)
+    };
+    let (found, page, csv, out) = study(seal);
+    let solved = rough_contact(at, &format!("solve {line} {seal} --json")).answered();
+    for key in ["axes", "gap", "viscosity", "pressure_drop", "seal_length", "seal_width"] {
+        assert_eq!(found[key], solved["leak"][key], "{key}");
+    }
+    for i in 0..3 {
+        let (here, there) = (&found["points"][i], &solved["points"][i]["leak"]);
+        for axis in ["x", "y"] {
+            assert_eq!(here[axis]["channel"], there[axis]["channel"]);
+            assert_eq!(here[axis]["bottleneck"], there[axis]["bottleneck"]);
+            for key in ["permeability", "rate"] {
+                assert_eq!(here[axis][key], there[axis][key], "{axis} {key}");
+            }
+            let row: Vec<&str> = csv.lines().nth(i + 1).expect("a row").split(',').collect();
+            let head = csv.lines().next().expect("a header").split(',');
+            let name = format!("permeability_{axis} [m^3]");
+            let column = head.into_iter().position(|h| h == name).expect("a column");
+            close(
+                number(&here[axis]["permeability"]) + 1.0,
+                row[column].parse::<f64>().expect("K") + 1.0,
+                1e-12,
+            );
+        }
+        for k in [0, 1] {
+            let form = |point: &Value| point["closed_forms"][k]["permeability"].clone();
+            assert_eq!(form(here), form(there));
+        }
+    }
+    for words in ["Permeability of the gap", "Flow along y", "Bruggeman", "Leak rate along x"] {
+        assert!(page.contains(words), "{words}");
+    }
+    assert!(out.contains("permeability K") && out.contains("sealed at this resolution"), "{out}");
+    let again = rough_contact(at, "compare --from report/run.toml --out again --json").answered();
+    assert_eq!(again["surfaces"][0]["leak"]["seal_width"], found["seal_width"]);
+
+    let (found, page, csv, out) = study("");
+    assert!(found.is_null() && ![page, csv, out].iter().any(|text| text.contains("ermeability")));
+}
+
 /// Metals: elastic it is said to be meaningless; yielded the gap is another.
 #[test]
 fn metals_leak_through_the_yielded_gap() {

@@ -120,6 +120,19 @@ fn a_study_at_forces_reads_in_newtons() {
     // 10 MPa on 64² µm².
     let page = read("p/report.html").replace('\u{202f}', " ");
     assert!(page.contains("10 MPa (41.0 mN on this map): area"), "the read-out");
+    // A page with a section each, and one of many maps.
+    std::fs::copy(at.join("a.x3p"), at.join("b.x3p")).expect("a copy");
+    let both = "compare a.x3p b.x3p --modulus 110GPa --load 10N,20N --area 1mm2 --headline 10MPa";
+    let said = rough_contact(at, &format!("{both} --out several"));
+    assert_eq!(said.status, 0, "{}", said.err);
+    let page = read("several/report.html").replace('\u{202f}', " ");
+    assert!(page.contains("<td class=\"n\">10 N (10 MPa)</td>"), "the first table");
+    let said = rough_contact(at, &format!("{both} --summary --out many"));
+    assert!(said.status == 0 && said.out.contains("10.0 N"), "{}{}", said.out, said.err);
+    let page = read("many/report.html").replace('\u{202f}', " ");
+    for words in ["Load (N)", "<td class=\"n\">10 N (10 MPa)</td>", "the same for every map"] {
+        assert!(page.contains(words), "{words}");
+    }
     for (folder, area) in [("n", 1e-6), ("p", 4096e-12)] {
         let csv = read(&format!("{folder}/curves.csv"));
         let mut rows = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());

@@ -1,0 +1,209 @@
+//! The leak through the gap, where it was asked for: closed forms beside the solution, and a map of the flow.
+
+use crate::draw::palette::{DETERMINISTIC_LOOK, ELASTIC_LOOK};
+use crate::error::ReportError;
+use crate::figures::conduction::{Line, over_load};
+use crate::figures::cost::{self, Route};
+use crate::figures::flow;
+use crate::looks::look;
+use crate::numbers::{METRES, duration, quantity, signed_percent, signed_range};
+use crate::page::context::Page;
+use crate::page::sections::{figure, reduced_words};
+use crate::page::tables::swatch;
+use crate::words::conduction::scientific;
+use crate::words::finding::capital;
+use crate::words::leak::{known, leak_notes};
+use compare::SurfaceComparison;
+use contact_accuracy::{Axis, Leak as Along, Leaks};
+
+/// What closed forms are called, in their order.
+const FORMS: [[&str; 2]; 2] = [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", "Bruggeman"]];
+
+/// Error of each closed form over the loads, and permeability at each.
+struct Curves<'a> {
+    axis: Axis,
+    found: Vec<Option<&'a Along>>,
+    loads: Vec<Option<&'a Leaks>>,
+}
+
+impl<'a> Curves<'a> {
+    fn of(surface: &'a SurfaceComparison, k: usize, axis: Axis) -> Self {
+        let loads: Vec<_> = surface.leaks.iter().map(Option::as_ref).collect();
+        let found = loads.iter().map(|leaks| (*leaks)?.along.get(k)?.1.as_ref().ok()).collect();
+        Self { axis, found, loads }
+    }
+
+    fn permeability(&self) -> Vec<Option<f64>> {
+        self.found.iter().map(|leak| leak.as_ref()?.permeability()).collect()
+    }
+
+    fn form(&self, k: usize) -> Vec<Option<f64>> {
+        self.loads.iter().map(|leaks| Some(leaks.as_ref()?.closed_forms()[k].1)).collect()
+    }
+
+    fn errors(&self, k: usize) -> Vec<Option<f64>> {
+        let of = |(leak, form): (Option<&Along>, Option<f64>)| leak?.error_of(form?);
+        self.found.iter().copied().zip(self.form(k)).map(of).collect()
+    }
+
+    /// The solution, then each closed form.
+    fn rows(&self, at: usize) -> String {
+        let (Some(leaks), Some(leak)) = (self.loads[at], self.found[at]) else {
+            return String::new();
+        };
+        let axis = self.axis.name();
+        let channel = match leak.flow.bottleneck {
+            None => leak.channel().to_owned(),
+            Some(b) => format!(
+                "{}; lowest gap {}, points across {}",
+                leak.channel(),
+                quantity(b.height, METRES, 3),
+                b.width
+            ),
+        };
+        let row = |class: &str, swatch: String, name: &str, cells: [String; 4], dom: &str| {
+            let [k, error, range, seconds] = cells;
+            format!(
+                "<tr{class}><th scope=\"row\"><div>{swatch}<span>{name}<small>along {axis}</small></span></div></th>\
+                 <td data-l=\"Permeability\" class=\"n\">{k}</td><td data-l=\"Error at load\" class=\"n\">{error}</td>\
+                 <td data-l=\"Error, all loads\" class=\"n\">{range}</td><td data-l=\"Time per load\" class=\"n\">{seconds}</td>\
+                 <td data-l=\"Channel\" class=\"dom\">{dom}</td></tr>\n"
+            )
+        };
+        let time = leaks.seconds[0] / leaks.along.len() as f64;
+        let cells = [known(leak, "m³", |k| k), "reference".into(), "–".into(), duration(time)];
+        let mut rows = row(
+            " class=\"ref\"",
+            swatch(DETERMINISTIC_LOOK),
+            "Reynolds on the gap",
+            cells,
+            &channel,
+        );
+        for (k, (name, permeability, seconds)) in leaks.closed_forms().into_iter().enumerate() {
+            let errors = self.errors(k);
+            let all = || errors.iter().flatten().copied();
+            let (low, high) = (all().min_by(f64::total_cmp), all().max_by(f64::total_cmp));
+            let range = low.zip(high).map_or_else(|| "–".into(), |(l, h)| signed_range(l, h));
+            let error = errors[at].map_or_else(|| "–".into(), signed_percent);
+            let cells = [scientific(permeability, "m³"), error, range, duration(seconds)];
+            rows.push_str(&row("", swatch(look(name, k)), FORMS[k][0], cells, ""));
+        }
+        rows
+    }
+
+    /// Error against time at a load, if there is a permeability.
+    fn routes(&self, at: usize) -> Option<(Vec<Route>, Option<f64>)> {
+        let (leaks, leak) = (self.loads[at]?, self.found[at]?);
+        let k = leak.permeability()?;
+        let forms = leaks.closed_forms().into_iter().enumerate();
+        let mut routes = forms
+            .map(|(k, (name, permeability, seconds))| {
+                Some(Route {
+                    label: FORMS[k][1].into(),
+                    series: String::new(),
+                    look: look(name, k),
+                    seconds,
+                    error: leak.error_of(permeability)?.abs(),
+                    bold: false,
+                })
+            })
+            .collect::<Option<Vec<_>>>()?;
+        routes.push(cost::deterministic(leaks.seconds[0] / leaks.along.len() as f64));
+        Some((routes, leak.interval().map(|[_, high]| high / k - 1.0)))
+    }
+}
+
+/// The table, permeability over the load, error against time, the map of the flow along each axis.
+pub(crate) fn section(
+    page: &mut Page<'_>,
+    surface: &SurfaceComparison,
+    id: &str,
+) -> Result<String, ReportError> {
+    let settings = &page.comparison.settings;
+    let leaks = surface.leaks.get(surface.headline).and_then(Option::as_ref);
+    let (Some(asked), Some(leaks)) = (settings.leak, leaks) else { return Ok(String::new()) };
+    let notes = leak_notes(
+        &surface.leaks.iter().flatten().collect::<Vec<_>>(),
+        settings.modulus,
+        settings.hardness.is_some(),
+    );
+    let notes: String = notes.iter().map(|note| format!(" {}.", capital(note))).collect();
+    let (at, h, p) = (surface.headline, page.heading(), crate::words::headline_load(surface));
+    let curves: Vec<Curves<'_>> = asked
+        .along
+        .axes()
+        .iter()
+        .enumerate()
+        .map(|(k, &axis)| Curves::of(surface, k, axis))
+        .collect();
+    let rows: String = curves.iter().map(|curves| curves.rows(at)).collect();
+    let mut out = format!(
+        "<{h}>Leak at {p}</{h}>\n<table class=\"models\"><thead><tr><th scope=\"col\">Model</th>\
+         <th scope=\"col\" class=\"n\">Permeability</th><th scope=\"col\" class=\"n\">Error</th>\
+         <th scope=\"col\" class=\"n\">Error,<br>all loads</th><th scope=\"col\" class=\"n\">Time<br>per load</th>\
+         <th scope=\"col\">Channel</th></tr></thead><tbody>\n{rows}</tbody></table>\n\
+         <p class=\"why\"><i>Q</i> = <i>K W</i> Δ<i>p</i>/(12 <i>η L</i>). ± of this map.{notes}</p>\n<div class=\"two\">\n"
+    );
+    let first = &curves[0];
+    let reference = first.permeability();
+    if reference.iter().flatten().any(|k| *k > 0.0) {
+        let n = page.next_figure();
+        let line = |k: usize| {
+            let name = leaks.closed_forms()[k].0;
+            let (label, values) = (FORMS[k][1].into(), first.form(k));
+            Line { label, series: String::new(), look: look(name, k), values }
+        };
+        let other = curves.get(1).map(|curves| Line {
+            label: String::new(), // it may end before the others; the caption has it
+            series: String::new(),
+            look: ELASTIC_LOOK,
+            values: curves.permeability(),
+        });
+        let lines: Vec<Line> = other.into_iter().chain([0, 1].map(line)).collect();
+        let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
+        let title = ("Permeability", "m³");
+        let loads = (&pressures[..], surface.load_area);
+        let svg = over_load(loads, &reference, &lines, title, &format!("{id}-f{n}"));
+        let rings = if curves.len() > 1 { "; rings: along y" } else { "" };
+        out.push_str(&figure(
+            &svg.inline(),
+            &format!(
+                "<b>Fig. {n}. Permeability of the gap</b> along {}. Dots: solver{rings}.",
+                first.axis.name()
+            ),
+        ));
+    }
+    if let Some((routes, floor)) = first.routes(at) {
+        let n = page.next_figure();
+        let key = format!("{id}-f{n}");
+        let svg = cost::figure(&routes, floor, ("permeability", &p), &key).inline();
+        out.push_str(&figure(
+            &svg,
+            &format!(
+                "<b>Fig. {n}. Error against time</b> of the permeability along {}, once the gap is known.",
+                first.axis.name()
+            ),
+        ));
+    }
+    out.push_str("</div>\n<div class=\"two maps\">\n");
+    let grid = surface.solved_map().grid();
+    for (axis, leak) in &leaks.along {
+        let Some(flow) = leak.as_ref().ok().map(|l| &l.flow) else { continue };
+        if flow.flux.len() != grid.len() || surface.pressure.len() != grid.len() {
+            continue;
+        }
+        let n = page.next_figure();
+        let key = format!("{id}-f{n}");
+        let svg = flow::flux(flow, &surface.pressure, grid, page.map_limit, &key)?;
+        out.push_str(&figure(
+            &svg.inline(),
+            &format!(
+                "<b>Fig. {n}. Flow along {}.</b> Grey: contact; ring: bottleneck.{}",
+                axis.name(),
+                reduced_words(grid.shape(), page.map_limit)
+            ),
+        ));
+    }
+    out.push_str("</div>\n");
+    Ok(out)
+}
