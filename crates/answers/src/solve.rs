@@ -168,6 +168,9 @@ impl Question {
         };
         solved.scene = scene::of(&surface, self.modulus, self.plane_strain).map_err(refused)?;
         solved.scene.spacing = largest * f64::EPSILON;
+        if matches!(self.level, Level::None | Level::Mean) && self.boundary == Boundary::Periodic {
+            solved.scene.tilted = surface_stats::tilted(&surface).map_err(refused)?;
+        }
         watch.levelled(&surface);
         let sticking = self.adhesion.map(|given| (given, surface.clone()));
         let mut work = Work::new(self.loads.len(), self.method.to_string(), level, surface.grid());

@@ -1,6 +1,7 @@
 //! Is the question one that an elastic half-space can answer? Slopes, units and pressures.
 
 use crate::finding::{Fact, Finding, Pressed, Steep, Weight, Yield};
+use crate::findings::warned;
 use surface_stats::Warning;
 use surface_stats::clean::RowOffsets;
 
@@ -41,6 +42,8 @@ pub struct Scene {
     pub radius: Option<f64>,
     /// How its rows stand against each other, where no statistics say it.
     pub rows: Option<RowOffsets>,
+    /// That it is tilted, where no statistics say it.
+    pub tilted: Option<Warning>,
     /// Spacing of doubles at the heights as they were given (m), where no statistics say it.
     pub spacing: f64,
     /// Answers by rising load.
@@ -50,8 +53,15 @@ pub struct Scene {
 impl Scene {
     /// What is said before any number: units, yield, slopes.
     pub fn findings(&self) -> Vec<Finding> {
-        let found =
-            [self.unit(), self.rounding(), self.beyond_yield(), self.steep(), self.rows_jump()];
+        let tilted = self.tilted.as_ref().map(warned);
+        let found = [
+            self.unit(),
+            self.rounding(),
+            self.beyond_yield(),
+            self.steep(),
+            tilted,
+            self.rows_jump(),
+        ];
         found.into_iter().flatten().collect()
     }
 
@@ -69,14 +79,12 @@ impl Scene {
     /// Heights that far from zero are given by a few numbers, and what is left after levelling is theirs.
     fn rounding(&self) -> Option<Finding> {
         let rms_height = self.rms_height.filter(|rms| *rms > 0.0 && *rms < 4.0 * self.spacing)?;
-        let fact = Fact::Warned(Warning::Rounding { rms_height, spacing: self.spacing });
-        Some(Finding { weight: Weight::Check, fact })
+        Some(warned(&Warning::Rounding { rms_height, spacing: self.spacing }))
     }
 
     fn rows_jump(&self) -> Option<Finding> {
         let rows = self.rows.as_ref().filter(|rows| rows.rows_jump())?;
-        let fact = Fact::Warned(Warning::RowsJump { jump: rows.jump, share: rows.share });
-        Some(Finding { weight: Weight::Check, fact })
+        Some(warned(&Warning::RowsJump { jump: rows.jump, share: rows.share }))
     }
 
     fn steep(&self) -> Option<Finding> {

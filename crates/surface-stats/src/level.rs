@@ -1,8 +1,8 @@
 //! Form removal before statistics.
 
-use crate::StatsError;
 use crate::polynomial::Polynomial;
 use crate::seam::repeats;
+use crate::{StatsError, Warning};
 use contact_types::HeightMap;
 use std::fmt;
 
@@ -128,6 +128,18 @@ fn without_form(map: &HeightMap, degree: usize) -> Result<HeightMap, StatsError>
 /// Whether opposite edges meet, and do not once the plane is off.
 pub(crate) fn plane_parts_edges(map: &HeightMap) -> Result<bool, StatsError> {
     Ok(repeats(map) && !repeats(&without_form(map, 1)?))
+}
+
+/// The warning of a map whose plane was not taken off, where it explains a good part of the height variance.
+///
+/// # Errors
+/// As [`level`].
+pub fn tilted(map: &HeightMap) -> Result<Option<Warning>, StatsError> {
+    if plane_parts_edges(map)? {
+        return Ok(None); // a map that repeats has no tilt, whatever a plane explains of it
+    }
+    let explained = Polynomial::fit(map.grid(), map.heights(), 1)?.explained(map.heights());
+    Ok((explained > 0.05).then_some(Warning::Tilted { explained }))
 }
 
 #[cfg(test)]

@@ -37,7 +37,7 @@ pub use by_distance::{ByDistance, by_distance};
 pub use differences::{DirectionalMoments, Edges};
 pub use error::StatsError;
 pub use heights::HeightStatistics;
-pub use level::{Level, level};
+pub use level::{Level, level, tilted};
 pub use options::StatsOptions;
 pub use seam::{MOST_SEAM_JUMP, repeats, seam_jump};
 pub use spectral_scales::SpectralScales;

@@ -2,7 +2,7 @@
 
 use crate::clean::{RowOffsets, row_offsets};
 use crate::fractal::PowerLaw;
-use crate::level::plane_parts_edges;
+use crate::level::tilted;
 use crate::noise::white_noise_moments;
 use crate::options::{StatsOptions, check_range};
 use crate::polynomial::Polynomial;
@@ -160,13 +160,9 @@ impl SurfaceStatistics {
         let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
         let level = options.level.on(map)?;
         let degree = level.degree().unwrap_or(0);
-        // A map that repeats has no tilt, whatever a plane explains of it; `Auto` has looked already.
+        // `Auto` has looked already.
         let may_be_tilted = degree == 0 && !periodic && options.level != Level::Auto;
-        let tilt = if may_be_tilted && !plane_parts_edges(map)? {
-            Polynomial::fit(grid, map.heights(), 1)?.explained(map.heights())
-        } else {
-            0.0
-        };
+        let tilted = if may_be_tilted { tilted(map)? } else { None };
         let form = Polynomial::fit(grid, map.heights(), degree)?;
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
         let mut heights = map.heights().to_vec();
@@ -252,7 +248,7 @@ impl SurfaceStatistics {
         let spacing = f64::EPSILON * low.abs().max(high.abs());
         let directional = differences.anisotropy();
         statistics.warnings = statistics.judge(
-            tilt,
+            tilted,
             spacing,
             edge_jump,
             directional,
@@ -301,7 +297,7 @@ impl SurfaceStatistics {
     /// explained in the book, chapter "Surface statistics".
     fn judge(
         &self,
-        tilt: f64,
+        tilted: Option<Warning>,
         spacing: f64,
         edge_jump: f64,
         anisotropy: Option<f64>,
@@ -320,9 +316,7 @@ impl SurfaceStatistics {
         if 10 * plateaus > summits {
             warnings.push(Warning::FlatTops { plateaus, summits });
         }
-        if tilt > 0.05 {
-            warnings.push(Warning::Tilted { explained: tilt });
-        }
+        warnings.extend(tilted);
         if resolved < 0.94 {
             warnings.push(Warning::Unresolved { ratio: resolved });
         }

@@ -33,6 +33,32 @@ fn yield_is_said_before_the_numbers_of_a_solve() {
     assert!(said.find("hardness H").is_some_and(|at| at < numbers), "{said}");
 }
 
+/// A tilt left in moves the area: said where the map does not repeat, and not where it does.
+#[test]
+fn a_tilt_left_in_is_said() {
+    let folder = folder();
+    waves(folder.path());
+    matrix(folder.path(), "tilted.txt", 64, 64, |iy, ix| {
+        let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 32.0).cos();
+        wave(iy) * wave(ix) + 0.05 * ix as f64
+    });
+    let load = "--pixel 1um --height-unit um --modulus 110GPa --pressure 1GPa";
+    let tilted = |file: &str, level: &str| {
+        let line = format!("solve {file} {load} --level {level} --json");
+        let json = rough_contact(folder.path(), &line).answered();
+        json["findings"].as_array().unwrap().iter().any(|f| f["kind"] == "tilted")
+    };
+    for (file, level, is_said) in [
+        ("tilted.txt", "none", true),
+        ("tilted.txt", "mean", true),
+        ("tilted.txt", "plane", false),
+        ("tilted.txt", "auto", false),
+        ("waves.txt", "none", false),
+    ] {
+        assert_eq!(tilted(file, level), is_said, "{file} {level}");
+    }
+}
+
 /// A file in mm read as m: the unit is asked for first, and nothing passes beside it.
 #[test]
 fn a_mistyped_unit_is_asked_for_first_by_every_command() {
