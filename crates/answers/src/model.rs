@@ -170,13 +170,13 @@ pub fn scene(card: &Card, inputs: &Inputs, answers: &[Answer], rows: Option<RowO
     let gradient = inputs.m2().map(|_| inputs.rms_gradient());
     Scene {
         rows,
-        spacing: 0.0,
         modulus: inputs.modulus.pascals(),
         gradient,
         hardness: inputs.hardness,
         rms_height: moments.map(|m| m.m0.sqrt()),
         radius: inputs.asperities().map(|a| a.radius),
         pressed,
+        ..Scene::default()
     }
 }
 

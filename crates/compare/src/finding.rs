@@ -93,6 +93,24 @@ impl Finding {
         Self { weight: Weight::Note, fact }
     }
 
+    /// What the statistics warn of.
+    pub(crate) fn warned(warning: Warning) -> Self {
+        let weight = match warning {
+            Warning::Rounding { .. }
+            | Warning::Flat
+            | Warning::Tilted { .. }
+            | Warning::RowsJump { .. }
+            | Warning::Anisotropic { .. }
+            | Warning::NotGaussian { .. }
+            | Warning::NarrowBand { .. }
+            | Warning::Unresolved { .. }
+            | Warning::Stepped { .. }
+            | Warning::Noisy { .. } => Weight::Check,
+            _ => Weight::Note,
+        };
+        Self { weight, fact: Fact::Warned(warning) }
+    }
+
     /// What it is about.
     pub fn subject(&self) -> Subject {
         match &self.fact {

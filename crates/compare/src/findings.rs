@@ -46,7 +46,7 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let warnings = surface.statistics.warnings.iter();
     found.extend(warnings.map(|w| match w {
         Warning::EdgeJump { ratio } => edge_jump(*ratio, surface),
-        other => warned(other),
+        other => Finding::warned(*other),
     }));
     if let Origin::File(file) = &surface.origin {
         let all = surface.surface.grid().len();
@@ -75,7 +75,7 @@ pub fn measured(s: &SurfaceStatistics, spikes: &Spikes) -> Vec<Finding> {
     };
     let mut found = scene.findings();
     found.extend(spiky(spikes, None));
-    found.extend(s.warnings.iter().map(warned));
+    found.extend(s.warnings.iter().copied().map(Finding::warned));
     found.sort_by_key(|f| f.weight);
     found
 }
@@ -125,9 +125,8 @@ fn scene(surface: &SurfaceComparison) -> Scene {
         gradient: Some(s.rms_gradient),
         rms_height: Some(s.rms_height),
         radius: s.asperities.map(|a| a.radius),
-        rows: None, // the statistics say these two
-        spacing: 0.0,
         pressed: answers.collect(),
+        ..Scene::default() // the statistics say the rest
     }
 }
 
@@ -278,23 +277,6 @@ fn interpolation(loads: impl Iterator<Item = (Option<f64>, Option<f64>)>) -> Opt
     let count = all.iter().filter(|(i, _)| *i > INDICATOR_LIMIT).count();
     let fact = Fact::Interpolation { indicator, finer, loads: count, of: all.len() };
     (count > 0).then(|| check(fact))
-}
-
-pub(crate) fn warned(warning: &Warning) -> Finding {
-    let weight = match warning {
-        Warning::Rounding { .. }
-        | Warning::Flat
-        | Warning::Tilted { .. }
-        | Warning::RowsJump { .. }
-        | Warning::Anisotropic { .. }
-        | Warning::NotGaussian { .. }
-        | Warning::NarrowBand { .. }
-        | Warning::Unresolved { .. }
-        | Warning::Stepped { .. }
-        | Warning::Noisy { .. } => Weight::Check,
-        _ => Weight::Note,
-    };
-    Finding { weight, fact: Fact::Warned(*warning) }
 }
 
 fn edge_jump(ratio: f64, surface: &SurfaceComparison) -> Finding {

@@ -1,7 +1,6 @@
 //! Is the question one that an elastic half-space can answer? Slopes, units and pressures.
 
 use crate::finding::{Fact, Finding, Pressed, Steep, Weight, Yield};
-use crate::findings::warned;
 use surface_stats::Warning;
 use surface_stats::clean::RowOffsets;
 
@@ -53,16 +52,9 @@ pub struct Scene {
 impl Scene {
     /// What is said before any number: units, yield, slopes.
     pub fn findings(&self) -> Vec<Finding> {
-        let tilted = self.tilted.as_ref().map(warned);
-        let found = [
-            self.unit(),
-            self.rounding(),
-            self.beyond_yield(),
-            self.steep(),
-            tilted,
-            self.rows_jump(),
-        ];
-        found.into_iter().flatten().collect()
+        let found = [self.unit(), self.rounding(), self.beyond_yield(), self.steep()];
+        let warned = self.tilted.map(Finding::warned).into_iter().chain(self.rows_jump());
+        found.into_iter().flatten().chain(warned).collect()
     }
 
     /// A size that looks like a mistyped unit.
@@ -79,12 +71,12 @@ impl Scene {
     /// Heights that far from zero are given by a few numbers, and what is left after levelling is theirs.
     fn rounding(&self) -> Option<Finding> {
         let rms_height = self.rms_height.filter(|rms| *rms > 0.0 && *rms < 4.0 * self.spacing)?;
-        Some(warned(&Warning::Rounding { rms_height, spacing: self.spacing }))
+        Some(Finding::warned(Warning::Rounding { rms_height, spacing: self.spacing }))
     }
 
     fn rows_jump(&self) -> Option<Finding> {
         let rows = self.rows.as_ref().filter(|rows| rows.rows_jump())?;
-        Some(warned(&Warning::RowsJump { jump: rows.jump, share: rows.share }))
+        Some(Finding::warned(Warning::RowsJump { jump: rows.jump, share: rows.share }))
     }
 
     fn steep(&self) -> Option<Finding> {

@@ -94,28 +94,6 @@ impl RoughnessSpectrum {
         });
         Self::new(shells)
     }
-
-    /// From a table of an isotropic two-dimensional PSD, `[q, C]` in rad/m and m⁴ by rising `q`: a
-    /// power law between neighbouring points, a straight line next to a point where `C` is 0.
-    ///
-    /// # Errors
-    /// As [`from_psd`](Self::from_psd).
-    pub fn from_psd_table(
-        convention: PsdConvention,
-        table: &[[f64; 2]],
-    ) -> Result<Self, SurfaceError> {
-        let limits: Vec<f64> = table.iter().map(|point| point[0]).collect();
-        let psd = |q: f64| {
-            let next = limits.partition_point(|&limit| limit < q).clamp(1, limits.len() - 1);
-            let ([q0, c0], [q1, c1]) = (table[next - 1], table[next]);
-            if c0 > 0.0 && c1 > 0.0 {
-                c0 * ((q / q0).ln() / (q1 / q0).ln() * (c1 / c0).ln()).exp()
-            } else {
-                c0 + (c1 - c0) * ((q - q0) / (q1 - q0))
-            }
-        };
-        Self::from_psd(convention, psd, &limits)
-    }
 }
 
 /// Nodes and weights from -1 to 1, rising.
@@ -168,13 +146,10 @@ mod tests {
             assert_relative_eq!(found.m0, TAU * c0 * exact(0.0, hurst, q), max_relative = 1e-13);
             assert_relative_eq!(found.m2, TAU / 2.0 * c0 * exact(2.0, hurst, q), max_relative = 1e-13);
             assert_relative_eq!(found.m4, 0.375 * TAU * c0 * exact(4.0, hurst, q), max_relative = 1e-13);
-            // The same surface by the other convention, and by a table of three points.
+            // The same surface by the other convention.
             let square = |x: f64| TAU * TAU * psd(x);
             let other = RoughnessSpectrum::from_psd(PsdConvention::PerCycle, square, &q).unwrap();
             assert_relative_eq!(other.moments().m0, found.m0, max_relative = 1e-13);
-            let table = q.map(|q| [q, psd(q)]);
-            let table = RoughnessSpectrum::from_psd_table(PsdConvention::Angular, &table).unwrap();
-            assert_relative_eq!(table.moments().m4, found.m4, max_relative = 1e-12);
         }
     }
 
@@ -192,7 +167,5 @@ mod tests {
         // A band of one rounding and one of 300 decades.
         assert!(of(&[1.0, 1.0 + f64::EPSILON], 1.0).unwrap().moments().m0 > 0.0);
         assert!(of(&[1e-150, 1e150], 0.0).is_ok());
-        let empty = RoughnessSpectrum::from_psd_table(PsdConvention::Angular, &[]);
-        assert!(matches!(empty, Err(SurfaceError::Spectrum { .. })));
     }
 }

@@ -1,7 +1,7 @@
 //! What may change a conclusion drawn from profiles.
 
 use crate::finding::{Fact, Finding, Weight};
-use crate::findings::{cleaned, filled, warned};
+use crate::findings::{cleaned, filled};
 use crate::profile::fact::{ProfileFact, Unevenness};
 use crate::scene::Scene;
 use crate::{FileOrigin, Origin};
@@ -22,7 +22,7 @@ pub fn profile_findings(
     let mut found = scene.findings();
     found.push(of(Weight::Check, ProfileFact::OneDirection));
     found.push(sample(statistics));
-    found.extend(statistics.warnings.iter().map(warned));
+    found.extend(statistics.warnings.iter().copied().map(Finding::warned));
     found.extend(uneven.map(|uneven| of(Weight::Note, ProfileFact::Uneven(uneven))));
     match &statistics.roughness {
         Err(error) => {

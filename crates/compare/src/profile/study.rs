@@ -239,12 +239,10 @@ impl ProfileComparison {
             gradient: self.inputs.moments.map(|m| m.rms_gradient()),
             rms_height: self.inputs.moments.map(|m| m.rms_height()),
             radius: self.inputs.asperities().map(|a| a.radius),
-            rows: None,
-            spacing: 0.0,
-            hardness: None,
             pressed: answers
                 .map(|c| c.points.iter().flatten().filter_map(pressed).collect())
                 .unwrap_or_default(),
+            ..Scene::default()
         }
     }
 }
