@@ -44,6 +44,7 @@ impl Pool {
 }
 
 #[cfg(any(not(feature = "parallel"), target_family = "wasm"))]
+#[expect(clippy::unnecessary_wraps, clippy::unused_self, reason = "as where there are threads")]
 impl Pool {
     /// The thread of the caller: WebAssembly has no other.
     pub(crate) fn new(_threads: Option<usize>) -> Result<Self, SolverError> {

@@ -57,8 +57,9 @@ fn both(a: Told<'_>, b: Told<'_>) {
     #[cfg(feature = "parallel")]
     rayon::join_context(|context| a(context.migrated()), |context| b(context.migrated()));
     #[cfg(not(feature = "parallel"))]
-    for work in [a, b] {
-        work(false);
+    {
+        a(false);
+        b(false);
     }
 }
 
