@@ -24,7 +24,7 @@ export function numbers(found, expected, path = '', answer = 0) {
   if (typeof expected === 'number') {
     const off = Math.abs(found - expected), size = Math.max(Math.abs(found), Math.abs(expected));
     if (Number.isInteger(expected) && Math.abs(expected) < 1e9) { assert.equal(found, expected, path); return 1; }
-    const limit = LEFT_OVER.test(path) ? Math.max(LEFT_OVER_ROUNDING * size, LEAST_LEFT) : ROUNDING * Math.max(size, answer);
+    const limit = LEFT_OVER.test(path) ? Math.max(LEFT_OVER_ROUNDING * size, LEAST_LEFT * Math.max(1, answer)) : ROUNDING * Math.max(size, answer);
     assert.ok(off <= limit, `${path}: ${found} in the page, ${expected} by the command`);
     return 1;
   }
