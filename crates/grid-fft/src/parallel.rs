@@ -57,10 +57,7 @@ fn both(a: Told<'_>, b: Told<'_>) {
     #[cfg(feature = "parallel")]
     rayon::join_context(|context| a(context.migrated()), |context| b(context.migrated()));
     #[cfg(not(feature = "parallel"))]
-    {
-        a(false);
-        b(false);
-    }
+    let ((), ()) = (a(false), b(false));
 }
 
 /// What `make` makes of each item, in order.

@@ -39,7 +39,10 @@ pub(crate) fn over_load(
     let reference: Vec<Option<f64>> = deterministic.iter().map(drawn).collect();
     let others: Vec<Vec<Option<f64>>> =
         lines.iter().map(|line| line.values.iter().map(drawn).collect()).collect();
-    let (first, last) = (pressures[0], pressures[pressures.len() - 1]);
+    // The names stand where the lines end.
+    let is_drawn = |i: &usize| reference[*i].is_some() || others.iter().any(|o| o[*i].is_some());
+    let last = (0..pressures.len()).rfind(is_drawn).unwrap_or(pressures.len() - 1);
+    let (first, last) = (pressures[0], pressures[last]);
     let ends = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
     let frame = Frame {
         x: Axis::log(ends.map(|p| p / unit.scale), [LEFT, RIGHT]),
