@@ -23,7 +23,7 @@ def test_results_explain_themselves():
     units = rc.LoadCurve.units()
     for name in ("touching_fraction", "area_fraction", "mean_gap", "interpolation_indicator", "area_prediction_interval", "solver_seconds"):
         assert f"{name} : {units[name]}\n" in text, name
-    assert "points that carry pressure over all points" in text and "less 0.1013 points for each edge" in text
+    assert "Points that carry pressure over all points" in text and "less 0.1013 points for each edge" in text
     for name in vars(rc.Point)["__dataclass_fields__"]:
         field = rc.Point.__dataclass_fields__[name]
         assert field.metadata["meaning"] and f"{name} : " in helped(rc.Point), name
