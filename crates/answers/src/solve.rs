@@ -168,8 +168,8 @@ impl Question {
         };
         solved.scene = scene::of(&surface, self.modulus, self.plane_strain).map_err(refused)?;
         solved.scene.spacing = largest * f64::EPSILON;
-        if matches!(self.level, Level::None | Level::Mean) && self.boundary == Boundary::Periodic {
-            solved.scene.tilted = surface_stats::tilted(&surface).map_err(refused)?;
+        if self.boundary == Boundary::Periodic {
+            solved.scene.tilted = surface_stats::tilted(&surface, self.level).map_err(refused)?;
         }
         watch.levelled(&surface);
         let sticking = self.adhesion.map(|given| (given, surface.clone()));

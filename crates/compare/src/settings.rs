@@ -197,6 +197,7 @@ macro_rules! names {
         }
     };
 }
+
 names! {
     /// What the solver puts beyond the edges of a map.
     #[derive(Default)]

@@ -14,9 +14,8 @@ use std::f64::consts::PI;
 pub const LIMIT: f64 = 0.05;
 
 /// Difference of the polynomials through eight and through four points, halfway: weights of the pairs of points
-/// from the inner to the outer one, over their denominator.
+/// from the inner to the outer one, in 2048ths.
 const WEIGHTS: [i16; 4] = [1225 - 1152, -245 + 128, 49, -5];
-const DENOMINATOR: i16 = 2048;
 
 /// The indicator of a `surface` under `pressure` (Pa, of its grid). Beyond its edges stands itself if it
 /// `repeats`, its mirror image otherwise. `None` if nothing touches, the pressure is not of this grid, or a side
@@ -79,7 +78,7 @@ fn difference(at: impl Fn(isize) -> f64) -> f64 {
     let pairs = WEIGHTS.iter().enumerate();
     let pair = |k: isize| at(-k) + at(k + 1);
     let sum: f64 = pairs.map(|(k, weight)| f64::from(*weight) * pair(k.cast_signed())).sum();
-    sum / f64::from(DENOMINATOR)
+    sum / f64::from(2048_i16)
 }
 
 /// The point `k` away from `i` of `n` in line: around the edge if the map `repeats`, mirrored at it otherwise.
@@ -132,7 +131,7 @@ mod tests {
         let mut pressure = vec![0.0; 256];
         pressure[8 * 16 + 4] = 0.05;
         // To both sides of a crest 1, 0, -1, 0, 1 the difference is that of the sums of pairs.
-        let [a, b, c, d] = WEIGHTS.map(|weight| f64::from(weight) / f64::from(DENOMINATOR));
+        let [a, b, c, d] = WEIGHTS.map(|weight| f64::from(weight) / 2048.0);
         let rms = (1e-7 * (a - b - c + d)).abs() / 2f64.sqrt();
         let found = indicator(&map, true, &pressure, modulus()).unwrap();
         assert!((found / (rms / (0.05 * 2e-6)) - 1.0).abs() < 1e-9, "{found}");

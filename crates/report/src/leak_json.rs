@@ -1,7 +1,7 @@
 //! The leak through the gap, for other programs. SI units.
 
 use compare::{Comparison, Leak, SurfaceComparison};
-use contact_accuracy::{Leak as Along, Leaks, NotSolved};
+use contact_accuracy::{Leak as AxisLeak, Leaks, NotSolved};
 use serde_json::{Map, Value, json};
 
 /// What was asked, and whether the gap is that of bodies that yield.
@@ -24,7 +24,8 @@ pub fn point(asked: &Leak, leaks: &Leaks) -> Value {
         object.insert(axis.name().to_owned(), along(asked, found, plates));
     }
     let form = |(name, permeability, seconds): (&str, f64, f64)| {
-        let error = |found: &Result<Along, NotSolved>| found.as_ref().ok()?.error_of(permeability);
+        let error =
+            |found: &Result<AxisLeak, NotSolved>| found.as_ref().ok()?.error_of(permeability);
         let errors: Map<String, Value> = leaks
             .along
             .iter()
@@ -37,7 +38,7 @@ pub fn point(asked: &Leak, leaks: &Leaks) -> Value {
     Value::Object(object)
 }
 
-fn along(asked: &Leak, found: &Result<Along, NotSolved>, plates: f64) -> Value {
+fn along(asked: &Leak, found: &Result<AxisLeak, NotSolved>, plates: f64) -> Value {
     let leak = match found {
         Ok(leak) => leak,
         Err(error) => return json!({ "error": error.to_string() }),

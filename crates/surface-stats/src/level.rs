@@ -130,13 +130,14 @@ pub(crate) fn plane_parts_edges(map: &HeightMap) -> Result<bool, StatsError> {
     Ok(repeats(map) && !repeats(&without_form(map, 1)?))
 }
 
-/// The warning of a map whose plane was not taken off, where it explains a good part of the height variance.
+/// The warning of a map asked to keep its plane, where that explains a good part of the height variance.
 ///
 /// # Errors
 /// As [`level`].
-pub fn tilted(map: &HeightMap) -> Result<Option<Warning>, StatsError> {
-    if plane_parts_edges(map)? {
-        return Ok(None); // a map that repeats has no tilt, whatever a plane explains of it
+pub fn tilted(map: &HeightMap, asked: Level) -> Result<Option<Warning>, StatsError> {
+    // A map that repeats has no tilt, whatever a plane explains of it.
+    if !matches!(asked, Level::None | Level::Mean) || plane_parts_edges(map)? {
+        return Ok(None);
     }
     let explained = Polynomial::fit(map.grid(), map.heights(), 1)?.explained(map.heights());
     Ok((explained > 0.05).then_some(Warning::Tilted { explained }))

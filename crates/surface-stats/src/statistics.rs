@@ -160,9 +160,7 @@ impl SurfaceStatistics {
         let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
         let level = options.level.on(map)?;
         let degree = level.degree().unwrap_or(0);
-        // `Auto` has looked already.
-        let may_be_tilted = degree == 0 && !periodic && options.level != Level::Auto;
-        let tilted = if may_be_tilted { tilted(map)? } else { None };
+        let tilted = if periodic { None } else { tilted(map, options.level)? };
         let form = Polynomial::fit(grid, map.heights(), degree)?;
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
         let mut heights = map.heights().to_vec();

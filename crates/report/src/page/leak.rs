@@ -14,7 +14,7 @@ use crate::words::conduction::scientific;
 use crate::words::finding::capital;
 use crate::words::leak::{known, leak_notes};
 use compare::SurfaceComparison;
-use contact_accuracy::{Axis, Leak as Along, Leaks};
+use contact_accuracy::{Axis, Leak as AxisLeak, Leaks};
 
 /// What closed forms are called, in their order.
 const FORMS: [[&str; 2]; 2] = [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", "Bruggeman"]];
@@ -22,7 +22,7 @@ const FORMS: [[&str; 2]; 2] = [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", 
 /// Error of each closed form over the loads, and permeability at each.
 struct Curves<'a> {
     axis: Axis,
-    found: Vec<Option<&'a Along>>,
+    found: Vec<Option<&'a AxisLeak>>,
     loads: Vec<Option<&'a Leaks>>,
 }
 
@@ -42,7 +42,7 @@ impl<'a> Curves<'a> {
     }
 
     fn errors(&self, k: usize) -> Vec<Option<f64>> {
-        let of = |(leak, form): (Option<&Along>, Option<f64>)| leak?.error_of(form?);
+        let of = |(leak, form): (Option<&AxisLeak>, Option<f64>)| leak?.error_of(form?);
         self.found.iter().copied().zip(self.form(k)).map(of).collect()
     }
 

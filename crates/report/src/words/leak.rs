@@ -3,7 +3,7 @@
 use crate::numbers::relative_interval;
 use crate::words::conduction::scientific;
 use compare::{Leak, SurfaceComparison, typical_hardness};
-use contact_accuracy::{Axis, Leak as Along, Leaks};
+use contact_accuracy::{Axis, Leak as AxisLeak, Leaks};
 
 /// A sentence for each thing that limits the leaks of a study with this contact modulus (Pa).
 pub fn leak_notes(leaks: &[&Leaks], modulus: f64, yields: bool) -> Vec<&'static str> {
@@ -33,7 +33,7 @@ pub fn leak_notes(leaks: &[&Leaks], modulus: f64, yields: bool) -> Vec<&'static 
 }
 
 /// K, or what is known of it.
-pub(crate) fn known(leak: &Along, unit: &str, of: impl Fn(f64) -> f64) -> String {
+pub(crate) fn known(leak: &AxisLeak, unit: &str, of: impl Fn(f64) -> f64) -> String {
     match (leak.permeability(), leak.interval()) {
         (Some(k), ends) => {
             let spread = ends.filter(|_| k > 0.0).map(|ends| relative_interval(k, ends));
@@ -48,7 +48,7 @@ pub(crate) fn known(leak: &Along, unit: &str, of: impl Fn(f64) -> f64) -> String
 /// Rows of the key numbers: the leak rate, or the permeability where no seal is given.
 pub(crate) fn key_rows(asked: &Leak, surface: &SurfaceComparison) -> Vec<[String; 3]> {
     let leaks = surface.leaks.get(surface.headline).and_then(Option::as_ref);
-    let row = |(axis, leak): &(Axis, Result<Along, _>)| {
+    let row = |(axis, leak): &(Axis, Result<AxisLeak, _>)| {
         let leak = leak.as_ref().ok()?;
         let k = known(leak, "m³", |k| k);
         let name = axis.name();
