@@ -32,15 +32,8 @@ impl Asked<'_> {
     ) -> Result<Option<Reached>, Failure> {
         let order = rising(loads);
         let risen: Vec<Load> = order.iter().map(|&i| loads[i]).collect();
-        let setup = self.setup.clone();
-        let task = Task {
-            map: self.surface,
-            setup,
-            loads: &risen,
-            aim: self.aim,
-            stiffness: self.part.is_some(),
-            section: None,
-        };
+        let mut task = Task::new(self.surface, self.setup.clone(), &risen, self.aim);
+        task.stiffness = self.part.is_some();
         let (part, materials, known) = (self.part, self.materials, None);
         let mut to = ToWork { loads, order: &order, work, watch, part, materials, known };
         match climb(&task, &mut to) {

@@ -162,10 +162,7 @@ impl Question {
         // Before levelling, as they are removed.
         let spikes = Spikes::left(&surface, cleaned, pair);
         let level = self.level.on(&surface).map_err(refused)?;
-        let surface = match level {
-            Level::None => surface,
-            form => surface_stats::level(&surface, form).map_err(refused)?,
-        };
+        let surface = surface_stats::level(&surface, level).map_err(refused)?;
         solved.scene = scene::of(&surface, self.modulus, self.plane_strain).map_err(refused)?;
         solved.scene.spacing = largest * f64::EPSILON;
         if self.boundary == Boundary::Periodic {

@@ -7,7 +7,7 @@ use crate::{Origin, Registry, Settings};
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring, radial};
-use surface_stats::{Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
+use surface_stats::{Edges, Spectra, StatsError, SurfaceStatistics, level};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
 /// does not; one that was given, only if who gave it says so.
@@ -16,13 +16,8 @@ pub(crate) fn describe(
     origin: &Origin,
     settings: &Settings,
 ) -> Result<(HeightMap, SurfaceStatistics, Spectra), StatsError> {
-    let fractal_range = settings.fractal_range;
-    let options = StatsOptions::default()
-        .with_level(origin.level(settings.level))
-        .with_edges(origin.edges())
-        .with_fractal_range(fractal_range)
-        .with_missing(origin.missing())
-        .with_height_step(origin.height_step());
+    let options =
+        origin.options(heights, settings.level)?.with_fractal_range(settings.fractal_range);
     // From the heights as given, so that a tilt that is removed is still reported.
     let (statistics, spectra) = SurfaceStatistics::with_spectra(heights, &options)?;
     Ok((level(heights, statistics.level)?, statistics, spectra))

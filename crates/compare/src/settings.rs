@@ -98,7 +98,7 @@ impl Default for Settings {
             pressures: None,
             load_area: None,
             headline: None,
-            level: Level::Auto,
+            level: Level::default(),
             edges: EdgesName::Periodic,
             method: Method::Auto,
             accuracy: None,

@@ -190,8 +190,8 @@ fn compare(
         }
         Some(aim) => {
             let loads: Vec<Load> = pressures.iter().map(|&p| Load::MeanPressure(p)).collect();
-            let stiffness = settings.conducts();
-            let task = Task { map: &map, setup: whole, loads: &loads, aim, stiffness, section };
+            let mut task = Task::new(&map, whole, &loads, aim);
+            (task.stiffness, task.section) = (settings.conducts(), section);
             let mut curve = new_curve(Map::of(&map));
             let mut sink = ToCurve {
                 curve: &mut curve,

@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use surface_stats::clean::Record;
 use surface_stats::pair::{Composite, Independence, PairError, Placed, Placing};
-use surface_stats::{Edges, Level};
+use surface_stats::{Edges, Level, StatsError, StatsOptions};
 
 /// One surface of a study.
 #[derive(Debug, Clone)]
@@ -261,6 +261,18 @@ impl Origin {
             }
             _ => asked,
         }
+    }
+
+    /// How statistics of the heights are taken with this form asked for.
+    ///
+    /// # Errors
+    /// [`StatsError::OutOfRange`] for heights beyond what can be levelled.
+    pub fn options(&self, heights: &HeightMap, asked: Level) -> Result<StatsOptions, StatsError> {
+        Ok(StatsOptions::default()
+            .with_level(self.level(asked).on(heights)?)
+            .with_edges(self.edges())
+            .with_missing(self.missing())
+            .with_height_step(self.height_step()))
     }
 
     /// Height step that is still in the heights (m). Rounding errors of two bodies are independent, so

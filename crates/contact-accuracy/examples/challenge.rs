@@ -59,8 +59,8 @@ fn table(n: usize, precision: Precision) -> Result<(), Box<dyn Error>> {
     let (grid, known) = (surface.grid(), Map::of(&surface));
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let pair = match precision {
-        Precision::Double => pair::<f64>(grid, modulus)?,
         Precision::Single => pair::<f32>(grid, modulus)?,
+        _ => pair::<f64>(grid, modulus)?,
     };
     let before = memory("VmRSS:");
     let builder = Solver::builder().precision(precision).tolerance(TOLERANCE).maps(Maps::None);

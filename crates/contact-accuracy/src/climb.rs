@@ -22,6 +22,7 @@ pub enum Aim {
 
 /// What is to be solved.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Task<'a> {
     /// Heights as given.
     pub map: &'a HeightMap,
@@ -35,6 +36,13 @@ pub struct Task<'a> {
     pub stiffness: bool,
     /// Row of the map along which the solutions carry pressure and gap, if one; on another rung the row at its place.
     pub section: Option<usize>,
+}
+
+impl<'a> Task<'a> {
+    /// Without stiffness and section.
+    pub fn new(map: &'a HeightMap, setup: Setup, loads: &'a [Load], aim: Aim) -> Self {
+        Self { map, setup, loads, aim, stiffness: false, section: None }
+    }
 }
 
 /// Where the solutions go.
@@ -65,6 +73,7 @@ pub enum ClimbError {
 /// What the next rung would give.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Next {
     /// Points `[ny, nx]`.
     pub shape: [usize; 2],
@@ -77,6 +86,7 @@ pub struct Next {
 /// Why an accuracy is not met.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Unmet {
     /// The first load that misses it.
     pub first: Load,
@@ -93,6 +103,7 @@ pub struct Unmet {
 /// The rung that was reached.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Reached {
     /// What was asked for; `None` for the fast answer.
     pub request: Option<Request>,

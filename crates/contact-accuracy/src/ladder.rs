@@ -83,6 +83,8 @@ pub struct Ladder {
 
 /// A load that was solved for.
 #[derive(Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Answered {
     /// On the map; its seconds are those of all rungs.
     pub solution: Solution,

@@ -9,6 +9,8 @@ const FEWEST_ACROSS: usize = 4;
 
 /// The leak along one axis.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Leak {
     /// The flow.
     pub flow: Flow,
@@ -72,6 +74,8 @@ impl Leak {
 
 /// The leak of a solution along the axes asked for, and what closed forms make of the same gap.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Leaks {
     /// Along each axis.
     pub along: Vec<(Axis, Result<Leak, NotSolved>)>,

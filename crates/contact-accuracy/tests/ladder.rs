@@ -178,7 +178,7 @@ fn asking_for_more_never_gives_less() {
     let loads = [1.0, 3.0].map(Load::MeanPressure);
     let reach = |aim| -> Reached {
         let setup = setup(Solver::builder());
-        let task = Task { map: &map, setup, loads: &loads, aim, stiffness: false, section: None };
+        let task = Task::new(&map, setup, &loads, aim);
         let mut sink = Nowhere(0);
         let reached = climb(&task, &mut sink).unwrap();
         assert_eq!(sink.0, loads.len());

@@ -6,13 +6,13 @@
 mod families;
 
 use contact_accuracy::{
-    Axis, ContactModulus, Finer, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
+    Answered, Axis, ContactModulus, Finer, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
 };
 use families::{family, map};
 use gap_flow::Gap;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
-fn leak(points: usize, name: &str, seed: u64, pressure: f64) -> Leak {
+fn answered(points: usize, name: &str, seed: u64, pressure: f64) -> Answered {
     let heights = family(name, seed).unwrap();
     let given = map(points, &heights);
     let rms = Map::of(&given).rms_height;
@@ -22,10 +22,26 @@ fn leak(points: usize, name: &str, seed: u64, pressure: f64) -> Leak {
         ..Setup::new(Solver::builder(), ContactModulus::from_pascals(1.0).unwrap())
     };
     let mut ladder = Ladder::new(given, setup).unwrap();
-    let found = ladder.solve(Load::MeanPressure(pressure * rms), false, |_| ()).unwrap();
-    let leaks = found.leak.unwrap();
+    ladder.solve(Load::MeanPressure(pressure * rms), false, |_| ()).unwrap()
+}
+
+fn leak(points: usize, name: &str, seed: u64, pressure: f64) -> Leak {
+    let leaks = answered(points, name, seed, pressure).leak.unwrap();
     assert!(leaks.mean_gap >= 0.0 && leaks.seconds[0] > 0.0);
     leaks.along.into_iter().next().unwrap().1.unwrap()
+}
+
+#[cfg(feature = "serde")]
+#[test]
+fn an_answer_serialises_with_its_leak() {
+    let found = answered(64, "waves, 8 points", 41, 0.3);
+    let json = serde_json::to_value(&found).unwrap();
+    assert_eq!(json["solution"]["state"]["area_fraction"], found.solution.state.area_fraction);
+    let leak = &json["leak"]["along"][0];
+    assert_eq!(leak[0], "X");
+    let flow = &found.leak.unwrap().along[0].1.clone().unwrap().flow;
+    assert_eq!(leak[1]["Ok"]["flow"]["permeability"], flow.permeability);
+    assert_eq!(leak[1]["Ok"]["flow"]["flux"].as_array().unwrap().len(), 64 * 64);
 }
 
 /// Five families at three loads: intervals of K on 64 × 64 points hold K on 192 × 192, and what has no rate is bounded.

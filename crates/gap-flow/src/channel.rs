@@ -4,6 +4,7 @@ use crate::gap::{Axis, Gap};
 
 /// The narrowest place of the channel whose lowest gap is highest.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Bottleneck {
     /// Row and column of its point.

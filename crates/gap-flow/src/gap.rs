@@ -4,6 +4,7 @@ use contact_types::Grid;
 
 /// The direction of the pressure drop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Axis {
     /// From the first column to the last.
     X,

@@ -7,6 +7,7 @@ use crate::gap::{Axis, Gap};
 
 /// The flow through a gap along an axis.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Flow {
     /// Permeability K (m³): `Q = K W Δp/(12 η L)` through a width W over a length L. 0 exactly where no channel is
@@ -25,9 +26,11 @@ pub struct Flow {
 
 /// The iteration did not converge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[error(
     "the flow through the gap is not solved after {iterations} iterations; take every second point of the map"
 )]
+#[non_exhaustive]
 pub struct NotSolved {
     /// Iterations done.
     pub iterations: usize,

@@ -46,10 +46,7 @@ impl Convert {
             };
         let refused = |e| Failure::in_file(&self.file, &e);
         let form = self.level.on(&map).map_err(refused)?;
-        let map = match form {
-            Level::None => map,
-            form => level(&map, form).map_err(refused)?,
-        };
+        let map = level(&map, form).map_err(refused)?;
         let steps: Vec<String> = cleaned.iter().map(ToString::to_string).collect();
         let comment = format!(
             "rough-contact convert {shown}: {missing} points filled; level {}; cleaned: {}",

@@ -12,7 +12,7 @@ use surface_stats::{Level, StatsError, StatsOptions, SurfaceStatistics, level};
 /// # Errors
 /// [`StatsError`].
 pub fn statistics(map: &HeightMap) -> Result<SurfaceStatistics, StatsError> {
-    SurfaceStatistics::of(map, &StatsOptions::default().with_level(Level::Auto))
+    SurfaceStatistics::of(map, &StatsOptions::default())
 }
 
 /// The contact of a map, without its tilt, with a flat: area, gap and stiffness with their uncertainties.

@@ -166,7 +166,7 @@ impl Source {
 
     /// The form taken off a FILE.
     pub(crate) fn level(&self) -> Level {
-        self.file.level.unwrap_or(Level::Auto)
+        self.file.level.unwrap_or_default()
     }
 
     /// With what no file says.

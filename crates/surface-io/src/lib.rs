@@ -60,4 +60,4 @@ pub use need::{Ambiguity, Need};
 pub use options::{HeightUnit, ReadOptions};
 pub use read::{read, read_bytes, read_channels_bytes, read_traces, read_traces_bytes};
 pub use resample::Resampled;
-pub use units::metres_per;
+pub(crate) use units::metres_per;

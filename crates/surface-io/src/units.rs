@@ -4,7 +4,7 @@
 ///
 /// Knows SI prefixes from pico to kilo, both micro signs, "micron(s)", "micrometer", the
 /// ångström, inch and mil. A lone `A` is an ampere, not an ångström.
-pub fn metres_per(unit: &str) -> Option<f64> {
+pub(crate) fn metres_per(unit: &str) -> Option<f64> {
     let unit = unit.trim().trim_matches(|c| matches!(c, '[' | ']' | '(' | ')' | '"')).trim();
     let exact = match unit {
         "m" => 1.0,

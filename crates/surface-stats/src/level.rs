@@ -13,11 +13,11 @@ use std::fmt;
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
+#[non_exhaustive]
 pub enum Level {
     /// Nothing: the heights stay as they are.
     None,
     /// The mean height.
-    #[default]
     Mean,
     /// The plane.
     Plane,
@@ -25,6 +25,7 @@ pub enum Level {
     Quadratic,
     /// The plane, the tilt of a mounting; but the mean where opposite edges meet and the plane would take them apart,
     /// for a map that repeats has no tilt.
+    #[default]
     Auto,
 }
 

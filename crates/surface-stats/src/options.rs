@@ -1,13 +1,14 @@
 //! What a user can choose about statistics.
 
 use crate::{Edges, Level, StatsError};
+use contact_types::HeightMap;
 
 /// How statistics are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct StatsOptions {
-    /// What is removed by least squares first. The mean is always taken off: `None` is the same
-    /// as `Mean` here.
+    /// What is removed by least squares first. The mean is always taken off: `None` is the same as `Mean` here, and so
+    /// is `Auto` where `edges` say that the map repeats.
     pub level: Level,
     /// What lies beyond the edges.
     pub edges: Edges,
@@ -50,6 +51,16 @@ impl StatsOptions {
     #[must_use]
     pub fn with_height_step(self, step: impl Into<Option<f64>>) -> Self {
         Self { height_step: step.into(), ..self }
+    }
+}
+
+impl StatsOptions {
+    /// The form taken off this map.
+    pub(crate) fn level_on(&self, map: &HeightMap) -> Result<Level, StatsError> {
+        match (self.level, self.edges) {
+            (Level::Auto, Edges::Periodic) => Ok(Level::Mean),
+            (level, _) => level.on(map),
+        }
     }
 }
 

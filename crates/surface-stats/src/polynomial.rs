@@ -71,7 +71,7 @@ impl Polynomial {
 
     /// The share of the height variance that the form explains: 1 - (variance of the residual)/
     /// (variance of the heights), over the valid points. 0 for a flat map.
-    pub fn explained(&self, heights: &[f64]) -> f64 {
+    pub(crate) fn explained(&self, heights: &[f64]) -> f64 {
         let [ny, nx] = self.grid.shape();
         let columns = columns(nx, self.degree);
         let (mut residual, mut total) = ([0.0; 3], [0.0; 3]);

@@ -38,7 +38,7 @@ impl SpectralScales {
     pub fn of(map: &HeightMap, options: &StatsOptions) -> Result<Self, StatsError> {
         scale::check(map)?;
         check_range(options.fractal_range)?;
-        let degree = options.level.on(map)?.degree().unwrap_or(0);
+        let degree = options.level_on(map)?.degree().unwrap_or(0);
         let mut heights = map.heights().to_vec();
         Polynomial::fit(map.grid(), map.heights(), degree)?.remove_from(&mut heights);
         let levelled = HeightMap::new(map.grid(), heights)?;

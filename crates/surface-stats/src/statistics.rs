@@ -158,7 +158,7 @@ impl SurfaceStatistics {
         scale::check(map)?;
         check_range(options.fractal_range)?;
         let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
-        let level = options.level.on(map)?;
+        let level = options.level_on(map)?;
         let degree = level.degree().unwrap_or(0);
         let tilted = if periodic { None } else { tilted(map, options.level)? };
         let form = Polynomial::fit(grid, map.heights(), degree)?;

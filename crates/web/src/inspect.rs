@@ -15,7 +15,7 @@ use contact_types::{Grid, HeightMap};
 use report::numbers::significant;
 use serde_json::{Value, json};
 use surface_io::{Cut, Fill, HeightUnit, Measurement, Need, ReadError};
-use surface_stats::{StatsOptions, SurfaceStatistics};
+use surface_stats::SurfaceStatistics;
 
 /// Most pixels of a picture along its longer side.
 const PICTURE: usize = 640;
@@ -123,13 +123,10 @@ fn parts(measured: &Measurement, chosen: Option<Cut>) -> Vec<Value> {
 
 /// The statistics that the study will find.
 fn statistics(surface: &Surface, level: Level) -> Result<SurfaceStatistics, Trouble> {
-    let origin = &surface.origin;
-    let options = StatsOptions::default()
-        .with_level(level)
-        .with_edges(origin.edges())
-        .with_missing(origin.missing())
-        .with_height_step(origin.height_step());
-    SurfaceStatistics::of(&surface.heights, &options).map_err(|e| Failure::from_error(&e).into())
+    let options = surface.origin.options(&surface.heights, level);
+    options
+        .and_then(|options| SurfaceStatistics::of(&surface.heights, &options))
+        .map_err(|e| Failure::from_error(&e).into())
 }
 
 /// What a plan has to know.

@@ -63,7 +63,7 @@ fn energy_norm(grid: Grid, boundary: Boundary, p: &[f64]) -> f64 {
         Boundary::Free => {
             fft_bem_solver::FreeHalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap();
         }
-        Boundary::Periodic => HalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap(),
+        _ => HalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap(),
     }
     p.iter().zip(&u).map(|(p, u)| p * u).sum::<f64>().max(0.0).sqrt()
 }

@@ -29,7 +29,7 @@ fn displaced(map: &HeightMap, pressure: &[f64], boundary: Boundary) -> Vec<f64> 
     let mut u = pressure.to_vec();
     match boundary {
         Boundary::Periodic => HalfSpace::new(map.grid(), unit_modulus()).displace(&mut u).unwrap(),
-        Boundary::Free => {
+        _ => {
             FreeHalfSpace::new(map.grid(), unit_modulus()).displace(&mut u).unwrap();
         }
     }

@@ -34,7 +34,7 @@ fn violation(map: &HeightMap, found: &Solution, hardness: f64, load: f64) -> f64
     let mut u = p.clone();
     match found.diagnostics.boundary {
         Boundary::Periodic => HalfSpace::new(map.grid(), unit_modulus()).displace(&mut u).unwrap(),
-        Boundary::Free => {
+        _ => {
             FreeHalfSpace::new(map.grid(), unit_modulus()).displace(&mut u).unwrap();
         }
     }

@@ -44,7 +44,7 @@ pub fn half_e1_of_square(x: f64) -> f64 {
 /// ```
 ///
 /// `K(0) = 0.40712493...`. Relative error a few 1e-16, and `x^2` roundings of the exponential.
-pub fn squared_erf_tail(x: f64) -> f64 {
+pub(crate) fn squared_erf_tail(x: f64) -> f64 {
     let z = x * x;
     if z > 750.0 {
         return 0.0;

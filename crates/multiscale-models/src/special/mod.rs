@@ -11,6 +11,7 @@ mod gap_integrals;
 mod gauss;
 
 pub use erf_inverse::{erf_inv, erfc_inv};
-pub use gap_integrals::{half_e1_of_square, squared_erf_tail};
+pub use gap_integrals::half_e1_of_square;
+pub(crate) use gap_integrals::squared_erf_tail;
 pub(crate) use gauss::gauss_legendre;
 pub use libm::{erf, erfc};

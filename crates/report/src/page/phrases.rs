@@ -12,8 +12,8 @@ pub(crate) fn levelled(surface: &SurfaceComparison) -> &'static str {
         surface_stats::Level::Plane | surface_stats::Level::Auto => "least-squares plane removed",
         surface_stats::Level::Quadratic => "least-squares paraboloid removed",
         surface_stats::Level::Mean => "mean removed",
-        surface_stats::Level::None if surface.origin.cleaned().is_empty() => "as given",
-        surface_stats::Level::None => "cleaned, not levelled",
+        _ if surface.origin.cleaned().is_empty() => "as given",
+        _ => "cleaned, not levelled",
     }
 }
 

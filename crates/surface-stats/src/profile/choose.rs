@@ -10,7 +10,7 @@ use crate::{HeightStatistics, StatsError};
 /// # Errors
 /// [`StatsError::ShortTrace`] if the traces are too short for the finest class; what the filter
 /// refuses.
-pub fn choose_setting(traces: &[Trace], short: Option<f64>) -> Result<Setting, StatsError> {
+pub(super) fn choose_setting(traces: &[Trace], short: Option<f64>) -> Result<Setting, StatsError> {
     let length = traces.iter().map(Trace::length).fold(f64::INFINITY, f64::min);
     let spacing = traces.iter().map(Trace::spacing).fold(0.0, f64::max);
     let mut longest = None;

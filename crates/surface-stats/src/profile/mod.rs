@@ -20,11 +20,13 @@ mod spectrum;
 mod statistics;
 mod trace;
 
-pub use choose::choose_setting;
+use choose::choose_setting;
 pub use elements::{Elements, elements};
-pub use moments::{AtSpacing, moments, moments_by_spacing};
+use moments::moments_by_spacing;
+pub use moments::{AtSpacing, moments};
 pub use parameters::ProfileParameters;
-pub use roughness::{Roughness, roughness, roughness_profile};
+use roughness::roughness_profile;
+pub use roughness::{Roughness, roughness};
 pub use scatter::MomentScatter;
 pub use setting::{SETTING_CLASSES, Setting, SettingClass, SettingSource};
 pub use spectrum::TraceSpectrum;

@@ -32,7 +32,7 @@ pub struct AtSpacing {
 }
 
 /// m2 and m4 by differences over 1, 2, 4, 8, ... points, as long as sixteen of them fit.
-pub fn moments_by_spacing(trace: &Trace) -> Vec<AtSpacing> {
+pub(super) fn moments_by_spacing(trace: &Trace) -> Vec<AtSpacing> {
     let doubled = std::iter::successors(Some(1_usize), |every| every.checked_mul(2));
     doubled
         .take_while(|every| *every == 1 || 16 * every <= trace.len())

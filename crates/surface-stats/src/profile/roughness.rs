@@ -25,7 +25,7 @@ pub struct Roughness {
 ///
 /// # Errors
 /// [`StatsError::ShortTrace`] below two cut-offs; what the filter refuses.
-pub fn roughness_profile(trace: &Trace, setting: &Setting) -> Result<Trace, StatsError> {
+pub(super) fn roughness_profile(trace: &Trace, setting: &Setting) -> Result<Trace, StatsError> {
     let (length, needed) = (trace.length(), setting.least_length());
     if length < needed * (1.0 - 1e-9) {
         return Err(StatsError::ShortTrace { length, cutoff: setting.cutoff, needed });

@@ -15,6 +15,6 @@ mod radial;
 mod window;
 
 pub(crate) use profile::amplitudes_of_levelled;
-pub use profile::{Axis, ProfileBin, amplitudes, psd_1d, structure_function};
+pub use profile::{Axis, ProfileBin, amplitudes, psd_1d};
 pub use radial::{PowerSpectrum, Ring, radial, radial_psd};
 pub use window::Window;

@@ -1,7 +1,7 @@
 //! Spectra of the rows or columns of a map.
 
 use super::Window;
-use crate::{Edges, StatsError, scale};
+use crate::{StatsError, scale};
 use contact_types::{AmplitudeSpectrum, HeightMap, Wave};
 use grid_fft::{Complex, GridFft};
 
@@ -132,56 +132,6 @@ pub fn psd_1d(map: &HeightMap, axis: Axis, window: Window) -> Result<Vec<Profile
     Ok((1..power.len()).map(bin).collect())
 }
 
-/// Mean square height difference over a distance, `<(z(x + τ) - z(x))²>` in m², as pairs
-/// `[τ, value]`: every lag up to 16 pixels, then about 12 per octave, up to half the profile.
-///
-/// # Errors
-/// [`StatsError::TooSmall`] for profiles of a single point; [`StatsError::OutOfRange`].
-pub fn structure_function(
-    map: &HeightMap,
-    axis: Axis,
-    edges: Edges,
-) -> Result<Vec<[f64; 2]>, StatsError> {
-    scale::check(map)?;
-    let (n, ..) = profiles(map, axis)?;
-    let [ny, nx] = map.grid().shape();
-    let heights = map.heights();
-    let mean_square = |lag: usize| {
-        let (mut sum, mut count) = (0.0, 0usize);
-        for iy in 0..ny {
-            let row = &heights[iy * nx..(iy + 1) * nx];
-            let mut row_sum = 0.0;
-            let mut add = |from: &[f64], to: &[f64]| {
-                row_sum += from.iter().zip(to).map(|(a, b)| (b - a) * (b - a)).sum::<f64>();
-                count += from.len();
-            };
-            match axis {
-                Axis::X => {
-                    add(&row[..nx - lag], &row[lag..]);
-                    if edges == Edges::Periodic {
-                        add(&row[nx - lag..], &row[..lag]);
-                    }
-                }
-                Axis::Y if edges == Edges::Periodic || iy + lag < ny => {
-                    let other = (iy + lag) % ny;
-                    add(row, &heights[other * nx..(other + 1) * nx]);
-                }
-                Axis::Y => {}
-            }
-            sum += row_sum;
-        }
-        sum / count as f64
-    };
-    let pixel = map.grid().pixel()[axis.index()];
-    let mut lags = Vec::new();
-    let mut lag = 1;
-    while lag <= (n / 2).max(1) {
-        lags.push([lag as f64 * pixel, mean_square(lag)]);
-        lag = (lag + 1).max((lag as f64 * 1.06).round() as usize);
-    }
-    Ok(lags)
-}
-
 /// Points per profile, number of profiles, length in metres.
 fn profiles(map: &HeightMap, axis: Axis) -> Result<(usize, usize, f64), StatsError> {
     let (shape, size) = (map.grid().shape(), map.grid().size());
@@ -201,8 +151,7 @@ mod tests {
     use contact_types::Grid;
     use std::f64::consts::TAU;
 
-    /// Along each axis: amplitude A of a cosine, its variance A²/2 under the PSD, and the
-    /// structure function A² (1 - cos q τ).
+    /// Along each axis: amplitude A of a cosine, and its variance A²/2 under the PSD.
     #[test]
     fn a_cosine_along_either_axis() {
         for (axis, shape) in [(Axis::X, [5, 24]), (Axis::Y, [24, 5]), (Axis::X, [1, 25])] {
@@ -223,10 +172,6 @@ mod tests {
             let psd = psd_1d(&map, axis, Window::None).unwrap();
             let variance: f64 = psd.iter().map(|bin| bin.psd / length).sum();
             assert_relative_eq!(variance, amplitude * amplitude / 2.0, max_relative = 1e-9);
-            for [lag, value] in structure_function(&map, axis, Edges::Periodic).unwrap() {
-                let expected = amplitude * amplitude * (1.0 - (q * lag).cos());
-                assert_relative_eq!(value, expected, max_relative = 1e-8);
-            }
         }
     }
 

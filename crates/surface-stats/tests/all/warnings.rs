@@ -25,7 +25,7 @@ fn changed(map: &HeightMap, height: impl Fn(f64, f64, f64) -> f64) -> HeightMap 
 }
 
 fn warnings(map: &HeightMap, edges: Edges) -> Vec<Warning> {
-    let options = StatsOptions::default().with_edges(edges);
+    let options = StatsOptions::default().with_level(Level::Mean).with_edges(edges);
     SurfaceStatistics::of(map, &options).unwrap().warnings
 }
 
