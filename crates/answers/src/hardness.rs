@@ -6,8 +6,8 @@ use fft_bem_solver::Solution;
 use serde_json::{Value, json};
 
 /// Why the hardness is likely a slip.
-pub fn doubt(given: Hardness) -> Option<String> {
-    let [low, high] = given.doubt()?;
+pub fn unusual(given: Hardness) -> Option<String> {
+    let [low, high] = given.unusual()?;
     Some(format!(
         "solids with this contact modulus have a hardness of about {} to {}: is the unit right?",
         shown::pressure(low),
@@ -20,7 +20,7 @@ pub(crate) fn object(given: Hardness) -> Value {
     json!({
         "pascals": given.pascals,
         "modulus_gradient_over_hardness": given.over_elastic(),
-        "warning": doubt(given),
+        "warning": unusual(given),
     })
 }
 

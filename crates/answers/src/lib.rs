@@ -32,7 +32,7 @@ mod work;
 pub use complete::{Complete, Incomplete, clean, complete};
 pub use documents::{DOCUMENTS, documents, profile_documents, profile_documents_named};
 pub use failure::{Failure, variant};
-pub use hardness::doubt as hardness_doubt;
+pub use hardness::unusual as unusual_hardness;
 pub use info::info;
 pub use iso::Iso;
 pub use leak::asked as leak_asked;

@@ -85,7 +85,8 @@ fn hardness(surface: &SurfaceComparison) -> Vec<Finding> {
     let Some(given) = hardness_of(surface) else { return Vec::new() };
     let pascals = given.pascals;
     let mut found = Vec::new();
-    found.extend(given.doubt().map(|usual| check(Fact::OddHardness { hardness: pascals, usual })));
+    found
+        .extend(given.unusual().map(|usual| check(Fact::OddHardness { hardness: pascals, usual })));
     let solved = surface.deterministic.iter().filter(|p| p.answer.is_some());
     let highest = solved.map(|p| p.mean_pressure).fold(0.0, f64::max);
     if highest > BULK_YIELD * pascals {

@@ -176,7 +176,7 @@ pub const INPUTS: &[InputFact] = &[
         "hardness",
         Unit::Pressure,
         "hardness",
-        "Hardness of the softer body, for models of bodies that yield [default: that of --material where the model \
+        "Hardness of the softer body, for elastic–plastic models [default: that of --material where the model \
          needs one]",
     ),
     fact(

@@ -319,6 +319,8 @@ pub struct ModelComparison {
 pub struct ModelCurve {
     /// One answer per load.
     pub points: Vec<Result<ContactState, ModelError>>,
+    /// Seconds that reading its inputs off the levelled map took, once for all loads; 0 of traces.
+    pub preparation: f64,
     /// Seconds per load, the median of repeated runs.
     pub seconds: f64,
     /// Signed relative error of the area at each load, where both sides answer: against the solution for the
@@ -344,7 +346,7 @@ impl ModelCurve {
             area_intervals.clear();
         }
         let errors = vec![None; points.len()];
-        Self { points, seconds, errors, area_intervals }
+        Self { points, preparation: 0.0, seconds, errors, area_intervals }
     }
 
     /// Signed relative error of largest size, and mean size, over the loads.

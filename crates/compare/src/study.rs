@@ -15,7 +15,9 @@ use crate::solver_of::{builder, elastic};
 use crate::theory::{BuildError, Theory};
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
-use crate::{Adhesion, EdgesName, Registry, Rough, Settings, Spikes, Surface, default_pressures};
+use crate::{
+    Adhesion, EdgesName, OfMap, Registry, Rough, Settings, Spikes, Surface, default_pressures,
+};
 use contact_accuracy::{
     Aim, ClimbError, Ladder, LadderError, Map, Request, Setup, Task, climb, round_to_digits,
 };
@@ -140,7 +142,7 @@ fn compare(
     );
     let (map, statistics, spectra) = described.map_err(refused)?;
     drop(heights);
-    let Spectra { power, amplitudes, .. } = spectra;
+    let Spectra { power, amplitudes, seconds, .. } = spectra;
     let spectral = spectral(&power, &statistics);
     drop(power);
     let mut inputs = model_inputs(&map, &statistics, amplitudes, modulus, asked);
@@ -235,7 +237,7 @@ fn compare(
     let loads = (&deterministic[..], &elastic_points[..]);
     let models = settings
         .asked_models(registry)
-        .map(|theory| ask(theory, &inputs, loads, &judged))
+        .map(|theory| ask(theory, (&inputs, seconds), loads, &judged))
         .collect();
     let mut found = SurfaceComparison {
         spikes,
@@ -366,7 +368,7 @@ fn solve(
 /// `deterministic`, or `elastic`, that of elastic bodies beside one of bodies that yield, if there is one.
 fn ask(
     theory: &dyn Theory,
-    inputs: &Inputs,
+    (inputs, [moments, amplitudes, spectrum]): (&Inputs, [f64; 3]),
     (deterministic, elastic): (&[DeterministicPoint], &[DeterministicPoint]),
     judged: &Judged,
 ) -> ModelComparison {
@@ -375,6 +377,13 @@ fn ask(
     // A theory of elastic bodies is asked as one, also if it could take a hardness.
     let hardness = inputs.hardness.filter(|_| card.yields);
     let asked = Inputs { hardness, ..inputs.clone() };
+    let preparation = moments
+        + match card.of_map {
+            OfMap::Moments => 0.0,
+            OfMap::Spectrum => inputs.spectrum.as_ref().map_or(0.0, |_| spectrum),
+            OfMap::Amplitudes => amplitudes,
+            OfMap::Fractal => spectrum,
+        };
     let outcome = theory.build(&asked).and_then(|model| {
         let pressures: Vec<f64> = deterministic.iter().map(|p| p.mean_pressure).collect();
         let (points, seconds) = timed(&card.title, model.as_ref(), &pressures);
@@ -385,7 +394,7 @@ fn ask(
             return Err(BuildError::Model(first.clone()));
         }
         let errors = points.iter().zip(loads).map(|(m, d)| error(m, d)).collect();
-        Ok(ModelCurve { errors, ..ModelCurve::of(model.as_ref(), points, seconds) })
+        Ok(ModelCurve { preparation, errors, ..ModelCurve::of(model.as_ref(), points, seconds) })
     });
     let verdict = verdict(&card, inputs, &outcome, loads, judged);
     ModelComparison { card, outcome, verdict }

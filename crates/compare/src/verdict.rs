@@ -170,6 +170,7 @@ mod tests {
         let load = DeterministicPoint { mean_pressure: 2e6, answer: None, trouble: None };
         let curve = ModelCurve {
             points: vec![Ok(state)],
+            preparation: 0.0,
             seconds: 0.0,
             errors: vec![None],
             area_intervals: Vec::new(),

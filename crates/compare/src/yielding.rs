@@ -51,7 +51,7 @@ impl Hardness {
 
     /// The hardness of solids of this modulus, `[low, high]` (Pa), if this one is so far from it that the
     /// unit may be wrong.
-    pub fn doubt(&self) -> Option<[f64; 2]> {
+    pub fn unusual(&self) -> Option<[f64; 2]> {
         let [low, high] = typical_hardness(self.modulus)?;
         let is_far = self.pascals < low / NONSENSE || self.pascals > high * NONSENSE;
         is_far.then_some([low, high])

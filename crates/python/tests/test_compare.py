@@ -27,7 +27,7 @@ class Mine:
 def timeless(value):
     """Without what differs from run to run."""
     if isinstance(value, dict):
-        left_out = ("seconds", "setup_seconds", "explanation", "path", "unix_time", "made", "repeat", "versions", "threads")
+        left_out = ("seconds", "setup_seconds", "preparation_seconds", "explanation", "path", "unix_time", "made", "repeat", "versions", "threads")
         return {k: timeless(v) for k, v in value.items() if k not in left_out}
     return [timeless(v) for v in value] if isinstance(value, list) else value
 

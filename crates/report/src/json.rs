@@ -191,6 +191,7 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
         "applicable": m.outcome.is_ok(),
         "verdict": m.verdict.answer.word(),
         "reason": words::reason(m),
+        "preparation_seconds": curve.map(|c| c.preparation),
         "seconds": curve.map(|c| c.seconds),
         "area_error": curve.map(|c| area_error(c, m, surface)),
         "points": curve.map_or(Vec::new(), |c| {

@@ -53,10 +53,10 @@ pub struct Reference<'a> {
     pub models: Vec<(usize, &'a ModelComparison)>,
 }
 
-/// The contact of bodies that yield, and theories of them.
-pub(crate) const YIELDING: &str = "bodies that yield";
-/// That of elastic bodies beside it.
-pub(crate) const ELASTIC: &str = "elastic bodies";
+/// With the pressure limited by the hardness, and theories of that.
+pub(crate) const YIELDING: &str = "elastic–plastic contact";
+/// Beside it.
+pub(crate) const ELASTIC: &str = "elastic contact";
 
 /// What the theories of a study are judged by: one solution, or of bodies that yield two, theirs first.
 pub fn references(surface: &SurfaceComparison) -> Vec<Reference<'_>> {

@@ -413,7 +413,8 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
 
 /// The models that one solution judges, and that solution.
 fn models(reference: &report::Reference<'_>) -> Columns {
-    let heads = ["model", "mean |area error|", "range over the loads", "time", "applies"];
+    let heads =
+        ["model", "mean |area error|", "range over the loads", "once + per load", "applies"];
     let mut columns = Columns::new(&heads);
     let dash = || "–".to_owned();
     for (_, model) in &reference.models {
@@ -427,7 +428,8 @@ fn models(reference: &report::Reference<'_>) -> Columns {
         let mean = mean.map_or_else(dash, |(_, mean)| plain(&report::numbers::percent(mean)));
         let range = |(low, high)| plain(&report::numbers::signed_range(low, high));
         let range = curve.range().map_or_else(dash, range);
-        columns.row([label, mean, range, text::seconds(curve.seconds), applies]);
+        let [once, each] = [curve.preparation, curve.seconds].map(text::seconds);
+        columns.row([label, mean, range, format!("{once} + {each}"), applies]);
     }
     let solved: Vec<f64> =
         reference.points.iter().filter_map(|p| Some(p.answer.as_ref()?.seconds)).collect();

@@ -1,7 +1,7 @@
 //! `--hardness`: what is said of a contact that yields, beside its numbers.
 
 use crate::text;
-use answers::hardness_doubt;
+use answers::unusual_hardness;
 use compare::{BULK_YIELD, Hardness, typical_hardness};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -22,8 +22,8 @@ pub(crate) fn lines(given: Hardness, highest: f64) -> String {
         );
     }
     out.push('\n');
-    if let Some(doubt) = hardness_doubt(given) {
-        let _ = writeln!(out, "check the hardness: {doubt}");
+    if let Some(said) = unusual_hardness(given) {
+        let _ = writeln!(out, "check the hardness: {said}");
     }
     if highest > BULK_YIELD * given.pascals {
         let _ = writeln!(
@@ -64,7 +64,7 @@ pub(crate) fn forecast(
     object["modulus_gradient_over_hardness"] = json!(found.modulus_gradient_over_hardness);
     object["greenwood_williamson"] = json!(found.greenwood_williamson);
     object["mikic"] = json!(found.mikic);
-    object["warning"] = json!(hardness_doubt(given));
+    object["warning"] = json!(unusual_hardness(given));
     let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), text::number);
     let verdict = if found.modulus_gradient_over_hardness.is_some_and(|r| r <= 1.0) {
         "the area of elastic contact is right to 2 % at any load"
@@ -78,9 +78,9 @@ pub(crate) fn forecast(
         number(found.greenwood_williamson),
         number(found.mikic)
     );
-    if let Some(doubt) = hardness_doubt(given) {
+    if let Some(said) = unusual_hardness(given) {
         // A String takes everything.
-        let _ = writeln!(text, "check the hardness: {doubt}");
+        let _ = writeln!(text, "check the hardness: {said}");
     }
     (text, object)
 }

@@ -13,7 +13,7 @@ use crate::{
     DirectionalMoments, Edges, HeightStatistics, Level, StatsError, Summits, Warning, scale, steps,
 };
 use contact_types::{
-    AmplitudeSpectrum, AsperityStatistics, FractalParameters, HeightMap, SpectralMoments,
+    AmplitudeSpectrum, AsperityStatistics, Clock, FractalParameters, HeightMap, SpectralMoments,
 };
 use grid_fft::parallel::join;
 
@@ -135,6 +135,8 @@ pub struct Spectra {
     pub power: PowerSpectrum,
     /// Amplitudes of the rows.
     pub amplitudes: AmplitudeSpectrum,
+    /// Time of the moments, of the amplitudes and of the power spectrum of the levelled map (s).
+    pub seconds: [f64; 3],
 }
 
 impl SurfaceStatistics {
@@ -161,31 +163,39 @@ impl SurfaceStatistics {
         let level = options.level_on(map)?;
         let degree = level.degree().unwrap_or(0);
         let tilted = if periodic { None } else { tilted(map, options.level)? };
-        let form = Polynomial::fit(grid, map.heights(), degree)?;
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
+        let form = Polynomial::fit(grid, map.heights(), degree)?;
         let mut heights = map.heights().to_vec();
         form.remove_from(&mut heights);
         let surface = HeightMap::new(grid, heights)?;
 
+        let start = Clock::now();
         let distribution = HeightStatistics::of(&surface);
         let differences = DirectionalMoments::of(&surface, options.edges)?;
-        let ((summits, amplitudes), ((edge_jump, rows), (power, spectral))) = join(
+        let seconds = |start: Clock| start.elapsed().as_secs_f64();
+        let of_moments = seconds(start);
+        let ((summits, amplitudes), ((edge_jump, rows), (power, spectral, of_power))) = join(
             || {
                 let summits = || Summits::of(&surface, options.edges);
-                join(summits, || amplitudes_of_levelled(&surface, Axis::X))
+                join(summits, || {
+                    let start = Clock::now();
+                    amplitudes_of_levelled(&surface, Axis::X).map(|found| (found, seconds(start)))
+                })
             },
             || {
                 // Levelling may take heights at the end of the range beyond it: then rows are not compared.
                 let lines = || (seam_jump(&surface), row_offsets(grid, surface.heights()).ok());
                 let waves = || {
+                    let start = Clock::now();
                     let power = PowerSpectrum::of_field(grid, surface.heights());
                     let (spectral, _) = power.moments();
-                    (power, spectral)
+                    (power, spectral, seconds(start))
                 };
                 join(lines, waves)
             },
         );
-        let (summits, amplitudes) = (summits?, amplitudes?);
+        let (summits, (amplitudes, of_amplitudes)) = (summits?, amplitudes?);
+        let start = Clock::now();
         let power = if periodic {
             drop(surface);
             power
@@ -200,6 +210,7 @@ impl SurfaceStatistics {
         let rms_height = distribution.rms_height;
         let moments = differences.isotropic(rms_height * rms_height);
         let scales = SpectralScales::of_rings(&rings, grid, rms_height, options.fractal_range);
+        let of_spectrum = seconds(start) + if periodic { of_power } else { 0.0 };
         let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
 
         let mut statistics = Self {
@@ -253,7 +264,8 @@ impl SurfaceStatistics {
             resolved.unwrap_or(1.0),
             rows.as_ref(),
         );
-        Ok((statistics, Spectra { power, amplitudes }))
+        let seconds = [of_moments, of_amplitudes, of_spectrum];
+        Ok((statistics, Spectra { power, amplitudes, seconds }))
     }
 
     /// m0, m2, m4 by finite differences.

@@ -1,4 +1,4 @@
-// From a file to a map: reading, units that it does not say, what the program doubts.
+// From a file to a map: reading, units that it does not say, its defects.
 'use strict';
 
 function take(file) {
@@ -22,11 +22,11 @@ async function look() {
     $('reading-text').textContent = text;
     $('reading').hidden = false;
   }, 300);
-  $('doubts').classList.add('wait');
+  $('defects').classList.add('wait');
   const answer = now.file.size > now.place.most_bytes ? tooBig(now.file.size) : await engine.ask('inspect', request(), now.file);
   clearTimeout(patience);
   $('reading').hidden = true;
-  $('doubts').classList.remove('wait');
+  $('defects').classList.remove('wait');
   if (!answer) return;
   if (answer.kind !== 'done') { now.read = null; fail(answer); return; }
   if (answer.state === 'ask') showAsk(answer); else showRead(answer);
@@ -56,7 +56,7 @@ function showRead(answer) {
   $('facts').replaceChildren(...rows);
   $('numbers').replaceChildren(...answer.numbers.map(([name, value]) =>
     part('tr', {}, part('th', { scope: 'row' }, name), part('td', { className: 'n' }, value))));
-  showDoubts(answer.doubts);
+  showDefects(answer.defects);
   $('findings').replaceChildren(...answer.findings.map(finding => part('li', {}, tag(finding.weight), part('b', {}, finding.claim), ' ' + finding.text)));
   $('h-read').dataset.ready = String((Number($('h-read').dataset.ready) || 0) + 1);
   if (first) go('read'); else areas();
@@ -73,16 +73,16 @@ function chosen(key, name, options) {
 // it; it begins again when the page is back.
 async function areas() {
   const of = now.read, planned = await plan();
-  const keys = of ? of.doubts.map(doubt => doubt.key) : [];
+  const keys = of ? of.defects.map(defect => defect.key) : [];
   if (!planned || of !== now.read || keys.length === 0 || of.areas || engine.running) return;
   const cells = key => all('[data-area]').filter(cell => cell.dataset.area === key);
-  const answer = await engine.ask('areas', request({ doubts: keys }), now.file, news => {
+  const answer = await engine.ask('areas', request({ defects: keys }), now.file, news => {
     cells(news.key).forEach(cell => cell.replaceChildren(...broken(news.lines[cell.dataset.side])));
   });
   if (!answer || of !== now.read) return;
   of.areas = true;
   if (answer.kind !== 'done') { all('[data-area]').forEach(cell => cell.replaceChildren()); return; }
-  if (answer.cut) $('doubts-area').textContent = ` Area: of the middle ${answer.cut} × ${answer.cut} points, at a light load, 0.01\u202fE* Sdq.`;
+  if (answer.cut) $('defects-area').textContent = ` Area: of the middle ${answer.cut} × ${answer.cut} points, at a light load, 0.01\u202fE* Sdq.`;
 }
 
 // Lines of text, one below the other.
@@ -103,32 +103,32 @@ function showPictures(pictures) {
   show(wanted);
 }
 
-function showDoubts(doubts) {
-  $('doubts-lead').replaceChildren(...(doubts.length
-    ? ['Each remedy shows what it changes. Untick to keep the map as measured.', part('span', { id: 'doubts-area' }, ' Area: at a light load, 0.01\u202fE* Sdq.')]
+function showDefects(defects) {
+  $('defects-lead').replaceChildren(...(defects.length
+    ? ['Each remedy shows what it changes. Untick to keep the map as measured.', part('span', { id: 'defects-area' }, ' Area: at a light load, 0.01\u202fE* Sdq.')]
     : ['Nothing that has a remedy.']));
-  $('doubts').hidden = doubts.length === 0;
+  $('defects').hidden = defects.length === 0;
   // A table that is read anew keeps the focus on the box that was ticked.
   const focused = document.activeElement && document.activeElement.dataset.key;
-  const cell = (doubt, i, label) => part('td', { className: 'n', 'data-l': label }, ...broken(doubt.numbers && doubt.numbers[i]),
-    doubt.key === 'fill' && i === 0 ? null : part('div', { 'data-area': doubt.key, 'data-side': i }, '…'));
-  $('doubts').tBodies[0].replaceChildren(...doubts.map(doubt => part('tr', {},
-    part('th', { scope: 'row' }, tag(doubt.tag), part('b', {}, doubt.claim), doubt.text),
-    part('td', { className: 'fix' }, remedy(doubt)),
-    cell(doubt, 0, 'Without'), cell(doubt, 1, 'With it'))));
+  const cell = (defect, i, label) => part('td', { className: 'n', 'data-l': label }, ...broken(defect.numbers && defect.numbers[i]),
+    defect.key === 'fill' && i === 0 ? null : part('div', { 'data-area': defect.key, 'data-side': i }, '…'));
+  $('defects').tBodies[0].replaceChildren(...defects.map(defect => part('tr', {},
+    part('th', { scope: 'row' }, tag(defect.tag), part('b', {}, defect.claim), defect.text),
+    part('td', { className: 'fix' }, remedy(defect)),
+    cell(defect, 0, 'Without'), cell(defect, 1, 'With it'))));
   if (focused) { const again = document.querySelector(`[data-key="${focused}"]`); if (again) again.focus(); }
 }
 
-function remedy(doubt) {
-  if (doubt.key === 'fill') {
+function remedy(defect) {
+  if (defect.key === 'fill') {
     const choices = [['harmonic', 'Fill smoothly'], ['nearest', 'Fill with the nearest']];
     return part('select', { 'aria-label': 'Missing points', 'data-key': 'fill', onchange: e => { now.remedies.fill = e.target.value; look(); } },
-      ...choices.map(([value, text]) => part('option', { value, selected: value === doubt.fill }, text)));
+      ...choices.map(([value, text]) => part('option', { value, selected: value === defect.fill }, text)));
   }
   return part('label', {}, part('input', {
-    type: 'checkbox', checked: doubt.ticked, 'data-key': doubt.key,
-    onchange: e => { now.remedies[doubt.key] = e.target.checked; look(); },
-  }), doubt.label);
+    type: 'checkbox', checked: defect.ticked, 'data-key': defect.key,
+    onchange: e => { now.remedies[defect.key] = e.target.checked; look(); },
+  }), defect.label);
 }
 
 function showAsk(answer) {

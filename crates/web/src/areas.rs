@@ -44,7 +44,7 @@ pub(crate) fn answer(
         known.extend(found.map(|area| (key, area)));
         Ok(found)
     };
-    for key in &request.doubts {
+    for key in &request.defects {
         let fill = key == "fill";
         let mut lines = [Vec::new(), Vec::new()];
         for (on, lines) in [false, true].into_iter().zip(&mut lines) {

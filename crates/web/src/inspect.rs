@@ -1,7 +1,7 @@
-//! What a file holds: the map as measured and with its remedies, the facts, what the program doubts; or what it does
+//! What a file holds: the map as measured and with its remedies, the facts, its defects; or what it does
 //! not say.
 
-use crate::doubts;
+use crate::defects;
 use crate::message::Messages;
 use crate::numbers::{count, length};
 use crate::request::Request;
@@ -71,16 +71,16 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
     let about = format!("{} · {} · {}", request.name, measured.format().name(), bytes(file.len()));
     let ambiguity = measured.ambiguity().map(|a| a.to_string());
     let [ly, lx] = measured.grid().size();
-    let spikes = doubts::spikes(&measured)?;
+    let spikes = defects::spikes(&measured)?;
     let mut pictures = before(&measured, &spikes.indices)?;
-    let doubts = doubts::of(&measured, &spikes, request)?;
+    let defects = defects::of(&measured, &spikes, request)?;
     let surface = crate::surface::of_measurement(request, file, measured)?;
     let statistics = statistics(&surface, request.remedies.level())?;
     let map = surface.heights;
     let after = picture(&levelled(&map, request.remedies.level())?, "after")?;
     pictures.push(json!({ "name": "With the ticked remedies", "svg": after }));
-    let found = doubts::beyond(&statistics);
-    let checks = doubts.iter().filter(|d| d["tag"] == "check").count();
+    let found = defects::beyond(&statistics);
+    let checks = defects.iter().filter(|d| d["tag"] == "check").count();
     let claim = match checks {
         0 => "Nothing has to be cleaned.".to_owned(),
         1 => "One thing should be cleaned first.".to_owned(),
@@ -100,7 +100,7 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
             ["rms height Sq", length(statistics.rms_height)],
             ["rms gradient Sdq", significant(statistics.rms_gradient, 3)],
         ],
-        "doubts": doubts, "findings": found,
+        "defects": defects, "findings": found,
         "plan": known(&statistics, &map),
     }))
 }

@@ -2,7 +2,7 @@
 
 mod answer;
 mod areas;
-mod doubts;
+mod defects;
 mod inspect;
 mod message;
 mod numbers;

@@ -35,7 +35,7 @@ pub(crate) struct Request {
     /// For the meaning of units: the numbers as they stand in the file.
     pub(crate) raw: Option<Raw>,
     /// For areas: the remedies to look at.
-    pub(crate) doubts: Vec<String>,
+    pub(crate) defects: Vec<String>,
     /// Where it is answered; no page says that.
     #[serde(skip)]
     pub(crate) place: Place,

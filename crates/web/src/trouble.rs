@@ -111,7 +111,7 @@ impl Trouble {
             Self::Study(_) => words(
                 "There is no answer for this surface.",
                 "",
-                vec!["Look at what the program doubts.", "Change the bodies or the loads."],
+                vec!["Look at the data-quality warnings.", "Change the bodies or the loads."],
             ),
             Self::Refused(failure) if failure.kind() == "internal" => {
                 words("The page asked wrongly; that is a bug.", "", vec![])

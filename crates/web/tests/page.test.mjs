@@ -123,7 +123,7 @@ test('missing points are filled as ticked, and other bodies and loads are taken'
   const page = await opened();
   await page.choose(at('holes.npy'));
   await metres(page);
-  assert.match(await page.text('#doubts'), /points are missing/);
+  assert.match(await page.text('#defects'), /points are missing/);
   const readings = await page.value("$('h-read').dataset.ready");
   await page.value("(() => { const e = document.querySelector('[data-key=fill]'); e.value = 'nearest'; e.dispatchEvent(new Event('change')); })()");
   await page.until(`$('h-read').dataset.ready > ${readings}`);
@@ -154,9 +154,9 @@ test('a part is cut out, as the command cuts it', async () => {
   };
   await choose('middle');
   assert.match(await page.text('#facts'), /48 rows × 64 columns, cut out from row 24, column 32/);
-  assert.match(await page.text('#doubts'), /points are missing/);
+  assert.match(await page.text('#defects'), /points are missing/);
   await choose('complete');
-  assert.doesNotMatch(await page.text('#doubts'), /points are missing/);
+  assert.doesNotMatch(await page.text('#defects'), /points are missing/);
   await planned(page);
   await page.click('#compute-now');
   await page.state('result');

@@ -25,19 +25,6 @@ const FEW: [&str; 8] = [
 
 /// Length of the temperature jumps of the gas, over the rms height.
 const JUMP: f64 = 0.3;
-/// Families of which the gas and the leak are asked.
-const GAPS: [&str; 10] = [
-    "waves, 8 points",
-    "short waves",
-    "lay",
-    "log-normal",
-    "balls",
-    "two levels",
-    "cones",
-    "ridges",
-    "scratched",
-    "crop",
-];
 
 /// How a family is asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,12 +50,9 @@ pub(crate) enum Case {
 impl Case {
     /// Those that a family takes part in.
     pub(crate) fn all(name: &str) -> Vec<Self> {
-        let mut all = vec![Self::Pressure, Self::Gap, Self::Fast];
+        let mut all = vec![Self::Pressure, Self::Gap, Self::Fast, Self::Gaps];
         if FEW.contains(&name) {
             all.extend([Self::Yielding, Self::Oblong, Self::Odd, Self::Rounded]);
-        }
-        if GAPS.contains(&name) {
-            all.push(Self::Gaps);
         }
         all
     }

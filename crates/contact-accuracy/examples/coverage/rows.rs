@@ -3,7 +3,7 @@
 use crate::cases::{Coverage, Held};
 use contact_accuracy::median;
 
-pub(crate) const HEADER: &str = "| surfaces | answers | area held, worst family, median ± | gap (at a gap: pressure) | stiffness | error of the area, median |\n|---|---:|---|---|---|---:|";
+pub(crate) const HEADER: &str = "| surfaces | answers | coverage of the area, worst family, median ± | gap (at a gap: pressure) | stiffness | error of the area, median |\n|---|---:|---|---|---|---:|";
 
 /// Held, worst family, median half width of a number.
 fn cell(found: &Coverage, k: usize) -> String {
@@ -32,7 +32,7 @@ pub(crate) fn gaps(found: &Coverage) -> String {
     let bounds = &found.held[5];
     let held = bounds.off.iter().filter(|off| **off <= 1.0).count();
     format!(
-        "| of the gap, 10 families | answers | held, worst family, median ± | error, median |\n|---|---:|---|---:|\n{rows}\n\
+        "| of the gap, all | answers | coverage, worst family, median ± | error, median |\n|---|---:|---|---:|\n{rows}\n\
          Of {} upper bounds of the permeability {held} hold.",
         bounds.off.len()
     )
@@ -50,7 +50,8 @@ pub(crate) fn ladder(fast: &Coverage, given: &Coverage) -> String {
             100.0 * c.held[0].median_width()
         )
     };
-    let mut text = "| rung | time | area held | median ± |\n|---|---:|---:|---:|\n".to_owned();
+    let mut text =
+        "| grid | time | coverage of the area | median ± |\n|---|---:|---:|---:|\n".to_owned();
     text += &row("every second point (`--fast`)", fast, time(fast));
     text += &row("the map (default), with twice the points where needed", given, time(given));
     text + &format!(

@@ -284,7 +284,7 @@ def model(
     pressure, separation : quantity or list
         Nominal pressures, or distances of the undeformed planes; exactly one. NaN among several gives NaN.
     hardness : quantity or 'elastic', optional
-        Of the softer body, for models of bodies that yield; by default what `bodies` know of it.
+        Of the softer body, for elastic–plastic models; by default what `bodies` know of it.
     gamma : float, optional
         Weight of partial contact in Persson's mean gap: 0.45 (Yang & Persson 2008, the default) or 1 (Persson 2007).
     resistivity, conductivity, gas, area

@@ -16,7 +16,7 @@ pub(crate) struct Route {
     pub series: String,
     /// How it is drawn.
     pub look: Look,
-    /// Seconds per load.
+    /// Seconds.
     pub seconds: f64,
     /// Size of its relative error.
     pub error: f64,
@@ -24,12 +24,13 @@ pub(crate) struct Route {
     pub bold: bool,
 }
 
-/// Error against time per load. `floor` is the uncertainty of the reference; `None` if it has
+/// Error against a time. `floor` is the uncertainty of the reference; `None` if it has
 /// no bar.
 pub(crate) fn figure(
     routes: &[Route],
     floor: Option<f64>,
     (of, at): (&str, &str),
+    time: &str,
     key: &str,
 ) -> Figure {
     const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 226.0];
@@ -47,7 +48,7 @@ pub(crate) fn figure(
     let frame = Frame {
         x: Axis::log([fastest / 3.0, slowest * 4.0], [FRAME[0], FRAME[2]]),
         y: Axis::log([lo / 6.0, hi * 1.8], [FRAME[3], FRAME[1]]),
-        x_title: "Time per load".into(),
+        x_title: time.into(),
         y_title: format!("|Error| in {of} at {at} (%)"),
     };
     let mut canvas = Canvas::default();
@@ -104,7 +105,7 @@ pub(crate) fn figure(
         .collect();
     Figure {
         key: key.into(),
-        title: "Error against time per load".into(),
+        title: format!("Error against {}", time.to_lowercase()),
         description: format!(
             "Log-log plot of the size of the error in {of} at {at} against computing time: {}.",
             listed.join("; ")

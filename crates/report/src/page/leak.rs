@@ -176,7 +176,8 @@ pub(crate) fn section(
     if let Some((routes, floor)) = first.routes(at) {
         let n = page.next_figure();
         let key = format!("{id}-f{n}");
-        let svg = cost::figure(&routes, floor, ("permeability", &p), &key).inline();
+        let svg =
+            cost::figure(&routes, floor, ("permeability", &p), "Time per load", &key).inline();
         out.push_str(&figure(
             &svg,
             &format!(

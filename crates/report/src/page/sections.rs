@@ -8,7 +8,7 @@ use crate::figures::surface::{Histogram, histogram};
 use crate::figures::{cost, surface as surface_figures};
 use crate::lines::{Lines, YIELDING};
 use crate::looks::look;
-use crate::numbers::{SPACE, duration};
+use crate::numbers::SPACE;
 use crate::page::budget;
 use crate::page::context::Page;
 use crate::page::pair;
@@ -80,17 +80,18 @@ pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &s
         let four = page.next_figure();
         let floor = relative_uncertainty(surface);
         let caption = format!(
-            "<b>Fig. {four}. Error against time</b> at {p}. Dashed: Pareto front. Set-up, once per map: {}.",
-            duration(surface.setup_seconds)
+            "<b>Fig. {four}. Error against time</b> at {p}, from the levelled map. Dashed: Pareto front."
         );
-        let svg = cost::figure(&routes, floor, ("area", &p), &format!("{id}-f{four}")).inline();
+        let key = format!("{id}-f{four}");
+        let time = "Time to the first answer";
+        let svg = cost::figure(&routes, floor, ("area", &p), time, &key).inline();
         out.push_str(&figure(&svg, &caption));
     }
     out.push_str("</div>\n");
     out
 }
 
-/// ", elastic bodies"
+/// ", elastic contact"
 fn of(lines: &Lines) -> String {
     if lines.of.is_empty() { String::new() } else { format!(", {}", lines.of) }
 }
@@ -101,7 +102,7 @@ fn panel(page: &mut Page<'_>, lines: &Lines, id: &str) -> String {
     let band =
         if lines.interval.iter().flatten().count() > 1 { "; grey: ± of this map" } else { "" };
     let one = page.next_figure();
-    let elastic = if lines.of == YIELDING { "; rings: elastic bodies" } else { "" };
+    let elastic = if lines.of == YIELDING { "; rings: elastic contact" } else { "" };
     let area = figure(
         &curves::area(lines, &format!("{id}-f{one}"), Use::Page).inline(),
         &format!("<b>Fig. {one}. Real contact area{of}.</b> Dots: solver{elastic}{band}."),

@@ -24,7 +24,7 @@ pub(crate) struct Ranked<'a> {
     pub place: usize,
     /// Signed relative error at the reference load.
     pub error: f64,
-    /// Seconds per load.
+    /// Seconds to its first answer.
     pub seconds: f64,
 }
 
@@ -40,7 +40,7 @@ pub(crate) fn ranked(surface: &SurfaceComparison) -> Vec<Ranked<'_>> {
         .filter_map(|(place, model)| {
             let curve = model.outcome.as_ref().ok()?;
             let error = (*curve.errors.get(surface.headline)?)?;
-            Some(Ranked { model, place, error, seconds: curve.seconds })
+            Some(Ranked { model, place, error, seconds: curve.preparation + curve.seconds })
         })
         .collect();
     list.sort_by(|a, b| a.error.abs().total_cmp(&b.error.abs()));
@@ -53,7 +53,7 @@ pub(crate) fn published(surface: &SurfaceComparison) -> [String; 2] {
         return ["not ranked".into(), format!("the area is not known to 10{SPACE}%")];
     }
     let is_published = |r: &Ranked<'_>| r.model.card.formula.is_empty();
-    let kind = if elastic_holds(surface) { "" } else { " of bodies that yield" };
+    let kind = if elastic_holds(surface) { "" } else { " of elastic–plastic contact" };
     match ranked(surface).into_iter().find(is_published) {
         Some(r) => way(&r),
         None => ["none".into(), format!("no closed form{kind} answers at this load")],

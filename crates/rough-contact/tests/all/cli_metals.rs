@@ -91,8 +91,8 @@ fn bad_hardness_is_refused_and_an_odd_one_is_doubted() {
         let line = format!("solve {FILE} --pressure 1MPa --hardness {hardness}");
         refused(folder.path(), &line, 2, &[said]);
     }
-    let doubted = solved(folder.path(), "--pressure 100Pa --hardness 2kPa");
-    assert!(doubted["hardness"]["warning"].as_str().unwrap().contains("unit"), "{doubted}");
+    let unusual = solved(folder.path(), "--pressure 100Pa --hardness 2kPa");
+    assert!(unusual["hardness"]["warning"].as_str().unwrap().contains("unit"), "{unusual}");
     // Of several loads, those that no contact can carry are refused, the others answered.
     let line = format!("solve {FILE} --pressure 100MPa,2GPa --hardness 1GPa --json");
     let said = rough_contact(folder.path(), &line);

@@ -71,9 +71,9 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
     });
     let claim = claim.expect("what has yielded");
     assert!(page.contains(&claim) && said.out.contains(&claim.replace('\u{202f}', " ")), "{claim}");
-    assert!(said.out.contains("at the hardness") && page.contains("height map, elastic bodies"));
+    assert!(said.out.contains("at the hardness") && page.contains("height map, elastic contact"));
     // Each kind of theories has its panel and its part of the table.
-    for of in ["bodies that yield", "elastic bodies"] {
+    for of in ["elastic–plastic contact", "elastic contact"] {
         assert!(page.contains(&format!("Error of each closed form, {of}")), "{of}");
         assert!(said.out.contains(&format!("against the solution of {of}:")), "{}", said.out);
     }

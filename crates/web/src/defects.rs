@@ -1,4 +1,4 @@
-//! What the program doubts about a measurement: a finding, a remedy to tick, its number before and after.
+//! Defects of a measurement: a finding, a remedy to tick, its number before and after.
 
 use crate::numbers::{count, length};
 use crate::request::{Remedies, Request};
@@ -20,7 +20,7 @@ const TILTED: f64 = 1.0;
 const DOMED: f64 = 0.5;
 
 /// A row of the table.
-struct Doubt {
+struct Defect {
     tag: &'static str,
     claim: String,
     text: String,
@@ -30,7 +30,7 @@ struct Doubt {
     numbers: Option<[Value; 2]>,
 }
 
-impl Doubt {
+impl Defect {
     fn json(self, remedies: &Remedies) -> Value {
         json!({
             "tag": self.tag, "claim": self.claim, "text": self.text, "key": self.key, "label": self.label,
@@ -46,7 +46,7 @@ pub(crate) fn spikes(measured: &Measurement) -> Result<Outliers, Trouble> {
         .map_err(|e| Trouble::Refused(Failure::from_error(&e)))
 }
 
-/// Doubts with a remedy, worst first.
+/// Defects with a remedy, worst first.
 pub(crate) fn of(
     measured: &Measurement,
     spikes: &Outliers,
@@ -54,9 +54,9 @@ pub(crate) fn of(
 ) -> Result<Vec<Value>, Trouble> {
     let stats = |e| Trouble::Refused(Failure::from_error(&e));
     let (grid, heights) = (measured.grid(), measured.heights());
-    let mut doubts = Vec::new();
+    let mut defects = Vec::new();
     let mut add = |tag, claim: String, text: &str, key, label, numbers| {
-        doubts.push(Doubt { tag, claim, text: text.to_owned(), key, label, numbers });
+        defects.push(Defect { tag, claim, text: text.to_owned(), key, label, numbers });
     };
     if !spikes.indices.is_empty() {
         let numbers = both(measured, request, |r, on| r.spikes = on)?;
@@ -109,8 +109,8 @@ pub(crate) fn of(
         let cost = [json!(["as many points"]), json!(["4 times the points and the time"])];
         add("note", claim, text, "mirror", "Mirror the map", Some(cost));
     }
-    doubts.sort_by_key(|d| d.tag != "check");
-    Ok(doubts.into_iter().map(|d| d.json(&request.remedies)).collect())
+    defects.sort_by_key(|d| d.tag != "check");
+    Ok(defects.into_iter().map(|d| d.json(&request.remedies)).collect())
 }
 
 /// The roughness with the remedies as ticked but this one off, and with it on.
