@@ -91,6 +91,14 @@ mod _rough_contact {
         .to_string())
     }
 
+    /// What is asked of the leak along `x`, `y` or `both`, as JSON; of the seal viscosity, pressure drop, length and width.
+    #[pyfunction]
+    #[pyo3(signature = (along, seal))]
+    fn leak(along: Option<&str>, seal: [Option<f64>; 4]) -> PyResult<String> {
+        let found = answers::leak_asked(along, seal).map_err(|e| crate::failure::raise(&e))?;
+        Ok(serde_json::json!(found).to_string())
+    }
+
     /// A material of the table, or the names of all, as JSON.
     #[pyfunction]
     fn material(name: Option<&str>) -> PyResult<String> {

@@ -6,7 +6,7 @@ use crate::watched::{News, Outcome, Reporter, quietly, watched};
 use answers::{Failure, Question, Subject, Watch, bodies};
 use compare::Request as Accuracy;
 use compare::{
-    Body, EdgesName, Iteration, Joint, Level, Load, MaterialUse, Method, Origin, Precision,
+    Body, EdgesName, Iteration, Joint, Leak, Level, Load, MaterialUse, Method, Origin, Precision,
     Solution, Surface, WorkOfAdhesion, labelled_spots,
 };
 use contact_accuracy::Ladder;
@@ -46,10 +46,7 @@ struct Request {
     hardness: Option<f64>,
     materials: Vec<MaterialUse>,
     joint: Joint,
-    /// `x`, `y` or `both`.
-    leak: Option<String>,
-    /// Viscosity, pressure drop, length and width.
-    seal: [Option<f64>; 4],
+    leak: Option<Leak>,
     adhesion: Option<WorkOfAdhesion>,
     distributions: bool,
     /// The heights are the one trace of ridges.
@@ -97,7 +94,7 @@ impl Request {
             stiffness: self.stiffness,
             hardness: self.hardness,
             conduction: self.joint,
-            leak: answers::leak_asked(self.leak.as_deref(), self.seal)?,
+            leak: self.leak,
             adhesion: self.adhesion,
             materials: self.materials.clone(),
             distributions: self.distributions,

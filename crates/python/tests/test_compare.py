@@ -56,6 +56,11 @@ def test_the_same_results_as_the_command(command, file, tmp_path):
             {"resistivity": [22e-9 * rc.units.ohm * rc.units.m, 70e-9 * rc.units.ohm * rc.units.m], "conductivity": 400 * rc.units.W / rc.units.m / rc.units.K},
         ),
         (["--edges", "mirrored", "--level", "mean"], {"edges": "mirrored", "level": "mean"}),
+        (["--leak", "both"], {"leak": "both"}),
+        (
+            "--leak y --viscosity 1mPa.s --pressure-drop 1MPa --seal-length 1mm --seal-width 10mm".split(),
+            {"leak": "y", "viscosity": "1 mPa.s", "pressure_drop": "1 MPa", "seal_length": "1mm", "seal_width": "10 mm"},
+        ),
     ],
 )
 def test_options_are_those_of_the_command(command, file, tmp_path, words, arguments):

@@ -191,3 +191,18 @@ def adhesion(work: Q | None, reach: Q | None) -> dict[str, float] | None:
     if not (found["work"] >= 0 and found["range"] > 0):
         raise SettingError("work_of_adhesion takes 0 or more, attraction_range a distance above 0", "work_of_adhesion")
     return found
+
+
+def leak(
+    along: str | None, viscosity: Q | None, pressure_drop: Q | None, seal_length: Q | None, seal_width: Q | None
+) -> dict[str, Any] | None:
+    """What is asked of the leak, as the crates take it."""
+    seal = (
+        None if viscosity is None else _units.scalar(viscosity, "viscosity", "viscosity"),
+        None if pressure_drop is None else _units.scalar(pressure_drop, "pressure", "pressure_drop"),
+        None if seal_length is None else _units.scalar(seal_length, "length", "seal_length"),
+        None if seal_width is None else _units.scalar(seal_width, "length", "seal_width"),
+    )
+    with sorted_as(SettingError):
+        found: dict[str, Any] | None = json.loads(_rust.leak(along, seal))
+    return found

@@ -149,7 +149,6 @@ def solve(
     (2,)
     """
     check("edges", edges, ("periodic", "mirrored"))
-    check("leak", leak, (None, "x", "y", "both"))
     check("on_failure", on_failure, ("raise", "keep"))
     conduction = resistivity is not None or conductivity is not None
     made_of = _bodies.given(modulus, bodies, hardness)
@@ -167,8 +166,6 @@ def solve(
         ("plane_strain", plane_strain, "fast", fast),
         ("plane_strain", plane_strain, "stiffness", stiffness),
         ("plane_strain", plane_strain, "resistivity or conductivity", conduction),
-        ("plane_strain", plane_strain, "leak", leak is not None),
-        ("boundary='free'", boundary == "free", "leak", leak is not None),
         ("plane_strain", plane_strain, "work_of_adhesion", work_of_adhesion is not None),
     )
     of_part = None if area is None else _units.scalar(area, "area", "area")
@@ -183,16 +180,7 @@ def solve(
         "certify": bool(certify),
         "stiffness": bool(stiffness),
         "joint": _bodies.joint(resistivity, conductivity, gas, of_part),
-        "leak": leak,
-        "seal": [
-            None if value is None else _units.scalar(value, dimension, name)
-            for value, dimension, name in (
-                (viscosity, "viscosity", "viscosity"),
-                (pressure_drop, "pressure", "pressure_drop"),
-                (seal_length, "length", "seal_length"),
-                (seal_width, "length", "seal_width"),
-            )
-        ],
+        "leak": _bodies.leak(leak, viscosity, pressure_drop, seal_length, seal_width),
         "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
         "distributions": bool(distributions),
         "plane_strain": bool(plane_strain),

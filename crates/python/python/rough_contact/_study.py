@@ -277,6 +277,11 @@ def compare(
     resistivity: Q | None = None,
     conductivity: Q | None = None,
     gas: str | dict[str, Any] | None = None,
+    leak: Literal["x", "y", "both"] | None = None,
+    viscosity: Q | None = None,
+    pressure_drop: Q | None = None,
+    seal_length: Q | None = None,
+    seal_width: Q | None = None,
     work_of_adhesion: Q | None = None,
     attraction_range: Q | None = None,
     precision: Literal["f64", "f32"] = "f64",
@@ -305,10 +310,10 @@ def compare(
     models : list, optional
         Names of built-in models and models of one's own (`ContactModel`); every built-in one by default. Those of one's
         own are called once for each surface, with all loads, on this thread, before the solver.
-    level, edges, hardness, gamma, resistivity, conductivity, gas, precision, tolerance, accuracy, fractal_range
+    level, edges, hardness, gamma, precision, tolerance, accuracy, fractal_range
         As the options of the command.
-    work_of_adhesion, attraction_range : quantity, optional
-        As the options of the command.
+    resistivity, conductivity, gas, leak, viscosity, pressure_drop, seal_length, seal_width, work_of_adhesion, attraction_range
+        As of `solve`.
     against, flip, shift
         A second body, as in `solve`, that each surface is pressed on.
     on_failure : {'raise', 'keep'}
@@ -341,6 +346,8 @@ def compare(
         **made_of,
         "level": level,
         "edges": edges,
+        "leak": _bodies.leak(leak, viscosity, pressure_drop, seal_length, seal_width),
+        "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
         "method": "auto",
         "precision": precision,
         "tolerance": _units.number(tolerance, "tolerance"),
@@ -353,9 +360,6 @@ def compare(
     if gamma is not None:
         settings["gamma"] = _units.number(gamma, "gamma")
     settings.update(_bodies.joint(resistivity, conductivity, gas, None))
-    adhesion = _bodies.adhesion(work_of_adhesion, attraction_range)
-    if adhesion is not None:
-        settings["adhesion"] = adhesion
     if accuracy is not None:
         settings["accuracy"] = _units.number(accuracy, "accuracy")
     if fractal_range is not None:
