@@ -7,8 +7,9 @@ import json
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, fields
+from functools import cached_property
 from html import escape
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 __all__ = ["LoadCurve", "Point"]
 
 Interval = tuple[float, float]
+_Array = TypeVar("_Array", bound=NDArray[Any])
 
 
 def _n(unit: str = "", meaning: str = "") -> Any:
@@ -137,20 +139,27 @@ _SCALARS = [f.name for f in fields(Point) if f.metadata["unit"] and "interval" n
 _PAIRS = [f.name for f in fields(Point) if f.name.endswith("_interval")]
 
 
-def _vector(points: Sequence[dict[str, Any]], key: str) -> NDArray[np.float64]:
-    made = np.array([p.get(key) for p in points], dtype=np.float64)  # of None NaN
-    made.setflags(write=False)
-    return made
-
-
 def ends(pair: Sequence[Any]) -> tuple[Any, ...]:
     """An interval of JSON, which has no infinity: an upper end that is not known is ``None`` there."""
     return tuple(float("inf") if end is None else end for end in pair)
 
 
-def _pairs(points: Sequence[dict[str, Any]], key: str) -> NDArray[np.float64]:
-    values = [ends(p.get(key) or (np.nan, np.nan)) for p in points]
-    made = np.array(values, dtype=np.float64).reshape(len(points), 2)
+class _Column(cached_property[NDArray[np.float64]]):
+    """A number of each load, NaN where there is none, or the ends of its interval; made when it is first looked at."""
+
+    def __init__(self) -> None:
+        super().__init__(self._of)
+
+    def _of(self, curve: LoadCurve) -> NDArray[np.float64]:
+        points, name = curve.json["points"], self.attrname
+        if name in _PAIRS:
+            pairs = [ends(point.get(name) or (np.nan, np.nan)) for point in points]
+            return _read_only(np.array(pairs, dtype=np.float64).reshape(len(points), 2))
+        key = "seconds" if name == "solver_seconds" else name
+        return _read_only(np.array([point.get(key) for point in points], dtype=np.float64))  # of None NaN
+
+
+def _read_only(made: _Array) -> _Array:
     made.setflags(write=False)
     return made
 
@@ -168,53 +177,51 @@ class LoadCurve:
     #: Time of the whole call (s); ``solver_seconds`` is that of the solver for each load.
     seconds: float = field(default=math.nan, repr=False)
 
-    mean_pressure: NDArray[np.float64] = field(init=False)
-    touching_fraction: NDArray[np.float64] = field(init=False)
-    area_fraction: NDArray[np.float64] = field(init=False)
-    area_interval: NDArray[np.float64] = field(init=False)
-    area_prediction_interval: NDArray[np.float64] = field(init=False)
-    mean_gap: NDArray[np.float64] = field(init=False)
-    mean_gap_interval: NDArray[np.float64] = field(init=False)
-    mean_gap_prediction_interval: NDArray[np.float64] = field(init=False)
-    mean_pressure_interval: NDArray[np.float64] = field(init=False)
-    mean_pressure_prediction_interval: NDArray[np.float64] = field(init=False)
-    real_pressure: NDArray[np.float64] = field(init=False)
-    real_pressure_interval: NDArray[np.float64] = field(init=False)
-    real_pressure_prediction_interval: NDArray[np.float64] = field(init=False)
-    max_pressure: NDArray[np.float64] = field(init=False)
-    approach: NDArray[np.float64] = field(init=False)
-    load: NDArray[np.float64] = field(init=False)
-    stiffness: NDArray[np.float64] = field(init=False)
-    stiffness_interval: NDArray[np.float64] = field(init=False)
-    stiffness_prediction_interval: NDArray[np.float64] = field(init=False)
-    electrical_conductance: NDArray[np.float64] = field(init=False)
-    thermal_conductance: NDArray[np.float64] = field(init=False)
-    gas_conductance: NDArray[np.float64] = field(init=False)
-    joint_conductance: NDArray[np.float64] = field(init=False)
-    electrical_resistance: NDArray[np.float64] = field(init=False)
-    thermal_resistance: NDArray[np.float64] = field(init=False)
-    saturated_fraction: NDArray[np.float64] = field(init=False)
-    plastic_load_fraction: NDArray[np.float64] = field(init=False)
-    elastic_area_fraction: NDArray[np.float64] = field(init=False)
-    contact_pixels: NDArray[np.float64] = field(init=False)
-    contact_perimeter: NDArray[np.float64] = field(init=False)
-    iterations: NDArray[np.float64] = field(init=False)
-    transforms: NDArray[np.float64] = field(init=False)
-    solver_seconds: NDArray[np.float64] = field(init=False)
-    duality_gap: NDArray[np.float64] = field(init=False)
-    converged: NDArray[np.bool_] = field(init=False)
-    findings: tuple[Finding, ...] = field(init=False)
+    mean_pressure = _Column()
+    touching_fraction = _Column()
+    area_fraction = _Column()
+    area_interval = _Column()
+    area_prediction_interval = _Column()
+    mean_gap = _Column()
+    mean_gap_interval = _Column()
+    mean_gap_prediction_interval = _Column()
+    mean_pressure_interval = _Column()
+    mean_pressure_prediction_interval = _Column()
+    real_pressure = _Column()
+    real_pressure_interval = _Column()
+    real_pressure_prediction_interval = _Column()
+    max_pressure = _Column()
+    approach = _Column()
+    load = _Column()
+    stiffness = _Column()
+    stiffness_interval = _Column()
+    stiffness_prediction_interval = _Column()
+    electrical_conductance = _Column()
+    thermal_conductance = _Column()
+    gas_conductance = _Column()
+    joint_conductance = _Column()
+    electrical_resistance = _Column()
+    thermal_resistance = _Column()
+    saturated_fraction = _Column()
+    plastic_load_fraction = _Column()
+    elastic_area_fraction = _Column()
+    contact_pixels = _Column()
+    contact_perimeter = _Column()
+    iterations = _Column()
+    transforms = _Column()
+    solver_seconds = _Column()
+    duality_gap = _Column()
+    interpolation_indicator = _Column()
 
-    def __post_init__(self) -> None:
-        points = self.json["points"]
-        for name in _SCALARS:
-            object.__setattr__(self, name, _vector(points, "seconds" if name == "solver_seconds" else name))
-        for name in _PAIRS:
-            object.__setattr__(self, name, _pairs(points, name))
-        converged = np.array([p["converged"] for p in points], dtype=np.bool_)
-        converged.setflags(write=False)
-        object.__setattr__(self, "converged", converged)
-        object.__setattr__(self, "findings", tuple(Finding._of(f) for f in self.json["findings"]))
+    @cached_property
+    def converged(self) -> NDArray[np.bool_]:
+        """Whether each load reached the tolerance."""
+        return _read_only(np.array([point["converged"] for point in self.json["points"]], dtype=np.bool_))
+
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:
+        """What may change a conclusion, worst first."""
+        return tuple(Finding._of(finding) for finding in self.json["findings"])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return LoadCurve._restored, (self.json, self.maps, self.seconds)
