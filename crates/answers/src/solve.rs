@@ -74,8 +74,6 @@ pub struct Question {
     pub distributions: bool,
     /// Whether the gap is kept too; the pressure always is.
     pub keep_gap: bool,
-    /// Threads of the solver.
-    pub threads: usize,
 }
 
 /// The map that is asked about, and where it comes from.
@@ -124,7 +122,7 @@ impl Question {
         Joint { area, hardness: self.hardness, ..self.conduction }
     }
 
-    /// Solves the map for the loads, by rising load, each the start of the next.
+    /// Solves the map for the loads, by rising load, each the start of the next, on the threads of the caller.
     ///
     /// # Errors
     /// [`Failure`], before any load is solved. A load that is not is in the [`Answer`].
@@ -183,7 +181,6 @@ impl Question {
             .method(self.method)
             .precision(self.precision)
             .tolerance(self.tolerance)
-            .threads(self.threads)
             .hardness(self.hardness.unwrap_or(f64::INFINITY))
             .certified(self.certify)
             .maps(if gap_too { Maps::PressureAndGap } else { Maps::Pressure });

@@ -99,7 +99,6 @@ impl Request {
             materials: self.materials.clone(),
             distributions: self.distributions,
             keep_gap: self.maps == "all",
-            threads: self.threads,
         })
     }
 }

@@ -21,8 +21,7 @@ use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use answers::{Answer, Point, Question, Subject, Watch};
 use clap::Args;
-use compare::Request;
-use compare::{EdgesName, Joint, Level, Method, PairOrigin, Precision};
+use compare::{EdgesName, Joint, Level, Method, PairOrigin, Precision, Request, on_threads};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Solution};
 use std::ops::ControlFlow;
@@ -205,7 +204,6 @@ impl PerFile for Solve {
             materials,
             distributions: self.distributions,
             keep_gap: self.fields.needs_gap(),
-            threads: common.threads(),
         };
         let subject = Subject {
             path: &self.input.file,
@@ -217,7 +215,7 @@ impl PerFile for Solve {
         };
         let progress = Progress::new(common.quiet, question.loads.len());
         let mut terminal = Terminal { progress, maps, needs_heights: self.fields.needs_heights() };
-        let answer = question.solve(subject, &mut terminal)?;
+        let answer = on_threads(common.threads(), || question.solve(subject, &mut terminal))?;
         drop(terminal);
         let notes = match answer.plan {
             None => intervals::notes(&answer.points),
