@@ -6,7 +6,6 @@
 use crate::failure::{Refused, bug};
 use compare::Iteration;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -22,7 +21,7 @@ const PATIENCE: Duration = Duration::from_millis(400);
 const STACK: usize = 8 << 20;
 
 /// What Python is told.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, IntoPyObject)]
 pub(crate) struct News {
     pub(crate) stage: &'static str,
     pub(crate) surface: String,
@@ -47,20 +46,6 @@ impl News {
             tolerance: now.tolerance,
             ..Self::default()
         }
-    }
-
-    fn object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let d = PyDict::new(py);
-        d.set_item("stage", self.stage)?;
-        d.set_item("surface", &self.surface)?;
-        d.set_item("index", self.index)?;
-        d.set_item("count", self.count)?;
-        d.set_item("iteration", self.iteration)?;
-        d.set_item("residual", self.residual)?;
-        d.set_item("tolerance", self.tolerance)?;
-        d.set_item("mean_pressure", self.mean_pressure)?;
-        d.set_item("area_fraction", self.area_fraction)?;
-        Ok(d)
     }
 }
 
@@ -139,7 +124,7 @@ pub(crate) fn watched<T: Send + 'static>(
             let heard = Python::attach(|py| {
                 py.check_signals()?;
                 match (news, &progress) {
-                    (Some(news), Some(told)) => told.call1(py, (news.object(py)?,)).map(drop),
+                    (Some(news), Some(told)) => told.call1(py, (news,)).map(drop),
                     _ => Ok(()),
                 }
             });
@@ -161,11 +146,8 @@ pub(crate) fn quietly<T: Send + 'static>(
     threads: usize,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
-    match watched(py, threads, None, |_| work())? {
-        Outcome { stopped_by: Some(why), .. } => Err(why),
-        Outcome { value: Some(value), .. } => Ok(value),
-        Outcome { .. } => Err(bug(&"work without an end")),
-    }
+    let Outcome { value, stopped_by } = watched(py, threads, None, |_| work())?;
+    stopped_by.map_or_else(|| value.ok_or_else(|| bug(&"work without an end")), Err)
 }
 
 fn panicked(panic: &(dyn std::any::Any + Send)) -> PyErr {
