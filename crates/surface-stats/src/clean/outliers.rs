@@ -190,13 +190,6 @@ impl<'a> Window<'a> {
         let mut values = std::mem::take(&mut self.values);
         values.clear();
         for offset in &self.half {
-            values.extend(self.sides(index, is_whole, offset).into_iter().flatten());
-        }
-        let middle = values.len() / 2;
-        let from_median = select(&mut values, middle).map(|m| (here - m).abs());
-
-        values.clear();
-        for offset in &self.half {
             if let [Some(a), Some(b)] = self.sides(index, is_whole, offset) {
                 values.push((here - f64::midpoint(a, b)).abs());
             }
@@ -212,35 +205,36 @@ impl<'a> Window<'a> {
             }
         }
         let lower = values.len().saturating_sub(1) / 2;
-        let from_pairs = select(&mut values, lower);
-        self.values = values;
-        match (from_median, from_pairs) {
-            (Some(a), Some(b)) => Some(a.min(b)),
-            (a, _) => a,
+        let from_pairs = select(&mut values, lower).unwrap_or(f64::INFINITY);
+
+        values.clear();
+        for offset in &self.half {
+            values.extend(self.sides(index, is_whole, offset).into_iter().flatten());
         }
+        let middle = values.len() / 2;
+        let far = |side: f64| values.iter().filter(|h| side * (here - **h) >= from_pairs).count();
+        // Where the median is among those that are farther off, it need not be found.
+        let is_nearer = far(1.0) <= middle && far(-1.0) + middle < values.len();
+        let median = is_nearer.then(|| select(&mut values, middle)).flatten();
+        let distance = median.map_or(from_pairs, |m| (here - m).abs().min(from_pairs));
+        let found = (!values.is_empty()).then_some(distance);
+        self.values = values;
+        found
     }
 
     /// The distance, if it exceeds `limit`. Most points are done without sorting: if more than
     /// half of the neighbours are within the limit, so is their median.
     fn distance_beyond(&mut self, index: usize, limit: f64) -> Option<f64> {
-        let (here, at) = (self.heights[index], self.position(index));
-        if here.is_nan() {
-            return None;
-        }
-        let (mut near, mut all) = (0, 0);
-        let is_whole = self.is_whole(at);
+        let (here, is_whole) = (self.heights[index], self.is_whole(self.position(index)));
+        let mut near = 0;
         for offset in &self.half {
             for h in self.sides(index, is_whole, offset).into_iter().flatten() {
-                all += 1;
                 near += usize::from((here - h).abs() <= limit);
             }
             // Already more than half of all that there may be.
             if near > self.half.len() {
                 return None;
             }
-        }
-        if 2 * near > all {
-            return None;
         }
         self.distance(index).filter(|&d| d > limit)
     }
@@ -286,6 +280,25 @@ mod tests {
             assert_eq!(found.indices, [0, 777, 778, 3003, 5000, 10_799]);
             found.remove_from(&mut heights);
             assert_eq!(heights.iter().filter(|h| h.is_nan()).count(), 9);
+        }
+    }
+
+    /// From the median of the neighbours or the lower median of what opposite ones say.
+    #[test]
+    fn a_distance_is_the_smaller_of_both() {
+        let (grid, heights) = rough(None);
+        let nx = grid.shape()[1];
+        let rank = |mut values: Vec<f64>, rank: usize| {
+            *values.select_nth_unstable_by(rank, f64::total_cmp).1
+        };
+        let mut window = Window::new(grid, &heights, 2);
+        for index in (2..88).flat_map(|iy| (2..118).map(move |ix| iy * nx + ix)) {
+            let around: Vec<f64> =
+                (0..25).map(|k| heights[index + k / 5 * nx + k % 5 - 2 * nx - 2]).collect();
+            let off = |k: usize| (around[12] - f64::midpoint(around[k], around[24 - k])).abs();
+            let median = rank([&around[..12], &around[13..]].concat(), 12);
+            let expected = (around[12] - median).abs().min(rank((0..12).map(off).collect(), 5));
+            assert_eq!(window.distance(index), Some(expected));
         }
     }
 
