@@ -3,6 +3,7 @@
 import ast
 import importlib.metadata
 import pydoc
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -122,3 +123,12 @@ def test_both_licences_come_along():
         assert {"LICENSE-MIT", "LICENSE-APACHE"} <= named
     else:
         pytest.skip("installed from the sources")
+
+
+def test_the_wheel_runs_on_old_systems():
+    """On Linux with the C library of 2018: manylinux_2_28."""
+    tags = importlib.metadata.distribution("rough-contact").read_text("WHEEL") or ""
+    found = re.findall(r"manylinux_2_(\d+)", tags)
+    if not found:
+        pytest.skip("not made for other systems")
+    assert min(map(int, found)) <= 28
