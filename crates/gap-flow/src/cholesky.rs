@@ -6,7 +6,7 @@ use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
 
 /// Most unknowns whose matrix is factorised.
-const MOST: usize = 1 << 21;
+const MOST: usize = 1 << 23;
 
 /// What the factorisations of all networks of the same links share.
 pub(crate) type Symbolic = Option<SymbolicLlt<usize>>;

@@ -111,14 +111,14 @@ pub(crate) struct Coverage {
 }
 
 impl Coverage {
-    /// Adds another family, or another map of the same.
+    /// Adds other families, or another map of the same.
     pub(crate) fn add(&mut self, other: &Self) {
         for (a, b) in self.held.iter_mut().zip(&other.held) {
             a.off.extend(&b.off);
             a.widths.extend(&b.widths);
             a.errors.extend(&b.errors);
         }
-        let of = other.held.each_ref().map(Held::share);
+        let of = other.worst.unwrap_or_else(|| other.held.each_ref().map(Held::share));
         // Five answers of one map are no family.
         if other.held[0].off.len() > AREAS.len() {
             let least = self.worst.unwrap_or(of);
