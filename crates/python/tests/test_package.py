@@ -132,3 +132,13 @@ def test_the_wheel_runs_on_old_systems():
     if not found:
         pytest.skip("not made for other systems")
     assert min(map(int, found)) <= 28
+
+
+def test_a_build_without_cargo_says_what_is_missing(tmp_path):
+    """As pip asks the source distribution for what its build needs."""
+    backend = Path(__file__).parents[1] / "backend"
+    code = "import maturin_with_cargo; maturin_with_cargo.get_requires_for_build_wheel()"
+    (tmp_path / "maturin.py").write_text("def get_requires_for_build_wheel(settings):\n    return []\n")
+    environment = {"PATH": str(tmp_path), "PYTHONPATH": f"{backend}:{tmp_path}"}
+    asked = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False)
+    assert asked.returncode != 0 and "https://rustup.rs" in asked.stderr
