@@ -1,6 +1,6 @@
 //! Whether the bodies stick, of one map.
 
-use compare::{Adhesion, Level, Rough, WorkOfAdhesion};
+use contact_compare::{Adhesion, Level, Rough, WorkOfAdhesion};
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use surface_stats::{
     DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions,

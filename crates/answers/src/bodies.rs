@@ -1,7 +1,7 @@
 //! The two bodies: contact modulus and hardness of what was given of them, numbers or names of the table of materials.
 
 use crate::failure::Failure;
-use compare::{Body, Inputs, Listed, Material, MaterialUse, Property, material};
+use contact_compare::{Body, Inputs, Listed, Material, MaterialUse, Property, material};
 use contact_types::{ContactModulus, Elastic, SurfaceError};
 use serde::{Deserialize, Serialize};
 
@@ -56,7 +56,11 @@ impl Bodies {
     /// With what no roughness says.
     #[must_use]
     pub fn add(&self, inputs: Inputs) -> Inputs {
-        Inputs { hardness: self.hardness, poisson: compare::poisson(&self.bodies), ..inputs }
+        Inputs {
+            hardness: self.hardness,
+            poisson: contact_compare::poisson(&self.bodies),
+            ..inputs
+        }
     }
 
     /// A number of both bodies out of the table, noted as taken.

@@ -1,7 +1,7 @@
 //! From a measurement to a complete map: cleaned, then filled, with what was done to it.
 
 use crate::failure::Failure;
-use compare::{Cleaning, CleaningError};
+use contact_compare::{Cleaning, CleaningError};
 use contact_types::HeightMap;
 use surface_io::{Fill, FillError, Measurement};
 use surface_stats::clean::{self, Record};

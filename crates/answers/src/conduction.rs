@@ -1,7 +1,7 @@
 //! What a contact conducts.
 
-use compare::{Conducted, ContactModulus, Joint};
 use contact_accuracy::Budget;
+use contact_compare::{Conducted, ContactModulus, Joint};
 use fft_bem_solver::SetStiffness;
 use serde_json::{Value, json};
 
@@ -26,7 +26,7 @@ pub(crate) fn add(
             "residual": set.residual, "transforms": set.transforms, "iterations": set.iterations,
         });
         let stiffness = Some(set.per_area).filter(|k| k.is_finite());
-        keys.extend(report::conducted_keys(&found));
+        keys.extend(contact_report::conducted_keys(&found));
         keys.insert("stiffness".into(), json!(stiffness));
         keys.insert("contact_set".into(), json!(of_set));
         keys.insert("conduction".into(), conduction);

@@ -1,9 +1,9 @@
 //! What a study leaves: its documents, each as the bytes of a file.
 
 use crate::failure::Failure;
-use compare::{Comparison, ProfileComparison, RunFile};
+use contact_compare::{Comparison, ProfileComparison, RunFile};
+use contact_report::{Provenance, ReportError};
 use grid_fft::parallel;
-use report::{Provenance, ReportError};
 
 /// Names of the documents, in the order in which they are written.
 pub const DOCUMENTS: [&str; 6] =
@@ -36,16 +36,16 @@ pub fn profile_documents(
     let unmade = |e: &dyn std::fmt::Display| Failure::incomplete("output", e.to_string());
     let mut made = Vec::new();
     let mut out = Vec::new();
-    report::write_profile_html(studies, provenance, &mut out).map_err(|e| unmade(&e))?;
+    contact_report::write_profile_html(studies, provenance, &mut out).map_err(|e| unmade(&e))?;
     made.push(("report.html".to_owned(), std::mem::take(&mut out)));
-    let json = report::profile_comparison_json(studies, provenance);
+    let json = contact_report::profile_comparison_json(studies, provenance);
     made.push(("results.json".to_owned(), format!("{json:#}\n").into_bytes()));
-    report::write_profile_csv(studies, &mut out).map_err(|e| unmade(&e))?;
+    contact_report::write_profile_csv(studies, &mut out).map_err(|e| unmade(&e))?;
     made.push(("curves.csv".to_owned(), std::mem::take(&mut out)));
     for (i, study) in studies.iter().enumerate() {
-        report::write_profile_area_svg(study, &mut out).map_err(|e| unmade(&e))?;
+        contact_report::write_profile_area_svg(study, &mut out).map_err(|e| unmade(&e))?;
         made.push((figure_name("area", i, studies.len()), std::mem::take(&mut out)));
-        report::write_profile_trace_svg(study, &mut out).map_err(|e| unmade(&e))?;
+        contact_report::write_profile_trace_svg(study, &mut out).map_err(|e| unmade(&e))?;
         made.push((figure_name("trace", i, studies.len()), std::mem::take(&mut out)));
     }
     let text = run_file.to_toml().map_err(|e| unmade(&e))?;
@@ -67,15 +67,19 @@ pub fn documents(
         let (mut out, failed) = (Vec::new(), |e: ReportError| unmade(&e));
         match name {
             "report.html" => {
-                report::write_html(comparison, provenance, &mut out).map_err(failed)?;
+                contact_report::write_html(comparison, provenance, &mut out).map_err(failed)?;
             }
             "results.json" => {
-                report::write_json(comparison, provenance, &mut out).map_err(failed)?;
+                contact_report::write_json(comparison, provenance, &mut out).map_err(failed)?;
             }
-            "curves.csv" => report::write_csv(comparison, &mut out).map_err(|e| unmade(&e))?,
-            "area.svg" => report::write_area_svg(comparison, &mut out).map_err(|e| unmade(&e))?,
+            "curves.csv" => {
+                contact_report::write_csv(comparison, &mut out).map_err(|e| unmade(&e))?;
+            }
+            "area.svg" => {
+                contact_report::write_area_svg(comparison, &mut out).map_err(|e| unmade(&e))?;
+            }
             "pressure.svg" => {
-                report::write_pressure_svg(comparison, &mut out).map_err(|e| unmade(&e))?;
+                contact_report::write_pressure_svg(comparison, &mut out).map_err(|e| unmade(&e))?;
             }
             _ => out = run_file.to_toml().map_err(|e| unmade(&e))?.into_bytes(),
         }

@@ -1,7 +1,7 @@
 //! What is said of a contact that yields, beside its numbers.
 
 use crate::shown;
-use compare::Hardness;
+use contact_compare::Hardness;
 use fft_bem_solver::Solution;
 use serde_json::{Value, json};
 
@@ -28,13 +28,13 @@ pub(crate) fn object(given: Hardness) -> Value {
 pub(crate) fn add(point: &mut Value, solution: &Solution) {
     let Some(yielded) = solution.diagnostics.yielded else { return };
     if let Value::Object(keys) = point {
-        keys.extend(report::yield_keys(Some(yielded), solution.touching_fraction()));
+        keys.extend(contact_report::yield_keys(Some(yielded), solution.touching_fraction()));
     }
 }
 
 /// The same keys, absent, in a point that was refused.
 pub(crate) fn complete(point: &mut Value) {
-    for key in report::YIELD_KEYS {
+    for key in contact_report::YIELD_KEYS {
         if point.get(key).is_none() {
             point[key] = Value::Null;
         }

@@ -1,7 +1,7 @@
 //! The leak through the gap, as a user asks for it.
 
 use crate::failure::Failure;
-use compare::{Along, Leak, Seal};
+use contact_compare::{Along, Leak, Seal};
 
 /// Names of the numbers of a seal, in their order, whether 0 is allowed, and how they are written.
 const NUMBERS: [(&str, bool, &str); 4] = [

@@ -4,12 +4,12 @@ use crate::failure::{Failure, variant};
 use crate::loads::Spread;
 use crate::models::citation;
 use crate::traces::Traces;
-use compare::survey::{ErrorRange, gaussian_errors};
-use compare::{
+use contact_accuracy::round_to_digits;
+use contact_compare::survey::{ErrorRange, gaussian_errors};
+use contact_compare::{
     BuildError, Card, Conductance, Conducted, Finding, Input, Inputs, Joint, Level, MomentSource,
     OfMap, Origin, Pressed, Scene, Theory, built_in, conductance_of, gas_at,
 };
-use contact_accuracy::round_to_digits;
 use contact_types::{
     AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, HeightMap, ModelError,
 };
@@ -132,14 +132,14 @@ pub fn answers(
         Some(Question::Separation(_)) => match theory.build_separation(inputs) {
             None => return Err(Unasked::NoSeparation { model: card.name.to_string() }),
             Some(Ok(model)) => Box::new(move |q| {
-                let state = compare::at_separation(title, model.as_ref(), q.value())?;
+                let state = contact_compare::at_separation(title, model.as_ref(), q.value())?;
                 Ok(Said::of(model.as_ref(), state, theory, given))
             }),
             Some(Err(error)) => refuse_all(error)?,
         },
         _ => match theory.build(inputs) {
             Ok(model) => Box::new(move |q| {
-                let state = compare::at_pressure(title, model.as_ref(), q.value())?;
+                let state = contact_compare::at_pressure(title, model.as_ref(), q.value())?;
                 Ok(Said::of(model.as_ref(), state, theory, given))
             }),
             Err(error) => refuse_all(error)?,
@@ -265,17 +265,20 @@ pub fn of_profile(
     let options = traces.options(form.degree().unwrap_or(0));
     let (statistics, _, spectrum) =
         ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
-    let inputs = compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
+    let inputs =
+        contact_compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
     let (inputs, questions, spread) = complete(inputs)?;
     let found = answers(theory, &inputs, &questions, joint).map_err(|e| way_out(&e))?;
-    let findings = compare::profile_findings(
+    let findings = contact_compare::profile_findings(
         &statistics,
         traces.uneven,
         origin,
         &scene(theory.card(), &inputs, &found, None),
     );
     let interval = |(question, answer): (&Question, &Answer)| match (question, answer) {
-        (Question::Pressure(p), Ok(_)) => compare::area_interval(theory, &inputs, &statistics, *p),
+        (Question::Pressure(p), Ok(_)) => {
+            contact_compare::area_interval(theory, &inputs, &statistics, *p)
+        }
         _ => None,
     };
     let intervals: Vec<_> = questions.iter().zip(&found).map(interval).collect();
@@ -285,10 +288,10 @@ pub fn of_profile(
             json["points"][i]["area_interval"] = json!(interval);
         }
     }
-    json["findings"] = report::findings_json(&findings);
+    json["findings"] = contact_report::findings_json(&findings);
     json["level"] = json!(form.name());
-    json["cleaning"] = report::cleaning_json(&traces.cleaned);
-    json["profile"] = report::profile_statistics_json(&statistics);
+    json["cleaning"] = contact_report::cleaning_json(&traces.cleaned);
+    json["profile"] = contact_report::profile_statistics_json(&statistics);
     let traces = statistics.traces;
     let answers = found;
     Ok(OfProfile { json, answers, intervals, findings, traces, inputs, questions, spread })
@@ -320,7 +323,7 @@ pub fn object(
         "points": points,
     });
     if let Some(gas) = &joint.gas {
-        json["gas"] = report::gas_json(gas);
+        json["gas"] = contact_report::gas_json(gas);
     }
     json
 }
@@ -329,7 +332,7 @@ pub fn object(
 fn conducts(point: &mut Value, answer: &Answer) {
     let (Ok(said), Value::Object(keys)) = (answer, point) else { return };
     let Some([found, exact]) = &said.conducted else { return };
-    keys.extend(report::conducted_keys(found));
+    keys.extend(contact_report::conducted_keys(found));
     let both = [
         ("electrical", found.electrical, exact.electrical),
         ("thermal", found.thermal, exact.thermal),

@@ -1,6 +1,6 @@
 //! Closed-form models as objects.
 
-use compare::Card;
+use contact_compare::Card;
 use contact_types::Citation;
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! Where files lie, as a run file and a report say it.
 
-use compare::{FileOrigin, Origin, RunFile};
+use contact_compare::{FileOrigin, Origin, RunFile};
 use std::path::{Component, Path};
 
 /// A run file as it stands in a folder: its files are named from there, so that it can be repeated from anywhere and

@@ -4,11 +4,11 @@ use crate::failure::Failure;
 use crate::loads::rising;
 use crate::watch::Watch;
 use crate::work::Work;
-use compare::{Joint, Reached};
 use contact_accuracy::{Aim, Answered, ClimbError, Map, Setup, Sink, Task, climb};
+use contact_compare::{Joint, Reached};
+use contact_report::plan_reason;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Iteration, Load, SolverError};
-use report::plan_reason;
 use std::ops::ControlFlow;
 
 /// What is to be solved, and how well.

@@ -2,8 +2,8 @@
 
 use crate::failure::variant;
 use crate::hardness;
-use compare::{Budget, Conducted};
 use contact_accuracy::{Answered, Leaks, Map, Numbers};
+use contact_compare::{Budget, Conducted};
 use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};
 
@@ -120,6 +120,6 @@ fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&Solver
 /// Adds the keys of the budget, all `null` without one.
 fn with_keys(point: &mut Value, budget: Option<&Budget>) {
     if let Value::Object(keys) = point {
-        keys.extend(report::budget_keys(budget));
+        keys.extend(contact_report::budget_keys(budget));
     }
 }

@@ -1,6 +1,6 @@
 //! What is asked of elasticity, of one map.
 
-use compare::Scene;
+use contact_compare::Scene;
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use surface_stats::clean::row_offsets;
 use surface_stats::profile::{Trace, moments};

@@ -71,13 +71,13 @@ pub fn relative(value: f64, ends: Option<[f64; 2]>, shown: impl Fn(f64) -> Strin
         (false, false) => "–".to_owned(),
         (false, true) => format!("at most {}", shown(high)),
         (true, false) => format!("at least {}", shown(low)),
-        (true, true) => plain(&report::numbers::relative_interval(value, [low, high])),
+        (true, true) => plain(&contact_report::numbers::relative_interval(value, [low, high])),
     }
 }
 
 /// With the spaces of a terminal.
 fn plain(text: &str) -> String {
-    text.replace(report::numbers::SPACE, " ")
+    text.replace(contact_report::numbers::SPACE, " ")
 }
 
 /// The highest pressure of a point. The mean over the contact cannot exceed it: where it seems to,

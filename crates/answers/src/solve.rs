@@ -9,11 +9,11 @@ use crate::point::Point;
 use crate::scene;
 use crate::watch::Watch;
 use crate::work::Work;
-use compare::{
+use contact_accuracy::{Aim, Ladder, LadderError, Setup};
+use contact_compare::{
     Adhesion, Body, EdgesName, Finding, Hardness, Joint, Leak, Level, MaterialUse, Method,
     PairOrigin, Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
 };
-use contact_accuracy::{Aim, Ladder, LadderError, Setup};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solver, SolverError};
 use serde_json::{Value, json};
@@ -196,7 +196,7 @@ impl Question {
         let part = of_set.then_some((&joint, self.modulus));
         let mut plan = None;
         let mut is_stopped = false;
-        let materials = compare::spreads(&self.materials);
+        let materials = contact_compare::spreads(&self.materials);
         let aim = match (self.accuracy, self.fast) {
             (Some(request), _) => Some(Aim::Within(request)),
             (None, true) => Some(Aim::Fast),
@@ -288,32 +288,32 @@ impl Question {
             "modulus": self.modulus.pascals(),
             "tolerance": plan.map_or(self.tolerance, |plan| plan.tolerance),
             "load_area": self.spread.as_ref().map(|s| s.area),
-            "bodies": report::bodies_json(pair, &self.bodies),
-            "pair": pair.map(report::pair_json),
+            "bodies": contact_report::bodies_json(pair, &self.bodies),
+            "pair": pair.map(contact_report::pair_json),
             "points": objects,
-            "cleaning": report::cleaning_json(cleaned),
-            "findings": report::findings_json(findings),
+            "cleaning": contact_report::cleaning_json(cleaned),
+            "findings": contact_report::findings_json(findings),
         });
         if let Some(hardness) = hardness {
             json["hardness"] = hardness::object(hardness);
         }
         if let Some(gas) = &self.conduction.gas {
-            json["gas"] = report::gas_json(gas);
+            json["gas"] = contact_report::gas_json(gas);
         }
         if self.conduction.is_asked() {
             json["nominal_area"] = json!(self.joint(work.grid.area()).area);
         }
         if let Some(leak) = &self.leak {
-            json["leak"] = report::leak_json(leak, hardness.is_some());
+            json["leak"] = contact_report::leak_json(leak, hardness.is_some());
         }
         if let Some(adhesion) = adhesion {
             json["adhesion"] = json!(adhesion);
         }
         if !self.materials.is_empty() {
-            json["materials"] = report::materials_json(&self.materials);
+            json["materials"] = contact_report::materials_json(&self.materials);
         }
         if let Some(plan) = plan {
-            json["accuracy"] = report::accuracy_json(plan);
+            json["accuracy"] = contact_report::accuracy_json(plan);
         }
         (json, points)
     }

@@ -3,7 +3,7 @@
 use crate::adhesion;
 use crate::failure::Failure;
 use crate::iso::Iso;
-use compare::{Finding, Level, PairOrigin, Spikes, WorkOfAdhesion};
+use contact_compare::{Finding, Level, PairOrigin, Spikes, WorkOfAdhesion};
 use contact_types::{ContactModulus, HeightMap};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -52,9 +52,9 @@ impl Statistics {
         let refused = |e: StatsError| Failure::in_file(path, &e);
         let map = level(map, form).map_err(refused)?;
         let found = adhesion::of_map(given, &map, modulus, &[]).map_err(refused)?;
-        self.findings.push(compare::sticking(found));
+        self.findings.push(contact_compare::sticking(found));
         self.findings.sort_by_key(|f| f.weight);
-        self.json["findings"] = report::findings_json(&self.findings);
+        self.json["findings"] = contact_report::findings_json(&self.findings);
         self.json["adhesion"] = json!(found);
         Ok(())
     }
@@ -74,13 +74,13 @@ pub fn statistics(
     let refused = |e: StatsError| Failure::in_file(path, &e);
     let s = SurfaceStatistics::of(map, options).map_err(refused)?;
     let spikes = Spikes::left(map, cleaned, pair);
-    let mut findings = compare::measured(&s, &spikes);
-    findings.extend(pair.map(compare::of_pair).into_iter().flatten());
+    let mut findings = contact_compare::measured(&s, &spikes);
+    findings.extend(pair.map(contact_compare::of_pair).into_iter().flatten());
     findings.sort_by_key(|f| f.weight);
-    let mut json = report::statistics_json(&s);
-    json["findings"] = report::findings_json(&findings);
-    json["cleaning"] = report::cleaning_json(cleaned);
-    json["pair"] = pair.map_or(Value::Null, report::pair_json);
+    let mut json = contact_report::statistics_json(&s);
+    json["findings"] = contact_report::findings_json(&findings);
+    json["cleaning"] = contact_report::cleaning_json(cleaned);
+    json["pair"] = pair.map_or(Value::Null, contact_report::pair_json);
     let levelled = (with_iso || with_scales).then(|| level(map, s.level));
     let levelled = levelled.transpose().map_err(refused)?;
     let iso = match levelled.as_ref().filter(|_| with_iso) {

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::planned::unmet;
 use crate::shown;
-use compare::{Comparison, Listener, StudyError};
+use contact_compare::{Comparison, Listener, StudyError};
 
 /// What is computed once the loads are: coarser grids, the shortest octaves taken off, a closer look at the headline.
 ///

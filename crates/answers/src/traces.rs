@@ -1,7 +1,7 @@
 //! Profiles: from what was read of a stylus to traces, and to their statistics.
 
 use crate::complete::{Incomplete, clean};
-use compare::{Cleaning, Unevenness};
+use contact_compare::{Cleaning, Unevenness};
 use serde_json::{Value, json};
 use surface_io::{Fill, Measurement, Resampled};
 use surface_stats::clean::Record;
@@ -67,10 +67,10 @@ impl Traces {
     /// [`StatsError`] of traces too short for the filters.
     pub fn statistics(&self, degree: usize) -> Result<(ProfileStatistics, Value), StatsError> {
         let found = ProfileStatistics::of(&self.each, &self.options(degree))?;
-        let mut json = report::profile_statistics_json(&found);
+        let mut json = contact_report::profile_statistics_json(&found);
         json["missing"] = json!(self.missing);
-        json["uneven"] = report::unevenness_json(self.uneven);
-        json["cleaning"] = report::cleaning_json(&self.cleaned);
+        json["uneven"] = contact_report::unevenness_json(self.uneven);
+        json["cleaning"] = contact_report::cleaning_json(&self.cleaned);
         Ok((found, json))
     }
 

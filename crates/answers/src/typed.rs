@@ -1,6 +1,6 @@
 //! A model made from numbers typed in: which of its sets of inputs they are, and what they lack.
 
-use compare::{Card, ContactModulus, Input, InputSet, Inputs, SpectralMoments};
+use contact_compare::{Card, ContactModulus, Input, InputSet, Inputs, SpectralMoments};
 use contact_types::{AsperityStatistics, FractalParameters, ModelError};
 use multiscale_models::{SelfAffineSpectrum, SphereLevel};
 use std::collections::BTreeMap;
@@ -236,7 +236,7 @@ mod tests {
     use super::*;
 
     fn made(model: &str, given: &[(Input, f64)]) -> Result<Inputs, Untyped> {
-        let theory = compare::find(model).expect("a model");
+        let theory = contact_compare::find(model).expect("a model");
         let modulus = ContactModulus::from_pascals(1e11).expect("a modulus");
         let typed = given.iter().fold(Typed::default(), |t, (i, v)| t.with(*i, Some(*v)));
         typed.inputs(theory.card(), modulus)
@@ -263,7 +263,7 @@ mod tests {
             Input::MeanSlope => 0.1,
             _ => 0.0,
         };
-        for theory in compare::built_in().iter() {
+        for theory in contact_compare::built_in().iter() {
             let card = theory.card();
             let model = card.name.as_ref();
             for set in &card.inputs {
@@ -302,7 +302,7 @@ mod tests {
         assert_eq!((found.m2(), found.moments), (Some(0.006), None));
         let name = |input: Input| format!("--{}", input.name());
         let told = |model: &str, given: &[(Input, f64)]| {
-            let card = compare::find(model).expect("a model").card();
+            let card = contact_compare::find(model).expect("a model").card();
             made(model, given).expect_err("a refusal").told(card, name)
         };
         let lacks = told("gw", &[(Input::M0, 1e-12), (Input::M2, 0.01)]);

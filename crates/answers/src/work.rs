@@ -5,11 +5,11 @@ use crate::failure::{Failure, variant};
 use crate::loads::shown;
 use crate::point::Point;
 use crate::watch::Watch;
-use compare::{
+use contact_accuracy::{Answered, Leaks, Map};
+use contact_compare::{
     Budget, Distributions, Ended, Joint, Leak, NoUncertainty, Pressed, Spikes, is_below_a_point,
     spot_list,
 };
-use contact_accuracy::{Answered, Leaks, Map};
 use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, Solution, SolverError};
 use serde_json::json;
@@ -124,7 +124,7 @@ impl Work {
         if let Some(asked) = &self.leak {
             point.leak = result.as_mut().ok().and_then(|answered| answered.leak.take());
             point.leak.iter_mut().for_each(Leaks::drop_maps);
-            let object = |leaks: &Leaks| report::leak_point_json(asked, leaks);
+            let object = |leaks: &Leaks| contact_report::leak_point_json(asked, leaks);
             point.json["leak"] = json!(point.leak.as_ref().map(object));
         }
         let budget = point.budget;

@@ -3,12 +3,12 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, surface_of};
 use crate::watched::quietly;
-use answers::model::{
+use contact_answers::model::{
     Answer, Question, Unasked, answers as asked, failure, measured, object, scene,
 };
-use answers::typed::{Typed, Untyped};
-use answers::{Failure, bodies};
-use compare::{
+use contact_answers::typed::{Typed, Untyped};
+use contact_answers::{Failure, bodies};
+use contact_compare::{
     Body, BuildError, Card, ContactModel, ContactModulus, Input, Inputs, Joint, Level, MaterialUse,
     PairOrigin, Spikes, Theory,
 };
@@ -44,9 +44,9 @@ pub(crate) const WAY_OUT: &str = "give pressure, or what the model needs: rc.Mom
 
 impl Request {
     pub(crate) fn theory(&self) -> Result<&'static dyn Theory, Failure> {
-        compare::find(&self.name).ok_or_else(|| {
+        contact_compare::find(&self.name).ok_or_else(|| {
             let all: Vec<&str> =
-                compare::built_in().iter().map(|t| t.card().name.as_ref()).collect();
+                contact_compare::built_in().iter().map(|t| t.card().name.as_ref()).collect();
             let message =
                 format!("there is no model {:?}; there are {}", self.name, all.join(", "));
             Failure::refused("setting", message)
@@ -84,7 +84,7 @@ impl Request {
             }
         }
         let (hardness, gamma) = (self.hardness, self.gamma);
-        Ok(Inputs { hardness, gamma, poisson: compare::poisson(&self.bodies), ..inputs })
+        Ok(Inputs { hardness, gamma, poisson: contact_compare::poisson(&self.bodies), ..inputs })
     }
 
     /// What the model is made from, of numbers typed in.
@@ -101,7 +101,7 @@ impl Request {
         let typed = typed.with(Input::Gamma, self.gamma);
         let inputs = typed.inputs(card, self.modulus(card)?).map_err(|e| refused(card, &e))?;
         let hardness = inputs.hardness.or(self.hardness);
-        Ok(Inputs { hardness, poisson: compare::poisson(&self.bodies), ..inputs })
+        Ok(Inputs { hardness, poisson: contact_compare::poisson(&self.bodies), ..inputs })
     }
 
     pub(crate) fn questions(&self) -> Vec<Question> {
@@ -160,7 +160,7 @@ impl Made {
     fn of(
         request: &Request,
         card: &Card,
-        surface: Option<(compare::Surface, crate::surface::Facts)>,
+        surface: Option<(contact_compare::Surface, crate::surface::Facts)>,
         laid: Option<Laid>,
     ) -> Result<Self, Failure> {
         let Some((mut surface, facts)) = surface else {
@@ -196,7 +196,7 @@ impl Made {
 
 fn answer(
     request: &Request,
-    surface: Option<(compare::Surface, crate::surface::Facts)>,
+    surface: Option<(contact_compare::Surface, crate::surface::Facts)>,
     laid: Option<Laid>,
 ) -> Result<Answered, Failure> {
     let theory = request.theory()?;
@@ -208,16 +208,16 @@ fn answer(
     let found = asked(theory, &inputs, &questions, joint).map_err(|e| e.failure(WAY_OUT))?;
     let mut json = object(card, (&inputs, joint), &questions, &found, None);
     let mut findings = scene(theory.card(), &inputs, &found, rows).findings();
-    findings.extend(compare::spiky(&spikes, None));
-    findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
+    findings.extend(contact_compare::spiky(&spikes, None));
+    findings.extend(pair.as_ref().map(contact_compare::of_pair).into_iter().flatten());
     findings.sort_by_key(|f| f.weight);
-    json["findings"] = report::findings_json(&findings);
+    json["findings"] = contact_report::findings_json(&findings);
     json["level"] = json!(level);
-    json["cleaning"] = report::cleaning_json(&cleaned);
-    json["pair"] = pair.as_ref().map_or(serde_json::Value::Null, report::pair_json);
-    json["bodies"] = report::bodies_json(pair.as_ref(), &request.bodies);
+    json["cleaning"] = contact_report::cleaning_json(&cleaned);
+    json["pair"] = pair.as_ref().map_or(serde_json::Value::Null, contact_report::pair_json);
+    json["bodies"] = contact_report::bodies_json(pair.as_ref(), &request.bodies);
     if !request.materials.is_empty() {
-        json["materials"] = report::materials_json(&request.materials);
+        json["materials"] = contact_report::materials_json(&request.materials);
     }
     Ok((json.to_string(), trouble(&found)))
 }
@@ -260,7 +260,11 @@ impl Closed {
     ) -> (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>) {
         let asked: Vec<f64> = pressures.as_array().iter().copied().collect();
         let (areas, gaps): (Vec<f64>, Vec<f64>) = py.detach(|| {
-            let one = |&p: &f64| match compare::at_pressure(&self.title, self.model.as_ref(), p) {
+            let one = |&p: &f64| match contact_compare::at_pressure(
+                &self.title,
+                self.model.as_ref(),
+                p,
+            ) {
                 Ok(state) => (state.area_fraction, state.mean_gap.unwrap_or(f64::NAN)),
                 Err(_) => (f64::NAN, f64::NAN),
             };

@@ -5,8 +5,8 @@ use pyo3::prelude::pymodule;
 /// Private: use the package `rough_contact`.
 #[pymodule]
 mod _rough_contact {
-    use answers::quantity::{parse as one, parse_list as several};
-    use answers::units::Dimension;
+    use contact_answers::quantity::{parse as one, parse_list as several};
+    use contact_answers::units::Dimension;
     use pyo3::prelude::*;
 
     #[pymodule_export]
@@ -46,42 +46,43 @@ mod _rough_contact {
         };
         let found =
             if many { several(text, dimension) } else { one(text, dimension).map(|v| vec![v]) };
-        let refused = |e| crate::failure::raise(&answers::Failure::refused("unit", format!("{e}")));
-        found.map_err(|e: answers::quantity::QuantityError| refused(e))
+        let refused =
+            |e| crate::failure::raise(&contact_answers::Failure::refused("unit", format!("{e}")));
+        found.map_err(|e: contact_answers::quantity::QuantityError| refused(e))
     }
 
     /// A fraction and the ends between which it lies, in per cent.
     #[pyfunction]
     fn percent_within(fraction: f64, interval: Option<[f64; 2]>) -> String {
-        plain(&report::numbers::percent_within(fraction, interval))
+        plain(&contact_report::numbers::percent_within(fraction, interval))
     }
 
     /// A pressure (Pa) and the ends between which it lies; a dash where there is none.
     #[pyfunction]
     fn pressure_within(pascals: Option<f64>, interval: Option<[f64; 2]>) -> String {
-        use report::numbers::{PASCALS, quantity_within};
+        use contact_report::numbers::{PASCALS, quantity_within};
         pascals.map_or("–".to_owned(), |p| plain(&quantity_within(p, interval, PASCALS)))
     }
 
     /// E* (Pa), and which bodies press on each other.
     #[pyfunction]
     fn bodies_line(modulus: f64, bodies: &str) -> PyResult<String> {
-        let bodies: Vec<compare::Body> =
+        let bodies: Vec<contact_compare::Body> =
             serde_json::from_str(bodies).map_err(|e| crate::failure::bug(&e))?;
-        Ok(report::bodies_line(modulus, &bodies))
+        Ok(contact_report::bodies_line(modulus, &bodies))
     }
 
     /// With the spaces of a terminal.
     fn plain(text: &str) -> String {
-        text.replace(report::numbers::SPACE, " ")
+        text.replace(contact_report::numbers::SPACE, " ")
     }
 
     /// Contact modulus, elastic bodies, hardness and what was taken from the table of materials, as JSON.
     #[pyfunction]
     fn bodies(given: &str) -> PyResult<String> {
-        let given: answers::bodies::BothGiven =
+        let given: contact_answers::bodies::BothGiven =
             serde_json::from_str(given).map_err(|e| crate::failure::bug(&e))?;
-        let nothing = || answers::Failure::refused("material", "no body is given");
+        let nothing = || contact_answers::Failure::refused("material", "no body is given");
         let found = given.resolve().and_then(|found| found.ok_or_else(nothing));
         let found = found.map_err(|e| crate::failure::raise(&e))?;
         Ok(serde_json::json!({
@@ -95,7 +96,8 @@ mod _rough_contact {
     #[pyfunction]
     #[pyo3(signature = (along, seal))]
     fn leak(along: Option<&str>, seal: [Option<f64>; 4]) -> PyResult<String> {
-        let found = answers::leak_asked(along, seal).map_err(|e| crate::failure::raise(&e))?;
+        let found =
+            contact_answers::leak_asked(along, seal).map_err(|e| crate::failure::raise(&e))?;
         Ok(serde_json::json!(found).to_string())
     }
 
@@ -103,15 +105,15 @@ mod _rough_contact {
     #[pyfunction]
     fn material(name: Option<&str>) -> PyResult<String> {
         let Some(name) = name else {
-            let names: Vec<&str> = compare::materials().iter().map(|m| m.name).collect();
+            let names: Vec<&str> = contact_compare::materials().iter().map(|m| m.name).collect();
             return Ok(serde_json::json!(names).to_string());
         };
-        let found = compare::material(name).map_err(|unknown| {
+        let found = contact_compare::material(name).map_err(|unknown| {
             let message =
                 format!("{name} is not in the table; near it: {}", unknown.near.join(", "));
-            crate::failure::raise(&answers::Failure::refused("material", message))
+            crate::failure::raise(&contact_answers::Failure::refused("material", message))
         })?;
-        Ok(report::material_json(found, &compare::Property::ALL).to_string())
+        Ok(contact_report::material_json(found, &contact_compare::Property::ALL).to_string())
     }
 
     #[pymodule_init]

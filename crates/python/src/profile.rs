@@ -5,16 +5,16 @@ use crate::model::{Answered, Request};
 use crate::reading::{Reading, Unread, rule, unmade};
 use crate::surface::{Facts, array, form, measurement};
 use crate::watched::quietly;
-use answers::model::of_profile;
-use answers::{Failure, Traces};
-use compare::{
+use contact_answers::model::of_profile;
+use contact_answers::{Failure, Traces};
+use contact_compare::{
     Cleaning, Level, Origin, ProfileComparison, ProfileSurface, Registry, RunFile, RunSurface,
     Settings,
 };
+use contact_report::Provenance;
 use numpy::ndarray::Axis;
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
-use report::Provenance;
 use std::collections::BTreeMap;
 use std::path::Path;
 use surface_io::Measurement;
@@ -136,7 +136,7 @@ pub(crate) fn profile_model(
             |inputs| Ok((request.complete(theory.card(), inputs)?, request.questions(), None)),
             |unasked| unasked.failure(crate::model::WAY_OUT),
         )?;
-        found.json["bodies"] = report::bodies_json(None, &request.bodies);
+        found.json["bodies"] = contact_report::bodies_json(None, &request.bodies);
         Ok((found.json.to_string(), crate::model::trouble(&found.answers)))
     })?;
     found.map_err(|e| raise(&e))
@@ -176,7 +176,7 @@ pub(crate) fn profile_study(
         let studies = given.into_iter().map(study).collect::<Result<Vec<_>, _>>();
         let studies = studies.map_err(|e| Failure::from_error(&e))?;
         let made = Provenance::here("rough-contact compare --from run.toml --out again");
-        answers::profile_documents(&studies, &made, &run_file)
+        contact_answers::profile_documents(&studies, &made, &run_file)
     })?;
     let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
     let files = found.map_err(|e| raise(&e))?;

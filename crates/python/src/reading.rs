@@ -1,8 +1,8 @@
 //! What is said of a file before it is read, and why it may give no surface.
 
 use crate::failure::raise;
-use answers::{Complete, Failure, Incomplete};
-use compare::{FileOrigin, Origin};
+use contact_answers::{Complete, Failure, Incomplete};
+use contact_compare::{FileOrigin, Origin};
 use pyo3::PyErr;
 use pyo3::exceptions::PyOSError;
 use serde::{Deserialize, Serialize};
@@ -192,6 +192,6 @@ pub(crate) fn filled(
     measurement: Measurement,
     how: &Reading,
 ) -> Result<Complete, Failure> {
-    let found = answers::complete(measurement, how.file.cleaning, rule(&how.file.fill)?);
+    let found = contact_answers::complete(measurement, how.file.cleaning, rule(&how.file.fill)?);
     found.map_err(|e| unmade(path, &e, how))
 }

@@ -3,13 +3,13 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, array, surface_of};
 use crate::watched::{News, Outcome, Reporter, quietly, watched};
-use answers::{Failure, Question, Subject, Watch, bodies};
-use compare::Request as Accuracy;
-use compare::{
+use contact_accuracy::Ladder;
+use contact_answers::{Failure, Question, Subject, Watch, bodies};
+use contact_compare::Request as Accuracy;
+use contact_compare::{
     Body, EdgesName, Iteration, Joint, Leak, Level, Load, MaterialUse, Method, Origin, Precision,
     Solution, Surface, WorkOfAdhesion, labelled_spots,
 };
-use contact_accuracy::Ladder;
 use contact_types::Grid;
 use fft_bem_solver::{Boundary, FreeHalfSpace, HalfSpace};
 use numpy::{PyArray2, PyReadonlyArray2};
@@ -66,7 +66,7 @@ impl Request {
         let loads = match kind.as_str() {
             "gap" => values.iter().map(|&g| Load::MeanGap(g)).collect(),
             "load" => {
-                let spread = spread.insert(answers::loads::Spread::of(
+                let spread = spread.insert(contact_answers::loads::Spread::of(
                     values,
                     self.area,
                     surface.heights.grid().area(),
@@ -317,7 +317,7 @@ pub(crate) fn solve<'py>(
         };
         maps.push((index, of(pressure)?, of(gap)?));
     }
-    let unmet = answer.plan.as_ref().and_then(|plan| answers::unmet("", plan));
+    let unmet = answer.plan.as_ref().and_then(|plan| contact_answers::unmet("", plan));
     let trouble = answer.trouble.into_iter().chain(unmet).reduce(Failure::and);
     let trouble = trouble.map(|t| (t.kind().to_owned(), t.message().to_owned()));
     Ok((answer.json.to_string(), maps, trouble, stopped_by))

@@ -3,15 +3,15 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, surface_of};
 use crate::watched::{News, Outcome, watched};
-use answers::Failure;
-use compare::{
+use contact_answers::Failure;
+use contact_compare::{
     BuildError, Card, Citation, Comparison, ContactModel, ContactState, CurvePoint, Inputs,
     ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError, Surface,
     Tabulated, Theory,
 };
+use contact_report::Provenance;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
-use report::Provenance;
 use serde::Deserialize;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -132,20 +132,22 @@ impl Theory for Given {
 /// Every built-in model that a study asks, as JSON.
 #[pyfunction]
 pub(crate) fn models() -> String {
-    let all = compare::built_in().iter().map(|theory| answers::models::card(theory.card()));
+    let all = contact_compare::built_in()
+        .iter()
+        .map(|theory| contact_answers::models::card(theory.card()));
     serde_json::Value::Array(all.collect()).to_string()
 }
 
 /// Every number that a model may be made from, as JSON: its name, unit, and what it is.
 #[pyfunction]
 pub(crate) fn model_inputs() -> String {
-    serde_json::json!(compare::INPUTS).to_string()
+    serde_json::json!(contact_compare::INPUTS).to_string()
 }
 
 /// Nominal pressures (Pa) for a surface nobody chose loads for.
 #[pyfunction]
 pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {
-    compare::default_pressures(modulus, rms_gradient)
+    contact_compare::default_pressures(modulus, rms_gradient)
 }
 
 /// Files by name; what went wrong, as kind and message; the exception that stopped it.
@@ -181,7 +183,7 @@ pub(crate) fn study(
         times.insert(own.name.clone(), own.seconds.clone());
         let theory = Given::of(own).map_err(|e| raise(&e))?;
         let refused = |e| raise(&Failure::refused("model", format!("{e}")));
-        registry = registry.with(theory).map_err(|e: compare::NotRegistered| refused(e))?;
+        registry = registry.with(theory).map_err(|e: contact_compare::NotRegistered| refused(e))?;
     }
     let threads = settings.threads;
     let Outcome { value, stopped_by } = watched(py, threads, progress, move |reporter| {
@@ -247,7 +249,7 @@ fn run(
     settings: Settings,
     registry: &Registry,
     (runs, times): (Vec<RunSurface>, &Times),
-    listen: &mut compare::Listener<'_>,
+    listen: &mut contact_compare::Listener<'_>,
 ) -> Result<(Files, Option<Failure>), Failure> {
     let failed = |e: StudyError| Failure::from_error(&e);
     let run_file = RunFile {
@@ -256,7 +258,7 @@ fn run(
         surfaces: runs,
     };
     let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
-    answers::look_around(&mut found, listen)?;
+    contact_answers::look_around(&mut found, listen)?;
     for surface in &mut found.surfaces {
         for model in &mut surface.models {
             let seconds = times.get(model.card.name.as_ref()).and_then(|t| t.get(&surface.name));
@@ -268,7 +270,7 @@ fn run(
     }
     let made = Provenance::here("rough-contact compare --from run.toml --out again");
     let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
-    let documents = answers::documents(&found, &made, &run_file)?;
+    let documents = contact_answers::documents(&found, &made, &run_file)?;
     let files = documents.into_iter().map(|(name, bytes)| (name.to_owned(), text(bytes))).collect();
-    Ok((files, answers::not_met(&found)))
+    Ok((files, contact_answers::not_met(&found)))
 }

@@ -1,17 +1,17 @@
 //! Many studies on one page.
 
 use crate::failure::{bug, raise};
-use answers::Failure;
-use compare::Settings;
+use contact_answers::Failure;
+use contact_compare::Settings;
+use contact_report::{Provenance, Summary};
 use pyo3::prelude::*;
-use report::{Provenance, Summary};
 use serde_json::Value;
 
 /// What a page over many maps keeps of a surface of `results.json`; both as JSON.
 #[pyfunction]
 pub(crate) fn digest(surface: &str) -> PyResult<String> {
     let surface: Value = serde_json::from_str(surface).map_err(|e| bug(&e))?;
-    Ok(report::digest(&surface).to_string())
+    Ok(contact_report::digest(&surface).to_string())
 }
 
 /// The page over many maps: names and digests, names and reasons of those without an answer, what was asked, as JSON, and
@@ -34,7 +34,7 @@ pub(crate) fn summary(
     let summary = Summary { maps, failed, settings: &settings, seconds };
     let made = Provenance::here("rough_contact.summary in Python");
     let mut page = Vec::new();
-    report::write_summary_html(&summary, &made, &mut page)
+    contact_report::write_summary_html(&summary, &made, &mut page)
         .map_err(|e| raise(&Failure::incomplete("output", e.to_string())))?;
     Ok(String::from_utf8_lossy(&page).into_owned())
 }

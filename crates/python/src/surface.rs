@@ -3,8 +3,8 @@
 use crate::failure::{bug, raise};
 use crate::reading::{Reading, Unread, filled};
 use crate::watched::quietly;
-use answers::{Complete, Failure};
-use compare::{Cleaning, GivenOrigin, Level, Origin, Placing, Recipe, Surface, Unevenness};
+use contact_answers::{Complete, Failure};
+use contact_compare::{Cleaning, GivenOrigin, Level, Origin, Placing, Recipe, Surface, Unevenness};
 use contact_types::{Grid, HeightMap};
 use numpy::ndarray::{Array2, ArrayView2};
 use numpy::{Element, PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -138,7 +138,7 @@ impl Laid {
         if first.name == self.second.name
             && let (Origin::File(a), Origin::File(b)) = (&first.origin, &self.second.origin)
         {
-            let mut names = answers::told_apart(&[&a.path, &b.path]).into_iter();
+            let mut names = contact_answers::told_apart(&[&a.path, &b.path]).into_iter();
             for body in [&mut first, &mut self.second] {
                 body.name = names.next().unwrap_or_default();
             }
@@ -181,7 +181,7 @@ fn made<'py>(
     let shape = map.grid().shape();
     let mut shown = json!({
         "name": facts.name, "pixel": facts.pixel, "missing": facts.missing, "fill": facts.fill,
-        "height_step": facts.height_step, "cleaning": report::cleaning_json(&facts.cleaned),
+        "height_step": facts.height_step, "cleaning": contact_report::cleaning_json(&facts.cleaned),
     });
     if let (Some(shown), Some(said)) = (shown.as_object_mut(), said.as_object()) {
         shown.extend(said.clone());
@@ -206,7 +206,7 @@ pub(crate) fn read<'py>(
     let found = quietly(py, threads, move || {
         let (how, path, at) = (asked, &file, Path::new(&file));
         let measurement = how.measurement(at)?;
-        let said = answers::info(&measurement);
+        let said = contact_answers::info(&measurement);
         if measurement.is_profile() {
             let message = format!(
                 "{path}: this is a profile, and a surface has no deterministic answer from one line of it; \
@@ -245,7 +245,7 @@ pub(crate) fn info(
     let at = Path::new(path);
     let file = path.to_owned();
     let found = quietly(py, 1, move || {
-        how.measurement(Path::new(&file)).map(|m| answers::info(&m).to_string())
+        how.measurement(Path::new(&file)).map(|m| contact_answers::info(&m).to_string())
     })?;
     found.map_err(|e| e.raise(at))
 }

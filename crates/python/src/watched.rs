@@ -4,7 +4,7 @@
 //! the threads that rayon shares between all its users are never started: a forked child would wait for them for ever.
 
 use crate::failure::{Refused, bug};
-use compare::Iteration;
+use contact_compare::Iteration;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};

@@ -1,7 +1,7 @@
 //! What a contact conducts, for other programs. SI units.
 
 use crate::words::conduction::{conductance, kinds};
-use compare::{Conducted, Estimate, GapGas, SurfaceComparison};
+use contact_compare::{Conducted, Estimate, GapGas, SurfaceComparison};
 use serde_json::{Map, Value, json};
 
 /// What a joint conducts, as keys of a point: `electrical_conductance` (S/m²),

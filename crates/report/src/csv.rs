@@ -2,7 +2,7 @@
 
 use crate::lines::Lines;
 use crate::words::conduction::{conductance, kinds};
-use compare::{Comparison, Conductance, Settings, SurfaceComparison};
+use contact_compare::{Comparison, Conductance, Settings, SurfaceComparison};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -139,7 +139,7 @@ fn write_surface(
 ///
 /// # Errors
 /// Whatever the writer reports.
-pub fn write_spots(spots: &[compare::Spot], out: &mut impl Write) -> io::Result<()> {
+pub fn write_spots(spots: &[contact_compare::Spot], out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "area (m^2),load (N),x (m),y (m),mean_pressure (Pa),max_pressure (Pa),points")?;
     for spot in spots {
         let [y, x] = spot.centroid;

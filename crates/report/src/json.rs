@@ -5,10 +5,10 @@ use crate::provenance::Provenance;
 use crate::words;
 use crate::words::finding::finding;
 use crate::words::plan as plan_words;
-use compare::{
+use contact_accuracy::{Reached, Request};
+use contact_compare::{
     Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
 };
-use contact_accuracy::{Reached, Request};
 use contact_types::{ContactState, ModelError};
 use serde_json::{Value, json};
 use std::io::Write;
@@ -71,7 +71,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "pair": s.origin.pair().map(crate::pair_json::pair),
         "bodies": crate::pair_json::bodies(s.origin.pair(), &settings.bodies),
         "cleaning": cleaning(s.origin.cleaned()),
-        "findings": findings(&compare::findings(s)),
+        "findings": findings(&contact_compare::findings(s)),
         "statistics": statistics(&s.statistics),
         "inputs": {
             "moments": s.inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })),
@@ -116,8 +116,8 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         },
         "conduction": crate::conduction_json::conduction(s),
         "leak": crate::leak_json::of_study(s, comparison),
-        "plasticity": compare::hardness_of(s).map(|h| h.indices(s.inputs.asperities())),
-        "elastic_limit": compare::elastic_limit(s),
+        "plasticity": contact_compare::hardness_of(s).map(|h| h.indices(s.inputs.asperities())),
+        "elastic_limit": contact_compare::elastic_limit(s),
         "adhesion": s.adhesion,
         "elastic": settings.hardness.map(|_| json!({
             "points": s.elastic.iter().map(point).collect::<Vec<_>>(),

@@ -1,7 +1,7 @@
 //! The leak through the gap, for other programs. SI units.
 
-use compare::{Comparison, Leak, SurfaceComparison};
 use contact_accuracy::{Leak as AxisLeak, Leaks, NotSolved};
+use contact_compare::{Comparison, Leak, SurfaceComparison};
 use serde_json::{Map, Value, json};
 
 /// What was asked, and whether the gap is that of bodies that yield.

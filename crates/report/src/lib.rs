@@ -27,7 +27,7 @@ mod table_csv;
 mod words;
 mod yield_json;
 
-pub use compare; // whose results are written here
+pub use contact_compare as compare; // whose results are written here
 
 pub use budget_json::keys as budget_keys;
 pub use conduction_json::{gas as gas_json, keys as conducted_keys};

@@ -3,7 +3,9 @@
 use crate::draw::palette::{ELASTIC_LOOK, Look};
 use crate::looks::look;
 use crate::numbers::{NEWTONS, PASCALS, Unit, signed_range, significant, unit_for};
-use compare::{DeterministicAnswer, DeterministicPoint, ModelComparison, SurfaceComparison};
+use contact_compare::{
+    DeterministicAnswer, DeterministicPoint, ModelComparison, SurfaceComparison,
+};
 
 /// Error within which a closed form counts as an answer.
 pub(crate) const WANTED: f64 = 0.10;

@@ -6,7 +6,7 @@ use crate::draw::palette::{
     STACKED,
 };
 use crate::draw::svg::escape;
-use compare::Card;
+use contact_compare::Card;
 
 /// Name, look, and inputs as HTML symbols.
 const LOOKS: [(&str, Look, &str); 14] = [
@@ -71,7 +71,7 @@ pub(crate) fn inputs_html(card: &Card) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use compare::{Registry, Theory};
+    use contact_compare::{Registry, Theory};
 
     /// Models that have a look are drawn in a way of their own; strangers differ from all of them.
     #[test]

@@ -1,6 +1,6 @@
 //! A pair of bodies as an object.
 
-use compare::{Body, PairOrigin};
+use contact_compare::{Body, PairOrigin};
 use contact_types::SpectralMoments;
 use serde_json::{Value, json};
 

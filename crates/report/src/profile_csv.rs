@@ -1,6 +1,6 @@
 //! `curves.csv` of profiles: one row per surface and load.
 
-use compare::ProfileComparison;
+use contact_compare::ProfileComparison;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 

@@ -3,7 +3,7 @@
 use crate::json::{cleaning, findings, warned};
 use crate::provenance::Provenance;
 use crate::words::reason_of;
-use compare::{ProfileComparison, ProfileModel, Unevenness};
+use contact_compare::{ProfileComparison, ProfileModel, Unevenness};
 use contact_types::SpectralMoments;
 use serde_json::{Value, json};
 use surface_stats::profile::{ParameterMean, ProfileStatistics, Setting, SettingSource};

@@ -1,6 +1,6 @@
 //! What has yielded, as keys of a point: the same for `solve` and `compare`.
 
-use compare::Yielded;
+use contact_compare::Yielded;
 use serde_json::{Map, Value, json};
 
 /// Names of the keys.

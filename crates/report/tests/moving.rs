@@ -6,7 +6,7 @@ mod studies;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use compare::{Load, Solver, SurfaceComparison};
+use contact_compare::{Load, Solver, SurfaceComparison};
 use serde_json::Value;
 use studies::{all, html, one, yielding};
 
@@ -78,7 +78,7 @@ fn the_moving_map_is_the_contact_of_every_load() {
 
 /// Solved once more with whole maps: the section of the page is their row at every load, gaps to half a step
 /// of what 16 bits hold, its flat the mean gap.
-fn holds_the_row(surface: &SurfaceComparison, page: &str, settings: &compare::Settings) {
+fn holds_the_row(surface: &SurfaceComparison, page: &str, settings: &contact_compare::Settings) {
     let facts = facts(page.split("<span class=\"cut\"").nth(1).unwrap());
     let map = surface.solved_map();
     let [ny, nx] = map.grid().shape();
@@ -109,8 +109,8 @@ fn holds_the_row(surface: &SurfaceComparison, page: &str, settings: &compare::Se
     for (load, point) in surface.deterministic.iter().enumerate() {
         let found = solver.solve(map, Load::MeanPressure(point.mean_pressure)).unwrap();
         holds_the_pressure(&found.pressure, page, load, load == surface.headline, &tops[load]);
-        let spots = compare::spot_list(&found.pressure, map.grid(), true);
-        let again = compare::Distributions::of(&found.pressure, &found.gap, &spots);
+        let spots = contact_compare::spot_list(&found.pressure, map.grid(), true);
+        let again = contact_compare::Distributions::of(&found.pressure, &found.gap, &spots);
         assert!(again.as_ref().is_some_and(|d| d.gap.is_some()));
         assert_eq!(surface.distributions[load], again, "load {load}");
         let flat = facts["flats"][load].as_f64().unwrap();

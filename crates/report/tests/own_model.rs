@@ -3,12 +3,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-use compare::{
+use contact_compare::{
     BuildError, Card, Comparison, CurvePoint, Inputs, Progress, Registry, Settings, StudyError,
     Surface, Tabulated, Theory,
 };
+use contact_report::{Provenance, write_csv, write_html, write_json};
 use contact_types::{Citation, ContactModel, ContactState, Grid, HeightMap, ModelError};
-use report::{Provenance, write_csv, write_html, write_json};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 

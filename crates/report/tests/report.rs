@@ -5,9 +5,9 @@
 
 mod studies;
 
-use compare::{Comparison, FileOrigin, Origin, Settings, Surface, built_in_recipes};
+use contact_compare::{Comparison, FileOrigin, Origin, Settings, Surface, built_in_recipes};
+use contact_report::{write_area_svg, write_csv, write_json, write_pressure_svg};
 use contact_types::{Grid, HeightMap};
-use report::{write_area_svg, write_csv, write_json, write_pressure_svg};
 use std::collections::HashMap;
 use studies::{all, hostile, html, one, provenance, run, small, three, yielding};
 

@@ -5,7 +5,7 @@ use crate::outcome::Failure;
 use crate::quantity::{self, QuantityError};
 use crate::units::Dimension;
 use clap::Args;
-use compare::WorkOfAdhesion;
+use rough_contact::compare::WorkOfAdhesion;
 
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct Adhesion {

@@ -6,9 +6,9 @@ use crate::quantity::{self, QuantityError};
 use crate::units::Dimension;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use compare::built_in;
-use compare::{EdgesName, Flip, Level, Method, Precision};
-use surface_io::{DecimalMark, Layout};
+use rough_contact::compare::built_in;
+use rough_contact::compare::{EdgesName, Flip, Level, Method, Precision};
+use rough_contact::surface_io::{DecimalMark, Layout};
 
 /// Options of every command.
 #[derive(Args)]

@@ -6,7 +6,7 @@ use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::progress::Progress;
 use crate::rows::{self, Outcome, Shown};
-use compare::sha256_hex;
+use rough_contact::compare::sha256_hex;
 use serde_json::{Value, json};
 use std::fmt::{Debug, Write as _};
 use std::io::Write as _;

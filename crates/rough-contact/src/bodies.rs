@@ -2,9 +2,9 @@
 
 use crate::args::{number, pressure};
 use crate::outcome::Failure;
-use answers::bodies::{self, BothGiven};
 use clap::Args;
-use compare::STEEL;
+use rough_contact::answers::bodies::{self, BothGiven};
+use rough_contact::compare::STEEL;
 
 /// The elastic constants, given or those of the table.
 #[derive(Args, Clone, Debug)]

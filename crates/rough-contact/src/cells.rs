@@ -3,9 +3,9 @@
 use crate::conduction;
 use crate::loads::shown;
 use crate::text;
-use answers::Point;
-use contact_accuracy::{Given, RealPressure};
-use fft_bem_solver::Yielded;
+use rough_contact::answers::Point;
+use rough_contact::contact_accuracy::{Given, RealPressure};
+use rough_contact::fft_bem_solver::Yielded;
 
 /// The cells of its row; `has_spot` if one spot is among what is conducted.
 pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {

@@ -3,8 +3,8 @@
 use crate::args;
 use crate::outcome::Failure;
 use clap::Args;
-use compare::Cleaning;
-use surface_stats::clean::Form;
+use rough_contact::compare::Cleaning;
+use rough_contact::surface_stats::clean::Form;
 
 /// Done in this order on the valid points, before missing points are filled.
 #[derive(Args, Clone, Copy, Debug, Default)]

@@ -7,9 +7,11 @@ use crate::output::Folder;
 use crate::profile_stats::plain;
 use crate::profiles::uneven_line;
 use crate::text::{self, Columns};
-use compare::{EdgesName, ProfileComparison, ProfileSurface, Registry, RunFile, Settings};
-use contact_types::ContactState;
-use report::Provenance;
+use rough_contact::compare::{
+    EdgesName, ProfileComparison, ProfileSurface, Registry, RunFile, Settings,
+};
+use rough_contact::contact_types::ContactState;
+use rough_contact::report::Provenance;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
@@ -40,7 +42,7 @@ pub(crate) fn run(
     common: &Common,
 ) -> Result<Reply, Failure> {
     refuse_solver(settings)?;
-    let names = answers::profile_documents_named(surfaces.len());
+    let names = rough_contact::answers::profile_documents_named(surfaces.len());
     let folder = Folder::prepare(out, &names, common.force)?;
     let registry = Registry::built_in();
     let mut studies = Vec::with_capacity(surfaces.len());
@@ -51,7 +53,7 @@ pub(crate) fn run(
     let provenance = Provenance::here(repeat(folder.path()));
     let mut reply = Reply::new(
         describe(&studies, folder.path()),
-        report::profile_comparison_json(&studies, &provenance),
+        rough_contact::report::profile_comparison_json(&studies, &provenance),
     );
     if let Err(failure) = write(&folder, &studies, &provenance, run_file) {
         reply.trouble = Some(failure);
@@ -65,7 +67,7 @@ fn write(
     provenance: &Provenance,
     run_file: &RunFile,
 ) -> Result<(), Failure> {
-    for (name, bytes) in answers::profile_documents(studies, provenance, run_file)? {
+    for (name, bytes) in rough_contact::answers::profile_documents(studies, provenance, run_file)? {
         folder.write(&name, |out| out.write_all(&bytes))?;
     }
     Ok(())
@@ -78,7 +80,7 @@ fn describe(studies: &[ProfileComparison], folder: &Path) -> String {
         out.push_str(&against::lines(None, Some(made_of)));
     }
     for study in studies {
-        let headline = plain(&report::profile_headline(study));
+        let headline = plain(&rough_contact::report::profile_headline(study));
         let _ = writeln!(out, "{}: {headline}", study.name); // a String takes everything
         out.push_str(&text::cleaning(study.origin.cleaned()));
         out.push_str(&uneven_line(study.uneven));

@@ -8,10 +8,10 @@ use crate::outcome::{Failure, Reply};
 use crate::output;
 use crate::text::{self, Table};
 use clap::Args;
-use compare::Level;
+use rough_contact::compare::Level;
+use rough_contact::surface_stats::level;
 use serde_json::json;
 use std::path::PathBuf;
-use surface_stats::level;
 
 #[derive(Args)]
 pub(crate) struct Convert {
@@ -74,7 +74,7 @@ impl Convert {
             "level": form.name(),
             "height_min": low,
             "height_max": high,
-            "cleaning": report::cleaning_json(&cleaned),
+            "cleaning": rough_contact::report::cleaning_json(&cleaned),
         });
         Ok(Reply::new(text::cleaning(&cleaned) + &table.to_string(), json))
     }

@@ -1,10 +1,10 @@
 //! Maps out, in the format that a file name asks for.
 
 use crate::outcome::Failure;
-use contact_types::HeightMap;
+use rough_contact::contact_types::HeightMap;
+use rough_contact::surface_io::write;
 use std::io::{Seek, Write};
 use std::path::Path;
-use surface_io::write;
 
 /// What a file name asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

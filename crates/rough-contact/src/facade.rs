@@ -1,7 +1,7 @@
 //! The calls of the Python package, in Rust.
 
-use compare::{Comparison, Registry, Settings, StudyError, Surface};
 use contact_accuracy::{Answered, Ladder, LadderError, Setup};
+use contact_compare::{Comparison, Registry, Settings, StudyError, Surface};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Solver};
 use std::ops::ControlFlow;

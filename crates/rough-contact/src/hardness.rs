@@ -1,11 +1,11 @@
 //! `--hardness`: what is said of a contact that yields, beside its numbers.
 
 use crate::text;
-use answers::unusual_hardness;
-use compare::{BULK_YIELD, Hardness, typical_hardness};
+use rough_contact::answers::unusual_hardness;
+use rough_contact::compare::{BULK_YIELD, Hardness, typical_hardness};
+use rough_contact::surface_stats::SurfaceStatistics;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
-use surface_stats::SurfaceStatistics;
 
 /// Headings of the table.
 pub(crate) const HEADINGS: [&str; 2] = ["area at H", "load at H"];

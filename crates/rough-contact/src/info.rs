@@ -9,9 +9,9 @@ use crate::outcome::{Failure, Reply};
 use crate::rows::{How, Shown};
 use crate::text::{self, Table};
 use clap::Args;
+use rough_contact::surface_io::{FORMATS, Measurement, Need};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use surface_io::{FORMATS, Measurement, Need};
 
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Info {
@@ -68,7 +68,7 @@ impl PerFile for Info {
 }
 
 fn object(m: &Measurement) -> Value {
-    let mut json = answers::info(m);
+    let mut json = rough_contact::answers::info(m);
     json["ambiguity"] = json!(m.ambiguity().map(needs::reading));
     json
 }

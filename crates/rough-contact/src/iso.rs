@@ -1,8 +1,8 @@
 //! Areal parameters of ISO 25178-2 for `stats --iso`, as a table.
 
 use crate::text::{self, Table};
-use answers::Iso;
-use surface_stats::iso25178::Volumes;
+use rough_contact::answers::Iso;
+use rough_contact::surface_stats::iso25178::Volumes;
 
 /// The parameters as a table.
 pub(crate) fn describe(iso: &Iso) -> String {

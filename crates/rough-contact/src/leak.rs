@@ -6,8 +6,8 @@ use crate::quantity::{self, QuantityError};
 use crate::text::{self, Columns};
 use crate::units::Dimension;
 use clap::Args;
-use compare::Leak;
-use contact_accuracy::Leaks;
+use rough_contact::compare::Leak;
+use rough_contact::contact_accuracy::Leaks;
 use std::fmt::Write as _;
 
 #[derive(Args, Clone, Debug, Default)]
@@ -37,7 +37,7 @@ impl LeakOptions {
     /// What is asked of the gap.
     pub(crate) fn asked(&self) -> Result<Option<Leak>, Failure> {
         let Self { leak, viscosity, pressure_drop, seal_length, seal_width } = self;
-        answers::leak_asked(
+        rough_contact::answers::leak_asked(
             leak.as_deref(),
             [*viscosity, *pressure_drop, *seal_length, *seal_width],
         )
@@ -115,7 +115,7 @@ pub(crate) fn lines<'a>(
         "leak: Reynolds' equation on the gap, Q = K W Δp/(12 η L), {flow}; of the same gap ⟨g⟩³ in {mean}, Bruggeman in \
          {bruggeman}"
     );
-    for note in report::leak_notes(&all, modulus, yields) {
+    for note in rough_contact::report::leak_notes(&all, modulus, yields) {
         let _ = writeln!(out, "{note}");
     }
     out

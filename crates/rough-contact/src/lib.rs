@@ -2,21 +2,27 @@
 
 mod facade;
 
-pub use answers::quantity::{QuantityError, parse as quantity};
-pub use answers::units::Dimension as Quantity;
-pub use compare::{
+pub use contact_accuracy;
+pub use contact_answers as answers;
+pub use contact_compare as compare;
+pub use contact_report as report;
+pub use {contact_types, fft_bem_solver, surface_io, surface_stats};
+
+pub use contact_accuracy::{Answered, Budget, Estimate, Ladder, LadderError, NoUncertainty, Setup};
+pub use contact_answers::quantity::{QuantityError, parse as quantity};
+pub use contact_answers::units::Dimension as Quantity;
+pub use contact_compare::{
     BadCurve, BuildError, Card, Comparison, Conductance, CurvePoint, Inputs, Joint,
     ModelComparison, NotRegistered, Progress, Registry, Settings, StudyError, Surface,
     SurfaceComparison, Tabulated, Theory, built_in,
 };
-pub use contact_accuracy::{Answered, Budget, Estimate, Ladder, LadderError, NoUncertainty, Setup};
+pub use contact_report::{Provenance, ReportError, write_csv, write_html, write_json};
 pub use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic,
     FractalParameters, Grid, HeightMap, ModelError, SpectralMoments, SurfaceError,
 };
 pub use facade::{compare, ladder, solve, statistics};
 pub use fft_bem_solver::{Boundary, Iteration, Load, Solution, Solver, SolverError};
-pub use report::{Provenance, ReportError, write_csv, write_html, write_json};
 pub use surface_io::{Fill, FillError, Measurement, ReadError, ReadOptions, read, read_bytes};
 pub use surface_stats::pair::{Composite, Flip, PairError, Placing};
 pub use surface_stats::synthesis;

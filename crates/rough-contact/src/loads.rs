@@ -4,9 +4,9 @@
 use crate::args::{self, List};
 use crate::outcome::Failure;
 use crate::text;
-pub(crate) use answers::loads::{Spread, positive, rising, shown};
 use clap::Args;
-use fft_bem_solver::Load;
+pub(crate) use rough_contact::answers::loads::{Spread, positive, rising, shown};
+use rough_contact::fft_bem_solver::Load;
 
 /// Loads as forces.
 #[derive(Args, Clone, Debug)]

@@ -55,10 +55,10 @@ mod synth;
 mod text;
 mod validate;
 
-use answers::{quantity, units};
 use args::Common;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use outcome::{Failure, Reply};
+use rough_contact::answers::{quantity, units};
 use std::process::ExitCode;
 
 /// Real area of contact between rough surfaces: closed-form models beside a deterministic

@@ -2,9 +2,9 @@
 //! stands how to give it.
 
 use crate::outcome::Failure;
-use answers::Incomplete;
+use rough_contact::answers::Incomplete;
+use rough_contact::surface_io::{Ambiguity, FillError, Layout, Need, ReadError};
 use std::path::Path;
-use surface_io::{Ambiguity, FillError, Layout, Need, ReadError};
 
 /// The refusal of a file, with the options that would let it be read.
 pub(crate) fn unread(path: &Path, error: &ReadError) -> Failure {

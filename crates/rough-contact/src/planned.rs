@@ -1,9 +1,9 @@
 //! `solve --accuracy` and `--fast`: the rung that was reached.
 
 use crate::outcome::Reply;
-pub(crate) use answers::unmet;
-use compare::Reached;
-use report::plan_explanation;
+pub(crate) use rough_contact::answers::unmet;
+use rough_contact::compare::Reached;
+use rough_contact::report::plan_explanation;
 
 /// Puts the rung into the reply: its line, and the exit status if the accuracy is not met.
 pub(crate) fn state(reached: &Reached, reply: &mut Reply) {

@@ -3,12 +3,12 @@
 use crate::needs;
 use crate::outcome::Failure;
 use crate::text;
-pub(crate) use answers::Traces;
-use compare::{Cleaning, Unevenness};
-use contact_types::HeightMap;
+pub(crate) use rough_contact::answers::Traces;
+use rough_contact::compare::{Cleaning, Unevenness};
+use rough_contact::contact_types::HeightMap;
+use rough_contact::surface_io::{Fill, Measurement};
+use rough_contact::surface_stats::clean::Form;
 use std::path::Path;
-use surface_io::{Fill, Measurement};
-use surface_stats::clean::Form;
 
 /// The traces of a file, at equal distances, cleaned and filled.
 pub(crate) fn traces(

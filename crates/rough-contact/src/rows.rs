@@ -150,5 +150,5 @@ pub(crate) fn common_folder(outcomes: &[Outcome]) -> PathBuf {
 pub(crate) fn csv(outcomes: &[Outcome], out: &mut impl Write) -> io::Result<()> {
     let row = |o: &'_ Outcome| o.file.display().to_string();
     let rows = outcomes.iter().map(|o| (row(o), o.result.as_ref().ok().map(|r| &r.0), o.why()));
-    report::write_table_csv(rows, out)
+    rough_contact::report::write_table_csv(rows, out)
 }

@@ -2,11 +2,11 @@
 
 use crate::http::{self, Head, Refused};
 use crate::outcome::tell;
+use contact_web::{Messages, Place, answer, page_of_program};
 use std::net::{TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
-use web::{Messages, Place, answer, page_of_program};
 
 /// Connections at the same time. A browser opens six.
 const MOST_CONNECTIONS: usize = 16;

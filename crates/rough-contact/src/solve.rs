@@ -19,14 +19,16 @@ use crate::profiles::{self, Traces};
 use crate::progress::Progress;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
-use answers::{Answer, Point, Question, Subject, Watch};
 use clap::Args;
-use compare::{EdgesName, Joint, Level, Method, PairOrigin, Precision, Request, on_threads};
-use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Boundary, Iteration, Load, Solution};
+use rough_contact::answers::{Answer, Point, Question, Subject, Watch};
+use rough_contact::compare::{
+    EdgesName, Joint, Level, Method, PairOrigin, Precision, Request, on_threads,
+};
+use rough_contact::contact_types::{Grid, HeightMap};
+use rough_contact::fft_bem_solver::{Boundary, Iteration, Load, Solution};
+use rough_contact::surface_stats::clean::Record;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use surface_stats::clean::Record;
 
 #[derive(Args, Clone, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "one for each flag of the command")]
@@ -161,7 +163,8 @@ impl PerFile for Solve {
         self.loads.forces.refuse_idle_area(self.conduction.is_asked())?;
         let area = self.loads.forces.area().filter(|_| self.conduction.is_asked());
         let conduction = self.conduction.asked(&mut made_of, area)?;
-        let answers::bodies::Bodies { modulus, bodies, hardness, materials } = made_of;
+        let rough_contact::answers::bodies::Bodies { modulus, bodies, hardness, materials } =
+            made_of;
         let adhesion = self.adhesion.asked()?;
         let leak = self.leak.asked()?;
         let count = self.loads.count()?;

@@ -14,9 +14,9 @@ use crate::rows::{How, Shown};
 use crate::text::{self, Columns, Table};
 use crate::{profile_stats, profiles};
 use clap::Args;
-use compare::{Level, WorkOfAdhesion};
+use rough_contact::compare::{Level, WorkOfAdhesion};
+use rough_contact::surface_stats::{ByDistance, StatsOptions, SurfaceStatistics};
 use std::path::Path;
-use surface_stats::{ByDistance, StatsOptions, SurfaceStatistics};
 
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Stats {
@@ -51,7 +51,7 @@ pub(crate) struct Stats {
 
 /// What the heights are asked of the bodies.
 struct Asked {
-    made_of: answers::bodies::Bodies,
+    made_of: rough_contact::answers::bodies::Bodies,
     adhesion: Option<WorkOfAdhesion>,
 }
 
@@ -130,9 +130,13 @@ impl PerFile for Stats {
             .with_edges(self.boundary.rule())
             .with_missing(missing)
             .with_height_step(height_step);
-        let subject =
-            answers::Measured { path: &self.input.file, cleaned: &cleaned, pair: pair.as_ref() };
-        let mut found = answers::statistics(&map, &options, subject, self.iso, self.scales)?;
+        let subject = rough_contact::answers::Measured {
+            path: &self.input.file,
+            cleaned: &cleaned,
+            pair: pair.as_ref(),
+        };
+        let mut found =
+            rough_contact::answers::statistics(&map, &options, subject, self.iso, self.scales)?;
         if let Some(Asked { made_of, adhesion: Some(given) }) = &asked {
             found.stick(*given, &map, self.level, made_of.modulus, &self.input.file)?;
         }
@@ -153,7 +157,7 @@ impl PerFile for Stats {
             text += &(said + &text::materials(&made_of.materials));
             json["plasticity"] = object;
             if !made_of.materials.is_empty() {
-                json["materials"] = report::materials_json(&made_of.materials);
+                json["materials"] = rough_contact::report::materials_json(&made_of.materials);
             }
         }
         Ok(Reply::new(text, json))

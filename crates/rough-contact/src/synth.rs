@@ -6,10 +6,10 @@ use crate::outcome::{Failure, Reply};
 use crate::output;
 use crate::text::{self, Table};
 use clap::Args;
-use contact_types::{Grid, HeightMap};
+use rough_contact::contact_types::{Grid, HeightMap};
+use rough_contact::surface_stats::synthesis::{Scale, SelfAffine};
 use serde_json::json;
 use std::path::PathBuf;
-use surface_stats::synthesis::{Scale, SelfAffine};
 
 #[derive(Args)]
 pub(crate) struct Synth {

@@ -1,9 +1,9 @@
 //! Numbers and tables as people read them on a terminal.
 
-pub(crate) use answers::shown::*;
-use compare::{Fact, Finding, Level, MaterialUse, Settings, Weight};
+pub(crate) use rough_contact::answers::shown::*;
+use rough_contact::compare::{Fact, Finding, Level, MaterialUse, Settings, Weight};
+use rough_contact::surface_stats::clean::Record;
 use std::fmt;
-use surface_stats::clean::Record;
 
 /// Two columns: a name and what it is.
 #[derive(Default)]
@@ -48,7 +48,8 @@ pub(crate) fn level(asked: Level, used: Level) -> String {
 
 /// Forces and the pressures they are, where a study was given forces.
 pub(crate) fn loads(settings: &Settings) -> String {
-    report::loads_line(settings).map_or_else(String::new, |line| format!("load: {line}\n"))
+    rough_contact::report::loads_line(settings)
+        .map_or_else(String::new, |line| format!("load: {line}\n"))
 }
 
 /// Most findings that are shown.
@@ -70,7 +71,9 @@ pub(crate) fn findings(found: &[Finding]) -> String {
 
 /// The materials whose numbers were taken from the table, with condition and source.
 pub(crate) fn materials(used: &[MaterialUse]) -> String {
-    let line = |used: &MaterialUse| report::material_line(used).replace('\u{202F}', " ") + "\n";
+    let line = |used: &MaterialUse| {
+        rough_contact::report::material_line(used).replace('\u{202F}', " ") + "\n"
+    };
     used.iter().map(line).collect()
 }
 
@@ -80,14 +83,14 @@ pub(crate) fn all_findings(found: &[Finding]) -> String {
 }
 
 fn finding_line(finding: &Finding) -> String {
-    let words = report::finding(finding);
+    let words = rough_contact::report::finding(finding);
     let line = format!("{}: {} {}", finding.weight.name(), words.claim, words.text);
     format!("{}\n", line.replace('\u{202F}', " ").trim_end())
 }
 
 /// With the spaces of a terminal.
 pub(crate) fn plain(text: &str) -> String {
-    text.replace(report::numbers::SPACE, " ")
+    text.replace(rough_contact::report::numbers::SPACE, " ")
 }
 
 /// Columns of equal width under a header; the first is left-aligned, the others are not.

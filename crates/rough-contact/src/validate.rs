@@ -5,8 +5,8 @@ use crate::outcome::{Failure, Reply, variant};
 use crate::progress::Progress;
 use crate::text::Columns;
 use clap::Args;
-use compare::Method;
-use fft_bem_solver::validation::{self, Options, Row, ValidationError};
+use rough_contact::compare::Method;
+use rough_contact::fft_bem_solver::validation::{self, Options, Row, ValidationError};
 
 #[derive(Args)]
 pub(crate) struct Validate {
@@ -32,7 +32,7 @@ impl Validate {
         })
         .map_err(|error| failure(&error))?;
         drop(progress);
-        Ok(Reply::new(table(&rows), answers::validated(&rows)))
+        Ok(Reply::new(table(&rows), rough_contact::answers::validated(&rows)))
     }
 }
 

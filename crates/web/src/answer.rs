@@ -5,7 +5,7 @@ use crate::place::Place;
 use crate::request::Request;
 use crate::trouble::Trouble;
 use crate::{areas, inspect, plan, run, start};
-use answers::Failure;
+use contact_answers::Failure;
 
 /// Answers one question about the bytes of a file: `start`, `inspect`, `meaning`, `areas`, `plan` or `run`. The request is JSON.
 /// What is refused is a message as well. When `out` cannot be written any more, a run stops.

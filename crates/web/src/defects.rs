@@ -5,9 +5,9 @@ use crate::request::{Remedies, Request};
 use crate::roughness::{Roughness, levelled};
 use crate::surface::completed;
 use crate::trouble::Trouble;
-use answers::{Failure, shown};
-use compare::{Fact, SPIKE_THRESHOLD, Spikes};
-use report::numbers::significant;
+use contact_answers::{Failure, shown};
+use contact_compare::{Fact, SPIKE_THRESHOLD, Spikes};
+use contact_report::numbers::significant;
 use serde_json::{Value, json};
 use surface_io::Measurement;
 use surface_stats::clean::{OutlierRule, Outliers, find_outliers, row_offsets};
@@ -145,11 +145,11 @@ fn rms(measured: &Measurement, request: &Request, plane: bool, dome: bool) -> Re
 
 /// What the statistics of a map say, but for what has a remedy above.
 pub(crate) fn beyond(statistics: &SurfaceStatistics) -> Value {
-    let found: Vec<_> = compare::measured(statistics, &Spikes::default())
+    let found: Vec<_> = contact_compare::measured(statistics, &Spikes::default())
         .into_iter()
         .filter(|f| !has_remedy(&f.fact))
         .collect();
-    report::findings_json(&found)
+    contact_report::findings_json(&found)
 }
 
 fn has_remedy(fact: &Fact) -> bool {

@@ -8,11 +8,11 @@ use crate::request::Request;
 use crate::roughness::{Roughness, levelled};
 use crate::surface::measurement;
 use crate::trouble::Trouble;
-use answers::units::Dimension;
-use answers::{Failure, shown};
-use compare::{Level, Surface};
+use contact_answers::units::Dimension;
+use contact_answers::{Failure, shown};
+use contact_compare::{Level, Surface};
+use contact_report::numbers::significant;
 use contact_types::{Grid, HeightMap};
-use report::numbers::significant;
 use serde_json::{Value, json};
 use surface_io::{Cut, Fill, HeightUnit, Measurement, Need, ReadError};
 use surface_stats::SurfaceStatistics;
@@ -193,16 +193,21 @@ fn before(measured: &Measurement, spikes: &[usize]) -> Result<Vec<Value>, Troubl
     let mut pictures = vec![json!({ "name": "As measured", "svg": picture(&map, "before")? })];
     if !spikes.is_empty() {
         let level = levelled(&map, Level::Plane)?;
-        let figure =
-            report::ring_points(&above_mean(&level), level.grid(), spikes, PICTURE, "spikes")
-                .map_err(|e| Failure::from_error(&e))?;
+        let figure = contact_report::ring_points(
+            &above_mean(&level),
+            level.grid(),
+            spikes,
+            PICTURE,
+            "spikes",
+        )
+        .map_err(|e| Failure::from_error(&e))?;
         pictures.push(json!({ "name": "Level, spikes ringed", "svg": figure.inline() }));
     }
     Ok(pictures)
 }
 
 fn picture(map: &HeightMap, key: &str) -> Result<String, Trouble> {
-    let figure = report::height_map(&above_mean(map), map.grid(), PICTURE, key)
+    let figure = contact_report::height_map(&above_mean(map), map.grid(), PICTURE, key)
         .map_err(|e| Failure::from_error(&e))?;
     Ok(figure.inline())
 }

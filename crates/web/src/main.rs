@@ -2,9 +2,9 @@
 //! line on standard output. Built for `wasm32-wasip1` it runs in a browser; built for this machine it answers the same,
 //! and `contact-web page ENGINE.wasm` puts the page together.
 
+use contact_web::{Messages, Place, answer, page};
 use std::io::{Read, Write};
 use std::process::ExitCode;
-use web::{Messages, Place, answer, page};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

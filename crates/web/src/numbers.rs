@@ -1,6 +1,6 @@
 //! Numbers as the page says them.
 
-use report::numbers::{METRES, PASCALS, SPACE, chosen, quantity};
+use contact_report::numbers::{METRES, PASCALS, SPACE, chosen, quantity};
 
 /// A length (m), to three digits.
 pub(crate) fn length(metres: f64) -> String {

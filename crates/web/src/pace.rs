@@ -1,8 +1,8 @@
 //! How long a study takes, from a trial on this machine.
 
 use crate::place::Place;
-use answers::Failure;
-use compare::{Load, Solver};
+use contact_answers::Failure;
+use contact_compare::{Load, Solver};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;

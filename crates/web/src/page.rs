@@ -50,7 +50,7 @@ pub fn page_of_program(place: Place) -> String {
 
 fn joined(policy: &str, place: Place, engine: &str, asking: &str) -> String {
     HTML.replace("<!--policy-->", policy)
-        .replace("/*style*/", &format!("{}{STYLE}", report::style()))
+        .replace("/*style*/", &format!("{}{STYLE}", contact_report::style()))
         .replace("<!--where-->", &place.where_said())
         .replace("<!--engine-->", engine)
         .replace("/*script*/", &format!("{asking}{SCRIPT}"))

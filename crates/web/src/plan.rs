@@ -6,9 +6,9 @@ use crate::pace::{Pace, Work};
 use crate::place::Place;
 use crate::request::{Facts, LoadBy, Request};
 use crate::trouble::Trouble;
-use answers::bodies;
-use compare::{EdgesName, Property, Settings, loads_of_study};
-use report::numbers::{PASCALS, duration, quantity};
+use contact_answers::bodies;
+use contact_compare::{EdgesName, Property, Settings, loads_of_study};
+use contact_report::numbers::{PASCALS, duration, quantity};
 use serde_json::{Value, json};
 
 pub(crate) fn answer(request: &Request, out: &mut Messages<'_>) -> Result<(), Trouble> {

@@ -2,11 +2,11 @@
 
 use crate::pace::Pace;
 use crate::place::Place;
-use answers::Failure;
-use answers::bodies::{Bodies, BothGiven, Given};
-use answers::quantity;
-use answers::units::Dimension;
-use compare::{Cleaning, EdgesName, Level, SPIKE_THRESHOLD, STEEL, Settings};
+use contact_answers::Failure;
+use contact_answers::bodies::{Bodies, BothGiven, Given};
+use contact_answers::quantity;
+use contact_answers::units::Dimension;
+use contact_compare::{Cleaning, EdgesName, Level, SPIKE_THRESHOLD, STEEL, Settings};
 use serde::Deserialize;
 use surface_io::{Cut, DecimalMark, Fill, HeightUnit, Layout, Limits, ReadOptions};
 use surface_stats::clean::Form;
@@ -304,7 +304,7 @@ impl Request {
                 let area = parse_some(&self.load.area, Dimension::Area)?;
                 let forces = list(Dimension::Force)?;
                 let check = "look at the force and the area";
-                let spread = answers::loads::Spread::of(&forces, area, of_map, check)?;
+                let spread = contact_answers::loads::Spread::of(&forces, area, of_map, check)?;
                 (Some(spread.pressures), Some(spread.area))
             }
         })

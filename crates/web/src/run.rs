@@ -5,9 +5,9 @@ use crate::numbers::pressure as shown_pressure;
 use crate::request::Request;
 use crate::surface;
 use crate::trouble::Trouble;
-use answers::{Failure, shown};
-use compare::{Comparison, PressureMaps, Progress, Registry, RunFile, RunSurface};
-use report::Provenance;
+use contact_answers::{Failure, shown};
+use contact_compare::{Comparison, PressureMaps, Progress, Registry, RunFile, RunSurface};
+use contact_report::Provenance;
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -60,7 +60,7 @@ pub(crate) fn answer(
             .map_err(Trouble::Study)?
     };
     out.tell("progress", json!({ "stage": "accuracy" }));
-    answers::look_around(&mut found, &mut |news| {
+    contact_answers::look_around(&mut found, &mut |news| {
         if let Progress::Iterated { number, residual, tolerance, .. } = news
             && told.elapsed() >= EVERY
         {
@@ -70,13 +70,13 @@ pub(crate) fn answer(
         if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })?;
     out.tell("progress", json!({ "stage": "report" }));
-    let documents = answers::documents(&found, &Provenance::here(REPEAT), &run_file)?;
+    let documents = contact_answers::documents(&found, &Provenance::here(REPEAT), &run_file)?;
     let files: serde_json::Map<String, Value> = documents
         .into_iter()
         .map(|(name, bytes)| (name.to_owned(), String::from_utf8_lossy(&bytes).into()))
         .collect();
-    let trouble = answers::not_met(&found).as_ref().map(Failure::json);
-    let headline = found.surfaces.first().and_then(report::headline_line);
+    let trouble = contact_answers::not_met(&found).as_ref().map(Failure::json);
+    let headline = found.surfaces.first().and_then(contact_report::headline_line);
     out.tell(
         "done",
         json!({
@@ -89,7 +89,7 @@ pub(crate) fn answer(
 
 /// The contact at a load as a picture, with how the end of its colours is written.
 fn shown_map(maps: &PressureMaps, load: usize) -> Option<Value> {
-    let picture = report::pressure_picture(maps, load)?.data_address().ok()?;
+    let picture = contact_report::pressure_picture(maps, load)?.data_address().ok()?;
     let map = &maps.loads[load];
     let more = if map.clipped { " and more" } else { "" };
     Some(json!({ "picture": picture, "top": format!("{}{more}", shown_pressure(map.top)) }))

@@ -4,9 +4,9 @@ use crate::message::Messages;
 use crate::numbers::length;
 use crate::place::Place;
 use crate::trouble::Trouble;
-use answers::Failure;
-use compare::{Property, STEEL, built_in_recipes, materials, source_of};
-use report::numbers::{PASCALS, quantity};
+use contact_answers::Failure;
+use contact_compare::{Property, STEEL, built_in_recipes, materials, source_of};
+use contact_report::numbers::{PASCALS, quantity};
 use serde_json::{Value, json};
 use surface_io::FORMATS;
 
@@ -20,7 +20,7 @@ pub(crate) fn answer(place: Place, out: &mut Messages<'_>) -> Result<(), Trouble
         let mut part = recipe.clone();
         part.shape = recipe.shape.map(|n| n.min(PART));
         let map = part.heights().map_err(|e| Failure::from_error(&e))?;
-        let picture = report::thumbnail(map.heights(), map.grid(), PART)
+        let picture = contact_report::thumbnail(map.heights(), map.grid(), PART)
             .data_address()
             .map_err(|e| Failure::from_error(&e))?;
         let [ny, nx] = recipe.shape;

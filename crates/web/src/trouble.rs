@@ -2,8 +2,8 @@
 
 use crate::message::Messages;
 use crate::place::Place;
-use answers::{Failure, Incomplete};
-use compare::StudyError;
+use contact_answers::{Failure, Incomplete};
+use contact_compare::StudyError;
 use serde_json::json;
 use surface_io::{FillError, ReadError};
 

@@ -1,11 +1,11 @@
 //! The engine built for this machine, asked as the page asks it.
 
-use compare::{Comparison, Registry, Settings, built_in_recipes};
+use contact_compare::{Comparison, Registry, Settings, built_in_recipes};
+use contact_web::{Messages, Place, answer};
 use serde_json::{Value, json};
 use std::io::Cursor;
 use std::ops::ControlFlow;
 use surface_io::write;
-use web::{Messages, Place, answer};
 
 /// All messages to one question.
 fn asked(question: &str, request: &Value, file: &[u8]) -> Vec<Value> {
@@ -56,7 +56,7 @@ fn a_built_in_surface_gives_the_numbers_of_the_study() {
         serde_json::from_str(done["files"]["results.json"].as_str().expect("done")).expect("JSON");
     let recipe = built_in_recipes().expect("they are built in").remove(1);
     let settings = Settings { pressures: Some(vec![1e8]), ..Settings::default() };
-    let mut quiet = |_: compare::Progress<'_>| ControlFlow::Continue(());
+    let mut quiet = |_: contact_compare::Progress<'_>| ControlFlow::Continue(());
     let surface = recipe.make().expect("a map");
     let direct = Comparison::run(vec![surface], settings, &Registry::built_in(), &mut quiet)
         .expect("a study");

@@ -23,16 +23,6 @@ impl Case {
             .is_normal()
             .then(|| ((self.answer - reference) / reference.abs().max(least)).abs())
     }
-
-    /// The error for a reader.
-    #[allow(dead_code, reason = "the test does not print")]
-    pub(crate) fn error_text(&self) -> String {
-        match self.error() {
-            Some(error) if error > 0.0 => format!("{error:.1e}").replace('-', "\u{2212}"),
-            Some(_) => "0".into(),
-            None => "below the normal range".into(),
-        }
-    }
 }
 
 pub(crate) fn all() -> Vec<Case> {

@@ -1,7 +1,7 @@
 //! What is left of each model when the load goes to zero, and where the deterministic slope lies
 //! between them.
 
-use compare::{Inputs, find};
+use contact_compare::{Inputs, find};
 use contact_types::Grid;
 use contact_types::{ContactModulus, SpectralMoments};
 use fft_bem_solver::{Load, PERIMETER_CORRECTION, Solver};

@@ -5,8 +5,8 @@
     reason = "tests: a panic is the report, and the errors are worth seeing"
 )]
 
-use compare::{EdgesName, Surrounded};
 use contact_accuracy::{Ladder, Setup};
+use contact_compare::{EdgesName, Surrounded};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Load, Solution, Solver};
 use std::borrow::Cow;

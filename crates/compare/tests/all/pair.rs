@@ -1,6 +1,6 @@
 //! A study of two bodies: the sum of both, with what each was.
 
-use compare::{
+use contact_compare::{
     Comparison, Fact, Flip, GivenOrigin, Origin, Placing, Registry, RunFile, RunFileError,
     RunSurface, Settings, Surface, built_in_recipes, findings,
 };
@@ -29,7 +29,7 @@ fn the_models_get_the_moments_of_the_sum_and_it_is_said_how_they_add() {
         models: Some(vec!["gw".into()]),
         ..Settings::default()
     };
-    let go = &mut |_: compare::Progress<'_>| ControlFlow::Continue(());
+    let go = &mut |_: contact_compare::Progress<'_>| ControlFlow::Continue(());
     let study = Comparison::run(vec![surface], settings, &Registry::built_in(), go).expect("runs");
     let one = &study.surfaces[0];
     assert_eq!(one.inputs.moments, Some(found.independence.composite));

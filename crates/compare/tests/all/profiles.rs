@@ -1,5 +1,5 @@
 //! The study of profiles: what the length of a trace leaves open, and what is always said.
-use compare::{
+use contact_compare::{
     Fact, GivenOrigin, Grid, Origin, ProfileComparison, ProfileFact, ProfileSurface, Registry,
     Settings, Weight,
 };

@@ -1,6 +1,6 @@
 //! Studies of bodies that yield: what stands beside what, and what is not answered.
 
-use compare::{
+use contact_compare::{
     Applies, BULK_YIELD, Comparison, DeterministicPoint, Fact, ModelComparison, Reason, Recipe,
     Registry, Settings, StudyError, Surface, SurfaceComparison, elastic_holds, findings,
 };
@@ -28,7 +28,7 @@ fn surface() -> Surface {
 
 fn study(settings: Settings) -> Result<Comparison, StudyError> {
     let settings = Settings { modulus: MODULUS, tolerance: 1e-6, ..settings };
-    let go = &mut |_: compare::Progress<'_>| ControlFlow::Continue(());
+    let go = &mut |_: contact_compare::Progress<'_>| ControlFlow::Continue(());
     Comparison::run(vec![surface()], settings, &Registry::built_in(), go)
 }
 

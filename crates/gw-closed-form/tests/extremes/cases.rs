@@ -26,17 +26,6 @@ impl Case {
         };
         representable.then(|| ((self.answer - reference) / scale).abs())
     }
-
-    /// The error for a reader.
-    #[allow(dead_code, reason = "the test does not print")]
-    pub(crate) fn error_text(&self) -> String {
-        match self.error() {
-            Some(error) if error > 0.0 => format!("{error:.1e}").replace('-', "\u{2212}"),
-            Some(_) => "0".into(),
-            None if self.answer.abs() >= f64::MAX => "beyond the largest double".into(),
-            None => "below the normal range".into(),
-        }
-    }
 }
 
 pub(crate) fn all() -> Vec<Case> {

@@ -17,7 +17,6 @@ pub(crate) type Answer = Result<(f64, Option<Caveat>), ModelError>;
 pub(crate) struct Case {
     pub(crate) question: String,
     pub(crate) inputs: String,
-    pub(crate) reference_text: String,
     /// `None`: a typed error is the answer.
     pub(crate) reference: Option<f64>,
     pub(crate) answer: Answer,
@@ -37,7 +36,6 @@ pub(crate) fn cases() -> Vec<Case> {
     let ask = |row: Row<'_>| Case {
         question: row.text("question").to_owned(),
         inputs: row.text("inputs").to_owned(),
-        reference_text: row.text("reference").to_owned(),
         reference: (row.text("reference") != "refused").then(|| row.number("reference")),
         answer: answer(&Question { row }),
     };

@@ -9,7 +9,7 @@ use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
 use crate::figures::curves::log_limits;
 use crate::lines::load_axis;
 use crate::numbers::{METRES, significant, times, unit_for};
-use compare::Octave;
+use contact_compare::Octave;
 
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = COLUMN - ROOM;

@@ -4,7 +4,7 @@ use crate::draw::axes::{Axis, Frame};
 use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use crate::numbers::{AREAS, METRES, SPACE, Unit, percent, quantity, significant, unit_for};
-use compare::{Distributions, GapDistribution, PressureDistribution, SpotDistribution};
+use contact_compare::{Distributions, GapDistribution, PressureDistribution, SpotDistribution};
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -4,8 +4,8 @@ use crate::draw::palette::{FLOW_RAMP, OkLab, ramp_table};
 use crate::draw::svg::{Figure, num};
 use crate::figures::maps::{Legend, Reduce, map_figure, map_size, picture, reduced, upper_end};
 use crate::numbers::{Unit, significant};
-use compare::pressure_top;
 use contact_accuracy::Flow;
+use contact_compare::pressure_top;
 use contact_types::Grid;
 
 /// Lightness where the bodies touch.

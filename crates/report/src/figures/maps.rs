@@ -5,7 +5,7 @@ use crate::draw::palette::{INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
 use crate::draw::png::{Grey, Picture};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
-use compare::{PressureMaps, pressure_top};
+use contact_compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
 use grid_fft::parallel::join;
 

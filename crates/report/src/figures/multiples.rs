@@ -7,7 +7,7 @@ use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text, num};
 use crate::figures::curves::log_limits;
 use crate::lines::{Lines, ModelLine};
 use crate::numbers::signed_range;
-use compare::SurfaceComparison;
+use contact_compare::SurfaceComparison;
 
 const WIDTH: f64 = 700.0;
 const PANEL: [f64; 2] = [176.0, 138.0];

@@ -3,7 +3,7 @@
 use crate::draw::svg::{COLUMN, Canvas, Figure, Text};
 use crate::figures::curves::{self, Use};
 use crate::lines::Lines;
-use compare::Comparison;
+use contact_compare::Comparison;
 use std::io::{self, Write};
 
 /// Real area over load as a file 85 mm wide: panels below each other, in two columns from four.

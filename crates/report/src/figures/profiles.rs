@@ -6,7 +6,7 @@ use crate::figures::trace::trace;
 use crate::lines::{Lines, ModelLine};
 use crate::looks::look;
 use crate::words::profile::profile_headline;
-use compare::ProfileComparison;
+use contact_compare::ProfileComparison;
 use std::io::{self, Write};
 
 /// The first trace with its evaluation length.

@@ -9,7 +9,7 @@ use crate::page::sections::figure;
 use crate::sources::CONDUCTANCE;
 use crate::words::conduction::{conductance, joint_words, kinds, scientific};
 use crate::words::finding::capital;
-use compare::{SurfaceComparison, TheoryStiffness};
+use contact_compare::{SurfaceComparison, TheoryStiffness};
 
 /// Numbers at the headline, resistance over the load, and what the shortest waves do to it.
 pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {

@@ -7,7 +7,7 @@ use crate::page::context::Page;
 use crate::page::deformed;
 use crate::page::moving::Moving;
 use crate::page::sections::{figure, reduced_words};
-use compare::SurfaceComparison;
+use contact_compare::SurfaceComparison;
 use grid_fft::parallel::join;
 
 /// The contact map and an enlargement.

@@ -1,7 +1,7 @@
 //! What the sections of a page share.
 
 use crate::provenance::Provenance;
-use compare::Comparison;
+use contact_compare::Comparison;
 use contact_types::Citation;
 
 /// What the sections share while the page is written.

@@ -10,7 +10,7 @@ use crate::page::phrases::{attribute, touching};
 use crate::page::sections::figure;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use compare::SurfaceComparison;
+use contact_compare::SurfaceComparison;
 use serde_json::json;
 
 /// What lies along the row of a surface; `None` if not every load has an answer or nothing is rough.

@@ -6,7 +6,7 @@ use crate::page::context::Page;
 use crate::page::phrases::attribute;
 use crate::page::sections::figure;
 use crate::page::spread::{HALF, HIGHEST, LEAST, MEAN_GAP, MOST_GAP, SPOTS, Say, TOUCHES, at};
-use compare::SurfaceComparison;
+use contact_compare::SurfaceComparison;
 
 /// Three figures; nothing where few points touch.
 pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {

@@ -8,10 +8,10 @@ use crate::words::loads::loads_words;
 use crate::words::materials::material_line;
 use crate::words::pair::{bodies, lying, moments};
 use crate::words::plan as plan_words;
-use compare::{Body, FileOrigin, Origin, Recipe, Settings};
-use compare::{DeterministicAnswer, SurfaceComparison};
 use contact_accuracy::PERIMETER_CORRECTION;
 use contact_accuracy::Reached;
+use contact_compare::{Body, FileOrigin, Origin, Recipe, Settings};
+use contact_compare::{DeterministicAnswer, SurfaceComparison};
 use surface_stats::Level;
 
 /// Program, inputs, settings, the command that repeats it.

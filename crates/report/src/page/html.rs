@@ -10,7 +10,7 @@ use crate::page::{
 };
 use crate::provenance::Provenance;
 use crate::words;
-use compare::{Comparison, SurfaceComparison};
+use contact_compare::{Comparison, SurfaceComparison};
 use contact_types::Citation;
 use grid_fft::parallel::join;
 use std::io::Write;

@@ -13,8 +13,8 @@ use crate::page::tables::swatch;
 use crate::words::conduction::scientific;
 use crate::words::finding::capital;
 use crate::words::leak::{known, leak_notes};
-use compare::SurfaceComparison;
 use contact_accuracy::{Axis, Leak as AxisLeak, Leaks};
+use contact_compare::SurfaceComparison;
 
 /// What closed forms are called, in their order.
 const FORMS: [[&str; 2]; 2] = [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", "Bruggeman"]];

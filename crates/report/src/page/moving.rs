@@ -10,7 +10,7 @@ use crate::error::ReportError;
 use crate::figures::maps::{self, Window};
 use crate::numbers::{METRES, PASCALS, quantity, unit_for};
 use crate::page::phrases::attribute;
-use compare::{
+use contact_compare::{
     FirstContact, PressureMap, PressureMaps, SurfaceComparison, pressure_class, pressure_top,
 };
 use grid_fft::parallel::{self, join};

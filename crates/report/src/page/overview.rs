@@ -7,7 +7,7 @@ use crate::numbers::{METRES, SPACE, counted, duration, quantity, signed_percent,
 use crate::page::context::Page;
 use crate::page::how_made::modulus_in_head;
 use crate::words;
-use compare::{ModelComparison, SurfaceComparison, elastic_holds};
+use contact_compare::{ModelComparison, SurfaceComparison, elastic_holds};
 
 /// The opening of a report on several surfaces.
 pub(crate) fn section(page: &mut Page<'_>) -> String {

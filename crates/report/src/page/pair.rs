@@ -3,7 +3,7 @@
 use crate::draw::svg::escape;
 use crate::numbers::{METRES, quantity, signed_percent, significant};
 use crate::words::pair::{lying, moments};
-use compare::{PairFound, PairOrigin};
+use contact_compare::{PairFound, PairOrigin};
 use contact_types::SpectralMoments;
 
 /// What the section on the surface opens with: the sum of two bodies is no surface one could see.

@@ -3,7 +3,7 @@
 use crate::numbers::{
     METRES, NEWTONS, PASCALS, SPACE, chosen, percent, power_of_ten, quantity, significant, unit_for,
 };
-use compare::{Sections, SurfaceComparison};
+use contact_compare::{Sections, SurfaceComparison};
 
 /// What was done to the form of the map.
 pub(crate) fn levelled(surface: &SurfaceComparison) -> &'static str {

@@ -15,7 +15,7 @@ use crate::provenance::Provenance;
 use crate::words;
 use crate::words::loads::loads_words;
 use crate::words::profile::{area_range, profile_headline};
-use compare::ProfileComparison;
+use contact_compare::ProfileComparison;
 use contact_types::{Citation, ContactState};
 use std::io::Write;
 

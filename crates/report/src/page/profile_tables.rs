@@ -2,7 +2,7 @@
 
 use crate::numbers::{METRES, SPACE, chosen, percent, quantity, significant, unit_for};
 use crate::words::profile::spread;
-use compare::ProfileComparison;
+use contact_compare::ProfileComparison;
 use surface_stats::profile::{ProfileStatistics, SettingSource};
 
 fn row(name: &str, value: &str, why: &str) -> String {

@@ -18,7 +18,7 @@ use crate::sources::AREA_CORRECTION;
 use crate::words::edges::edge_words;
 use crate::words::finding::finding;
 use crate::words::{self, coarser};
-use compare::{Finding, SurfaceComparison, Weight, findings};
+use contact_compare::{Finding, SurfaceComparison, Weight, findings};
 
 /// A figure with its caption; the caption is HTML and opens with a bold subject.
 pub(crate) fn figure(svg: &str, caption: &str) -> String {

@@ -6,7 +6,7 @@ use crate::looks::look;
 use crate::numbers::{NEWTONS, PASCALS, chosen, quantity, signed_percent};
 use crate::page::{phrases, spread, tables};
 use crate::words;
-use compare::{DeterministicAnswer, SurfaceComparison};
+use contact_compare::{DeterministicAnswer, SurfaceComparison};
 use serde_json::json;
 
 /// What the read-out says at each load.

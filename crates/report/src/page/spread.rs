@@ -1,7 +1,7 @@
 //! What captions say of the distributions at each load.
 
 use crate::numbers::{AREAS, METRES, PASCALS, percent, quantity};
-use compare::{Distributions, SurfaceComparison};
+use contact_compare::{Distributions, SurfaceComparison};
 
 /// Touching points below which classes say little.
 pub(crate) const LEAST: usize = 200;

@@ -1,7 +1,7 @@
 //! The table of a surface's statistics.
 
 use crate::numbers::{METRES, Unit, chosen, fixed, power_of_ten, quantity, significant, unit_for};
-use compare::SurfaceComparison;
+use contact_compare::SurfaceComparison;
 use contact_types::AsperityStatistics;
 
 /// One row: symbol (HTML), name with unit, value, and the value by the spectrum.

@@ -17,7 +17,7 @@ use crate::page::sections::figure;
 use crate::page::tables::swatch;
 use crate::provenance::Provenance;
 use crate::words;
-use compare::{Settings, find};
+use contact_compare::{Settings, find};
 use serde_json::Value;
 use std::io::Write;
 
@@ -49,7 +49,7 @@ impl Summary<'_> {
 
     /// The models, in the order of the study.
     fn models(&self) -> Vec<&'static str> {
-        let known = compare::built_in().of_studies().map(|t| t.card().name.as_ref());
+        let known = contact_compare::built_in().of_studies().map(|t| t.card().name.as_ref());
         known
             .filter(|name| self.maps.iter().any(|(_, map)| map["models"][*name].is_object()))
             .collect()

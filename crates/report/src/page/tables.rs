@@ -13,7 +13,9 @@ use crate::page::how_made::modulus_in_head;
 use crate::page::phrases::load_words;
 use crate::sources::DETERMINISTIC;
 use crate::words;
-use compare::{Applies, ModelComparison, ModelCurve, SurfaceComparison, elastic_limit, is_steep};
+use contact_compare::{
+    Applies, ModelComparison, ModelCurve, SurfaceComparison, elastic_limit, is_steep,
+};
 use contact_types::{ContactState, ModelError};
 
 /// What the answer holds for, and the ways to it: terms with a value and a note.

@@ -1,7 +1,7 @@
 //! Whether the bodies stick, in words: claim and text.
 
 use crate::numbers::{METRES, PASCALS, chosen, length, percent, quantity, significant};
-use compare::{Adhesion, NO_PULL_OFF};
+use contact_compare::{Adhesion, NO_PULL_OFF};
 
 pub(crate) fn verdict(found: &Adhesion) -> [String; 2] {
     let claim = if found.negligible {

@@ -3,7 +3,7 @@
 use crate::draw::svg::escape;
 use crate::numbers::{PASCALS, SPACE, percent_within, quantity_within};
 use crate::words::yielding;
-use compare::{DeterministicAnswer, SurfaceComparison};
+use contact_compare::{DeterministicAnswer, SurfaceComparison};
 
 /// "1.96 ± 0.25 %", "at most 2.1 %" where the interval begins at zero, or "1.96 %" without one: of grid, iteration
 /// and, where this map can tell, sampling variability.

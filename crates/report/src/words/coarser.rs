@@ -4,8 +4,8 @@ use crate::draw::palette::{INK2, Look, Marker};
 use crate::figures::cost::Route;
 use crate::lines::WANTED;
 use crate::numbers::{duration, signed_percent};
-use compare::Coarser;
-use compare::SurfaceComparison;
+use contact_compare::Coarser;
+use contact_compare::SurfaceComparison;
 
 /// A filled dot as the deterministic solution has, in the grey of notes.
 const LOOK: Look =

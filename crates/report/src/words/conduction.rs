@@ -4,7 +4,7 @@ use crate::numbers::{
     AREAS, KELVINS_PER_WATT, METRES, OHMS, PASCALS, SPACE, Unit, power_of_ten, quantity,
     quantity_within, significant,
 };
-use compare::{Conducted, Conduction, Joint, SurfaceComparison};
+use contact_compare::{Conducted, Conduction, Joint, SurfaceComparison};
 
 /// A kind of conductance: what it is called and its units.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,7 @@
 //! What lay beyond the edges of a measured map, and how much it matters on this map.
 
 use crate::numbers::signed_percent;
-use compare::{EdgesName, Origin, Seam, SurfaceComparison, seam};
+use contact_compare::{EdgesName, Origin, Seam, SurfaceComparison, seam};
 use surface_stats::Edges;
 
 /// The treatment of the edges.

@@ -8,8 +8,8 @@ use crate::words::plan;
 use crate::words::profile;
 use crate::words::spikes::spikes;
 use crate::words::yielding;
-use compare::{Bare, EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
 use contact_accuracy::{INDICATOR_LIMIT, NoUncertainty, Reached};
+use contact_compare::{Bare, EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
 use surface_stats::clean::{FormParameters, Record};
 
 /// A finding in words, as plain text.

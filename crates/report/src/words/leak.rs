@@ -2,8 +2,8 @@
 
 use crate::numbers::relative_interval;
 use crate::words::conduction::scientific;
-use compare::{Leak, SurfaceComparison, typical_hardness};
 use contact_accuracy::{Axis, Leak as AxisLeak, Leaks};
+use contact_compare::{Leak, SurfaceComparison, typical_hardness};
 
 /// A sentence for each thing that limits the leaks of a study with this contact modulus (Pa).
 pub fn leak_notes(leaks: &[&Leaks], modulus: f64, yields: bool) -> Vec<&'static str> {

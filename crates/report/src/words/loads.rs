@@ -1,7 +1,7 @@
 //! Loads that were given as forces.
 
 use crate::numbers::{METRES, NEWTONS, PASCALS, SPACE, chosen, quantity, significant, unit_for};
-use compare::{Settings, SurfaceComparison};
+use contact_compare::{Settings, SurfaceComparison};
 
 /// Forces, the area they press on and the pressures that gives, in plain text; `None` if the loads of
 /// the study were not given as forces.

@@ -1,7 +1,7 @@
 //! Materials of the table, in words and for other programs.
 
 use crate::numbers::{PASCALS, quantity, significant};
-use compare::{Listed, Material, MaterialUse, Property, material, source_of};
+use contact_compare::{Listed, Material, MaterialUse, Property, material, source_of};
 use serde_json::{Map, Value, json};
 
 /// A number with its unit.

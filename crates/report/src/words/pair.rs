@@ -3,7 +3,7 @@
 use crate::numbers::{
     METRES, PASCALS, SPACE, chosen, percent, quantity, signed_percent, significant,
 };
-use compare::{Body, Flip, Independence, PairOrigin, Settings};
+use contact_compare::{Body, Flip, Independence, PairOrigin, Settings};
 
 /// How a body was turned over.
 fn turned(flip: Flip) -> &'static str {

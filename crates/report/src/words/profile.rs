@@ -1,7 +1,7 @@
 //! What is said of profiles.
 
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
-use compare::{ProfileComparison, ProfileFact, Unevenness};
+use contact_compare::{ProfileComparison, ProfileFact, Unevenness};
 
 /// Claim and text of a fact about profiles.
 pub(crate) fn fact(fact: &ProfileFact) -> (String, String) {

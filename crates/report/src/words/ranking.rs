@@ -5,7 +5,9 @@ use crate::lines::WANTED;
 use crate::numbers::{SPACE, duration, signed_percent};
 use crate::words::coarser;
 use crate::words::finding::capital;
-use compare::{Applies, DeterministicAnswer, ModelComparison, SurfaceComparison, elastic_holds};
+use contact_compare::{
+    Applies, DeterministicAnswer, ModelComparison, SurfaceComparison, elastic_holds,
+};
 
 /// A model within a sentence, its article small; escaped.
 pub(crate) fn named(model: &ModelComparison) -> String {

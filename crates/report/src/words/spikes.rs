@@ -1,7 +1,7 @@
 //! Spikes in words.
 
 use crate::numbers::{METRES, percent, quantity};
-use compare::SPIKE_THRESHOLD;
+use contact_compare::SPIKE_THRESHOLD;
 
 /// Part of the points from which spikes of an instrument are not the likely reading.
 const MANY_SPIKES: f64 = 0.01;

@@ -1,7 +1,7 @@
 //! Whether a theory covers a surface, in words.
 
 use crate::numbers::{SPACE, counted, length, pressure, significant};
-use compare::{Assumes, Card, ModelComparison, Reason, Verdict};
+use contact_compare::{Assumes, Card, ModelComparison, Reason, Verdict};
 use contact_types::ModelError;
 
 /// What steep slopes strain.

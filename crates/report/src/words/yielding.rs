@@ -1,7 +1,7 @@
 //! Sentences on bodies that yield: claim and text.
 
 use crate::numbers::{PASCALS, SPACE, chosen, percent, quantity, signed_percent};
-use compare::{BULK_YIELD, SurfaceComparison, Yielding, elastic_limit, typical_hardness};
+use contact_compare::{BULK_YIELD, SurfaceComparison, Yielding, elastic_limit, typical_hardness};
 
 /// What a pressure that is held to a hardness leaves out.
 pub(crate) const LEFT_OUT: &str =

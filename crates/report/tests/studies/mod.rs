@@ -1,9 +1,11 @@
 //! Real studies of small surfaces, each solved once.
 #![allow(clippy::unwrap_used, unreachable_pub, reason = "a helper that fails is a failed test")]
 
-use compare::{Comparison, FileOrigin, Origin, Registry, Settings, Surface, built_in_recipes};
+use contact_compare::{
+    Comparison, FileOrigin, Origin, Registry, Settings, Surface, built_in_recipes,
+};
+use contact_report::{Provenance, write_html};
 use contact_types::{Grid, HeightMap};
-use report::{Provenance, write_html};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
@@ -30,8 +32,8 @@ pub fn one() -> &'static Comparison {
     ONE.get_or_init(|| {
         let mut study = run(small(&["ground"]), Settings::default());
         let mut iterations = 0;
-        let mut go = |news: compare::Progress<'_>| {
-            iterations += usize::from(matches!(news, compare::Progress::Iterated { .. }));
+        let mut go = |news: contact_compare::Progress<'_>| {
+            iterations += usize::from(matches!(news, contact_compare::Progress::Iterated { .. }));
             ControlFlow::Continue(())
         };
         study.solve_coarser(&mut go).unwrap();

@@ -5,9 +5,9 @@ use crate::cli;
 
 use cli::app::App;
 use cli::{Said, folder, number, rough_contact};
+use contact_web::{Messages, Place, answer};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use web::{Messages, Place, answer};
 
 /// Where files and questions are.
 fn data() -> PathBuf {

@@ -1,8 +1,8 @@
 //! What the book says of the measurements, from their table: figures, what to use for a given
 //! error, and the numbers.
 
-use compare::find;
 use contact_accuracy::median;
+use contact_compare::find;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs::{self, File};

@@ -2,17 +2,17 @@
 //! the solver; and the error of the pressure against time, method by method.
 
 use crate::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, ways};
-use compare::find;
 use contact_accuracy::median;
-use report::draw::axes::{Axis, Frame};
-use report::draw::labels::{place_near, push_apart};
-use report::draw::palette::{
+use contact_compare::find;
+use contact_report::draw::axes::{Axis, Frame};
+use contact_report::draw::labels::{place_near, push_apart};
+use contact_report::draw::palette::{
     BAND, Colour, DETERMINISTIC, DETERMINISTIC_LOOK, INK2, LINE, Look, Marker, WARN,
 };
-use report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
-use report::figures::front::front;
-use report::looks::look;
-use report::numbers::{SPACE, duration, percent, power_of_ten, time_tick};
+use contact_report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
+use contact_report::figures::front::front;
+use contact_report::looks::look;
+use contact_report::numbers::{SPACE, duration, percent, power_of_ten, time_tick};
 use std::io::{self, Write};
 
 /// Tolerance at which the grids are compared: the solver's own default.

@@ -3,7 +3,7 @@
 
 use allocation_counter::{AllocationInfo, measure};
 use asperity_models::{BushGibsonThomas, GreenwoodElliptical, MeanCurvature};
-use compare::{Comparison, Registry, Settings, Surface, built_in_recipes};
+use contact_compare::{Comparison, Registry, Settings, Surface, built_in_recipes};
 use contact_types::{
     ContactModel, ContactModulus, FractalParameters, Grid, HeightMap, SeparationModel,
     SpectralMoments,

@@ -18,6 +18,7 @@ pub(crate) struct Case {
     /// Largest relative error of the numbers; absolute where the value is 0.
     pub(crate) error: f64,
     /// What the test allows.
+    #[allow(dead_code, reason = "the example prints no limit")]
     pub(crate) limit: f64,
 }
 
