@@ -1,6 +1,6 @@
 //! What a contact conducts, for other programs. SI units.
 
-use crate::words::conduction::{conductance, kinds};
+use crate::messages::conduction::{conductance, kinds};
 use contact_compare::{Conducted, Estimate, GapGas, SurfaceComparison};
 use serde_json::{Map, Value, json};
 

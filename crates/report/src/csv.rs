@@ -1,7 +1,7 @@
 //! `curves.csv`: every number the figures over the load draw, units in the header.
 
 use crate::lines::Lines;
-use crate::words::conduction::{conductance, kinds};
+use crate::messages::conduction::{conductance, kinds};
 use contact_compare::{Comparison, Conductance, Settings, SurfaceComparison};
 use std::fmt::Write as _;
 use std::io::{self, Write};

@@ -1,10 +1,10 @@
 //! `results.json`: everything, in SI units, for other programs. Absent numbers are `null`.
 
 use crate::error::ReportError;
+use crate::messages;
+use crate::messages::finding::finding;
+use crate::messages::plan as plan_messages;
 use crate::provenance::Provenance;
-use crate::words;
-use crate::words::finding::finding;
-use crate::words::plan as plan_words;
 use contact_accuracy::{Reached, Request};
 use contact_compare::{
     Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
@@ -35,7 +35,7 @@ pub fn comparison(comparison: &Comparison, provenance: &Provenance) -> Value {
         "surfaces": comparison.surfaces.iter().map(|s| surface(s, comparison)).collect::<Vec<_>>(),
         "refused": comparison.refused,
         "settings": comparison.settings,
-        "materials": crate::words::materials::materials_json(&comparison.settings.materials),
+        "materials": crate::messages::materials::materials_json(&comparison.settings.materials),
         "versions": { "rough-contact": provenance.version, "platform": provenance.platform },
         "seconds": comparison.seconds,
     })
@@ -190,7 +190,7 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
         "citation": citation(m),
         "applicable": m.outcome.is_ok(),
         "verdict": m.verdict.answer.word(),
-        "reason": words::reason(m),
+        "reason": messages::reason(m),
         "preparation_seconds": curve.map(|c| c.preparation),
         "seconds": curve.map(|c| c.seconds),
         "area_error": curve.map(|c| area_error(c, m, surface)),
@@ -259,8 +259,8 @@ pub fn accuracy(reached: &Reached) -> Value {
             "half_width": next.half_width,
             "seconds": next.seconds,
         })),
-        "reason": plan_words::reason(reached),
-        "explanation": plan_words::explanation(reached),
+        "reason": plan_messages::reason(reached),
+        "explanation": plan_messages::explanation(reached),
     })
 }
 

@@ -1,8 +1,8 @@
 //! The numbers every figure over the load draws: the same that `curves.csv` lists.
 
-use crate::draw::palette::{ELASTIC_LOOK, Look};
-use crate::looks::look;
+use crate::draw::palette::{ELASTIC_LOOK, PlotStyle};
 use crate::numbers::{NEWTONS, PASCALS, Unit, signed_range, significant, unit_for};
+use crate::plot_styles::plot_style;
 use contact_compare::{
     DeterministicAnswer, DeterministicPoint, ModelComparison, SurfaceComparison,
 };
@@ -18,7 +18,7 @@ pub(crate) struct ModelLine {
     /// Short label, unique.
     pub label: String,
     /// How it is drawn.
-    pub look: Look,
+    pub look: PlotStyle,
     /// Area fraction at each load; `None` where the model does not answer.
     pub area: Vec<Option<f64>>,
 }
@@ -87,7 +87,7 @@ impl Lines {
             let curve = m.outcome.as_ref().ok()?;
             let area = curve.points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction));
             let (name, label) = (m.card.name.to_string(), m.card.label.to_string());
-            let look = look(&name, place);
+            let look = plot_style(&name, place);
             Some(ModelLine { name, label, look, area: area.collect() })
         });
         let elastic = (of == YIELDING).then(|| ModelLine {

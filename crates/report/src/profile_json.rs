@@ -1,8 +1,8 @@
 //! Profiles as JSON: SI units, absent numbers `null`.
 
 use crate::json::{cleaning, findings, warned};
+use crate::messages::reason_of;
 use crate::provenance::Provenance;
-use crate::words::reason_of;
 use contact_compare::{ProfileComparison, ProfileModel, Unevenness};
 use contact_types::SpectralMoments;
 use serde_json::{Value, json};

@@ -2,10 +2,10 @@
 
 use crate::args;
 use crate::cleaning::CleaningOptions;
-use crate::given::{One, from_file, pressed};
 use crate::input::{Complete, Reading};
 use crate::outcome::Failure;
 use crate::quantity;
+use crate::surfaces::{One, from_file, pressed};
 use crate::units::Dimension;
 use clap::{Args, Parser};
 use rough_contact::answers::told_apart;

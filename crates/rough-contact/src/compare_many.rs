@@ -3,10 +3,10 @@
 use crate::args::Common;
 use crate::batch::{self, PerFile, Store};
 use crate::compare::Compare;
-use crate::given::{Given, One};
 use crate::outcome::{Failure, Reply};
 use crate::rows::{self, How, Outcome, Shown};
 use crate::shell::quoted;
+use crate::surfaces::{Given, One};
 use rough_contact::compare::{Comparison, Registry, Settings, Surface};
 use rough_contact::report::{Provenance, Summary};
 use serde_json::{Value, json};

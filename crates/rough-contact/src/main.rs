@@ -21,7 +21,6 @@ mod convert;
 mod export;
 mod fields;
 mod files;
-mod given;
 mod hardness;
 mod help;
 #[cfg(feature = "app")]
@@ -51,6 +50,7 @@ mod serve;
 mod shell;
 mod solve;
 mod stats;
+mod surfaces;
 mod synth;
 mod text;
 mod validate;

@@ -2,10 +2,10 @@
 //! the [fallback](face_cg); what it [remembers](memory), the [pairs] of fields and all else it
 //! [works](work) with.
 
+mod active_set;
 mod face_cg;
 mod iteration;
 mod line;
-mod look;
 mod memory;
 mod pairs;
 mod run;

@@ -3,7 +3,7 @@
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{
-    Colour, DETERMINISTIC, DETERMINISTIC_LOOK, INK2, Look, Marker, PERSSON,
+    Colour, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, Marker, PERSSON, PlotStyle,
 };
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
 use crate::figures::curves::log_limits;
@@ -22,7 +22,7 @@ pub(crate) struct Line {
     pub(crate) label: String,
     /// The series it is, see [`Canvas::series`]; may be empty.
     pub(crate) series: String,
-    pub(crate) look: Look,
+    pub(crate) look: PlotStyle,
     pub(crate) values: Vec<Option<f64>>,
 }
 
@@ -60,7 +60,7 @@ pub(crate) fn over_load(
         let end = end(&frame, values, &line.label, line.look.colour, false);
         labels.extend(end.map(|end| EndLabel { series: line.series.clone(), ..end }));
     }
-    draw(&mut canvas, &frame, (pressures, unit.scale), &reference, DETERMINISTIC_LOOK);
+    draw(&mut canvas, &frame, (pressures, unit.scale), &reference, DETERMINISTIC_STYLE);
     labels.extend(end(&frame, &reference, "Deterministic", DETERMINISTIC, true));
     draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
     let range = crate::lines::range_words(&reference, &format!(" {unit_name}"));
@@ -94,11 +94,11 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
     let waves: Vec<f64> = octaves.iter().map(|o| o.shortest).collect();
     let mut labels = Vec::new();
     for (label, values, look) in [
-        ("Area", &area, Look::model(PERSSON, "6 2.5", Marker::Square, 0)),
-        ("Conductance", &conductance, DETERMINISTIC_LOOK),
+        ("Area", &area, PlotStyle::model(PERSSON, "6 2.5", Marker::Square, 0)),
+        ("Conductance", &conductance, DETERMINISTIC_STYLE),
     ] {
         let values: Vec<Option<f64>> = values.iter().map(|v| Some(*v)).collect();
-        let every = Look { marker_offset: 0, ..look };
+        let every = PlotStyle { marker_offset: 0, ..look };
         draw(&mut canvas, &frame, (&waves, unit.scale), &values, every);
         labels.extend(end(&frame, &values, label, look.colour, label == "Conductance"));
     }
@@ -125,7 +125,7 @@ fn draw(
     frame: &Frame,
     (x, scale): (&[f64], f64),
     values: &[Option<f64>],
-    look: Look,
+    look: PlotStyle,
 ) {
     let points: Vec<[f64; 2]> = x
         .iter()

@@ -2,11 +2,11 @@
 
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
-use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK2};
+use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK2};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
 use crate::lines::{Lines, ModelLine, compared, min_max, range_words};
+use crate::messages::load;
 use crate::numbers::{PASCALS, Unit, counted, signed_range, unit_for};
-use crate::words::load;
 
 /// Plot box: left and right edge in units.
 const LEFT: f64 = 44.0;
@@ -450,9 +450,9 @@ fn draw_reference(
     let positive: Vec<Option<f64>> = values.iter().map(|v| v.filter(|v| *v > 0.0)).collect();
     for run in runs(&positive) {
         let points: Vec<[f64; 2]> = run.iter().map(|(i, v)| frame.at([x(*i), *v])).collect();
-        canvas.polyline(&points, Stroke::solid(DETERMINISTIC, DETERMINISTIC_LOOK.width));
+        canvas.polyline(&points, Stroke::solid(DETERMINISTIC, DETERMINISTIC_STYLE.width));
         for point in points {
-            canvas.marker(point, 2.6, DETERMINISTIC_LOOK);
+            canvas.marker(point, 2.6, DETERMINISTIC_STYLE);
         }
     }
     positive.iter().flatten().last().copied()

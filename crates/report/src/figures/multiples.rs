@@ -2,7 +2,7 @@
 
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::labels::{EndLabel, draw_end_labels};
-use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_LOOK, INK};
+use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK};
 use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text, num};
 use crate::figures::curves::log_limits;
 use crate::lines::{Lines, ModelLine};
@@ -253,7 +253,7 @@ fn draw_panel(
     canvas.polyline(&reference, Stroke::solid(DETERMINISTIC, 1.6));
     if quantity != Quantity::Error {
         for point in &reference {
-            canvas.marker(*point, 2.0, DETERMINISTIC_LOOK);
+            canvas.marker(*point, 2.0, DETERMINISTIC_STYLE);
         }
     }
     canvas.raw("</g>");

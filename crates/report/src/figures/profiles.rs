@@ -4,8 +4,8 @@ use crate::draw::svg::Figure;
 use crate::figures::curves::{self, Use};
 use crate::figures::trace::trace;
 use crate::lines::{Lines, ModelLine};
-use crate::looks::look;
-use crate::words::profile::profile_headline;
+use crate::messages::profile::profile_headline;
+use crate::plot_styles::plot_style;
 use contact_compare::ProfileComparison;
 use std::io::{self, Write};
 
@@ -33,7 +33,7 @@ fn lines(study: &ProfileComparison) -> Lines {
         let curve = m.outcome.as_ref().ok()?;
         let area = curve.points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction)).collect();
         let (name, label) = (m.card.name.to_string(), m.card.label.to_string());
-        let look = look(&name, place);
+        let look = plot_style(&name, place);
         Some(ModelLine { name, label, look, area })
     });
     let n = study.pressures.len();

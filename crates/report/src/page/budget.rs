@@ -1,13 +1,13 @@
 //! The error budget of the headline by source, and choices that move it.
 
 use crate::draw::svg::escape;
+use crate::messages;
+use crate::messages::edges::edge_words;
 use crate::numbers::{
     METRES, PASCALS, SPACE, quantity, quantity_within, relative_interval, signed_percent,
     significant,
 };
 use crate::page::phrases::tolerance_words;
-use crate::words;
-use crate::words::edges::edge_words;
 use contact_accuracy::{Estimate, Parts};
 use contact_compare::ChoiceKind;
 use contact_compare::{DeterministicAnswer, SurfaceComparison};
@@ -57,8 +57,8 @@ pub(crate) fn table(
         format!(
             "<tr><th scope=\"row\">Value</th><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
              <td class=\"n\">{}/µm</td><td class=\"why\">stiffness −d<i>p</i>/d(mean gap) at fixed contact area</td></tr>\n",
-            words::area(answer),
-            words::real_pressure(answer),
+            messages::area(answer),
+            messages::real_pressure(answer),
             value(budget.mean_gap, 1.0, METRES),
             value(budget.stiffness, micro, PASCALS)
         ),

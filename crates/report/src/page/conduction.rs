@@ -2,13 +2,13 @@
 
 use crate::draw::svg::escape;
 use crate::figures::conduction::{self as figures, Line};
-use crate::looks::look;
+use crate::messages::conduction::{conductance, joint_words, kinds, scientific};
+use crate::messages::finding::capital;
 use crate::numbers::relative_interval;
 use crate::page::context::Page;
 use crate::page::sections::figure;
+use crate::plot_styles::plot_style;
 use crate::sources::CONDUCTANCE;
-use crate::words::conduction::{conductance, joint_words, kinds, scientific};
-use crate::words::finding::capital;
 use contact_compare::{SurfaceComparison, TheoryStiffness};
 
 /// Numbers at the headline, resistance over the load, and what the shortest waves do to it.
@@ -16,7 +16,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     let Some(found) = &surface.conduction else { return String::new() };
     let h = page.heading();
     let barber = page.source(CONDUCTANCE);
-    let p = crate::words::headline_load(surface);
+    let p = crate::messages::headline_load(surface);
     let estimate = surface.headline_answer().and_then(|a| a.budget.stiffness);
     let stated = estimate.and_then(|k| k.stated());
     let mut rows = String::new();
@@ -72,7 +72,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
             let (name, values) = (theory.name.clone(), of(&theory.stiffness));
             let is_correlation = ["mikic", "cmy"].contains(&name.as_str());
             let series = if is_correlation { String::new() } else { name.clone() };
-            Line { label: theory.label.clone(), series, look: look(&name, 0), values }
+            Line { label: theory.label.clone(), series, look: plot_style(&name, 0), values }
         };
         let lines: Vec<Line> = found.theories.iter().map(theory).collect();
         let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();

@@ -21,7 +21,7 @@ pub(crate) fn where_it_touches(
         return Ok(String::new());
     }
     let h = page.heading();
-    let p = crate::words::headline_load(surface);
+    let p = crate::messages::headline_load(surface);
     let heights = surface.solved_map().heights();
     let window = maps::busiest_window(&surface.pressure, grid.shape());
     let n = page.next_figure();

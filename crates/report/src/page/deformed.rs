@@ -72,7 +72,7 @@ pub(crate) fn through(
         .map(|(point, (load, share))| {
             format!(
                 "At {} the flat stands {} above the mean plane; {share} of this line touches.",
-                crate::words::load(point.mean_pressure, surface.load_area),
+                crate::messages::load(point.mean_pressure, surface.load_area),
                 quantity(load.flat, METRES, 3)
             )
         })

@@ -1,13 +1,13 @@
 //! How a report was made: program, inputs, material, solver, and how to repeat it.
 
 use crate::draw::svg::escape;
+use crate::messages::loads::loads_words;
+use crate::messages::materials::material_line;
+use crate::messages::pair::{bodies, lying, moments};
+use crate::messages::plan as plan_messages;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, significant};
 use crate::page::context::Page;
 use crate::page::phrases::{levelled, tolerance_words};
-use crate::words::loads::loads_words;
-use crate::words::materials::material_line;
-use crate::words::pair::{bodies, lying, moments};
-use crate::words::plan as plan_words;
 use contact_accuracy::PERIMETER_CORRECTION;
 use contact_accuracy::Reached;
 use contact_compare::{Body, FileOrigin, Origin, Recipe, Settings};
@@ -74,7 +74,7 @@ pub(crate) fn section(page: &Page<'_>) -> String {
         } else {
             "Accuracy".into()
         };
-        rows.push((term, plan_words(plan)));
+        rows.push((term, plan_messages(plan)));
     }
     rows.push(("Solver".into(), solver_words(page)));
     let list: String =
@@ -213,7 +213,7 @@ fn map_words(surface: &SurfaceComparison) -> String {
 }
 
 /// What was asked for, what was chosen for it, and where the models were asked.
-fn plan_words(plan: &Reached) -> String {
+fn plan_messages(plan: &Reached) -> String {
     let [ny, nx] = plan.given.shape();
     let order = if ny == nx { "" } else { " (rows × columns)" };
     let asked = plan.request.map_or("a fast answer".to_owned(), |request| {
@@ -221,7 +221,7 @@ fn plan_words(plan: &Reached) -> String {
     });
     format!(
         "{asked} asked for at every load; chosen: {}{order}. Models were given the map as it is",
-        escape(&plan_words::explanation(plan))
+        escape(&plan_messages::explanation(plan))
     )
 }
 

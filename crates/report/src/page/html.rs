@@ -3,13 +3,13 @@
 use crate::draw::palette::{COLOURS, Colour};
 use crate::draw::svg::escape;
 use crate::error::ReportError;
+use crate::messages;
 use crate::numbers::{PASCALS, chosen};
 use crate::page::context::Page;
 use crate::page::{
     conduction, contact_map, distributions, how_made, leak, overview, sections, slider,
 };
 use crate::provenance::Provenance;
-use crate::words;
 use contact_compare::{Comparison, SurfaceComparison};
 use contact_types::Citation;
 use grid_fft::parallel::join;
@@ -91,10 +91,10 @@ pub fn style() -> String {
 fn title(comparison: &Comparison) -> String {
     match comparison.surfaces.as_slice() {
         [one] => {
-            let p = words::headline_load(one);
+            let p = messages::headline_load(one);
             one.headline_answer().map_or_else(
                 || format!("{} (rough-contact)", one.name),
-                |a| format!("At {p} {} touches: {} (rough-contact)", words::area(a), one.name),
+                |a| format!("At {p} {} touches: {} (rough-contact)", messages::area(a), one.name),
             )
         }
         many => format!("{} surfaces compared (rough-contact)", many.len()),
@@ -137,14 +137,14 @@ fn surface_sections(
 }
 
 fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
-    let say = words::headline(surface);
+    let say = messages::headline(surface);
     if page.several() {
         return format!("<header><p class=\"say\">{say}</p></header>\n");
     }
     format!(
         "<header><p class=\"file\">rough-contact report · <b>{}</b> · {}</p>\n<h1>{say}</h1></header>\n",
         escape(&surface.name),
-        words::date(page.provenance.unix_time)
+        messages::date(page.provenance.unix_time)
     )
 }
 

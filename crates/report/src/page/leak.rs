@@ -1,18 +1,18 @@
 //! The leak through the gap, where it was asked for: closed forms beside the solution, and a map of the flow.
 
-use crate::draw::palette::{DETERMINISTIC_LOOK, ELASTIC_LOOK};
+use crate::draw::palette::{DETERMINISTIC_STYLE, ELASTIC_LOOK};
 use crate::error::ReportError;
 use crate::figures::conduction::{Line, over_load};
 use crate::figures::cost::{self, Route};
 use crate::figures::flow;
-use crate::looks::look;
+use crate::messages::conduction::scientific;
+use crate::messages::finding::capital;
+use crate::messages::leak::{known, leak_notes};
 use crate::numbers::{METRES, duration, quantity, signed_percent, signed_range};
 use crate::page::context::Page;
 use crate::page::sections::{figure, reduced_words};
 use crate::page::tables::swatch;
-use crate::words::conduction::scientific;
-use crate::words::finding::capital;
-use crate::words::leak::{known, leak_notes};
+use crate::plot_styles::plot_style;
 use contact_accuracy::{Axis, Leak as AxisLeak, Leaks};
 use contact_compare::SurfaceComparison;
 
@@ -74,7 +74,7 @@ impl<'a> Curves<'a> {
         let cells = [known(leak, "m³", |k| k), "reference".into(), "–".into(), duration(time)];
         let mut rows = row(
             " class=\"ref\"",
-            swatch(DETERMINISTIC_LOOK),
+            swatch(DETERMINISTIC_STYLE),
             "Reynolds on the gap",
             cells,
             &channel,
@@ -86,7 +86,7 @@ impl<'a> Curves<'a> {
             let range = low.zip(high).map_or_else(|| "–".into(), |(l, h)| signed_range(l, h));
             let error = errors[at].map_or_else(|| "–".into(), signed_percent);
             let cells = [scientific(permeability, "m³"), error, range, duration(seconds)];
-            rows.push_str(&row("", swatch(look(name, k)), FORMS[k][0], cells, ""));
+            rows.push_str(&row("", swatch(plot_style(name, k)), FORMS[k][0], cells, ""));
         }
         rows
     }
@@ -101,7 +101,7 @@ impl<'a> Curves<'a> {
                 Some(Route {
                     label: FORMS[k][1].into(),
                     series: String::new(),
-                    look: look(name, k),
+                    look: plot_style(name, k),
                     seconds,
                     error: leak.error_of(permeability)?.abs(),
                     bold: false,
@@ -128,7 +128,7 @@ pub(crate) fn section(
         settings.hardness.is_some(),
     );
     let notes: String = notes.iter().map(|note| format!(" {}.", capital(note))).collect();
-    let (at, h, p) = (surface.headline, page.heading(), crate::words::headline_load(surface));
+    let (at, h, p) = (surface.headline, page.heading(), crate::messages::headline_load(surface));
     let curves: Vec<Curves<'_>> = asked
         .along
         .axes()
@@ -151,7 +151,7 @@ pub(crate) fn section(
         let line = |k: usize| {
             let name = leaks.closed_forms()[k].0;
             let (label, values) = (FORMS[k][1].into(), first.form(k));
-            Line { label, series: String::new(), look: look(name, k), values }
+            Line { label, series: String::new(), look: plot_style(name, k), values }
         };
         let other = curves.get(1).map(|curves| Line {
             label: String::new(), // it may end before the others; the caption has it

@@ -84,7 +84,7 @@ impl<'a> Moving<'a> {
             .map(|p| {
                 let (touching, highest) =
                     p.answer.as_ref().map_or((0, 0.0), |a| (a.contact_pixels, a.max_pressure));
-                let load = crate::words::load(p.mean_pressure, self.surface.load_area);
+                let load = crate::messages::load(p.mean_pressure, self.surface.load_area);
                 format!(
                     "Contact map at {load}: {touching} of {points} points of the map carry pressure, at most {}.",
                     quantity(highest, PASCALS, 2)

@@ -3,10 +3,10 @@
 use crate::draw::svg::escape;
 use crate::figures::multiples::{self, Quantity};
 use crate::lines::WANTED;
+use crate::messages;
 use crate::numbers::{METRES, SPACE, counted, duration, quantity, signed_percent, significant};
 use crate::page::context::Page;
 use crate::page::how_made::modulus_in_head;
-use crate::words;
 use contact_compare::{ModelComparison, SurfaceComparison, elastic_holds};
 
 /// The opening of a report on several surfaces.
@@ -16,7 +16,7 @@ pub(crate) fn section(page: &mut Page<'_>) -> String {
         "<p class=\"file\">rough-contact report · {} surfaces · {} · {}</p>\n",
         surfaces.len(),
         modulus_in_head(&page.comparison.settings),
-        words::date(page.provenance.unix_time)
+        messages::date(page.provenance.unix_time)
     );
     let mut out =
         format!("<header>{line}<h1>{}</h1></header>\n{}", headline(surfaces), table(surfaces));
@@ -65,7 +65,7 @@ fn mean_errors(surfaces: &[SurfaceComparison]) -> Vec<Vec<Option<f64>>> {
 
 /// Which closed form has the smallest largest mean error over the surfaces.
 fn headline(surfaces: &[SurfaceComparison]) -> String {
-    let unknown = surfaces.iter().filter(|s| !words::is_known(s)).count();
+    let unknown = surfaces.iter().filter(|s| !messages::is_known(s)).count();
     if unknown > 0 {
         return format!(
             "The area is not known to 10{SPACE}% on {unknown} of {}: the closed forms are not ranked.",
@@ -81,7 +81,7 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
     let count = surfaces.len();
     match best {
         Some((k, error)) => {
-            let name = words::named(&surfaces[0].models[k]);
+            let name = messages::named(&surfaces[0].models[k]);
             let percent = crate::numbers::percent(error);
             if error <= WANTED {
                 format!(
@@ -103,7 +103,7 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
         .enumerate()
         .map(|(i, s)| {
             let answer = s.headline_answer();
-            let nearest = words::nearest(s);
+            let nearest = messages::nearest(s);
             format!(
                 "<tr><th scope=\"row\"><a href=\"#s{i}-w\">{}</a></th><td class=\"n\">{}</td>\
                  <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
@@ -111,9 +111,9 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
                 escape(&s.name),
                 quantity(s.statistics.rms_height, METRES, 3),
                 significant(s.inputs.rms_gradient(), 2),
-                words::headline_load(s),
-                answer.map_or("–".into(), words::area),
-                answer.map_or("–".into(), words::real_pressure),
+                messages::headline_load(s),
+                answer.map_or("–".into(), messages::area),
+                answer.map_or("–".into(), messages::real_pressure),
                 nearest.as_ref().map_or("–".into(), |r| format!(
                     "{} ({}), {}",
                     r.model.card.label,

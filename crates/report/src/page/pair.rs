@@ -1,8 +1,8 @@
 //! Two bodies on the page: how they lie, what each adds.
 
 use crate::draw::svg::escape;
+use crate::messages::pair::{lying, moments};
 use crate::numbers::{METRES, quantity, signed_percent, significant};
-use crate::words::pair::{lying, moments};
 use contact_compare::{PairFound, PairOrigin};
 use contact_types::SpectralMoments;
 

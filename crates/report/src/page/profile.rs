@@ -4,17 +4,17 @@ use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::figures::profiles;
 use crate::figures::surface::{Spectrum, spectrum};
-use crate::looks::{inputs_html, look};
+use crate::messages;
+use crate::messages::loads::loads_words;
+use crate::messages::profile::{area_range, profile_headline};
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
 use crate::page::how_made::{bodies_words, modulus_in_head, origin_words};
 use crate::page::html::{document, references};
 use crate::page::profile_tables::{key_numbers, roughness, sampling};
 use crate::page::sections::{figure, notes};
 use crate::page::tables::{applies, swatch};
+use crate::plot_styles::{inputs_html, plot_style};
 use crate::provenance::Provenance;
-use crate::words;
-use crate::words::loads::loads_words;
-use crate::words::profile::{area_range, profile_headline};
 use contact_compare::ProfileComparison;
 use contact_types::{Citation, ContactState};
 use std::io::Write;
@@ -103,7 +103,7 @@ fn opening(study: &ProfileComparison, several: bool, provenance: &Provenance) ->
     } else {
         (
             format!("rough-contact report · <b>{}</b> · ", escape(&study.name)),
-            format!(" · {}", words::date(provenance.unix_time)),
+            format!(" · {}", messages::date(provenance.unix_time)),
         )
     };
     let say = escape(&profile_headline(study));
@@ -207,10 +207,10 @@ fn models(study: &ProfileComparison, numbers: &mut Numbers, h: &str, id: &str) -
                  class=\"n\">{interval}</td><td data-l=\"Real pressure\" class=\"n\">{real}</td>\
                  <td data-l=\"Applies\" class=\"dom\">{}</td><td data-l=\"Ref.\" class=\"n src\">\
                  <a href=\"#r{source}\">{source}</a></td></tr>\n",
-                swatch(look(&card.name, place)),
+                swatch(plot_style(&card.name, place)),
                 escape(&card.title),
                 inputs_html(card),
-                applies(m.verdict.answer, &words::reason_of(card, &m.verdict))
+                applies(m.verdict.answer, &messages::reason_of(card, &m.verdict))
             )
         })
         .collect();

@@ -1,7 +1,7 @@
 //! Tables of the report on profiles.
 
+use crate::messages::profile::spread;
 use crate::numbers::{METRES, SPACE, chosen, percent, quantity, significant, unit_for};
-use crate::words::profile::spread;
 use contact_compare::ProfileComparison;
 use surface_stats::profile::{ProfileStatistics, SettingSource};
 

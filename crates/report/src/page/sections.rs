@@ -7,17 +7,17 @@ use crate::figures::heights::{HeightPicture, height_figure};
 use crate::figures::surface::{Histogram, histogram};
 use crate::figures::{cost, surface as surface_figures};
 use crate::lines::{Lines, YIELDING};
-use crate::looks::look;
+use crate::messages::edges::edge_words;
+use crate::messages::finding::finding;
+use crate::messages::{self, coarser};
 use crate::numbers::SPACE;
 use crate::page::budget;
 use crate::page::context::Page;
 use crate::page::pair;
 use crate::page::slider::dial;
 use crate::page::{statistics, tables};
+use crate::plot_styles::plot_style;
 use crate::sources::AREA_CORRECTION;
-use crate::words::edges::edge_words;
-use crate::words::finding::finding;
-use crate::words::{self, coarser};
 use contact_compare::{Finding, SurfaceComparison, Weight, findings};
 
 /// A figure with its caption; the caption is HTML and opens with a bold subject.
@@ -64,7 +64,7 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
 /// Figs. 1 to 4: area, real pressure, error, cost; the first three once for each kind of bodies.
 pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
     let h = page.heading();
-    let p = words::headline_load(surface);
+    let p = messages::headline_load(surface);
     let mut out = format!("<{h}>Area and pressure against load</{h}>\n{}", dial(surface, id));
     let panels = Lines::panels(surface);
     for (k, lines) in panels.iter().enumerate() {
@@ -140,12 +140,12 @@ fn relative_uncertainty(surface: &SurfaceComparison) -> Option<f64> {
 
 fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<cost::Route>> {
     let answer = surface.headline_answer()?;
-    let mut routes: Vec<cost::Route> = words::ranked(surface)
+    let mut routes: Vec<cost::Route> = messages::ranked(surface)
         .into_iter()
         .map(|r| cost::Route {
             label: r.model.card.label.to_string(),
             series: r.model.card.name.to_string(),
-            look: look(&r.model.card.name, r.place),
+            look: plot_style(&r.model.card.name, r.place),
             seconds: r.seconds,
             error: r.error.abs(),
             bold: false,
@@ -212,7 +212,7 @@ pub(crate) fn the_surface(
 ) -> String {
     let h = page.heading();
     let grid = surface.surface.grid();
-    let p = words::headline_load(surface);
+    let p = messages::headline_load(surface);
     let (title, first) = match surface.origin.pair() {
         Some(both) => ("Composite surface", pair::opening(both)),
         None => ("The surface", String::new()),
@@ -268,7 +268,7 @@ pub(crate) fn the_surface(
 pub(crate) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
     let Some(answer) = surface.headline_answer() else { return String::new() };
     let h = page.heading();
-    let p = words::headline_load(surface);
+    let p = messages::headline_load(surface);
     let correction = page.source(AREA_CORRECTION);
     let budget = match answer.budget.area.half_width() {
         Ok(_) => budget::table(answer, surface, &p, correction),

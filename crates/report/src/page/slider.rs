@@ -2,10 +2,10 @@
 
 use crate::draw::palette::DETERMINISTIC;
 use crate::lines::{ELASTIC, Reference, references};
-use crate::looks::look;
+use crate::messages;
 use crate::numbers::{NEWTONS, PASCALS, chosen, quantity, signed_percent};
 use crate::page::{phrases, spread, tables};
-use crate::words;
+use crate::plot_styles::plot_style;
 use contact_compare::{DeterministicAnswer, SurfaceComparison};
 use serde_json::json;
 
@@ -17,7 +17,7 @@ fn read_out(surface: &SurfaceComparison) -> Vec<String> {
         .map(|point| {
             let on_map = point.mean_pressure * surface.surface.grid().area();
             let p = match surface.load_area {
-                Some(_) => words::load(point.mean_pressure, surface.load_area),
+                Some(_) => messages::load(point.mean_pressure, surface.load_area),
                 None => format!(
                     "{} ({} on this map)",
                     chosen(point.mean_pressure, PASCALS),
@@ -27,7 +27,7 @@ fn read_out(surface: &SurfaceComparison) -> Vec<String> {
             point.answer.as_ref().map_or_else(
                 || format!("{p}: no answer"),
                 |a| {
-                    let (area, pressure) = (words::area(a), words::real_pressure(a));
+                    let (area, pressure) = (messages::area(a), messages::real_pressure(a));
                     format!("{p}: area {area}, real pressure {pressure}")
                 },
             )
@@ -49,7 +49,7 @@ pub(crate) fn dial(surface: &SurfaceComparison, id: &str) -> String {
         n - 1,
         surface.headline,
         read[surface.headline],
-        words::headline_load(surface)
+        messages::headline_load(surface)
     )
 }
 
@@ -62,7 +62,7 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
     let loads: Vec<String> = surface
         .deterministic
         .iter()
-        .map(|p| words::load(p.mean_pressure, surface.load_area))
+        .map(|p| messages::load(p.mean_pressure, surface.load_area))
         .collect();
     cells.insert("load".into(), json!(loads));
     let mut listed = Vec::new();
@@ -71,13 +71,13 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
         let each = |words: fn(&DeterministicAnswer) -> String| -> Vec<String> {
             points.iter().map(|p| p.answer.as_ref().map_or("–".into(), words)).collect()
         };
-        cells.insert(format!("a-{name}"), json!(each(words::area)));
-        cells.insert(format!("p-{name}"), json!(each(words::real_pressure)));
+        cells.insert(format!("a-{name}"), json!(each(messages::area)));
+        cells.insert(format!("p-{name}"), json!(each(messages::real_pressure)));
         let class = DETERMINISTIC.class;
         listed.push(json!({ "name": name, "label": "Deterministic", "class": class, "of": of }));
         for (place, m) in models {
             let Ok(curve) = &m.outcome else { continue };
-            let (card, class) = (&m.card, look(&m.card.name, place).colour.class);
+            let (card, class) = (&m.card, plot_style(&m.card.name, place).colour.class);
             listed
                 .push(json!({ "name": card.name, "label": card.label, "class": class, "of": of }));
             let errors: Vec<String> =

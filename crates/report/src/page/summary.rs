@@ -4,7 +4,7 @@ use crate::digest::Spread;
 use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::figures::spread::{Curves, Histogram, Strip, curves, histograms, strips};
-use crate::looks::look;
+use crate::messages;
 use crate::numbers::{
     AREAS, METRES, NEWTONS, PASCALS, SPACE, Unit, chosen, counted, duration, percent, quantity,
     signed_percent, significant, unit_for,
@@ -15,8 +15,8 @@ use crate::page::how_made::{
 use crate::page::html::{document, hardness_in_head};
 use crate::page::sections::figure;
 use crate::page::tables::swatch;
+use crate::plot_styles::plot_style;
 use crate::provenance::Provenance;
-use crate::words;
 use contact_compare::{Settings, find};
 use serde_json::Value;
 use std::io::Write;
@@ -105,7 +105,7 @@ pub fn write(
         counted(all, "file"),
         modulus_in_head(summary.settings),
         hardness_in_head(summary.settings.hardness),
-        words::date(provenance.unix_time),
+        messages::date(provenance.unix_time),
         headline(summary),
         standing(summary)
     );
@@ -189,7 +189,7 @@ fn load_and_errors(summary: &Summary<'_>) -> String {
         .filter_map(|(place, name)| {
             let errors = Spread::of(summary.errors(name).into_iter().flatten())?;
             let label = find(name).map_or_else(|| (*name).into(), |t| t.card().label.to_string());
-            Some(Strip { label, look: look(name, place), errors })
+            Some(Strip { label, look: plot_style(name, place), errors })
         })
         .collect();
     format!(
@@ -227,7 +227,7 @@ fn models(summary: &Summary<'_>) -> String {
             "<tr><th scope=\"row\"><div>{}<span>{}</span></div></th><td class=\"n\">{}</td>\
              <td class=\"n\">{}</td><td class=\"n\">{} to {}</td><td class=\"n\">{}</td>\
              <td class=\"n\">{}</td><td class=\"why\">{}</td></tr>\n",
-            swatch(look(name, place)),
+            swatch(plot_style(name, place)),
             label(name),
             errors.iter().flatten().count(),
             q(0.5),
@@ -427,7 +427,7 @@ fn listed(summary: &Summary<'_>) -> String {
             escape(name),
             of("rms_height", &|v| quantity(v, METRES, 3)),
             of("rms_gradient", &|v| significant(v, 2)),
-            of("mean_pressure", &|v| words::load(v, Summary::area(map))),
+            of("mean_pressure", &|v| messages::load(v, Summary::area(map))),
             of("area_fraction", &percent),
             check.map_or("–".into(), |n| n.to_string()),
         )

@@ -1,9 +1,9 @@
 //! Tables: key numbers, models, statistics, error budget.
 
-use crate::draw::palette::{DETERMINISTIC_LOOK, Look};
+use crate::draw::palette::{DETERMINISTIC_STYLE, PlotStyle};
 use crate::draw::svg::{Canvas, Stroke, escape};
 use crate::lines::{ELASTIC, Reference, references};
-use crate::looks::{inputs_html, look};
+use crate::messages;
 use crate::numbers::{
     AREAS, METRES, PASCALS, SPACE, chosen, duration, quantity, signed_percent, signed_range,
     significant,
@@ -11,8 +11,8 @@ use crate::numbers::{
 use crate::page::context::Page;
 use crate::page::how_made::modulus_in_head;
 use crate::page::phrases::load_words;
+use crate::plot_styles::{inputs_html, plot_style};
 use crate::sources::DETERMINISTIC;
-use crate::words;
 use contact_compare::{
     Applies, ModelComparison, ModelCurve, SurfaceComparison, elastic_limit, is_steep,
 };
@@ -21,14 +21,15 @@ use contact_types::{ContactState, ModelError};
 /// What the answer holds for, and the ways to it: terms with a value and a note.
 pub(crate) fn key_numbers(page: &Page<'_>, surface: &SurfaceComparison) -> String {
     let mut rows: Vec<[String; 3]> = Vec::new();
-    for r in surface.conducted(surface.headline).iter().flat_map(words::conduction::resistances) {
+    for r in surface.conducted(surface.headline).iter().flat_map(messages::conduction::resistances)
+    {
         let area = surface.conduction.as_ref().and_then(|c| c.joint.area);
         let of = area.map_or_else(String::new, |area| format!("of {}", quantity(area, AREAS, 3)));
         let beside = r.beside().map_or_else(String::new, |words| format!("; {words}"));
         rows.push([r.name.into(), r.value, of + &beside]);
     }
     let settings = &page.comparison.settings;
-    rows.extend(settings.leak.iter().flat_map(|asked| words::leak::key_rows(asked, surface)));
+    rows.extend(settings.leak.iter().flat_map(|asked| messages::leak::key_rows(asked, surface)));
     let (force, product) = load_words(surface);
     rows.push(["Load".into(), force, product]);
     let hardness = surface.inputs.hardness.map(|h| format!("<i>H</i> = {}", chosen(h, PASCALS)));
@@ -56,9 +57,9 @@ pub(crate) fn key_numbers(page: &Page<'_>, surface: &SurfaceComparison) -> Strin
         let materials = if area.materials > 0.0 { "and materials" } else { "" };
         rows.push([format!("± covers, 95{SPACE}%"), of.into(), materials.into()]);
     }
-    let [name, how] = words::published(surface);
+    let [name, how] = messages::published(surface);
     rows.push(["Best published closed form".into(), name, how]);
-    if let Some([name, how]) = words::cheapest(surface) {
+    if let Some([name, how]) = messages::cheapest(surface) {
         rows.push([format!("Cheapest within 10{SPACE}%"), name, how]);
     }
     let body: String = rows
@@ -87,7 +88,7 @@ pub(crate) fn model_pressure(point: &Result<ContactState, ModelError>) -> String
 }
 
 /// A short piece of a series' line with its marker.
-pub(crate) fn swatch(look: Look) -> String {
+pub(crate) fn swatch(look: PlotStyle) -> String {
     let mut canvas = Canvas::default();
     let stroke = Stroke { colour: look.colour, width: 1.2 * look.width, dash: look.dash };
     canvas.line([1.0, 6.0], [33.0, 6.0], stroke);
@@ -104,12 +105,12 @@ pub(crate) fn applies(answer: Applies, reason: &str) -> String {
 
 /// Every model: number, error, cost, domain with its reason, source.
 pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
-    let p = words::headline_load(surface);
+    let p = messages::headline_load(surface);
     let loads = &surface.deterministic;
     let range = format!(
         "{} to {}",
-        words::load(loads[0].mean_pressure, surface.load_area),
-        words::load(loads[loads.len() - 1].mean_pressure, surface.load_area)
+        messages::load(loads[0].mean_pressure, surface.load_area),
+        messages::load(loads[loads.len() - 1].mean_pressure, surface.load_area)
     );
     // Each theory stands below the solution for the bodies it is about.
     let mut rows = String::new();
@@ -157,15 +158,15 @@ fn deterministic_row(
         "<tr class=\"ref\"><th scope=\"row\"><div>{}<span>Deterministic, FFT-BEM<small>height map{of}</small></span></div></th><td data-l=\"Area\" class=\"n\"{k}>{}</td>\
          <td data-l=\"Error at load\" class=\"n\">reference</td><td data-l=\"Error, all loads\" \
          class=\"n\">–</td><td data-l=\"Time\" class=\"n\">{}</td><td data-l=\"Applies\" class=\"dom\">{}</td>{source}</tr>\n",
-        swatch(DETERMINISTIC_LOOK),
-        answer.map_or("–".into(), words::area),
+        swatch(DETERMINISTIC_STYLE),
+        answer.map_or("–".into(), messages::area),
         answer.map_or("–".into(), |a| duration(a.seconds)),
         match (answer, answer.and_then(|a| a.budget.area.half_width().err())) {
             (None, _) => applies(Applies::No, "no solution at this load"),
             (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),
             (_, Some(reason)) => applies(Applies::Caution, &reason.to_string()),
             _ if is_steep(surface.statistics.rms_gradient) => {
-                applies(Applies::Caution, words::SMALL_SLOPES)
+                applies(Applies::Caution, messages::SMALL_SLOPES)
             }
             _ if yields => applies(Applies::Yes, "yields at the hardness"),
             _ => applies(Applies::Yes, "elastic"),
@@ -185,13 +186,13 @@ fn model_row(
     let series = escape(&card.name);
     let name = format!(
         "<th scope=\"row\"><div>{}<span>{}<small>{}</small></span></div></th>",
-        swatch(look(&card.name, place)),
+        swatch(plot_style(&card.name, place)),
         escape(&card.title),
         inputs_html(card)
     );
     let domain = format!(
         "<td data-l=\"Applies\" class=\"dom\">{}</td>",
-        applies(model.verdict.answer, &words::reason(model))
+        applies(model.verdict.answer, &messages::reason(model))
     );
     let Ok(curve) = &model.outcome else {
         let dash = |l: &str| format!("<td data-l=\"{l}\" class=\"n\">–</td>");

@@ -7,12 +7,12 @@ use contact_compare::find;
 use contact_report::draw::axes::{Axis, Frame};
 use contact_report::draw::labels::{place_near, push_apart};
 use contact_report::draw::palette::{
-    BAND, Colour, DETERMINISTIC, DETERMINISTIC_LOOK, INK2, LINE, Look, Marker, WARN,
+    BAND, Colour, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, LINE, Marker, PlotStyle, WARN,
 };
 use contact_report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
 use contact_report::figures::front::front;
-use contact_report::looks::look;
 use contact_report::numbers::{SPACE, duration, percent, power_of_ten, time_tick};
+use contact_report::plot_styles::plot_style;
 use std::io::{self, Write};
 
 /// Tolerance at which the grids are compared: the solver's own default.
@@ -75,10 +75,11 @@ impl Taken {
 }
 
 /// How the fast method is drawn where its counted area is meant.
-const COUNTED: Look = Look { colour: INK2, width: 1.35, dash: "4 2", ..ring(DETERMINISTIC) };
+const COUNTED: PlotStyle =
+    PlotStyle { colour: INK2, width: 1.35, dash: "4 2", ..ring(DETERMINISTIC) };
 
-const fn ring(colour: Colour) -> Look {
-    Look { colour, width: 2.0, dash: "", marker: Marker::Ring, marker_offset: 0 }
+const fn ring(colour: Colour) -> PlotStyle {
+    PlotStyle { colour, width: 2.0, dash: "", marker: Marker::Ring, marker_offset: 0 }
 }
 
 /// Words for a grid by its points per side over those of the map.
@@ -150,12 +151,12 @@ pub fn write_tradeoff_area(table: &Table, out: &mut impl Write) -> io::Result<()
     for kind in [AreaOf::Count, AreaOf::Corrected] {
         let line: Vec<[f64; 2]> =
             (0..shown.len()).filter(|&i| shown[i].area == kind).map(place).collect();
-        let look = look_of(kind, "");
+        let look = style_of(kind, "");
         canvas.polyline(&line, Stroke { colour: look.colour, width: 1.0, dash: look.dash });
         taken.line(&line);
     }
     for (i, way) in shown.iter().enumerate() {
-        let look = look_of(way.area, &way.row.method);
+        let look = style_of(way.area, &way.row.method);
         let [low, _, high] = way.error.map(height);
         canvas.line([xs[i], low], [xs[i], high], Stroke::solid(look.colour, 0.9));
         taken.0.push([xs[i] - 1.0, high.min(low), xs[i] + 1.0, low.max(high)]);
@@ -167,7 +168,7 @@ pub fn write_tradeoff_area(table: &Table, out: &mut impl Write) -> io::Result<()
     {
         let Some(i) = (0..shown.len()).rev().find(|&i| shown[i].area == kind) else { continue };
         let [x, y] = place(i);
-        let colour = look_of(kind, "").colour;
+        let colour = style_of(kind, "").colour;
         let text = Text { colour, bold, ..Text::new([x + 7.0, y + 3.4], name) };
         taken.0.push(text.bounds());
         canvas.label(&text);
@@ -178,7 +179,7 @@ pub fn write_tradeoff_area(table: &Table, out: &mut impl Write) -> io::Result<()
             AreaOf::Corrected => grid_name(way.row.scale.unwrap_or(1.0)),
             AreaOf::Count => continue,
         };
-        let colour = look_of(way.area, &way.row.method).colour;
+        let colour = style_of(way.area, &way.row.method).colour;
         let text = Text { colour, ..Text::new([0.0, 0.0], name) };
         taken.label(&mut canvas, place(i), &text, inside);
     }
@@ -215,11 +216,13 @@ fn is_shown(way: &Way<'_>) -> bool {
         || (method == "chord" && precision.as_deref() == Some("f64") && is_default)
 }
 
-fn look_of(area: AreaOf, method: &str) -> Look {
+fn style_of(area: AreaOf, method: &str) -> PlotStyle {
     match area {
-        AreaOf::Model => find(method).map_or(DETERMINISTIC_LOOK, |m| look(&m.card().name, 0)),
+        AreaOf::Model => {
+            find(method).map_or(DETERMINISTIC_STYLE, |m| plot_style(&m.card().name, 0))
+        }
         AreaOf::Count => COUNTED,
-        AreaOf::Corrected => DETERMINISTIC_LOOK,
+        AreaOf::Corrected => DETERMINISTIC_STYLE,
     }
 }
 
@@ -260,13 +263,13 @@ fn upright_mark(canvas: &mut Canvas, taken: &mut Taken, frame: &Frame, seconds: 
 }
 
 /// A method of the solver in a precision: how it is drawn, what it is called.
-const SERIES: [(&str, &str, &str, Look); 6] = [
-    ("chord", "f64", "chord", DETERMINISTIC_LOOK),
-    ("chord", "f32", "chord f32", Look { dash: "3 2", width: 1.2, ..ring(DETERMINISTIC) }),
-    ("polonsky-keer", "f64", "Polonsky–Keer", Look::model(INK2, "", Marker::Square, 0)),
-    ("polonsky-keer", "f32", "f32", Look::model(INK2, "3 2", Marker::Diamond, 0)),
-    ("stanley-kato", "f64", "Stanley–Kato", Look::model(WARN, "", Marker::TriangleUp, 0)),
-    ("stanley-kato", "f32", "f32", Look::model(WARN, "3 2", Marker::TriangleDown, 0)),
+const SERIES: [(&str, &str, &str, PlotStyle); 6] = [
+    ("chord", "f64", "chord", DETERMINISTIC_STYLE),
+    ("chord", "f32", "chord f32", PlotStyle { dash: "3 2", width: 1.2, ..ring(DETERMINISTIC) }),
+    ("polonsky-keer", "f64", "Polonsky–Keer", PlotStyle::model(INK2, "", Marker::Square, 0)),
+    ("polonsky-keer", "f32", "f32", PlotStyle::model(INK2, "3 2", Marker::Diamond, 0)),
+    ("stanley-kato", "f64", "Stanley–Kato", PlotStyle::model(WARN, "", Marker::TriangleUp, 0)),
+    ("stanley-kato", "f32", "f32", PlotStyle::model(WARN, "3 2", Marker::TriangleDown, 0)),
 ];
 
 /// The true relative rms error of the pressure against time, over the tolerance: each method of
@@ -332,7 +335,7 @@ pub fn write_tradeoff_pressure(table: &Table, out: &mut impl Write) -> io::Resul
     let inside = [FRAME[0] + 2.0, FRAME[1] - 6.0, COLUMN - 1.0, FRAME[3]];
     for (series, line, label, look) in &drawn {
         let (Some(row), Some(&at)) = (series.last(), line.last()) else { continue };
-        let bold = *look == DETERMINISTIC_LOOK;
+        let bold = *look == DETERMINISTIC_STYLE;
         let text = Text { colour: look.colour, bold, ..Text::new([0.0, 0.0], label) };
         let (true, Some(pairs)) = (row.is_capped, row.pairs) else {
             taken.label(&mut canvas, at, &text, inside);

@@ -26,9 +26,9 @@
 //! Two fallbacks guarantee convergence: projected gradients where a chord does not descend or the
 //! estimate stalls, and conjugate gradients on the face where that does not help.
 
+use super::active_set::RELEASE;
 use super::face_cg;
 use super::line::{FULL, Trial};
-use super::look::RELEASE;
 use super::memory::{Kind, Known};
 use super::run::Run;
 use super::work::Work;

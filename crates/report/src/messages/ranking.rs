@@ -2,9 +2,9 @@
 
 use crate::draw::svg::escape;
 use crate::lines::WANTED;
+use crate::messages::coarser;
+use crate::messages::finding::capital;
 use crate::numbers::{SPACE, duration, signed_percent};
-use crate::words::coarser;
-use crate::words::finding::capital;
 use contact_compare::{
     Applies, DeterministicAnswer, ModelComparison, SurfaceComparison, elastic_holds,
 };

@@ -1,7 +1,7 @@
 //! What must be known of a leak, in words.
 
+use crate::messages::conduction::scientific;
 use crate::numbers::relative_interval;
-use crate::words::conduction::scientific;
 use contact_accuracy::{Axis, Leak as AxisLeak, Leaks};
 use contact_compare::{Leak, SurfaceComparison, typical_hardness};
 

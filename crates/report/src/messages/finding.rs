@@ -1,13 +1,13 @@
 //! Findings in words: plain text, the same on the page, on the terminal and in files.
 
+use crate::messages::adhesion;
+use crate::messages::edges::seam_effect;
+use crate::messages::pair;
+use crate::messages::plan;
+use crate::messages::profile;
+use crate::messages::spikes::spikes;
+use crate::messages::yielding;
 use crate::numbers::{METRES, PASCALS, SPACE, counted, fixed, percent, quantity, significant};
-use crate::words::adhesion;
-use crate::words::edges::seam_effect;
-use crate::words::pair;
-use crate::words::plan;
-use crate::words::profile;
-use crate::words::spikes::spikes;
-use crate::words::yielding;
 use contact_accuracy::{INDICATOR_LIMIT, NoUncertainty, Reached};
 use contact_compare::{Bare, EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
 use surface_stats::clean::{FormParameters, Record};
@@ -132,7 +132,7 @@ fn unit([gradient, rms_height, radius]: [Option<f64>; 3]) -> Worded {
     worded(
         "Is the unit right?",
         format!(
-            "No rough surface has {}. Look at the unit of the heights and at the point spacing; \
+            "No rough surface has {}. PlotStyle at the unit of the heights and at the point spacing; \
              until they are right, no number here means anything.",
             found.join(" and ")
         ),

@@ -1,8 +1,8 @@
 //! Sentences on the deterministic answer. They state what was computed and name the number.
 
 use crate::draw::svg::escape;
+use crate::messages::yielding;
 use crate::numbers::{PASCALS, SPACE, percent_within, quantity_within};
-use crate::words::yielding;
 use contact_compare::{DeterministicAnswer, SurfaceComparison};
 
 /// "1.96 ± 0.25 %", "at most 2.1 %" where the interval begins at zero, or "1.96 %" without one: of grid, iteration
