@@ -1,7 +1,7 @@
 //! The leak through the gap, as a user asks for it.
 
 use crate::failure::Failure;
-use contact_compare::{Along, Leak, Seal};
+use contact_compare::{Along, LeakRequest, Seal};
 
 /// Names of the numbers of a seal, in their order, whether 0 is allowed, and how they are written.
 const NUMBERS: [(&str, bool, &str); 4] = [
@@ -15,7 +15,10 @@ const NUMBERS: [(&str, bool, &str); 4] = [
 ///
 /// # Errors
 /// [`Failure`] of numbers that are none, or not all that a rate takes.
-pub fn asked(axes: Option<&str>, numbers: [Option<f64>; 4]) -> Result<Option<Leak>, Failure> {
+pub fn asked(
+    axes: Option<&str>,
+    numbers: [Option<f64>; 4],
+) -> Result<Option<LeakRequest>, Failure> {
     let refused = |message: String| Err(Failure::refused("leak", message));
     let given = numbers.iter().flatten().count();
     let along = match axes {
@@ -57,7 +60,7 @@ pub fn asked(axes: Option<&str>, numbers: [Option<f64>; 4]) -> Result<Option<Lea
         }
         _ => None,
     };
-    Ok(Some(Leak { along, seal }))
+    Ok(Some(LeakRequest { along, seal }))
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::watch::Watch;
 use crate::work::Work;
 use contact_accuracy::{Aim, Ladder, LadderError, Setup};
 use contact_compare::{
-    Adhesion, Body, EdgesName, Finding, Hardness, Joint, Leak, Level, MaterialUse, Method,
+    Adhesion, Body, EdgesName, Finding, Hardness, Joint, LeakRequest, Level, MaterialUse, Method,
     PairOrigin, Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
 };
 use contact_types::{ContactModulus, HeightMap};
@@ -65,7 +65,7 @@ pub struct Question {
     /// What the contact conducts.
     pub conduction: Joint,
     /// What leaks through the gap.
-    pub leak: Option<Leak>,
+    pub leak: Option<LeakRequest>,
     /// Whether the bodies stick.
     pub adhesion: Option<WorkOfAdhesion>,
     /// Materials whose numbers are among these.

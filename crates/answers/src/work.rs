@@ -7,8 +7,8 @@ use crate::point::Point;
 use crate::watch::Watch;
 use contact_accuracy::{Answered, Leaks, Map};
 use contact_compare::{
-    Budget, Distributions, Ended, Joint, Leak, NoUncertainty, Pressed, Spikes, is_below_a_point,
-    spot_list,
+    Budget, Distributions, Ended, Joint, LeakRequest, NoUncertainty, Pressed, Spikes,
+    is_below_a_point, spot_list,
 };
 use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, Solution, SolverError};
@@ -20,7 +20,7 @@ pub(crate) struct Work {
     /// Distributions are wanted: whether a spot at one edge goes on at the other.
     pub(crate) distributions: Option<bool>,
     /// The leak is wanted.
-    pub(crate) leak: Option<Leak>,
+    pub(crate) leak: Option<LeakRequest>,
     pub(crate) trouble: Option<Failure>,
     pub(crate) method: String,
     /// What was taken off the map.

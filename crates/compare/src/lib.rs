@@ -91,7 +91,7 @@ pub use run_file::{RunFile, RunFileError, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
 pub use sections::Sections;
 pub use settings::{
-    Along, Body, EdgesName, Leak, STEEL, Seal, Settings, default_pressures, poisson,
+    Along, Body, EdgesName, LeakRequest, STEEL, Seal, Settings, default_pressures, poisson,
 };
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spot, Spots, labelled_spots, spot_list};

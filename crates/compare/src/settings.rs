@@ -27,7 +27,7 @@ pub struct Settings {
     pub gas: Option<GapGas>,
     /// The leak through the gap.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub leak: Option<Leak>,
+    pub leak: Option<LeakRequest>,
     /// Work of adhesion: whether the bodies stick is said, by formulas.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adhesion: Option<WorkOfAdhesion>,
@@ -236,7 +236,7 @@ impl Along {
 /// What is asked of the leak.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Leak {
+pub struct LeakRequest {
     /// Directions of the pressure drop.
     pub along: Along,
     /// The seal and its fluid, for a rate.
@@ -259,7 +259,7 @@ pub struct Seal {
 }
 
 impl Seal {
-    /// Leak rate Q = K W Δp/(12 η L) (m³/s) of a permeability (m³).
+    /// LeakRequest rate Q = K W Δp/(12 η L) (m³/s) of a permeability (m³).
     pub fn rate(&self, permeability: f64) -> f64 {
         permeability * self.width * self.pressure_drop / (12.0 * self.viscosity * self.length)
     }

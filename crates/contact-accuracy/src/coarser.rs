@@ -5,11 +5,10 @@
 //! with the whole map by accident.
 
 use crate::leak::permeability;
-use contact_types::{ContactModulus, Grid, HeightMap, SurfaceError};
+use contact_types::{Axis, ContactModulus, Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
     Answer, Iteration, Load, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
 };
-use gap_flow::Axis;
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
 

@@ -8,12 +8,11 @@ use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
 use crate::regrid;
 use crate::uncertainty::Beside;
-use contact_types::{Clock, ContactModulus, Grid, HeightMap};
+use contact_types::{Axis, Clock, ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
     Answer, Boundary, Iteration, Load, Maps, SetStiffness, Solution, Solver, SolverBuilder,
     SolverError,
 };
-use gap_flow::Axis;
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
 

@@ -1,8 +1,8 @@
 //! The leak through the gap of a solution, with its uncertainty.
 
-use contact_types::Clock;
+use contact_types::{Axis, Clock};
 use fft_bem_solver::Solution;
-use gap_flow::{Axis, Flow, Gap, NotSolved};
+use gap_flow::{Flow, Gap, NotSolved};
 
 /// Fewest open points across the bottleneck for a rate; with less there is a bound only.
 const FEWEST_ACROSS: usize = 4;

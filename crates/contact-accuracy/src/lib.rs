@@ -23,7 +23,7 @@ mod uncertainty;
 pub use budget::{Budget, Given, Map, RealPressure};
 pub use climb::{Aim, ClimbError, Next, Reached, Sink, Task, Unmet, climb};
 pub use coarser::{FEWEST, Numbers, thinned};
-pub use contact_types::{ContactModulus, Grid, HeightMap};
+pub use contact_types::{Axis, ContactModulus, Grid, HeightMap};
 pub use continuation::regrid;
 pub use edge_share::EdgeShare;
 pub use estimate::{Estimate, NoUncertainty, Parts};
@@ -31,7 +31,7 @@ pub use fft_bem_solver::{
     Boundary, Load, Maps, Method, PERIMETER_CORRECTION, Precision, Solution, Solver, SolverBuilder,
     SolverError,
 };
-pub use gap_flow::{Axis, Bottleneck, Flow, NotSolved};
+pub use gap_flow::{Bottleneck, Flow, NotSolved};
 pub use indicator::{LIMIT as INDICATOR_LIMIT, indicator};
 pub use ladder::{Answered, Finer, Ladder, LadderError, Setup, on_given};
 pub use leak::{Leak, Leaks};

@@ -38,7 +38,7 @@ fn an_answer_serialises_with_its_leak() {
     let json = serde_json::to_value(&found).unwrap();
     assert_eq!(json["solution"]["state"]["area_fraction"], found.solution.state.area_fraction);
     let leak = &json["leak"]["along"][0];
-    assert_eq!(leak[0], "X");
+    assert_eq!(leak[0], "x");
     let flow = &found.leak.unwrap().along[0].1.clone().unwrap().flow;
     assert_eq!(leak[1]["Ok"]["flow"]["permeability"], flow.permeability);
     assert_eq!(leak[1]["Ok"]["flow"]["flux"].as_array().unwrap().len(), 64 * 64);

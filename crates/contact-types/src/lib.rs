@@ -10,6 +10,7 @@
 
 #[cfg(feature = "serde")]
 mod any_number;
+mod axis;
 mod clock;
 mod contact;
 mod error;
@@ -24,6 +25,7 @@ mod reading;
 pub mod require;
 mod spectrum;
 
+pub use axis::Axis;
 pub use clock::Clock;
 pub use contact::{Caveat, Citation, ContactModel, ContactState, SeparationModel};
 pub use error::{ModelError, SurfaceError};

@@ -1,6 +1,7 @@
 //! Which points of the gap carry a flow, and the narrowest place of the best channel.
 
-use crate::gap::{Axis, Gap};
+use crate::gap::Gap;
+use contact_types::Axis;
 
 /// The narrowest place of the channel whose lowest gap is highest.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,29 +2,6 @@
 
 use contact_types::Grid;
 
-/// The direction of the pressure drop.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub enum Axis {
-    /// From the first column to the last.
-    X,
-    /// From the first row to the last.
-    Y,
-}
-
-impl Axis {
-    /// Both.
-    pub const BOTH: [Self; 2] = [Self::X, Self::Y];
-
-    /// `x` or `y`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::Y => "y",
-        }
-    }
-}
-
 /// A map of the gap. It repeats across the flow.
 #[derive(Debug, Clone, Copy)]
 pub struct Gap<'a> {

@@ -11,6 +11,7 @@ mod gap;
 mod network;
 
 pub use channel::Bottleneck;
+pub use contact_types::Axis;
 pub use contact_types::{Grid, SurfaceError};
-pub use gap::{Axis, Gap};
+pub use gap::Gap;
 pub use network::{Flow, NotSolved};

@@ -3,7 +3,8 @@
 use crate::channel::Bottleneck;
 use crate::cholesky::Symbolic;
 use crate::conjugate_gradients::Network;
-use crate::gap::{Axis, Gap};
+use crate::gap::Gap;
+use contact_types::Axis;
 
 /// The flow through a gap along an axis.
 #[derive(Debug, Clone)]

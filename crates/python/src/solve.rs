@@ -7,7 +7,7 @@ use contact_accuracy::Ladder;
 use contact_answers::{Failure, Question, Subject, Watch, bodies};
 use contact_compare::Request as Accuracy;
 use contact_compare::{
-    Body, EdgesName, Iteration, Joint, Leak, Level, Load, MaterialUse, Method, Origin, Precision,
+    Body, EdgesName, Iteration, Joint, LeakRequest, Level, Load, MaterialUse, Method, Origin, Precision,
     Solution, Surface, WorkOfAdhesion, labelled_spots,
 };
 use contact_types::Grid;
@@ -46,7 +46,7 @@ struct Request {
     hardness: Option<f64>,
     materials: Vec<MaterialUse>,
     joint: Joint,
-    leak: Option<Leak>,
+    leak: Option<LeakRequest>,
     adhesion: Option<WorkOfAdhesion>,
     distributions: bool,
     /// The heights are the one trace of ridges.

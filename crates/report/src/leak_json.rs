@@ -1,11 +1,11 @@
 //! The leak through the gap, for other programs. SI units.
 
-use contact_accuracy::{Leak as AxisLeak, Leaks, NotSolved};
-use contact_compare::{Comparison, Leak, SurfaceComparison};
+use contact_accuracy::{Leak, Leaks, NotSolved};
+use contact_compare::{Comparison, LeakRequest, SurfaceComparison};
 use serde_json::{Map, Value, json};
 
 /// What was asked, and whether the gap is that of bodies that yield.
-pub fn leak(asked: &Leak, yields: bool) -> Value {
+pub fn leak(asked: &LeakRequest, yields: bool) -> Value {
     json!({
         "axes": asked.along.axes().iter().map(|axis| axis.name()).collect::<Vec<_>>(),
         "gap": if yields { "yielded" } else { "elastic" },
@@ -17,15 +17,14 @@ pub fn leak(asked: &Leak, yields: bool) -> Value {
 }
 
 /// A load: along each axis, and what closed forms make of the same gap.
-pub fn point(asked: &Leak, leaks: &Leaks) -> Value {
+pub fn point(asked: &LeakRequest, leaks: &Leaks) -> Value {
     let plates = leaks.mean_gap.powi(3);
     let mut object = Map::new();
     for (axis, found) in &leaks.along {
         object.insert(axis.name().to_owned(), along(asked, found, plates));
     }
     let form = |(name, permeability, seconds): (&str, f64, f64)| {
-        let error =
-            |found: &Result<AxisLeak, NotSolved>| found.as_ref().ok()?.error_of(permeability);
+        let error = |found: &Result<Leak, NotSolved>| found.as_ref().ok()?.error_of(permeability);
         let errors: Map<String, Value> = leaks
             .along
             .iter()
@@ -38,7 +37,7 @@ pub fn point(asked: &Leak, leaks: &Leaks) -> Value {
     Value::Object(object)
 }
 
-fn along(asked: &Leak, found: &Result<AxisLeak, NotSolved>, plates: f64) -> Value {
+fn along(asked: &LeakRequest, found: &Result<Leak, NotSolved>, plates: f64) -> Value {
     let leak = match found {
         Ok(leak) => leak,
         Err(error) => return json!({ "error": error.to_string() }),

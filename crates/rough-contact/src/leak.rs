@@ -6,7 +6,7 @@ use crate::quantity::{self, QuantityError};
 use crate::text::{self, Columns};
 use crate::units::Dimension;
 use clap::Args;
-use rough_contact::compare::Leak;
+use rough_contact::compare::LeakRequest;
 use rough_contact::contact_accuracy::Leaks;
 use std::fmt::Write as _;
 
@@ -35,7 +35,7 @@ fn viscosity(text: &str) -> Result<f64, QuantityError> {
 
 impl LeakOptions {
     /// What is asked of the gap.
-    pub(crate) fn asked(&self) -> Result<Option<Leak>, Failure> {
+    pub(crate) fn asked(&self) -> Result<Option<LeakRequest>, Failure> {
         let Self { leak, viscosity, pressure_drop, seal_length, seal_width } = self;
         rough_contact::answers::leak_asked(
             leak.as_deref(),
@@ -51,7 +51,7 @@ fn cubic(metres: f64) -> String {
 
 /// A table with a row for each load and axis, and what must be known of it.
 pub(crate) fn lines<'a>(
-    asked: Option<&Leak>,
+    asked: Option<&LeakRequest>,
     points: impl Iterator<Item = (f64, &'a Leaks)>,
     modulus: f64,
     yields: bool,

@@ -2,8 +2,8 @@
 
 use crate::messages::conduction::scientific;
 use crate::numbers::relative_interval;
-use contact_accuracy::{Axis, Leak as AxisLeak, Leaks};
-use contact_compare::{Leak, SurfaceComparison, typical_hardness};
+use contact_accuracy::{Axis, Leak, Leaks};
+use contact_compare::{LeakRequest, SurfaceComparison, typical_hardness};
 
 /// A sentence for each thing that limits the leaks of a study with this contact modulus (Pa).
 pub fn leak_notes(leaks: &[&Leaks], modulus: f64, yields: bool) -> Vec<&'static str> {
@@ -33,7 +33,7 @@ pub fn leak_notes(leaks: &[&Leaks], modulus: f64, yields: bool) -> Vec<&'static 
 }
 
 /// K, or what is known of it.
-pub(crate) fn known(leak: &AxisLeak, unit: &str, of: impl Fn(f64) -> f64) -> String {
+pub(crate) fn known(leak: &Leak, unit: &str, of: impl Fn(f64) -> f64) -> String {
     match (leak.permeability(), leak.interval()) {
         (Some(k), ends) => {
             let spread = ends.filter(|_| k > 0.0).map(|ends| relative_interval(k, ends));
@@ -46,16 +46,16 @@ pub(crate) fn known(leak: &AxisLeak, unit: &str, of: impl Fn(f64) -> f64) -> Str
 }
 
 /// Rows of the key numbers: the leak rate, or the permeability where no seal is given.
-pub(crate) fn key_rows(asked: &Leak, surface: &SurfaceComparison) -> Vec<[String; 3]> {
+pub(crate) fn key_rows(asked: &LeakRequest, surface: &SurfaceComparison) -> Vec<[String; 3]> {
     let leaks = surface.leaks.get(surface.headline).and_then(Option::as_ref);
-    let row = |(axis, leak): &(Axis, Result<AxisLeak, _>)| {
+    let row = |(axis, leak): &(Axis, Result<Leak, _>)| {
         let leak = leak.as_ref().ok()?;
         let k = known(leak, "m³", |k| k);
         let name = axis.name();
         Some(match asked.seal {
             None => [format!("Permeability along {name}"), k, leak.channel().into()],
             Some(seal) => {
-                [format!("Leak rate along {name}"), known(leak, "m³/s", |k| seal.rate(k)), k]
+                [format!("LeakRequest rate along {name}"), known(leak, "m³/s", |k| seal.rate(k)), k]
             }
         })
     };

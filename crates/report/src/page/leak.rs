@@ -13,7 +13,7 @@ use crate::page::context::Page;
 use crate::page::sections::{figure, reduced_words};
 use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
-use contact_accuracy::{Axis, Leak as AxisLeak, Leaks};
+use contact_accuracy::{Axis, Leak, Leaks};
 use contact_compare::SurfaceComparison;
 
 /// What closed forms are called, in their order.
@@ -22,7 +22,7 @@ const FORMS: [[&str; 2]; 2] = [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", 
 /// Error of each closed form over the loads, and permeability at each.
 struct Curves<'a> {
     axis: Axis,
-    found: Vec<Option<&'a AxisLeak>>,
+    found: Vec<Option<&'a Leak>>,
     loads: Vec<Option<&'a Leaks>>,
 }
 
@@ -42,7 +42,7 @@ impl<'a> Curves<'a> {
     }
 
     fn errors(&self, k: usize) -> Vec<Option<f64>> {
-        let of = |(leak, form): (Option<&AxisLeak>, Option<f64>)| leak?.error_of(form?);
+        let of = |(leak, form): (Option<&Leak>, Option<f64>)| leak?.error_of(form?);
         self.found.iter().copied().zip(self.form(k)).map(of).collect()
     }
 

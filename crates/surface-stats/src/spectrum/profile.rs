@@ -2,32 +2,8 @@
 
 use super::Window;
 use crate::{StatsError, scale};
-use contact_types::{AmplitudeSpectrum, HeightMap, Wave};
+use contact_types::{AmplitudeSpectrum, Axis, HeightMap, Wave};
 use grid_fft::{Complex, GridFft};
-
-/// Direction of a profile.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "kebab-case")
-)]
-pub enum Axis {
-    /// Along a column.
-    Y,
-    /// Along a row.
-    X,
-}
-
-impl Axis {
-    /// Index of the axis in `[y, x]` pairs.
-    pub(crate) fn index(self) -> usize {
-        match self {
-            Self::Y => 0,
-            Self::X => 1,
-        }
-    }
-}
 
 /// One frequency of a profile spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
