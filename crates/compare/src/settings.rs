@@ -259,7 +259,7 @@ pub struct Seal {
 }
 
 impl Seal {
-    /// LeakRequest rate Q = K W Δp/(12 η L) (m³/s) of a permeability (m³).
+    /// Leak rate Q = K W Δp/(12 η L) (m³/s) of a permeability (m³).
     pub fn rate(&self, permeability: f64) -> f64 {
         permeability * self.width * self.pressure_drop / (12.0 * self.viscosity * self.length)
     }

@@ -6,8 +6,7 @@ use crate::quantity::{self, QuantityError};
 use crate::units::Dimension;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use rough_contact::compare::built_in;
-use rough_contact::compare::{EdgesName, Flip, Level, Method, Precision};
+use rough_contact::compare::{EdgesName, Flip, Level, Method, Precision, Request, built_in};
 use rough_contact::surface_io::{DecimalMark, Layout};
 
 /// Options of every command.
@@ -136,16 +135,34 @@ pub(crate) fn level() -> impl TypedValueParser<Value = Level> {
     one_of(Level::ALL, Level::name)
 }
 
+/// How a map is solved.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct SolverOptions {
+    /// Beyond the edges of a map: the map again, or its mirror images (four times the points, memory and time), which
+    /// take the jump out of a map that does not repeat
+    #[arg(long, value_name = "EDGES", value_parser = one_of(EdgesName::ALL, EdgesName::name), default_value = "periodic")]
+    pub(crate) edges: EdgesName,
+    /// Method of the solver
+    #[arg(long, value_parser = method(), default_value = "auto")]
+    pub(crate) method: Method,
+    /// Floating-point type of the iteration; results are always f64
+    #[arg(long, value_parser = one_of(Precision::ALL, Precision::name), default_value = "f64")]
+    pub(crate) precision: Precision,
+    /// Relative rms error of the pressure to reach
+    #[arg(long, value_name = "T", value_parser = number, allow_hyphen_values = true)]
+    #[arg(default_value = "1e-4")]
+    pub(crate) tolerance: f64,
+    /// Uncertainty of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
+    #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["tolerance", "precision"])]
+    pub(crate) accuracy: Option<Request>,
+    /// Every second point of the map at once, with its wider uncertainty
+    #[arg(long, conflicts_with = "accuracy")]
+    pub(crate) fast: bool,
+}
+
 pub(crate) fn method() -> impl TypedValueParser<Value = Method> {
     one_of(Method::ALL, Method::name)
-}
-
-pub(crate) fn precision() -> impl TypedValueParser<Value = Precision> {
-    one_of(Precision::ALL, Precision::name)
-}
-
-pub(crate) fn edges() -> impl TypedValueParser<Value = EdgesName> {
-    one_of(EdgesName::ALL, EdgesName::name)
 }
 
 /// Mirror images at the edges are for periodic maps.

@@ -2,7 +2,7 @@
 
 use crate::adhesion::Adhesion;
 use crate::against::{self, Against};
-use crate::args::{self, Bodies, Common, List};
+use crate::args::{self, Bodies, Common, List, SolverOptions};
 use crate::cleaning::CleaningOptions;
 use crate::compare_profiles;
 use crate::conduction::Conduction;
@@ -20,8 +20,8 @@ pub(crate) use rough_contact::answers::not_met;
 use rough_contact::answers::run_file_in;
 use rough_contact::compare::Request;
 use rough_contact::compare::{
-    Comparison, EdgesName, Level, Method, Origin, Precision, Refused, Registry, RunFile,
-    RunSurface, Settings, Surface, SurfaceComparison, on_threads,
+    Comparison, Level, Origin, Refused, Registry, RunFile, RunSurface, Settings, Surface,
+    SurfaceComparison, on_threads,
 };
 use rough_contact::report::Provenance;
 use std::fmt::Write as _;
@@ -58,13 +58,6 @@ pub(crate) struct Compare {
     /// Shortest and longest wavelength of the fractal fit [default: cut-off to roll-off as found]
     #[arg(long, value_name = "L,L", value_parser = args::range, allow_hyphen_values = true)]
     fractal_range: Option<[f64; 2]>,
-    /// Beyond the edges of a map: the map again, or its mirror images (four times the points,
-    /// memory and time of the solver), which take the jump out of a map that does not repeat
-    #[arg(long, value_name = "EDGES", value_parser = args::edges(), default_value = "periodic")]
-    edges: EdgesName,
-    /// Method of the deterministic solver
-    #[arg(long, value_parser = args::method(), default_value = "auto")]
-    method: Method,
     /// Highest pressure that the softer body bears, as 2GPa: the study is of the contact that yields there,
     /// with the elastic one beside; `elastic` to leave out that of --material
     #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
@@ -79,20 +72,8 @@ pub(crate) struct Compare {
     leak: LeakOptions,
     #[command(flatten)]
     adhesion: Adhesion,
-    /// Floating-point type of the solver's iteration
-    #[arg(long, value_parser = args::precision(), default_value = "f64")]
-    precision: Precision,
-    /// Relative rms error of the pressure at which the solver stops
-    #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
-    #[arg(default_value = "1e-4")]
-    tolerance: f64,
-    /// Uncertainty of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
-    #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
-    #[arg(conflicts_with_all = ["tolerance", "precision"])]
-    accuracy: Option<Request>,
-    /// Every second point of the map at once, with its wider uncertainty
-    #[arg(long, conflicts_with = "accuracy")]
-    fast: bool,
+    #[command(flatten)]
+    solver: SolverOptions,
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
         "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
@@ -197,12 +178,12 @@ impl Compare {
             headline: self.headline,
             models: self.models.clone(),
             level: self.level,
-            edges: self.edges,
-            method: self.method,
-            precision: self.precision,
-            tolerance: self.tolerance,
-            accuracy: self.accuracy.map(Request::relative),
-            fast: self.fast,
+            edges: self.solver.edges,
+            method: self.solver.method,
+            precision: self.solver.precision,
+            tolerance: self.solver.tolerance,
+            accuracy: self.solver.accuracy.map(Request::relative),
+            fast: self.solver.fast,
             gamma: self.gamma,
             fractal_range: self.fractal_range,
             ..Settings::default()

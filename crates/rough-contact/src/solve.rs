@@ -2,7 +2,7 @@
 
 use crate::adhesion::Adhesion;
 use crate::against::{self, Against};
-use crate::args::{self, Bodies, Common};
+use crate::args::{self, Bodies, Common, SolverOptions};
 use crate::batch::{self, PerFile};
 use crate::cells::cells;
 use crate::conduction::{self, Conduction};
@@ -21,9 +21,7 @@ use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use clap::Args;
 use rough_contact::answers::{Answer, Point, Question, Subject, Watch};
-use rough_contact::compare::{
-    EdgesName, Joint, Level, Method, PairOrigin, Precision, Request, on_threads,
-};
+use rough_contact::compare::{EdgesName, Joint, Level, PairOrigin, on_threads};
 use rough_contact::contact_types::{Grid, HeightMap};
 use rough_contact::fft_bem_solver::{Boundary, Iteration, Load, Solution};
 use rough_contact::surface_stats::clean::Record;
@@ -43,27 +41,8 @@ pub(crate) struct Solve {
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
     boundary: String,
-    /// Beyond the edges of a periodic map: the map again, or its mirror images (four times the
-    /// points, memory and time), which take the jump out of a map that does not repeat
-    #[arg(long, value_name = "EDGES", value_parser = args::edges(), default_value = "periodic")]
-    edges: EdgesName,
-    /// How to solve
-    #[arg(long, value_parser = args::method(), default_value = "auto")]
-    method: Method,
-    /// Floating-point type of the iteration; results are always f64
-    #[arg(long, value_parser = args::precision(), default_value = "f64")]
-    precision: Precision,
-    /// Relative rms error of the pressure to reach
-    #[arg(long, value_name = "T", value_parser = args::number, allow_hyphen_values = true)]
-    #[arg(default_value = "1e-4")]
-    tolerance: f64,
-    /// Uncertainty of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
-    #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
-    #[arg(conflicts_with_all = ["tolerance", "precision"])]
-    accuracy: Option<Request>,
-    /// Every second point of the map at once, with its wider uncertainty
-    #[arg(long, conflicts_with = "accuracy")]
-    fast: bool,
+    #[command(flatten)]
+    solver: SolverOptions,
     #[arg(long, hide = true, num_args = 0, default_missing_value = "", value_parser = args::refine_is_gone)]
     refine: Option<bool>,
     /// Prove how wrong each answer may be, for one more FFT pair: energy_bound in the JSON
@@ -175,9 +154,9 @@ impl PerFile for Solve {
             "free" => Boundary::Free,
             _ => Boundary::Periodic,
         };
-        args::refuse_mirrored(self.edges, self.boundary == "free")?;
-        let repeats = boundary == Boundary::Periodic && self.edges == EdgesName::Periodic;
-        if (self.accuracy.is_some() || self.fast) && self.fields.needs_heights() {
+        args::refuse_mirrored(self.solver.edges, self.boundary == "free")?;
+        let repeats = boundary == Boundary::Periodic && self.solver.edges == EdgesName::Periodic;
+        if (self.solver.accuracy.is_some() || self.solver.fast) && self.fields.needs_heights() {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
         let (complete, pair) = self.section()?;
@@ -191,13 +170,13 @@ impl PerFile for Solve {
             bodies,
             level: self.level,
             boundary,
-            edges: self.edges,
+            edges: self.solver.edges,
             plane_strain: self.plane_strain,
-            method: self.method,
-            precision: self.precision,
-            tolerance: self.tolerance,
-            accuracy: self.accuracy,
-            fast: self.fast,
+            method: self.solver.method,
+            precision: self.solver.precision,
+            tolerance: self.solver.tolerance,
+            accuracy: self.solver.accuracy,
+            fast: self.solver.fast,
             certify: self.certify,
             stiffness: self.stiffness,
             hardness,
@@ -317,7 +296,7 @@ impl Solve {
                  not: leave it out",
             ),
             (Measured::Profile(_), true)
-                if self.accuracy.is_some() || self.fast || self.asks_set()? =>
+                if self.solver.accuracy.is_some() || self.solver.fast || self.asks_set()? =>
             {
                 refused(
                     "--accuracy, --fast, --stiffness, --resistivity, --conductivity, --leak and \

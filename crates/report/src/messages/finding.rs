@@ -132,7 +132,7 @@ fn unit([gradient, rms_height, radius]: [Option<f64>; 3]) -> Worded {
     worded(
         "Is the unit right?",
         format!(
-            "No rough surface has {}. PlotStyle at the unit of the heights and at the point spacing; \
+            "No rough surface has {}. Look at the unit of the heights and at the point spacing; \
              until they are right, no number here means anything.",
             found.join(" and ")
         ),

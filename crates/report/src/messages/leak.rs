@@ -55,7 +55,7 @@ pub(crate) fn key_rows(asked: &LeakRequest, surface: &SurfaceComparison) -> Vec<
         Some(match asked.seal {
             None => [format!("Permeability along {name}"), k, leak.channel().into()],
             Some(seal) => {
-                [format!("LeakRequest rate along {name}"), known(leak, "m³/s", |k| seal.rate(k)), k]
+                [format!("Leak rate along {name}"), known(leak, "m³/s", |k| seal.rate(k)), k]
             }
         })
     };

@@ -27,12 +27,12 @@ pub(super) fn spikes(
             ),
             if is_many {
                 format!(
-                    "{carried}{many}, and taking them out takes peaks from it. PlotStyle at the map."
+                    "{carried}{many}, and taking them out takes peaks from it. Look at the map."
                 )
             } else {
                 format!(
                     "{carried}Another round would find others again: rims of wide spikes, peaks and edges of the surface \
-                     itself. PlotStyle at the map; what is an error of the instrument can be made a missing point in the file."
+                     itself. Look at the map; what is an error of the instrument can be made a missing point in the file."
                 )
             },
         ],
@@ -41,7 +41,7 @@ pub(super) fn spikes(
                 "{} of the points stand far from their neighbours, up to {up_to}.",
                 percent(part)
             ),
-            format!("{carried}{many}. PlotStyle at the map before you take all out."),
+            format!("{carried}{many}. Look at the map before you take all out."),
         ],
         (false, false) => [
             format!(

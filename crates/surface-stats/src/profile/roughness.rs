@@ -41,7 +41,7 @@ pub(super) fn roughness_profile(trace: &Trace, setting: &Setting) -> Result<Trac
 /// ones as fit between the ends.
 ///
 /// # Errors
-/// As [`roughness_profile`].
+/// [`StatsError::ShortTrace`] below two cut-offs; what the filter refuses.
 pub fn roughness(trace: &Trace, setting: &Setting) -> Result<Roughness, StatsError> {
     let profile = roughness_profile(trace, setting)?;
     let spacing = profile.spacing();
