@@ -13,9 +13,7 @@ use crate::page::how_made::modulus_in_head;
 use crate::page::phrases::load_words;
 use crate::plot_styles::{inputs_html, plot_style};
 use crate::sources::DETERMINISTIC;
-use contact_compare::{
-    Applies, ModelComparison, ModelCurve, SurfaceComparison, elastic_limit, is_steep,
-};
+use contact_compare::{Applies, ModelComparison, SurfaceComparison, elastic_limit, is_steep};
 use contact_types::{ContactState, ModelError};
 
 /// What the answer holds for, and the ways to it: terms with a value and a note.
@@ -216,15 +214,6 @@ fn model_row(
         key("a"),
         model_area(&curve.points[surface.headline]),
         key("e"),
-        once_and_per_load(curve)
+        [curve.preparation, curve.seconds].map(duration).join(" + ")
     )
-}
-
-/// "4.2 ms + 76 ns"; of traces, whose inputs are there, "76 ns".
-fn once_and_per_load(curve: &ModelCurve) -> String {
-    let once = match curve.preparation {
-        0.0 => String::new(),
-        once => format!("{} + ", duration(once)),
-    };
-    once + &duration(curve.seconds)
 }
