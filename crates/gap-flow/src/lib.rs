@@ -11,7 +11,6 @@ mod gap;
 mod network;
 
 pub use channel::Bottleneck;
-pub use contact_types::Axis;
-pub use contact_types::{Grid, SurfaceError};
+pub use contact_types::{Axis, Grid, SurfaceError};
 pub use gap::Gap;
 pub use network::{Flow, NotSolved};

@@ -1,6 +1,6 @@
 //! The numbers every figure over the load draws: the same that `curves.csv` lists.
 
-use crate::draw::palette::{ELASTIC_LOOK, PlotStyle};
+use crate::draw::palette::{ELASTIC_LOOK, Style};
 use crate::numbers::{NEWTONS, PASCALS, Unit, signed_range, significant, unit_for};
 use crate::plot_styles::plot_style;
 use contact_compare::{
@@ -18,7 +18,7 @@ pub(crate) struct ModelLine {
     /// Short label, unique.
     pub label: String,
     /// How it is drawn.
-    pub look: PlotStyle,
+    pub look: Style,
     /// Area fraction at each load; `None` where the model does not answer.
     pub area: Vec<Option<f64>>,
 }

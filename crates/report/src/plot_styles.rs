@@ -2,81 +2,73 @@
 //! by the name of the model; one that is not in this list is drawn in a reserve.
 
 use crate::draw::palette::{
-    BGT, ELLIPTICAL, EQUATION, GW, INK2, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, PlotStyle,
-    STACKED,
+    BGT, ELLIPTICAL, EQUATION, GW, INK2, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
+    Style,
 };
 use crate::draw::svg::escape;
 use contact_compare::Card;
 
 /// Name, look, and inputs as HTML symbols.
-const LOOKS: [(&str, PlotStyle, &str); 14] = [
-    ("gw", PlotStyle::model(GW, "6 2.5", Marker::Square, 1), MOMENTS),
-    ("bgt", PlotStyle::model(BGT, "2 2", Marker::TriangleUp, 2), MOMENTS),
-    ("greenwood-elliptical", PlotStyle::model(ELLIPTICAL, "", Marker::Diamond, 3), MOMENTS),
+const STYLES: [(&str, Style, &str); 14] = [
+    ("gw", Style::model(GW, "6 2.5", Marker::Square, 1), MOMENTS),
+    ("bgt", Style::model(BGT, "2 2", Marker::TriangleUp, 2), MOMENTS),
+    ("greenwood-elliptical", Style::model(ELLIPTICAL, "", Marker::Diamond, 3), MOMENTS),
     (
         "persson",
-        PlotStyle::model(PERSSON, "8 2 1.5 2", Marker::TriangleDown, 0),
+        Style::model(PERSSON, "8 2 1.5 2", Marker::TriangleDown, 0),
         "<i>m</i><sub>2</sub>",
     ),
-    (
-        "stacked",
-        PlotStyle::model(STACKED, "4 2 1 2 1 2", Marker::Cross, 2),
-        "<i>B</i><sub>max</sub>",
-    ),
-    (
-        "multiscale",
-        PlotStyle::model(MULTISCALE, "10 2 2 2", Marker::Hexagon, 3),
-        "<i>Δ</i>(<i>f</i>)",
-    ),
-    ("archard", PlotStyle::model(STACKED, "1 3", Marker::Diamond, 0), "<i>R</i>, <i>m</i>"),
+    ("stacked", Style::model(STACKED, "4 2 1 2 1 2", Marker::Cross, 2), "<i>B</i><sub>max</sub>"),
+    ("multiscale", Style::model(MULTISCALE, "10 2 2 2", Marker::Hexagon, 3), "<i>Δ</i>(<i>f</i>)"),
+    ("archard", Style::model(STACKED, "1 3", Marker::Diamond, 0), "<i>R</i>, <i>m</i>"),
     (
         "majumdar-bhushan",
-        PlotStyle::model(MAJUMDAR_BHUSHAN, "1 2.5", Marker::Plus, 1),
+        Style::model(MAJUMDAR_BHUSHAN, "1 2.5", Marker::Plus, 1),
         "<i>D</i>, <i>G</i>",
     ),
     (
         "yan-komvopoulos",
-        PlotStyle::model(MAJUMDAR_BHUSHAN, "6 1 1 1", Marker::Square, 2),
+        Style::model(MAJUMDAR_BHUSHAN, "6 1 1 1", Marker::Square, 2),
         "<i>D</i>, <i>G</i>",
     ),
     (
         "equation",
-        PlotStyle::model(EQUATION, "", Marker::Hexagon, 1),
+        Style::model(EQUATION, "", Marker::Hexagon, 1),
         "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
     ),
     (
         "ceb",
-        PlotStyle::model(GW, "3 1.5", Marker::Plus, 3),
+        Style::model(GW, "3 1.5", Marker::Plus, 3),
         "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>, <i>H</i>, <i>ν</i>",
     ),
     (
         "persson-yield",
-        PlotStyle::model(PERSSON, "3 1.5 1 1.5", Marker::Hexagon, 2),
+        Style::model(PERSSON, "3 1.5 1 1.5", Marker::Hexagon, 2),
         "<i>m</i><sub>2</sub>, <i>H</i>",
     ),
-    ("cmy", PlotStyle::model(BGT, "6 1 1 1", Marker::Diamond, 1), "<i>σ</i>, <i>m</i>, <i>H</i>"),
-    ("mikic", PlotStyle::model(BGT, "9 3", Marker::Cross, 3), "<i>σ</i>, <i>m</i>, <i>E</i>*"),
+    ("cmy", Style::model(BGT, "6 1 1 1", Marker::Diamond, 1), "<i>σ</i>, <i>m</i>, <i>H</i>"),
+    ("mikic", Style::model(BGT, "9 3", Marker::Cross, 3), "<i>σ</i>, <i>m</i>, <i>E</i>*"),
 ];
 
 const MOMENTS: &str = "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>";
 
 /// For models that are not in the list, in their order in the study.
-const RESERVE: [PlotStyle; 4] = [
-    PlotStyle::model(INK2, "5 2", Marker::Square, 1),
-    PlotStyle::model(INK2, "2 3", Marker::TriangleUp, 2),
-    PlotStyle::model(INK2, "9 3", Marker::Diamond, 3),
-    PlotStyle::model(INK2, "1 1.5", Marker::TriangleDown, 0),
+const RESERVE: [Style; 4] = [
+    Style::model(INK2, "5 2", Marker::Square, 1),
+    Style::model(INK2, "2 3", Marker::TriangleUp, 2),
+    Style::model(INK2, "9 3", Marker::Diamond, 3),
+    Style::model(INK2, "1 1.5", Marker::TriangleDown, 0),
 ];
 
 /// How a model is drawn; one of the reserve by its `place` in the study if its name is not known.
-pub fn plot_style(name: &str, place: usize) -> PlotStyle {
-    let known = LOOKS.iter().find(|row| row.0 == name);
+pub fn plot_style(name: &str, place: usize) -> Style {
+    let known = STYLES.iter().find(|row| row.0 == name);
     known.map_or(RESERVE[place % RESERVE.len()], |row| row.1)
 }
 
 /// What a model is made of, as HTML symbols; in its own words if its name is not known.
 pub(crate) fn inputs_html(card: &Card) -> String {
-    let known = LOOKS.iter().find(|row| row.0 == card.name);
+    let known = STYLES.iter().find(|row| row.0 == card.name);
     known.map_or_else(|| escape(&card.needs), |row| row.2.to_owned())
 }
 
@@ -90,9 +82,9 @@ mod tests {
     fn every_model_has_its_own_look() {
         let registry = Registry::built_in();
         let cards: Vec<&Card> = registry.iter().map(Theory::card).collect();
-        let styles: Vec<PlotStyle> = cards.iter().map(|card| plot_style(&card.name, 0)).collect();
+        let styles: Vec<Style> = cards.iter().map(|card| plot_style(&card.name, 0)).collect();
         for (i, card) in cards.iter().enumerate() {
-            let is_known = LOOKS.iter().any(|row| row.0 == card.name);
+            let is_known = STYLES.iter().any(|row| row.0 == card.name);
             assert!(!is_known || !styles[..i].contains(&styles[i]), "{}", card.name);
         }
         for place in 0..RESERVE.len() {

@@ -12,6 +12,7 @@ use rough_contact::answers::told_apart;
 use rough_contact::compare::{
     Body, Cleaning, Flip, Level, Origin, PairOrigin, Placing, Settings, Surface,
 };
+use rough_contact::{compare, report};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -159,7 +160,7 @@ impl Against {
     /// What the answer depends on beside the first file and the options.
     pub(crate) fn content(&self) -> String {
         let content = self.second.as_ref().and_then(|path| std::fs::read(path).ok());
-        content.map_or_else(String::new, |content| rough_contact::compare::sha256_hex(&content))
+        content.map_or_else(String::new, |content| compare::sha256_hex(&content))
     }
 }
 
@@ -176,17 +177,17 @@ pub(crate) fn profile(path: &Path) -> Failure {
 pub(crate) fn lines(pair: Option<&PairOrigin>, made_of: Option<(f64, Vec<Body>)>) -> String {
     let Some(pair) = pair else {
         return made_of.map_or_else(String::new, |(modulus, bodies)| {
-            format!("bodies: {}\n", rough_contact::report::bodies_line(modulus, &bodies))
+            format!("bodies: {}\n", report::bodies_line(modulus, &bodies))
         });
     };
     let settings =
         made_of.map(|(modulus, bodies)| Settings { modulus, bodies, ..Settings::default() });
-    rough_contact::report::pair_lines(pair, settings.as_ref()).join("\n") + "\n"
+    report::pair_lines(pair, settings.as_ref()).join("\n") + "\n"
 }
 
 /// The pair of a JSON answer, `null` for one body.
 pub(crate) fn json(pair: Option<&PairOrigin>) -> Value {
-    pair.map_or(Value::Null, rough_contact::report::pair_json)
+    pair.map_or(Value::Null, report::pair_json)
 }
 
 #[cfg(test)]

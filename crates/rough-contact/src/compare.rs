@@ -18,12 +18,12 @@ use crate::text::{self, Columns};
 use clap::Args;
 pub(crate) use rough_contact::answers::not_met;
 use rough_contact::answers::run_file_in;
-use rough_contact::compare::Request;
 use rough_contact::compare::{
-    Comparison, Level, Origin, Refused, Registry, RunFile, RunSurface, Settings, Surface,
+    Comparison, Level, Origin, Refused, Registry, Request, RunFile, RunSurface, Settings, Surface,
     SurfaceComparison, on_threads,
 };
 use rough_contact::report::Provenance;
+use rough_contact::{answers, compare, report};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::ops::ControlFlow;
@@ -126,7 +126,7 @@ impl Compare {
                 );
             }
         };
-        let names = rough_contact::answers::DOCUMENTS.map(str::to_owned);
+        let names = answers::DOCUMENTS.map(str::to_owned);
         let folder = Folder::prepare(&self.out, &names, common.force)?;
         let listed = surfaces.iter().map(|s| (s.name.clone(), s.origin.clone()));
         let run_file = run_file_in(run_file(&settings, listed), &self.out);
@@ -137,7 +137,7 @@ impl Compare {
             let provenance = Provenance::here(repeat);
             let mut reply = Reply::new(
                 describe(&comparison, folder.path()),
-                rough_contact::report::comparison_json(&comparison, &provenance),
+                report::comparison_json(&comparison, &provenance),
             );
             reply.trouble = not_met(&comparison);
             // What was computed is printed even if it cannot be written.
@@ -268,8 +268,7 @@ impl Compare {
             let message = "--against is for a second body on a surface FILE, and none is given";
             return Err(Failure::refused("usage", message));
         }
-        let recipes =
-            rough_contact::compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
+        let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
         recipes.iter().map(from_recipe).collect::<Result<_, _>>().map(Given::Maps)
     }
 }
@@ -299,19 +298,19 @@ fn study(
     let mut current = String::new();
     let comparison = Comparison::run(surfaces, settings, &Registry::built_in(), &mut |news| {
         match news {
-            rough_contact::compare::Progress::Surface { name, index, count, loads } => {
+            compare::Progress::Surface { name, index, count, loads } => {
                 current = format!("{name} ({} of {count})", index + 1);
                 progress.restart(loads + 1);
                 progress.working_on(&format!("{current}: first load"));
             }
-            rough_contact::compare::Progress::Solved { mean_pressure, area_fraction, .. } => {
+            compare::Progress::Solved { mean_pressure, area_fraction, .. } => {
                 let area = area_fraction.map_or_else(|| "no answer".to_owned(), text::percent);
                 progress.step(&format!("{current}: {}, {area}", text::pressure(mean_pressure)));
             }
-            rough_contact::compare::Progress::Iterated { number, residual, .. } => {
+            compare::Progress::Iterated { number, residual, .. } => {
                 progress.iterating(|| text::iterating(&current, number, residual));
             }
-            rough_contact::compare::Progress::Models => {
+            compare::Progress::Models => {
                 progress.step(&format!("{current}: models"));
             }
             _ => {}
@@ -320,13 +319,13 @@ fn study(
     });
     let mut comparison = comparison.map_err(|e| Failure::from_error(&e))?;
     progress.working_on("coarser grids");
-    let mut watch = |news: rough_contact::compare::Progress<'_>| {
-        if let rough_contact::compare::Progress::Iterated { number, residual, .. } = news {
+    let mut watch = |news: compare::Progress<'_>| {
+        if let compare::Progress::Iterated { number, residual, .. } = news {
             progress.iterating(|| text::iterating("a closer look", number, residual));
         }
         ControlFlow::Continue(())
     };
-    rough_contact::answers::look_around(&mut comparison, &mut watch)?;
+    answers::look_around(&mut comparison, &mut watch)?;
     drop(progress);
     Ok(comparison)
 }
@@ -337,7 +336,7 @@ fn write(
     provenance: &Provenance,
     run_file: &RunFile,
 ) -> Result<(), Failure> {
-    for (name, bytes) in rough_contact::answers::documents(comparison, provenance, run_file)? {
+    for (name, bytes) in answers::documents(comparison, provenance, run_file)? {
         folder.write(name, |out| out.write_all(&bytes))?;
     }
     Ok(())
@@ -363,11 +362,11 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     }
     out.push_str(&text::materials(&comparison.settings.materials));
     for surface in &comparison.surfaces {
-        for line in rough_contact::report::resistance_lines(surface) {
+        for line in report::resistance_lines(surface) {
             let _ = writeln!(out, "{line}");
         }
         let _ = writeln!(out, "{}", headline(surface));
-        if let Some(line) = rough_contact::report::elastic_line(surface) {
+        if let Some(line) = report::elastic_line(surface) {
             let _ = writeln!(out, "{line}");
         }
         let loads =
@@ -379,12 +378,12 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
             out.push_str(&against::lines(Some(pair), Some(made_of.clone())));
         }
         out.push_str(&text::cleaning(surface.origin.cleaned()));
-        out.push_str(&text::findings(&rough_contact::compare::findings(surface)));
+        out.push_str(&text::findings(&compare::findings(surface)));
         if let Some(plan) = &surface.plan {
-            let _ = writeln!(out, "{}", rough_contact::report::plan_explanation(plan));
+            let _ = writeln!(out, "{}", report::plan_explanation(plan));
         }
         out.push('\n');
-        for reference in rough_contact::report::references(surface) {
+        for reference in report::references(surface) {
             if !reference.of.is_empty() {
                 let _ = writeln!(out, "against the solution of {}:", reference.of);
             }
@@ -396,7 +395,7 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
 }
 
 /// The models that one solution judges, and that solution.
-fn models(reference: &rough_contact::report::Reference<'_>) -> Columns {
+fn models(reference: &report::Reference<'_>) -> Columns {
     let heads =
         ["model", "mean |area error|", "range over the loads", "once + per load", "applies"];
     let mut columns = Columns::new(&heads);
@@ -409,9 +408,8 @@ fn models(reference: &rough_contact::report::Reference<'_>) -> Columns {
             continue;
         };
         let mean = curve.worst_and_mean();
-        let mean = mean
-            .map_or_else(dash, |(_, mean)| plain(&rough_contact::report::numbers::percent(mean)));
-        let range = |(low, high)| plain(&rough_contact::report::numbers::signed_range(low, high));
+        let mean = mean.map_or_else(dash, |(_, mean)| plain(&report::numbers::percent(mean)));
+        let range = |(low, high)| plain(&report::numbers::signed_range(low, high));
         let range = curve.range().map_or_else(dash, range);
         let [once, each] = [curve.preparation, curve.seconds].map(text::seconds);
         columns.row([label, mean, range, format!("{once} + {each}"), applies]);
@@ -428,13 +426,12 @@ fn models(reference: &rough_contact::report::Reference<'_>) -> Columns {
 fn headline(surface: &SurfaceComparison) -> String {
     let [ny, nx] = surface.surface.grid().shape();
     let first = format!("{}, {ny} × {nx} points", surface.name);
-    rough_contact::report::headline_line(surface)
-        .map_or_else(|| first.clone(), |line| format!("{first}: {line}"))
+    report::headline_line(surface).map_or_else(|| first.clone(), |line| format!("{first}: {line}"))
 }
 
 /// With the spaces of a terminal.
 fn plain(text: &str) -> String {
-    text.replace(rough_contact::report::numbers::SPACE, " ")
+    text.replace(report::numbers::SPACE, " ")
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use crate::shell::quoted;
 use crate::surfaces::{Given, One};
 use rough_contact::compare::{Comparison, Registry, Settings, Surface};
 use rough_contact::report::{Provenance, Summary};
+use rough_contact::{compare, report};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -56,20 +57,17 @@ impl PerFile for Compare {
         let given = Given::Maps(vec![Surface { name: path.display().to_string(), ..*map }]);
         let settings = self.loaded(settings, &given)?;
         let Given::Maps(surface) = given else { return Err(Failure::refused("profile", PROFILE)) };
-        let go_on = &mut |_: rough_contact::compare::Progress<'_>| ControlFlow::Continue(());
+        let go_on = &mut |_: compare::Progress<'_>| ControlFlow::Continue(());
         let study = Comparison::run(surface, settings, &Registry::built_in(), go_on)
             .map_err(|e| Failure::in_file(path, &e))?;
-        let json = study
-            .surfaces
-            .first()
-            .map_or(Value::Null, |s| rough_contact::report::surface_json(s, &study));
+        let json = study.surfaces.first().map_or(Value::Null, |s| report::surface_json(s, &study));
         let mut reply = Reply::new(String::new(), json);
         reply.trouble = crate::compare::not_met(&study);
         Ok(reply)
     }
 
     fn digest(answer: Value) -> Value {
-        rough_contact::report::digest(&answer)
+        report::digest(&answer)
     }
 }
 
@@ -119,13 +117,13 @@ fn write(
     summary: &Summary<'_>,
     provenance: &Provenance,
 ) -> Result<(), Failure> {
-    let io = |e: rough_contact::report::ReportError| match e {
-        rough_contact::report::ReportError::Io(e) => e,
+    let io = |e: report::ReportError| match e {
+        report::ReportError::Io(e) => e,
         other => std::io::Error::other(other),
     };
     let folder = &store.folder;
     folder.write("report.html", |out| {
-        rough_contact::report::write_summary_html(summary, provenance, out).map_err(io)
+        report::write_summary_html(summary, provenance, out).map_err(io)
     })?;
     folder.write("table.csv", |out| rows::csv(outcomes, out))?;
     // The answers go through one by one: together they may be more than the memory holds.

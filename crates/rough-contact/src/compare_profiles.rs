@@ -12,6 +12,7 @@ use rough_contact::compare::{
 };
 use rough_contact::contact_types::ContactState;
 use rough_contact::report::Provenance;
+use rough_contact::{answers, report};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
@@ -42,7 +43,7 @@ pub(crate) fn run(
     common: &Common,
 ) -> Result<Reply, Failure> {
     refuse_solver(settings)?;
-    let names = rough_contact::answers::profile_documents_named(surfaces.len());
+    let names = answers::profile_documents_named(surfaces.len());
     let folder = Folder::prepare(out, &names, common.force)?;
     let registry = Registry::built_in();
     let mut studies = Vec::with_capacity(surfaces.len());
@@ -53,7 +54,7 @@ pub(crate) fn run(
     let provenance = Provenance::here(repeat(folder.path()));
     let mut reply = Reply::new(
         describe(&studies, folder.path()),
-        rough_contact::report::profile_comparison_json(&studies, &provenance),
+        report::profile_comparison_json(&studies, &provenance),
     );
     if let Err(failure) = write(&folder, &studies, &provenance, run_file) {
         reply.trouble = Some(failure);
@@ -67,7 +68,7 @@ fn write(
     provenance: &Provenance,
     run_file: &RunFile,
 ) -> Result<(), Failure> {
-    for (name, bytes) in rough_contact::answers::profile_documents(studies, provenance, run_file)? {
+    for (name, bytes) in answers::profile_documents(studies, provenance, run_file)? {
         folder.write(&name, |out| out.write_all(&bytes))?;
     }
     Ok(())
@@ -80,7 +81,7 @@ fn describe(studies: &[ProfileComparison], folder: &Path) -> String {
         out.push_str(&against::lines(None, Some(made_of)));
     }
     for study in studies {
-        let headline = plain(&rough_contact::report::profile_headline(study));
+        let headline = plain(&report::profile_headline(study));
         let _ = writeln!(out, "{}: {headline}", study.name); // a String takes everything
         out.push_str(&text::cleaning(study.origin.cleaned()));
         out.push_str(&uneven_line(study.uneven));

@@ -8,6 +8,7 @@ use crate::units::Dimension;
 use clap::Args;
 use rough_contact::answers::bodies::Bodies;
 use rough_contact::compare::{Conductance, Conducted, Estimate, GapGas, Gas, Joint, Property};
+use rough_contact::report;
 
 /// A number of each body.
 #[derive(Clone, Copy, Debug)]
@@ -179,11 +180,11 @@ pub(crate) fn first_headings(asked: &Joint, has_area: bool) -> Vec<&'static str>
 
 /// What is said first of a load: the resistances of the part, and of one spot.
 pub(crate) fn first_cells(found: &Conducted, has_spot: bool) -> Vec<String> {
-    let of = |r: rough_contact::report::ResistanceWords| {
+    let of = |r: report::ResistanceWords| {
         let spot = has_spot.then(|| r.one_spot.unwrap_or_else(|| "–".to_owned()));
         [Some(r.value), spot].into_iter().flatten().map(|t| text::plain(&t)).collect::<Vec<_>>()
     };
-    rough_contact::report::resistances(found).into_iter().flat_map(of).collect()
+    report::resistances(found).into_iter().flat_map(of).collect()
 }
 
 /// Headings of the conductances per nominal area.
@@ -202,7 +203,7 @@ pub(crate) fn line(asked: &Joint, gaps: &[f64]) -> String {
     format!(
         "{} Clean bodies, spots larger than the free path of what carries the current; no film, plating or fritting; \
          beyond the column of bulk material\n",
-        text::plain(&rough_contact::report::joint_words(asked, gaps))
+        text::plain(&report::joint_words(asked, gaps))
     )
     .trim_start()
     .to_owned()

@@ -9,6 +9,7 @@ use crate::output;
 use crate::text::{self, Table};
 use clap::Args;
 use rough_contact::compare::Level;
+use rough_contact::report;
 use rough_contact::surface_stats::level;
 use serde_json::json;
 use std::path::PathBuf;
@@ -74,7 +75,7 @@ impl Convert {
             "level": form.name(),
             "height_min": low,
             "height_max": high,
-            "cleaning": rough_contact::report::cleaning_json(&cleaned),
+            "cleaning": report::cleaning_json(&cleaned),
         });
         Ok(Reply::new(text::cleaning(&cleaned) + &table.to_string(), json))
     }

@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use rough_contact::compare::spot_list;
 use rough_contact::contact_types::{Grid, HeightMap};
 use rough_contact::fft_bem_solver::Solution;
+use rough_contact::report;
 use rough_contact::surface_io::write;
 use std::borrow::Cow;
 use std::path::PathBuf;
@@ -177,7 +178,7 @@ impl Sink {
         if self.fields.asked.contains(&Field::Spots) {
             let spots = spot_list(&solution.pressure, grid, self.repeats);
             let name = file("spots", load, "csv");
-            self.folder.write(&name, |out| rough_contact::report::write_spots_csv(&spots, out))?;
+            self.folder.write(&name, |out| report::write_spots_csv(&spots, out))?;
         }
         Ok(())
     }

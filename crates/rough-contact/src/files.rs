@@ -2,6 +2,7 @@
 
 use crate::outcome::{Failure, tell};
 use clap::Args;
+use rough_contact::compare;
 use rough_contact::surface_io::FORMATS;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -82,8 +83,7 @@ pub(crate) fn folder_name(file: &Path) -> String {
     let shown = file.display().to_string();
     let name: String = shown.chars().map(plain).collect();
     let start = name.chars().count().saturating_sub(80);
-    let hash: String =
-        rough_contact::compare::sha256_hex(shown.as_bytes()).chars().take(8).collect();
+    let hash: String = compare::sha256_hex(shown.as_bytes()).chars().take(8).collect();
     format!("{}-{hash}", name.chars().skip(start).collect::<String>())
 }
 

@@ -1,6 +1,7 @@
 //! The sections of the help: where an option stands, and whether `-h` shows it.
 
 use clap::{Arg, Command};
+use rough_contact::compare;
 use rough_contact::compare::INPUTS;
 
 /// Of each section the options that both helps show, and those that only `--help` does. Others stand first.
@@ -29,7 +30,7 @@ const SECTIONS: [(&str, &str, &str); 6] = [
 /// The command with its options in sections. `words` are those of the command line: the help of a model that is
 /// named there shows what it is made from, and not what others are.
 pub(crate) fn grouped(command: Command, words: &[String]) -> Command {
-    let model = words.iter().find_map(|word| rough_contact::compare::find(word));
+    let model = words.iter().find_map(|word| compare::find(word));
     let placed = |arg: Arg, is_model: bool| {
         let name = arg.get_long().unwrap_or_default().to_owned();
         let among = |list: &str| list.split_whitespace().any(|option| option == name);

@@ -13,6 +13,7 @@ use rough_contact::compare::{Cleaning, FileOrigin, Origin};
 use rough_contact::surface_io::{
     Cut, DecimalMark, HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions,
 };
+use rough_contact::{answers, surface_io};
 use std::path::{Path, PathBuf};
 
 /// How missing points are filled.
@@ -40,11 +41,11 @@ impl Fill {
         Self::value_variants().iter().copied().find(|fill| fill.name() == name)
     }
 
-    pub(crate) fn rule(self) -> rough_contact::surface_io::Fill {
+    pub(crate) fn rule(self) -> surface_io::Fill {
         match self {
-            Self::Refuse => rough_contact::surface_io::Fill::Refuse,
-            Self::Harmonic => rough_contact::surface_io::Fill::Harmonic,
-            Self::Nearest => rough_contact::surface_io::Fill::Nearest,
+            Self::Refuse => surface_io::Fill::Refuse,
+            Self::Harmonic => surface_io::Fill::Harmonic,
+            Self::Nearest => surface_io::Fill::Nearest,
         }
     }
 }
@@ -110,7 +111,7 @@ impl Reading {
         let mut options = self.options();
         let mut missing = Vec::new();
         loop {
-            let needs = match rough_contact::surface_io::read(path, &options) {
+            let needs = match surface_io::read(path, &options) {
                 // A file that says all has another fault.
                 Ok(measurement) => return (!missing.is_empty()).then_some((measurement, missing)),
                 Err(ReadError::MissingScale { needs, .. }) => needs,
@@ -140,8 +141,7 @@ impl Reading {
     /// The same of every trace of a file of several; one measurement of any other file.
     pub(crate) fn measurements(&self, path: &Path) -> Result<Vec<Measurement>, Failure> {
         let options = self.options();
-        let all = rough_contact::surface_io::read_traces(path, &options)
-            .map_err(|e| needs::unread(path, &e))?;
+        let all = surface_io::read_traces(path, &options).map_err(|e| needs::unread(path, &e))?;
         let Some(measurement) = all.first() else {
             return Err(Failure::refused("empty", format!("{}: nothing is there", path.display())));
         };
@@ -155,9 +155,8 @@ impl Reading {
         if let Some(what) = measurement.metadata().get("left out") {
             outcome::tell(&format!("rough-contact: {}: {what} are left out", path.display()));
         }
-        let readable = |c: &&rough_contact::surface_io::ChannelInfo| {
-            c.is_height && c.fault.is_none() && !c.is_trace
-        };
+        let readable =
+            |c: &&surface_io::ChannelInfo| c.is_height && c.fault.is_none() && !c.is_trace;
         let heights = measurement.channels().iter().filter(readable).count();
         if self.channel.is_none() && heights > 1 {
             outcome::tell(&format!(
@@ -231,7 +230,7 @@ impl Reading {
             let reading = needs::reading(reading);
             outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
         }
-        rough_contact::answers::complete(measurement, cleaning, self.fill.rule())
+        answers::complete(measurement, cleaning, self.fill.rule())
             .map_err(|e| needs::unmade(path, &e))
     }
 }

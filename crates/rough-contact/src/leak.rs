@@ -8,6 +8,7 @@ use crate::units::Dimension;
 use clap::Args;
 use rough_contact::compare::LeakRequest;
 use rough_contact::contact_accuracy::Leaks;
+use rough_contact::{answers, report};
 use std::fmt::Write as _;
 
 #[derive(Args, Clone, Debug, Default)]
@@ -37,7 +38,7 @@ impl LeakOptions {
     /// What is asked of the gap.
     pub(crate) fn asked(&self) -> Result<Option<LeakRequest>, Failure> {
         let Self { leak, viscosity, pressure_drop, seal_length, seal_width } = self;
-        rough_contact::answers::leak_asked(
+        answers::leak_asked(
             leak.as_deref(),
             [*viscosity, *pressure_drop, *seal_length, *seal_width],
         )
@@ -115,7 +116,7 @@ pub(crate) fn lines<'a>(
         "leak: Reynolds' equation on the gap, Q = K W Δp/(12 η L), {flow}; of the same gap ⟨g⟩³ in {mean}, Bruggeman in \
          {bruggeman}"
     );
-    for note in rough_contact::report::leak_notes(&all, modulus, yields) {
+    for note in report::leak_notes(&all, modulus, yields) {
         let _ = writeln!(out, "{note}");
     }
     out

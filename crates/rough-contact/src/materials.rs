@@ -4,6 +4,7 @@ use crate::outcome::{Failure, Reply};
 use crate::text::{self, Columns};
 use clap::Args;
 use rough_contact::compare::{Listed, Material, Property, material, materials};
+use rough_contact::report;
 use serde_json::json;
 
 #[derive(Args)]
@@ -29,15 +30,13 @@ impl Materials {
             })
         };
         let chosen = self.names.iter().map(find).collect::<Result<Vec<_>, _>>()?;
-        let text: String =
-            chosen.iter().map(|m| rough_contact::report::material_in_full(m) + "\n").collect();
+        let text: String = chosen.iter().map(|m| report::material_in_full(m) + "\n").collect();
         Ok(Reply::new(text, json(&chosen)))
     }
 }
 
 fn json(chosen: &[&Material]) -> serde_json::Value {
-    let all: Vec<_> =
-        chosen.iter().map(|m| rough_contact::report::material_json(m, &Property::ALL)).collect();
+    let all: Vec<_> = chosen.iter().map(|m| report::material_json(m, &Property::ALL)).collect();
     json!({ "materials": all })
 }
 

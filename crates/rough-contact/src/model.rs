@@ -18,6 +18,7 @@ use rough_contact::answers::model::{self, Answer, Question, Said, Unasked};
 use rough_contact::compare::survey::{BANDWIDTH_FACTOR, LOAD_FACTOR};
 use rough_contact::compare::{Card, Conducted, Input, Inputs, Joint, Spikes, Theory};
 use rough_contact::surface_stats::clean::row_offsets;
+use rough_contact::{compare, report};
 use serde_json::json;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -63,7 +64,7 @@ pub(crate) struct Model {
 impl Model {
     pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
         let Some(name) = &self.name else { return Ok(model_list::list()) };
-        let theory = rough_contact::compare::find(name).expect("clap accepts only these names");
+        let theory = compare::find(name).expect("clap accepts only these names");
         let card = theory.card();
         let hardness = self.source.hardness();
         let mut made_of = match self.bodies.given(hardness)? {
@@ -118,25 +119,25 @@ impl Model {
         let answers = answer(theory, &inputs, &questions, &joint)?;
         let mut reply = reply(card, (&inputs, &joint), &questions, &answers, spread.as_ref());
         let mut findings = model::scene(card, &inputs, &answers, rows).findings();
-        findings.extend(rough_contact::compare::spiky(&spikes, None));
-        findings.extend(pair.as_ref().map(rough_contact::compare::of_pair).into_iter().flatten());
+        findings.extend(compare::spiky(&spikes, None));
+        findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
         findings.sort_by_key(|f| f.weight);
         let first = text::cleaning(&cleaned) + &text::findings(&findings);
         reply.text.insert_str(0, &first);
-        reply.json["findings"] = rough_contact::report::findings_json(&findings);
-        reply.json["level"] = json!(level.map(rough_contact::compare::Level::name));
+        reply.json["findings"] = report::findings_json(&findings);
+        reply.json["level"] = json!(level.map(compare::Level::name));
         if let (Some(level), Some(_)) = (level, inputs.moments) {
             reply.text += &text::level(self.source.level(), level);
             reply.text += text::MOMENTS;
         }
-        reply.json["cleaning"] = rough_contact::report::cleaning_json(&cleaned);
+        reply.json["cleaning"] = report::cleaning_json(&cleaned);
         reply.json["pair"] = against::json(pair.as_ref());
-        reply.json["bodies"] = rough_contact::report::bodies_json(pair.as_ref(), &made_of.bodies);
+        reply.json["bodies"] = report::bodies_json(pair.as_ref(), &made_of.bodies);
         let known = (!card.is_rigid).then_some((modulus.pascals(), made_of.bodies));
         reply.text += &against::lines(pair.as_ref(), known);
         reply.text += &text::materials(&made_of.materials);
         if !made_of.materials.is_empty() {
-            reply.json["materials"] = rough_contact::report::materials_json(&made_of.materials);
+            reply.json["materials"] = report::materials_json(&made_of.materials);
         }
         Ok(reply)
     }
@@ -190,12 +191,12 @@ impl Model {
         reply.text += &text::level(level, level);
         reply.text += text::MOMENTS;
         reply.json = found.json;
-        reply.json["bodies"] = rough_contact::report::bodies_json(None, &made_of.bodies);
+        reply.json["bodies"] = report::bodies_json(None, &made_of.bodies);
         let Bodies { modulus, bodies, materials, .. } = made_of;
         reply.text += &against::lines(None, Some((modulus.pascals(), bodies.clone())));
         reply.text += &text::materials(materials);
         if !materials.is_empty() {
-            reply.json["materials"] = rough_contact::report::materials_json(materials);
+            reply.json["materials"] = report::materials_json(materials);
         }
         Ok(reply)
     }
@@ -352,10 +353,7 @@ fn reply(
 /// The range of errors of the theory where there is no map.
 fn survey(answer: &Answer) -> String {
     let range = answer.as_ref().ok().and_then(|said| said.survey);
-    range.map_or_else(
-        || "–".to_owned(),
-        |e| rough_contact::report::numbers::signed_range(e.low, e.high),
-    )
+    range.map_or_else(|| "–".to_owned(), |e| report::numbers::signed_range(e.low, e.high))
 }
 
 fn cells(question: Question, answer: &Answer, has_bar: bool) -> Vec<String> {

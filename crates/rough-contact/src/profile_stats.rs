@@ -3,6 +3,7 @@
 use crate::outcome::{Failure, Reply};
 use crate::profiles::{Traces, uneven_line};
 use crate::text::{self, Columns, Table};
+use rough_contact::report;
 use rough_contact::surface_stats::profile::ProfileStatistics;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -33,7 +34,7 @@ fn describe(s: &ProfileStatistics, missing: usize) -> String {
     );
     let mut out = t.to_string();
     // A String takes everything.
-    let _ = writeln!(out, "\nISO 21920-2. {}", plain(&rough_contact::report::setting_words(s)));
+    let _ = writeln!(out, "\nISO 21920-2. {}", plain(&report::setting_words(s)));
     out.push_str(&parameters(s));
     let mut t = Table::default();
     let between = |k: usize, value: String| match s.interval(k) {
@@ -134,5 +135,5 @@ fn parameters(s: &ProfileStatistics) -> String {
 
 /// With the spaces of a terminal.
 pub(crate) fn plain(text: &str) -> String {
-    text.replace(rough_contact::report::numbers::SPACE, " ")
+    text.replace(report::numbers::SPACE, " ")
 }

@@ -9,6 +9,7 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 use rough_contact::answers::typed::{Typed, Untyped};
 use rough_contact::compare::{Card, INPUTS, Input, InputFact, Inputs, Level, Unit};
 use rough_contact::contact_types::ContactModulus;
+use rough_contact::{answers, compare, surface_stats};
 use std::path::Path;
 
 /// Roughness typed in, each number by an option of its name, and how a FILE is read instead.
@@ -89,10 +90,10 @@ impl Edges {
         }
     }
 
-    pub(crate) fn rule(self) -> rough_contact::surface_stats::Edges {
+    pub(crate) fn rule(self) -> surface_stats::Edges {
         match self {
-            Self::Open => rough_contact::surface_stats::Edges::Open,
-            Self::Periodic => rough_contact::surface_stats::Edges::Periodic,
+            Self::Open => surface_stats::Edges::Open,
+            Self::Periodic => surface_stats::Edges::Periodic,
         }
     }
 }
@@ -104,7 +105,7 @@ fn named(input: Input) -> String {
 
 /// The sets of options a model can be made from, the first the usual one.
 pub(crate) fn options_of(card: &Card) -> Vec<String> {
-    let shown = |set: &rough_contact::compare::InputSet| set.shown(named, " ");
+    let shown = |set: &compare::InputSet| set.shown(named, " ");
     card.inputs.iter().map(shown).collect()
 }
 
@@ -189,7 +190,7 @@ impl Source {
     ) -> Result<Inputs, Failure> {
         let edges = self.file.boundary.unwrap_or(Edges::Open).rule();
         let Complete { map, missing, .. } = surface;
-        rough_contact::answers::model::measured(card, given, path, map, missing, (form, edges))
+        answers::model::measured(card, given, path, map, missing, (form, edges))
     }
 
     /// An option that the model does not use is a mistake, not a wish.

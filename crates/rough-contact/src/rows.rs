@@ -2,6 +2,7 @@
 
 use crate::outcome::Failure;
 use crate::text::{self, Columns};
+use rough_contact::report;
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -150,5 +151,5 @@ pub(crate) fn common_folder(outcomes: &[Outcome]) -> PathBuf {
 pub(crate) fn csv(outcomes: &[Outcome], out: &mut impl Write) -> io::Result<()> {
     let row = |o: &'_ Outcome| o.file.display().to_string();
     let rows = outcomes.iter().map(|o| (row(o), o.result.as_ref().ok().map(|r| &r.0), o.why()));
-    rough_contact::report::write_table_csv(rows, out)
+    report::write_table_csv(rows, out)
 }

@@ -20,6 +20,7 @@ use crate::progress::Progress;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use clap::Args;
+use rough_contact::answers;
 use rough_contact::answers::{Answer, Point, Question, Subject, Watch};
 use rough_contact::compare::{EdgesName, Joint, Level, PairOrigin, on_threads};
 use rough_contact::contact_types::{Grid, HeightMap};
@@ -142,8 +143,7 @@ impl PerFile for Solve {
         self.loads.forces.refuse_idle_area(self.conduction.is_asked())?;
         let area = self.loads.forces.area().filter(|_| self.conduction.is_asked());
         let conduction = self.conduction.asked(&mut made_of, area)?;
-        let rough_contact::answers::bodies::Bodies { modulus, bodies, hardness, materials } =
-            made_of;
+        let answers::bodies::Bodies { modulus, bodies, hardness, materials } = made_of;
         let adhesion = self.adhesion.asked()?;
         let leak = self.leak.asked()?;
         let count = self.loads.count()?;

@@ -16,6 +16,7 @@ use crate::{profile_stats, profiles};
 use clap::Args;
 use rough_contact::compare::{Level, WorkOfAdhesion};
 use rough_contact::surface_stats::{ByDistance, StatsOptions, SurfaceStatistics};
+use rough_contact::{answers, report};
 use std::path::Path;
 
 #[derive(Args, Clone, Debug)]
@@ -51,7 +52,7 @@ pub(crate) struct Stats {
 
 /// What the heights are asked of the bodies.
 struct Asked {
-    made_of: rough_contact::answers::bodies::Bodies,
+    made_of: answers::bodies::Bodies,
     adhesion: Option<WorkOfAdhesion>,
 }
 
@@ -130,13 +131,9 @@ impl PerFile for Stats {
             .with_edges(self.boundary.rule())
             .with_missing(missing)
             .with_height_step(height_step);
-        let subject = rough_contact::answers::Measured {
-            path: &self.input.file,
-            cleaned: &cleaned,
-            pair: pair.as_ref(),
-        };
-        let mut found =
-            rough_contact::answers::statistics(&map, &options, subject, self.iso, self.scales)?;
+        let subject =
+            answers::Measured { path: &self.input.file, cleaned: &cleaned, pair: pair.as_ref() };
+        let mut found = answers::statistics(&map, &options, subject, self.iso, self.scales)?;
         if let Some(Asked { made_of, adhesion: Some(given) }) = &asked {
             found.stick(*given, &map, self.level, made_of.modulus, &self.input.file)?;
         }
@@ -157,7 +154,7 @@ impl PerFile for Stats {
             text += &(said + &text::materials(&made_of.materials));
             json["plasticity"] = object;
             if !made_of.materials.is_empty() {
-                json["materials"] = rough_contact::report::materials_json(&made_of.materials);
+                json["materials"] = report::materials_json(&made_of.materials);
             }
         }
         Ok(Reply::new(text, json))

@@ -4,6 +4,7 @@ use crate::input::{Complete, Fill, Measured, Reading};
 use crate::outcome::Failure;
 use crate::profiles::Traces;
 use rough_contact::answers::told_apart;
+use rough_contact::compare;
 use rough_contact::compare::{
     Cleaning, FileOrigin, Level, Origin, PairOrigin, Placing, ProfileSurface, RunFile, RunSurface,
     Settings, Surface, sha256_hex,
@@ -95,7 +96,7 @@ pub(crate) fn from_file(
     Ok(One::Map(Box::new(Surface { name, origin: Origin::File(origin), heights: map })))
 }
 
-pub(crate) fn from_recipe(recipe: &rough_contact::compare::Recipe) -> Result<Surface, Failure> {
+pub(crate) fn from_recipe(recipe: &compare::Recipe) -> Result<Surface, Failure> {
     recipe.make().map_err(|e| Failure::from_error(&e))
 }
 
@@ -130,7 +131,7 @@ fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<O
     Ok(match origin {
         Origin::Recipe(recipe) => One::Map(Box::new(from_recipe(&recipe)?)),
         Origin::Given(_) => {
-            let error = rough_contact::compare::RunFileError::Given { name: name.to_owned() };
+            let error = compare::RunFileError::Given { name: name.to_owned() };
             return Err(Failure::from_error(&error));
         }
         Origin::File(file) => again(path, &file)?,
@@ -253,9 +254,8 @@ mod tests {
 
     #[test]
     fn files_of_the_same_name_are_told_apart() {
-        let grid = rough_contact::contact_types::Grid::new([2, 2], [1e-6; 2]).expect("a grid");
-        let heights =
-            rough_contact::contact_types::HeightMap::new(grid, vec![0.0; 4]).expect("a map");
+        let grid = contact_types::Grid::new([2, 2], [1e-6; 2]).expect("a grid");
+        let heights = contact_types::HeightMap::new(grid, vec![0.0; 4]).expect("a map");
         let surface = |path: &str, name: &str| Surface {
             name: name.to_owned(),
             origin: Origin::File(FileOrigin { path: path.to_owned(), ..FileOrigin::default() }),

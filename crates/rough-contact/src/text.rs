@@ -2,6 +2,7 @@
 
 pub(crate) use rough_contact::answers::shown::*;
 use rough_contact::compare::{Fact, Finding, Level, MaterialUse, Settings, Weight};
+use rough_contact::report;
 use rough_contact::surface_stats::clean::Record;
 use std::fmt;
 
@@ -48,8 +49,7 @@ pub(crate) fn level(asked: Level, used: Level) -> String {
 
 /// Forces and the pressures they are, where a study was given forces.
 pub(crate) fn loads(settings: &Settings) -> String {
-    rough_contact::report::loads_line(settings)
-        .map_or_else(String::new, |line| format!("load: {line}\n"))
+    report::loads_line(settings).map_or_else(String::new, |line| format!("load: {line}\n"))
 }
 
 /// Most findings that are shown.
@@ -71,9 +71,7 @@ pub(crate) fn findings(found: &[Finding]) -> String {
 
 /// The materials whose numbers were taken from the table, with condition and source.
 pub(crate) fn materials(used: &[MaterialUse]) -> String {
-    let line = |used: &MaterialUse| {
-        rough_contact::report::material_line(used).replace('\u{202F}', " ") + "\n"
-    };
+    let line = |used: &MaterialUse| report::material_line(used).replace('\u{202F}', " ") + "\n";
     used.iter().map(line).collect()
 }
 
@@ -83,14 +81,14 @@ pub(crate) fn all_findings(found: &[Finding]) -> String {
 }
 
 fn finding_line(finding: &Finding) -> String {
-    let words = rough_contact::report::finding(finding);
+    let words = report::finding(finding);
     let line = format!("{}: {} {}", finding.weight.name(), words.claim, words.text);
     format!("{}\n", line.replace('\u{202F}', " ").trim_end())
 }
 
 /// With the spaces of a terminal.
 pub(crate) fn plain(text: &str) -> String {
-    text.replace(rough_contact::report::numbers::SPACE, " ")
+    text.replace(report::numbers::SPACE, " ")
 }
 
 /// Columns of equal width under a header; the first is left-aligned, the others are not.

@@ -5,6 +5,7 @@ use crate::outcome::{Failure, Reply, variant};
 use crate::progress::Progress;
 use crate::text::Columns;
 use clap::Args;
+use rough_contact::answers;
 use rough_contact::compare::Method;
 use rough_contact::fft_bem_solver::validation::{self, Options, Row, ValidationError};
 
@@ -32,7 +33,7 @@ impl Validate {
         })
         .map_err(|error| failure(&error))?;
         drop(progress);
-        Ok(Reply::new(table(&rows), rough_contact::answers::validated(&rows)))
+        Ok(Reply::new(table(&rows), answers::validated(&rows)))
     }
 }
 

@@ -52,9 +52,7 @@ impl StatsOptions {
     pub fn with_height_step(self, step: impl Into<Option<f64>>) -> Self {
         Self { height_step: step.into(), ..self }
     }
-}
 
-impl StatsOptions {
     /// The form taken off this map.
     pub(crate) fn level_on(&self, map: &HeightMap) -> Result<Level, StatsError> {
         match (self.level, self.edges) {

@@ -97,7 +97,7 @@ pub enum Marker {
 
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PlotStyle {
+pub struct Style {
     /// Colour of line, marker and label.
     pub colour: Colour,
     /// Line width in figure units.
@@ -110,7 +110,7 @@ pub struct PlotStyle {
     pub marker_offset: usize,
 }
 
-impl PlotStyle {
+impl Style {
     /// A model's line.
     pub const fn model(
         colour: Colour,
@@ -123,17 +123,12 @@ impl PlotStyle {
 }
 
 /// The deterministic solution: the heaviest line, a dot at every computed load.
-pub const DETERMINISTIC_STYLE: PlotStyle = PlotStyle {
-    colour: DETERMINISTIC,
-    width: 2.0,
-    dash: "",
-    marker: Marker::Dot,
-    marker_offset: 0,
-};
+pub const DETERMINISTIC_STYLE: Style =
+    Style { colour: DETERMINISTIC, width: 2.0, dash: "", marker: Marker::Dot, marker_offset: 0 };
 
 /// The solution of elastic bodies beside that of bodies that yield: thin.
-pub(crate) const ELASTIC_LOOK: PlotStyle =
-    PlotStyle { colour: INK2, width: 0.8, dash: "", marker: Marker::Ring, marker_offset: 2 };
+pub(crate) const ELASTIC_LOOK: Style =
+    Style { colour: INK2, width: 0.8, dash: "", marker: Marker::Ring, marker_offset: 2 };
 
 /// Height: dark low, light high, lightness linear in the value.
 pub(crate) const HEIGHT_RAMP: [u32; 9] =

@@ -2,7 +2,7 @@
 //!
 //! One unit is 0.25 mm in a figure file 85 mm wide, so 10 units of type are 7.1 pt.
 
-use crate::draw::palette::{Colour, INK, Marker, PAPER, PlotStyle};
+use crate::draw::palette::{Colour, INK, Marker, PAPER, Style};
 use std::fmt::Write as _;
 use std::io;
 
@@ -321,7 +321,7 @@ impl Canvas {
     }
 
     /// A marker of nominal radius `r`.
-    pub fn marker(&mut self, [x, y]: [f64; 2], r: f64, look: PlotStyle) {
+    pub fn marker(&mut self, [x, y]: [f64; 2], r: f64, look: Style) {
         let polygon = |corners: &[(f64, f64)]| {
             let points: Vec<[f64; 2]> =
                 corners.iter().map(|(dx, dy)| [x + r * dx, y + r * dy]).collect();

@@ -3,7 +3,7 @@
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{
-    Colour, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, Marker, PERSSON, PlotStyle,
+    Colour, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, Marker, PERSSON, Style,
 };
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
 use crate::figures::curves::log_limits;
@@ -22,7 +22,7 @@ pub(crate) struct Line {
     pub(crate) label: String,
     /// The series it is, see [`Canvas::series`]; may be empty.
     pub(crate) series: String,
-    pub(crate) look: PlotStyle,
+    pub(crate) look: Style,
     pub(crate) values: Vec<Option<f64>>,
 }
 
@@ -94,11 +94,11 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
     let waves: Vec<f64> = octaves.iter().map(|o| o.shortest).collect();
     let mut labels = Vec::new();
     for (label, values, look) in [
-        ("Area", &area, PlotStyle::model(PERSSON, "6 2.5", Marker::Square, 0)),
+        ("Area", &area, Style::model(PERSSON, "6 2.5", Marker::Square, 0)),
         ("Conductance", &conductance, DETERMINISTIC_STYLE),
     ] {
         let values: Vec<Option<f64>> = values.iter().map(|v| Some(*v)).collect();
-        let every = PlotStyle { marker_offset: 0, ..look };
+        let every = Style { marker_offset: 0, ..look };
         draw(&mut canvas, &frame, (&waves, unit.scale), &values, every);
         labels.extend(end(&frame, &values, label, look.colour, label == "Conductance"));
     }
@@ -125,7 +125,7 @@ fn draw(
     frame: &Frame,
     (x, scale): (&[f64], f64),
     values: &[Option<f64>],
-    look: PlotStyle,
+    look: Style,
 ) {
     let points: Vec<[f64; 2]> = x
         .iter()

@@ -2,7 +2,7 @@
 
 use crate::draw::axes::{Axis, Frame};
 use crate::draw::labels::place_near;
-use crate::draw::palette::{BAND, DETERMINISTIC_STYLE, INK2, LINE, PlotStyle};
+use crate::draw::palette::{BAND, DETERMINISTIC_STYLE, INK2, LINE, Style};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
 use crate::figures::front::front;
 use crate::numbers::{duration, percent, time_tick};
@@ -15,7 +15,7 @@ pub(crate) struct Route {
     /// The series it is, see [`Canvas::series`]; may be empty.
     pub series: String,
     /// How it is drawn.
-    pub look: PlotStyle,
+    pub look: Style,
     /// Seconds.
     pub seconds: f64,
     /// Size of its relative error.

@@ -2,7 +2,7 @@
 
 use crate::digest::Spread;
 use crate::draw::axes::{Axis, Frame};
-use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, PlotStyle};
+use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Style};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use crate::numbers::{SPACE, Unit, power_of_ten, signed_percent, significant, unit_for};
 
@@ -120,7 +120,7 @@ pub(crate) struct Strip {
     /// Its label.
     pub label: String,
     /// How it is drawn.
-    pub look: PlotStyle,
+    pub look: Style,
     /// Signed relative errors.
     pub errors: Spread,
 }

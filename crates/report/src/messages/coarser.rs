@@ -1,15 +1,14 @@
 //! What a coarser grid would have cost in accuracy: its place in Fig. 4 and on the first screen.
 
-use crate::draw::palette::{INK2, Marker, PlotStyle};
+use crate::draw::palette::{INK2, Marker, Style};
 use crate::figures::cost::Route;
 use crate::lines::WANTED;
 use crate::numbers::{duration, signed_percent};
-use contact_compare::Coarser;
-use contact_compare::SurfaceComparison;
+use contact_compare::{Coarser, SurfaceComparison};
 
 /// A filled dot as the deterministic solution has, in the grey of notes.
-const LOOK: PlotStyle =
-    PlotStyle { colour: INK2, width: 2.0, dash: "", marker: Marker::Dot, marker_offset: 0 };
+const LOOK: Style =
+    Style { colour: INK2, width: 2.0, dash: "", marker: Marker::Dot, marker_offset: 0 };
 
 /// "½ grid": half as many points along each side.
 fn label(factor: usize) -> String {

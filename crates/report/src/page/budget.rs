@@ -9,8 +9,7 @@ use crate::numbers::{
 };
 use crate::page::phrases::tolerance_words;
 use contact_accuracy::{Estimate, Parts};
-use contact_compare::ChoiceKind;
-use contact_compare::{DeterministicAnswer, SurfaceComparison};
+use contact_compare::{ChoiceKind, DeterministicAnswer, SurfaceComparison};
 
 /// A half width as the ends it makes.
 fn ends(value: f64, half: Option<f64>) -> Option<[f64; 2]> {

@@ -10,8 +10,9 @@ use crate::page::context::Page;
 use crate::page::phrases::{levelled, tolerance_words};
 use contact_accuracy::PERIMETER_CORRECTION;
 use contact_accuracy::Reached;
-use contact_compare::{Body, FileOrigin, Origin, Recipe, Settings};
-use contact_compare::{DeterministicAnswer, SurfaceComparison};
+use contact_compare::{
+    Body, DeterministicAnswer, FileOrigin, Origin, Recipe, Settings, SurfaceComparison,
+};
 use surface_stats::Level;
 
 /// Program, inputs, settings, the command that repeats it.

@@ -1,6 +1,6 @@
 //! Tables: key numbers, models, statistics, error budget.
 
-use crate::draw::palette::{DETERMINISTIC_STYLE, PlotStyle};
+use crate::draw::palette::{DETERMINISTIC_STYLE, Style};
 use crate::draw::svg::{Canvas, Stroke, escape};
 use crate::lines::{ELASTIC, Reference, references};
 use crate::messages;
@@ -86,7 +86,7 @@ pub(crate) fn model_pressure(point: &Result<ContactState, ModelError>) -> String
 }
 
 /// A short piece of a series' line with its marker.
-pub(crate) fn swatch(look: PlotStyle) -> String {
+pub(crate) fn swatch(look: Style) -> String {
     let mut canvas = Canvas::default();
     let stroke = Stroke { colour: look.colour, width: 1.2 * look.width, dash: look.dash };
     canvas.line([1.0, 6.0], [33.0, 6.0], stroke);

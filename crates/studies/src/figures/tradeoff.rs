@@ -7,7 +7,7 @@ use contact_compare::find;
 use contact_report::draw::axes::{Axis, Frame};
 use contact_report::draw::labels::{place_near, push_apart};
 use contact_report::draw::palette::{
-    BAND, Colour, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, LINE, Marker, PlotStyle, WARN,
+    BAND, Colour, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, LINE, Marker, Style, WARN,
 };
 use contact_report::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
 use contact_report::figures::front::front;
@@ -75,11 +75,10 @@ impl Taken {
 }
 
 /// How the fast method is drawn where its counted area is meant.
-const COUNTED: PlotStyle =
-    PlotStyle { colour: INK2, width: 1.35, dash: "4 2", ..ring(DETERMINISTIC) };
+const COUNTED: Style = Style { colour: INK2, width: 1.35, dash: "4 2", ..ring(DETERMINISTIC) };
 
-const fn ring(colour: Colour) -> PlotStyle {
-    PlotStyle { colour, width: 2.0, dash: "", marker: Marker::Ring, marker_offset: 0 }
+const fn ring(colour: Colour) -> Style {
+    Style { colour, width: 2.0, dash: "", marker: Marker::Ring, marker_offset: 0 }
 }
 
 /// Words for a grid by its points per side over those of the map.
@@ -216,7 +215,7 @@ fn is_shown(way: &Way<'_>) -> bool {
         || (method == "chord" && precision.as_deref() == Some("f64") && is_default)
 }
 
-fn style_of(area: AreaOf, method: &str) -> PlotStyle {
+fn style_of(area: AreaOf, method: &str) -> Style {
     match area {
         AreaOf::Model => {
             find(method).map_or(DETERMINISTIC_STYLE, |m| plot_style(&m.card().name, 0))
@@ -263,13 +262,13 @@ fn upright_mark(canvas: &mut Canvas, taken: &mut Taken, frame: &Frame, seconds: 
 }
 
 /// A method of the solver in a precision: how it is drawn, what it is called.
-const SERIES: [(&str, &str, &str, PlotStyle); 6] = [
+const SERIES: [(&str, &str, &str, Style); 6] = [
     ("chord", "f64", "chord", DETERMINISTIC_STYLE),
-    ("chord", "f32", "chord f32", PlotStyle { dash: "3 2", width: 1.2, ..ring(DETERMINISTIC) }),
-    ("polonsky-keer", "f64", "Polonsky–Keer", PlotStyle::model(INK2, "", Marker::Square, 0)),
-    ("polonsky-keer", "f32", "f32", PlotStyle::model(INK2, "3 2", Marker::Diamond, 0)),
-    ("stanley-kato", "f64", "Stanley–Kato", PlotStyle::model(WARN, "", Marker::TriangleUp, 0)),
-    ("stanley-kato", "f32", "f32", PlotStyle::model(WARN, "3 2", Marker::TriangleDown, 0)),
+    ("chord", "f32", "chord f32", Style { dash: "3 2", width: 1.2, ..ring(DETERMINISTIC) }),
+    ("polonsky-keer", "f64", "Polonsky–Keer", Style::model(INK2, "", Marker::Square, 0)),
+    ("polonsky-keer", "f32", "f32", Style::model(INK2, "3 2", Marker::Diamond, 0)),
+    ("stanley-kato", "f64", "Stanley–Kato", Style::model(WARN, "", Marker::TriangleUp, 0)),
+    ("stanley-kato", "f32", "f32", Style::model(WARN, "3 2", Marker::TriangleDown, 0)),
 ];
 
 /// The true relative rms error of the pressure against time, over the tolerance: each method of
