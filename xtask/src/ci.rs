@@ -24,7 +24,6 @@ fn run_all(also: Also) -> TaskResult {
         step(&["xtask", "check", "tidy"]),
         clippy()?,
         documentation(),
-        step(&["xtask", "check", "features"]),
         step(&["xtask", "check", "strangers"]),
         step(&["test", "--workspace", "--locked"]),
     ];
@@ -35,6 +34,7 @@ fn run_all(also: Also) -> TaskResult {
         }
     }
     if also == Also::Slow {
+        steps.push(step(&["xtask", "check", "features"]));
         steps.push(check("extremes"));
         steps.push(step(&["xtask", "figures", "--check"]));
         steps.push(step(&["xtask", "bench", "--check"]));

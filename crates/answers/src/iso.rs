@@ -31,7 +31,7 @@ impl Iso {
     ///
     /// # Errors
     /// [`StatsError`] of a map that is too small or flat.
-    pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
+    pub(crate) fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         let curve = MaterialRatioCurve::of(map)?;
         Ok(Self {
             heights: HeightStatistics::of(map),
@@ -45,7 +45,7 @@ impl Iso {
     }
 
     /// Lengths and volumes per area in m, Std in degrees, ratios as fractions.
-    pub fn json(&self) -> Value {
+    pub(crate) fn json(&self) -> Value {
         let Self { heights, hybrid, spatial, direction, core, volumes, peak_extreme_height } = self;
         json!({
             "Sq": heights.rms_height,

@@ -75,7 +75,7 @@ impl Traces {
     }
 
     /// How statistics are taken of them; `degree` is that of the polynomial that levels a trace.
-    pub fn options(&self, degree: usize) -> ProfileOptions {
+    pub(crate) fn options(&self, degree: usize) -> ProfileOptions {
         ProfileOptions::default()
             .with_degree(degree)
             .with_short(self.cleaning.s_filter)

@@ -139,7 +139,7 @@ const MEANT: &[(Dimension, &str, &str)] = &[
 
 impl Dimension {
     /// What people call it.
-    pub fn kind(self) -> &'static str {
+    pub(crate) fn kind(self) -> &'static str {
         match self {
             Self::Number => "a pure number",
             Self::Length => "length",
@@ -155,7 +155,7 @@ impl Dimension {
     }
 
     /// Units to offer.
-    pub fn units(self) -> &'static str {
+    pub(crate) fn units(self) -> &'static str {
         match self {
             Self::Number => "no unit, or %",
             Self::Length => "m, mm, um, nm, A, inch or mil",
@@ -187,7 +187,7 @@ impl Dimension {
     }
 
     /// One spelling that works.
-    pub fn example(self) -> &'static str {
+    pub(crate) fn example(self) -> &'static str {
         match self {
             Self::Number => "for example 0.8",
             Self::Length => "for example 1.5um",
@@ -203,7 +203,7 @@ impl Dimension {
     }
 
     /// Factor and power of ten of a unit; `None` if it is not a unit of this dimension.
-    pub fn scale(self, unit: &str) -> Option<(f64, i32)> {
+    pub(crate) fn scale(self, unit: &str) -> Option<(f64, i32)> {
         let find = |table: &[Unit], unit: &str| {
             table.iter().find(|(name, _, _)| *name == unit).map(|&(_, f, e)| (f, e))
         };
@@ -233,7 +233,7 @@ impl Dimension {
 
     /// The units with these letters in other cases. An `M` is mega and an `m` may be meant for it, so that of
     /// `mpa` there are two. Of a mass the weight.
-    pub fn near(self, unit: &str) -> Vec<&'static str> {
+    pub(crate) fn near(self, unit: &str) -> Vec<&'static str> {
         let table = match self {
             Self::Length => LENGTHS,
             Self::Pressure => PRESSURES,

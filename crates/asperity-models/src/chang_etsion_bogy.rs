@@ -92,11 +92,6 @@ impl ChangEtsionBogy {
         Ok(Self { asperities, modulus, w })
     }
 
-    /// Critical interference ω_c (m): summits pressed in deeper have yielded.
-    pub fn critical_interference(&self) -> f64 {
-        self.w * self.asperities.height_std
-    }
-
     fn alpha(&self, separation: f64) -> Result<f64, ModelError> {
         require::finite(MODEL, "separation", separation)?;
         Ok((separation - self.asperities.mean_offset) / self.asperities.height_std)

@@ -107,11 +107,6 @@ impl<L: SummitLaw> SummitModel<L> {
         Ok(Self { moments, modulus, bandwidth, correlation, law: PhantomData })
     }
 
-    /// Nayak's bandwidth α = m0 m4 / m2².
-    pub fn bandwidth(&self) -> f64 {
-        self.bandwidth
-    }
-
     /// Normal stiffness per nominal area, -dp/dd in Pa/m, at `separation` (m).
     ///
     /// # Errors

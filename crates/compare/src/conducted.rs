@@ -41,7 +41,7 @@ impl Joint {
 
     /// Conductance over conductance by harmonic mean conductivity: `2/(ρ₁ + ρ₂)` and `2/(1/k₁ + 1/k₂)`; 0 with an
     /// insulator, infinite between superconductors.
-    pub fn factors(&self) -> [Option<f64>; 2] {
+    pub(crate) fn factors(&self) -> [Option<f64>; 2] {
         self.sums().map(|sum| sum.map(|sum| 2.0 / sum))
     }
 
@@ -117,7 +117,7 @@ impl Conductance {
 
     /// One beside another.
     #[must_use]
-    pub fn plus(self, other: Self) -> Self {
+    pub(crate) fn plus(self, other: Self) -> Self {
         let both = self.estimate.zip(other.estimate).map(|(a, b)| a.plus(b));
         let one = if other.value <= 0.0 { self.estimate } else { other.estimate };
         let is_alone = self.value <= 0.0 || other.value <= 0.0;
@@ -236,7 +236,7 @@ impl Conduction {
 
     /// By what factor area and conductance change at most when the shortest octaves are taken off, each the
     /// larger over the smaller; `None` without octaves.
-    pub fn changes(&self) -> Option<[f64; 2]> {
+    pub(crate) fn changes(&self) -> Option<[f64; 2]> {
         let first = self.octaves.first()?;
         let rest = self.octaves.get(1..).filter(|rest| !rest.is_empty())?;
         let most = |of: fn(&Octave) -> f64| {

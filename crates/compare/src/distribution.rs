@@ -99,7 +99,7 @@ impl FieldDistributions {
 
 impl PressureDistribution {
     /// Of a field (Pa); `None` if nothing touches.
-    pub fn of(pressure: &[f64]) -> Option<Self> {
+    pub(crate) fn of(pressure: &[f64]) -> Option<Self> {
         let all = pressure.len() as f64;
         let touching: Vec<f64> = pressure.iter().copied().filter(|p| *p > 0.0).collect();
         let (count, sum) = (touching.len(), touching.iter().sum::<f64>());

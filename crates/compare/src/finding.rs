@@ -378,7 +378,7 @@ pub struct Seam {
 
 impl Seam {
     /// Size of the relative error of the area to expect.
-    pub fn worst(&self) -> f64 {
+    pub(crate) fn worst(&self) -> f64 {
         self.share.direct_effect().abs()
     }
 }

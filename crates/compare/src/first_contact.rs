@@ -24,7 +24,8 @@ impl FirstContact {
     pub const NEVER: u8 = u8::MAX;
 
     /// True where `point` carries pressure at the load of index `load`.
-    pub fn touches(&self, load: usize, point: usize) -> bool {
+    #[cfg(test)]
+    fn touches(&self, load: usize, point: usize) -> bool {
         usize::from(self.first[point]) <= load && !self.lost.contains(&(load, point))
     }
 

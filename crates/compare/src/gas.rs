@@ -101,7 +101,7 @@ impl GapGas {
     /// # Errors
     /// [`ModelError`] of a temperature that the table does not reach, of a pressure that is not positive, of an
     /// accommodation outside (0, 1].
-    pub fn check(&self) -> Result<(), ModelError> {
+    pub(crate) fn check(&self) -> Result<(), ModelError> {
         const MODEL: &str = "gas in the gap";
         require::positive(MODEL, "temperature", self.temperature)?;
         require::positive(MODEL, "gas pressure", self.pressure)?;

@@ -141,12 +141,12 @@ impl Inputs {
     }
 
     /// Rms height given, or that of the moments (m).
-    pub fn rms_height(&self) -> Option<f64> {
+    pub(crate) fn rms_height(&self) -> Option<f64> {
         self.rms_height.or(self.moments.map(|m| m.m0.sqrt()))
     }
 
     /// Mean absolute profile slope given, or that of an isotropic Gaussian surface with the moments, h′rms/√π \[-\].
-    pub fn mean_slope(&self) -> Option<f64> {
+    pub(crate) fn mean_slope(&self) -> Option<f64> {
         self.mean_slope.or(self.moments.map(|m| m.rms_gradient() / PI.sqrt()))
     }
 

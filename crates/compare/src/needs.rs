@@ -228,7 +228,7 @@ const fn fact(
 
 impl Input {
     /// What is known of it.
-    pub fn fact(self) -> &'static InputFact {
+    pub(crate) fn fact(self) -> &'static InputFact {
         &INPUTS[self as usize] // a test holds that they stand in the order of the names
     }
 
@@ -238,7 +238,7 @@ impl Input {
     }
 
     /// What it is.
-    pub fn words(self) -> &'static str {
+    pub(crate) fn words(self) -> &'static str {
         self.fact().words
     }
 }

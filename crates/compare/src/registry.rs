@@ -88,7 +88,7 @@ impl Registry {
     }
 
     /// The theory of a name.
-    pub fn find(&self, name: &str) -> Option<&dyn Theory> {
+    pub(crate) fn find(&self, name: &str) -> Option<&dyn Theory> {
         self.iter().find(|theory| theory.card().name == name)
     }
 

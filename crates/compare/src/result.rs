@@ -181,14 +181,14 @@ pub struct DeterministicAnswer {
 
 impl DeterministicAnswer {
     /// From what the ladder answered.
-    pub fn of(answered: &Answered) -> Self {
+    pub(crate) fn of(answered: &Answered) -> Self {
         let Answered { solution, budget, coarser, finer, .. } = answered;
         let solved = Self::of_solution(solution, budget, true);
         Self { coarser: coarser.clone(), finer: *finer, ..solved }
     }
 
     /// From an iterate that missed the tolerance, on a map of which `map` tells.
-    pub fn of_iterate(solution: &Solution, map: &Map) -> Self {
+    pub(crate) fn of_iterate(solution: &Solution, map: &Map) -> Self {
         Self::of_solution(solution, &Budget::of_iterate(solution, map), false)
     }
 
@@ -219,7 +219,7 @@ impl DeterministicAnswer {
     }
 
     /// How its solution ended.
-    pub fn ended(&self) -> Ended {
+    pub(crate) fn ended(&self) -> Ended {
         match (self.converged, self.stopped_at_rounding) {
             (true, _) => Ended::Converged,
             (false, true) => Ended::AtRounding,

@@ -119,7 +119,7 @@ impl Settings {
     }
 
     /// What is asked of the conduction.
-    pub fn joint(&self) -> Joint {
+    pub(crate) fn joint(&self) -> Joint {
         Joint {
             resistivities: self.resistivities,
             conductivities: self.conductivities,

@@ -27,7 +27,7 @@ pub struct Spikes {
 
 impl Spikes {
     /// Those of `map`; none in a map whose heights cannot be compared.
-    pub fn of(map: &HeightMap) -> Self {
+    pub(crate) fn of(map: &HeightMap) -> Self {
         let rule = OutlierRule::beyond(SPIKE_THRESHOLD);
         find_outliers(map.grid(), map.heights(), rule).map_or_else(
             |_| Self::default(),

@@ -68,7 +68,7 @@ pub struct Budget {
 impl Budget {
     /// Of a solution, the set that was asked for its stiffness and a gas of this temperature jump (m), on a map of which
     /// `map` tells.
-    pub fn of(
+    pub(crate) fn of(
         solution: &Solution,
         set: Option<&SetStiffness>,
         jump: Option<f64>,
@@ -118,7 +118,7 @@ impl Budget {
 
     /// The same where `load` prescribed a gap: the gap is exact, the pressure is not.
     #[must_use]
-    pub fn under(
+    pub(crate) fn under(
         mut self,
         load: Load,
         solution: &Solution,
@@ -151,7 +151,11 @@ impl Budget {
     /// The same where the contact modulus and the hardness are known to these relative half widths only. Elastic
     /// contact goes as 1/E\*, yielded contact as 1/H: each by its share of area and load.
     #[must_use]
-    pub fn with_materials(mut self, [modulus, hardness]: [f64; 2], solution: &Solution) -> Self {
+    pub(crate) fn with_materials(
+        mut self,
+        [modulus, hardness]: [f64; 2],
+        solution: &Solution,
+    ) -> Self {
         let touching = solution.touching_fraction();
         let yielded = solution.diagnostics.yielded.filter(|_| touching > 0.0);
         let [load, area] =

@@ -49,12 +49,6 @@ impl EdgeShare {
         })
     }
 
-    /// Load of the strip over what its part of the map would carry; 1 if the edge is like the
-    /// rest (-).
-    pub fn attraction(&self) -> f64 {
-        self.load / self.map
-    }
-
     /// Relative change of the area at this load that the strip makes directly: what its contact
     /// adds to the ratio of area to load. With area in proportion to load, as at light load, the
     /// inside alone would have an area of (1 − contact)/(1 − load) of the whole.
@@ -74,7 +68,7 @@ mod tests {
         let even = EdgeShare::of(&[3.0; 80], grid).unwrap();
         assert_eq!((even.width, even.map), (1, 0.4));
         assert!((even.contact - 0.4).abs() < 1e-15 && (even.load - 0.4).abs() < 1e-15);
-        assert!((even.attraction() - 1.0).abs() < 1e-12 && even.direct_effect().abs() < 1e-12);
+        assert!((even.load / even.map - 1.0).abs() < 1e-12 && even.direct_effect().abs() < 1e-12);
 
         let mut pressure = [0.0; 80];
         pressure[0] = 1.0; // a corner

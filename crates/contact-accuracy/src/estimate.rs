@@ -65,7 +65,7 @@ pub struct Parts {
 
 impl Parts {
     /// Half width: the root of the squares, and the iteration on top.
-    pub fn half_width(&self) -> f64 {
+    pub(crate) fn half_width(&self) -> f64 {
         let squares = [self.coarser, self.contact_line, self.counting, self.finer];
         squares.into_iter().fold(0.0, f64::hypot) + self.iteration
     }

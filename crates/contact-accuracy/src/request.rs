@@ -59,7 +59,7 @@ impl Request {
 
     /// Relative rms pressure error at which the solver may stop: the area error it leaves is at
     /// most a fifth of the request. Rounded down to one digit.
-    pub fn tolerance(self) -> f64 {
+    pub(crate) fn tolerance(self) -> f64 {
         let exact = (ITERATION_SHARE * self.0 / area_error(1.0)).max(TIGHTEST);
         let decade = exact.log10().floor() as i32;
         // A quotient just below a whole digit is that digit.
@@ -68,7 +68,7 @@ impl Request {
     }
 
     /// Half the bytes wherever single precision reaches the tolerance.
-    pub fn precision(self) -> Precision {
+    pub(crate) fn precision(self) -> Precision {
         if self.tolerance() >= SINGLE { Precision::Single } else { Precision::Double }
     }
 }

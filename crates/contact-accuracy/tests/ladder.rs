@@ -41,7 +41,7 @@ fn uncertainties_hold_the_surface_of_the_formula() {
     let (mut all, mut missed, mut jumps) = (0, Vec::new(), 0);
     for name in names {
         let heights = family(name, 31).unwrap();
-        let (given, fine) = (map(128, &heights), map(512, &heights));
+        let (given, fine) = (map(64, &heights), map(256, &heights));
         let rms = Map::of(&given).rms_height;
         // Temperature jumps of a rough and of a smooth surface in air.
         let jump = Some(if jumps % 2 == 0 { 0.05 } else { 1.0 } * rms);

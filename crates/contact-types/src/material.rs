@@ -46,7 +46,7 @@ impl Elastic {
     }
 
     /// Plane-strain modulus `E / (1 - nu^2)` \[Pa\].
-    pub fn plane_strain_modulus(&self) -> f64 {
+    pub(crate) fn plane_strain_modulus(&self) -> f64 {
         self.young / (1.0 - self.poisson * self.poisson)
     }
 }

@@ -33,7 +33,7 @@ impl<T: Real> HalfSpace<T> {
     }
 
     /// The grid of the fields.
-    pub fn grid(&self) -> Grid {
+    pub(crate) fn grid(&self) -> Grid {
         self.grid
     }
 
@@ -73,7 +73,7 @@ impl<T: Real> HalfSpace<T> {
     ///
     /// # Errors
     /// [`SolverError::Shape`] if `field` does not have `ny * nx` pixels; it is then untouched.
-    pub fn press(&mut self, field: &mut [T]) -> Result<(), SolverError> {
+    pub(crate) fn press(&mut self, field: &mut [T]) -> Result<(), SolverError> {
         self.check(field.len())?;
         let factor = T::of(0.5 * self.modulus.pascals());
         self.transform.apply_in_place(field, |kx, column| {

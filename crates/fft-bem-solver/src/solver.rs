@@ -286,19 +286,6 @@ impl Solver {
         self.grid
     }
 
-    /// The modulus this solver was built for.
-    pub fn modulus(&self) -> ContactModulus {
-        self.modulus
-    }
-
-    /// Highest pressure that the bodies bear (Pa), the mean of a map; infinite for elastic ones.
-    pub fn hardness(&self) -> f64 {
-        match &self.engine {
-            Work::Double(engine) => engine.settings.hardness,
-            Work::Single(engine) => engine.settings.hardness,
-        }
-    }
-
     /// Forgets the last solution: the next solve starts from nothing.
     pub fn forget(&mut self) {
         match &mut self.engine {

@@ -45,11 +45,6 @@ impl<T: Float> GridFft<T> {
         }
     }
 
-    /// Shape of the field, `[ny, nx]`.
-    pub fn shape(&self) -> [usize; 2] {
-        self.shape
-    }
-
     /// Shape of the half spectrum, `[ny, nx/2 + 1]`.
     pub fn spectrum_shape(&self) -> [usize; 2] {
         [self.shape[0], self.shape[1] / 2 + 1]

@@ -117,11 +117,6 @@ impl YanKomvopoulos {
         Ok(self)
     }
 
-    /// Truncated area below which a spot is plastic \[m²\]; 0 if none was set.
-    pub fn critical_area(&self) -> f64 {
-        self.critical_area
-    }
-
     /// The nominal pressure \[Pa\] at which the largest truncated spot is `largest` (m²).
     ///
     /// # Errors

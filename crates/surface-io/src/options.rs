@@ -16,7 +16,7 @@ pub enum HeightUnit {
 
 impl HeightUnit {
     /// Metres per unit.
-    pub fn metres(self) -> f64 {
+    pub(crate) fn metres(self) -> f64 {
         match self {
             Self::IfSilent(metres) | Self::Always(metres) => metres,
         }

@@ -141,7 +141,7 @@ impl DirectionalMoments {
     /// Largest over smallest mean square slope over all directions, from the tensor of central
     /// slopes; 1 for an isotropic surface, infinite if one direction has no slope, `None` if the
     /// map is flat.
-    pub fn anisotropy(&self) -> Option<f64> {
+    pub(crate) fn anisotropy(&self) -> Option<f64> {
         let mean = f64::midpoint(self.m2_x_central, self.m2_y_central);
         let half = 0.5 * (self.m2_x_central - self.m2_y_central);
         let spread = half.hypot(self.m2_xy).min(mean);

@@ -50,7 +50,7 @@ impl Point {
 
 impl PowerLaw {
     /// Hurst exponent if this is the slope of an isotropic two-dimensional PSD, `-2 (1 + H)`.
-    pub fn hurst(&self) -> f64 {
+    pub(crate) fn hurst(&self) -> f64 {
         -0.5 * self.slope - 1.0
     }
 

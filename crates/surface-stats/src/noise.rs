@@ -44,7 +44,7 @@ impl NoiseFloor {
     /// too few waves (fewer than 8 rings in that octave).
     ///
     /// Noise that the instrument has smoothed is not white and is not seen.
-    pub fn of(rings: &[Ring], [dy, dx]: [f64; 2]) -> Option<Self> {
+    pub(crate) fn of(rings: &[Ring], [dy, dx]: [f64; 2]) -> Option<Self> {
         let nyquist = PI / dy.max(dx);
         let last_octave: Vec<&Ring> = rings
             .iter()

@@ -29,7 +29,7 @@ impl Polynomial {
     /// [`StatsError::BadSetting`] above degree 12, [`StatsError::Shape`], [`StatsError::Surface`] for
     /// infinite heights, [`StatsError::OutOfRange`], or
     /// [`StatsError::TooFewPoints`] without a valid point.
-    pub fn fit(grid: Grid, heights: &[f64], degree: usize) -> Result<Self, StatsError> {
+    pub(crate) fn fit(grid: Grid, heights: &[f64], degree: usize) -> Result<Self, StatsError> {
         if degree > MAX_DEGREE {
             return Err(StatsError::BadSetting {
                 setting: "degree of the polynomial",
@@ -57,7 +57,7 @@ impl Polynomial {
     ///
     /// # Panics
     /// If `heights` does not have the pixels of the grid that was fitted.
-    pub fn remove_from(&self, heights: &mut [f64]) {
+    pub(crate) fn remove_from(&self, heights: &mut [f64]) {
         assert_eq!(heights.len(), self.grid.len(), "heights of another grid");
         let [ny, nx] = self.grid.shape();
         let columns = columns(nx, self.degree);

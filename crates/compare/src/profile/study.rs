@@ -36,7 +36,7 @@ pub struct ProfileSurface {
 
 impl ProfileSurface {
     /// How statistics of it are taken in a study.
-    pub fn options(&self, settings: &Settings) -> ProfileOptions {
+    pub(crate) fn options(&self, settings: &Settings) -> ProfileOptions {
         let (short, cutoff, step) = match &self.origin {
             Origin::File(file) => {
                 (file.cleaning.s_filter, file.cleaning.l_filter, file.height_step)

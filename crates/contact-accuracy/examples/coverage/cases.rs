@@ -70,6 +70,7 @@ pub(crate) struct Held {
 impl Held {
     fn take(&mut self, stated: &Estimate, truth: f64, unit: f64) {
         let Ok(half) = stated.half_width() else { return };
+        let unit = if unit > 0.0 { unit } else { stated.value }; // nothing touches in truth
         self.push((stated.value - truth).abs() / unit, half / unit);
     }
 

@@ -275,14 +275,13 @@ mod tests {
             let wave = |i: usize| ((i as f64 + 1.3) * 12.9898).sin();
             let trial: Vec<f64> = (0..n).map(|i| 0.5 + wave(i)).collect();
             let before: Vec<Node> = (0..n).map(|i| Node::of(wave(7 * i) > -0.5)).collect();
-            let below = |c: usize, i: usize| {
+            let below = |i: usize| {
                 let parents = [t.parent(i / nx), if t.halved[1] { i % nx / 2 } else { i % nx }];
-                parents == [c / t.coarse[1], c % t.coarse[1]]
+                parents[0] * t.coarse[1] + parents[1]
             };
-            let mut smallest = vec![0.0; t.coarse[0] * t.coarse[1]];
-            for (c, smallest) in smallest.iter_mut().enumerate() {
-                let inside = (0..n).filter(|i| before[*i].is_in() && below(c, *i));
-                *smallest = inside.map(|i| trial[i] as f32).fold(f32::INFINITY, f32::min);
+            let mut smallest = vec![f32::INFINITY; t.coarse[0] * t.coarse[1]];
+            for i in (0..n).filter(|i| before[*i].is_in()) {
+                smallest[below(i)] = smallest[below(i)].min(trial[i] as f32);
             }
             let mut nodes = before.clone();
             let bounds = Bounds { ceiling: Elastic, fills: false };

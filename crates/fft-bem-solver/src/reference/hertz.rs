@@ -50,12 +50,12 @@ pub struct HertzContact {
 
 impl HertzContact {
     /// Area of contact (m²).
-    pub fn area(&self) -> f64 {
+    pub(crate) fn area(&self) -> f64 {
         PI * self.semi_axes[0] * self.semi_axes[1]
     }
 
     /// Pressure (Pa) at `(y, x)` from the middle (m).
-    pub fn pressure(&self, y: f64, x: f64) -> f64 {
+    pub(crate) fn pressure(&self, y: f64, x: f64) -> f64 {
         let [a_y, a_x] = self.semi_axes;
         self.max_pressure * (1.0 - (x / a_x).powi(2) - (y / a_y).powi(2)).max(0.0).sqrt()
     }
@@ -67,7 +67,7 @@ impl Hertz {
     /// # Errors
     /// [`ModelError::InvalidInput`] if a radius is not finite and positive,
     /// [`ModelError::OutsideDomain`] if they differ by more than a factor 1e12.
-    pub fn new(radii: [f64; 2], modulus: ContactModulus) -> Result<Self, ModelError> {
+    pub(crate) fn new(radii: [f64; 2], modulus: ContactModulus) -> Result<Self, ModelError> {
         for (radius, name) in radii.into_iter().zip(["radius R_y", "radius R_x"]) {
             positive("Hertz", name, radius)?;
         }

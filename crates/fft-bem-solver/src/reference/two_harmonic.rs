@@ -45,7 +45,7 @@ impl TwoHarmonic {
     ///
     /// # Errors
     /// [`ModelError::InvalidInput`].
-    pub fn new(
+    pub(crate) fn new(
         amplitudes: [f64; 2],
         wavelength: f64,
         modulus: ContactModulus,
@@ -57,7 +57,7 @@ impl TwoHarmonic {
     }
 
     /// Height (m) at `x` from the middle of the strip.
-    pub fn height(&self, x: f64) -> f64 {
+    pub(crate) fn height(&self, x: f64) -> f64 {
         let t = TAU * x / self.wavelength;
         self.amplitudes[0] * t.cos() + self.amplitudes[1] * (2.0 * t).cos()
     }
@@ -67,7 +67,10 @@ impl TwoHarmonic {
     /// # Errors
     /// [`ModelError::OutsideDomain`] if one strip cannot cover that much: the formula would need
     /// tension or overlap.
-    pub fn at_area_fraction(&self, area_fraction: f64) -> Result<TwoHarmonicContact, ModelError> {
+    pub(crate) fn at_area_fraction(
+        &self,
+        area_fraction: f64,
+    ) -> Result<TwoHarmonicContact, ModelError> {
         let outside = |reason: &'static str| {
             Err(ModelError::OutsideDomain {
                 model: "two harmonics".into(),
@@ -108,19 +111,19 @@ impl TwoHarmonic {
 
 impl TwoHarmonicContact {
     /// Fraction of the surface in contact.
-    pub fn area_fraction(&self) -> f64 {
+    pub(crate) fn area_fraction(&self) -> f64 {
         self.half_angle / PI
     }
 
     /// Mean pressure (Pa): the integral of the pressure over the strip, over the wavelength.
-    pub fn mean_pressure(&self) -> f64 {
+    pub(crate) fn mean_pressure(&self) -> f64 {
         let x_a = self.half_angle.cos();
         let p2 = 0.5 * self.q[1];
         0.5 * self.q[0] * (1.0 - x_a) + 0.5 * p2 * (1.0 - x_a + 0.5 * (1.0 - x_a * x_a))
     }
 
     /// Pressure (Pa) at `x` (m) from the middle of the strip.
-    pub fn pressure(&self, x: f64) -> f64 {
+    pub(crate) fn pressure(&self, x: f64) -> f64 {
         let (cosine, x_a) = ((TAU * x / self.surface.wavelength).cos(), self.half_angle.cos());
         let inside = (1.0 + cosine) * (cosine - x_a);
         inside.max(0.0).sqrt() * (self.q[0] + self.q[1] * cosine)
@@ -128,7 +131,7 @@ impl TwoHarmonicContact {
 
     /// Gap (m) at `x` (m) from the middle of the strip: the slope integrated from the contact line.
     /// With `t = t_a + v^2` the integrand is smooth; Simpson's rule with 256 intervals.
-    pub fn gap(&self, x: f64) -> f64 {
+    pub(crate) fn gap(&self, x: f64) -> f64 {
         let turns = (x / self.surface.wavelength).rem_euclid(1.0);
         let t_end = TAU * turns.min(1.0 - turns);
         if t_end <= self.half_angle {

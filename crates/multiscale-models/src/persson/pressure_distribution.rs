@@ -75,7 +75,7 @@ impl PressureDistribution {
     }
 
     /// Weight of the continuous part, `A/A_0` \[-\].
-    pub fn area_fraction(&self) -> f64 {
+    pub(crate) fn area_fraction(&self) -> f64 {
         erf(self.mean / std::f64::consts::SQRT_2)
     }
 

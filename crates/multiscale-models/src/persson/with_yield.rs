@@ -82,7 +82,7 @@ impl PerssonWithYield {
 
     /// `E* g / (2 H)`: rms of the pressure of full contact over the hardness \[-\]. Below 0.3 hardly anything
     /// yields, above 1 the area is hardly more than p/H.
-    pub fn plasticity_index(&self) -> f64 {
+    pub(crate) fn plasticity_index(&self) -> f64 {
         self.deviation / self.hardness
     }
 

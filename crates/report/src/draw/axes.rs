@@ -31,7 +31,7 @@ impl Axis {
     }
 
     /// A linear axis.
-    pub fn linear(data: [f64; 2], units: [f64; 2]) -> Self {
+    pub(crate) fn linear(data: [f64; 2], units: [f64; 2]) -> Self {
         Self { spacing: Spacing::Linear, data, units }
     }
 
@@ -49,7 +49,7 @@ impl Axis {
     }
 
     /// True if the value lies within the limits, rounding allowed for.
-    pub fn holds(&self, value: f64) -> bool {
+    pub(crate) fn holds(&self, value: f64) -> bool {
         let [a, b] = [self.at(self.data[0]), self.at(self.data[1])];
         let x = self.at(value);
         x.is_finite() && x >= a.min(b) - 1e-6 && x <= a.max(b) + 1e-6
@@ -105,7 +105,7 @@ impl Axis {
     }
 
     /// Unlabelled ticks of a logarithmic axis, 2 to 9 of every decade.
-    pub fn minor(&self) -> Vec<f64> {
+    pub(crate) fn minor(&self) -> Vec<f64> {
         if self.spacing == Spacing::Linear {
             return Vec::new();
         }
@@ -182,7 +182,7 @@ impl Frame {
     }
 
     /// Draws grid, ticks, axes, numbers and titles.
-    pub fn draw(&self, canvas: &mut Canvas) {
+    pub(crate) fn draw(&self, canvas: &mut Canvas) {
         let x_ticks: Vec<_> =
             self.x.major().into_iter().map(|v| (v, self.x.tick_text(v))).collect();
         let y_ticks: Vec<_> =

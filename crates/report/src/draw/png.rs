@@ -29,7 +29,7 @@ impl Picture {
     ///
     /// # Errors
     /// If the number of bytes does not fit the size.
-    pub fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
+    pub(crate) fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
         encoded([self.width, self.height], png::ColorType::Rgb, FIELD, &self.rgb)
     }
 

@@ -162,18 +162,18 @@ pub struct Canvas {
 // Writing to a String cannot fail, so the results of `write!` are dropped here.
 impl Canvas {
     /// The elements written so far.
-    pub fn body(&self) -> &str {
+    pub(crate) fn body(&self) -> &str {
         &self.body
     }
 
     /// Anything else; the caller vouches for its form.
-    pub fn raw(&mut self, element: &str) {
+    pub(crate) fn raw(&mut self, element: &str) {
         self.body.push_str(element);
     }
 
     /// What belongs to one series of the study, by its name, so that a page can follow it through all its
     /// figures; marks of none if the name is empty.
-    pub fn series(&mut self, name: &str, draw: impl FnOnce(&mut Self)) {
+    pub(crate) fn series(&mut self, name: &str, draw: impl FnOnce(&mut Self)) {
         if !name.is_empty() {
             let _ = write!(self.body, "<g data-m=\"{}\">", escape(name));
         }
@@ -198,7 +198,7 @@ impl Canvas {
     }
 
     /// Many short lines of one kind, as one element.
-    pub fn ticks(&mut self, lines: &[[f64; 4]], stroke: Stroke) {
+    pub(crate) fn ticks(&mut self, lines: &[[f64; 4]], stroke: Stroke) {
         if lines.is_empty() {
             return;
         }
@@ -210,7 +210,7 @@ impl Canvas {
     }
 
     /// An unfilled path from path data.
-    pub fn path(&mut self, data: &str, stroke: Stroke) {
+    pub(crate) fn path(&mut self, data: &str, stroke: Stroke) {
         let _ = write!(
             self.body,
             "<path class=\"s-{}\" d=\"{data}\" fill=\"none\" {} stroke-linejoin=\"round\"/>",
@@ -227,7 +227,7 @@ impl Canvas {
     }
 
     /// A filled area without outline.
-    pub fn area(&mut self, points: &[[f64; 2]], colour: Colour, opacity: f64) {
+    pub(crate) fn area(&mut self, points: &[[f64; 2]], colour: Colour, opacity: f64) {
         if points.len() > 2 {
             let _ = write!(
                 self.body,
@@ -257,7 +257,7 @@ impl Canvas {
     }
 
     /// Many filled rectangles of one kind, as one element.
-    pub fn bars(&mut self, bars: &[Rect], colour: Colour, opacity: f64) {
+    pub(crate) fn bars(&mut self, bars: &[Rect], colour: Colour, opacity: f64) {
         let path: String = bars
             .iter()
             .map(|bar| {
@@ -275,7 +275,7 @@ impl Canvas {
     }
 
     /// A text.
-    pub fn text(&mut self, text: &Text<'_>) {
+    pub(crate) fn text(&mut self, text: &Text<'_>) {
         self.write_text(text, "", "");
     }
 
@@ -285,7 +285,7 @@ impl Canvas {
     }
 
     /// A text reading upwards, centred on its point.
-    pub fn upright(&mut self, text: &Text<'_>) {
+    pub(crate) fn upright(&mut self, text: &Text<'_>) {
         let turn = format!(" transform=\"rotate(-90 {} {})\"", num(text.at[0]), num(text.at[1]));
         self.write_text(&Text { anchor: Anchor::Middle, ..text.clone() }, "", &turn);
     }

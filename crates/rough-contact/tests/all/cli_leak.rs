@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::path::Path;
 
 fn surface(at: &Path) {
-    let synth = "synth --shape 128,128 --pixel 1um --hurst 0.8 --rolloff 32um --cutoff 8um \
+    let synth = "synth --shape 64,64 --pixel 1um --hurst 0.8 --rolloff 32um --cutoff 8um \
                  --rms-gradient 0.1 --seed 4 --out a.x3p";
     assert_eq!(rough_contact(at, synth).status, 0);
 }

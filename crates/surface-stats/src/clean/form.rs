@@ -123,12 +123,12 @@ impl FittedForm {
     }
 
     /// Valid points that were fitted.
-    pub fn points(&self) -> usize {
+    pub(crate) fn points(&self) -> usize {
         self.points
     }
 
     /// Radius, position, direction.
-    pub fn parameters(&self) -> FormParameters {
+    pub(crate) fn parameters(&self) -> FormParameters {
         match &self.shape {
             Shape::Polynomial(_, degree) => FormParameters::Polynomial { degree: *degree },
             Shape::Round(round) => round.parameters(&Frame::of(self.grid)),

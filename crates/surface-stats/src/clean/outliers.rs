@@ -46,7 +46,7 @@ impl Outliers {
     ///
     /// # Panics
     /// If `heights` are fewer than those searched.
-    pub fn remove_from(&self, heights: &mut [f64]) {
+    pub(crate) fn remove_from(&self, heights: &mut [f64]) {
         for &index in &self.indices {
             heights[index] = f64::NAN;
         }

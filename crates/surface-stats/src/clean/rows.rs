@@ -88,7 +88,7 @@ impl RowOffsets {
     ///
     /// # Panics
     /// If `heights` are not those compared.
-    pub fn remove_from(&self, heights: &mut [f64]) {
+    pub(crate) fn remove_from(&self, heights: &mut [f64]) {
         let nx = heights.len() / self.offsets.len();
         assert_eq!(nx * self.offsets.len(), heights.len(), "whole rows");
         for (row, offset) in heights.chunks_exact_mut(nx).zip(&self.offsets) {

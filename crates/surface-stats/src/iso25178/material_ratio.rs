@@ -76,12 +76,12 @@ impl MaterialRatioCurve {
 
     /// Smc: height above the mean (m) that a share `ratio` (0 to 1, clamped) of the surface
     /// exceeds.
-    pub fn height(&self, ratio: f64) -> f64 {
+    pub(crate) fn height(&self, ratio: f64) -> f64 {
         self.scale * self.scaled_height(ratio)
     }
 
     /// Smr: share of the surface higher than `height` (m above the mean).
-    pub fn ratio(&self, height: f64) -> f64 {
+    pub(crate) fn ratio(&self, height: f64) -> f64 {
         let (z, last) = (height / self.scale, self.falling.len() - 1);
         let above = self.falling.partition_point(|&h| h > z);
         if above == 0 || above > last {

@@ -79,7 +79,7 @@ impl Autocorrelation {
 
     /// Autocorrelation at the shift (y, x) in metres, linear between pixels; `None` beyond half
     /// the map.
-    pub fn at(&self, y: f64, x: f64) -> Option<f64> {
+    pub(crate) fn at(&self, y: f64, x: f64) -> Option<f64> {
         if y.abs() > self.reach[0] || x.abs() > self.reach[1] {
             return None;
         }

@@ -41,7 +41,7 @@ impl ProfileParameters {
     ///
     /// # Errors
     /// [`StatsError::TooFewPoints`] if a section has fewer than two points.
-    pub fn of(profile: &Trace, sections: usize) -> Result<Self, StatsError> {
+    pub(crate) fn of(profile: &Trace, sections: usize) -> Result<Self, StatsError> {
         let n = profile.len();
         if sections == 0 || n < 2 * sections {
             let what = "every section of a profile";
@@ -80,7 +80,7 @@ impl ProfileParameters {
 
     /// Symbol and value of every parameter, in the order of the standard: lengths in m, slopes and
     /// shares as numbers. `letter` is `R` or `P`.
-    pub fn named(&self, letter: char) -> Vec<(String, Option<f64>)> {
+    pub(crate) fn named(&self, letter: char) -> Vec<(String, Option<f64>)> {
         let core = self.core;
         [
             ("a", Some(self.mean_abs_height)),

@@ -51,7 +51,7 @@ impl MomentScatter {
     ///
     /// # Errors
     /// [`StatsError::OutOfRange`].
-    pub fn of(traces: &[Trace]) -> Result<Self, StatsError> {
+    pub(crate) fn of(traces: &[Trace]) -> Result<Self, StatsError> {
         let n = traces.len() as f64;
         let mut variance = [0.0; 3];
         let mut freedom = [0.0; 3];
@@ -89,7 +89,7 @@ impl MomentScatter {
 
     /// 95 % interval of a moment over traces like these: 0 for m0, 1 for m2, 2 for m4. `None` where
     /// the traces hold too few independent waves to tell.
-    pub fn interval(&self, moment: usize, value: f64) -> Option<[f64; 2]> {
+    pub(crate) fn interval(&self, moment: usize, value: f64) -> Option<[f64; 2]> {
         let factor = factor(self.relative_variance[moment], self.freedom[moment])?;
         Some([value / factor, value * factor])
     }

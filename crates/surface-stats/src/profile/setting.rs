@@ -57,7 +57,7 @@ pub struct Setting {
 
 impl Setting {
     /// λc and, if it is not `None`, λs as asked for.
-    pub fn asked(cutoff: f64, short: Option<f64>) -> Self {
+    pub(crate) fn asked(cutoff: f64, short: Option<f64>) -> Self {
         Self { cutoff, short, short_unresolved: None, source: SettingSource::Asked }
     }
 

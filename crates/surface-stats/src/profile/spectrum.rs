@@ -32,7 +32,7 @@ pub struct TraceSpectrum {
 
 /// White noise at the level where a PSD stops falling.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TraceNoise {
+pub(crate) struct TraceNoise {
     /// PSD of the floor (m³).
     pub psd: f64,
     /// Rms height of white noise with this PSD (m).
@@ -43,7 +43,7 @@ pub struct TraceNoise {
 
 /// What the spectrum says of the scales of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TraceScales {
+pub(crate) struct TraceScales {
     /// White noise, if the PSD ends flat.
     pub noise: Option<TraceNoise>,
     /// 99.9 % of the slope variance that stands out of the noise is at longer wavelengths (m).
@@ -59,7 +59,7 @@ impl TraceSpectrum {
     ///
     /// # Errors
     /// [`StatsError::Shape`] if they differ in length, [`StatsError::OutOfRange`].
-    pub fn of(traces: &[Trace]) -> Result<Self, StatsError> {
+    pub(crate) fn of(traces: &[Trace]) -> Result<Self, StatsError> {
         let Some(first) = traces.first() else {
             return Err(StatsError::TooFewPoints { what: "a spectrum", needed: 1, found: 0 });
         };
@@ -86,7 +86,7 @@ impl TraceSpectrum {
 
     /// `∫ S df`, `∫ S q² df`, `∫ S q⁴ df` with q = 2πf: the moments without the filter that finite
     /// differences are.
-    pub fn moments(&self) -> SpectralMoments {
+    pub(crate) fn moments(&self) -> SpectralMoments {
         let sum = |weight: &dyn Fn(f64) -> f64| -> f64 {
             self.bins.iter().map(|b| b.psd * weight(TAU * b.frequency)).sum::<f64>() * self.step()
         };
@@ -96,7 +96,7 @@ impl TraceSpectrum {
     /// Shares of m2 and m4 of these waves that finite differences of neighbouring points see: they read
     /// a wave as `[2 sin(qΔ/2)/Δ]²` instead of q², and as its square instead of q⁴. `None` for flat
     /// traces.
-    pub fn seen(&self) -> Option<[f64; 2]> {
+    pub(crate) fn seen(&self) -> Option<[f64; 2]> {
         let all = self.moments();
         let read = |q: f64| (2.0 * (0.5 * q * self.spacing).sin() / self.spacing).powi(2);
         let sum = |power: i32| -> f64 {
@@ -144,7 +144,7 @@ impl TraceSpectrum {
     }
 
     /// Noise, cut-off, roll-off and power law. `rms_height` (m) tells noise from rounding.
-    pub fn scales(&self, rms_height: f64, range: Option<[f64; 2]>) -> TraceScales {
+    pub(crate) fn scales(&self, rms_height: f64, range: Option<[f64; 2]>) -> TraceScales {
         let noise = self.noise().filter(|noise| noise.rms > 1e-9 * rms_height);
         let shortest = noise.and_then(|noise| noise.reliable).unwrap_or(0.0);
         let rings: Vec<Ring> = self

@@ -67,7 +67,7 @@ impl Trace {
     ///
     /// # Errors
     /// [`StatsError::BadSetting`] above degree 12, [`StatsError::OutOfRange`].
-    pub fn levelled(&self, degree: usize) -> Result<Self, StatsError> {
+    pub(crate) fn levelled(&self, degree: usize) -> Result<Self, StatsError> {
         let form = Polynomial::fit(self.0.grid(), self.heights(), degree)?;
         let mut heights = self.heights().to_vec();
         form.remove_from(&mut heights);
@@ -102,7 +102,7 @@ impl Trace {
     ///
     /// # Errors
     /// [`StatsError::TooFewPoints`], which names the fewest.
-    pub fn part(&self, start: usize, end: usize) -> Result<Self, StatsError> {
+    pub(crate) fn part(&self, start: usize, end: usize) -> Result<Self, StatsError> {
         let end = end.min(self.len());
         Self::new(self.spacing(), self.heights()[start.min(end)..end].to_vec())
     }

@@ -25,7 +25,7 @@ pub enum Window {
 
 impl Window {
     /// Weights of `n` samples along one axis, with mean square 1.
-    pub fn weights(self, n: usize) -> Vec<f64> {
+    pub(crate) fn weights(self, n: usize) -> Vec<f64> {
         match self {
             Self::None => vec![1.0; n],
             Self::Hann => {
