@@ -46,7 +46,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
     ),
     // What a front end answers, without its words for options, its tables and its files.
     (
-        "contact-answers",
+        "contact-front-end",
         5,
         &[
             "contact-accuracy",
@@ -66,7 +66,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         "contact-web",
         6,
         &[
-            "contact-answers",
+            "contact-front-end",
             "contact-types",
             "surface-io",
             "surface-stats",
@@ -93,7 +93,7 @@ pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
         "rough-contact",
         7,
         &[
-            "contact-answers",
+            "contact-front-end",
             "contact-accuracy",
             "contact-types",
             "surface-io",

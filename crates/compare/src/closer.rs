@@ -5,7 +5,7 @@
 use crate::progress::Watch;
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use crate::{EdgesName, Listener, Origin, Settings, StudyError, Surrounded};
+use crate::{EdgesName, Listener, Origin, Settings, StudyError};
 use contact_accuracy::{Ladder, Setup, regrid};
 use contact_types::{Clock, ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Maps, Solver};
@@ -93,8 +93,8 @@ fn choices(
 ) -> Vec<Choice> {
     let mut last: Option<Solver> = None; // most of the maps stand on the same grid
     let mut area = |map: &HeightMap| -> Option<f64> {
-        let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
-        let grid = whole.map().grid();
+        let whole = settings.edges.around(map).ok()?;
+        let grid = whole.grid();
         if last.as_ref().is_none_or(|solver| solver.grid() != grid) {
             last = None; // its memory first
             last = Some(builder(settings).maps(Maps::None).build(grid, modulus).ok()?);
@@ -102,7 +102,7 @@ fn choices(
         let solver = last.as_mut()?;
         solver.forget();
         let load = Load::MeanPressure(surface.headline_pressure());
-        let found = whole.solve_observed(solver, load, |now| watch.iteration(now));
+        let found = solver.solve_observed(&whole, load, |now| watch.iteration(now));
         let solution = found.ok()?;
         Some(solution.state.area_fraction).filter(|a| *a > 0.0)
     };

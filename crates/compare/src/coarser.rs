@@ -4,12 +4,11 @@
 use crate::progress::Watch;
 use crate::result::{Coarser, Comparison, SurfaceComparison};
 use crate::solver_of::builder;
-use crate::{Listener, Settings, StudyError, Surrounded};
+use crate::{Listener, Settings, StudyError};
 use contact_accuracy::thinned;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Maps};
 use grid_fft::parallel::{self, on_threads};
-use std::borrow::Cow;
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
@@ -72,10 +71,10 @@ fn solve(
     watch: &mut Watch<'_, '_>,
 ) -> Option<Coarser> {
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction;
-    let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
-    let mut solver = builder(settings).maps(Maps::None).build(whole.map().grid(), modulus).ok()?;
+    let whole = settings.edges.around(map).ok()?;
+    let mut solver = builder(settings).maps(Maps::None).build(whole.grid(), modulus).ok()?;
     let load = Load::MeanPressure(surface.headline_pressure());
-    let solution = whole.solve_observed(&mut solver, load, |now| watch.iteration(now)).ok()?;
+    let solution = solver.solve_observed(&whole, load, |now| watch.iteration(now)).ok()?;
     let found = &solution.diagnostics;
     let (mut seconds, mut spent) = (found.seconds, found.seconds);
     for _ in 1..REPEATS {
@@ -83,7 +82,7 @@ fn solve(
             break;
         }
         solver.forget();
-        let again = whole.solve(&mut solver, load).ok()?.diagnostics.seconds;
+        let again = solver.solve(&whole, load).ok()?.diagnostics.seconds;
         (seconds, spent) = (seconds.min(again), spent + again);
     }
     (truth > 0.0).then(|| Coarser {
@@ -143,7 +142,7 @@ mod tests {
             assert!(c.touching_fraction > c.area_fraction && c.seconds > 0.0);
         }
         let half = &surface.coarser[0];
-        let uncertainty = surface.headline_answer().unwrap().uncertainty().unwrap();
+        let uncertainty = surface.headline_answer().unwrap().budget.area.half_width().unwrap();
         assert!((half.error * truth).abs() < uncertainty, "{half:?}");
     }
 }

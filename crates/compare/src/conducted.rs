@@ -169,11 +169,6 @@ impl Resistance {
         let [low, high] = of(self.conductance.estimate.as_ref()?)?;
         Some([high, low].map(|h| 1.0 / (h * self.area)))
     }
-
-    /// The ends that are stated with the number.
-    pub fn stated(&self) -> Option<[f64; 2]> {
-        self.ends(Estimate::stated)
-    }
 }
 
 /// What a contact conducts.

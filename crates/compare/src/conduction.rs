@@ -11,13 +11,12 @@ use crate::registry::find;
 use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
 use crate::solver_of::builder;
-use crate::{GapGas, Input, Inputs, Listener, StudyError, Surrounded, Theory};
+use crate::{GapGas, Input, Inputs, Listener, StudyError, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
 use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
 use fft_bem_solver::Load;
 use grid_fft::parallel::on_threads;
-use std::borrow::Cow;
 
 /// Points along the shorter side that the shortest wave left must fit, twice.
 const FEWEST_POINTS: usize = 16;
@@ -67,7 +66,7 @@ fn theories(surface: &SurfaceComparison, joint: Joint) -> Vec<TheoryStiffness> {
         let model = theory.build(&inputs).ok()?;
         let loads = || surface.deterministic.iter().map(|point| point.mean_pressure);
         let modulus = inputs.modulus.pascals();
-        let conducted = |p| Some(modulus * conductance_of(theory, &*model, &inputs, p)?[0]);
+        let conducted = |p| Some(modulus * contact_of(theory, &*model, &inputs, p)?[0]);
         let stiffness = loads().map(conducted).collect();
         let gas = |gas: GapGas| -> Vec<Option<f64>> {
             let at = |p| gas_at(&at_pressure(name, &*model, p).ok()?, &inputs, gas);
@@ -83,7 +82,7 @@ fn theories(surface: &SurfaceComparison, joint: Joint) -> Vec<TheoryStiffness> {
 
 /// Conductance of a theory over the harmonic mean conductivity of the bodies (1/m): its own, and the expression that it is
 /// a fit of; of one of elastic contact its stiffness over E* (Barber's analogy). `None` of others.
-pub fn conductance_of(
+fn contact_of(
     theory: &dyn Theory,
     model: &dyn ContactModel,
     inputs: &Inputs,
@@ -100,8 +99,23 @@ pub fn conductance_of(
 }
 
 /// Conductance over conductivity of a gas between Gaussian heights at the separation of an answer (1/m).
-pub fn gas_at(state: &ContactState, inputs: &Inputs, gas: GapGas) -> Option<f64> {
+fn gas_at(state: &ContactState, inputs: &Inputs, gas: GapGas) -> Option<f64> {
     gas_between(state.separation?, inputs.rms_height()?, gas.jump()).ok()
+}
+
+/// What a joint conducts by a theory, in the state of its answer: by its own conductance, and by the expression that it is a
+/// fit of. `None` if the joint is not asked about, or the theory does not say.
+pub fn conducted_by(
+    theory: &dyn Theory,
+    model: &dyn ContactModel,
+    (inputs, joint): (&Inputs, &Joint),
+    state: &ContactState,
+) -> Option<[Conducted; 2]> {
+    let pressure = state.mean_pressure;
+    let both = joint.is_asked().then(|| contact_of(theory, model, inputs, pressure))??;
+    let gas = joint.gas.and_then(|gas| gas_at(state, inputs, gas)).map(Conductance::of);
+    let joint = Joint { hardness: inputs.hardness, ..*joint };
+    Some(both.map(|h| joint.conducted(Conductance::of(h), gas, pressure)))
 }
 
 /// `-dp/d(separation)`, or of the mean gap, of a model at a mean pressure (Pa/m).
@@ -185,10 +199,10 @@ fn octaves(
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
     let mut found = vec![Octave { shortest, area: answer.area_fraction, stiffness }];
     let mut solve = |map: &HeightMap| -> Option<[f64; 2]> {
-        let whole = Surrounded::new(Cow::Borrowed(map), settings.edges).ok()?;
-        let mut solver = builder(settings).build(whole.map().grid(), modulus).ok()?;
+        let whole = settings.edges.around(map).ok()?;
+        let mut solver = builder(settings).build(whole.grid(), modulus).ok()?;
         let load = Load::MeanPressure(surface.headline_pressure());
-        let solution = whole.solve_observed(&mut solver, load, |now| watch.iteration(now)).ok()?;
+        let solution = solver.solve_observed(&whole, load, |now| watch.iteration(now)).ok()?;
         let set = solver.contact_stiffness().ok()?;
         Some([solution.state.area_fraction, set.per_area])
     };

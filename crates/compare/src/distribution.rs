@@ -12,7 +12,7 @@ const CLASSES: usize = 40;
 #[non_exhaustive]
 pub struct Distributions {
     /// Of the pressure.
-    pub pressure: PressureDistribution,
+    pub pressure: PressureHistogram,
     /// Of the gap outside the contact; `None` without a gap field, or where all touches.
     pub gap: Option<GapDistribution>,
     /// Of the spots.
@@ -23,7 +23,7 @@ pub struct Distributions {
 /// beyond.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
-pub struct PressureDistribution {
+pub struct PressureHistogram {
     /// Share of the nominal area without contact: the weight at zero pressure (-).
     pub apart: f64,
     /// Mean over the contact (Pa).
@@ -84,7 +84,7 @@ impl Distributions {
 
 /// The distributions that need no list of spots.
 pub(crate) struct FieldDistributions {
-    pressure: PressureDistribution,
+    pressure: PressureHistogram,
     gap: Option<GapDistribution>,
 }
 
@@ -92,12 +92,12 @@ impl FieldDistributions {
     /// As [`Distributions::of`].
     pub(crate) fn of(pressure: &[f64], gap: &[f64]) -> Option<Self> {
         let (of_pressure, gap) =
-            join(|| PressureDistribution::of(pressure), || GapDistribution::of(pressure, gap));
+            join(|| PressureHistogram::of(pressure), || GapDistribution::of(pressure, gap));
         Some(Self { pressure: of_pressure?, gap })
     }
 }
 
-impl PressureDistribution {
+impl PressureHistogram {
     /// Of a field (Pa); `None` if nothing touches.
     pub(crate) fn of(pressure: &[f64]) -> Option<Self> {
         let all = pressure.len() as f64;

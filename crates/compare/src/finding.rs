@@ -4,6 +4,7 @@ use crate::EdgesName;
 use crate::adhesion::Adhesion;
 use crate::profile::fact::ProfileFact;
 use contact_accuracy::{EdgeShare, NoUncertainty, Reached};
+use contact_types::Named;
 use serde::Serialize;
 use surface_stats::Warning;
 use surface_stats::clean::Record;
@@ -21,21 +22,15 @@ pub enum Weight {
     Passed,
 }
 
-impl Weight {
-    /// Its name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Check => "check",
-            Self::Note => "note",
-            Self::Passed => "passed",
-        }
-    }
+impl Named for Weight {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Check, "check"), (Self::Note, "note"), (Self::Passed, "passed")];
 }
 
 /// What a finding is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Subject {
+pub enum Topic {
     /// What the solids bear.
     Material,
     /// The heights.
@@ -50,18 +45,15 @@ pub enum Subject {
     Plan,
 }
 
-impl Subject {
-    /// Its name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Material => "material",
-            Self::Surface => "surface",
-            Self::Grid => "grid",
-            Self::Solution => "solution",
-            Self::Edges => "edges",
-            Self::Plan => "plan",
-        }
-    }
+impl Named for Topic {
+    const NAMES: &'static [(Self, &'static str)] = &[
+        (Self::Material, "material"),
+        (Self::Surface, "surface"),
+        (Self::Grid, "grid"),
+        (Self::Solution, "solution"),
+        (Self::Edges, "edges"),
+        (Self::Plan, "plan"),
+    ];
 }
 
 /// How the solution of a load ended.
@@ -112,19 +104,19 @@ impl Finding {
     }
 
     /// What it is about.
-    pub fn subject(&self) -> Subject {
+    pub fn subject(&self) -> Topic {
         match &self.fact {
             Fact::Yield(_)
             | Fact::Yielding(_)
             | Fact::OddHardness { .. }
             | Fact::BulkYield { .. }
-            | Fact::Adhesion(_) => Subject::Material,
-            Fact::NotConverged { .. } | Fact::AtRounding { .. } => Subject::Solution,
-            Fact::PlanUnmet(_) => Subject::Plan,
+            | Fact::Adhesion(_) => Topic::Material,
+            Fact::NotConverged { .. } | Fact::AtRounding { .. } => Topic::Solution,
+            Fact::PlanUnmet(_) => Topic::Plan,
             Fact::Interpolation { .. } | Fact::NoUncertainty { .. } | Fact::BelowPoint { .. } => {
-                Subject::Grid
+                Topic::Grid
             }
-            Fact::EdgeJump { .. } => Subject::Edges,
+            Fact::EdgeJump { .. } => Topic::Edges,
             Fact::Unit { .. }
             | Fact::Spikes { .. }
             | Fact::Steep(_)
@@ -136,7 +128,7 @@ impl Finding {
             | Fact::PixelsDiffer { .. }
             | Fact::CommonPart { .. }
             | Fact::OfBody { .. }
-            | Fact::Passed(_) => Subject::Surface,
+            | Fact::Passed(_) => Topic::Surface,
         }
     }
 }

@@ -345,7 +345,7 @@ fn independence(surface: &SurfaceComparison) -> Option<Independence> {
 
 /// Whether the grid resolves the slopes and, at the headline, the contacts.
 fn resolves(surface: &SurfaceComparison) -> bool {
-    let interval = surface.headline_answer().and_then(DeterministicAnswer::interval);
+    let interval = surface.headline_answer().and_then(|a| a.budget.area.interval().ok());
     nothing_against(&surface.statistics.warnings, interval)
 }
 

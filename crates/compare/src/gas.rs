@@ -1,6 +1,7 @@
 //! Gases that may fill the gap of a joint.
 
 use asperity_models::thermal_conductance::temperature_jump;
+use contact_types::Named;
 use contact_types::{ModelError, require};
 use serde::{Deserialize, Serialize};
 
@@ -33,20 +34,16 @@ pub enum Gas {
     Nitrogen,
 }
 
+impl Named for Gas {
+    const NAMES: &'static [(Self, &'static str)] = &[
+        (Self::Air, "air"),
+        (Self::Helium, "helium"),
+        (Self::Argon, "argon"),
+        (Self::Nitrogen, "nitrogen"),
+    ];
+}
+
 impl Gas {
-    /// Every gas.
-    pub const ALL: [Self; 4] = [Self::Air, Self::Helium, Self::Argon, Self::Nitrogen];
-
-    /// For options, files and sentences.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Air => "air",
-            Self::Helium => "helium",
-            Self::Argon => "argon",
-            Self::Nitrogen => "nitrogen",
-        }
-    }
-
     fn row(self) -> Row {
         let (conductivity, free_path, prandtl, heat_ratio) = match self {
             Self::Air => {
@@ -171,7 +168,7 @@ mod tests {
         let dense = GapGas { pressure: 2.0 * ATMOSPHERE, ..air };
         assert!((dense.jump() * 2.0 / air.jump() - 1.0).abs() < 1e-14);
         for (i, t) in TEMPERATURES.into_iter().enumerate() {
-            for gas in Gas::ALL {
+            for gas in Gas::all() {
                 let found = GapGas { temperature: t, ..GapGas::new(gas) }.conductivity();
                 assert!((found / gas.row().conductivity[i] - 1.0).abs() < 1e-14);
             }

@@ -1,5 +1,6 @@
 //! Everything a model may be made from.
 
+use contact_types::Named;
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, RoughnessSpectrum,
     SpectralMoments, Wave,
@@ -63,14 +64,9 @@ pub enum MomentSource {
     Given,
 }
 
-impl MomentSource {
-    /// Short name for files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::FiniteDifferences => "finite-differences",
-            Self::Given => "given",
-        }
-    }
+impl Named for MomentSource {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::FiniteDifferences, "finite-differences"), (Self::Given, "given")];
 }
 
 impl Inputs {

@@ -37,7 +37,6 @@ mod spikes;
 mod spots;
 mod study;
 mod surface;
-mod surroundings;
 pub mod survey;
 mod tabulated;
 mod theories;
@@ -51,18 +50,18 @@ pub use cleaning::{Cleaning, CleaningError};
 pub use conducted::{
     Conductance, Conducted, Conduction, Joint, Octave, Resistance, TheoryStiffness,
 };
-pub use conduction::{conductance_of, gas_at};
-pub use contact_accuracy::{Budget, EdgeShare, Estimate, NoUncertainty, Reached, Request};
+pub use conduction::conducted_by;
+pub use contact_accuracy::{AccuracyRequest, Budget, EdgeShare, Estimate, NoUncertainty, Reached};
 pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
     SeparationModel, SpectralMoments, SurfaceError,
 };
-pub use distribution::{Distributions, GapDistribution, PressureDistribution, SpotDistribution};
+pub use distribution::{Distributions, GapDistribution, PressureHistogram, SpotDistribution};
 pub use fft_bem_solver::{
-    Answer, Iteration, Load, Method, Precision, Solution, Solver, SolverError, Yielded,
+    Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
 };
 pub use finding::{
-    Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Subject, Weight, Yield, Yielding,
+    Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Topic, Weight, Yield, Yielding,
 };
 pub use findings::{Solved, findings, is_below_a_point, measured, of_pair, seam, spiky, sticking};
 pub use first_contact::FirstContact;
@@ -73,14 +72,14 @@ pub use materials::{
     Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
     spreads,
 };
-pub use needs::{INPUTS, Input, InputFact, InputSet, OfMap, Unit};
+pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, OfMap};
 pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
     ProfileComparison, ProfileFact, ProfileModel, ProfileSurface, Unevenness, area_interval,
     profile_findings, profile_inputs,
 };
 pub use progress::{Listener, Progress, StudyError};
-pub use reason::{Applies, Excess, Reason, Verdict};
+pub use reason::{Applies, Reason, Verdict};
 pub use recipe::{Recipe, RecipeError, built_in_recipes};
 pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
@@ -101,7 +100,6 @@ pub use surface::{
 };
 pub use surface_stats::Level;
 pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
-pub use surroundings::Surrounded;
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};
 pub use yielding::{

@@ -4,6 +4,7 @@
 //! Typical values of data sheets and collections, at room temperature and in one condition each. Two batches of one
 //! material differ by more than two pages: they are to begin with, not to end with.
 
+use contact_types::Named;
 use serde::{Deserialize, Serialize};
 use std::sync::OnceLock;
 
@@ -30,21 +31,14 @@ pub enum Property {
     Conductivity,
 }
 
-impl Property {
-    /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::Young, Self::Poisson, Self::Hardness, Self::Resistivity, Self::Conductivity];
-
-    /// Its name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Young => "young",
-            Self::Poisson => "poisson",
-            Self::Hardness => "hardness",
-            Self::Resistivity => "resistivity",
-            Self::Conductivity => "conductivity",
-        }
-    }
+impl Named for Property {
+    const NAMES: &'static [(Self, &'static str)] = &[
+        (Self::Young, "young"),
+        (Self::Poisson, "poisson"),
+        (Self::Hardness, "hardness"),
+        (Self::Resistivity, "resistivity"),
+        (Self::Conductivity, "conductivity"),
+    ];
 }
 
 /// One number of a material.
@@ -113,7 +107,7 @@ pub fn materials() -> &'static [Material] {
             let (name, title, condition, quantity) = (next(), next(), next(), next());
             let numbers = [next(), next(), next()].map(|x| x.parse().unwrap_or(f64::NAN));
             let (scale, sources, note) = (next(), next(), next());
-            let Some(property) = Property::ALL.into_iter().find(|p| p.name() == quantity) else {
+            let Some(property) = Property::of_name(quantity) else {
                 continue; // a test holds that there is none
             };
             let [value, low, high] =

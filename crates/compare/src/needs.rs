@@ -37,7 +37,7 @@ pub enum Input {
 /// Dimension of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Unit {
+pub enum InputUnit {
     /// Pure number.
     Number,
     /// m.
@@ -65,7 +65,7 @@ pub struct InputFact {
     /// The name of its option, `--asperity-density`; in Python `asperity_density`.
     pub name: &'static str,
     /// Its unit.
-    pub unit: Unit,
+    pub unit: InputUnit,
     /// What it is, in a list.
     pub words: &'static str,
     /// What it is, in the help.
@@ -74,107 +74,119 @@ pub struct InputFact {
 
 /// Every input that can be typed.
 pub const INPUTS: &[InputFact] = &[
-    fact(Input::M0, "m0", Unit::Area, "m0", "Mean square height (profile moment), such as 0.2um^2"),
-    fact(Input::M2, "m2", Unit::Number, "m2", "Mean square slope of a profile, a pure number"),
+    fact(
+        Input::M0,
+        "m0",
+        InputUnit::Area,
+        "m0",
+        "Mean square height (profile moment), such as 0.2um^2",
+    ),
+    fact(Input::M2, "m2", InputUnit::Number, "m2", "Mean square slope of a profile, a pure number"),
     fact(
         Input::M4,
         "m4",
-        Unit::PerArea,
+        InputUnit::PerArea,
         "m4",
         "Mean square second derivative of a profile, such as 1e9m^-2; of a lay or a pattern the mean of both axes",
     ),
     fact(
         Input::AsperityDensity,
         "asperity-density",
-        Unit::PerArea,
+        InputUnit::PerArea,
         "density",
         "Asperities per area, such as 3e10m^-2",
     ),
     fact(
         Input::AsperityRadius,
         "asperity-radius",
-        Unit::Length,
+        InputUnit::Length,
         "radius",
         "Radius of the asperities",
     ),
     fact(
         Input::AsperityHeightStd,
         "asperity-height-std",
-        Unit::Length,
+        InputUnit::Length,
         "height deviation",
         "Standard deviation of the asperity heights",
     ),
     fact(
         Input::MeanOffset,
         "mean-offset",
-        Unit::Length,
+        InputUnit::Length,
         "mean offset",
         "Mean asperity height above the mean plane of the surface [default: 0]",
     ),
-    fact(Input::Hurst, "hurst", Unit::Number, "Hurst", "Hurst exponent of a self-affine spectrum"),
+    fact(
+        Input::Hurst,
+        "hurst",
+        InputUnit::Number,
+        "Hurst",
+        "Hurst exponent of a self-affine spectrum",
+    ),
     fact(
         Input::Rolloff,
         "rolloff",
-        Unit::Length,
+        InputUnit::Length,
         "roll-off",
         "Longest wavelength of its power law",
     ),
-    fact(Input::Cutoff, "cutoff", Unit::Length, "cut-off", "Shortest wavelength"),
+    fact(Input::Cutoff, "cutoff", InputUnit::Length, "cut-off", "Shortest wavelength"),
     fact(
         Input::Longest,
         "longest",
-        Unit::Length,
+        InputUnit::Length,
         "longest",
         "Longest wavelength, of a plateau above --rolloff [default: no plateau]",
     ),
     fact(
         Input::Gamma,
         "gamma",
-        Unit::Number,
+        InputUnit::Number,
         "γ",
         "Weight of partial contact in Persson's mean gap: 1 (Persson 2007) or 0.45 (Yang & Persson 2008)",
     ),
     fact(
         Input::MaxAmplitudeRatio,
         "max-amplitude-ratio",
-        Unit::Number,
+        InputUnit::Number,
         "B_max",
         "Largest amplitude over wavelength, B_max",
     ),
     fact(
         Input::RecordLength,
         "record-length",
-        Unit::Length,
+        InputUnit::Length,
         "record length",
         "Length of the profiles whose amplitudes are taken [default: longest wavelength]",
     ),
     fact(
         Input::Dimension,
         "dimension",
-        Unit::Number,
+        InputUnit::Number,
         "D",
         "Fractal dimension: of a profile, between 1 and 2 (majumdar-bhushan); of a surface, between 2 and 3 \
          (yan-komvopoulos)",
     ),
-    fact(Input::Roughness, "roughness", Unit::Length, "G", "Fractal roughness G"),
+    fact(Input::Roughness, "roughness", InputUnit::Length, "G", "Fractal roughness G"),
     fact(
         Input::Area,
         "area",
-        Unit::Area,
+        InputUnit::Area,
         "nominal area",
         "Nominal area; with --load the area that carries it",
     ),
     fact(
         Input::CriticalArea,
         "critical-area",
-        Unit::Area,
+        InputUnit::Area,
         "critical area",
         "Fractal models: spots larger than this are elastic, smaller ones carry nothing",
     ),
     fact(
         Input::Hardness,
         "hardness",
-        Unit::Pressure,
+        InputUnit::Pressure,
         "hardness",
         "Hardness of the softer body, for elastic–plastic models [default: that of --material where the model \
          needs one]",
@@ -182,35 +194,35 @@ pub const INPUTS: &[InputFact] = &[
     fact(
         Input::SphereRadius,
         "sphere-radius",
-        Unit::Lengths,
+        InputUnit::Lengths,
         "sphere radii",
         "Radii of the spheres of each level, coarse to fine, such as 1mm,10um",
     ),
     fact(
         Input::SphereDensity,
         "sphere-density",
-        Unit::PerAreas,
+        InputUnit::PerAreas,
         "sphere densities",
         "Spheres per area of each level, coarse to fine, such as 1mm^-2,1e4mm^-2",
     ),
     fact(
         Input::RmsHeight,
         "rms-height",
-        Unit::Lengths,
+        InputUnit::Lengths,
         "rms height",
         "Rms height of the surface, or of each of two, such as 0.6um,0.4um",
     ),
     fact(
         Input::MeanSlope,
         "mean-slope",
-        Unit::Numbers,
+        InputUnit::Numbers,
         "mean slope",
         "Mean absolute slope of its profiles (not the rms one), or of each of two, such as 0.1,0.08",
     ),
     fact(
         Input::Ra,
         "ra",
-        Unit::Lengths,
+        InputUnit::Lengths,
         "Ra",
         "Mean absolute height Ra in place of --rms-height: of Gaussian heights σ = √(π/2) Ra",
     ),
@@ -219,7 +231,7 @@ pub const INPUTS: &[InputFact] = &[
 const fn fact(
     input: Input,
     name: &'static str,
-    unit: Unit,
+    unit: InputUnit,
     words: &'static str,
     help: &'static str,
 ) -> InputFact {

@@ -81,7 +81,14 @@ pub enum Reason {
         reason: Cow<'static, str>,
     },
     /// The bodies yield, and the theory is of elastic ones.
-    Elastic(Excess),
+    Elastic {
+        /// The first mean pressure at which its area is more than 2 % too small (Pa).
+        from: f64,
+        /// By how much at most, relative to the elastic area \[-\].
+        most: f64,
+        /// True if it is more than 2 % at every load that has both.
+        everywhere: bool,
+    },
     /// The model reaches full contact.
     Full {
         /// The first mean pressure at which it does (Pa).
@@ -104,7 +111,7 @@ impl Reason {
             | Self::Beyond { .. }
             | Self::Full { .. }
             | Self::NoAnswer { .. } => true,
-            Self::Elastic(excess) => !excess.everywhere,
+            Self::Elastic { everywhere, .. } => !everywhere,
             Self::Steep { .. }
             | Self::RowsJump
             | Self::Refused(_)
@@ -138,16 +145,4 @@ impl Applies {
             Self::No => "no",
         }
     }
-}
-
-/// By how much the area of bodies that yield exceeds that of elastic ones.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Excess {
-    /// The first mean pressure at which it is more than 2 % (Pa).
-    pub from: f64,
-    /// The largest, relative to the elastic area \[-\].
-    pub most: f64,
-    /// True if it is more than 2 % at every load that has both.
-    pub everywhere: bool,
 }

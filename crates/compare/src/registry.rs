@@ -102,11 +102,6 @@ impl Registry {
         let is_of_area = |card: &Card| card.from_map || (card.yields && !card.is_rigid);
         self.iter().filter(move |theory| is_of_area(theory.card()))
     }
-
-    /// Those that a height map gives all they need, in order.
-    pub fn of_maps(&self) -> impl Iterator<Item = &dyn Theory> {
-        self.iter().filter(|theory| theory.card().from_map)
-    }
 }
 
 impl Default for Registry {

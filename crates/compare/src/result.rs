@@ -226,16 +226,6 @@ impl DeterministicAnswer {
             (false, false) => Ended::Short,
         }
     }
-
-    /// Uncertainty of the area as that of this map.
-    pub fn uncertainty(&self) -> Option<f64> {
-        self.budget.area.half_width().ok()
-    }
-
-    /// `[low, high]` of the area as that of this map.
-    pub fn interval(&self) -> Option<[f64; 2]> {
-        self.budget.area.interval().ok()
-    }
 }
 
 /// What a closer look found.
@@ -373,11 +363,6 @@ impl SurfaceComparison {
     /// The deterministic answer at the headline load.
     pub fn headline_answer(&self) -> Option<&DeterministicAnswer> {
         self.deterministic.get(self.headline)?.answer.as_ref()
-    }
-
-    /// How pressure, gap and spots are distributed at the headline.
-    pub fn headline_distributions(&self) -> Option<&Distributions> {
-        self.distributions.get(self.headline)?.as_ref()
     }
 
     /// The heights on the grid of the deterministic solution.

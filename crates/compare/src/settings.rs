@@ -2,9 +2,12 @@
 
 use crate::{Card, GapGas, Joint, MaterialUse, Registry, Theory, WorkOfAdhesion};
 use contact_accuracy::Axis;
+use contact_types::{HeightMap, Named};
 use fft_bem_solver::{Method, Precision};
 use serde::{Deserialize, Serialize};
-use surface_stats::Level;
+use std::borrow::Cow;
+use surface_stats::clean::mirrored;
+use surface_stats::{Level, StatsError};
 
 /// Settings of a study. SI units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -174,52 +177,57 @@ pub const STEEL: Body = Body { young: 210e9, poisson: 0.3 };
 /// E* of two steel bodies, `E / (2 (1 - nu^2))` with E = 210 GPa and nu = 0.3 (Pa).
 pub(crate) const STEEL_ON_STEEL: f64 = 210e9 / (2.0 * (1.0 - 0.3 * 0.3));
 
-macro_rules! names {
-    ($(#[$doc:meta])* $name:ident { $($(#[$vdoc:meta])* $variant:ident = $text:literal),+ $(,)? }) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-        pub enum $name { $($(#[$vdoc])* #[serde(rename = $text)] $variant),+ }
-
-        impl $name {
-            /// Every choice, in the order in which help texts list them.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
-
-            /// The name as typed.
-            pub fn name(self) -> &'static str {
-                match self { $(Self::$variant => $text),+ }
-            }
-        }
-
-        impl std::fmt::Display for $name {
-            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str(self.name())
-            }
-        }
-    };
+/// What the solver puts beyond the edges of a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EdgesName {
+    /// The map again, with the jump of one that does not repeat.
+    #[default]
+    Periodic,
+    /// Its mirror images: no jump, four times the points.
+    Mirrored,
 }
 
-names! {
-    /// What the solver puts beyond the edges of a map.
-    #[derive(Default)]
-    EdgesName {
-        /// The map again, with the jump of one that does not repeat.
-        #[default]
-        Periodic = "periodic",
-        /// Its mirror images: no jump, four times the points.
-        Mirrored = "mirrored",
+impl Named for EdgesName {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Periodic, "periodic"), (Self::Mirrored, "mirrored")];
+}
+
+impl std::fmt::Display for EdgesName {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
     }
 }
 
-names! {
-    /// Directions of the pressure drop.
-    Along {
-        /// From the first column to the last.
-        X = "x",
-        /// From the first row to the last.
-        Y = "y",
-        /// Each of the two.
-        Both = "both",
+impl EdgesName {
+    /// The map as the solver gets it, which repeats it: mirror images repeat without a jump. The means of an answer are those
+    /// of the map, for every quarter has the same.
+    ///
+    /// # Errors
+    /// [`StatsError::Surface`] if the mirror images make too many points.
+    pub(crate) fn around(self, map: &HeightMap) -> Result<Cow<'_, HeightMap>, StatsError> {
+        Ok(match self {
+            Self::Periodic => Cow::Borrowed(map),
+            Self::Mirrored => Cow::Owned(mirrored(map)?),
+        })
     }
+}
+
+/// Directions of the pressure drop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Along {
+    /// From the first column to the last.
+    X,
+    /// From the first row to the last.
+    Y,
+    /// Each of the two.
+    Both,
+}
+
+impl Named for Along {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::X, "x"), (Self::Y, "y"), (Self::Both, "both")];
 }
 
 impl Along {

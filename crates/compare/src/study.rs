@@ -19,7 +19,7 @@ use crate::{
     Adhesion, EdgesName, OfMap, Registry, Rough, Settings, Spikes, Surface, default_pressures,
 };
 use contact_accuracy::{
-    Aim, ClimbError, Ladder, LadderError, Map, Request, Setup, Task, climb, round_to_digits,
+    AccuracyRequest, Aim, ClimbError, Ladder, LadderError, Map, Setup, Task, climb, round_to_digits,
 };
 use contact_types::{Clock, ContactModulus, ContactState, ModelError};
 use fft_bem_solver::{Iteration, Load, Maps, SolverBuilder, SolverError};
@@ -173,7 +173,7 @@ fn compare(
     let aim = match (settings.accuracy, settings.fast) {
         (Some(accuracy), _) => {
             let request =
-                Request::new(accuracy).map_err(|source| StudyError::Accuracy { source })?;
+                AccuracyRequest::new(accuracy).map_err(|source| StudyError::Accuracy { source })?;
             Some(Aim::Within(request))
         }
         (None, true) => Some(Aim::Fast),

@@ -4,10 +4,8 @@
 use serde::Serialize;
 use std::sync::OnceLock;
 
-/// Bandwidths within this factor are similar.
-pub const BANDWIDTH_FACTOR: f64 = 1.5;
-/// Loads within this factor are similar.
-pub const LOAD_FACTOR: f64 = 1.6;
+/// Bandwidths and loads within these factors are similar.
+pub const SIMILAR: [f64; 2] = [1.5, 1.6];
 /// Fewest surfaces that a range is quoted from.
 const FEWEST: usize = 5;
 
@@ -70,7 +68,7 @@ pub fn gaussian_errors(model: &str, bandwidth: f64, load: f64) -> Option<ErrorRa
     let mut last = None;
     for row in &survey.rows {
         let similar =
-            near(row.bandwidth, bandwidth, BANDWIDTH_FACTOR) && near(row.load, load, LOAD_FACTOR);
+            near(row.bandwidth, bandwidth, SIMILAR[0]) && near(row.load, load, SIMILAR[1]);
         let Some(error) = row.errors.get(column).copied().flatten().filter(|_| similar) else {
             continue;
         };

@@ -2,7 +2,7 @@
 
 use crate::findings::rows_jump;
 use crate::inputs::Inputs;
-use crate::reason::{Applies, Excess, Reason, Verdict};
+use crate::reason::{Applies, Reason, Verdict};
 use crate::result::{DeterministicPoint, ModelCurve};
 use crate::scene::is_steep;
 use crate::theory::{Assumes, BuildError, Card};
@@ -24,7 +24,7 @@ pub(crate) struct Judged {
     /// Wavelengths of the fractal fit (m).
     pub(crate) fractal_range: Option<[f64; 2]>,
     /// What yield adds to the elastic area, if a hardness is given and it does.
-    pub(crate) excess: Option<Excess>,
+    pub(crate) excess: Option<Reason>,
 }
 
 impl Judged {
@@ -128,7 +128,7 @@ fn strains(
         }
         Assumes::Gaussian | Assumes::Unstated => {}
     }
-    reasons.extend(statistics.excess.filter(|_| !card.yields).map(Reason::Elastic));
+    reasons.extend(statistics.excess.clone().filter(|_| !card.yields));
     reasons.extend(caveat(curve, loads));
     let failed = curve.points.iter().filter(|p| p.is_err()).count();
     if failed > 0 {

@@ -1,6 +1,6 @@
 //! Bodies that yield: what a hardness means for the elastic answer.
 
-use crate::reason::Excess;
+use crate::reason::Reason;
 use crate::result::{DeterministicPoint, SurfaceComparison};
 use crate::scene::typical_hardness;
 use asperity_models::thermal_conductance::summit_plasticity_index;
@@ -91,7 +91,7 @@ pub fn elastic_limit(surface: &SurfaceComparison) -> Option<f64> {
 pub(crate) fn excess(
     yielding: &[DeterministicPoint],
     elastic: &[DeterministicPoint],
-) -> Option<Excess> {
+) -> Option<Reason> {
     let area = |p: &DeterministicPoint| {
         let area = p.answer.as_ref()?.area_fraction;
         (area > 0.0).then_some(area)
@@ -102,7 +102,7 @@ pub(crate) fn excess(
     let from = excesses.iter().find(|(_, e)| *e > TOLD)?.0;
     let most = excesses.iter().map(|(_, e)| *e).max_by(f64::total_cmp)?;
     let everywhere = excesses.iter().all(|(_, e)| *e > TOLD);
-    Some(Excess { from, most, everywhere })
+    Some(Reason::Elastic { from, most, everywhere })
 }
 
 /// Whether a theory of elastic bodies can be right at the headline: no hardness is given, or the area of

@@ -36,7 +36,7 @@ impl Map {
 /// What was prescribed, so that it has no uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub enum Given {
+pub enum Prescribed {
     /// The mean pressure.
     Load,
     /// The mean gap.
@@ -49,7 +49,7 @@ pub enum Given {
 #[non_exhaustive]
 pub struct Budget {
     /// Whether the load or the gap was prescribed.
-    pub given: Given,
+    pub given: Prescribed,
     /// Load over nominal area (Pa).
     pub mean_pressure: Estimate,
     /// Area fraction, with the perimeter correction (-). Where the contact yields it is at least load over
@@ -106,7 +106,7 @@ impl Budget {
             }
         }
         Self {
-            given: Given::Load,
+            given: Prescribed::Load,
             mean_pressure: Estimate::exact(load),
             area,
             mean_gap,
@@ -144,7 +144,7 @@ impl Budget {
         self.area.least = [0.0; 2]; // it moves with the load
         self.mean_pressure = pressure;
         self.mean_gap = Some(Estimate::exact(gap.value));
-        self.given = Given::Gap;
+        self.given = Prescribed::Gap;
         self
     }
 

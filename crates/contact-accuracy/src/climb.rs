@@ -6,7 +6,7 @@ use crate::coarser::{Coarser, thinned};
 use crate::indicator::LIMIT;
 use crate::ladder::{Answered, Finer, Ladder, LadderError, MOST, Setup};
 use crate::regrid;
-use crate::request::Request;
+use crate::request::AccuracyRequest;
 use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Precision, SolverError};
 use std::ops::ControlFlow;
@@ -17,7 +17,7 @@ pub enum Aim {
     /// As it is at once: every second point of the map.
     Fast,
     /// On the first rung whose uncertainty is within this at every load.
-    Within(Request),
+    Within(AccuracyRequest),
 }
 
 /// What is to be solved.
@@ -106,7 +106,7 @@ pub struct Unmet {
 #[non_exhaustive]
 pub struct Reached {
     /// What was asked for; `None` for the fast answer.
-    pub request: Option<Request>,
+    pub request: Option<AccuracyRequest>,
     /// True if every load is within the request.
     pub met: bool,
     /// The grid of the given map.

@@ -7,7 +7,7 @@
 use crate::leak::permeability;
 use contact_types::{Axis, ContactModulus, Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
-    Answer, Iteration, Load, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
+    Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
 };
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
@@ -15,7 +15,7 @@ use surface_stats::clean::mirrored;
 /// First row and column of each thinned map.
 const PHASES: [[usize; 2]; 2] = [[0, 0], [1, 1]];
 /// Fewest points along a side of a thinned map.
-pub const FEWEST: usize = 8;
+pub(crate) const FEWEST: usize = 8;
 
 /// The numbers of one solution that an uncertainty is known of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -121,7 +121,7 @@ impl Coarser {
     }
 
     /// The numbers of both at a load, each from where its last load ended.
-    pub(crate) fn solve<A: Answer>(
+    pub(crate) fn solve<A: ObserverResult>(
         &mut self,
         load: Load,
         stiffness: bool,

@@ -9,7 +9,7 @@ pub enum NoUncertainty {
     #[error(
         "{} × {} points: an uncertainty takes at least {} along each side, since every second point is solved \
          as well",
-        shape[0], shape[1], 2 * crate::FEWEST
+        shape[0], shape[1], 2 * crate::coarser::FEWEST
     )]
     TooFewPoints {
         /// Points of the map.

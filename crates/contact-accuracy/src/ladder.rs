@@ -10,7 +10,7 @@ use crate::regrid;
 use crate::uncertainty::Beside;
 use contact_types::{Axis, Clock, ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
-    Answer, Boundary, Iteration, Load, Maps, SetStiffness, Solution, Solver, SolverBuilder,
+    Boundary, Iteration, Load, Maps, ObserverResult, SetStiffness, Solution, Solver, SolverBuilder,
     SolverError,
 };
 use surface_stats::StatsError;
@@ -163,7 +163,7 @@ impl Ladder {
     /// # Errors
     /// [`SolverError`] of the map itself, its iterate on the map as it was given; [`SolverError::Stopped`] also
     /// where the observer stops a thinned map.
-    pub fn solve<A: Answer>(
+    pub fn solve<A: ObserverResult>(
         &mut self,
         load: Load,
         stiffness: bool,
@@ -218,7 +218,7 @@ impl Ladder {
 
     /// The numbers of the map on twice the points along each side: by its Fourier components if it repeats, by its
     /// cosines otherwise. None if they cannot be had: the answer stands without.
-    fn on_finer<A: Answer>(
+    fn on_finer<A: ObserverResult>(
         &mut self,
         load: Load,
         stiffness: bool,

@@ -13,7 +13,7 @@ const TIGHTEST: f64 = 1e-8;
 /// Half width of the interval around the area that is asked for, relative to the area.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Request(f64);
+pub struct AccuracyRequest(f64);
 
 /// A request that is none.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -30,7 +30,7 @@ pub enum BadRequest {
     Range(f64),
 }
 
-impl Request {
+impl AccuracyRequest {
     /// From a relative half width, as 0.02.
     ///
     /// # Errors
@@ -79,24 +79,24 @@ mod tests {
 
     #[test]
     fn a_request_is_a_percentage() {
-        assert_eq!(Request::parse("2%"), Request::new(0.02));
-        assert_eq!(Request::parse(" 0.5 % "), Request::new(0.005));
+        assert_eq!(AccuracyRequest::parse("2%"), AccuracyRequest::new(0.02));
+        assert_eq!(AccuracyRequest::parse(" 0.5 % "), AccuracyRequest::new(0.005));
         for bad in ["2", "0.02", "%", "two%", ""] {
-            assert!(matches!(Request::parse(bad), Err(BadRequest::Syntax(_))), "{bad}");
+            assert!(matches!(AccuracyRequest::parse(bad), Err(BadRequest::Syntax(_))), "{bad}");
         }
         for bad in ["0%", "-1%", "60%", "nan%", "inf%"] {
-            assert!(matches!(Request::parse(bad), Err(BadRequest::Range(_))), "{bad}");
+            assert!(matches!(AccuracyRequest::parse(bad), Err(BadRequest::Range(_))), "{bad}");
         }
     }
 
     #[test]
     fn the_iteration_takes_at_most_a_fifth() {
         for percent in [50.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.1, 0.01] {
-            let request = Request::new(percent / 100.0).unwrap();
+            let request = AccuracyRequest::new(percent / 100.0).unwrap();
             let share = area_error(request.tolerance()) / request.relative();
             assert!(share <= 0.2 + 1e-9 && share > 0.1, "{percent}: {share}");
         }
-        assert_eq!(Request::new(0.02).unwrap().precision(), Precision::Single);
-        assert_eq!(Request::new(0.001).unwrap().precision(), Precision::Double);
+        assert_eq!(AccuracyRequest::new(0.02).unwrap().precision(), Precision::Single);
+        assert_eq!(AccuracyRequest::new(0.001).unwrap().precision(), Precision::Double);
     }
 }

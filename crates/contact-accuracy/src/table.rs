@@ -1,7 +1,7 @@
 //! What tables of many runs need: middle values, quantiles, round numbers.
 
 /// The value that `part` of the sorted values are below, linear between them; `None` of nothing.
-pub fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
+pub(crate) fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
     let place = part * sorted.len().checked_sub(1)? as f64;
     let below = place.floor() as usize;
     let next = sorted.get(below + 1).unwrap_or(&sorted[below]);

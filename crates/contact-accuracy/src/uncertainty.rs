@@ -44,7 +44,7 @@ pub(crate) fn iteration_of_area(residual: f64) -> f64 {
 
 /// What the rungs beside a solution say.
 #[derive(Debug, Clone, Copy)]
-pub struct Beside<'a> {
+pub(crate) struct Beside<'a> {
     /// Of the thinned maps, or why there is none.
     pub coarser: Result<&'a [Numbers], NoUncertainty>,
     /// Of the map with twice the points, if that was solved.

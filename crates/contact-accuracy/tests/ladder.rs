@@ -6,8 +6,8 @@
 mod families;
 
 use contact_accuracy::{
-    Aim, Answered, Boundary, ContactModulus, Estimate, Grid, HeightMap, Ladder, Load, Map,
-    NoUncertainty, Numbers, Reached, Request, Setup, Sink, Solver, SolverBuilder, SolverError,
+    AccuracyRequest, Aim, Answered, Boundary, ContactModulus, Estimate, Grid, HeightMap, Ladder,
+    Load, Map, NoUncertainty, Numbers, Reached, Setup, Sink, Solver, SolverBuilder, SolverError,
     Task, climb,
 };
 use families::{family, map};
@@ -188,7 +188,7 @@ fn asking_for_more_never_gives_less() {
     assert!(fast.factor() < 0.6 && fast.met && fast.next.is_some_and(|n| n.shape == [128, 128]));
     let mut last = f64::INFINITY;
     for percent in [40.0, 8.0, 4.0, 1.0, 0.1] {
-        let request = Request::new(percent / 100.0).unwrap();
+        let request = AccuracyRequest::new(percent / 100.0).unwrap();
         let reached = reach(Aim::Within(request));
         let width = reached.half_width.unwrap();
         assert!(reached.met == (width <= request.relative()), "{reached:?}");

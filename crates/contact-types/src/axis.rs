@@ -1,5 +1,7 @@
 //! A direction in the plane of a map.
 
+use crate::Named;
+
 /// A direction in the plane of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(
@@ -14,17 +16,13 @@ pub enum Axis {
     Y,
 }
 
+impl Named for Axis {
+    const NAMES: &'static [(Self, &'static str)] = &[(Self::X, "x"), (Self::Y, "y")];
+}
+
 impl Axis {
     /// Both.
     pub const BOTH: [Self; 2] = [Self::X, Self::Y];
-
-    /// `x` or `y`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::Y => "y",
-        }
-    }
 
     /// Its place in `[y, x]` pairs.
     pub fn index(self) -> usize {

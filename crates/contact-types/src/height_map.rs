@@ -78,7 +78,7 @@ impl HeightMap {
     }
 
     /// Height of pixel (iy, ix) in metres; `None` outside the map.
-    pub fn get(&self, iy: usize, ix: usize) -> Option<f64> {
+    pub(crate) fn get(&self, iy: usize, ix: usize) -> Option<f64> {
         let [ny, nx] = self.grid.shape();
         // Without the second test a column too far would be read from the next row.
         (iy < ny && ix < nx).then(|| self.heights[iy * nx + ix])

@@ -18,7 +18,7 @@ mod grid;
 mod height_map;
 mod material;
 mod moments;
-pub mod numbers;
+mod named;
 mod psd;
 #[cfg(feature = "serde")]
 mod reading;
@@ -33,5 +33,6 @@ pub use grid::Grid;
 pub use height_map::HeightMap;
 pub use material::{ContactModulus, Elastic};
 pub use moments::{AsperityStatistics, FractalParameters, SpectralMoments};
+pub use named::Named;
 pub use psd::PsdConvention;
 pub use spectrum::{AmplitudeSpectrum, RoughnessSpectrum, Shell, Wave};

@@ -35,16 +35,6 @@ impl Elastic {
         Ok(Self { young, poisson })
     }
 
-    /// Young's modulus \[Pa\].
-    pub fn young(&self) -> f64 {
-        self.young
-    }
-
-    /// Poisson's ratio \[-\].
-    pub fn poisson(&self) -> f64 {
-        self.poisson
-    }
-
     /// Plane-strain modulus `E / (1 - nu^2)` \[Pa\].
     pub(crate) fn plane_strain_modulus(&self) -> f64 {
         self.young / (1.0 - self.poisson * self.poisson)

@@ -48,18 +48,18 @@ impl std::fmt::Debug for Iteration<'_> {
 }
 
 /// What an observer may answer: nothing, or whether to go on.
-pub trait Answer: sealed::Sealed {
+pub trait ObserverResult: sealed::Sealed {
     /// Whether to go on.
     fn flow(self) -> ControlFlow<()>;
 }
 
-impl Answer for () {
+impl ObserverResult for () {
     fn flow(self) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 }
 
-impl Answer for ControlFlow<()> {
+impl ObserverResult for ControlFlow<()> {
     fn flow(self) -> ControlFlow<()> {
         self
     }

@@ -1,90 +1,94 @@
 //! What can be chosen.
 
-use crate::UnknownName;
+use contact_types::Named;
 
-/// An enum whose variants have names, as people type them and files keep them.
-macro_rules! named {
-    ($(#[$doc:meta])* $name:ident, $what:literal {
-        $($(#[$variant_doc:meta])* $variant:ident = $text:literal),+ $(,)?
-    }) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-        #[non_exhaustive]
-        pub enum $name {
-            $($(#[$variant_doc])* #[cfg_attr(feature = "serde", serde(rename = $text))] $variant),+
-        }
-
-        impl $name {
-            /// Every choice, in the order in which help texts list them.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
-
-            /// The name, as typed.
-            pub const fn name(self) -> &'static str {
-                match self { $(Self::$variant => $text),+ }
-            }
-        }
-
-        impl std::fmt::Display for $name {
-            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.pad(self.name())
-            }
-        }
-
-        impl std::str::FromStr for $name {
-            type Err = UnknownName;
-
-            /// Reads a [name](Self::name).
-            fn from_str(found: &str) -> Result<Self, UnknownName> {
-                let known = Self::ALL.iter().copied().find(|choice| choice.name() == found);
-                known.ok_or_else(|| UnknownName {
-                    what: $what,
-                    found: found.to_owned(),
-                    known: &[$($text),+],
-                })
-            }
-        }
-    };
+/// How the contact problem is solved. All methods find the same answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+#[non_exhaustive]
+pub enum Method {
+    /// The fastest method available for the problem.
+    #[default]
+    Auto,
+    /// Extension-preconditioned chord iteration: about one FFT pair per step and one digit per
+    /// step.
+    Chord,
+    /// Constrained conjugate gradients of Polonsky & Keer (1999),
+    /// doi:10.1016/S0043-1648(99)00113-1.
+    PolonskyKeer,
+    /// Steepest descent with redistribution of load, Stanley & Kato (1997),
+    /// doi:10.1115/1.2833523.
+    StanleyKato,
 }
 
-named! {
-    /// How the contact problem is solved. All methods find the same answer.
-    Method, "method" {
-        /// The fastest method available for the problem.
-        #[default]
-        Auto = "auto",
-        /// Extension-preconditioned chord iteration: about one FFT pair per step and one digit per
-        /// step.
-        Chord = "chord",
-        /// Constrained conjugate gradients of Polonsky & Keer (1999),
-        /// doi:10.1016/S0043-1648(99)00113-1.
-        PolonskyKeer = "polonsky-keer",
-        /// Steepest descent with redistribution of load, Stanley & Kato (1997),
-        /// doi:10.1115/1.2833523.
-        StanleyKato = "stanley-kato",
+impl Named for Method {
+    const NAMES: &'static [(Self, &'static str)] = &[
+        (Self::Auto, "auto"),
+        (Self::Chord, "chord"),
+        (Self::PolonskyKeer, "polonsky-keer"),
+        (Self::StanleyKato, "stanley-kato"),
+    ];
+}
+
+impl std::fmt::Display for Method {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
     }
 }
 
-named! {
-    /// What lies beyond the edges of the map.
-    Boundary, "boundary" {
-        /// The map repeats without end.
-        #[default]
-        Periodic = "periodic",
-        /// Nothing touches outside the map, and far away the half space is at rest.
-        Free = "free",
+/// What lies beyond the edges of the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+#[non_exhaustive]
+pub enum Boundary {
+    /// The map repeats without end.
+    #[default]
+    Periodic,
+    /// Nothing touches outside the map, and far away the half space is at rest.
+    Free,
+}
+
+impl Named for Boundary {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Periodic, "periodic"), (Self::Free, "free")];
+}
+
+impl std::fmt::Display for Boundary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
     }
 }
 
-named! {
-    /// Floating-point type of the fields during a solve. Results are always `f64`. How small a
-    /// tolerance each can reach: [`SolverBuilder::tolerance`](crate::SolverBuilder::tolerance).
-    Precision, "precision" {
-        /// `f64`.
-        #[default]
-        Double = "f64",
-        /// `f32`: half the memory.
-        Single = "f32",
+/// Floating-point type of the fields during a solve. Results are always `f64`. How small a
+/// tolerance each can reach: [`SolverBuilder::tolerance`](crate::SolverBuilder::tolerance).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Precision {
+    /// `f64`.
+    #[default]
+    #[cfg_attr(feature = "serde", serde(rename = "f64"))]
+    Double,
+    /// `f32`: half the memory.
+    #[cfg_attr(feature = "serde", serde(rename = "f32"))]
+    Single,
+}
+
+impl Named for Precision {
+    const NAMES: &'static [(Self, &'static str)] = &[(Self::Double, "f64"), (Self::Single, "f32")];
+}
+
+impl std::fmt::Display for Precision {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::engine::{Engine, Settings};
 use crate::memory::{self, Needs};
 use crate::methods::{self, Compliance};
-use crate::observer::{Answer, Observe};
+use crate::observer::{Observe, ObserverResult};
 use crate::pool::Pool;
 use crate::{
     Boundary, Iteration, Load, Maps, Method, Precision, SetStiffness, Solution, SolverError,
@@ -315,7 +315,7 @@ impl Solver {
     /// # Errors
     /// As [`solve`](Self::solve), and [`SolverError::Stopped`], with the iterate reached, if the
     /// observer breaks.
-    pub fn solve_observed<A: Answer>(
+    pub fn solve_observed<A: ObserverResult>(
         &mut self,
         surface: &HeightMap,
         load: Load,
@@ -351,7 +351,7 @@ impl Solver {
     ///
     /// # Errors
     /// As [`solve_observed`](Self::solve_observed); [`SolverError::NoSurface`] if there was none.
-    pub fn solve_again_observed<A: Answer>(
+    pub fn solve_again_observed<A: ObserverResult>(
         &mut self,
         load: Load,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,

@@ -26,7 +26,7 @@ impl Default for Options {
 
 /// One number of one case on one grid.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct ValidationRow {
     /// The problem, for example "Hertz sphere, free boundary".
     pub case: &'static str,
     /// Where the exact solution comes from.
@@ -75,7 +75,10 @@ pub enum ValidationError {
 ///
 /// # Errors
 /// [`ValidationError`].
-pub fn run(options: &Options, mut each: impl FnMut(&Row)) -> Result<Vec<Row>, ValidationError> {
+pub fn run(
+    options: &Options,
+    mut each: impl FnMut(&ValidationRow),
+) -> Result<Vec<ValidationRow>, ValidationError> {
     if options.finest < 32 {
         return Err(ValidationError::TooCoarse(options.finest));
     }
@@ -83,7 +86,7 @@ pub fn run(options: &Options, mut each: impl FnMut(&Row)) -> Result<Vec<Row>, Va
         .take_while(|n| *n >= 32)
         .collect();
     sizes.reverse();
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows: Vec<ValidationRow> = Vec::new();
     for case in CASES {
         let first = rows.len();
         for &n in &sizes {
@@ -91,7 +94,7 @@ pub fn run(options: &Options, mut each: impl FnMut(&Row)) -> Result<Vec<Row>, Va
             let (solution, found) = (case.solve)(options, n)?;
             for number in found {
                 let shape = if case.is_profile { [1, n] } else { [n, n] };
-                let mut row = Row {
+                let mut row = ValidationRow {
                     case: case.name,
                     source: case.source,
                     quantity: number.quantity,
@@ -190,7 +193,7 @@ fn field(quantity: &'static str, computed: &[f64], exact: &[f64], order: f64) ->
 
 /// Slope of log |error| over log pixel side by least squares, through `new` and all earlier rows of
 /// its quantity.
-fn observed_order(earlier: &[Row], new: &Row) -> Option<f64> {
+fn observed_order(earlier: &[ValidationRow], new: &ValidationRow) -> Option<f64> {
     let points: Vec<(f64, f64)> = earlier
         .iter()
         .filter(|row| row.quantity == new.quantity)

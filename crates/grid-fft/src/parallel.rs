@@ -96,12 +96,12 @@ pub trait Pieces: IntoIterator + Sized + Send {
     fn split(self, count: usize) -> (Self, Self);
 
     /// Pieces of both, as long as there are some.
-    fn zip<P: Pieces>(self, other: P) -> Zip<Self, P> {
+    fn zip<P: Pieces>(self, other: P) -> impl Pieces<Item = (Self::Item, P::Item)> {
         Zip(self, other)
     }
 
     /// With the index of each.
-    fn enumerate(self) -> Zip<Range<usize>, Self> {
+    fn enumerate(self) -> impl Pieces<Item = (usize, Self::Item)> {
         Zip(0..self.count(), self)
     }
 
@@ -135,8 +135,7 @@ impl Pieces for Range<usize> {
 }
 
 /// Pieces of two, as long as both have some.
-#[derive(Debug)]
-pub struct Zip<A, B>(A, B);
+struct Zip<A, B>(A, B);
 
 impl<A: IntoIterator, B: IntoIterator> IntoIterator for Zip<A, B> {
     type Item = (A::Item, B::Item);
@@ -157,8 +156,7 @@ impl<A: Pieces, B: Pieces> Pieces for Zip<A, B> {
 }
 
 /// Slices of so many elements, the last of what is left.
-#[derive(Debug)]
-pub struct Chunks<S>(S, usize);
+struct Chunks<S>(S, usize);
 
 impl<'a, T> IntoIterator for Chunks<&'a [T]> {
     type Item = &'a [T];
@@ -209,18 +207,28 @@ impl<T: Send> Pieces for &mut [T] {
 /// Pieces of a slice.
 pub trait Slice<T> {
     /// Of `size` elements each, the last of what is left.
-    fn par_chunks(&self, size: usize) -> Chunks<&[T]>;
+    fn par_chunks<'a>(&'a self, size: usize) -> impl Pieces<Item = &'a [T]>
+    where
+        T: Sync + 'a;
     /// The same, to be written.
-    fn par_chunks_mut(&mut self, size: usize) -> Chunks<&mut [T]>;
+    fn par_chunks_mut<'a>(&'a mut self, size: usize) -> impl Pieces<Item = &'a mut [T]>
+    where
+        T: Send + 'a;
     /// Every element, to be written.
     fn par_iter_mut(&mut self) -> &mut [T];
 }
 
 impl<T> Slice<T> for [T] {
-    fn par_chunks(&self, size: usize) -> Chunks<&[T]> {
+    fn par_chunks<'a>(&'a self, size: usize) -> impl Pieces<Item = &'a [T]>
+    where
+        T: Sync + 'a,
+    {
         Chunks(self, size)
     }
-    fn par_chunks_mut(&mut self, size: usize) -> Chunks<&mut [T]> {
+    fn par_chunks_mut<'a>(&'a mut self, size: usize) -> impl Pieces<Item = &'a mut [T]>
+    where
+        T: Send + 'a,
+    {
         Chunks(self, size)
     }
     fn par_iter_mut(&mut self) -> &mut [T] {

@@ -3,8 +3,8 @@
 use crate::failure::{bug, raise};
 use crate::reading::Reading;
 use crate::watched::quietly;
-use contact_answers::Failure;
 use contact_compare::{Method, Origin, RunFile, Settings};
+use contact_front_end::Failure;
 use fft_bem_solver::validation::{self, Options};
 use pyo3::prelude::*;
 use serde::Serialize;
@@ -31,7 +31,7 @@ struct Again {
 pub(crate) fn run_file_in(text: &str, folder: &str) -> PyResult<String> {
     // Of heights that a program handed over nothing is named, and nothing can be repeated.
     let Ok(run) = RunFile::parse(text) else { return Ok(text.to_owned()) };
-    contact_answers::run_file_in(run, Path::new(folder)).to_toml().map_err(|e| bug(&e))
+    contact_front_end::run_file_in(run, Path::new(folder)).to_toml().map_err(|e| bug(&e))
 }
 
 /// A run file as JSON.
@@ -65,5 +65,5 @@ pub(crate) fn validate(py: Python<'_>, method: &str, finest: usize) -> PyResult<
     let options = Options { method, finest, ..Options::default() };
     let rows = quietly(py, 1, move || validation::run(&options, |_| {}))?;
     let rows = rows.map_err(|e| raise(&Failure::from_error(&e)))?;
-    Ok(contact_answers::validated(&rows).to_string())
+    Ok(contact_front_end::validated(&rows).to_string())
 }

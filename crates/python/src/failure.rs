@@ -1,6 +1,6 @@
 //! What is refused, as an exception that the Python layer sorts.
 
-use contact_answers::Failure;
+use contact_front_end::Failure;
 use pyo3::exceptions::PyException;
 use pyo3::{PyErr, create_exception};
 

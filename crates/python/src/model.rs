@@ -3,15 +3,16 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, surface_of};
 use crate::watched::quietly;
-use contact_answers::model::{
-    Answer, Question, Unasked, answers as asked, failure, measured, object, scene,
-};
-use contact_answers::typed::{Typed, Untyped};
-use contact_answers::{Failure, bodies};
 use contact_compare::{
     Body, BuildError, Card, ContactModel, ContactModulus, Input, Inputs, Joint, Level, MaterialUse,
     PairOrigin, Spikes, Theory,
 };
+use contact_front_end::model::{
+    ModelLoad, ModelResult, Unasked, answers as asked, failure, measured, object, scene,
+};
+use contact_front_end::typed::{Typed, Untyped};
+use contact_front_end::{Failure, bodies};
+use contact_types::Named;
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -104,9 +105,9 @@ impl Request {
         Ok(Inputs { hardness, poisson: contact_compare::poisson(&self.bodies), ..inputs })
     }
 
-    pub(crate) fn questions(&self) -> Vec<Question> {
-        let pressures = self.pressures.iter().flatten().map(|&p| Question::Pressure(p));
-        let separations = self.separations.iter().flatten().map(|&d| Question::Separation(d));
+    pub(crate) fn questions(&self) -> Vec<ModelLoad> {
+        let pressures = self.pressures.iter().flatten().map(|&p| ModelLoad::Pressure(p));
+        let separations = self.separations.iter().flatten().map(|&d| ModelLoad::Separation(d));
         pressures.chain(separations).collect()
     }
 }
@@ -122,7 +123,7 @@ fn refused(card: &Card, untyped: &Untyped) -> Failure {
 }
 
 /// The first refusal, as kind and message.
-pub(crate) fn trouble(answers: &[Answer]) -> Option<(String, String)> {
+pub(crate) fn trouble(answers: &[ModelResult]) -> Option<(String, String)> {
     let first = answers.iter().find_map(|answer| answer.as_ref().err()).map(failure)?;
     Some((first.kind().to_owned(), first.message().to_owned()))
 }

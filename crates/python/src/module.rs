@@ -5,8 +5,10 @@ use pyo3::prelude::pymodule;
 /// Private: use the package `rough_contact`.
 #[pymodule]
 mod _rough_contact {
-    use contact_answers::quantity::{parse as one, parse_list as several};
-    use contact_answers::units::Dimension;
+    use contact_front_end::quantity::{parse as one, parse_list as several};
+    use contact_front_end::units::Dimension;
+    use contact_report::numbers::plain;
+    use contact_types::Named;
     use pyo3::prelude::*;
 
     #[pymodule_export]
@@ -47,8 +49,8 @@ mod _rough_contact {
         let found =
             if many { several(text, dimension) } else { one(text, dimension).map(|v| vec![v]) };
         let refused =
-            |e| crate::failure::raise(&contact_answers::Failure::refused("unit", format!("{e}")));
-        found.map_err(|e: contact_answers::quantity::QuantityError| refused(e))
+            |e| crate::failure::raise(&contact_front_end::Failure::refused("unit", format!("{e}")));
+        found.map_err(|e: contact_front_end::quantity::QuantityError| refused(e))
     }
 
     /// A fraction and the ends between which it lies, in per cent.
@@ -72,17 +74,12 @@ mod _rough_contact {
         Ok(contact_report::bodies_line(modulus, &bodies))
     }
 
-    /// With the spaces of a terminal.
-    fn plain(text: &str) -> String {
-        text.replace(contact_report::numbers::SPACE, " ")
-    }
-
     /// Contact modulus, elastic bodies, hardness and what was taken from the table of materials, as JSON.
     #[pyfunction]
     fn bodies(given: &str) -> PyResult<String> {
-        let given: contact_answers::bodies::BothGiven =
+        let given: contact_front_end::bodies::BothBodies =
             serde_json::from_str(given).map_err(|e| crate::failure::bug(&e))?;
-        let nothing = || contact_answers::Failure::refused("material", "no body is given");
+        let nothing = || contact_front_end::Failure::refused("material", "no body is given");
         let found = given.resolve().and_then(|found| found.ok_or_else(nothing));
         let found = found.map_err(|e| crate::failure::raise(&e))?;
         Ok(serde_json::json!({
@@ -97,7 +94,7 @@ mod _rough_contact {
     #[pyo3(signature = (along, seal))]
     fn leak(along: Option<&str>, seal: [Option<f64>; 4]) -> PyResult<String> {
         let found =
-            contact_answers::leak_asked(along, seal).map_err(|e| crate::failure::raise(&e))?;
+            contact_front_end::leak_asked(along, seal).map_err(|e| crate::failure::raise(&e))?;
         Ok(serde_json::json!(found).to_string())
     }
 
@@ -111,9 +108,9 @@ mod _rough_contact {
         let found = contact_compare::material(name).map_err(|unknown| {
             let message =
                 format!("{name} is not in the table; near it: {}", unknown.near.join(", "));
-            crate::failure::raise(&contact_answers::Failure::refused("material", message))
+            crate::failure::raise(&contact_front_end::Failure::refused("material", message))
         })?;
-        Ok(contact_report::material_json(found, &contact_compare::Property::ALL).to_string())
+        Ok(contact_report::material_json(found, contact_compare::Property::all()).to_string())
     }
 
     #[pymodule_init]

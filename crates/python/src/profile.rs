@@ -5,12 +5,12 @@ use crate::model::{Answered, Request};
 use crate::reading::{Reading, Unread, rule, unmade};
 use crate::surface::{Facts, array, form, measurement};
 use crate::watched::quietly;
-use contact_answers::model::of_profile;
-use contact_answers::{Failure, Traces};
 use contact_compare::{
     Cleaning, Level, Origin, ProfileComparison, ProfileSurface, Registry, RunFile, RunSurface,
     Settings,
 };
+use contact_front_end::model::of_profile;
+use contact_front_end::{Failure, Traces};
 use contact_report::Provenance;
 use numpy::ndarray::Axis;
 use numpy::{PyArray2, PyReadonlyArray2};
@@ -176,7 +176,7 @@ pub(crate) fn profile_study(
         let studies = given.into_iter().map(study).collect::<Result<Vec<_>, _>>();
         let studies = studies.map_err(|e| Failure::from_error(&e))?;
         let made = Provenance::here("rough-contact compare --from run.toml --out again");
-        contact_answers::profile_documents(&studies, &made, &run_file)
+        contact_front_end::profile_documents(&studies, &made, &run_file)
     })?;
     let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
     let files = found.map_err(|e| raise(&e))?;

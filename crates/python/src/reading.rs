@@ -1,8 +1,9 @@
 //! What is said of a file before it is read, and why it may give no surface.
 
 use crate::failure::raise;
-use contact_answers::{Complete, Failure, Incomplete};
 use contact_compare::{FileOrigin, Origin};
+use contact_front_end::{Complete, Failure, Incomplete};
+use contact_types::Named;
 use pyo3::PyErr;
 use pyo3::exceptions::PyOSError;
 use serde::{Deserialize, Serialize};
@@ -192,6 +193,6 @@ pub(crate) fn filled(
     measurement: Measurement,
     how: &Reading,
 ) -> Result<Complete, Failure> {
-    let found = contact_answers::complete(measurement, how.file.cleaning, rule(&how.file.fill)?);
+    let found = contact_front_end::complete(measurement, how.file.cleaning, rule(&how.file.fill)?);
     found.map_err(|e| unmade(path, &e, how))
 }

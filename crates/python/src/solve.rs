@@ -4,12 +4,12 @@ use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, array, surface_of};
 use crate::watched::{News, Outcome, Reporter, quietly, watched};
 use contact_accuracy::Ladder;
-use contact_answers::{Failure, Question, Subject, Watch, bodies};
-use contact_compare::Request as Accuracy;
+use contact_compare::AccuracyRequest as Accuracy;
 use contact_compare::{
-    Body, EdgesName, Iteration, Joint, LeakRequest, Level, Load, MaterialUse, Method, Origin, Precision,
-    Solution, Surface, WorkOfAdhesion, labelled_spots,
+    Body, EdgesName, Iteration, Joint, LeakRequest, Level, Load, MaterialUse, Method, Origin,
+    Precision, Solution, Surface, WorkOfAdhesion, labelled_spots,
 };
+use contact_front_end::{Failure, SolveInput, SolveRequest, Watch, bodies};
 use contact_types::Grid;
 use fft_bem_solver::{Boundary, FreeHalfSpace, HalfSpace};
 use numpy::{PyArray2, PyReadonlyArray2};
@@ -57,7 +57,7 @@ struct Request {
 }
 
 impl Request {
-    fn question(&self, surface: &Surface) -> Result<Question, Failure> {
+    fn question(&self, surface: &Surface) -> Result<SolveRequest, Failure> {
         let modulus = bodies::of_modulus(self.modulus)?;
         let accuracy = self.accuracy.as_deref().map(Accuracy::parse).transpose();
         let accuracy = accuracy.map_err(|e| Failure::refused("setting", e.to_string()))?;
@@ -66,7 +66,7 @@ impl Request {
         let loads = match kind.as_str() {
             "gap" => values.iter().map(|&g| Load::MeanGap(g)).collect(),
             "load" => {
-                let spread = spread.insert(contact_answers::loads::Spread::of(
+                let spread = spread.insert(contact_front_end::loads::Spread::of(
                     values,
                     self.area,
                     surface.heights.grid().area(),
@@ -76,7 +76,7 @@ impl Request {
             }
             _ => values.iter().map(|&p| Load::MeanPressure(p)).collect(),
         };
-        Ok(Question {
+        Ok(SolveRequest {
             loads,
             spread,
             modulus,
@@ -290,7 +290,7 @@ pub(crate) fn solve<'py>(
             name: &facts.name,
             last: None,
         };
-        let subject = Subject {
+        let subject = SolveInput {
             path: facts.path(),
             map: surface.heights,
             missing: if is_pair { surface.origin.missing() } else { facts.missing },
@@ -317,7 +317,7 @@ pub(crate) fn solve<'py>(
         };
         maps.push((index, of(pressure)?, of(gap)?));
     }
-    let unmet = answer.plan.as_ref().and_then(|plan| contact_answers::unmet("", plan));
+    let unmet = answer.plan.as_ref().and_then(|plan| contact_front_end::unmet("", plan));
     let trouble = answer.trouble.into_iter().chain(unmet).reduce(Failure::and);
     let trouble = trouble.map(|t| (t.kind().to_owned(), t.message().to_owned()));
     Ok((answer.json.to_string(), maps, trouble, stopped_by))

@@ -3,8 +3,8 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, form, surface_of};
 use crate::watched::quietly;
-use contact_answers::{Failure, Measured};
 use contact_compare::Level;
+use contact_front_end::{Failure, Measured};
 use numpy::{PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -50,7 +50,7 @@ pub(crate) fn statistics(
             .with_missing(missing)
             .with_height_step(height_step);
         let from = Measured { path: facts.path(), cleaned, pair };
-        contact_answers::statistics(&surface.heights, &options, from, request.iso, request.scales)
+        contact_front_end::statistics(&surface.heights, &options, from, request.iso, request.scales)
             .map(|found| found.json.to_string())
     })?;
     found.map_err(|e| raise(&e))

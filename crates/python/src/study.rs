@@ -3,12 +3,12 @@
 use crate::failure::{bug, raise};
 use crate::surface::{Laid, Second, surface_of};
 use crate::watched::{News, Outcome, watched};
-use contact_answers::Failure;
 use contact_compare::{
     BuildError, Card, Citation, Comparison, ContactModel, ContactState, CurvePoint, Inputs,
     ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError, Surface,
     Tabulated, Theory,
 };
+use contact_front_end::Failure;
 use contact_report::Provenance;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
@@ -134,7 +134,7 @@ impl Theory for Given {
 pub(crate) fn models() -> String {
     let all = contact_compare::built_in()
         .iter()
-        .map(|theory| contact_answers::models::card(theory.card()));
+        .map(|theory| contact_front_end::models::card(theory.card()));
     serde_json::Value::Array(all.collect()).to_string()
 }
 
@@ -258,7 +258,7 @@ fn run(
         surfaces: runs,
     };
     let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
-    contact_answers::look_around(&mut found, listen)?;
+    contact_front_end::look_around(&mut found, listen)?;
     for surface in &mut found.surfaces {
         for model in &mut surface.models {
             let seconds = times.get(model.card.name.as_ref()).and_then(|t| t.get(&surface.name));
@@ -270,7 +270,7 @@ fn run(
     }
     let made = Provenance::here("rough-contact compare --from run.toml --out again");
     let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
-    let documents = contact_answers::documents(&found, &made, &run_file)?;
+    let documents = contact_front_end::documents(&found, &made, &run_file)?;
     let files = documents.into_iter().map(|(name, bytes)| (name.to_owned(), text(bytes))).collect();
-    Ok((files, contact_answers::not_met(&found)))
+    Ok((files, contact_front_end::not_met(&found)))
 }

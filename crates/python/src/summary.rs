@@ -1,8 +1,8 @@
 //! Many studies on one page.
 
 use crate::failure::{bug, raise};
-use contact_answers::Failure;
 use contact_compare::Settings;
+use contact_front_end::Failure;
 use contact_report::{Provenance, Summary};
 use pyo3::prelude::*;
 use serde_json::Value;

@@ -3,8 +3,9 @@
 use crate::failure::{bug, raise};
 use crate::reading::{Reading, Unread, filled};
 use crate::watched::quietly;
-use contact_answers::{Complete, Failure};
 use contact_compare::{Cleaning, GivenOrigin, Level, Origin, Placing, Recipe, Surface, Unevenness};
+use contact_front_end::{Complete, Failure};
+use contact_types::Named;
 use contact_types::{Grid, HeightMap};
 use numpy::ndarray::{Array2, ArrayView2};
 use numpy::{Element, PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -138,7 +139,7 @@ impl Laid {
         if first.name == self.second.name
             && let (Origin::File(a), Origin::File(b)) = (&first.origin, &self.second.origin)
         {
-            let mut names = contact_answers::told_apart(&[&a.path, &b.path]).into_iter();
+            let mut names = contact_front_end::told_apart(&[&a.path, &b.path]).into_iter();
             for body in [&mut first, &mut self.second] {
                 body.name = names.next().unwrap_or_default();
             }
@@ -154,7 +155,7 @@ impl Laid {
 /// A form by its name.
 pub(crate) fn form(name: &str) -> PyResult<Level> {
     let unknown = || bug(&format!("level = {name:?} is no form"));
-    Level::ALL.iter().find(|l| l.name() == name).copied().ok_or_else(unknown)
+    Level::of_name(name).ok_or_else(unknown)
 }
 
 /// Rows and columns that cannot be written to.
@@ -206,7 +207,7 @@ pub(crate) fn read<'py>(
     let found = quietly(py, threads, move || {
         let (how, path, at) = (asked, &file, Path::new(&file));
         let measurement = how.measurement(at)?;
-        let said = contact_answers::info(&measurement);
+        let said = contact_front_end::info(&measurement);
         if measurement.is_profile() {
             let message = format!(
                 "{path}: this is a profile, and a surface has no deterministic answer from one line of it; \
@@ -245,7 +246,7 @@ pub(crate) fn info(
     let at = Path::new(path);
     let file = path.to_owned();
     let found = quietly(py, 1, move || {
-        how.measurement(Path::new(&file)).map(|m| contact_answers::info(&m).to_string())
+        how.measurement(Path::new(&file)).map(|m| contact_front_end::info(&m).to_string())
     })?;
     found.map_err(|e| e.raise(at))
 }

@@ -3,6 +3,7 @@
 use crate::lines::Lines;
 use crate::messages::conduction::{conductance, kinds};
 use contact_compare::{Comparison, Conductance, Settings, SurfaceComparison};
+use contact_types::Named;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 

@@ -5,10 +5,11 @@ use crate::messages;
 use crate::messages::finding::finding;
 use crate::messages::plan as plan_messages;
 use crate::provenance::Provenance;
-use contact_accuracy::{Reached, Request};
+use contact_accuracy::{AccuracyRequest, Reached};
 use contact_compare::{
     Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
 };
+use contact_types::Named;
 use contact_types::{ContactState, ModelError};
 use serde_json::{Value, json};
 use std::io::Write;
@@ -86,7 +87,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "median_area": c.median_area,
             "largest_area": c.largest_area,
         })),
-        "distributions": s.headline_distributions(),
+        "distributions": s.distributions.get(s.headline),
         "finer": finer(s),
         "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|c| json!({
             "choice": c.kind.name(),
@@ -245,7 +246,7 @@ fn answer(
 /// What was chosen for a request, and why.
 pub fn accuracy(reached: &Reached) -> Value {
     json!({
-        "requested": reached.request.map(Request::relative),
+        "requested": reached.request.map(AccuracyRequest::relative),
         "met": reached.met,
         "given": reached.given.shape(),
         "grid": reached.grid.shape(),

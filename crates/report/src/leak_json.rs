@@ -2,6 +2,7 @@
 
 use contact_accuracy::{Leak, Leaks, NotSolved};
 use contact_compare::{Comparison, LeakRequest, SurfaceComparison};
+use contact_types::Named;
 use serde_json::{Map, Value, json};
 
 /// What was asked, and whether the gap is that of bodies that yield.

@@ -3,9 +3,7 @@
 use crate::draw::palette::{ELASTIC_LOOK, Style};
 use crate::numbers::{NEWTONS, PASCALS, Unit, signed_range, significant, unit_for};
 use crate::plot_styles::plot_style;
-use contact_compare::{
-    DeterministicAnswer, DeterministicPoint, ModelComparison, SurfaceComparison,
-};
+use contact_compare::{DeterministicPoint, ModelComparison, SurfaceComparison};
 
 /// Error within which a closed form counts as an answer.
 pub(crate) const WANTED: f64 = 0.10;
@@ -99,7 +97,7 @@ impl Lines {
         Self {
             pressures: points.iter().map(|p| p.mean_pressure).collect(),
             area: answers().map(|a| a.map(|a| a.area_fraction)).collect(),
-            interval: answers().map(|a| a.and_then(DeterministicAnswer::interval)).collect(),
+            interval: answers().map(|a| a?.budget.area.interval().ok()).collect(),
             models: elastic.into_iter().chain(models).collect(),
             load_area: surface.load_area,
             headline: surface.headline,

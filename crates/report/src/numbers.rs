@@ -1,10 +1,10 @@
 //! Numbers with their uncertainty, to the digits that it supports.
 
-pub use contact_types::numbers::{
-    METRES, MINUS, SPACE, Unit, counted, fixed, percent, power_of_ten, quantity, significant,
-    unit_for,
+pub use surface_stats::numbers::{
+    METRES, MINUS, SPACE, Unit, counted, fixed, percent, plain, power_of_ten, quantity,
+    significant, unit_for,
 };
-use contact_types::numbers::{exponent, fixed_significant};
+use surface_stats::numbers::{exponent, fixed_significant};
 
 /// Decimals to which a value with this uncertainty is printed, negative for tens, hundreds…:
 /// one significant digit of the uncertainty, two if it starts with 1.
@@ -146,7 +146,7 @@ pub const PASCALS: &[Unit] = &[
 ];
 
 /// Multiples of the square metre.
-pub(crate) const AREAS: &[Unit] = &[
+pub const AREAS: &[Unit] = &[
     Unit { scale: 1e-18, name: "nm²" },
     Unit { scale: 1e-12, name: "µm²" },
     Unit { scale: 1e-6, name: "mm²" },
@@ -170,7 +170,7 @@ pub(crate) const KELVINS_PER_WATT: &[Unit] = &[
 ];
 
 /// Multiples of the newton.
-pub(crate) const NEWTONS: &[Unit] = &[
+pub const NEWTONS: &[Unit] = &[
     Unit { scale: 1e-9, name: "nN" },
     Unit { scale: 1e-6, name: "µN" },
     Unit { scale: 1e-3, name: "mN" },

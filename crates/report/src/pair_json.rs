@@ -1,6 +1,7 @@
 //! A pair of bodies as an object.
 
 use contact_compare::{Body, PairOrigin};
+use contact_types::Named;
 use contact_types::SpectralMoments;
 use serde_json::{Value, json};
 

@@ -296,9 +296,13 @@ fn a_map_that_depends_on_interpolation_is_solved_on_twice_the_points() {
     let comparison = run(vec![recipe.make().unwrap()], Settings::default());
     let surface = &comparison.surfaces[0];
     assert!(surface.headline_answer().unwrap().budget.indicator.unwrap() > 0.05);
-    let bars = surface.deterministic.iter().filter_map(|p| p.answer.as_ref()?.interval()).count();
+    let bars = surface
+        .deterministic
+        .iter()
+        .filter_map(|p| p.answer.as_ref()?.budget.area.interval().ok())
+        .count();
     assert_eq!(bars, surface.deterministic.len());
-    let [low, high] = surface.headline_answer().unwrap().interval().unwrap();
+    let [low, high] = surface.headline_answer().unwrap().budget.area.interval().unwrap();
     let refined = surface.headline_answer().unwrap().finer.unwrap().area;
     assert!((low..=high).contains(&refined), "{low} {refined} {high}");
     let page = html(&comparison);

@@ -8,10 +8,10 @@ use crate::quantity;
 use crate::surfaces::{One, from_file, pressed};
 use crate::units::Dimension;
 use clap::{Args, Parser};
-use rough_contact::answers::told_apart;
 use rough_contact::compare::{
     Body, Cleaning, Flip, Level, Origin, PairOrigin, Placing, Settings, Surface,
 };
+use rough_contact::front_end::told_apart;
 use rough_contact::{compare, report};
 use serde_json::Value;
 use std::path::{Path, PathBuf};

@@ -6,7 +6,10 @@ use crate::quantity::{self, QuantityError};
 use crate::units::Dimension;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use rough_contact::compare::{EdgesName, Flip, Level, Method, Precision, Request, built_in};
+use rough_contact::compare::{
+    AccuracyRequest, EdgesName, Flip, Level, Method, Precision, built_in,
+};
+use rough_contact::contact_types::Named;
 use rough_contact::surface_io::{DecimalMark, Layout};
 
 /// Options of every command.
@@ -118,13 +121,9 @@ fn counts<const N: usize>(text: &str) -> Option<[usize; N]> {
 }
 
 /// One of a list of names that the library knows.
-fn one_of<T: Copy + Send + Sync + 'static>(
-    all: &'static [T],
-    name: fn(T) -> &'static str,
-) -> impl TypedValueParser<Value = T> {
-    PossibleValuesParser::new(all.iter().map(|&item| name(item))).map(move |text| {
-        let found = all.iter().copied().find(|&item| name(item).eq_ignore_ascii_case(&text));
-        found.expect("clap accepts only these names")
+fn one_of<T: Named + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(T::all().map(T::name)).map(move |text| {
+        T::of_name(&text.to_ascii_lowercase()).expect("clap accepts only these names")
     })
 }
 
@@ -132,7 +131,7 @@ fn one_of<T: Copy + Send + Sync + 'static>(
 pub(crate) const LEVEL: &str = "auto";
 
 pub(crate) fn level() -> impl TypedValueParser<Value = Level> {
-    one_of(Level::ALL, Level::name)
+    one_of::<Level>()
 }
 
 /// How a map is solved.
@@ -140,29 +139,29 @@ pub(crate) fn level() -> impl TypedValueParser<Value = Level> {
 pub(crate) struct SolverOptions {
     /// Beyond the edges of a map: the map again, or its mirror images (four times the points, memory and time), which
     /// take the jump out of a map that does not repeat
-    #[arg(long, value_name = "EDGES", value_parser = one_of(EdgesName::ALL, EdgesName::name), default_value = "periodic")]
+    #[arg(long, value_name = "EDGES", value_parser = one_of::<EdgesName>(), default_value = "periodic")]
     pub(crate) edges: EdgesName,
     /// Method of the solver
     #[arg(long, value_parser = method(), default_value = "auto")]
     pub(crate) method: Method,
     /// Floating-point type of the iteration; results are always f64
-    #[arg(long, value_parser = one_of(Precision::ALL, Precision::name), default_value = "f64")]
+    #[arg(long, value_parser = one_of::<Precision>(), default_value = "f64")]
     pub(crate) precision: Precision,
     /// Relative rms error of the pressure to reach
     #[arg(long, value_name = "T", value_parser = number, allow_hyphen_values = true)]
     #[arg(default_value = "1e-4")]
     pub(crate) tolerance: f64,
     /// Uncertainty of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
-    #[arg(long, value_name = "A%", value_parser = Request::parse, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A%", value_parser = AccuracyRequest::parse, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["tolerance", "precision"])]
-    pub(crate) accuracy: Option<Request>,
+    pub(crate) accuracy: Option<AccuracyRequest>,
     /// Every second point of the map at once, with its wider uncertainty
     #[arg(long, conflicts_with = "accuracy")]
     pub(crate) fast: bool,
 }
 
 pub(crate) fn method() -> impl TypedValueParser<Value = Method> {
-    one_of(Method::ALL, Method::name)
+    one_of::<Method>()
 }
 
 /// Mirror images at the edges are for periodic maps.
@@ -183,15 +182,15 @@ pub(crate) fn refine_is_gone(_: &str) -> Result<bool, String> {
 }
 
 pub(crate) fn flip() -> impl TypedValueParser<Value = Flip> {
-    one_of(Flip::ALL, Flip::name)
+    one_of::<Flip>()
 }
 
 pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {
-    one_of(Layout::ALL, Layout::name)
+    one_of::<Layout>()
 }
 
 pub(crate) fn decimal() -> impl TypedValueParser<Value = DecimalMark> {
-    one_of(DecimalMark::ALL, DecimalMark::name)
+    one_of::<DecimalMark>()
 }
 
 /// A model that a study can ask.

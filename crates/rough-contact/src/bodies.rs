@@ -3,8 +3,8 @@
 use crate::args::{number, pressure};
 use crate::outcome::Failure;
 use clap::Args;
-use rough_contact::answers::bodies::{self, BothGiven};
 use rough_contact::compare::STEEL;
+use rough_contact::front_end::bodies::{self, BothBodies};
 
 /// The elastic constants, given or those of the table.
 #[derive(Args, Clone, Debug)]
@@ -51,7 +51,7 @@ impl Bodies {
     }
 
     /// The options, one body each.
-    fn asked(&self, hardness: Option<f64>) -> Result<BothGiven, Failure> {
+    fn asked(&self, hardness: Option<f64>) -> Result<BothBodies, Failure> {
         let [young, poisson, materials] =
             [self.young.len(), self.poisson.len(), self.material.len()];
         let refused = |message| Err(Failure::refused("usage", message));
@@ -72,13 +72,13 @@ impl Bodies {
                 ));
             }
         }
-        let body = |i: usize| bodies::Given {
+        let body = |i: usize| bodies::BodyInput {
             material: self.material.get(i).cloned(),
             young: self.young.get(i).copied(),
             poisson: self.poisson.get(i).copied(),
             hardness: None,
         };
-        Ok(BothGiven {
+        Ok(BothBodies {
             modulus: self.modulus,
             bodies: (0..materials.max(young)).map(body).collect(),
             hardness: hardness.filter(|h| *h != f64::INFINITY),

@@ -3,9 +3,9 @@
 use crate::conduction;
 use crate::loads::shown;
 use crate::text;
-use rough_contact::answers::Point;
-use rough_contact::contact_accuracy::{Given, RealPressure};
+use rough_contact::contact_accuracy::{Prescribed, RealPressure};
 use rough_contact::fft_bem_solver::Yielded;
+use rough_contact::front_end::Point;
 
 /// The cells of its row; `has_spot` if one spot is among what is conducted.
 pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
@@ -16,7 +16,7 @@ pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
     let mean = budget.real_pressure().map(RealPressure::value);
     let area = &budget.area;
     let mut cells = vec![text::pressure(state.mean_pressure)];
-    if budget.given == Given::Gap {
+    if budget.given == Prescribed::Gap {
         let load = budget.mean_pressure;
         cells.push(text::relative(load.value, load.interval().ok(), text::pressure));
     }

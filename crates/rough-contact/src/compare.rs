@@ -14,16 +14,16 @@ use crate::output::Folder;
 use crate::progress::Progress;
 use crate::shell::quoted;
 use crate::surfaces::{Given, One, from_file, from_recipe, repeat};
-use crate::text::{self, Columns};
+use crate::text::{self, Columns, plain};
 use clap::Args;
-pub(crate) use rough_contact::answers::not_met;
-use rough_contact::answers::run_file_in;
 use rough_contact::compare::{
-    Comparison, Level, Origin, Refused, Registry, Request, RunFile, RunSurface, Settings, Surface,
-    SurfaceComparison, on_threads,
+    AccuracyRequest, Comparison, Level, Origin, Refused, Registry, RunFile, RunSurface, Settings,
+    Surface, SurfaceComparison, on_threads,
 };
+pub(crate) use rough_contact::front_end::not_met;
+use rough_contact::front_end::run_file_in;
 use rough_contact::report::Provenance;
-use rough_contact::{answers, compare, report};
+use rough_contact::{compare, front_end, report};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::ops::ControlFlow;
@@ -126,7 +126,7 @@ impl Compare {
                 );
             }
         };
-        let names = answers::DOCUMENTS.map(str::to_owned);
+        let names = front_end::DOCUMENTS.map(str::to_owned);
         let folder = Folder::prepare(&self.out, &names, common.force)?;
         let listed = surfaces.iter().map(|s| (s.name.clone(), s.origin.clone()));
         let run_file = run_file_in(run_file(&settings, listed), &self.out);
@@ -182,7 +182,7 @@ impl Compare {
             method: self.solver.method,
             precision: self.solver.precision,
             tolerance: self.solver.tolerance,
-            accuracy: self.solver.accuracy.map(Request::relative),
+            accuracy: self.solver.accuracy.map(AccuracyRequest::relative),
             fast: self.solver.fast,
             gamma: self.gamma,
             fractal_range: self.fractal_range,
@@ -325,7 +325,7 @@ fn study(
         }
         ControlFlow::Continue(())
     };
-    answers::look_around(&mut comparison, &mut watch)?;
+    front_end::look_around(&mut comparison, &mut watch)?;
     drop(progress);
     Ok(comparison)
 }
@@ -336,7 +336,7 @@ fn write(
     provenance: &Provenance,
     run_file: &RunFile,
 ) -> Result<(), Failure> {
-    for (name, bytes) in answers::documents(comparison, provenance, run_file)? {
+    for (name, bytes) in front_end::documents(comparison, provenance, run_file)? {
         folder.write(name, |out| out.write_all(&bytes))?;
     }
     Ok(())
@@ -427,11 +427,6 @@ fn headline(surface: &SurfaceComparison) -> String {
     let [ny, nx] = surface.surface.grid().shape();
     let first = format!("{}, {ny} × {nx} points", surface.name);
     report::headline_line(surface).map_or_else(|| first.clone(), |line| format!("{first}: {line}"))
-}
-
-/// With the spaces of a terminal.
-fn plain(text: &str) -> String {
-    text.replace(report::numbers::SPACE, " ")
 }
 
 #[cfg(test)]

@@ -4,15 +4,15 @@ use crate::against;
 use crate::args::Common;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
-use crate::profile_stats::plain;
 use crate::profiles::uneven_line;
+use crate::text::plain;
 use crate::text::{self, Columns};
 use rough_contact::compare::{
     EdgesName, ProfileComparison, ProfileSurface, Registry, RunFile, Settings,
 };
 use rough_contact::contact_types::ContactState;
 use rough_contact::report::Provenance;
-use rough_contact::{answers, report};
+use rough_contact::{front_end, report};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
@@ -43,7 +43,7 @@ pub(crate) fn run(
     common: &Common,
 ) -> Result<Reply, Failure> {
     refuse_solver(settings)?;
-    let names = answers::profile_documents_named(surfaces.len());
+    let names = front_end::profile_documents_named(surfaces.len());
     let folder = Folder::prepare(out, &names, common.force)?;
     let registry = Registry::built_in();
     let mut studies = Vec::with_capacity(surfaces.len());
@@ -68,7 +68,7 @@ fn write(
     provenance: &Provenance,
     run_file: &RunFile,
 ) -> Result<(), Failure> {
-    for (name, bytes) in answers::profile_documents(studies, provenance, run_file)? {
+    for (name, bytes) in front_end::profile_documents(studies, provenance, run_file)? {
         folder.write(&name, |out| out.write_all(&bytes))?;
     }
     Ok(())

@@ -6,8 +6,9 @@ use crate::quantity::{self, QuantityError};
 use crate::text;
 use crate::units::Dimension;
 use clap::Args;
-use rough_contact::answers::bodies::Bodies;
 use rough_contact::compare::{Conductance, Conducted, Estimate, GapGas, Gas, Joint, Property};
+use rough_contact::contact_types::Named;
+use rough_contact::front_end::bodies::Bodies;
 use rough_contact::report;
 
 /// A number of each body.
@@ -108,7 +109,7 @@ impl Conduction {
 
 fn filling(text: &str) -> Result<Filling, String> {
     let name = text.trim().to_ascii_lowercase();
-    match Gas::ALL.into_iter().find(|gas| gas.name() == name) {
+    match Gas::of_name(&name) {
         Some(gas) => Ok(Filling::Gas(gas)),
         None if name == "vacuum" => Ok(Filling::Vacuum),
         None => Err("write vacuum, air, helium, argon or nitrogen".to_owned()),

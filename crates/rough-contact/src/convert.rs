@@ -9,6 +9,7 @@ use crate::output;
 use crate::text::{self, Table};
 use clap::Args;
 use rough_contact::compare::Level;
+use rough_contact::contact_types::Named;
 use rough_contact::report;
 use rough_contact::surface_stats::level;
 use serde_json::json;

@@ -9,7 +9,7 @@ use crate::outcome::{Failure, Reply};
 use crate::rows::{How, Shown};
 use crate::text::{self, Table};
 use clap::Args;
-use rough_contact::answers;
+use rough_contact::front_end;
 use rough_contact::surface_io::{FORMATS, Measurement, Need};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -69,7 +69,7 @@ impl PerFile for Info {
 }
 
 fn object(m: &Measurement) -> Value {
-    let mut json = answers::info(m);
+    let mut json = front_end::info(m);
     json["ambiguity"] = json!(m.ambiguity().map(needs::reading));
     json
 }

@@ -8,12 +8,13 @@ use crate::outcome::{self, Failure};
 use crate::profiles::{self, Traces};
 use crate::quantity;
 use clap::{Args, ValueEnum};
-pub(crate) use rough_contact::answers::Complete;
 use rough_contact::compare::{Cleaning, FileOrigin, Origin};
+use rough_contact::contact_types::Named;
+pub(crate) use rough_contact::front_end::Complete;
 use rough_contact::surface_io::{
     Cut, DecimalMark, HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions,
 };
-use rough_contact::{answers, surface_io};
+use rough_contact::{front_end, surface_io};
 use std::path::{Path, PathBuf};
 
 /// How missing points are filled.
@@ -230,7 +231,7 @@ impl Reading {
             let reading = needs::reading(reading);
             outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
         }
-        answers::complete(measurement, cleaning, self.fill.rule())
+        front_end::complete(measurement, cleaning, self.fill.rule())
             .map_err(|e| needs::unmade(path, &e))
     }
 }

@@ -2,9 +2,9 @@
 
 use crate::loads::{rising, shown};
 use crate::text;
-use rough_contact::answers::Point;
 use rough_contact::contact_accuracy::NoUncertainty;
 use rough_contact::fft_bem_solver::Load;
+use rough_contact::front_end::Point;
 use std::fmt::Write as _;
 
 /// One line for each load on twice the points, and one for each reason without an uncertainty.

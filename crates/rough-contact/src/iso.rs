@@ -1,7 +1,7 @@
 //! Areal parameters of ISO 25178-2 for `stats --iso`, as a table.
 
 use crate::text::{self, Table};
-use rough_contact::answers::Iso;
+use rough_contact::front_end::Iso;
 use rough_contact::surface_stats::iso25178::Volumes;
 
 /// The parameters as a table.

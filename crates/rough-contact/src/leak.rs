@@ -8,7 +8,8 @@ use crate::units::Dimension;
 use clap::Args;
 use rough_contact::compare::LeakRequest;
 use rough_contact::contact_accuracy::Leaks;
-use rough_contact::{answers, report};
+use rough_contact::contact_types::Named;
+use rough_contact::{front_end, report};
 use std::fmt::Write as _;
 
 #[derive(Args, Clone, Debug, Default)]
@@ -38,7 +39,7 @@ impl LeakOptions {
     /// What is asked of the gap.
     pub(crate) fn asked(&self) -> Result<Option<LeakRequest>, Failure> {
         let Self { leak, viscosity, pressure_drop, seal_length, seal_width } = self;
-        answers::leak_asked(
+        front_end::leak_asked(
             leak.as_deref(),
             [*viscosity, *pressure_drop, *seal_length, *seal_width],
         )

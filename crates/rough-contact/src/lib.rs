@@ -3,19 +3,19 @@
 mod facade;
 
 pub use contact_accuracy;
-pub use contact_answers as answers;
 pub use contact_compare as compare;
+pub use contact_front_end as front_end;
 pub use contact_report as report;
 pub use {contact_types, fft_bem_solver, surface_io, surface_stats};
 
 pub use contact_accuracy::{Answered, Budget, Estimate, Ladder, LadderError, NoUncertainty, Setup};
-pub use contact_answers::quantity::{QuantityError, parse as quantity};
-pub use contact_answers::units::Dimension as Quantity;
 pub use contact_compare::{
     BadCurve, BuildError, Card, Comparison, Conductance, CurvePoint, Inputs, Joint,
     ModelComparison, NotRegistered, Progress, Registry, Settings, StudyError, Surface,
     SurfaceComparison, Tabulated, Theory, built_in,
 };
+pub use contact_front_end::quantity::{QuantityError, parse as quantity};
+pub use contact_front_end::units::Dimension as Quantity;
 pub use contact_report::{Provenance, ReportError, write_csv, write_html, write_json};
 pub use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic,

@@ -5,8 +5,8 @@ use crate::args::{self, List};
 use crate::outcome::Failure;
 use crate::text;
 use clap::Args;
-pub(crate) use rough_contact::answers::loads::{Spread, positive, rising, shown};
 use rough_contact::fft_bem_solver::Load;
+pub(crate) use rough_contact::front_end::loads::{Spread, positive, rising, shown};
 
 /// Loads as forces.
 #[derive(Args, Clone, Debug)]

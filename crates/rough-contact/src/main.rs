@@ -58,7 +58,7 @@ mod validate;
 use args::Common;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use outcome::{Failure, Reply};
-use rough_contact::answers::{quantity, units};
+use rough_contact::front_end::{quantity, units};
 use std::process::ExitCode;
 
 /// Real area of contact between rough surfaces: closed-form models beside a deterministic

@@ -4,6 +4,7 @@ use crate::outcome::{Failure, Reply};
 use crate::text::{self, Columns};
 use clap::Args;
 use rough_contact::compare::{Listed, Material, Property, material, materials};
+use rough_contact::contact_types::Named;
 use rough_contact::report;
 use serde_json::json;
 
@@ -36,7 +37,7 @@ impl Materials {
 }
 
 fn json(chosen: &[&Material]) -> serde_json::Value {
-    let all: Vec<_> = chosen.iter().map(|m| report::material_json(m, &Property::ALL)).collect();
+    let all: Vec<_> = chosen.iter().map(|m| report::material_json(m, Property::all())).collect();
     json!({ "materials": all })
 }
 

@@ -13,10 +13,11 @@ use crate::roughness::{Source, ways};
 use crate::text::{self, Columns};
 use clap::Args;
 use multiscale_models::Persson;
-use rough_contact::answers::bodies::Bodies;
-use rough_contact::answers::model::{self, Answer, Question, Said, Unasked};
-use rough_contact::compare::survey::{BANDWIDTH_FACTOR, LOAD_FACTOR};
+use rough_contact::compare::survey::SIMILAR;
 use rough_contact::compare::{Card, Conducted, Input, Inputs, Joint, Spikes, Theory};
+use rough_contact::contact_types::Named;
+use rough_contact::front_end::bodies::Bodies;
+use rough_contact::front_end::model::{self, ModelLoad, ModelResult, Said, Unasked};
 use rough_contact::surface_stats::clean::row_offsets;
 use rough_contact::{compare, report};
 use serde_json::json;
@@ -231,19 +232,19 @@ impl Model {
     }
 
     /// What is asked, of a surface of this area if it is known.
-    fn questions(&self, area: Option<f64>) -> Result<(Vec<Question>, Option<Spread>), Failure> {
+    fn questions(&self, area: Option<f64>) -> Result<(Vec<ModelLoad>, Option<Spread>), Failure> {
         if let Some(List(forces)) = &self.load {
             let spread = loads::spread(forces, self.source.area(), area)?;
             return Ok((
-                spread.pressures.iter().map(|&p| Question::Pressure(p)).collect(),
+                spread.pressures.iter().map(|&p| ModelLoad::Pressure(p)).collect(),
                 Some(spread),
             ));
         }
-        let of = |list: &Option<List>, question: fn(f64) -> Question| -> Vec<Question> {
+        let of = |list: &Option<List>, question: fn(f64) -> ModelLoad| -> Vec<ModelLoad> {
             list.iter().flat_map(|List(all)| all.iter().copied().map(question)).collect()
         };
-        let mut all = of(&self.pressure, Question::Pressure);
-        all.extend(of(&self.separation, Question::Separation));
+        let mut all = of(&self.pressure, ModelLoad::Pressure);
+        all.extend(of(&self.separation, ModelLoad::Separation));
         Ok((all, None))
     }
 }
@@ -252,9 +253,9 @@ impl Model {
 fn answer(
     theory: &dyn Theory,
     inputs: &Inputs,
-    questions: &[Question],
+    questions: &[ModelLoad],
     joint: &Joint,
-) -> Result<Vec<Answer>, Failure> {
+) -> Result<Vec<ModelResult>, Failure> {
     model::answers(theory, inputs, questions, joint).map_err(|unasked| no_answer(theory, &unasked))
 }
 
@@ -271,8 +272,8 @@ fn no_answer(theory: &dyn Theory, unasked: &Unasked) -> Failure {
 fn reply(
     card: &Card,
     (inputs, joint): (&Inputs, &Joint),
-    questions: &[Question],
-    answers: &[Answer],
+    questions: &[ModelLoad],
+    answers: &[ModelResult],
     spread: Option<&Spread>,
 ) -> Reply {
     let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
@@ -324,10 +325,11 @@ fn reply(
         let _ = writeln!(text, "{}", card.formula); // a String takes everything
     }
     if surveyed {
+        let [bandwidth, load] = SIMILAR;
         let _ = writeln!(
             text,
-            "error: of the area, on isotropic Gaussian surfaces with this bandwidth (within a factor {BANDWIDTH_FACTOR}) \
-             at this load (within {LOAD_FACTOR}), against the solver; a map tells more"
+            "error: of the area, on isotropic Gaussian surfaces with this bandwidth (within a factor {bandwidth}) \
+             at this load (within {load}), against the solver; a map tells more"
         );
     }
     if card.takes(Input::Gamma) && inputs.has_gap() {
@@ -336,7 +338,7 @@ fn reply(
         let whose = whose.iter().find(|(g, _)| (g - gamma).abs() < 1e-12).map_or("", |w| w.1);
         let _ = writeln!(text, "mean gap with γ = {}{whose}", text::number(gamma));
     }
-    let gap = |answer: &Answer| {
+    let gap = |answer: &ModelResult| {
         answer.as_ref().ok().and_then(|said| said.state.mean_gap.or(said.state.separation))
     };
     let gaps: Vec<f64> = answers.iter().filter_map(gap).collect();
@@ -351,12 +353,12 @@ fn reply(
 }
 
 /// The range of errors of the theory where there is no map.
-fn survey(answer: &Answer) -> String {
+fn survey(answer: &ModelResult) -> String {
     let range = answer.as_ref().ok().and_then(|said| said.survey);
     range.map_or_else(|| "–".to_owned(), |e| report::numbers::signed_range(e.low, e.high))
 }
 
-fn cells(question: Question, answer: &Answer, has_bar: bool) -> Vec<String> {
+fn cells(question: ModelLoad, answer: &ModelResult, has_bar: bool) -> Vec<String> {
     let absent = || "–".to_owned();
     let length = |x: Option<f64>| x.map_or_else(absent, text::length);
     let (bar, mut cells) = match (answer, question) {
@@ -370,10 +372,10 @@ fn cells(question: Question, answer: &Answer, has_bar: bool) -> Vec<String> {
                 length(state.mean_gap),
             ],
         ),
-        (Err(_), Question::Pressure(p)) => {
+        (Err(_), ModelLoad::Pressure(p)) => {
             (None, vec![text::pressure(p), "refused".to_owned(), absent(), absent(), absent()])
         }
-        (Err(_), Question::Separation(d)) => {
+        (Err(_), ModelLoad::Separation(d)) => {
             (None, vec![absent(), "refused".to_owned(), absent(), text::length(d), absent()])
         }
     };

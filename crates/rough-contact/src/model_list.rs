@@ -1,9 +1,9 @@
 //! `rough-contact model --list`: every model with its source, inputs and domain.
 
 use crate::outcome::Reply;
-use rough_contact::answers;
 use rough_contact::compare::{Theory, built_in};
 use rough_contact::contact_types::Citation;
+use rough_contact::front_end;
 use serde_json::json;
 use std::fmt::Write as _;
 
@@ -29,7 +29,7 @@ pub(crate) fn list() -> Reply {
             "{}: {}\n  {} ({}) {}. {}.{doi}\n  inputs: {}\n  domain: {}\n  options: {options}{separation}\n",
             card.name, card.title, c.authors, c.year, c.title, c.journal, card.needs, card.domain,
         );
-        let mut object = answers::models::card(card);
+        let mut object = front_end::models::card(card);
         object["options"] = json!(crate::roughness::options_of(card));
         models.push(object);
     }

@@ -2,7 +2,7 @@
 //! stands how to give it.
 
 use crate::outcome::Failure;
-use rough_contact::answers::Incomplete;
+use rough_contact::front_end::Incomplete;
 use rough_contact::surface_io::{Ambiguity, FillError, Layout, Need, ReadError};
 use std::path::Path;
 

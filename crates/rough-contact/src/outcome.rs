@@ -1,7 +1,7 @@
 //! How the command ends: what goes to standard output, what to standard error, and the exit
 //! status.
 
-pub(crate) use rough_contact::answers::{Failure, variant};
+pub(crate) use rough_contact::front_end::{Failure, variant};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::Path;

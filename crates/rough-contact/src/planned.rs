@@ -1,8 +1,8 @@
 //! `solve --accuracy` and `--fast`: the rung that was reached.
 
 use crate::outcome::Reply;
-pub(crate) use rough_contact::answers::unmet;
 use rough_contact::compare::Reached;
+pub(crate) use rough_contact::front_end::unmet;
 use rough_contact::report::plan_explanation;
 
 /// Puts the rung into the reply: its line, and the exit status if the accuracy is not met.

@@ -2,7 +2,7 @@
 
 use crate::outcome::{Failure, Reply};
 use crate::profiles::{Traces, uneven_line};
-use crate::text::{self, Columns, Table};
+use crate::text::{self, Columns, Table, plain};
 use rough_contact::report;
 use rough_contact::surface_stats::profile::ProfileStatistics;
 use std::fmt::Write as _;
@@ -131,9 +131,4 @@ fn parameters(s: &ProfileStatistics) -> String {
         columns.row(cells);
     }
     columns.to_string()
-}
-
-/// With the spaces of a terminal.
-pub(crate) fn plain(text: &str) -> String {
-    text.replace(report::numbers::SPACE, " ")
 }

@@ -3,9 +3,9 @@
 use crate::needs;
 use crate::outcome::Failure;
 use crate::text;
-pub(crate) use rough_contact::answers::Traces;
 use rough_contact::compare::{Cleaning, Unevenness};
 use rough_contact::contact_types::HeightMap;
+pub(crate) use rough_contact::front_end::Traces;
 use rough_contact::surface_io::{Fill, Measurement};
 use rough_contact::surface_stats::clean::Form;
 use std::path::Path;

@@ -6,10 +6,10 @@ use crate::outcome::Failure;
 use clap::builder::ValueParser;
 use clap::error::Error;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, ValueEnum};
-use rough_contact::answers::typed::{Typed, Untyped};
-use rough_contact::compare::{Card, INPUTS, Input, InputFact, Inputs, Level, Unit};
+use rough_contact::compare::{Card, INPUTS, Input, InputFact, InputUnit, Inputs, Level};
 use rough_contact::contact_types::ContactModulus;
-use rough_contact::{answers, compare, surface_stats};
+use rough_contact::front_end::typed::{Typed, Untyped};
+use rough_contact::{compare, front_end, surface_stats};
 use std::path::Path;
 
 /// Roughness typed in, each number by an option of its name, and how a FILE is read instead.
@@ -34,14 +34,14 @@ struct OfFile {
 
 fn option(fact: &InputFact) -> Arg {
     let (parser, value) = match fact.unit {
-        Unit::Number => (ValueParser::new(args::number), "X"),
-        Unit::Length => (ValueParser::new(args::length), "L"),
-        Unit::Area => (ValueParser::new(args::area), "A"),
-        Unit::PerArea => (ValueParser::new(args::per_area), "N"),
-        Unit::Pressure => (ValueParser::new(args::pressure), "P"),
-        Unit::Lengths => (ValueParser::new(args::lengths), "LIST"),
-        Unit::PerAreas => (ValueParser::new(args::per_areas), "LIST"),
-        Unit::Numbers => (ValueParser::new(args::numbers), "LIST"),
+        InputUnit::Number => (ValueParser::new(args::number), "X"),
+        InputUnit::Length => (ValueParser::new(args::length), "L"),
+        InputUnit::Area => (ValueParser::new(args::area), "A"),
+        InputUnit::PerArea => (ValueParser::new(args::per_area), "N"),
+        InputUnit::Pressure => (ValueParser::new(args::pressure), "P"),
+        InputUnit::Lengths => (ValueParser::new(args::lengths), "LIST"),
+        InputUnit::PerAreas => (ValueParser::new(args::per_areas), "LIST"),
+        InputUnit::Numbers => (ValueParser::new(args::numbers), "LIST"),
     };
     let arg = Arg::new(fact.name).long(fact.name).value_name(value).value_parser(parser);
     arg.allow_hyphen_values(true).help(fact.help).help_heading(HEADING)
@@ -60,7 +60,7 @@ impl Args for Source {
 impl FromArgMatches for Source {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let typed = INPUTS.iter().fold(Typed::default(), |typed, fact| match fact.unit {
-            Unit::Lengths | Unit::PerAreas | Unit::Numbers => {
+            InputUnit::Lengths | InputUnit::PerAreas | InputUnit::Numbers => {
                 let list = matches.get_one::<List>(fact.name);
                 typed.with_list(fact.input, list.map(|l| l.0.clone()))
             }
@@ -190,7 +190,7 @@ impl Source {
     ) -> Result<Inputs, Failure> {
         let edges = self.file.boundary.unwrap_or(Edges::Open).rule();
         let Complete { map, missing, .. } = surface;
-        answers::model::measured(card, given, path, map, missing, (form, edges))
+        front_end::model::measured(card, given, path, map, missing, (form, edges))
     }
 
     /// An option that the model does not use is a mistake, not a wish.

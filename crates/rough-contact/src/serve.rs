@@ -2,7 +2,7 @@
 
 use crate::http::{self, Head, Refused};
 use crate::outcome::tell;
-use contact_web::{Messages, Place, answer, page_of_program};
+use contact_web::{Host, Messages, answer, page_of_program};
 use std::net::{TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -25,7 +25,7 @@ pub(crate) struct Site {
     origin: String,
     /// A secret that only who has opened the page knows.
     token: String,
-    place: Place,
+    place: Host,
     page: String,
     /// Nothing is told in the terminal.
     quiet: bool,
@@ -33,7 +33,7 @@ pub(crate) struct Site {
 
 impl Site {
     pub(crate) fn new(port: u16, token: String, threads: usize, quiet: bool) -> Self {
-        let place = Place::machine(threads);
+        let place = Host::machine(threads);
         let host = format!("127.0.0.1:{port}");
         let origin = format!("http://{host}");
         Self { host, origin, token, place, page: page_of_program(place), quiet }

@@ -20,11 +20,11 @@ use crate::progress::Progress;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use clap::Args;
-use rough_contact::answers;
-use rough_contact::answers::{Answer, Point, Question, Subject, Watch};
 use rough_contact::compare::{EdgesName, Joint, Level, PairOrigin, on_threads};
 use rough_contact::contact_types::{Grid, HeightMap};
 use rough_contact::fft_bem_solver::{Boundary, Iteration, Load, Solution};
+use rough_contact::front_end;
+use rough_contact::front_end::{Point, SolveInput, SolveRequest, SolveResult, Watch};
 use rough_contact::surface_stats::clean::Record;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -143,7 +143,7 @@ impl PerFile for Solve {
         self.loads.forces.refuse_idle_area(self.conduction.is_asked())?;
         let area = self.loads.forces.area().filter(|_| self.conduction.is_asked());
         let conduction = self.conduction.asked(&mut made_of, area)?;
-        let answers::bodies::Bodies { modulus, bodies, hardness, materials } = made_of;
+        let front_end::bodies::Bodies { modulus, bodies, hardness, materials } = made_of;
         let adhesion = self.adhesion.asked()?;
         let leak = self.leak.asked()?;
         let count = self.loads.count()?;
@@ -163,7 +163,7 @@ impl PerFile for Solve {
         let maps = Sink::prepare(&self.fields, count, repeats, common.force)?;
         let Complete { map, cleaned, missing, .. } = complete;
         let spread = self.loads.forces.spread([map.grid().area()])?;
-        let question = Question {
+        let question = SolveRequest {
             loads: self.loads.each(spread.as_ref()),
             spread,
             modulus,
@@ -187,7 +187,7 @@ impl PerFile for Solve {
             distributions: self.distributions,
             keep_gap: self.fields.needs_gap(),
         };
-        let subject = Subject {
+        let subject = SolveInput {
             path: &self.input.file,
             map,
             missing,
@@ -313,9 +313,9 @@ impl Solve {
 
     fn reply(
         &self,
-        answer: Answer,
+        answer: SolveResult,
         notes: &str,
-        question: &Question,
+        question: &SolveRequest,
         (cleaned, pair): (&[Record], Option<&PairOrigin>),
     ) -> Reply {
         let spread = question.spread.as_ref();

@@ -15,8 +15,9 @@ use crate::text::{self, Columns, Table};
 use crate::{profile_stats, profiles};
 use clap::Args;
 use rough_contact::compare::{Level, WorkOfAdhesion};
+use rough_contact::contact_types::Named;
 use rough_contact::surface_stats::{ByDistance, StatsOptions, SurfaceStatistics};
-use rough_contact::{answers, report};
+use rough_contact::{front_end, report};
 use std::path::Path;
 
 #[derive(Args, Clone, Debug)]
@@ -52,7 +53,7 @@ pub(crate) struct Stats {
 
 /// What the heights are asked of the bodies.
 struct Asked {
-    made_of: answers::bodies::Bodies,
+    made_of: front_end::bodies::Bodies,
     adhesion: Option<WorkOfAdhesion>,
 }
 
@@ -132,8 +133,8 @@ impl PerFile for Stats {
             .with_missing(missing)
             .with_height_step(height_step);
         let subject =
-            answers::Measured { path: &self.input.file, cleaned: &cleaned, pair: pair.as_ref() };
-        let mut found = answers::statistics(&map, &options, subject, self.iso, self.scales)?;
+            front_end::Measured { path: &self.input.file, cleaned: &cleaned, pair: pair.as_ref() };
+        let mut found = front_end::statistics(&map, &options, subject, self.iso, self.scales)?;
         if let Some(Asked { made_of, adhesion: Some(given) }) = &asked {
             found.stick(*given, &map, self.level, made_of.modulus, &self.input.file)?;
         }

@@ -3,12 +3,13 @@
 use crate::input::{Complete, Fill, Measured, Reading};
 use crate::outcome::Failure;
 use crate::profiles::Traces;
-use rough_contact::answers::told_apart;
 use rough_contact::compare;
 use rough_contact::compare::{
     Cleaning, FileOrigin, Level, Origin, PairOrigin, Placing, ProfileSurface, RunFile, RunSurface,
     Settings, Surface, sha256_hex,
 };
+use rough_contact::contact_types::Named;
+use rough_contact::front_end::told_apart;
 use rough_contact::surface_io::{Cut, DecimalMark, Layout};
 use std::path::Path;
 

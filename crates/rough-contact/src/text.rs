@@ -1,8 +1,11 @@
 //! Numbers and tables as people read them on a terminal.
 
-pub(crate) use rough_contact::answers::shown::*;
 use rough_contact::compare::{Fact, Finding, Level, MaterialUse, Settings, Weight};
+use rough_contact::contact_types::Named;
+pub(crate) use rough_contact::front_end::shown::*;
 use rough_contact::report;
+pub(crate) use rough_contact::report::numbers::plain;
+use rough_contact::report::numbers::{AREAS, NEWTONS};
 use rough_contact::surface_stats::clean::Record;
 use std::fmt;
 
@@ -71,7 +74,7 @@ pub(crate) fn findings(found: &[Finding]) -> String {
 
 /// The materials whose numbers were taken from the table, with condition and source.
 pub(crate) fn materials(used: &[MaterialUse]) -> String {
-    let line = |used: &MaterialUse| report::material_line(used).replace('\u{202F}', " ") + "\n";
+    let line = |used: &MaterialUse| plain(&report::material_line(used)) + "\n";
     used.iter().map(line).collect()
 }
 
@@ -83,12 +86,41 @@ pub(crate) fn all_findings(found: &[Finding]) -> String {
 fn finding_line(finding: &Finding) -> String {
     let words = report::finding(finding);
     let line = format!("{}: {} {}", finding.weight.name(), words.claim, words.text);
-    format!("{}\n", line.replace('\u{202F}', " ").trim_end())
+    format!("{}\n", plain(&line).trim_end())
 }
 
-/// With the spaces of a terminal.
-pub(crate) fn plain(text: &str) -> String {
-    text.replace(report::numbers::SPACE, " ")
+/// An area in square metres, such as `2.000 mm²`.
+pub(crate) fn area(square_metres: f64) -> String {
+    plain(&report::numbers::quantity(square_metres, AREAS, 4))
+}
+
+/// A force in newtons, such as `10.0 N`.
+pub(crate) fn force(newtons: f64) -> String {
+    plain(&report::numbers::quantity(newtons, NEWTONS, 3))
+}
+
+/// Seconds, such as `1.2 ms`.
+pub(crate) fn seconds(seconds: f64) -> String {
+    plain(&report::numbers::duration(seconds))
+}
+
+/// A stiffness per area, such as `1.23e13 Pa/m`.
+pub(crate) fn stiffness(pascals_per_metre: f64) -> String {
+    format!("{pascals_per_metre:.2e} Pa/m")
+}
+
+/// The highest pressure of a point. The mean over the contact cannot exceed it: where it seems to,
+/// the contacts are smaller than the points.
+pub(crate) fn highest(highest: f64, mean: Option<f64>) -> String {
+    match mean {
+        Some(mean) if mean > highest => format!("above {}", pressure(mean)),
+        _ => pressure(highest),
+    }
+}
+
+/// A pure number with four significant digits.
+pub(crate) fn number(value: f64) -> String {
+    significant(value, 4)
 }
 
 /// Columns of equal width under a header; the first is left-aligned, the others are not.
@@ -138,5 +170,17 @@ pub(crate) fn iterating(what: &str, number: usize, residual: f64) -> String {
         format!("{what}: iteration {number}, error {residual:.0e}")
     } else {
         format!("{what}: iteration {number}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_highest_pressure_is_never_below_the_mean() {
+        assert_eq!(highest(100e6, Some(190e6)), "above 190 MPa");
+        assert_eq!(highest(300e6, Some(190e6)), "300 MPa");
+        assert_eq!(highest(300e6, None), "300 MPa");
     }
 }

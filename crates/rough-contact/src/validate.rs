@@ -5,9 +5,9 @@ use crate::outcome::{Failure, Reply, variant};
 use crate::progress::Progress;
 use crate::text::Columns;
 use clap::Args;
-use rough_contact::answers;
 use rough_contact::compare::Method;
-use rough_contact::fft_bem_solver::validation::{self, Options, Row, ValidationError};
+use rough_contact::fft_bem_solver::validation::{self, Options, ValidationError, ValidationRow};
+use rough_contact::front_end;
 
 #[derive(Args)]
 pub(crate) struct Validate {
@@ -33,7 +33,7 @@ impl Validate {
         })
         .map_err(|error| failure(&error))?;
         drop(progress);
-        Ok(Reply::new(table(&rows), answers::validated(&rows)))
+        Ok(Reply::new(table(&rows), front_end::validated(&rows)))
     }
 }
 
@@ -46,12 +46,12 @@ fn failure(error: &ValidationError) -> Failure {
 }
 
 /// The finest grid of each case and quantity, with the order observed down to it.
-fn table(rows: &[Row]) -> String {
+fn table(rows: &[ValidationRow]) -> String {
     let mut columns =
         Columns::new(&["", "grid", "computed", "exact", "error", "order", "expected"]);
     let mut last_case = "";
     for (i, row) in rows.iter().enumerate() {
-        let is_finer = |other: &&Row| {
+        let is_finer = |other: &&ValidationRow| {
             other.case == row.case && other.quantity == row.quantity && other.shape != row.shape
         };
         if rows[i + 1..].iter().find(is_finer).is_some() {

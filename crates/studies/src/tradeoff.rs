@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 /// One way to an answer, in one case: a surface at a load.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct TradeoffRow {
     /// Name of the surface.
     pub surface: String,
     /// Mean pressure over E* h'_rms; `None` for what does not depend on a load.
@@ -50,7 +50,7 @@ pub const STATISTICS: &str = "statistics";
 pub const HEADER: &str = "surface,load,method,scale,points,precision,tolerance,area,corrected,\
                           truth,bar,pressure_error,pairs,seconds,capped";
 
-impl Row {
+impl TradeoffRow {
     /// The row as a line of the table, six digits each; empty cells where there is nothing.
     pub fn line(&self) -> String {
         let number = |value: Option<f64>| value.map_or(String::new(), six);
@@ -126,7 +126,7 @@ pub struct Table {
     /// The lines that say where it comes from, without `#`.
     pub origin: Vec<String>,
     /// The rows.
-    pub rows: Vec<Row>,
+    pub rows: Vec<TradeoffRow>,
 }
 
 impl Table {
@@ -143,7 +143,7 @@ impl Table {
             } else if line == HEADER {
                 is_headed = true;
             } else {
-                let row = Row::parse(line).filter(|_| is_headed);
+                let row = TradeoffRow::parse(line).filter(|_| is_headed);
                 table.rows.push(row.ok_or_else(|| format!("this is no row of costs: {line:?}"))?);
             }
         }
@@ -166,7 +166,7 @@ pub enum AreaOf {
 #[derive(Debug, Clone)]
 pub struct Way<'a> {
     /// Its first row: method, grid, precision, tolerance.
-    pub row: &'a Row,
+    pub row: &'a TradeoffRow,
     /// Which area.
     pub area: AreaOf,
     /// Size of the relative error: smallest, median, largest.
@@ -182,10 +182,10 @@ pub struct Way<'a> {
 }
 
 /// Ways to an area in the rows given: equal settings on different surfaces and loads are one way.
-pub fn ways<'a>(rows: impl Iterator<Item = &'a Row>) -> Vec<Way<'a>> {
-    let mut groups: Vec<Vec<&Row>> = Vec::new();
-    let is_same = |a: &Row, b: &Row| {
-        let key = |r: &Row| (r.method.clone(), r.precision.clone());
+pub fn ways<'a>(rows: impl Iterator<Item = &'a TradeoffRow>) -> Vec<Way<'a>> {
+    let mut groups: Vec<Vec<&TradeoffRow>> = Vec::new();
+    let is_same = |a: &TradeoffRow, b: &TradeoffRow| {
+        let key = |r: &TradeoffRow| (r.method.clone(), r.precision.clone());
         key(a) == key(b) && same(a.scale, b.scale) && same(a.tolerance, b.tolerance)
     };
     for row in rows.filter(|r| r.area.is_some() && r.truth.is_some()) {
@@ -207,8 +207,8 @@ pub fn ways<'a>(rows: impl Iterator<Item = &'a Row>) -> Vec<Way<'a>> {
         .collect()
 }
 
-fn way<'a>(group: &[&'a Row], area: AreaOf) -> Option<Way<'a>> {
-    let error = |r: &&Row| {
+fn way<'a>(group: &[&'a TradeoffRow], area: AreaOf) -> Option<Way<'a>> {
+    let error = |r: &&TradeoffRow| {
         let value = if area == AreaOf::Corrected { r.corrected } else { r.area };
         Some((r.error_of(value)?.abs(), r.bar? / r.truth?))
     };
@@ -237,8 +237,8 @@ fn same(a: Option<f64>, b: Option<f64>) -> bool {
 mod tests {
     use super::*;
 
-    fn row() -> Row {
-        Row {
+    fn row() -> TradeoffRow {
+        TradeoffRow {
             surface: "ground".into(),
             load: Some(0.05),
             method: "chord".into(),
@@ -260,8 +260,9 @@ mod tests {
     #[test]
     fn a_row_is_read_as_written() {
         let full = row();
-        let model = Row { scale: None, points: None, precision: None, tolerance: None, ..row() };
-        let pair = Row { load: None, area: None, truth: None, is_capped: true, ..row() };
+        let model =
+            TradeoffRow { scale: None, points: None, precision: None, tolerance: None, ..row() };
+        let pair = TradeoffRow { load: None, area: None, truth: None, is_capped: true, ..row() };
         let rows = vec![full, model, pair];
         let text: String = rows.iter().map(|row| row.line() + "\n").collect();
         let table = Table::parse(&format!("# made here\n{HEADER}\n{text}")).unwrap();
@@ -285,7 +286,7 @@ mod tests {
 
     #[test]
     fn equal_settings_are_one_way_with_its_range() {
-        let at = |surface: &str, corrected: f64, seconds: f64| Row {
+        let at = |surface: &str, corrected: f64, seconds: f64| TradeoffRow {
             surface: surface.into(),
             corrected: Some(0.1 * (1.0 + corrected)),
             area: Some(0.11),
@@ -294,8 +295,8 @@ mod tests {
             seconds,
             ..row()
         };
-        let model = Row { scale: None, method: "persson".into(), ..at("a", 0.0, 1e-8) };
-        let finer = Row { tolerance: Some(1e-5), ..at("a", 0.0, 3.0) };
+        let model = TradeoffRow { scale: None, method: "persson".into(), ..at("a", 0.0, 1e-8) };
+        let finer = TradeoffRow { tolerance: Some(1e-5), ..at("a", 0.0, 3.0) };
         let rows = [at("a", -0.04, 1.0), model, at("b", 0.02, 2.0), finer, at("c", 0.01, 9.0)];
         let ways = ways(rows.iter());
         assert_eq!(ways.len(), 5); // count and corrected of two tolerances, one model

@@ -15,6 +15,7 @@
 //! Exit status 1 if any line is wrong.
 #![allow(clippy::print_stdout, reason = "the table is the output")]
 
+use contact_types::Named;
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;

@@ -3,6 +3,7 @@
 use crate::format::Format;
 use crate::layout::Layout;
 use crate::need::{Ambiguity, Need};
+use contact_types::Named;
 use std::borrow::Cow;
 use std::path::PathBuf;
 

@@ -1,5 +1,7 @@
 //! What the columns of a text file are, and how its numbers are written.
 
+use contact_types::Named;
+
 /// What the columns of a text file are, where it can be more than one thing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Layout {
@@ -11,23 +13,9 @@ pub enum Layout {
     Traces,
 }
 
-impl Layout {
-    /// Every layout.
-    pub const ALL: &'static [Self] = &[Self::Matrix, Self::List, Self::Traces];
-
-    /// Its name in one word.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Matrix => "matrix",
-            Self::List => "list",
-            Self::Traces => "traces",
-        }
-    }
-
-    /// The layout of that name.
-    pub fn of_name(name: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|layout| layout.name() == name)
-    }
+impl Named for Layout {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Matrix, "matrix"), (Self::List, "list"), (Self::Traces, "traces")];
 }
 
 /// The decimal mark of the numbers in a text file; the other mark then parts thousands.
@@ -39,23 +27,12 @@ pub enum DecimalMark {
     Comma,
 }
 
+impl Named for DecimalMark {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Point, "point"), (Self::Comma, "comma")];
+}
+
 impl DecimalMark {
-    /// Both.
-    pub const ALL: &'static [Self] = &[Self::Point, Self::Comma];
-
-    /// Its name in one word.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Point => "point",
-            Self::Comma => "comma",
-        }
-    }
-
-    /// The mark of that name.
-    pub fn of_name(name: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|mark| mark.name() == name)
-    }
-
     pub(crate) fn char(self) -> char {
         match self {
             Self::Point => '.',

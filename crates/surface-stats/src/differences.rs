@@ -1,8 +1,7 @@
 //! Slopes and curvatures by finite differences.
 
 use crate::StatsError;
-use contact_types::{HeightMap, SpectralMoments};
-use std::fmt;
+use contact_types::{HeightMap, Named, SpectralMoments};
 
 /// What lies beyond the edges of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -19,22 +18,14 @@ pub enum Edges {
     Periodic,
 }
 
-impl Edges {
-    /// Every choice, in the order in which help texts list them.
-    pub const ALL: &'static [Self] = &[Self::Open, Self::Periodic];
-
-    /// The word for it in commands and files: `open`, `periodic`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Open => "open",
-            Self::Periodic => "periodic",
-        }
-    }
+impl Named for Edges {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Open, "open"), (Self::Periodic, "periodic")];
 }
 
-impl fmt::Display for Edges {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+impl std::fmt::Display for Edges {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
     }
 }
 

@@ -3,8 +3,7 @@
 use crate::polynomial::Polynomial;
 use crate::seam::repeats;
 use crate::{StatsError, Warning};
-use contact_types::HeightMap;
-use std::fmt;
+use contact_types::{HeightMap, Named};
 
 /// What is taken off a map by least squares.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -30,10 +29,6 @@ pub enum Level {
 }
 
 impl Level {
-    /// Every choice, in the order in which help texts list them.
-    pub const ALL: &'static [Self] =
-        &[Self::Auto, Self::None, Self::Mean, Self::Plane, Self::Quadratic];
-
     /// What it is for this map: itself, or what [`Auto`](Self::Auto) chooses.
     ///
     /// # Errors
@@ -74,22 +69,21 @@ impl Level {
             Self::Quadratic => Some(2),
         }
     }
-
-    /// The word for it in commands and files: `none`, `mean`, `plane`, `quadratic`, `auto`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Mean => "mean",
-            Self::Plane => "plane",
-            Self::Quadratic => "quadratic",
-            Self::Auto => "auto",
-        }
-    }
 }
 
-impl fmt::Display for Level {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+impl Named for Level {
+    const NAMES: &'static [(Self, &'static str)] = &[
+        (Self::Auto, "auto"),
+        (Self::None, "none"),
+        (Self::Mean, "mean"),
+        (Self::Plane, "plane"),
+        (Self::Quadratic, "quadratic"),
+    ];
+}
+
+impl std::fmt::Display for Level {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
     }
 }
 

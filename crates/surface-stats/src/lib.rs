@@ -14,6 +14,7 @@ pub mod iso25178;
 mod level;
 mod linear;
 pub mod noise;
+pub mod numbers;
 mod options;
 pub mod pair;
 pub mod polynomial;

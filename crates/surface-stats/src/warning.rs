@@ -1,6 +1,6 @@
 //! What must be known before the numbers are put into a contact model.
 
-use contact_types::numbers::{METRES, counted, percent, quantity, significant};
+use crate::numbers::{METRES, counted, percent, quantity, significant};
 use std::fmt;
 
 /// An assumption of the models that this surface strains, or an input that is not the surface's.

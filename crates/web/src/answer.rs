@@ -1,15 +1,15 @@
 //! The questions that the page asks.
 
 use crate::message::Messages;
-use crate::place::Place;
+use crate::place::Host;
 use crate::request::Request;
 use crate::trouble::Trouble;
 use crate::{areas, inspect, plan, run, start};
-use contact_answers::Failure;
+use contact_front_end::Failure;
 
 /// Answers one question about the bytes of a file: `start`, `inspect`, `meaning`, `areas`, `plan` or `run`. The request is JSON.
 /// What is refused is a message as well. When `out` cannot be written any more, a run stops.
-pub fn answer(question: &str, request: &str, file: &[u8], place: Place, out: &mut Messages<'_>) {
+pub fn answer(question: &str, request: &str, file: &[u8], place: Host, out: &mut Messages<'_>) {
     let answered = serde_json::from_str::<Request>(request)
         .map_err(|e| Trouble::Refused(Failure::refused("internal", e.to_string())))
         .map(|request| Request { place, ..request })

@@ -5,14 +5,14 @@ use crate::request::Request;
 use crate::roughness::{Roughness, levelled};
 use crate::surface::{completed, measurement};
 use crate::trouble::Trouble;
-use contact_answers::{Failure, shown};
-use contact_compare::{Iteration, Load, Solver, Surrounded};
+use contact_compare::{EdgesName, Iteration, Load, Solver};
+use contact_front_end::{Failure, shown};
 use contact_types::ContactModulus;
 use serde_json::json;
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use surface_io::{Cut, Measurement};
+use surface_stats::clean::mirrored;
 
 /// Pressure over contact modulus and rms gradient: about 2 % of a surface with normal heights touches.
 const LOAD: f64 = 0.01;
@@ -98,18 +98,20 @@ fn solved(
 ) -> Result<Option<f64>, Trouble> {
     let map = prepared(measured, request)?;
     let modulus = ContactModulus::from_pascals(1.0).map_err(|e| Failure::from_error(&e))?;
-    let whole = Surrounded::new(Cow::Owned(map), request.remedies.edges())
-        .map_err(|e| Failure::from_error(&e))?;
+    let whole = match request.remedies.edges() {
+        EdgesName::Periodic => map,
+        EdgesName::Mirrored => mirrored(&map).map_err(|e| Failure::from_error(&e))?,
+    };
     let mut solver = Solver::builder()
         .tolerance(TOLERANCE)
         .threads(request.place.threads)
-        .build(whole.map().grid(), modulus)
+        .build(whole.grid(), modulus)
         .map_err(|e| Failure::from_error(&e))?;
     let listen = |now: &Iteration<'_>| {
         out.tell("progress", json!({ "stage": "iteration", "number": now.number }));
         if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let found = whole.solve_observed(&mut solver, Load::MeanPressure(pressure), listen);
+    let found = solver.solve_observed(&whole, Load::MeanPressure(pressure), listen);
     match found {
         _ if out.is_cut() => Ok(None),
         Ok(solution) => Ok(Some(solution.state.area_fraction)),

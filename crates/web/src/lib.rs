@@ -20,4 +20,4 @@ mod trouble;
 pub use answer::answer;
 pub use message::Messages;
 pub use page::{page, page_of_program};
-pub use place::Place;
+pub use place::Host;

@@ -2,7 +2,7 @@
 //! line on standard output. Built for `wasm32-wasip1` it runs in a browser; built for this machine it answers the same,
 //! and `contact-web page ENGINE.wasm` puts the page together.
 
-use contact_web::{Messages, Place, answer, page};
+use contact_web::{Host, Messages, answer, page};
 use std::io::{Read, Write};
 use std::process::ExitCode;
 
@@ -29,6 +29,6 @@ fn answered(question: &str, request: &str) -> std::io::Result<()> {
     std::io::stdin().read_to_end(&mut file)?;
     let mut out = std::io::stdout();
     let mut messages = Messages::new(&mut out);
-    answer(question, request, &file, Place::BROWSER, &mut messages);
+    answer(question, request, &file, Host::BROWSER, &mut messages);
     messages.end()
 }

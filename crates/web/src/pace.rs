@@ -1,8 +1,8 @@
 //! How long a study takes, from a trial on this machine.
 
-use crate::place::Place;
-use contact_answers::Failure;
+use crate::place::Host;
 use contact_compare::{Load, Solver};
+use contact_front_end::Failure;
 use contact_types::{ContactModulus, Grid, HeightMap};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -45,7 +45,7 @@ impl Pace {
     ///
     /// # Errors
     /// None that a trial can meet, but those of the solver.
-    pub(crate) fn after(earlier: Option<Self>, place: Place) -> Result<Self, Failure> {
+    pub(crate) fn after(earlier: Option<Self>, place: Host) -> Result<Self, Failure> {
         let known = earlier.unwrap_or(Self { one: f64::MAX, all: f64::MAX, trials: 0 });
         if known.trials >= TRIALS {
             return Ok(known);
@@ -119,13 +119,13 @@ mod tests {
 
     #[test]
     fn a_trial_takes_time_and_more_threads_do_not_change_what_one_takes() {
-        let pace = Pace::after(None, Place::machine(2)).unwrap();
+        let pace = Pace::after(None, Host::machine(2)).unwrap();
         assert!(pace.one > 0.0 && pace.all > 0.0 && pace.one < 10.0);
-        let browser = Pace::after(None, Place::BROWSER).unwrap();
+        let browser = Pace::after(None, Host::BROWSER).unwrap();
         assert!((browser.one - browser.all).abs() < 1e-12);
-        let again = Pace::after(Some(browser), Place::BROWSER).unwrap();
+        let again = Pace::after(Some(browser), Host::BROWSER).unwrap();
         assert!(again.one <= browser.one && again.trials == 2);
         let known = Pace { trials: TRIALS, ..again };
-        assert!((Pace::after(Some(known), Place::BROWSER).unwrap().one - again.one).abs() < 1e-300);
+        assert!((Pace::after(Some(known), Host::BROWSER).unwrap().one - again.one).abs() < 1e-300);
     }
 }

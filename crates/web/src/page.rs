@@ -1,6 +1,6 @@
 //! The one file that a browser opens: markup, style, scripts, and the engine as text.
 
-use crate::place::Place;
+use crate::place::Host;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
@@ -38,17 +38,17 @@ pub fn page(engine: &[u8]) -> std::io::Result<String> {
         STANDARD.encode(packed.finish()?)
     );
     let policy = "script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; frame-src 'self' blob:";
-    Ok(joined(policy, Place::BROWSER, &engine, ENGINE))
+    Ok(joined(policy, Host::BROWSER, &engine, ENGINE))
 }
 
 /// The page that asks the program which has served it: `start` and the other questions of [`answer`](crate::answer) at
 /// `ask/QUESTION` below its own address, with the request as JSON in the first line of the body and the file behind it.
-pub fn page_of_program(place: Place) -> String {
+pub fn page_of_program(place: Host) -> String {
     let policy = "script-src 'unsafe-inline'; connect-src 'self'; frame-src 'self'";
     joined(policy, place, "", PROGRAM)
 }
 
-fn joined(policy: &str, place: Place, engine: &str, asking: &str) -> String {
+fn joined(policy: &str, place: Host, engine: &str, asking: &str) -> String {
     HTML.replace("<!--policy-->", policy)
         .replace("/*style*/", &format!("{}{STYLE}", contact_report::style()))
         .replace("<!--where-->", &place.where_said())

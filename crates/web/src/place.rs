@@ -5,7 +5,7 @@ use surface_io::Limits;
 
 /// Where questions are answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct Host {
     is_browser: bool,
     /// Threads of the solver.
     pub(crate) threads: usize,
@@ -45,14 +45,14 @@ const BROWSER_MEMORY: Memory = Memory { fixed: 7e6, resolved: 140.0, large: 221.
 const MACHINE_MEMORY: Memory =
     Memory { fixed: 30e6, resolved: 285.0, large: 285.0, refined: 1150.0 };
 
-impl Default for Place {
+impl Default for Host {
     /// What bears least.
     fn default() -> Self {
         Self::BROWSER
     }
 }
 
-impl Place {
+impl Host {
     /// The engine of WebAssembly inside the page: one thread, 4 GB of memory.
     pub const BROWSER: Self = Self { is_browser: true, threads: 1 };
 
@@ -167,32 +167,32 @@ mod tests {
     /// The measurements beside the constants, each within a quarter.
     #[test]
     fn memory_is_said_as_it_was_measured() {
-        let near = |place: Place, k: usize, side: f64, measured: f64| {
+        let near = |place: Host, k: usize, side: f64, measured: f64| {
             let said = place.memory(side * side)[k] / 1e6;
             assert!((said / measured - 1.0).abs() < 0.27, "{side}: {said} and {measured}");
         };
         let resolved =
             [(128.0, 9.0, 36.0), (256.0, 12.8, 45.0), (512.0, 43.3, 113.0), (1024.0, 153.0, 329.0)];
         for (side, browser, machine) in resolved {
-            near(Place::BROWSER, 0, side, browser);
-            near(Place::machine(2), 0, side, machine);
+            near(Host::BROWSER, 0, side, browser);
+            near(Host::machine(2), 0, side, machine);
         }
-        near(Place::BROWSER, 0, 1400.0, 280.0);
-        near(Place::BROWSER, 0, 2048.0, 932.0);
-        near(Place::BROWSER, 0, 4096.0, 3701.0);
-        near(Place::BROWSER, 1, 1024.0, 987.0);
+        near(Host::BROWSER, 0, 1400.0, 280.0);
+        near(Host::BROWSER, 0, 2048.0, 932.0);
+        near(Host::BROWSER, 0, 4096.0, 3701.0);
+        near(Host::BROWSER, 1, 1024.0, 987.0);
         for (side, browser, machine) in
             [(128.0, 17.6, 51.0), (256.0, 62.9, 104.0), (512.0, 243.0, 330.0)]
         {
-            near(Place::BROWSER, 1, side, browser);
-            near(Place::machine(2), 1, side, machine);
+            near(Host::BROWSER, 1, side, browser);
+            near(Host::machine(2), 1, side, machine);
         }
     }
 
     #[test]
     fn limits_are_said_as_they_are() {
-        assert_eq!(Place::BROWSER.limits_said(), "4096 × 4096 points and a file of 512 MB");
-        assert_eq!(Place::machine(2).limits_said(), "16384 × 16384 points and a file of 4 GB");
-        assert!(Place::BROWSER.way_out().contains(&Place::machine(1).limits_said()[..13]));
+        assert_eq!(Host::BROWSER.limits_said(), "4096 × 4096 points and a file of 512 MB");
+        assert_eq!(Host::machine(2).limits_said(), "16384 × 16384 points and a file of 4 GB");
+        assert!(Host::BROWSER.way_out().contains(&Host::machine(1).limits_said()[..13]));
     }
 }

@@ -3,11 +3,11 @@
 use crate::message::Messages;
 use crate::numbers::{count, pressure};
 use crate::pace::{Pace, Work};
-use crate::place::Place;
+use crate::place::Host;
 use crate::request::{Facts, LoadBy, Request};
 use crate::trouble::Trouble;
-use contact_answers::bodies;
 use contact_compare::{EdgesName, Property, Settings, loads_of_study};
+use contact_front_end::bodies;
 use contact_report::numbers::{PASCALS, duration, quantity};
 use serde_json::{Value, json};
 
@@ -74,7 +74,7 @@ fn loads(pressures: &[f64], by: LoadBy) -> String {
     }
 }
 
-fn cost(facts: Facts, edges: EdgesName, loads: f64, (place, pace): (Place, Pace)) -> String {
+fn cost(facts: Facts, edges: EdgesName, loads: f64, (place, pace): (Host, Pace)) -> String {
     let points = if edges == EdgesName::Mirrored { 4.0 * facts.points } else { facts.points };
     let memory = place.memory(points);
     let [low, high] = memory.map(|bytes| two(bytes / 1e6));

@@ -1,12 +1,13 @@
 //! What the page asks: the fields as people filled them in, numbers with their units as text.
 
 use crate::pace::Pace;
-use crate::place::Place;
-use contact_answers::Failure;
-use contact_answers::bodies::{Bodies, BothGiven, Given};
-use contact_answers::quantity;
-use contact_answers::units::Dimension;
+use crate::place::Host;
 use contact_compare::{Cleaning, EdgesName, Level, SPIKE_THRESHOLD, STEEL, Settings};
+use contact_front_end::Failure;
+use contact_front_end::bodies::{Bodies, BodyInput, BothBodies};
+use contact_front_end::quantity;
+use contact_front_end::units::Dimension;
+use contact_types::Named;
 use serde::Deserialize;
 use surface_io::{Cut, DecimalMark, Fill, HeightUnit, Layout, Limits, ReadOptions};
 use surface_stats::clean::Form;
@@ -38,7 +39,7 @@ pub(crate) struct Request {
     pub(crate) defects: Vec<String>,
     /// Where it is answered; no page says that.
     #[serde(skip)]
-    pub(crate) place: Place,
+    pub(crate) place: Host,
 }
 
 /// A map without units.
@@ -147,14 +148,14 @@ fn parse_some(text: &str, dimension: Dimension) -> Result<Option<f64>, Failure> 
     if text.trim().is_empty() { Ok(None) } else { parse(text, dimension).map(Some) }
 }
 
-fn own(young: f64, poisson: f64) -> Given {
-    Given { young: Some(young), poisson: Some(poisson), ..Given::default() }
+fn own(young: f64, poisson: f64) -> BodyInput {
+    BodyInput { young: Some(young), poisson: Some(poisson), ..BodyInput::default() }
 }
 
 impl BodyFields {
-    fn given(&self) -> Result<Given, Failure> {
+    fn given(&self) -> Result<BodyInput, Failure> {
         if !self.material.is_empty() {
-            return Ok(Given { material: Some(self.material.clone()), ..Given::default() });
+            return Ok(BodyInput { material: Some(self.material.clone()), ..BodyInput::default() });
         }
         Ok(own(parse(&self.young, Dimension::Pressure)?, parse(&self.poisson, Dimension::Number)?))
     }
@@ -277,11 +278,11 @@ impl Request {
             let deforming = self.bodies.iter().filter(deforms);
             deforming.map(BodyFields::given).collect::<Result<_, _>>()?
         };
-        let given = BothGiven {
+        let given = BothBodies {
             bodies,
             hardness: if elastic { None } else { parse_some(hardness, Dimension::Pressure)? },
             elastic,
-            ..BothGiven::default()
+            ..BothBodies::default()
         };
         given.resolve()?.ok_or_else(|| {
             let message = "Two rigid bodies do not deform: give one of them a modulus.";
@@ -304,7 +305,7 @@ impl Request {
                 let area = parse_some(&self.load.area, Dimension::Area)?;
                 let forces = list(Dimension::Force)?;
                 let check = "look at the force and the area";
-                let spread = contact_answers::loads::Spread::of(&forces, area, of_map, check)?;
+                let spread = contact_front_end::loads::Spread::of(&forces, area, of_map, check)?;
                 (Some(spread.pressures), Some(spread.area))
             }
         })

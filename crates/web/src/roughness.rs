@@ -1,8 +1,8 @@
 //! A map levelled, and the two numbers that say most of it.
 
 use crate::trouble::Trouble;
-use contact_answers::Failure;
 use contact_compare::Level;
+use contact_front_end::Failure;
 use contact_types::HeightMap;
 use surface_stats::{DirectionalMoments, Edges, HeightStatistics, StatsError};
 

@@ -5,8 +5,8 @@ use crate::numbers::pressure as shown_pressure;
 use crate::request::Request;
 use crate::surface;
 use crate::trouble::Trouble;
-use contact_answers::{Failure, shown};
 use contact_compare::{Comparison, PressureMaps, Progress, Registry, RunFile, RunSurface};
+use contact_front_end::{Failure, shown};
 use contact_report::Provenance;
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
@@ -60,7 +60,7 @@ pub(crate) fn answer(
             .map_err(Trouble::Study)?
     };
     out.tell("progress", json!({ "stage": "accuracy" }));
-    contact_answers::look_around(&mut found, &mut |news| {
+    contact_front_end::look_around(&mut found, &mut |news| {
         if let Progress::Iterated { number, residual, tolerance, .. } = news
             && told.elapsed() >= EVERY
         {
@@ -70,12 +70,12 @@ pub(crate) fn answer(
         if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })?;
     out.tell("progress", json!({ "stage": "report" }));
-    let documents = contact_answers::documents(&found, &Provenance::here(REPEAT), &run_file)?;
+    let documents = contact_front_end::documents(&found, &Provenance::here(REPEAT), &run_file)?;
     let files: serde_json::Map<String, Value> = documents
         .into_iter()
         .map(|(name, bytes)| (name.to_owned(), String::from_utf8_lossy(&bytes).into()))
         .collect();
-    let trouble = contact_answers::not_met(&found).as_ref().map(Failure::json);
+    let trouble = contact_front_end::not_met(&found).as_ref().map(Failure::json);
     let headline = found.surfaces.first().and_then(contact_report::headline_line);
     out.tell(
         "done",

@@ -2,10 +2,10 @@
 
 use crate::message::Messages;
 use crate::numbers::length;
-use crate::place::Place;
+use crate::place::Host;
 use crate::trouble::Trouble;
-use contact_answers::Failure;
 use contact_compare::{Property, STEEL, built_in_recipes, materials, source_of};
+use contact_front_end::Failure;
 use contact_report::numbers::{PASCALS, quantity};
 use serde_json::{Value, json};
 use surface_io::FORMATS;
@@ -13,7 +13,7 @@ use surface_io::FORMATS;
 /// Points per side of the pictures of built-in surfaces: a part of each at its own distance of points.
 const PART: usize = 128;
 
-pub(crate) fn answer(place: Place, out: &mut Messages<'_>) -> Result<(), Trouble> {
+pub(crate) fn answer(place: Host, out: &mut Messages<'_>) -> Result<(), Trouble> {
     let recipes = built_in_recipes().map_err(|e| Failure::from_error(&e))?;
     let mut examples = Vec::with_capacity(recipes.len());
     for recipe in recipes {

@@ -2,8 +2,8 @@
 
 use crate::request::Request;
 use crate::trouble::Trouble;
-use contact_answers::{Complete, Failure, complete};
 use contact_compare::{FileOrigin, Origin, Recipe, Surface, built_in_recipes, sha256_hex};
+use contact_front_end::{Complete, Failure, complete};
 use surface_io::Measurement;
 
 /// The measurement in a file.

@@ -1,9 +1,9 @@
 //! Why there is no answer, in the words of the page: what happened, its effect, what to do, the line for a bug report.
 
 use crate::message::Messages;
-use crate::place::Place;
-use contact_answers::{Failure, Incomplete};
+use crate::place::Host;
 use contact_compare::StudyError;
+use contact_front_end::{Failure, Incomplete};
 use serde_json::json;
 use surface_io::{FillError, ReadError};
 
@@ -50,7 +50,7 @@ impl Trouble {
         }
     }
 
-    fn words(&self, place: Place) -> Words {
+    fn words(&self, place: Host) -> Words {
         let words = |heading, text: &str, ways| Words { heading, text: text.to_owned(), ways };
         match self {
             Self::Unread(ReadError::Empty) => {
@@ -123,7 +123,7 @@ impl Trouble {
     }
 
     /// Tells it.
-    pub(crate) fn tell(&self, place: Place, out: &mut Messages<'_>) {
+    pub(crate) fn tell(&self, place: Host, out: &mut Messages<'_>) {
         let (failure, words) = (self.failure(), self.words(place));
         let text = if words.text.is_empty() { capital(failure.message()) } else { words.text };
         out.tell(

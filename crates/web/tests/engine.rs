@@ -1,7 +1,7 @@
 //! The engine built for this machine, asked as the page asks it.
 
 use contact_compare::{Comparison, Registry, Settings, built_in_recipes};
-use contact_web::{Messages, Place, answer};
+use contact_web::{Host, Messages, answer};
 use serde_json::{Value, json};
 use std::io::Cursor;
 use std::ops::ControlFlow;
@@ -11,7 +11,7 @@ use surface_io::write;
 fn asked(question: &str, request: &Value, file: &[u8]) -> Vec<Value> {
     let mut out = Vec::new();
     let mut messages = Messages::new(&mut out);
-    answer(question, &request.to_string(), file, Place::BROWSER, &mut messages);
+    answer(question, &request.to_string(), file, Host::BROWSER, &mut messages);
     messages.end().expect("memory takes it");
     let text = String::from_utf8(out).expect("JSON is text");
     text.lines().map(|line| serde_json::from_str(line).expect("one object a line")).collect()

@@ -78,11 +78,11 @@ fn the_elastic_study_stands_beside_that_of_bodies_that_yield() {
                 [here_curve.errors[i].unwrap(), there_curve.errors[i].unwrap()];
             assert!((of_elastic - alone).abs() < 1e-3, "{name}: {of_elastic} {alone}");
         }
-        let is_told = |r: &Reason| matches!(r, Reason::Elastic(e) if e.everywhere && e.most > 0.02);
+        let is_told = |r: &Reason| matches!(r, Reason::Elastic { everywhere: true, most, .. } if *most > 0.02);
         assert!(
             here.verdict.answer == Applies::Caution && here.verdict.reasons.iter().any(is_told)
         );
-        assert!(!there.verdict.reasons.iter().any(|r| matches!(r, Reason::Elastic(_))));
+        assert!(!there.verdict.reasons.iter().any(|r| matches!(r, Reason::Elastic { .. })));
     }
     // Persson with yield keeps to its wall, and is nearer to the contact that yields than Persson without.
     let [with, without] =
@@ -119,7 +119,9 @@ fn a_hardness_out_of_reach_changes_nothing() {
     }
     // Where nothing yields the elastic answer is that answer: nothing was solved for it.
     assert_eq!(hard.deterministic, hard.elastic);
-    assert!(model(&hard, "gw").verdict.reasons.iter().all(|r| !matches!(r, Reason::Elastic(_))));
+    assert!(
+        model(&hard, "gw").verdict.reasons.iter().all(|r| !matches!(r, Reason::Elastic { .. }))
+    );
     assert!(!findings(&hard).iter().any(|f| matches!(f.fact, Fact::Yielding(_))));
 }
 

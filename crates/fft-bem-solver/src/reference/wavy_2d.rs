@@ -26,7 +26,7 @@ pub struct BiSinusoid {
 
 /// One row of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Row {
+pub struct BiSinusoidRow {
     /// Mean pressure over p*.
     pub pressure_ratio: f64,
     /// Area fraction.
@@ -39,14 +39,26 @@ pub struct Row {
     pub gap_uncertainty: f64,
 }
 
-const fn row(x: f64, area: f64, area_uncertainty: f64, gap: f64, gap_uncertainty: f64) -> Row {
-    Row { pressure_ratio: x, area_fraction: area, area_uncertainty, mean_gap: gap, gap_uncertainty }
+const fn row(
+    x: f64,
+    area: f64,
+    area_uncertainty: f64,
+    gap: f64,
+    gap_uncertainty: f64,
+) -> BiSinusoidRow {
+    BiSinusoidRow {
+        pressure_ratio: x,
+        area_fraction: area,
+        area_uncertainty,
+        mean_gap: gap,
+        gap_uncertainty,
+    }
 }
 
 /// FFT conjugate-gradient solutions with 1024 x 1024 nodes per asperity, area by sub-pixel
 /// extrapolation of the squared pressure to zero; uncertainty from the change between 512 and 1024
 /// nodes. Independent check: the mean gap integrates over x to 0.125004 (exact: 1/8).
-pub const ROWS: [Row; 21] = [
+pub const ROWS: [BiSinusoidRow; 21] = [
     row(0.0005, 0.004822, 2e-5, 0.9718326, 1e-6),
     row(0.001, 0.007658, 2.1e-5, 0.95611729, 3e-6),
     row(0.005, 0.022685, 2.4e-5, 0.88015147, 9e-7),

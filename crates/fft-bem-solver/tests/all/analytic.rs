@@ -5,14 +5,14 @@ use crate::common;
 use common::unit_modulus;
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::reference::Hertz;
-use fft_bem_solver::validation::{self, Options, Row};
+use fft_bem_solver::validation::{self, Options, ValidationRow};
 use fft_bem_solver::{Boundary, Load, Method, Solver};
 
 #[test]
 fn errors_fall_at_the_expected_order() {
     let options = Options { finest: 128, ..Options::default() };
     let rows = validation::run(&options, |_| ()).unwrap();
-    let finest: Vec<&Row> =
+    let finest: Vec<&ValidationRow> =
         rows.iter().filter(|r| r.shape[1] == 128 || r.shape[1] == 16 * 128).collect();
     assert_eq!(finest.len(), 3 * rows.len() / 9, "three grids per case");
     for row in finest {

@@ -4,7 +4,7 @@ use crate::draw::axes::{Axis, Frame};
 use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use crate::numbers::{AREAS, METRES, SPACE, Unit, percent, quantity, significant, unit_for};
-use contact_compare::{Distributions, GapDistribution, PressureDistribution, SpotDistribution};
+use contact_compare::{Distributions, GapDistribution, PressureHistogram, SpotDistribution};
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -129,14 +129,14 @@ fn highest(values: impl Iterator<Item = f64>) -> Option<f64> {
 }
 
 /// Edges of the classes and densities, both in units of the mean pressure in contact.
-fn over_the_mean(found: &PressureDistribution) -> (Vec<f64>, Vec<f64>) {
+fn over_the_mean(found: &PressureHistogram) -> (Vec<f64>, Vec<f64>) {
     let scale = found.mean / (1.0 - found.apart);
     let edges = found.edges.iter().map(|p| p / found.mean).collect();
     (edges, found.density.iter().map(|d| d * scale).collect())
 }
 
 fn pressure_axes(all: &[&Distributions]) -> Option<Axes> {
-    let right = |found: &PressureDistribution| {
+    let right = |found: &PressureHistogram| {
         let (edges, _) = over_the_mean(found);
         // Beyond this less than 1/1000 of the contact lies.
         let last = found.above.iter().position(|a| *a < 1e-3 * (1.0 - found.apart));
@@ -154,7 +154,7 @@ fn pressure_axes(all: &[&Distributions]) -> Option<Axes> {
 }
 
 /// Density of the pressure over the contact, in units of its mean.
-fn pressure(canvas: &mut Canvas, Axes { frame, .. }: &Axes, found: &PressureDistribution) {
+fn pressure(canvas: &mut Canvas, Axes { frame, .. }: &Axes, found: &PressureHistogram) {
     let (edges, density) = over_the_mean(found);
     let right = frame.x.data[1];
     let seen = edges.windows(2).zip(&density).filter(|(edge, d)| **d > 0.0 && edge[0] < right);
@@ -184,7 +184,7 @@ fn persson(canvas: &mut Canvas, Axes { frame, .. }: &Axes) {
     });
 }
 
-fn of_pressure(found: &PressureDistribution) -> String {
+fn of_pressure(found: &PressureHistogram) -> String {
     let (edges, _) = over_the_mean(found);
     format!(
         "Density of the pressure over the contact; {} of the nominal area has none. Highest class at {} of \

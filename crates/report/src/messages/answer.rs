@@ -22,7 +22,7 @@ pub(crate) fn real_pressure(answer: &DeterministicAnswer) -> String {
 /// What the ± of [`area`] covers; empty if there is none.
 pub(crate) fn covers(answer: &DeterministicAnswer) -> &'static str {
     let area = &answer.budget.area;
-    match (answer.uncertainty(), area.sampling, area.materials > 0.0) {
+    match (area.half_width().ok(), area.sampling, area.materials > 0.0) {
         (None, ..) => "",
         (Some(_), Some(_), true) => "± with sampling variability and materials",
         (Some(_), Some(_), false) => "± with sampling variability",
@@ -66,8 +66,8 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
         return format!("At {p} nothing touches.");
     }
     let opening = opening(answer.converged, answer.stopped_at_rounding);
-    let about = if answer.uncertainty().is_some() { "" } else { "about " };
-    let unresolved = if answer.interval().is_some_and(|[low, _]| low <= 0.0) {
+    let about = if answer.budget.area.half_width().is_ok() { "" } else { "about " };
+    let unresolved = if answer.budget.area.interval().is_ok_and(|[low, _]| low <= 0.0) {
         ": this map does not resolve its contacts"
     } else {
         ""

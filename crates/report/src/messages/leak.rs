@@ -4,6 +4,7 @@ use crate::messages::conduction::scientific;
 use crate::numbers::relative_interval;
 use contact_accuracy::{Axis, Leak, Leaks};
 use contact_compare::{LeakRequest, SurfaceComparison, typical_hardness};
+use contact_types::Named;
 
 /// A sentence for each thing that limits the leaks of a study with this contact modulus (Pa).
 pub fn leak_notes(leaks: &[&Leaks], modulus: f64, yields: bool) -> Vec<&'static str> {

@@ -2,6 +2,7 @@
 
 use crate::numbers::{PASCALS, quantity, significant};
 use contact_compare::{Listed, Material, MaterialUse, Property, material, source_of};
+use contact_types::Named;
 use serde_json::{Map, Value, json};
 
 /// A number with its unit.
@@ -64,7 +65,7 @@ pub fn material_line(used: &MaterialUse) -> String {
 /// All that the table knows of a material, a line for each number, as plain text.
 pub fn material_in_full(found: &Material) -> String {
     let mut out = heading(found) + "\n";
-    for property in Property::ALL {
+    for property in Property::all() {
         let line = found.get(property).map_or_else(
             || format!("{}: no number that a source could be named for", letter(property)),
             |listed| {
@@ -82,10 +83,10 @@ pub fn material_in_full(found: &Material) -> String {
 }
 
 /// A material and these numbers of it. SI units.
-pub fn material_json(found: &Material, properties: &[Property]) -> Value {
+pub fn material_json(found: &Material, properties: impl IntoIterator<Item = Property>) -> Value {
     let mut numbers = Map::new();
     for property in properties {
-        let listed = found.get(*property).map(|listed| {
+        let listed = found.get(property).map(|listed| {
             json!({
                 "value": listed.value,
                 "range": listed.range,
@@ -103,6 +104,8 @@ pub fn material_json(found: &Material, properties: &[Property]) -> Value {
 
 /// The materials whose numbers were taken, with these.
 pub fn materials_json(used: &[MaterialUse]) -> Value {
-    let one = |used: &MaterialUse| material(&used.name).ok().map(|m| material_json(m, &used.taken));
+    let one = |used: &MaterialUse| {
+        material(&used.name).ok().map(|m| material_json(m, used.taken.iter().copied()))
+    };
     used.iter().map(one).collect()
 }

@@ -89,6 +89,8 @@ pub(crate) fn nearest(surface: &SurfaceComparison) -> Option<Ranked<'_>> {
 
 /// Whether the area at the reference load is known well enough to rank closed forms by it.
 pub(crate) fn is_known(surface: &SurfaceComparison) -> bool {
-    let known = |a: &DeterministicAnswer| Some(a.uncertainty()? <= WANTED * a.area_fraction);
+    let known = |a: &DeterministicAnswer| {
+        Some(a.budget.area.half_width().ok()? <= WANTED * a.area_fraction)
+    };
     surface.headline_answer().and_then(known).unwrap_or(false)
 }

@@ -61,7 +61,7 @@ fn words(reason: &Reason) -> String {
         Reason::Beyond { quantity, value, limit, reason } => {
             format!("{quantity} {} beyond {}: {reason}", plain(*value), plain(*limit))
         }
-        Reason::Elastic(_) => "elastic bodies only".to_owned(),
+        Reason::Elastic { .. } => "elastic bodies only".to_owned(),
         Reason::Full { from } => format!("full contact from {}", pressure(*from)),
         Reason::NoAnswer { loads, of } => {
             format!("no answer at {loads} of {}", counted(*of, "load"))

@@ -13,6 +13,7 @@ use contact_accuracy::Reached;
 use contact_compare::{
     Body, DeterministicAnswer, FileOrigin, Origin, Recipe, Settings, SurfaceComparison,
 };
+use contact_types::Named;
 use surface_stats::Level;
 
 /// Program, inputs, settings, the command that repeats it.

@@ -15,6 +15,7 @@ use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
 use contact_accuracy::{Axis, Leak, Leaks};
 use contact_compare::SurfaceComparison;
+use contact_types::Named;
 
 /// What closed forms are called, in their order.
 const FORMS: [[&str; 2]; 2] = [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", "Bruggeman"]];

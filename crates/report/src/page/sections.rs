@@ -134,7 +134,7 @@ fn errors(page: &mut Page<'_>, lines: &Lines, id: &str) -> String {
 
 fn relative_uncertainty(surface: &SurfaceComparison) -> Option<f64> {
     let answer = surface.headline_answer()?;
-    let u = answer.uncertainty()? / answer.area_fraction;
+    let u = answer.budget.area.half_width().ok()? / answer.area_fraction;
     (u > 0.0 && u.is_finite()).then_some(u)
 }
 

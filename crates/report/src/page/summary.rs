@@ -18,6 +18,7 @@ use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
 use crate::provenance::Provenance;
 use contact_compare::{Settings, find};
+use contact_types::Named;
 use serde_json::Value;
 use std::io::Write;
 

@@ -5,7 +5,7 @@ use crate::cli;
 
 use cli::app::App;
 use cli::{Said, folder, number, rough_contact};
-use contact_web::{Messages, Place, answer};
+use contact_web::{Host, Messages, answer};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -115,7 +115,7 @@ fn kind(said: &Said) -> Value {
 fn asked(app: &App, request: &Value, file: &[u8]) -> [Value; 2] {
     let mut out = Vec::new();
     let mut messages = Messages::new(&mut out);
-    answer("run", &request.to_string(), file, Place::machine(1), &mut messages);
+    answer("run", &request.to_string(), file, Host::machine(1), &mut messages);
     messages.end().expect("memory takes it");
     let text = String::from_utf8(out).expect("text");
     let engine = serde_json::from_str(text.lines().last().expect("a message")).expect("JSON");

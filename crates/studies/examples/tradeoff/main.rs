@@ -13,7 +13,7 @@ use measure::Plan;
 use std::error::Error;
 use std::path::PathBuf;
 use std::thread;
-use studies::tradeoff::{HEADER, Row};
+use studies::tradeoff::{HEADER, TradeoffRow};
 
 /// Time against true error of every way to an answer: measures, and prints a table as CSV
 #[derive(Parser)]
@@ -35,5 +35,5 @@ fn main() -> Result<(), Box<dyn Error>> {
     let threads = thread::available_parallelism().map_or(1, usize::from);
     println!("# Threads: {threads}. Slow methods were stopped at {} FFT pairs.", plan.most_pairs);
     println!("{HEADER}");
-    measure::run(&plan, &mut |row: Row| println!("{}", row.line()))
+    measure::run(&plan, &mut |row: TradeoffRow| println!("{}", row.line()))
 }

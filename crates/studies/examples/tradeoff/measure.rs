@@ -12,7 +12,7 @@ use std::error::Error;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::Instant;
-use studies::tradeoff::{PAIR, Row, STATISTICS};
+use studies::tradeoff::{PAIR, STATISTICS, TradeoffRow};
 use surface_stats::clean::resample;
 use surface_stats::spectrum::{Axis, amplitudes};
 use surface_stats::{Edges, StatsOptions, SurfaceStatistics};
@@ -93,7 +93,7 @@ impl Plan {
 }
 
 /// Measures everything, one row at a time into `take`.
-pub(crate) fn run(plan: &Plan, take: &mut dyn FnMut(Row)) -> Outcome<()> {
+pub(crate) fn run(plan: &Plan, take: &mut dyn FnMut(TradeoffRow)) -> Outcome<()> {
     for mut recipe in built_in_recipes()?.into_iter().take(plan.surfaces) {
         if let Some(points) = plan.points {
             recipe.shape = [points; 2];
@@ -103,11 +103,11 @@ pub(crate) fn run(plan: &Plan, take: &mut dyn FnMut(Row)) -> Outcome<()> {
     Ok(())
 }
 
-fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(Row)) -> Outcome<()> {
+fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> Outcome<()> {
     let name = surface.name.clone();
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let (map, inputs) = as_compared(surface)?;
-    let blank = Row {
+    let blank = TradeoffRow {
         surface: name.clone(),
         load: None,
         method: String::new(),
@@ -124,19 +124,24 @@ fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(Row)) -> Outcome<
         seconds: 0.0,
         is_capped: false,
     };
-    take(Row { method: STATISTICS.into(), seconds: statistics_seconds(&map)?, ..blank.clone() });
+    take(TradeoffRow {
+        method: STATISTICS.into(),
+        seconds: statistics_seconds(&map)?,
+        ..blank.clone()
+    });
 
     let finer = |times: usize| resample(&map, map.grid().shape().map(|n| times * n), PERIODIC);
     let (half_way, finest) = (finer(plan.refine / 2)?, finer(plan.refine)?);
     for &load in plan.loads {
         let pressure = load * MODULUS * inputs.rms_gradient();
         let [truth, bar] = truth(&half_way, &finest, modulus, pressure)?;
-        let case = Row { load: Some(load), truth: Some(truth), bar: Some(bar), ..blank.clone() };
+        let case =
+            TradeoffRow { load: Some(load), truth: Some(truth), bar: Some(bar), ..blank.clone() };
         models(plan, &inputs, pressure, &case, take);
         let is_close_up = plan.close_up == (name.as_str(), load);
         for &scale in plan.scales {
             let points = scaled(map.grid().shape()[0], scale);
-            let case = Row { scale: Some(scale), points: Some(points), ..case.clone() };
+            let case = TradeoffRow { scale: Some(scale), points: Some(points), ..case.clone() };
             let job = Job { plan, map: &map, points, modulus, pressure, case };
             job.solve(is_close_up, take)?;
         }
@@ -207,8 +212,14 @@ fn truth(
 }
 
 /// Every model that a map gives all inputs for.
-fn models(plan: &Plan, inputs: &Inputs, pressure: f64, case: &Row, take: &mut dyn FnMut(Row)) {
-    for theory in built_in().of_maps() {
+fn models(
+    plan: &Plan,
+    inputs: &Inputs,
+    pressure: f64,
+    case: &TradeoffRow,
+    take: &mut dyn FnMut(TradeoffRow),
+) {
+    for theory in built_in().iter().filter(|theory| theory.card().from_map) {
         let Ok(model) = theory.build(inputs) else { continue };
         let Ok(state) = model.at_pressure(pressure) else { continue };
         // Many calls to a reading, so that the clock itself does not count.
@@ -225,7 +236,7 @@ fn models(plan: &Plan, inputs: &Inputs, pressure: f64, case: &Row, take: &mut dy
         }
         let seconds = shortest(0.1 * plan.seconds, || reading(calls)) / f64::from(calls);
         let area = Some(state.area_fraction);
-        take(Row { method: theory.card().name.to_string(), area, seconds, ..case.clone() });
+        take(TradeoffRow { method: theory.card().name.to_string(), area, seconds, ..case.clone() });
     }
 }
 
@@ -248,7 +259,7 @@ struct Job<'a> {
     points: usize,
     modulus: ContactModulus,
     pressure: f64,
-    case: Row,
+    case: TradeoffRow,
 }
 
 /// One answer and what it took, from the given map in memory to the solution: resampling, planning
@@ -260,7 +271,7 @@ struct Answer {
 }
 
 impl Job<'_> {
-    fn solve(&self, is_close_up: bool, take: &mut dyn FnMut(Row)) -> Outcome<()> {
+    fn solve(&self, is_close_up: bool, take: &mut dyn FnMut(TradeoffRow)) -> Outcome<()> {
         let Plan { tolerances: [all, some], few_tolerances, .. } = *self.plan;
         let tolerances = if is_close_up { all } else { some };
         if self.points > self.map.grid().shape()[0] {
@@ -294,7 +305,7 @@ impl Job<'_> {
         precision: Precision,
         tolerances: &[f64],
         exact: Option<&[f64]>,
-        take: &mut dyn FnMut(Row),
+        take: &mut dyn FnMut(TradeoffRow),
     ) -> Outcome<()> {
         for &tolerance in tolerances.iter().filter(|&&t| t >= Plan::lowest(precision)) {
             let first = self.answer(method, precision, tolerance)?;
@@ -307,7 +318,7 @@ impl Job<'_> {
             }
             let touching = first.solution.touching_fraction();
             let Solution { state, pressure, diagnostics, .. } = first.solution;
-            take(Row {
+            take(TradeoffRow {
                 method: method.to_string(),
                 precision: Some(name(precision).into()),
                 tolerance: Some(tolerance),
@@ -355,7 +366,7 @@ impl Job<'_> {
     }
 
     /// The time of one FFT pair on this grid in both precisions.
-    fn pairs(&self, take: &mut dyn FnMut(Row)) -> Outcome<()> {
+    fn pairs(&self, take: &mut dyn FnMut(TradeoffRow)) -> Outcome<()> {
         let [ny, nx] = [self.points; 2];
         let [ly, lx] = self.map.grid().size();
         let grid = Grid::new([ny, nx], [ly / ny as f64, lx / nx as f64])?;
@@ -365,9 +376,17 @@ impl Job<'_> {
             (Precision::Single, one_pair::<f32>(grid, self.modulus, budget)?),
         ] {
             let precision = Some(name(precision).into());
-            let Row { surface, scale, points, .. } = self.case.clone();
-            let blank = Row { load: None, truth: None, bar: None, ..self.case.clone() };
-            take(Row { surface, scale, points, precision, method: PAIR.into(), seconds, ..blank });
+            let TradeoffRow { surface, scale, points, .. } = self.case.clone();
+            let blank = TradeoffRow { load: None, truth: None, bar: None, ..self.case.clone() };
+            take(TradeoffRow {
+                surface,
+                scale,
+                points,
+                precision,
+                method: PAIR.into(),
+                seconds,
+                ..blank
+            });
         }
         Ok(())
     }

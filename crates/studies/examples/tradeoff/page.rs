@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::path::Path;
 use studies::figures::tradeoff::{write_tradeoff_area, write_tradeoff_pressure};
-use studies::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, ways};
+use studies::tradeoff::{AreaOf, PAIR, STATISTICS, Table, TradeoffRow, Way, ways};
 
 /// Errors a reader may want to stay below.
 const WANTED: [f64; 6] = [0.5, 0.3, 0.15, 0.05, 0.025, 0.015];
@@ -54,8 +54,9 @@ fn page(table: &Table) -> String {
 
 /// Seconds of one FFT pair on the given grid in double precision.
 fn pair(table: &Table) -> Option<f64> {
-    let is_it =
-        |r: &&Row| r.method == PAIR && r.precision.as_deref() == Some("f64") && is(r.scale, 1.0);
+    let is_it = |r: &&TradeoffRow| {
+        r.method == PAIR && r.precision.as_deref() == Some("f64") && is(r.scale, 1.0)
+    };
     table.rows.iter().find(is_it).map(|r| r.seconds)
 }
 
@@ -102,7 +103,7 @@ fn choice(page: &mut String, found: &[Way<'_>]) {
 }
 
 /// The fast method in double precision at the default tolerance.
-fn is_default(row: &Row) -> bool {
+fn is_default(row: &TradeoffRow) -> bool {
     row.method == "chord" && row.precision.as_deref() == Some("f64") && is(row.tolerance, DEFAULT)
 }
 
@@ -115,11 +116,11 @@ fn name(way: &Way<'_>) -> String {
     }
 }
 
-fn model_name(row: &Row) -> String {
+fn model_name(row: &TradeoffRow) -> String {
     find(&row.method).map_or(&*row.method, |m| m.card().title.as_ref()).to_owned()
 }
 
-fn grid_name(row: &Row) -> String {
+fn grid_name(row: &TradeoffRow) -> String {
     let points = row.points.map_or(String::new(), |n| format!(" ({n}²)"));
     let words = match row.scale.unwrap_or(1.0) {
         s if s > 1.5 => "2 × finer grid",
@@ -175,7 +176,8 @@ fn spread(page: &mut String, found: &[&Way<'_>], one_pair: f64) {
 
 /// Every method at one load: what was asked for, what came out.
 fn close_up(page: &mut String, table: &Table, one_pair: f64) {
-    let rows: Vec<&Row> = table.rows.iter().filter(|r| r.pressure_error.is_some()).collect();
+    let rows: Vec<&TradeoffRow> =
+        table.rows.iter().filter(|r| r.pressure_error.is_some()).collect();
     let Some(first) = rows.first() else { return };
     let _ = writeln!(
         page,
@@ -187,8 +189,8 @@ fn close_up(page: &mut String, table: &Table, one_pair: f64) {
         first.load.unwrap_or(0.0)
     );
     // Each method in double precision: on every grid at the default tolerance, on the given one at every second decade.
-    let decade = |r: &Row| r.tolerance.is_some_and(|t| (t.log10().round() as i32) % 2 == 0);
-    let is_told = |r: &&&Row| {
+    let decade = |r: &TradeoffRow| r.tolerance.is_some_and(|t| (t.log10().round() as i32) % 2 == 0);
+    let is_told = |r: &&&TradeoffRow| {
         r.precision.as_deref() == Some("f64")
             && (is(r.tolerance, DEFAULT) || is(r.scale, 1.0) && decade(r))
     };
@@ -215,7 +217,7 @@ fn is(value: Option<f64>, wanted: f64) -> bool {
     value.is_some_and(|v| (v / wanted - 1.0).abs() < 1e-6)
 }
 
-fn tolerance(row: &Row) -> String {
+fn tolerance(row: &TradeoffRow) -> String {
     row.tolerance.map_or("–".into(), |t| format!("{t:e}").replace("1e-", "1e\u{2212}"))
 }
 
@@ -276,7 +278,8 @@ mod tests {
         let found = ways(table.rows.iter());
         let at = |area| found.iter().find(|w| w.area == area && is_default(w.row)).unwrap();
         assert!(at(AreaOf::Corrected).error[1] < 0.5 * at(AreaOf::Count).error[1]);
-        let close: Vec<&Row> = table.rows.iter().filter(|r| r.pressure_error.is_some()).collect();
+        let close: Vec<&TradeoffRow> =
+            table.rows.iter().filter(|r| r.pressure_error.is_some()).collect();
         assert!(close.iter().any(|r| r.method == "stanley-kato" && r.is_capped));
         for row in close.iter().filter(|r| !r.is_capped) {
             let [error, asked] = [row.pressure_error.unwrap(), row.tolerance.unwrap()];

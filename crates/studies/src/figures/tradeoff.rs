@@ -1,7 +1,7 @@
 //! Figures of what accuracy costs: the error of the real area against time, from closed forms to
 //! the solver; and the error of the pressure against time, method by method.
 
-use crate::tradeoff::{AreaOf, PAIR, Row, STATISTICS, Table, Way, ways};
+use crate::tradeoff::{AreaOf, PAIR, STATISTICS, Table, TradeoffRow, Way, ways};
 use contact_accuracy::median;
 use contact_compare::find;
 use contact_report::draw::axes::{Axis, Frame};
@@ -209,7 +209,7 @@ pub fn write_tradeoff_area(table: &Table, out: &mut impl Write) -> io::Result<()
 
 /// Models, and the fast method in double precision at the default tolerance.
 fn is_shown(way: &Way<'_>) -> bool {
-    let Row { method, precision, tolerance, .. } = way.row;
+    let TradeoffRow { method, precision, tolerance, .. } = way.row;
     let is_default = tolerance.is_some_and(|t| (t / TOLERANCE - 1.0).abs() < 1e-6);
     way.area == AreaOf::Model
         || (method == "chord" && precision.as_deref() == Some("f64") && is_default)
@@ -278,10 +278,10 @@ const SERIES: [(&str, &str, &str, Style); 6] = [
 /// Whatever the writer reports.
 pub fn write_tradeoff_pressure(table: &Table, out: &mut impl Write) -> io::Result<()> {
     const FRAME: Rect = [44.0, 12.0, COLUMN - RIGHT, 250.0];
-    let full = |r: &&Row| r.scale.is_some_and(|s| (s - 1.0).abs() < 1e-6);
-    let rows: Vec<&Row> =
+    let full = |r: &&TradeoffRow| r.scale.is_some_and(|s| (s - 1.0).abs() < 1e-6);
+    let rows: Vec<&TradeoffRow> =
         table.rows.iter().filter(full).filter(|r| r.pressure_error.is_some()).collect();
-    let point = |r: &Row| [r.seconds, r.pressure_error.unwrap_or(1.0).max(1e-13)];
+    let point = |r: &TradeoffRow| [r.seconds, r.pressure_error.unwrap_or(1.0).max(1e-13)];
     let pair = table.rows.iter().filter(full).find(|r| r.method == PAIR).map(|r| r.seconds);
     let times = span(rows.iter().map(|r| r.seconds).chain(pair));
     let errors = span(rows.iter().map(|r| point(r)[1]));
@@ -317,7 +317,7 @@ pub fn write_tradeoff_pressure(table: &Table, out: &mut impl Write) -> io::Resul
 
     let mut drawn = Vec::new();
     for (method, precision, label, look) in SERIES {
-        let series: Vec<&Row> = rows
+        let series: Vec<&TradeoffRow> = rows
             .iter()
             .filter(|r| r.method == method && r.precision.as_deref() == Some(precision))
             .copied()
@@ -364,7 +364,7 @@ pub fn write_tradeoff_pressure(table: &Table, out: &mut impl Write) -> io::Resul
 }
 
 /// A series in words: its most accurate point.
-fn words(series: &[&Row]) -> Option<String> {
+fn words(series: &[&TradeoffRow]) -> Option<String> {
     let row = series.last()?;
     let exponent = row.pressure_error?.log10().ceil() as i32;
     Some(format!(

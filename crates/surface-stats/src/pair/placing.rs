@@ -1,5 +1,7 @@
 //! How the second body is laid on the first.
 
+use contact_types::Named;
+
 /// How the second body is turned over. Instruments look at both bodies from above; to lie face down
 /// on the first, the second has to be turned over, and that mirrors its map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -18,18 +20,9 @@ pub enum Flip {
     None,
 }
 
-impl Flip {
-    /// Every choice, in the order in which help texts list them.
-    pub const ALL: &'static [Self] = &[Self::Columns, Self::Rows, Self::None];
-
-    /// The word for it in commands and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Columns => "columns",
-            Self::Rows => "rows",
-            Self::None => "none",
-        }
-    }
+impl Named for Flip {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Columns, "columns"), (Self::Rows, "rows"), (Self::None, "none")];
 }
 
 /// How the second body is laid on the first.

@@ -1,13 +1,12 @@
 //! Two bodies as one: what must be exact is exact, what adds in the mean adds within its scatter.
 
+use contact_types::Named;
 use contact_types::{Grid, HeightMap, SpectralMoments};
 use surface_stats::clean::flip;
 use surface_stats::pair::{Composite, Flip, PairError, Placing};
 use surface_stats::spectrum::Axis;
 use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{Edges, Level};
-
-const FLIPS: &[Flip] = Flip::ALL;
 
 fn rough(shape: [usize; 2], pixel: [f64; 2], seed: u64) -> HeightMap {
     let recipe = SelfAffine {
@@ -45,7 +44,7 @@ fn mirrored(map: &HeightMap, how: Flip) -> HeightMap {
 fn a_flat_body_changes_no_bit() {
     for map in [rough([48, 64], [1e-6; 2], 1), part(&rough([64, 64], [1e-6; 2], 1), [40, 30])] {
         let flat = HeightMap::from_fn(map.grid(), |_, _| 0.0).unwrap();
-        for &how in FLIPS {
+        for how in Flip::all() {
             let pair = Composite::of(&map, &flat, &at(how, [0.0; 2])).unwrap();
             assert_eq!(pair.map, map);
             assert!(pair.placed.shares().iter().all(|share| share.to_bits() == 1.0f64.to_bits()));
@@ -60,7 +59,7 @@ fn a_flat_body_changes_no_bit() {
 fn the_order_of_the_bodies_does_not_matter() {
     let (a, b) = (rough([48, 64], [1e-6; 2], 1), rough([48, 64], [1e-6; 2], 2));
     for (a, b) in [(part(&a, [32, 40]), part(&b, [32, 40])), (a, b)] {
-        for &how in FLIPS {
+        for how in Flip::all() {
             let shift = [3e-6, 5e-6];
             let one = Composite::of(&a, &b, &at(how, shift)).unwrap();
             // Seen from the other side, the first body moved back, mirrored as the map is.
@@ -90,7 +89,7 @@ fn a_body_mates_with_its_negative() {
     let map = part(&rough([64, 64], [1e-6; 2], 1), [40, 30]);
     let negative =
         |m: &HeightMap| HeightMap::new(m.grid(), m.heights().iter().map(|h| -h).collect()).unwrap();
-    for &how in FLIPS {
+    for how in Flip::all() {
         let pair =
             Composite::of(&map, &negative(&mirrored(&map, how)), &at(how, [0.0; 2])).unwrap();
         assert!(pair.map.is_flat() && pair.map.at(3, 4).abs() < f64::MIN_POSITIVE, "{how:?}");

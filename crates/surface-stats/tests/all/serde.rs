@@ -1,5 +1,6 @@
 //! Options are written under the names that commands and files use, and read back.
 
+use contact_types::Named;
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
 use surface_stats::clean::{Form, OutlierRule, Step};
@@ -12,11 +13,11 @@ fn is<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &T, text: &str
 
 #[test]
 fn names_are_those_of_the_command() {
-    for level in Level::ALL {
-        is(level, &format!("\"{level}\""));
+    for level in Level::all() {
+        is(&level, &format!("\"{level}\""));
     }
-    for edges in Edges::ALL {
-        is(edges, &format!("\"{edges}\""));
+    for edges in Edges::all() {
+        is(&edges, &format!("\"{edges}\""));
     }
     is(&Form::Polynomial(1), "\"plane\"");
     is(&Form::Polynomial(4), "\"polynomial:4\"");

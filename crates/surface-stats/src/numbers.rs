@@ -5,6 +5,11 @@ pub const SPACE: char = '\u{202F}';
 /// Minus sign, as wide as a plus.
 pub const MINUS: char = '\u{2212}';
 
+/// With the spaces of a terminal.
+pub fn plain(text: &str) -> String {
+    text.replace(SPACE, " ")
+}
+
 /// `value` with `decimals` decimals, a true minus, and groups of three digits from 10 000.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{:.decimals$}", value.abs());

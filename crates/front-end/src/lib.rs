@@ -39,7 +39,7 @@ pub use leak::asked as leak_asked;
 pub use paths::{run_file_in, told_apart};
 pub use planned::unmet;
 pub use point::Point;
-pub use solve::{Answer, Question, Subject};
+pub use solve::{SolveInput, SolveRequest, SolveResult};
 pub use statistics::{Measured, Statistics, statistics};
 pub use study::{look_around, not_met};
 pub use traces::Traces;

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use contact_compare::{Along, LeakRequest, Seal};
+use contact_types::Named;
 
 /// Names of the numbers of a seal, in their order, whether 0 is allowed, and how they are written.
 const NUMBERS: [(&str, bool, &str); 4] = [
@@ -30,8 +31,8 @@ pub fn asked(
             );
         }
         None => return Ok(None),
-        Some(name) => match Along::ALL.iter().find(|along| along.name() == name) {
-            Some(along) => *along,
+        Some(name) => match Along::of_name(name) {
+            Some(along) => along,
             None => {
                 return refused(format!(
                     "'{name}' is no direction of the leak; write x, y or both"

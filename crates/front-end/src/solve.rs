@@ -11,9 +11,10 @@ use crate::watch::Watch;
 use crate::work::Work;
 use contact_accuracy::{Aim, Ladder, LadderError, Setup};
 use contact_compare::{
-    Adhesion, Body, EdgesName, Finding, Hardness, Joint, LeakRequest, Level, MaterialUse, Method,
-    PairOrigin, Precision, Reached, Request, Solved, Spikes, WorkOfAdhesion,
+    AccuracyRequest, Adhesion, Body, EdgesName, Finding, Hardness, Joint, LeakRequest, Level,
+    MaterialUse, Method, PairOrigin, Precision, Reached, Solved, Spikes, WorkOfAdhesion,
 };
+use contact_types::Named;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Boundary, Load, Maps, Solver, SolverError};
 use serde_json::{Value, json};
@@ -29,7 +30,7 @@ const NO_SEAL: &str = "a leak is that of a map which touches all over, from one 
 /// What is asked, and how it is to be solved.
 #[derive(Clone, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "one for each thing that may be asked for")]
-pub struct Question {
+pub struct SolveRequest {
     /// Mean pressures or mean gaps, in the order of the answer.
     pub loads: Vec<Load>,
     /// Where the pressures come from, if forces were given.
@@ -53,7 +54,7 @@ pub struct Question {
     /// Relative rms error of the pressure to reach.
     pub tolerance: f64,
     /// Uncertainty of the area to stay within: grid, precision and tolerance are then chosen for it.
-    pub accuracy: Option<Request>,
+    pub accuracy: Option<AccuracyRequest>,
     /// Every second point at once, with its wider uncertainty.
     pub fast: bool,
     /// Prove how wrong each answer may be.
@@ -78,7 +79,7 @@ pub struct Question {
 
 /// The map that is asked about, and where it comes from.
 #[derive(Debug)]
-pub struct Subject<'a> {
+pub struct SolveInput<'a> {
     /// Name in front of what is refused.
     pub path: &'a Path,
     /// The heights before they are levelled.
@@ -95,7 +96,7 @@ pub struct Subject<'a> {
 
 /// What was found.
 #[derive(Debug)]
-pub struct Answer {
+pub struct SolveResult {
     /// The object that scripts see.
     pub json: Value,
     /// What was taken off the map.
@@ -114,7 +115,7 @@ pub struct Answer {
     pub is_stopped: bool,
 }
 
-impl Question {
+impl SolveRequest {
     /// What of the resistance of the part is known; without an area of its own, that of the map is the part's (m²).
     fn joint(&self, map_area: f64) -> Joint {
         let given = self.conduction.area.or(self.spread.as_ref().map(|s| s.area));
@@ -125,8 +126,12 @@ impl Question {
     /// Solves the map for the loads, by rising load, each the start of the next, on the threads of the caller.
     ///
     /// # Errors
-    /// [`Failure`], before any load is solved. A load that is not is in the [`Answer`].
-    pub fn solve(&self, subject: Subject<'_>, watch: &mut dyn Watch) -> Result<Answer, Failure> {
+    /// [`Failure`], before any load is solved. A load that is not is in the [`SolveResult`].
+    pub fn solve(
+        &self,
+        subject: SolveInput<'_>,
+        watch: &mut dyn Watch,
+    ) -> Result<SolveResult, Failure> {
         self.solve_on(subject, &mut None, watch)
     }
 
@@ -137,14 +142,14 @@ impl Question {
     /// As [`solve`](Self::solve); then none is kept.
     pub fn solve_on(
         &self,
-        subject: Subject<'_>,
+        subject: SolveInput<'_>,
         kept: &mut Option<Ladder>,
         watch: &mut dyn Watch,
-    ) -> Result<Answer, Failure> {
+    ) -> Result<SolveResult, Failure> {
         if self.leak.is_some() && (self.plane_strain || self.boundary == Boundary::Free) {
             return Err(Failure::refused("leak", NO_SEAL));
         }
-        let Subject { path, map: surface, missing, fill, cleaned, pair } = subject;
+        let SolveInput { path, map: surface, missing, fill, cleaned, pair } = subject;
         let refused = |e: StatsError| Failure::in_file(path, &e);
         let mut solved = Solved {
             // Of two bodies each says its own.
@@ -251,7 +256,7 @@ impl Question {
         let trouble = work.trouble.take();
         let found = (hardness, solved.adhesion);
         let (json, points) = self.object(work, &findings, plan.as_ref(), found, (cleaned, pair));
-        Ok(Answer { json, level, points, findings, plan, hardness, trouble, is_stopped })
+        Ok(SolveResult { json, level, points, findings, plan, hardness, trouble, is_stopped })
     }
 
     /// What scripts see, and the points that were taken.

@@ -1,14 +1,14 @@
 //! What a validation answers.
 
-use fft_bem_solver::validation::Row;
+use fft_bem_solver::validation::ValidationRow;
 use serde_json::{Value, json};
 
 /// The rows of a validation: `{"rows": [...]}`.
-pub fn validated(rows: &[Row]) -> Value {
+pub fn validated(rows: &[ValidationRow]) -> Value {
     json!({ "rows": rows.iter().map(object).collect::<Vec<_>>() })
 }
 
-fn object(row: &Row) -> Value {
+fn object(row: &ValidationRow) -> Value {
     json!({
         "case": row.case,
         "source": row.source,

@@ -7,9 +7,10 @@ use crate::traces::Traces;
 use contact_accuracy::round_to_digits;
 use contact_compare::survey::{ErrorRange, gaussian_errors};
 use contact_compare::{
-    BuildError, Card, Conductance, Conducted, Finding, Input, Inputs, Joint, Level, MomentSource,
-    OfMap, Origin, Pressed, Scene, Theory, built_in, conductance_of, gas_at,
+    BuildError, Card, Conducted, Finding, Input, Inputs, Joint, Level, MomentSource, OfMap, Origin,
+    Pressed, Scene, Theory, built_in, conducted_by,
 };
+use contact_types::Named;
 use contact_types::{
     AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, HeightMap, ModelError,
 };
@@ -25,7 +26,7 @@ use surface_stats::{
 
 /// What is asked of the model.
 #[derive(Clone, Copy, Debug)]
-pub enum Question {
+pub enum ModelLoad {
     /// Nominal pressure (Pa).
     Pressure(f64),
     /// Distance of the undeformed planes (m).
@@ -81,21 +82,17 @@ impl Said {
         model: &dyn ContactModel,
         state: ContactState,
         theory: &dyn Theory,
-        (inputs, joint): (&Inputs, &Joint),
+        given: (&Inputs, &Joint),
     ) -> Self {
-        let card = theory.card();
+        let (card, inputs) = (theory.card(), given.0);
         let typed = inputs.moments.filter(|_| inputs.source == MomentSource::Given);
         let survey = typed.and_then(|moments| {
             let load = state.mean_pressure / (inputs.modulus.pascals() * moments.rms_gradient());
             gaussian_errors(&card.name, moments.bandwidth(), load)
         });
-        let p = state.mean_pressure;
-        let asked = joint.is_asked().then(|| conductance_of(theory, model, inputs, p)).flatten();
-        let gas = joint.gas.and_then(|gas| gas_at(&state, inputs, gas)).map(Conductance::of);
-        let joint = Joint { hardness: inputs.hardness, ..*joint };
         Self {
             area_interval: model.area_interval(state.area_fraction),
-            conducted: asked.map(|by| by.map(|h| joint.conducted(Conductance::of(h), gas, p))),
+            conducted: conducted_by(theory, model, given, &state),
             state,
             survey,
         }
@@ -103,10 +100,10 @@ impl Said {
 }
 
 /// That, or why it says nothing.
-pub type Answer = Result<Said, ModelError>;
-type Ask<'a> = Box<dyn Fn(&Question) -> Answer + 'a>;
+pub type ModelResult = Result<Said, ModelError>;
+type Ask<'a> = Box<dyn Fn(&ModelLoad) -> ModelResult + 'a>;
 
-impl Question {
+impl ModelLoad {
     /// Pa or m.
     pub fn value(&self) -> f64 {
         match *self {
@@ -122,14 +119,14 @@ impl Question {
 pub fn answers(
     theory: &dyn Theory,
     inputs: &Inputs,
-    questions: &[Question],
+    questions: &[ModelLoad],
     joint: &Joint,
-) -> Result<Vec<Answer>, Unasked> {
+) -> Result<Vec<ModelResult>, Unasked> {
     let given = (inputs, joint);
     let card = theory.card();
     let title = card.title.as_ref();
     let ask: Ask<'_> = match questions.first() {
-        Some(Question::Separation(_)) => match theory.build_separation(inputs) {
+        Some(ModelLoad::Separation(_)) => match theory.build_separation(inputs) {
             None => return Err(Unasked::NoSeparation { model: card.name.to_string() }),
             Some(Ok(model)) => Box::new(move |q| {
                 let state = contact_compare::at_separation(title, model.as_ref(), q.value())?;
@@ -156,7 +153,12 @@ fn refuse_all(error: BuildError) -> Result<Ask<'static>, Unasked> {
 }
 
 /// What is asked of elasticity, with the answers by rising load.
-pub fn scene(card: &Card, inputs: &Inputs, answers: &[Answer], rows: Option<RowOffsets>) -> Scene {
+pub fn scene(
+    card: &Card,
+    inputs: &Inputs,
+    answers: &[ModelResult],
+    rows: Option<RowOffsets>,
+) -> Scene {
     let pressed = |state: &ContactState| {
         let mean = state.real_pressure()?;
         Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
@@ -227,7 +229,7 @@ pub struct OfProfile {
     /// What scripts see.
     pub json: Value,
     /// One answer for each question.
-    pub answers: Vec<Answer>,
+    pub answers: Vec<ModelResult>,
     /// Of each, between which the area lies for 95 of 100 traces like these, if that can be told.
     pub intervals: Vec<Option<[f64; 2]>>,
     /// What may change a conclusion.
@@ -237,13 +239,13 @@ pub struct OfProfile {
     /// What the model was given.
     pub inputs: Inputs,
     /// What it was asked.
-    pub questions: Vec<Question>,
+    pub questions: Vec<ModelLoad>,
     /// Loads, if it was asked at loads.
     pub spread: Option<Spread>,
 }
 
 /// What the traces do not say of a model's inputs, what is asked of it, and loads if those are given.
-pub type Asked = (Inputs, Vec<Question>, Option<Spread>);
+pub type Asked = (Inputs, Vec<ModelLoad>, Option<Spread>);
 
 /// Traces, where they came from, and the form that is taken off each.
 pub type Traced<'a> = (&'a Path, &'a Traces, &'a Origin, Level);
@@ -275,8 +277,8 @@ pub fn of_profile(
         origin,
         &scene(theory.card(), &inputs, &found, None),
     );
-    let interval = |(question, answer): (&Question, &Answer)| match (question, answer) {
-        (Question::Pressure(p), Ok(_)) => {
+    let interval = |(question, answer): (&ModelLoad, &ModelResult)| match (question, answer) {
+        (ModelLoad::Pressure(p), Ok(_)) => {
             contact_compare::area_interval(theory, &inputs, &statistics, *p)
         }
         _ => None,
@@ -284,7 +286,7 @@ pub fn of_profile(
     let intervals: Vec<_> = questions.iter().zip(&found).map(interval).collect();
     let mut json = object(theory.card(), (&inputs, joint), &questions, &found, spread.as_ref());
     for (i, (question, interval)) in questions.iter().zip(&intervals).enumerate() {
-        if matches!(question, Question::Pressure(_)) {
+        if matches!(question, ModelLoad::Pressure(_)) {
             json["points"][i]["area_interval"] = json!(interval);
         }
     }
@@ -301,11 +303,11 @@ pub fn of_profile(
 pub fn object(
     card: &Card,
     (inputs, joint): (&Inputs, &Joint),
-    questions: &[Question],
-    answers: &[Answer],
+    questions: &[ModelLoad],
+    answers: &[ModelResult],
     spread: Option<&Spread>,
 ) -> Value {
-    let point = |(q, a): (&Question, &Answer)| {
+    let point = |(q, a): (&ModelLoad, &ModelResult)| {
         let mut point = point(*q, a);
         conducts(&mut point, a);
         if let Some(spread) = spread {
@@ -329,7 +331,7 @@ pub fn object(
 }
 
 /// Adds what the joint conducts to a point, with a correlation what it is a fit of.
-fn conducts(point: &mut Value, answer: &Answer) {
+fn conducts(point: &mut Value, answer: &ModelResult) {
     let (Ok(said), Value::Object(keys)) = (answer, point) else { return };
     let Some([found, exact]) = &said.conducted else { return };
     keys.extend(contact_report::conducted_keys(found));
@@ -365,7 +367,7 @@ pub fn failure(error: &ModelError) -> Failure {
     }
 }
 
-fn point(question: Question, answer: &Answer) -> Value {
+fn point(question: ModelLoad, answer: &ModelResult) -> Value {
     match answer {
         Ok(Said { state, area_interval, survey, .. }) => json!({
             "mean_pressure": state.mean_pressure,
@@ -383,8 +385,8 @@ fn point(question: Question, answer: &Answer) -> Value {
         }),
         Err(error) => {
             let (pressure, separation) = match question {
-                Question::Pressure(p) => (Some(p), None),
-                Question::Separation(d) => (None, Some(d)),
+                ModelLoad::Pressure(p) => (Some(p), None),
+                ModelLoad::Separation(d) => (None, Some(d)),
             };
             json!({
                 "mean_pressure": pressure,

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// What is given of a body that deforms. Own numbers come before those of the table. SI units.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct Given {
+pub struct BodyInput {
     /// Name in the table of materials.
     pub material: Option<String>,
     /// Young's modulus (Pa).
@@ -22,11 +22,11 @@ pub struct Given {
 /// What is given of two bodies. Every front end asks by this, so that all know the same of a material.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct BothGiven {
+pub struct BothBodies {
     /// Contact modulus E* (Pa), before the elastic constants.
     pub modulus: Option<f64>,
     /// One against a rigid body, or two.
-    pub bodies: Vec<Given>,
+    pub bodies: Vec<BodyInput>,
     /// Hardness of the softer body (Pa), before those of the bodies.
     pub hardness: Option<f64>,
     /// The bodies do not yield, whatever is known of their hardness.
@@ -85,7 +85,7 @@ impl Bodies {
     }
 }
 
-impl BothGiven {
+impl BothBodies {
     /// The bodies in numbers; `None` if neither a modulus nor a body was given.
     ///
     /// # Errors
@@ -120,7 +120,7 @@ impl BothGiven {
         };
         let softest = self.softest(&listed).filter(|_| !self.elastic && self.hardness.is_none());
         let of_table = softest.filter(|(i, _)| self.bodies[*i].hardness.is_none());
-        let used = |(i, (body, listed)): (usize, (&Given, Option<&Material>))| {
+        let used = |(i, (body, listed)): (usize, (&BodyInput, Option<&Material>))| {
             let elastic = [(Property::Young, body.young), (Property::Poisson, body.poisson)];
             let of_modulus = self.modulus.is_none();
             let taken = elastic.into_iter().filter(|(_, own)| of_modulus && own.is_none());
@@ -151,7 +151,7 @@ impl BothGiven {
     }
 }
 
-impl Given {
+impl BodyInput {
     /// E and ν.
     fn elastic(&self, listed: Option<&Material>) -> Result<Body, Failure> {
         let number = |own: Option<f64>, property| match (own, listed) {
@@ -245,12 +245,13 @@ fn failure(error: &SurfaceError) -> Failure {
 mod tests {
     use super::*;
 
-    fn of(names: &[&str]) -> BothGiven {
-        let body = |name: &&str| Given { material: Some((*name).to_owned()), ..Given::default() };
-        BothGiven { bodies: names.iter().map(body).collect(), ..BothGiven::default() }
+    fn of(names: &[&str]) -> BothBodies {
+        let body =
+            |name: &&str| BodyInput { material: Some((*name).to_owned()), ..BodyInput::default() };
+        BothBodies { bodies: names.iter().map(body).collect(), ..BothBodies::default() }
     }
 
-    fn solved(given: &BothGiven) -> Bodies {
+    fn solved(given: &BothBodies) -> Bodies {
         given.resolve().expect("bodies").expect("given")
     }
 
@@ -264,7 +265,7 @@ mod tests {
         assert!(both.materials[1].taken.contains(&Property::Hardness));
         // Without a Poisson's ratio no modulus, but a modulus of one's own leaves the hardness.
         assert!(of(&["pmma"]).resolve().is_err());
-        let own = solved(&BothGiven { modulus: Some(1e11), ..of(&["copper"]) });
+        let own = solved(&BothBodies { modulus: Some(1e11), ..of(&["copper"]) });
         assert!(own.hardness == both.hardness && own.bodies.is_empty());
     }
 
@@ -276,15 +277,15 @@ mod tests {
         let own = solved(&given);
         assert_eq!((own.hardness, own.bodies[0].young), (Some(1e9), 130e9));
         assert_eq!(own.materials[0].taken, [Property::Poisson]);
-        let both = solved(&BothGiven { hardness: Some(3e9), ..given.clone() });
+        let both = solved(&BothBodies { hardness: Some(3e9), ..given.clone() });
         assert_eq!(both.hardness, Some(3e9));
-        let elastic = BothGiven { elastic: true, ..given };
+        let elastic = BothBodies { elastic: true, ..given };
         assert_eq!(solved(&elastic).hardness, None);
         for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            let wrong = BothGiven { hardness: Some(wrong), ..of(&["copper"]) };
+            let wrong = BothBodies { hardness: Some(wrong), ..of(&["copper"]) };
             assert!(wrong.resolve().is_err(), "{wrong:?}");
         }
-        assert_eq!(BothGiven::default().resolve(), Ok(None));
+        assert_eq!(BothBodies::default().resolve(), Ok(None));
     }
 
     #[test]
