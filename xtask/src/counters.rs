@@ -11,8 +11,7 @@ const INSIDE: [&str; 5] =
     ["crates/python/", "crates/rough-contact/", "crates/studies/", "crates/web/", "xtask/"];
 
 /// Enums whose variants are diagnostics: a warning, a finding, or a reason for no answer or no uncertainty.
-const DIAGNOSTICS: [&str; 7] =
-    ["Bare", "Diagnostic", "Fact", "NoUncertainty", "ProfileFact", "Reason", "Warning"];
+const DIAGNOSTICS: [&str; 5] = ["Fact", "NoUncertainty", "ProfileFact", "Reason", "Warning"];
 
 /// Prints each number with its limit; a number above its limit, or without one, is a fault.
 pub(crate) fn check(sources: &[(String, String)], faults: &mut Vec<String>) {

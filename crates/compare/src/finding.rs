@@ -206,8 +206,10 @@ pub enum Fact {
     NoUncertainty {
         /// Why.
         why: NoUncertainty,
-        /// Which areas.
-        at: Bare,
+        /// At how many loads.
+        loads: usize,
+        /// Of how many.
+        of: usize,
     },
     /// Of profiles: what one direction and a finite length leave open.
     Profile(ProfileFact),
@@ -339,23 +341,6 @@ pub struct Steep {
     pub gradient: f64,
     /// True if small-slope elasticity has ended, false if it strains.
     pub is_over: bool,
-}
-
-/// Which areas have no uncertainty.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Bare {
-    /// That of every load.
-    Every,
-    /// That of the headline.
-    Headline,
-    /// Those of some loads.
-    Some {
-        /// How many.
-        loads: usize,
-        /// Of how many.
-        of: usize,
-    },
 }
 
 /// What the strip along the edges does to the area at the headline.

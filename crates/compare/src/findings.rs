@@ -1,7 +1,7 @@
 //! What may change a conclusion: decided here once, for page, terminal and files alike.
 
 use crate::adhesion::Adhesion;
-use crate::finding::{Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Weight, Yielding};
+use crate::finding::{Ended, Fact, Finding, Passed, Pressed, Seam, Weight, Yielding};
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
 use crate::yielding::{BULK_YIELD, hardness_of};
@@ -176,9 +176,7 @@ impl Solved<'_> {
         let bare: Vec<NoUncertainty> =
             self.loads.iter().filter(|l| l.0 == Ended::Converged).filter_map(|l| l.1).collect();
         if let Some(why) = bare.first().copied() {
-            let loads = bare.len();
-            let at = if loads == of { Bare::Every } else { Bare::Some { loads, of } };
-            found.push(check(Fact::NoUncertainty { why, at }));
+            found.push(check(Fact::NoUncertainty { why, loads: bare.len(), of }));
         }
         found.extend(filled(self.missing, self.points, self.fill, self.cleaned));
         found.extend(cleaned(self.cleaned));
@@ -264,10 +262,9 @@ fn uncertainty(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> 
     }
     let why = |budget: &Budget| budget.area.half_width().err();
     let budgets = surface.deterministic.iter().filter_map(|p| Some(&p.answer.as_ref()?.budget));
-    let (all, bare) = (surface.deterministic.len(), budgets.filter_map(why).count());
+    let (of, loads) = (surface.deterministic.len(), budgets.filter_map(why).count());
     let why = why(&surface.headline_answer()?.budget)?;
-    let at = if bare == all { Bare::Every } else { Bare::Headline };
-    Some(check(Fact::NoUncertainty { why, at }))
+    Some(check(Fact::NoUncertainty { why, loads, of }))
 }
 
 /// Whether an answer depends on what lies between the points: of each load its indicator, and its area on twice the
@@ -396,7 +393,7 @@ mod tests {
             [
                 (Weight::Check, Fact::NotConverged { loads: 1, of: 4 }),
                 (Weight::Check, Fact::AtRounding { loads: 1, of: 4 }),
-                (Weight::Check, Fact::NoUncertainty { why, at: Bare::Some { loads: 1, of: 4 } }),
+                (Weight::Check, Fact::NoUncertainty { why, loads: 1, of: 4 }),
                 (
                     Weight::Note,
                     Fact::Filled { share: 0.02, spikes: false, how: "nearest".to_owned() }

@@ -131,7 +131,7 @@ impl GapGas {
         row.free_path * (self.temperature / OF_PATHS) * (ATMOSPHERE / self.pressure)
     }
 
-    /// Length of the temperature jumps at both walls, M (m); NaN where [`check`](Self::check) refuses.
+    /// Length of the temperature jumps at both walls, M (m); NaN of a gas that is refused.
     pub fn jump(&self) -> f64 {
         self.jump_of(self.free_path()).unwrap_or(f64::NAN)
     }

@@ -61,7 +61,7 @@ pub use fft_bem_solver::{
     Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
 };
 pub use finding::{
-    Bare, Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Topic, Weight, Yield, Yielding,
+    Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Topic, Weight, Yield, Yielding,
 };
 pub use findings::{Solved, findings, is_below_a_point, measured, of_pair, seam, spiky, sticking};
 pub use first_contact::FirstContact;

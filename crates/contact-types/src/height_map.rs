@@ -69,7 +69,7 @@ impl HeightMap {
     /// Height of pixel (iy, ix) in metres.
     ///
     /// # Panics
-    /// If there is no such pixel; [`get`](Self::get) asks first.
+    /// If there is no such pixel.
     pub fn at(&self, iy: usize, ix: usize) -> f64 {
         self.get(iy, ix).unwrap_or_else(|| {
             let [ny, nx] = self.grid.shape();

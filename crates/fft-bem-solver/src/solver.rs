@@ -255,6 +255,16 @@ enum Work {
     Single(Box<Engine<f32>>),
 }
 
+/// The same of either.
+macro_rules! either {
+    ($work:expr, $engine:ident => $it:expr) => {
+        match $work {
+            Work::Double($engine) => $it,
+            Work::Single($engine) => $it,
+        }
+    };
+}
+
 /// Finds the contact of a rough surface with a flat, one of them rigid or both elastic.
 ///
 /// Built for one grid and modulus. Solving again on the same surface starts from the last
@@ -288,10 +298,7 @@ impl Solver {
 
     /// Forgets the last solution: the next solve starts from nothing.
     pub fn forget(&mut self) {
-        match &mut self.engine {
-            Work::Double(engine) => engine.forget(),
-            Work::Single(engine) => engine.forget(),
-        }
+        either!(&mut self.engine, engine => engine.forget());
     }
 
     /// Solves the contact under `load`.
@@ -369,25 +376,16 @@ impl Solver {
     /// the memory for it beside the solver.
     pub fn contact_stiffness(&mut self) -> Result<SetStiffness, SolverError> {
         let Self { engine, pool, .. } = self;
-        let contact = match engine {
-            Work::Double(engine) => engine.contact(),
-            Work::Single(engine) => engine.contact(),
-        };
+        let (contact, boundary) =
+            either!(engine, engine => (engine.contact(), engine.settings.boundary));
         let contact = contact.ok_or(SolverError::NoSurface)?;
-        let boundary = match engine {
-            Work::Double(engine) => engine.settings.boundary,
-            Work::Single(engine) => engine.settings.boundary,
-        };
         pool.run(|| set_stiffness(self.grid, self.modulus, boundary, &contact))?
     }
 
     fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
         self.check_grid(surface.grid())?;
         let Self { engine, pool, .. } = self;
-        pool.run(|| match engine {
-            Work::Double(engine) => engine.keep(surface),
-            Work::Single(engine) => engine.keep(surface),
-        })?
+        pool.run(|| either!(engine, engine => engine.keep(surface)))?
     }
 
     fn solve_kept(
@@ -397,10 +395,7 @@ impl Solver {
         clock: Clock,
     ) -> Result<Solution, SolverError> {
         let Self { engine, pool, .. } = self;
-        pool.run(|| match engine {
-            Work::Double(engine) => engine.solve(load, observer, clock),
-            Work::Single(engine) => engine.solve(load, observer, clock),
-        })?
+        pool.run(|| either!(engine, engine => engine.solve(load, observer, clock)))?
     }
 
     fn check_grid(&self, found: Grid) -> Result<(), SolverError> {

@@ -321,57 +321,7 @@ pub(crate) fn warned(warning: &Warning) -> Value {
 
 /// Statistics with the keys of `stats --json`.
 pub fn statistics(s: &SurfaceStatistics) -> Value {
-    let warnings: Vec<Value> = s.warnings.iter().map(warned).collect();
-    json!({
-        "shape": s.shape,
-        "pixel": s.pixel,
-        "level": format!("{:?}", s.level).to_lowercase(),
-        "boundary": s.edges.name(),
-        "missing": s.missing,
-        "rms_height": s.rms_height,
-        "mean_abs_height": s.mean_abs_height,
-        "skewness": s.skewness,
-        "kurtosis": s.kurtosis,
-        "peak_height": s.peak_height,
-        "pit_depth": s.pit_depth,
-        "rms_gradient": s.rms_gradient,
-        "m0": s.m0,
-        "m2": s.m2,
-        "m4": s.m4,
-        "m2_x": s.m2_x,
-        "m2_y": s.m2_y,
-        "m4_x": s.m4_x,
-        "m4_y": s.m4_y,
-        "m0_spectral": s.m0_spectral,
-        "m2_spectral": s.m2_spectral,
-        "m4_spectral": s.m4_spectral,
-        "bandwidth": s.bandwidth,
-        "anisotropy": s.anisotropy,
-        "asperities": s.asperities.map(|a| json!({
-            "density": a.density,
-            "radius": a.radius,
-            "height_std": a.height_std,
-            "mean_offset": a.mean_offset,
-        })),
-        "summits": {
-            "count": s.summits.count,
-            "density": s.summits.density,
-            "height_mean": s.summits.height_mean,
-            "height_std": s.summits.height_std,
-            "curvature_mean": s.summits.curvature_mean,
-            "plateaus": s.summits.plateaus,
-        },
-        "hurst": s.hurst,
-        "dimension": s.dimension,
-        "roughness": s.roughness,
-        "fractal_range": s.fractal_range,
-        "rolloff": s.rolloff,
-        "cutoff": s.cutoff,
-        "max_amplitude_ratio": s.max_amplitude_ratio,
-        "record_length": s.record_length,
-        "height_step": s.height_step,
-        "noise_rms": s.noise_rms,
-        "reliable_wavelength": s.reliable_wavelength,
-        "warnings": warnings,
-    })
+    let mut value = json!(s);
+    value["warnings"] = s.warnings.iter().map(warned).collect();
+    value
 }

@@ -1,65 +1,85 @@
-//! The formats and what people call them. How each is recognised and read is in the catalogue.
+//! The formats: what people call them, which file of `formats` reads them, their extensions, and what is read.
 
-macro_rules! formats {
-    ($($variant:ident, $name:literal;)*) => {
+/// Hands every format to a macro, in the order in which they are tried.
+#[rustfmt::skip]
+macro_rules! every_format {
+    ($take:ident) => { $take! {
+        #[cfg(feature = "zip")]
+        X3p, x3p, "X3P (ISO 25178-72)", ["x3p"], "binary and XML data, masks, layers; unit and pixel in the file";
+        #[cfg(feature = "zip")]
+        Npz, npz, "NPZ", ["npz"], "every array is a channel; pixel size and unit are to be given";
+        Npy, npy, "NPY", ["npy"], "real numbers of any type and order; pixel size and unit are to be given";
+        Sur, sur, "Digital Surf SUR", ["sur", "pro"], "surfaces and profiles, plain and compressed, several layers";
+        Sdf, sdf, "SDF (ISO 25178-71)", ["sdf"], "text and binary, also BCR-1.0";
+        Zygo, zygo, "Zygo MetroPro DAT", ["dat", "xyz", "asc"], "phase data; intensity is listed; also exports as text";
+        Opd, opd, "Wyko OPD", ["opd", "asc"], "all raw data blocks; also exports as text";
+        Gwy, gwy, "Gwyddion GWY", ["gwy"], "all data fields with units; masks are missing points";
+        Nanoscope, nanoscope, "Nanoscope", ["spm", "001", "di"], "all channels, 2 and 4 bytes per point, parts of a scan";
+        Al3d, al3d, "Alicona AL3D", ["al3d"], "depth image with missing points";
+        Nms, nms, "NanoFocus NMS", ["nms"], "height; intensity is listed";
+        Tmd, tmd, "TrueMap TMD", ["tmd"], "GelSight height maps";
+        Bcrf, bcrf, "BCR-STM, BCRF", ["bcr", "bcrf"], "Latin-1 and UTF-16 headers, missing points";
+        NetCdf, netcdf, "NetCDF classic", ["nc"], "CDF-1, 2 and 5: every variable of two dimensions, or else of one";
+        Ibw, ibw, "Igor binary wave", ["ibw"], "version 5: every layer is a channel";
+        Opdx, opdx, "Dektak OPDx", ["opdx"], "maps and profiles of Vision64";
+        Frt, frt, "FRT MicroProf", ["frt"], "height with missing points";
+        Mi, mi, "Molecular Imaging MI", ["mi"], "all channels of images";
+        Nid, nid, "Nanosurf NID", ["nid", "ezd"], "all channels of images; spectra are left out";
+        Wsxm, wsxm, "WSxM", ["stp", "top"], "images";
+        Plu, plu, "Sensofar PLU", ["plu"], "topographies, all layers";
+        Vk, vk, "Keyence VK", ["vk4", "vk6", "vk7"], "height images of laser microscopes; VK3, VK4, VK6, VK7";
+        #[cfg(feature = "zip")]
+        Zon, zon, "Keyence ZON", ["zon"], "height with missing points";
+        #[cfg(feature = "zip")]
+        Plux, plux, "Sensofar PLUX", ["plux"], "all layers; not checked against a real file";
+        #[cfg(feature = "zip")]
+        Lext, lext, "Olympus LEXT", ["lext"], "height image, others are listed; not checked against a real file";
+        #[cfg(feature = "zip")]
+        Oir, oir, "Olympus OIR", ["oir", "poir"], "height images, also packed (POIR); not checked against a real file";
+        Park, park, "Park Systems TIFF", ["tiff"], "maps and profiles of XEI and SmartScan";
+        Jpk, jpk, "JPK image", ["jpk", "jpk-qi-image"], "all channels";
+        Tiff, tiff_plain, "TIFF", ["tif", "tiff"], "plain pictures of one number a point; pixel size and unit are to be given";
+        Mdt, mdt, "NT-MDT MDT", ["mdt"], "general maps; scans, not checked against a real file";
+        Sxm, sxm, "Nanonis SXM", ["sxm"], "all channels, both ways";
+        Zmg, zmg, "Zeta ZMG", ["zmg"], "height; not checked against a real file";
+        Os3d, os3d, "OmniSurf3D OS3D", ["os3d"], "height with missing points; not checked against a real file";
+        #[cfg(feature = "zip")]
+        Mitutoyo, mitutoyo, "Mitutoyo workbook", ["xlsx"], "the profile of a SurfTest tester; checked against made workbooks only";
+        Datx, datx, "Zygo DATX", ["datx"], "all maps; not checked against a real file";
+        Hdf5, hdf5, "HDF5", ["h5", "hdf5"], "every data set of two axes, or else of one, also of NetCDF-4 and MATLAB 7.3; unit from its attribute";
+        #[cfg(feature = "zip")]
+        Mnt, mnt, "Digital Surf MNT", ["mnt"], "surfaces as they were loaded, with missing points; results of the document are not read";
+        #[cfg(feature = "zip")]
+        Softgauge, softgauge, "NIST softgauge", ["xml"], "profiles of NIST's algorithm testing system";
+        Text, table, "text", ["csv", "asc", "tsv", "txt", "xyz"], "matrices, lists of x y z, profiles, several traces beside each other; any separator, decimal comma, missing cells";
+    } };
+}
+pub(crate) use every_format;
+
+macro_rules! names {
+    ($($(#[$cfg:meta])? $variant:ident, $module:ident, $name:literal, [$($extension:literal),*], $about:literal;)*) => {
         /// A file format.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[non_exhaustive]
         pub enum Format {
             $(#[doc = $name] $variant,)*
+            /// A container of others.
+            Zip,
         }
 
         impl Format {
             /// Its name for people.
             pub fn name(self) -> &'static str {
-                match self { $(Self::$variant => $name,)* }
+                match self {
+                    $(Self::$variant => $name,)*
+                    Self::Zip => "ZIP or gzip",
+                }
             }
         }
     };
 }
 
-formats! {
-    X3p, "X3P (ISO 25178-72)";
-    Npz, "NPZ";
-    Npy, "NPY";
-    Sur, "Digital Surf SUR";
-    Sdf, "SDF (ISO 25178-71)";
-    Zygo, "Zygo MetroPro DAT";
-    Opd, "Wyko OPD";
-    Gwy, "Gwyddion GWY";
-    Nanoscope, "Nanoscope";
-    Al3d, "Alicona AL3D";
-    Nms, "NanoFocus NMS";
-    Tmd, "TrueMap TMD";
-    Bcrf, "BCR-STM, BCRF";
-    NetCdf, "NetCDF classic";
-    Ibw, "Igor binary wave";
-    Opdx, "Dektak OPDx";
-    Frt, "FRT MicroProf";
-    Mi, "Molecular Imaging MI";
-    Nid, "Nanosurf NID";
-    Wsxm, "WSxM";
-    Plu, "Sensofar PLU";
-    Vk, "Keyence VK";
-    Zon, "Keyence ZON";
-    Plux, "Sensofar PLUX";
-    Lext, "Olympus LEXT";
-    Oir, "Olympus OIR";
-    Park, "Park Systems TIFF";
-    Jpk, "JPK image";
-    Tiff, "TIFF";
-    Mdt, "NT-MDT MDT";
-    Sxm, "Nanonis SXM";
-    Zmg, "Zeta ZMG";
-    Os3d, "OmniSurf3D OS3D";
-    Mitutoyo, "Mitutoyo workbook";
-    Datx, "Zygo DATX";
-    Hdf5, "HDF5";
-    Mnt, "Digital Surf MNT";
-    Softgauge, "NIST softgauge";
-    Text, "text";
-    Zip, "ZIP or gzip";
-}
+every_format!(names);
 
 impl std::fmt::Display for Format {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

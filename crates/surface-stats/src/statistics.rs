@@ -52,6 +52,7 @@ pub struct SurfaceStatistics {
     /// What was removed first.
     pub level: Level,
     /// What lies beyond the edges.
+    #[cfg_attr(feature = "serde", serde(rename = "boundary"))]
     pub edges: Edges,
     /// Points that were filled in.
     pub missing: usize,

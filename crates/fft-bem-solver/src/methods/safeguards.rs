@@ -5,9 +5,11 @@ use super::chord::{Chord, Kind};
 use super::contract::{ContactMethod, Outcome, Start, State, Target, Task};
 use super::polonsky_keer::PolonskyKeer;
 use crate::problem::{self, Problem};
+use crate::simd::IS_PLAIN;
 use crate::{End, HalfSpace, fields};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use std::ops::ControlFlow;
+use std::sync::atomic::Ordering;
 
 fn surface() -> (Problem<f64>, Grid) {
     let grid = Grid::new([30, 26], [1.0, 1.0]).unwrap();
@@ -100,4 +102,18 @@ fn a_bad_preconditioner_costs_time_only() {
         fallbacks += outcome.fallbacks.gradient_steps + outcome.fallbacks.face_cg_steps;
     }
     assert!(fallbacks > 0, "no safeguard was exercised");
+}
+
+/// Answers are the same to the last bit whatever the vectors of the processor.
+#[test]
+fn vectors_change_no_bit() {
+    let (problem, grid) = surface();
+    let solved = |is_plain: bool| {
+        IS_PLAIN.store(is_plain, Ordering::Relaxed);
+        let (_, found) = run(&mut Chord::new(grid), &problem, f64::INFINITY, 1e-8, 0.05);
+        IS_PLAIN.store(false, Ordering::Relaxed);
+        [found.pressure, found.displacement]
+            .map(|field| field.iter().map(|x| x.to_bits()).collect::<Vec<_>>())
+    };
+    assert!(solved(true) == solved(false));
 }

@@ -20,6 +20,7 @@ mod direct;
 mod extremes;
 mod hardness_map;
 mod load_curve;
+mod perimeter_correction;
 mod properties;
 mod random_problems;
 mod reference_points;

@@ -181,7 +181,7 @@ impl Frame {
         [self.x.at(x), self.y.at(y)]
     }
 
-    /// Draws grid, ticks, axes, numbers and titles.
+    /// Grid, ticks, axes, numbers and titles.
     pub(crate) fn draw(&self, canvas: &mut Canvas) {
         let x_ticks: Vec<_> =
             self.x.major().into_iter().map(|v| (v, self.x.tick_text(v))).collect();
@@ -190,7 +190,7 @@ impl Frame {
         self.draw_with(canvas, &x_ticks, &y_ticks);
     }
 
-    /// As [`Frame::draw`], with ticks chosen by the caller.
+    /// The same with ticks chosen by the caller.
     pub fn draw_with(
         &self,
         canvas: &mut Canvas,

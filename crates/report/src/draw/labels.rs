@@ -19,7 +19,7 @@ pub struct EndLabel {
     pub colour: Colour,
     /// Bold.
     pub bold: bool,
-    /// The series it names, see [`Canvas::series`]; may be empty.
+    /// The series it names; may be empty.
     pub series: String,
 }
 

@@ -36,7 +36,7 @@ impl Picture {
     /// `data:image/png;base64,…`.
     ///
     /// # Errors
-    /// As [`Picture::png`].
+    /// If the number of bytes does not fit the size.
     pub fn data_address(&self) -> Result<String, png::EncodingError> {
         Ok(address(&self.png()?))
     }

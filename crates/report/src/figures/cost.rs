@@ -18,6 +18,8 @@ pub(crate) struct Route {
     pub look: Style,
     /// Seconds.
     pub seconds: f64,
+    /// Seconds from typed numbers, where nothing has to be prepared, if it can be asked so.
+    pub typed: Option<f64>,
     /// Size of its relative error.
     pub error: f64,
     /// Bold label.
@@ -34,7 +36,8 @@ pub(crate) fn figure(
     key: &str,
 ) -> Figure {
     const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 226.0];
-    let seconds: Vec<f64> = routes.iter().map(|r| r.seconds).collect();
+    let seconds: Vec<f64> =
+        routes.iter().flat_map(|r| [r.typed.unwrap_or(r.seconds), r.seconds]).collect();
     let fastest = seconds.iter().copied().fold(f64::INFINITY, f64::min).max(1e-9);
     let slowest = seconds.iter().copied().fold(0.0, f64::max).max(10.0 * fastest);
     let (mut lo, mut hi) = (f64::INFINITY, 1e-3);
@@ -81,7 +84,15 @@ pub(crate) fn figure(
     canvas.polyline(&steps, Stroke { colour: LINE, width: 1.1, dash: "3 2" });
     for route in routes {
         let [x, y] = place(route);
-        canvas.series(&route.series, |canvas| canvas.marker([x, y], 3.4, route.look));
+        canvas.series(&route.series, |canvas| {
+            if let Some(typed) = route.typed {
+                let end = frame.x.at(typed.max(fastest / 3.0));
+                let stroke = Stroke { colour: route.look.colour, width: 0.7, dash: "" };
+                canvas.polyline(&[[x, y], [end, y]], stroke);
+                canvas.polyline(&[[end, y - 3.0], [end, y + 3.0]], stroke);
+            }
+            canvas.marker([x, y], 3.4, route.look);
+        });
         taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
     }
     for route in routes {
@@ -101,7 +112,11 @@ pub(crate) fn figure(
     }
     let listed: Vec<String> = routes
         .iter()
-        .map(|r| format!("{} {} in {}", r.label, percent(r.error), duration(r.seconds)))
+        .map(|r| {
+            let typed = r.typed.map(|s| format!(" ({} from typed numbers)", duration(s)));
+            let (error, time) = (percent(r.error), duration(r.seconds));
+            format!("{} {error} in {time}{}", r.label, typed.unwrap_or_default())
+        })
         .collect();
     Figure {
         key: key.into(),
@@ -122,6 +137,7 @@ pub(crate) fn deterministic(seconds: f64) -> Route {
         series: String::new(),
         look: DETERMINISTIC_STYLE,
         seconds,
+        typed: None,
         error: 0.0,
         bold: true,
     }

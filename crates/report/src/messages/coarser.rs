@@ -27,6 +27,7 @@ pub(crate) fn routes(surface: &SurfaceComparison) -> impl Iterator<Item = Route>
         series: String::new(),
         look: LOOK,
         seconds: c.seconds,
+        typed: None,
         error: c.error.abs(),
         bold: false,
     })

@@ -9,7 +9,7 @@ use crate::messages::spikes::spikes;
 use crate::messages::yielding;
 use crate::numbers::{METRES, PASCALS, SPACE, counted, fixed, percent, quantity, significant};
 use contact_accuracy::{INDICATOR_LIMIT, NoUncertainty, Reached};
-use contact_compare::{Bare, EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
+use contact_compare::{EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
 use surface_stats::clean::{FormParameters, Record};
 
 /// A finding in words, as plain text.
@@ -74,17 +74,9 @@ pub fn finding(finding: &Finding) -> Worded {
             "Its area, real pressure and stiffness there are those of a point, not of the surface. Is the \
              unit of the load right? Raise the load, or measure finer.",
         ),
-        Fact::NoUncertainty { why, at } => {
-            let claim = match at {
-                Bare::Every => "The area is without uncertainty estimate.".to_owned(),
-                Bare::Headline => {
-                    "The area at this load is without uncertainty estimate.".to_owned()
-                }
-                Bare::Some { loads, of } => {
-                    format!("The area is without uncertainty estimate at {loads} of {of} loads.")
-                }
-            };
-            worded(claim, no_uncertainty(*why))
+        Fact::NoUncertainty { why, loads, of } => {
+            let at = if loads < of { format!(" at {loads} of {of} loads") } else { String::new() };
+            worded(format!("The area is without uncertainty estimate{at}."), no_uncertainty(*why))
         }
         Fact::Profile(found) => {
             let (claim, text) = profile::fact(found);

@@ -28,6 +28,8 @@ pub(crate) struct Ranked<'a> {
     pub error: f64,
     /// Seconds to its first answer.
     pub seconds: f64,
+    /// Seconds of an answer from typed numbers, if it can be asked so.
+    pub typed: Option<f64>,
 }
 
 /// The closed forms that answer at the reference load, nearest first; where the contact yields, those of
@@ -42,7 +44,8 @@ pub(crate) fn ranked(surface: &SurfaceComparison) -> Vec<Ranked<'_>> {
         .filter_map(|(place, model)| {
             let curve = model.outcome.as_ref().ok()?;
             let error = (*curve.errors.get(surface.headline)?)?;
-            Some(Ranked { model, place, error, seconds: curve.preparation + curve.seconds })
+            let typed = (!model.card.inputs.is_empty()).then_some(curve.seconds);
+            Some(Ranked { model, place, error, seconds: curve.preparation + curve.seconds, typed })
         })
         .collect();
     list.sort_by(|a, b| a.error.abs().total_cmp(&b.error.abs()));

@@ -104,6 +104,7 @@ impl<'a> Curves<'a> {
                     series: String::new(),
                     look: plot_style(name, k),
                     seconds,
+                    typed: None,
                     error: leak.error_of(permeability)?.abs(),
                     bold: false,
                 })

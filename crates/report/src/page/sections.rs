@@ -80,7 +80,7 @@ pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &s
         let four = page.next_figure();
         let floor = relative_uncertainty(surface);
         let caption = format!(
-            "<b>Fig. {four}. Error against time</b> at {p}, from the levelled map. Dashed: Pareto front."
+            "<b>Fig. {four}. Error against time</b> at {p}, from the levelled map; bars: from typed numbers. Dashed: Pareto front."
         );
         let key = format!("{id}-f{four}");
         let time = "Time to the first answer";
@@ -147,6 +147,7 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<cost::Route>> {
             series: r.model.card.name.to_string(),
             look: plot_style(&r.model.card.name, r.place),
             seconds: r.seconds,
+            typed: r.typed,
             error: r.error.abs(),
             bold: false,
         })

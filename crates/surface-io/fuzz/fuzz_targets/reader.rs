@@ -1,20 +1,19 @@
-//! One target per reader: the name of the binary is the format. Whatever the bytes, a reader
-//! returns a measurement that keeps its promises or a typed error, within small limits.
+//! The reader of the format that the variable FORMAT names, or all, each where it recognises its own. Whatever the bytes, a
+//! reader returns a measurement that keeps its promises or a typed error, within small limits.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use std::sync::OnceLock;
 use surface_io::{FORMATS, FormatSpec, Layout, Limits, ReadOptions, read_bytes, read_channels_bytes};
 
-/// `None` for the target `any`, which recognises the format itself.
+/// `None` if none is named: it is recognised.
 fn format() -> Option<&'static FormatSpec> {
     static FORMAT: OnceLock<Option<&'static FormatSpec>> = OnceLock::new();
     *FORMAT.get_or_init(|| {
-        let target = env!("CARGO_BIN_NAME");
-        let found = FORMATS
-            .iter()
-            .find(|spec| format!("{:?}", spec.format).eq_ignore_ascii_case(target));
-        assert!(found.is_some() || target == "any", "no format is called {target}");
+        let named = std::env::var("FORMAT").ok()?;
+        let found =
+            FORMATS.iter().find(|spec| format!("{:?}", spec.format).eq_ignore_ascii_case(&named));
+        assert!(found.is_some(), "no format is called {named}");
         found
     })
 }

@@ -303,7 +303,7 @@ fn files_that_are_none() {
     }
 }
 
-/// Seeds for the fuzz targets, one folder per format: `fuzz/seeds/<target>/`.
+/// Seeds for the fuzz targets, one folder per format: `fuzz/seeds/<format>/`.
 #[test]
 #[ignore = "writes files: seeds for cargo fuzz"]
 fn write_fuzz_seeds() {
