@@ -68,7 +68,7 @@ const PROGRAMS: [(&str, [&str; 2], &str); 3] = [
 fn builds() -> Result<String, String> {
     let target = root().join("target/costs");
     let mut table = machine()?;
-    table.push_str("Optimised builds (`--release`) of the libraries with all they need; processor seconds.\n\n");
+    table.push_str("Optimised builds (`--release`) with all they need; processor seconds.\n\n");
     table.push_str("| crate | from clean |\n|---|---:|\n");
     for package in packages().filter(|name| *name != "rough-contact" && *name != "studies") {
         if target.exists() {

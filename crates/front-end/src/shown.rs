@@ -23,12 +23,7 @@ pub fn pressure(pascals: f64) -> String {
 
 /// A fraction in percent with three digits.
 pub fn percent(fraction: f64) -> String {
-    format!("{} %", digits(100.0 * fraction))
-}
-
-/// A pure number with three significant digits, in one word.
-pub fn digits(value: f64) -> String {
-    significant(value, 3)
+    format!("{} %", significant(100.0 * fraction, 3))
 }
 
 /// A pure number with so many significant digits, in one word: columns are parted at spaces.

@@ -118,6 +118,11 @@ pub(crate) fn highest(highest: f64, mean: Option<f64>) -> String {
     }
 }
 
+/// A pure number with three significant digits.
+pub(crate) fn digits(value: f64) -> String {
+    significant(value, 3)
+}
+
 /// A pure number with four significant digits.
 pub(crate) fn number(value: f64) -> String {
     significant(value, 4)
