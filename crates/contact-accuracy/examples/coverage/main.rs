@@ -28,10 +28,12 @@ fn main() {
         return;
     }
     if !name.is_empty() && name != "gaps" {
-        for (case, shown) in [(Case::Pressure, "at a pressure"), (Case::Gap, "at a gap")] {
+        for (case, shown) in
+            [(Case::Pressure, name.clone()), (Case::Gap, format!("{name}, at a gap"))]
+        {
             let mut found = Coverage::default();
             (0..SEEDS).for_each(|seed| found.add(&solved(&family(&name, seed).unwrap(), case)));
-            println!("{}", rows::row(shown, &found));
+            println!("{}", rows::row(&shown, &found));
         }
         return;
     }
