@@ -15,7 +15,7 @@ pub enum Spacing {
 
 /// One axis: data `[lo, hi]` onto figure units `[start, end]`.
 #[derive(Debug, Clone, Copy)]
-pub struct Axis {
+pub struct PlotAxis {
     /// Spacing.
     pub spacing: Spacing,
     /// Data limits.
@@ -24,7 +24,7 @@ pub struct Axis {
     pub units: [f64; 2],
 }
 
-impl Axis {
+impl PlotAxis {
     /// A logarithmic axis; both limits above 0.
     pub fn log(data: [f64; 2], units: [f64; 2]) -> Self {
         Self { spacing: Spacing::Log, data, units }
@@ -166,9 +166,9 @@ pub(crate) fn round_step(about: f64) -> f64 {
 #[derive(Debug, Clone)]
 pub struct Frame {
     /// Horizontal axis.
-    pub x: Axis,
+    pub x: PlotAxis,
     /// Vertical axis; `units` run from bottom to top.
-    pub y: Axis,
+    pub y: PlotAxis,
     /// Title of the horizontal axis, "Quantity (unit)".
     pub x_title: String,
     /// Title of the vertical axis.
@@ -260,13 +260,13 @@ mod tests {
 
     #[test]
     fn log_ticks_are_decades_or_one_two_five() {
-        let wide = Axis::log([0.25, 250.0], [0.0, 100.0]);
+        let wide = PlotAxis::log([0.25, 250.0], [0.0, 100.0]);
         assert_eq!(wide.major(), [1.0, 10.0, 100.0]);
-        let narrow = Axis::log([0.08, 3.0], [0.0, 100.0]);
+        let narrow = PlotAxis::log([0.08, 3.0], [0.0, 100.0]);
         assert_eq!(narrow.major().len(), 5); // 0.1 0.2 0.5 1 2
         assert_eq!(narrow.tick_text(0.2), "0.2");
         // Coarser sets would leave the part above 1 to be guessed.
-        let last = Axis::log([0.49, 1.93], [0.0, 100.0]).major().pop();
+        let last = PlotAxis::log([0.49, 1.93], [0.0, 100.0]).major().pop();
         assert_eq!(last, Some(1.5));
         assert_eq!(wide.tick_text(1e-6), "10⁻⁶");
         assert!((wide.at(25.0_f64.sqrt() * 0.5) - 100.0 / 3.0).abs() < 1e-9);
@@ -285,7 +285,7 @@ mod tests {
 
     #[test]
     fn linear_ticks_are_round_and_inside() {
-        let axis = Axis::linear([-43.0, 22.0], [0.0, 1.0]);
+        let axis = PlotAxis::linear([-43.0, 22.0], [0.0, 1.0]);
         assert_eq!(axis.major(), [-40.0, -20.0, 0.0, 20.0]);
         assert_eq!(axis.tick_text(-20.0), "\u{2212}20");
     }

@@ -1,6 +1,6 @@
 //! What the contact conducts: over the load, and without the shortest waves.
 
-use crate::draw::axes::{Axis, Frame};
+use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{
     Colour, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, Marker, PERSSON, Style,
@@ -45,8 +45,8 @@ pub(crate) fn over_load(
     let (first, last) = (pressures[0], pressures[last]);
     let ends = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
     let frame = Frame {
-        x: Axis::log(ends.map(|p| p / unit.scale), [LEFT, RIGHT]),
-        y: Axis::log(log_limits(&reference, &others, f64::INFINITY), [BOTTOM, TOP]),
+        x: PlotAxis::log(ends.map(|p| p / unit.scale), [LEFT, RIGHT]),
+        y: PlotAxis::log(log_limits(&reference, &others, f64::INFINITY), [BOTTOM, TOP]),
         x_title,
         y_title: format!("{title} ({unit_name})"),
     };
@@ -83,8 +83,8 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
     let all = || area.iter().chain(&conductance).copied();
     let (lo, hi) = (all().fold(1.0, f64::min), all().fold(1.0, f64::max));
     let frame = Frame {
-        x: Axis::log([shortest / 1.1 / unit.scale, longest * 1.1 / unit.scale], [LEFT, RIGHT]),
-        y: Axis::log([(lo / 1.1).min(0.8), (hi * 1.1).max(1.25)], [BOTTOM, TOP]),
+        x: PlotAxis::log([shortest / 1.1 / unit.scale, longest * 1.1 / unit.scale], [LEFT, RIGHT]),
+        y: PlotAxis::log([(lo / 1.1).min(0.8), (hi * 1.1).max(1.25)], [BOTTOM, TOP]),
         x_title: format!("Shortest wave of the map ({})", unit.name),
         y_title: "Over that of the whole map".into(),
     };

@@ -1,6 +1,6 @@
 //! Fig. 4: what accuracy costs, error against time.
 
-use crate::draw::axes::{Axis, Frame};
+use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::labels::place_near;
 use crate::draw::palette::{BAND, DETERMINISTIC_STYLE, INK2, LINE, Style};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
@@ -49,8 +49,8 @@ pub(crate) fn figure(
     lo = lo.min(hi);
     hi = hi.max(10.0 * lo);
     let frame = Frame {
-        x: Axis::log([fastest / 3.0, slowest * 4.0], [FRAME[0], FRAME[2]]),
-        y: Axis::log([lo / 6.0, hi * 1.8], [FRAME[3], FRAME[1]]),
+        x: PlotAxis::log([fastest / 3.0, slowest * 4.0], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::log([lo / 6.0, hi * 1.8], [FRAME[3], FRAME[1]]),
         x_title: time.into(),
         y_title: format!("|Error| in {of} at {at} (%)"),
     };

@@ -1,6 +1,6 @@
 //! The figures over the load: real area, real pressure, error of each closed form.
 
-use crate::draw::axes::{Axis, Frame};
+use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK2};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
@@ -130,7 +130,7 @@ impl Plot<'_> {
         let bottom = HEIGHT - BOTTOM_MARGIN;
         let frame = Frame {
             x: x_axis(lines, unit),
-            y: Axis::log([lo, hi], [bottom, top]),
+            y: PlotAxis::log([lo, hi], [bottom, top]),
             x_title,
             y_title: self.y_title.clone(),
         };
@@ -265,7 +265,7 @@ pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
     let bottom = HEIGHT - BOTTOM_MARGIN;
     let frame = Frame {
         x: x_axis(lines, unit),
-        y: Axis::linear([lo, hi], [bottom, top]),
+        y: PlotAxis::linear([lo, hi], [bottom, top]),
         x_title,
         y_title: "Error in area (%)".into(),
     };
@@ -478,8 +478,8 @@ fn middle(values: &[Option<f64>]) -> Option<f64> {
 }
 
 /// The horizontal axis: from the lightest load to the heaviest.
-fn x_axis(lines: &Lines, unit: Unit) -> Axis {
+fn x_axis(lines: &Lines, unit: Unit) -> PlotAxis {
     let (first, last) = (lines.pressures[0], lines.pressures[lines.pressures.len() - 1]);
     let data = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
-    Axis::log(data.map(|p| p / unit.scale), [LEFT, RIGHT])
+    PlotAxis::log(data.map(|p| p / unit.scale), [LEFT, RIGHT])
 }

@@ -1,6 +1,6 @@
 //! A section through a map: the surface as it is, and pressed against the flat.
 
-use crate::draw::axes::{Axis, Frame};
+use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::palette::{
     BAND, DETERMINISTIC, GRID, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table,
 };
@@ -58,8 +58,8 @@ impl Cut {
         let room = 0.05 * (high - low).max(1e-3 * y_unit.scale);
         let y = [low - room, high + room].map(|z| z / y_unit.scale);
         Frame {
-            x: Axis::linear([0.0, self.length / x_unit.scale], [FRAME[0], FRAME[2]]),
-            y: Axis::linear(y, [FRAME[3], FRAME[1]]),
+            x: PlotAxis::linear([0.0, self.length / x_unit.scale], [FRAME[0], FRAME[2]]),
+            y: PlotAxis::linear(y, [FRAME[3], FRAME[1]]),
             x_title: format!("Along the dashed line of the map ({})", x_unit.name),
             y_title: format!("Height ({})", y_unit.name),
         }

@@ -1,6 +1,6 @@
 //! How pressure, gap and contact spots are distributed, at one load or at every load on the same axes.
 
-use crate::draw::axes::{Axis, Frame};
+use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use crate::numbers::{AREAS, METRES, SPACE, Unit, percent, quantity, significant, unit_for};
@@ -145,8 +145,8 @@ fn pressure_axes(all: &[&Distributions]) -> Option<Axes> {
     let right = highest(all.iter().map(|d| right(&d.pressure)))?.max(2.5);
     let top = highest(all.iter().flat_map(|d| over_the_mean(&d.pressure).1))?.max(0.8);
     let frame = Frame {
-        x: Axis::linear([0.0, right], [FRAME[0], FRAME[2]]),
-        y: Axis::linear([0.0, 1.1 * top], [FRAME[3], FRAME[1]]),
+        x: PlotAxis::linear([0.0, right], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::linear([0.0, 1.1 * top], [FRAME[3], FRAME[1]]),
         x_title: "Pressure over its mean in contact".into(),
         y_title: "Density in contact".into(),
     };
@@ -200,8 +200,8 @@ fn gap_axes(all: &[&Distributions]) -> Option<Axes> {
     let least = each().map(|g| g.gaps[0]).reduce(f64::min)?;
     let unit = unit_for(highest(each().map(|g| g.mean))?, METRES);
     let frame = Frame {
-        x: Axis::log([least / unit.scale, 1.1 * widest / unit.scale], [FRAME[0], FRAME[2]]),
-        y: Axis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
+        x: PlotAxis::log([least / unit.scale, 1.1 * widest / unit.scale], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
         x_title: format!("Gap ({})", unit.name),
         y_title: "Nominal area with less gap (%)".into(),
     };
@@ -241,8 +241,8 @@ fn spot_axes(all: &[&Distributions]) -> Option<Axes> {
     let unit = unit_for(longest[longest.len() / 2], AREAS);
     let [low, high] = [longest[0], longest[longest.len() - 1]].map(|a| a / unit.scale);
     let frame = Frame {
-        x: Axis::log([low / 1.1, high.max(2.0 * low) * 1.1], [FRAME[0], FRAME[2]]),
-        y: Axis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
+        x: PlotAxis::log([low / 1.1, high.max(2.0 * low) * 1.1], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
         x_title: format!("Spot area ({})", unit.name),
         y_title: "In spots at least as large (%)".into(),
     };

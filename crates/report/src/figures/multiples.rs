@@ -1,6 +1,6 @@
 //! Small multiples: one panel per surface, axes shared, loads made comparable by p / (E* g).
 
-use crate::draw::axes::{Axis, Frame};
+use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::labels::{EndLabel, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK};
 use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text, num};
@@ -115,11 +115,11 @@ pub(crate) fn figure(
         let top = (i / PER_ROW) as f64 * row_height + head;
         let y_units = [top + PANEL[1], top];
         let frame = Frame {
-            x: Axis::log([x_lo, x_hi], [left, left + PANEL[0]]),
+            x: PlotAxis::log([x_lo, x_hi], [left, left + PANEL[0]]),
             y: if quantity == Quantity::Error {
-                Axis::linear(limits, y_units)
+                PlotAxis::linear(limits, y_units)
             } else {
-                Axis::log(limits, y_units)
+                PlotAxis::log(limits, y_units)
             },
             x_title: String::new(),
             y_title: if i % PER_ROW == 0 { axis_title(quantity).into() } else { String::new() },

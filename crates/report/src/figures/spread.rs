@@ -1,7 +1,7 @@
 //! Figures over many maps: every curve at once, the errors of each model, distributions.
 
 use crate::digest::Spread;
-use crate::draw::axes::{Axis, Frame};
+use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Style};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use crate::numbers::{SPACE, Unit, power_of_ten, signed_percent, significant, unit_for};
@@ -74,8 +74,8 @@ pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
     let [x_low, x_high] = [low, high].map(|x| x / scale);
     let [y_low, y_high] = limits(|p| p[1]).map(|a| 100.0 * a);
     let frame = Frame {
-        x: Axis::log([x_low / 1.15, x_high * 1.15], [FRAME[0], FRAME[2]]),
-        y: Axis::log([y_low / 1.3, (y_high * 1.3).min(110.0)], [FRAME[3], FRAME[1]]),
+        x: PlotAxis::log([x_low / 1.15, x_high * 1.15], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::log([y_low / 1.3, (y_high * 1.3).min(110.0)], [FRAME[3], FRAME[1]]),
         x_title,
         y_title: "Real contact area (%)".into(),
     };
@@ -139,8 +139,8 @@ pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
     let room = 0.06 * (high - low);
     let [x0, x1] = [100.0 * (low - room), 100.0 * (high + room)];
     let frame = Frame {
-        x: Axis::linear([x0, x1], [LEFT, COLUMN - 10.0]),
-        y: Axis::linear([0.0, 1.0], [bottom, TOP]),
+        x: PlotAxis::linear([x0, x1], [LEFT, COLUMN - 10.0]),
+        y: PlotAxis::linear([0.0, 1.0], [bottom, TOP]),
         x_title: "Error of the area at the headline (%)".into(),
         y_title: String::new(),
     };
@@ -237,7 +237,7 @@ fn histogram(one: &Histogram, [left, top, right, bottom]: [f64; 4], canvas: &mut
     }
     let axis = |data| {
         let units = [left, right];
-        if wide { Axis::log(data, units) } else { Axis::linear(data, units) }
+        if wide { PlotAxis::log(data, units) } else { PlotAxis::linear(data, units) }
     };
     let x = axis([low, high]);
     // Twice the cube root, after Rice; no class without a name.
@@ -250,7 +250,7 @@ fn histogram(one: &Histogram, [left, top, right, bottom]: [f64; 4], canvas: &mut
     let most = counts.iter().copied().max().unwrap_or(1).max(1);
     let frame = Frame {
         x,
-        y: Axis::linear([0.0, most as f64 * 1.08], [bottom, top]),
+        y: PlotAxis::linear([0.0, most as f64 * 1.08], [bottom, top]),
         x_title: one.title.clone(),
         y_title: String::new(),
     };

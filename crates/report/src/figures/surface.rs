@@ -1,6 +1,6 @@
 //! Figures of the surface itself: distribution of heights, power spectrum.
 
-use crate::draw::axes::{Axis, Frame};
+use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::palette::{BAND, DETERMINISTIC, GW, INK, INK2, LINE};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text};
 use crate::numbers::{METRES, SPACE, chosen, quantity, significant, unit_for};
@@ -54,8 +54,8 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
     let end = start + step * all.len() as f64;
     let (left, right) = (start.clamp(-8.0, -4.0), end.clamp(4.0, 8.0));
     let frame = Frame {
-        x: Axis::linear([left - 0.2, right + 0.2], [FRAME[0], FRAME[2]]),
-        y: Axis::log(
+        x: PlotAxis::linear([left - 0.2, right + 0.2], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::log(
             [FLOOR, 1.0_f64.max(1.2 * all.iter().copied().fold(0.0, f64::max))],
             [FRAME[3], FRAME[1]],
         ),
@@ -157,8 +157,8 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
     };
     let unit_of_psd = unit.scale.powi(power);
     let frame = Frame {
-        x: Axis::log([first[0] / unit.scale, last[0] / unit.scale], [FRAME[0], FRAME[2]]),
-        y: Axis::log(
+        x: PlotAxis::log([first[0] / unit.scale, last[0] / unit.scale], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::log(
             [lowest / unit_of_psd / 2.0, highest / unit_of_psd * 4.0],
             [FRAME[3], FRAME[1]],
         ),

@@ -1,6 +1,6 @@
 //! A trace as measured: height over position.
 
-use crate::draw::axes::{Axis, Frame};
+use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK2};
 use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text};
 use crate::numbers::{METRES, chosen, quantity, unit_for};
@@ -28,8 +28,8 @@ pub(crate) fn trace(
     let y_unit = unit_for(high.abs().max(low.abs()), METRES);
     let room = 0.06 * (high - low);
     let frame = Frame {
-        x: Axis::linear([0.0, length / x_unit.scale], [FRAME[0], FRAME[2]]),
-        y: Axis::linear(
+        x: PlotAxis::linear([0.0, length / x_unit.scale], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::linear(
             [(low - room) / y_unit.scale, (high + room) / y_unit.scale],
             [FRAME[3], FRAME[1]],
         ),

@@ -4,7 +4,7 @@
 use crate::tradeoff::{AreaOf, PAIR, STATISTICS, Table, TradeoffRow, Way, ways};
 use contact_accuracy::median;
 use contact_compare::find;
-use contact_report::draw::axes::{Axis, Frame};
+use contact_report::draw::axes::{Frame, PlotAxis};
 use contact_report::draw::labels::{place_near, push_apart};
 use contact_report::draw::palette::{
     BAND, Colour, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, LINE, Marker, Style, WARN,
@@ -107,8 +107,8 @@ pub fn write_tradeoff_area(table: &Table, out: &mut impl Write) -> io::Result<()
     let errors = span(shown.iter().map(|w| w.error[1]).chain([floor]));
     let highest = shown.iter().map(|w| w.error[2]).fold(0.0, f64::max);
     let frame = Frame {
-        x: Axis::log([times[0] / 2.5, times[1] * 1.8], [FRAME[0], FRAME[2]]),
-        y: Axis::log([100.0 * errors[0] / 2.0, 150.0 * highest], [FRAME[3], FRAME[1]]),
+        x: PlotAxis::log([times[0] / 2.5, times[1] * 1.8], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::log([100.0 * errors[0] / 2.0, 150.0 * highest], [FRAME[3], FRAME[1]]),
         x_title: "Time per load".into(),
         y_title: "|Error| of the real area (%)".into(),
     };
@@ -286,8 +286,8 @@ pub fn write_tradeoff_pressure(table: &Table, out: &mut impl Write) -> io::Resul
     let times = span(rows.iter().map(|r| r.seconds).chain(pair));
     let errors = span(rows.iter().map(|r| point(r)[1]));
     let frame = Frame {
-        x: Axis::log([times[0] / 1.6, times[1] * 1.4], [FRAME[0], FRAME[2]]),
-        y: Axis::log([errors[0] / 5.0, 1.0], [FRAME[3], FRAME[1]]),
+        x: PlotAxis::log([times[0] / 1.6, times[1] * 1.4], [FRAME[0], FRAME[2]]),
+        y: PlotAxis::log([errors[0] / 5.0, 1.0], [FRAME[3], FRAME[1]]),
         x_title: "Time to the answer".into(),
         y_title: "Relative rms error of the pressure".into(),
     };
