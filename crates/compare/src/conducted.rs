@@ -96,7 +96,7 @@ pub struct Conductance {
 
 impl Conductance {
     /// A number alone.
-    pub fn of(value: f64) -> Self {
+    pub(crate) fn of(value: f64) -> Self {
         Self { value, estimate: None }
     }
 

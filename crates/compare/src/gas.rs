@@ -1,8 +1,7 @@
 //! Gases that may fill the gap of a joint.
 
 use asperity_models::thermal_conductance::temperature_jump;
-use contact_types::Named;
-use contact_types::{ModelError, require};
+use contact_types::{ModelError, Named, require};
 use serde::{Deserialize, Serialize};
 
 /// What of a gas the table has.

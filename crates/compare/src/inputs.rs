@@ -1,9 +1,8 @@
 //! Everything a model may be made from.
 
-use contact_types::Named;
 use contact_types::{
-    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, RoughnessSpectrum,
-    SpectralMoments, Wave,
+    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, Named,
+    RoughnessSpectrum, SpectralMoments, Wave,
 };
 use multiscale_models::{Persson, SelfAffineSpectrum, SphereLevel};
 use serde::Serialize;

@@ -205,7 +205,7 @@ impl EdgesName {
     ///
     /// # Errors
     /// [`StatsError::Surface`] if the mirror images make too many points.
-    pub(crate) fn around(self, map: &HeightMap) -> Result<Cow<'_, HeightMap>, StatsError> {
+    pub fn around(self, map: &HeightMap) -> Result<Cow<'_, HeightMap>, StatsError> {
         Ok(match self {
             Self::Periodic => Cow::Borrowed(map),
             Self::Mirrored => Cow::Owned(mirrored(map)?),

@@ -10,9 +10,9 @@ use contact_compare::{
     BuildError, Card, Conducted, Finding, Input, Inputs, Joint, Level, MomentSource, OfMap, Origin,
     Pressed, Scene, Theory, built_in, conducted_by,
 };
-use contact_types::Named;
 use contact_types::{
     AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, HeightMap, ModelError,
+    Named,
 };
 use serde_json::{Value, json};
 use std::path::Path;

@@ -14,8 +14,7 @@ use contact_compare::{
     AccuracyRequest, Adhesion, Body, EdgesName, Finding, Hardness, Joint, LeakRequest, Level,
     MaterialUse, Method, PairOrigin, Precision, Reached, Solved, Spikes, WorkOfAdhesion,
 };
-use contact_types::Named;
-use contact_types::{ContactModulus, HeightMap};
+use contact_types::{ContactModulus, HeightMap, Named};
 use fft_bem_solver::{Boundary, Load, Maps, Solver, SolverError};
 use serde_json::{Value, json};
 use std::path::Path;

@@ -9,8 +9,7 @@ use contact_accuracy::{AccuracyRequest, Reached};
 use contact_compare::{
     Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
 };
-use contact_types::Named;
-use contact_types::{ContactState, ModelError};
+use contact_types::{ContactState, ModelError, Named};
 use serde_json::{Value, json};
 use std::io::Write;
 use surface_stats::clean::{FormParameters, Record};

@@ -1,8 +1,7 @@
 //! A pair of bodies as an object.
 
 use contact_compare::{Body, PairOrigin};
-use contact_types::Named;
-use contact_types::SpectralMoments;
+use contact_types::{Named, SpectralMoments};
 use serde_json::{Value, json};
 
 /// Both bodies, how they lie, and how far their moments are from adding up. Lengths `[y, x]`.

@@ -2,8 +2,7 @@
 //! a self-affine one in steps of 1 nm, 8 roll-off wavelengths wide.
 #![allow(missing_docs, reason = "criterion's macros make undocumented functions")]
 
-use contact_types::Named;
-use contact_types::{Grid, HeightMap};
+use contact_types::{Grid, HeightMap, Named};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use surface_stats::clean::{Form, OutlierRule, find_outliers, fit_form, s_filter};

@@ -5,14 +5,13 @@ use crate::request::Request;
 use crate::roughness::{Roughness, levelled};
 use crate::surface::{completed, measurement};
 use crate::trouble::Trouble;
-use contact_compare::{EdgesName, Iteration, Load, Solver};
+use contact_compare::{Iteration, Load, Solver};
 use contact_front_end::{Failure, shown};
 use contact_types::ContactModulus;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use surface_io::{Cut, Measurement};
-use surface_stats::clean::mirrored;
 
 /// Pressure over contact modulus and rms gradient: about 2 % of a surface with normal heights touches.
 const LOAD: f64 = 0.01;
@@ -98,10 +97,7 @@ fn solved(
 ) -> Result<Option<f64>, Trouble> {
     let map = prepared(measured, request)?;
     let modulus = ContactModulus::from_pascals(1.0).map_err(|e| Failure::from_error(&e))?;
-    let whole = match request.remedies.edges() {
-        EdgesName::Periodic => map,
-        EdgesName::Mirrored => mirrored(&map).map_err(|e| Failure::from_error(&e))?,
-    };
+    let whole = request.remedies.edges().around(&map).map_err(|e| Failure::from_error(&e))?;
     let mut solver = Solver::builder()
         .tolerance(TOLERANCE)
         .threads(request.place.threads)

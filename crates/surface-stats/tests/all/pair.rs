@@ -1,7 +1,6 @@
 //! Two bodies as one: what must be exact is exact, what adds in the mean adds within its scatter.
 
-use contact_types::Named;
-use contact_types::{Grid, HeightMap, SpectralMoments};
+use contact_types::{Grid, HeightMap, Named, SpectralMoments};
 use surface_stats::clean::flip;
 use surface_stats::pair::{Composite, Flip, PairError, Placing};
 use surface_stats::spectrum::Axis;
