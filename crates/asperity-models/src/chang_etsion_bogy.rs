@@ -71,23 +71,15 @@ impl ChangEtsionBogy {
         }
         require::finite(MODEL, "mean offset", asperities.mean_offset)?;
         if !(poisson > -1.0 && poisson <= 0.5) {
-            return Err(require::refused(
-                MODEL,
-                "Poisson's ratio",
-                poisson,
-                "must lie between -1 and 1/2",
-            ));
+            let requirement = "must lie between -1 and 1/2";
+            return Err(require::refused(MODEL, "Poisson's ratio", poisson, requirement));
         }
         let factor = 0.454 + 0.41 * poisson; // K
         let strain = 0.5 * PI * factor * hardness / modulus.pascals();
         let w = strain * strain * asperities.radius / asperities.height_std;
         if !w.is_finite() {
-            return Err(require::refused(
-                MODEL,
-                "hardness",
-                hardness,
-                "must be far below the largest double",
-            ));
+            let requirement = "must be far below the largest double";
+            return Err(require::refused(MODEL, "hardness", hardness, requirement));
         }
         Ok(Self { asperities, modulus, w })
     }
@@ -185,12 +177,8 @@ impl ContactModel for ChangEtsionBogy {
         while pressure(low) < mean_pressure {
             low *= 2.0;
             if low < -1e9 {
-                return Err(require::refused(
-                    MODEL,
-                    "mean pressure",
-                    mean_pressure,
-                    "must be one a contact can carry",
-                ));
+                let requirement = "must be one a contact can carry";
+                return Err(require::refused(MODEL, "mean pressure", mean_pressure, requirement));
             }
         }
         while high - low > 4.0 * f64::EPSILON * high.abs().max(low.abs()).max(1e-3) {
@@ -235,12 +223,8 @@ mod tests {
             let w = 1e-9_f64;
             assert!((load(alpha, w) / (1.5 * w.sqrt() * area(alpha, w)) - 1.0).abs() < 1e-6);
         }
-        let asperities = AsperityStatistics {
-            density: 3e10,
-            radius: 8e-6,
-            height_std: 0.3e-6,
-            mean_offset: 0.2e-6,
-        };
+        let (density, radius, height_std, mean_offset) = (3e10, 8e-6, 0.3e-6, 0.2e-6);
+        let asperities = AsperityStatistics { density, radius, height_std, mean_offset };
         let modulus = ContactModulus::from_pascals(110e9).unwrap();
         let model = ChangEtsionBogy::new(asperities, modulus, 2e9, 0.3).unwrap();
         for separation in [-3e-7, 0.0, 4e-7, 1.5e-6] {

@@ -2,8 +2,7 @@
 
 /// A kernel W(t) of the curvature t, as a Chebyshev series times its limit for sharp summits:
 /// `W = T(y) / (lead (x + shift))`, x = t², `y = (x - 14)/(x + 14)`.
-#[derive(Debug)]
-pub struct Kernel {
+pub(crate) struct Kernel {
     pub(crate) lead: f64,
     pub(crate) shift: f64,
     pub(crate) coefficients: &'static [f64],

@@ -17,13 +17,11 @@
 //! [`nayak`] has the density of summit heights itself.
 
 pub mod adhesion;
-mod bgt;
 mod chang_etsion_bogy;
 mod gauss_legendre;
-mod greenwood_elliptical;
 mod kernel_tables;
 mod kernels;
-mod mean_curvature;
+mod laws;
 pub mod nayak;
 mod quadrature;
 mod summit_model;
@@ -34,8 +32,9 @@ pub use contact_types::{
     SeparationModel, SpectralMoments, SurfaceError,
 };
 
-pub use bgt::{BushGibsonThomas, EllipticHertz};
 pub use chang_etsion_bogy::ChangEtsionBogy;
-pub use greenwood_elliptical::{GeometricMeanSphere, GreenwoodElliptical};
-pub use mean_curvature::{ArithmeticMeanSphere, MeanCurvature};
+pub use laws::{
+    ArithmeticMeanSphere, BushGibsonThomas, EllipticHertz, GeometricMeanSphere,
+    GreenwoodElliptical, MeanCurvature,
+};
 pub use summit_model::{SummitLaw, SummitModel};

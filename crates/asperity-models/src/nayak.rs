@@ -91,18 +91,29 @@ fn curvature_density(t: f64) -> f64 {
 }
 
 /// t² - 1 + e^{-t²}; starts as t⁴/2.
-fn summit_weight(t: f64) -> f64 {
+pub(crate) fn summit_weight(t: f64) -> f64 {
     let x = t * t;
     if x > 1.0 {
         return x - 1.0 + (-x).exp();
     }
-    // x² (1/2! - x/3! + x²/4! - ...)
+    x * x * weight_series(x)
+}
+
+/// W_N = (t² - 1 + e^{-t²})/(2t⁴): the contact of a sphere of the mean curvature, averaged over the
+/// curvature ellipses at t.
+pub(crate) fn mean_kernel(t: f64) -> f64 {
+    let x = t * t;
+    if x > 1.0 { (x - 1.0 + (-x).exp()) / (2.0 * x * x) } else { 0.5 * weight_series(x) }
+}
+
+/// (x - 1 + e^{-x})/x² = 1/2! - x/3! + x²/4! - ..., x ≤ 1.
+fn weight_series(x: f64) -> f64 {
     let (mut term, mut sum) = (0.5, 0.0);
     for k in 3..22 {
         sum += term;
         term *= -x / f64::from(k);
     }
-    x * x * sum
+    sum
 }
 
 /// exp(-REACH²/2) of the peak is left out.

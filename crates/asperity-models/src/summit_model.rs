@@ -1,7 +1,6 @@
 //! The integral that Bush-Gibson-Thomas, Greenwood and the mean-curvature model share.
 
-use crate::kernel_tables::MEAN;
-use crate::kernels::Kernel;
+use crate::nayak::summit_weight;
 use crate::quadrature::{Correlation, Summit};
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, ModelError, SeparationModel,
@@ -18,15 +17,15 @@ pub trait SummitLaw: Send + Sync + 'static {
     const NAME: &'static str;
     /// The paper to cite.
     const CITATION: Citation;
-    /// W_A(t): area, averaged over the curvature ellipse.
-    #[doc(hidden)]
-    const AREA: &'static Kernel;
-    /// W_P(t): load, averaged over the curvature ellipse.
-    #[doc(hidden)]
-    const LOAD: &'static Kernel;
     /// ∫ 4 t^{7/2} φ W_P dt to four digits: load at full overlap, for starting values.
     #[doc(hidden)]
     const FULL_OVERLAP: f64;
+    /// W_A(t): area, averaged over the curvature ellipse.
+    #[doc(hidden)]
+    fn area_kernel(t: f64) -> f64;
+    /// W_P(t): load, averaged over the curvature ellipse.
+    #[doc(hidden)]
+    fn load_kernel(t: f64) -> f64;
 }
 
 /// A random surface touched at its summits, each obeying the law `L`.
@@ -81,17 +80,12 @@ impl<L: SummitLaw> SummitModel<L> {
         let bandwidth = moments.bandwidth();
         if !bandwidth.is_normal() {
             let requirement = "must be a normal number; scale the moments to metres";
-            return Err(require::refused(
-                L::NAME,
-                "bandwidth m0 m4 / m2^2",
-                bandwidth,
-                requirement,
-            ));
+            return Err(require::refused(L::NAME, BANDWIDTH, bandwidth, requirement));
         }
         if bandwidth < 1.5 * (1.0 - 1e-14) {
             return Err(ModelError::OutsideDomain {
                 model: L::NAME.into(),
-                quantity: "bandwidth m0 m4 / m2^2".into(),
+                quantity: BANDWIDTH.into(),
                 value: bandwidth,
                 domain: 1.5..=f64::MAX,
                 reason: "no isotropic Gaussian surface has less; the Greenwood-Williamson model \
@@ -125,10 +119,10 @@ impl<L: SummitLaw> SummitModel<L> {
     /// [`ModelError::InvalidInput`] if the separation is not finite.
     pub fn contact_density(&self, separation: f64) -> Result<f64, ModelError> {
         let h = self.dimensionless(separation)?;
-        let [fraction] = self.correlation.integrate(h, |summit| {
-            let t2 = summit.t * summit.t;
-            [4.0 * t2 * t2 * MEAN.at(summit.t) * summit.overlap(Order::Zero)]
-        });
+        // 4 t⁴ W_N = 2 (t² - 1 + e^{-t²})
+        let [fraction] = self
+            .correlation
+            .integrate(h, |summit| [2.0 * summit_weight(summit.t) * summit.overlap(Order::Zero)]);
         let SpectralMoments { m2, m4, .. } = self.moments;
         // eta = (m4/m2) / (6 pi sqrt 3); the sqrt 3 of the fraction cancels that of the density
         Ok(gaussian(m4 / m2 / (6.0 * PI) * fraction, h))
@@ -152,7 +146,11 @@ impl<L: SummitLaw> SummitModel<L> {
             });
         }
         let [load] = self.correlation.integrate(h, |summit| [load_of::<L>(summit)]);
-        Ok(self.ln_pressure_of(load, h))
+        Ok(self.dimensionless_scale().ln()
+            + self.modulus.pascals().ln()
+            + 0.5 * self.moments.m2.ln()
+            + load.ln()
+            + ln_gaussian(h))
     }
 
     /// The contact whose real area fraction is `area_fraction`, by inversion. At 0 nothing touches
@@ -167,37 +165,38 @@ impl<L: SummitLaw> SummitModel<L> {
             return Ok(ContactState::nothing_touches());
         }
         let h = self.solve_area(area_fraction)?;
-        let [load, slope, area, area_slope] = self.integrals(h);
-        let found = gaussian(self.area_scale() * area, h);
-        let missing = if found.is_normal() { area_fraction / found - 1.0 } else { 0.0 };
-        let elasticity = (slope / load) / (area_slope / area);
-        let pressure = gaussian(self.pressure_scale() * load * (1.0 + missing * elasticity), h);
-        let pressure = require::answer(L::NAME, pressure, "area fraction", area_fraction)?;
-        let separation = (h - missing * area / area_slope) * self.moments.rms_height();
-        let separation = require::answer(L::NAME, separation, "area fraction", area_fraction)?;
-        Ok(ContactState::of_isolated_summits(pressure, area_fraction, separation))
+        let [load, area] = self.load_and_area(h);
+        let [pressure, separation] = self
+            .moved_along(h, area_fraction, [area, load])
+            .map(|answer| require::answer(L::NAME, answer, "area fraction", area_fraction));
+        Ok(ContactState::of_isolated_summits(pressure?, area_fraction, separation?))
     }
 
-    /// Load, area and their slopes -d/dh, as integrals over the summits.
-    fn integrals(&self, h: f64) -> [f64; 4] {
-        self.correlation.integrate(h, |summit| {
+    /// Load and area: scale, integral over the summits, and its slope -d/dh.
+    fn load_and_area(&self, h: f64) -> [[f64; 3]; 2] {
+        let [load, slope, area, area_slope] = self.correlation.integrate(h, |summit| {
             [
                 load_of::<L>(summit),
                 stiffness_of::<L>(summit),
                 area_of::<L>(summit),
                 area_slope_of::<L>(summit),
             ]
-        })
+        });
+        [[self.pressure_scale(), load, slope], [self.area_scale(), area, area_slope]]
     }
 
-    /// ln p from the load integral.
-    fn ln_pressure_of(&self, load: f64, h: f64) -> f64 {
-        let exponent = if h > 0.0 { -0.5 * h * h } else { 0.0 };
-        self.dimensionless_scale().ln()
-            + self.modulus.pascals().ln()
-            + 0.5 * self.moments.m2.ln()
-            + load.ln()
-            + exponent
+    /// The one wanted of load and area, and the separation (m), where the known one is `target`.
+    ///
+    /// h is a rounded number, and both change by h² times its rounding. What the known one still
+    /// lacks at this h is known, so the wanted one is moved along with it.
+    fn moved_along(&self, h: f64, target: f64, [known, wanted]: [[f64; 3]; 2]) -> [f64; 2] {
+        let [[scale, known, slope], [wanted_scale, wanted, wanted_slope]] = [known, wanted];
+        let found = gaussian(scale * known, h);
+        let missing = if found.is_normal() { target / found - 1.0 } else { 0.0 };
+        let elasticity = (wanted_slope / wanted) / (slope / known);
+        let wanted = gaussian(wanted_scale * wanted * (1.0 + missing * elasticity), h);
+        // The last Newton step, on the number itself: a large logarithm has lost digits.
+        [wanted, (h - missing * known / slope) * self.moments.rms_height()]
     }
 
     /// p / (E* √m2) over the load integral: (1/9) (3/2)^{1/4} α^{3/4}.
@@ -222,44 +221,38 @@ impl<L: SummitLaw> SummitModel<L> {
         Ok((separation / self.moments.rms_height()).clamp(-f64::MAX, f64::MAX))
     }
 
-    /// h at which ln of the dimensionless load p/(E* √m2) is `target`: Newton on ln p, which is
-    /// concave in h, so the iteration converges from any start.
-    fn solve(&self, target: f64) -> Result<f64, ModelError> {
-        let mut h = self.starting_value(target);
-        let mut step = f64::INFINITY;
-        for _ in 0..MAX_STEPS {
-            let [load, slope] = self
-                .correlation
-                .integrate(h, |summit| [load_of::<L>(summit), stiffness_of::<L>(summit)]);
-            let gauss = if h > 0.0 { -0.5 * h * h } else { 0.0 };
-            let excess = (self.dimensionless_scale() * load).ln() + gauss - target;
-            step = excess * load / slope;
-            h += step;
-            if step.abs() <= 1e-8 * h.abs().max(1.0) {
-                return Ok(h);
-            }
-        }
-        Err(ModelError::NotConverged {
-            model: L::NAME.into(),
-            residual: step.abs(),
-            iterations: MAX_STEPS,
+    /// h at which ln of the dimensionless load p/(E* √m2) is `target`.
+    fn solve_load(&self, target: f64) -> Result<f64, ModelError> {
+        let start = self.starting_value(target);
+        self.newton(start, target, self.dimensionless_scale(), |summit| {
+            [load_of::<L>(summit), stiffness_of::<L>(summit)]
         })
     }
 
-    /// h at which the real area fraction is `area`, by the same iteration: ln A is concave too.
+    /// h at which the real area fraction is `area`.
     fn solve_area(&self, area: f64) -> Result<f64, ModelError> {
         let target = area.ln() - self.area_scale().ln();
         // h -> -inf: A is proportional to -h. Else light contact, A -> sqrt(pi) p / (E* sqrt m2).
         let [deep] = self.correlation.integrate(DEEP, |summit| [area_of::<L>(summit)]);
         let full = -(target - (deep / -DEEP).ln()).min(709.0).exp();
-        let mut h = if full < -4.0 { full } else { self.starting_value(area.ln() - 0.5 * PI.ln()) };
+        let start = if full < -4.0 { full } else { self.starting_value(area.ln() - 0.5 * PI.ln()) };
+        self.newton(start, target, 1.0, |summit| [area_of::<L>(summit), area_slope_of::<L>(summit)])
+    }
+
+    /// h at which ln of a scaled integral over the summits is `target`: Newton on the logarithm,
+    /// which is concave in h, so the iteration converges from any start. `of` gives the integrand
+    /// and its slope -d/dh.
+    fn newton(
+        &self,
+        mut h: f64,
+        target: f64,
+        scale: f64,
+        of: impl Fn(&Summit) -> [f64; 2],
+    ) -> Result<f64, ModelError> {
         let mut step = f64::INFINITY;
         for _ in 0..MAX_STEPS {
-            let [area, slope] = self
-                .correlation
-                .integrate(h, |summit| [area_of::<L>(summit), area_slope_of::<L>(summit)]);
-            let gauss = if h > 0.0 { -0.5 * h * h } else { 0.0 };
-            step = (area.ln() + gauss - target) * area / slope;
+            let [value, slope] = self.correlation.integrate(h, &of);
+            step = ((scale * value).ln() + ln_gaussian(h) - target) * value / slope;
             h += step;
             if step.abs() <= 1e-8 * h.abs().max(1.0) {
                 return Ok(h);
@@ -300,19 +293,11 @@ impl<L: SummitLaw> ContactModel for SummitModel<L> {
             return Ok(ContactState::nothing_touches());
         }
         let unit = self.modulus.pascals().ln() + 0.5 * self.moments.m2.ln();
-        let h = self.solve(mean_pressure.ln() - unit)?;
-        let [load, slope, area, area_slope] = self.integrals(h);
-        // h is a rounded number, and the area changes by h² times its rounding. What the load
-        // still lacks at this h is known, so the area is moved along with it.
-        let found = gaussian(self.pressure_scale() * load, h);
-        let missing = if found.is_normal() { mean_pressure / found - 1.0 } else { 0.0 };
-        let elasticity = (area_slope / area) / (slope / load);
-        let area = gaussian(self.area_scale() * area * (1.0 + missing * elasticity), h);
-        let area = require::answer(L::NAME, area, "mean pressure", mean_pressure)?;
-        // The last Newton step, on p itself: a large logarithm has lost digits.
-        let separation = (h - missing * load / slope) * self.moments.rms_height();
-        let separation = require::answer(L::NAME, separation, "mean pressure", mean_pressure)?;
-        Ok(ContactState::of_isolated_summits(mean_pressure, area, separation))
+        let h = self.solve_load(mean_pressure.ln() - unit)?;
+        let [area, separation] = self
+            .moved_along(h, mean_pressure, self.load_and_area(h))
+            .map(|answer| require::answer(L::NAME, answer, "mean pressure", mean_pressure));
+        Ok(ContactState::of_isolated_summits(mean_pressure, area?, separation?))
     }
 }
 
@@ -324,45 +309,48 @@ impl<L: SummitLaw> SeparationModel for SummitModel<L> {
         }
         let [load, area] =
             self.correlation.integrate(h, |summit| [load_of::<L>(summit), area_of::<L>(summit)]);
-        let pressure = gaussian(self.pressure_scale() * load, h);
-        let area = gaussian(self.area_scale() * area, h);
-        let pressure = require::answer(L::NAME, pressure, "separation", separation)?;
-        Ok(ContactState::of_isolated_summits(
-            pressure,
-            require::answer(L::NAME, area, "separation", separation)?,
-            separation,
-        ))
+        let [pressure, area] = [self.pressure_scale() * load, self.area_scale() * area]
+            .map(|x| require::answer(L::NAME, gaussian(x, h), "separation", separation));
+        Ok(ContactState::of_isolated_summits(pressure?, area?, separation))
     }
 }
 
 /// 4 t^{7/2} s^{3/2} J_3/2 W_P.
 fn load_of<L: SummitLaw>(summit: &Summit) -> f64 {
     let t = summit.t;
-    4.0 * t * t * t * t.sqrt() * L::LOAD.at(t) * summit.overlap(Order::ThreeHalves)
+    4.0 * t * t * t * t.sqrt() * L::load_kernel(t) * summit.overlap(Order::ThreeHalves)
 }
 
 /// -d/dh of the load integrand: s^{3/2} J_3/2 becomes (3/2) s^{1/2} J_1/2.
 fn stiffness_of<L: SummitLaw>(summit: &Summit) -> f64 {
     let t = summit.t;
-    4.0 * t * t * t * t.sqrt() * L::LOAD.at(t) * 1.5 * summit.overlap(Order::Half)
+    4.0 * t * t * t * t.sqrt() * L::load_kernel(t) * 1.5 * summit.overlap(Order::Half)
 }
 
 /// 4 t³ s J_1 W_A.
 fn area_of<L: SummitLaw>(summit: &Summit) -> f64 {
     let t = summit.t;
-    4.0 * t * t * t * L::AREA.at(t) * summit.overlap(Order::One)
+    4.0 * t * t * t * L::area_kernel(t) * summit.overlap(Order::One)
 }
 
 /// -d/dh of the area integrand.
 fn area_slope_of<L: SummitLaw>(summit: &Summit) -> f64 {
     let t = summit.t;
-    4.0 * t * t * t * L::AREA.at(t) * summit.overlap(Order::Zero)
+    4.0 * t * t * t * L::area_kernel(t) * summit.overlap(Order::Zero)
 }
 
 /// Integrals for h > 0 come in units of exp(-h²/2).
 fn gaussian(x: f64, h: f64) -> f64 {
     if h > 0.0 { times_gaussian(x, h) } else { x }
 }
+
+/// ln of the unit of those integrals.
+fn ln_gaussian(h: f64) -> f64 {
+    if h > 0.0 { -0.5 * h * h } else { 0.0 }
+}
+
+/// The bandwidth in errors.
+const BANDWIDTH: &str = "bandwidth m0 m4 / m2^2";
 
 /// Rms heights at which everything overlaps.
 const DEEP: f64 = -1e3;

@@ -43,19 +43,12 @@ def bgt_load(x):
     return fsum(w * fp * exp(-x * u * u) for u, w, fa, fp in RULE)
 
 
-def summits(x):
-    if x < mpf(1) / 10**6:
-        return mpf(1) / 4 - x / 12 + x * x / 48
-    return (x - 1 + exp(-x)) / (2 * x * x)
-
-
 KERNELS = [
     # name, function of x = t^2, leading factor, shift
     ("ELLIPTIC_AREA", bgt_area, "2.0", mpf(2), "1.5", mpf(3) / 2),
     ("ELLIPTIC_LOAD", bgt_load, "PI", pi, "1.65", mpf(165) / 100),
     ("GEOMETRIC_AREA", lambda x: hyp1f1(1, mpf(5) / 2, -x) / 3, "2.0", mpf(2), "1.5", mpf(3) / 2),
     ("GEOMETRIC_LOAD", lambda x: 4 / (7 * pi) * hyp1f1(1, mpf(11) / 4, -x), "PI", pi, "1.75", mpf(7) / 4),
-    ("MEAN", summits, "2.0", mpf(2), "2.0", mpf(2)),
 ]
 COUNT = 56
 out = [HEAD + "//! Chebyshev coefficients of the curvature kernels: `W = T(y) / (lead (x + shift))`,"]

@@ -25,7 +25,7 @@
 //! Jackson & Green, IJTC2009-15106, appendix, eqs. (A1) and (A2).
 
 use crate::arithmetic::clamp_to_finite;
-use crate::bessel::{IOrder, KOrder, i_scaled, k_scaled};
+use crate::bessel::{self, i_scaled};
 use crate::partial_moments::FRAC_1_SQRT_2PI;
 use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
@@ -55,14 +55,15 @@ pub fn load_a1(a: f64, height_std: f64) -> f64 {
     }
     let load = if alpha > 0.0 {
         // exp(-theta) K(theta) = exp(-2 theta) exp(theta) K(theta)
-        let bracket = (1.0 + square) * k_scaled(KOrder::Quarter, theta)
-            - square * k_scaled(KOrder::ThreeQuarters, theta);
+        let bracket = (1.0 + square) * bessel::k_quarter_scaled(theta)
+            - square * bessel::k_three_quarters_scaled(theta);
         height_std * libm::sqrt(a) * libm::exp(-2.0 * theta) * bracket / (4.0 * libm::sqrt(PI))
     } else {
-        let bracket = (1.0 + square) * i_scaled(IOrder::MinusQuarter, theta)
-            + (3.0 + square) * i_scaled(IOrder::Quarter, theta)
-            + square
-                * (i_scaled(IOrder::ThreeQuarters, theta) + i_scaled(IOrder::FiveQuarters, theta));
+        let upper =
+            i_scaled(bessel::THREE_QUARTERS, theta) + i_scaled(bessel::FIVE_QUARTERS, theta);
+        let bracket = (1.0 + square) * i_scaled(bessel::MINUS_QUARTER, theta)
+            + (3.0 + square) * i_scaled(bessel::QUARTER, theta)
+            + square * upper;
         0.25 * height_std * libm::sqrt(-a) * libm::sqrt(FRAC_PI_2) * bracket
     };
     if load.is_nan() { f64::MAX } else { clamp_to_finite(load) } // alpha^2 overflowed

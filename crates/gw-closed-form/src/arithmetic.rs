@@ -10,7 +10,7 @@ pub(crate) fn exp_half_square(alpha: f64) -> [f64; 2] {
     [libm::exp(-0.25 * h * h), libm::exp(-0.5 * d)]
 }
 
-/// x^{twice/2} as `(high + low) 2^exponent`, x > 0.
+/// x^{twice/2}, twice ≥ 0, as `(high + low) 2^exponent`, x > 0.
 pub(crate) fn half_power(twice: i32, x: f64) -> (f64, f64, i32) {
     let (mantissa, exponent) = libm::frexp(x);
     // An even exponent, so that its square root is a power of two.
@@ -19,16 +19,7 @@ pub(crate) fn half_power(twice: i32, x: f64) -> (f64, f64, i32) {
     let root = libm::sqrt(m);
     let (square, error) = two_product(root, root);
     let root_low = ((m - square) - error) / (2.0 * root);
-    let (mut high, mut low) = match twice % 2 {
-        0 => (1.0, 0.0),
-        1 => (root, root_low),
-        _ => {
-            // twice = -1
-            let inverse = 1.0 / root;
-            let (one, error) = two_product(inverse, root);
-            (inverse, inverse * (((1.0 - one) - error) - inverse * root_low))
-        }
-    };
+    let (mut high, mut low) = if twice % 2 == 0 { (1.0, 0.0) } else { (root, root_low) };
     for _ in 0..twice / 2 {
         let (product, error) = two_product(high, m);
         (high, low) = (product, error + low * m);

@@ -37,18 +37,9 @@ pub fn area(a: f64, height_std: f64) -> f64 {
     clamp_to_finite(product(&area_factors(a, height_std)))
 }
 
-/// -dI_ep/da = (3/2) σ_s^{1/2} J_{1/2}(a/σ_s): what the contact stiffness is made of.
-pub fn load_slope(a: f64, height_std: f64) -> f64 {
-    clamp_to_finite(product(&slope_factors(a, height_std)))
-}
-
-/// -dI_ea/da = J_0(a/σ_s): fraction of summits in contact.
-pub fn contact_fraction(a: f64, height_std: f64) -> f64 {
-    partial_moments::value(Order::Zero, ratio(a, height_std))
-}
-
 /// ln I_ep, where I_ep itself would under- or overflow. `height_std` must not be 0.
-pub fn ln_load(a: f64, height_std: f64) -> f64 {
+#[cfg(feature = "model")]
+pub(crate) fn ln_load(a: f64, height_std: f64) -> f64 {
     let s = height_std.abs();
     if a / s < DEEP {
         return 1.5 * libm::log(-a);
@@ -75,7 +66,8 @@ pub(crate) fn area_factors(a: f64, height_std: f64) -> [f64; 2] {
     [height_std.abs(), partial_moments::value(Order::One, alpha)]
 }
 
-/// -dI_ep/da as factors.
+/// -dI_ep/da = (3/2) σ_s^{1/2} J_{1/2}(a/σ_s), what the contact stiffness is made of, as factors.
+#[cfg(feature = "model")]
 pub(crate) fn slope_factors(a: f64, height_std: f64) -> [f64; 3] {
     let alpha = ratio(a, height_std);
     if alpha < DEEP {

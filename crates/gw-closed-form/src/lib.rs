@@ -10,7 +10,7 @@
     feature = "model",
     doc = "- [`GreenwoodWilliamson`]: the model with units: pressure, area, stiffness, contacts."
 )]
-//! - [`appendix`], [`bessel`]: (A1) and (A2) literally, with their loss of digits.
+//! - [`appendix`]: (A1) and (A2) literally, with their loss of digits.
 //!
 //! # Source
 //! Greenwood & Williamson (1966), doi:10.1098/rspa.1966.0242; Jackson & Green, IJTC2009-15106.
@@ -18,7 +18,7 @@
 
 pub mod appendix;
 mod arithmetic;
-pub mod bessel;
+mod bessel;
 pub mod integrals;
 pub mod inverse;
 pub mod partial_moments;

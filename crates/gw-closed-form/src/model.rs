@@ -1,9 +1,9 @@
 //! The Greenwood-Williamson model with units.
 
 use crate::arithmetic::{Quotient, product};
-use crate::integrals::{area_factors, load_factors, slope_factors};
+use crate::integrals::{area_factors, ln_load, load_factors, slope_factors};
+use crate::inverse;
 use crate::partial_moments::{self, Order};
-use crate::{integrals, inverse};
 use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
     SeparationModel, SpectralMoments, require,
@@ -97,7 +97,7 @@ impl GreenwoodWilliamson {
     /// [`ModelError::InvalidInput`] if the separation is not finite.
     pub fn contact_density(&self, separation: f64) -> Result<f64, ModelError> {
         let a = self.height_above_summit_mean(separation)?;
-        let fraction = integrals::contact_fraction(a, self.asperities.height_std);
+        let fraction = partial_moments::value(Order::Zero, a / self.asperities.height_std);
         Ok(self.asperities.density * fraction)
     }
 
@@ -109,34 +109,8 @@ impl GreenwoodWilliamson {
     /// [`ModelError::OutsideDomain`] if the result exceeds the largest double.
     pub fn stiffness(&self, separation: f64) -> Result<f64, ModelError> {
         let a = self.height_above_summit_mean(separation)?;
-        let [hertz, height, j] = slope_factors(a, self.asperities.height_std);
-        require::answer(MODEL, self.pressure_of(&[hertz, height, j]), "separation", separation)
-    }
-
-    /// Of the summits in contact at `separation` (m), the fraction pressed in deeper than
-    /// `critical_interference` (m, not negative): `J_0(α + ω_c/σ_s) / J_0(α)`. With the
-    /// interference at which a summit yields, this tells how elastic the contact is.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`].
-    pub fn fraction_above(
-        &self,
-        separation: f64,
-        critical_interference: f64,
-    ) -> Result<f64, ModelError> {
-        require::not_negative(MODEL, "critical interference", critical_interference)?;
-        let s = self.asperities.height_std;
-        let a = self.height_above_summit_mean(separation)?;
-        let (alpha, omega) = (a / s, critical_interference / s);
-        if alpha < 8.0 {
-            let deep = partial_moments::value(Order::Zero, (a + critical_interference) / s);
-            return Ok(deep / partial_moments::value(Order::Zero, alpha));
-        }
-        // Both fractions may underflow; their quotient does not: the Gaussians cancel.
-        let deep = partial_moments::scaled(Order::Zero, alpha + omega);
-        let scaled = deep / partial_moments::scaled(Order::Zero, alpha);
-        let gaussian = libm::exp(-omega * (alpha + 0.5 * omega));
-        Ok(if gaussian > 0.0 { scaled * gaussian } else { 0.0 })
+        let slope = slope_factors(a, self.asperities.height_std);
+        require::answer(MODEL, self.pressure_of(&slope), "separation", separation)
     }
 
     /// ln of the mean pressure in Pa at `separation` (m), where the pressure itself may be below
@@ -151,20 +125,7 @@ impl GreenwoodWilliamson {
             + libm::log(self.modulus.pascals())
             + libm::log(density)
             + 0.5 * libm::log(radius);
-        Ok((scale + integrals::ln_load(a, height_std)).max(-f64::MAX))
-    }
-
-    /// Separation in m at which the real area fraction is `area_fraction`.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless it is finite and positive,
-    /// [`ModelError::OutsideDomain`] if the separation exceeds the range of doubles.
-    pub fn separation_at_area(&self, area_fraction: f64) -> Result<f64, ModelError> {
-        require::positive(MODEL, "area fraction", area_fraction)?;
-        let AsperityStatistics { density, radius, height_std, .. } = self.asperities;
-        let area = Quotient::of(area_fraction, &[PI, density, radius, height_std]);
-        let separation = self.separation_of(alpha_of(Order::One, area)?);
-        require::answer(MODEL, separation, "area fraction", area_fraction)
+        Ok((scale + ln_load(a, height_std)).max(-f64::MAX))
     }
 
     /// The contact whose real area fraction is `area_fraction`: pressure and separation, right to

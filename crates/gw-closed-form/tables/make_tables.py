@@ -9,7 +9,6 @@ from mpmath import mp, mpf, cos, exp, findroot, fsum, gamma, nstr, pcfu, pi, sqr
 
 mp.dps = 60
 ORDERS = [
-    ("MINUS_HALF", mpf(-1) / 2),
     ("ZERO", mpf(0)),
     ("HALF", mpf(1) / 2),
     ("ONE", mpf(1)),
@@ -28,8 +27,6 @@ def j(n, a):
 def slope(n, a):
     if n == 0:
         return -exp(-a * a / 2) / sqrt(2 * pi)
-    if n < 0:  # from J'' + alpha J' - n J = 0 for n = 1/2
-        return -j(mpf(1) / 2, a) - a * j(mpf(-1) / 2, a)
     return -n * j(n - 1, a)
 
 

@@ -7,7 +7,7 @@ use contact_types::{
     SpectralMoments, Wave,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
-use multiscale_models::special::{erf, half_e1_of_square};
+use libm::erf;
 use multiscale_models::{
     Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SinusoidLaw,
     SphereLevel, Stacked,
@@ -71,22 +71,6 @@ fn persson_area(c: &mut Criterion) {
     curve(c, "Persson area", &model, 1.0);
 }
 
-/// The mean gap as printed, gamma = 1, by trapezia in ln q.
-fn printed_gap(p: f64, trapezia: u32) -> f64 {
-    let (hurst, q_s, c0) = (0.8, 100.0_f64, 0.2548086823566027563754);
-    let step = q_s.ln() / f64::from(trapezia);
-    let psd = |q: f64| c0 * q.powf(-2.0 - 2.0 * hurst);
-    let (mut sum, mut q_below) = (0.0, 0.0);
-    for i in 1..=trapezia {
-        let (lo, hi) = ((f64::from(i - 1) * step).exp(), (f64::from(i) * step).exp());
-        q_below += 0.5 * step * PI * (lo.powi(4) * psd(lo) + hi.powi(4) * psd(hi));
-        let w = q_below.powf(-0.5);
-        let weight = if i == trapezia { 0.5 } else { 1.0 };
-        sum += weight * step * hi.powi(3) * psd(hi) * w * half_e1_of_square(w * p);
-    }
-    PI.sqrt() * sum
-}
-
 fn persson_gap(c: &mut Criterion) {
     // H = 0.8, q from 1 to 100, m0 = 1, E* = 1: 18 digits, mpmath.
     let exact = [
@@ -110,10 +94,6 @@ fn persson_gap(c: &mut Criterion) {
     point(c, group, "model", &exact, gap);
     let with_gamma = model.clone().with_gamma(0.45).expect("published gamma");
     point(c, group, "model, gamma 0.45", &half, |p| with_gamma.mean_gap(p).unwrap_or(0.0));
-    for trapezia in [100, 1000, 10_000] {
-        let name = format!("printed integral, {trapezia} trapezia");
-        point(c, group, &name, &exact, |p| printed_gap(p, trapezia));
-    }
     let [u0, b] = model.light_load().expect("a rough surface");
     point(c, group, "light-load logarithm", &exact, |p| u0 * (b / p).ln());
     curve(c, "Persson area and gap, self-affine", &model, 4.6);

@@ -1,12 +1,12 @@
 //! Each model at the ends of its inputs: each case with its relative error.
 #![allow(clippy::print_stdout, reason = "the lines are the purpose")]
 
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/extremes.rs"]
+mod extremes;
 
 fn main() {
-    for case in common::extremes::cases() {
+    for case in extremes::cases() {
         let error = case.error().map_or("refused".to_owned(), |error| format!("{error:.1e}"));
-        println!("{}, {}: {error}", case.question, case.inputs);
+        println!("{}: {error}", case.place);
     }
 }

@@ -1,8 +1,10 @@
 //! Archard's spheres on spheres on spheres.
 
+use crate::answer::{beyond, citation, underflow};
 use crate::wide::Wide;
-use contact_types::require;
-use contact_types::{Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError};
+use contact_types::{
+    Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, require,
+};
 use std::f64::consts::PI;
 
 const MODEL: &str = "Archard";
@@ -86,12 +88,9 @@ impl Archard {
     /// value that is not finite and positive.
     pub fn from_constants(constants: Vec<f64>, densities: Vec<f64>) -> Result<Self, ModelError> {
         if constants.is_empty() || constants.len() != densities.len() {
-            return Err(ModelError::InvalidInput {
-                model: MODEL.into(),
-                quantity: "number of levels".into(),
-                value: constants.len().min(densities.len()) as f64,
-                requirement: "needs at least one level, each with a constant and a density".into(),
-            });
+            let levels = constants.len().min(densities.len()) as f64;
+            let requirement = "needs at least one level, each with a constant and a density";
+            return Err(require::refused(MODEL, "number of levels", levels, requirement));
         }
         for &constant in &constants {
             require::positive(MODEL, "contact constant k", constant)?;
@@ -107,34 +106,16 @@ impl Archard {
         1.0 - lack(self.constants.len())
     }
 
-    /// Coefficient `C` of `A = C W^e` \[m² N^-e\] for one coarse sphere.
-    ///
-    /// # Errors
-    /// [`ModelError::OutsideDomain`] if it exceeds the largest double.
-    pub fn coefficient(&self) -> Result<f64, ModelError> {
-        require::representable(MODEL, "coefficient", self.wide_coefficient().value())
-    }
-
-    /// Real area \[m²\] of one coarse sphere under load \[N\].
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the load is negative or not finite;
-    /// [`ModelError::OutsideDomain`] if the area exceeds the largest double.
-    pub fn area(&self, load: f64) -> Result<f64, ModelError> {
-        require::not_negative(MODEL, "load", load)?;
-        require::representable(MODEL, "area", self.wide_area(Wide::from(load)).value())
-    }
-
-    /// `C W^e`, with `W^e = W / W^(1/3^n)`.
-    fn wide_area(&self, load: Wide) -> Wide {
+    /// Real area of one coarse sphere under a load, `C W^e` with `W^e = W / W^(1/3^n)`.
+    fn area(&self, load: Wide) -> Wide {
         if load.is_zero() {
             return load;
         }
-        self.wide_coefficient() * (load / repeated_cbrt(load, self.constants.len()))
+        self.coefficient() * (load / repeated_cbrt(load, self.constants.len()))
     }
 
     /// `C`, built up from the finest level. Below a level, `e = 1 - 3^-n` with n finer levels.
-    fn wide_coefficient(&self) -> Wide {
+    fn coefficient(&self) -> Wide {
         let last = self.constants.len() - 1;
         let mut coefficient = Wide::from(self.constants[last]);
         for level in (0..last).rev() {
@@ -152,29 +133,20 @@ impl Archard {
     /// The first assumption that is strained at nominal pressure `pressure`, judged by mean
     /// loads from coarse to fine.
     fn strain(&self, pressure: f64) -> Option<Caveat> {
-        let beyond = |quantity: &'static str, value: Wide, limit, reason: &'static str| {
-            let value = value.value().min(f64::MAX);
-            Some(Caveat::BeyondModel {
-                quantity: quantity.into(),
-                value,
-                limit,
-                reason: reason.into(),
-            })
-        };
         let mut stress = Wide::from(pressure); // load per area of the carrier
         for (level, (&k, &density)) in self.constants.iter().zip(&self.densities).enumerate() {
             let load = stress / density;
             let spot = load / load.cbrt() * k;
-            let cover = spot * density;
-            if cover.value() > SPARSE {
+            let cover = (spot * density).value();
+            if cover > SPARSE {
                 let reason = "Hertz spots of one level cover much of what carries them";
-                return beyond("cover of a level", cover, SPARSE, reason);
+                return Some(beyond("cover of a level", cover.min(f64::MAX), SPARSE, reason));
             }
             if let Some(&finer) = self.densities.get(level + 1) {
-                let features = spot * finer;
-                if features.value() < MANY {
+                let features = (spot * finer).value();
+                if features < MANY {
                     let reason = "too few features in a Hertz spot to carry its pressure";
-                    return beyond("features per Hertz spot", features, MANY, reason);
+                    return Some(beyond("features per Hertz spot", features, MANY, reason));
                 }
             }
             stress = load / spot;
@@ -195,27 +167,17 @@ fn repeated_cbrt(x: Wide, times: usize) -> Wide {
 
 impl ContactModel for Archard {
     fn citation(&self) -> Citation {
-        Citation {
-            authors: "Archard".into(),
-            year: 1957,
-            title: "Elastic deformation and the laws of friction".into(),
-            journal: "Proc. R. Soc. A 243, 190".into(),
-            doi: "10.1098/rspa.1957.0214".into(),
-        }
+        let title = "Elastic deformation and the laws of friction";
+        citation("Archard", 1957, title, "Proc. R. Soc. A 243, 190", "10.1098/rspa.1957.0214")
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
         let density = self.densities[0];
-        let area = self.wide_area(Wide::from(mean_pressure) / density) * density;
+        let area = self.area(Wide::from(mean_pressure) / density) * density;
         let area_fraction = require::representable(MODEL, "area fraction", area.value())?;
-        let caveat = if mean_pressure > 0.0 && area_fraction <= 0.0 {
-            Some(Caveat::Underflow { quantity: "area fraction".into() })
-        } else if mean_pressure > 0.0 {
-            self.strain(mean_pressure)
-        } else {
-            None
-        };
+        let strain = || if mean_pressure > 0.0 { self.strain(mean_pressure) } else { None };
+        let caveat = underflow(mean_pressure, area_fraction).or_else(strain);
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
     }
 }

@@ -1,5 +1,6 @@
 //! A closed form fitted to deterministic solutions.
 
+use crate::answer::{beyond, steep};
 use crate::special::{erf, erf_inv};
 use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, SpectralMoments,
@@ -17,8 +18,6 @@ const SPREAD: [f64; 2] = [0.002, 0.384];
 const BANDWIDTH: [f64; 2] = [1.5, 150.0];
 /// Beyond these the bandwidth counts as the nearer of them.
 const BANDWIDTH_USED: [f64; 2] = [1.5, 1000.0];
-/// Above this rms gradient a half-space with small slopes is no longer meant.
-const STEEP: f64 = 1.0;
 /// Areas of the solutions of the fit.
 const AREA: [f64; 2] = [0.001, 0.995];
 
@@ -41,7 +40,7 @@ const AREA: [f64; 2] = [0.001, 0.995];
 /// let moments = SpectralMoments { m0: 1e-12, m2: 0.02, m4: 4e9 };
 /// let law = Equation::from_moments(moments, ContactModulus::from_pascals(110e9)?)?;
 /// let state = law.at_pressure(50e6)?;
-/// let [low, high] = law.interval(state.area_fraction);
+/// let [low, high] = law.area_interval(state.area_fraction).expect("it knows its error");
 /// assert!(low < state.area_fraction && state.area_fraction < high);
 /// let back = law.pressure_at_area(state.area_fraction)?;
 /// assert!((back / 50e6 - 1.0).abs() < 1e-13);
@@ -84,14 +83,6 @@ impl Equation {
         SQRT_2 * x * w.exp()
     }
 
-    /// Real area fraction at nominal pressure `p` (Pa).
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the pressure is negative or not finite.
-    pub fn area_fraction(&self, pressure: f64) -> Result<f64, ModelError> {
-        Ok(erf(self.argument(require::pressure(MODEL, pressure)? / self.unit)))
-    }
-
     /// The nominal pressure (Pa) at which the area fraction is `area`, below 1.
     ///
     /// # Errors
@@ -114,38 +105,23 @@ impl Equation {
         Ok(0.5 * (low + high) * self.unit)
     }
 
-    /// Area fractions between which 95 of 100 isotropic Gaussian surfaces of these moments lie at a
-    /// load where the law answers `area`, sampling variability included: `area e^(±s)`, at most 1, with
-    /// `s = √(1 − A) [0.002 + 0.384 √(0.001/A)]`.
-    pub fn interval(&self, area: f64) -> [f64; 2] {
-        let few_contacts = (1e-3 / area.max(1e-4)).sqrt();
-        let half = (1.0 - area).max(0.0).sqrt() * (SPREAD[0] + SPREAD[1] * few_contacts);
-        [area * (-half).exp(), (area * half.exp()).min(1.0)]
-    }
-}
-
-/// What must be known of an answer.
-fn caveat(area: f64, gradient: f64, bandwidth: f64, pressure: f64) -> Option<Caveat> {
-    let beyond = |quantity: &'static str, value: f64, limit: f64, reason: &'static str| {
-        Some(Caveat::BeyondModel { quantity: quantity.into(), value, limit, reason: reason.into() })
-    };
-    if pressure <= 0.0 {
-        None
-    } else if area < f64::MIN_POSITIVE {
-        Some(Caveat::Underflow { quantity: "area fraction".into() })
-    } else if gradient > STEEP {
-        let reason = "a half-space deforms like this only under small slopes";
-        beyond("rms gradient", gradient, STEEP, reason)
-    } else if bandwidth < BANDWIDTH[0] {
-        beyond("bandwidth", bandwidth, BANDWIDTH[0], "fitted on larger bandwidths")
-    } else if bandwidth > BANDWIDTH[1] {
-        beyond("bandwidth", bandwidth, BANDWIDTH[1], "fitted on smaller bandwidths")
-    } else if area < AREA[0] {
-        beyond("area fraction", area, AREA[0], "fitted on larger areas")
-    } else if area > AREA[1] {
-        beyond("area fraction", area, AREA[1], "fitted on smaller areas")
-    } else {
-        None
+    /// What must be known of an area under a load.
+    fn caveat(&self, area: f64) -> Option<Caveat> {
+        if area < f64::MIN_POSITIVE {
+            return Some(Caveat::Underflow { quantity: "area fraction".into() });
+        }
+        let outside = |quantity, value, [least, most]: [f64; 2], [larger, smaller]: [_; 2]| {
+            if value < least {
+                Some(beyond(quantity, value, least, larger))
+            } else {
+                (value > most).then(|| beyond(quantity, value, most, smaller))
+            }
+        };
+        let bandwidths = ["fitted on larger bandwidths", "fitted on smaller bandwidths"];
+        let areas = ["fitted on larger areas", "fitted on smaller areas"];
+        steep(self.gradient)
+            .or_else(|| outside("bandwidth", self.bandwidth, BANDWIDTH, bandwidths))
+            .or_else(|| outside("area fraction", area, AREA, areas))
     }
 }
 
@@ -170,12 +146,18 @@ impl ContactModel for Equation {
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        let area_fraction = self.area_fraction(mean_pressure)?;
-        let caveat = caveat(area_fraction, self.gradient, self.bandwidth, mean_pressure);
+        require::pressure(MODEL, mean_pressure)?;
+        let area_fraction = erf(self.argument(mean_pressure / self.unit));
+        let caveat = if mean_pressure > 0.0 { self.caveat(area_fraction) } else { None };
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
     }
 
-    fn area_interval(&self, area_fraction: f64) -> Option<[f64; 2]> {
-        Some(self.interval(area_fraction))
+    /// Area fractions between which 95 of 100 isotropic Gaussian surfaces of these moments lie at a
+    /// load where the law answers A, sampling variability included: `A e^(±s)`, at most 1, with
+    /// `s = √(1 − A) [0.002 + 0.384 √(0.001/A)]`.
+    fn area_interval(&self, area: f64) -> Option<[f64; 2]> {
+        let few_contacts = (1e-3 / area.max(1e-4)).sqrt();
+        let half = (1.0 - area).max(0.0).sqrt() * (SPREAD[0] + SPREAD[1] * few_contacts);
+        Some([area * (-half).exp(), (area * half.exp()).min(1.0)])
     }
 }

@@ -1,11 +1,11 @@
 //! Jackson and Streator's recursion over the sinusoids of a profile.
 
+use crate::answer::{citation, saturated, underflow};
 use crate::sinusoid::SinusoidLaw;
 use crate::stacked::complete_contact_pressure;
 use crate::wide::Wide;
-use contact_types::require;
 use contact_types::{
-    AmplitudeSpectrum, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
+    AmplitudeSpectrum, Citation, ContactModel, ContactModulus, ContactState, ModelError, require,
 };
 
 const MODEL: &str = "Jackson-Streator";
@@ -71,13 +71,9 @@ impl JacksonStreator {
 
 impl ContactModel for JacksonStreator {
     fn citation(&self) -> Citation {
-        Citation {
-            authors: "Jackson & Streator".into(),
-            year: 2006,
-            title: "A multi-scale model for contact between rough surfaces".into(),
-            journal: "Wear 261, 1337".into(),
-            doi: "10.1016/j.wear.2006.03.015".into(),
-        }
+        let title = "A multi-scale model for contact between rough surfaces";
+        let doi = "10.1016/j.wear.2006.03.015";
+        citation("Jackson & Streator", 2006, title, "Wear 261, 1337", doi)
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
@@ -94,13 +90,9 @@ impl ContactModel for JacksonStreator {
             area = area * self.law.wide_area_fraction(pressure / complete);
         }
         let area_fraction = area.value();
-        let caveat = if area_fraction >= 1.0 {
-            Some(Caveat::Saturated { quantity: "area fraction".into() })
-        } else if area_fraction <= 0.0 && mean_pressure > 0.0 {
-            Some(Caveat::Underflow { quantity: "area fraction".into() })
-        } else {
-            None
-        };
+        let is_complete = area_fraction >= 1.0;
+        let caveat =
+            if is_complete { Some(saturated()) } else { underflow(mean_pressure, area_fraction) };
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
     }
 }

@@ -13,15 +13,15 @@
 //! | [`Archard`] | spheres on spheres | area |
 //! | [`MajumdarBhushan`] | profile dimension and roughness | area |
 //! | [`YanKomvopoulos`] | surface dimension and roughness | area |
-//!
 
+mod answer;
 mod archard;
 mod equation;
 mod jackson_streator;
 mod majumdar_bhushan;
 mod persson;
 mod sinusoid;
-pub mod special;
+mod special;
 mod spots;
 mod stacked;
 mod wide;
@@ -36,7 +36,7 @@ pub use contact_types::{
 pub use archard::{Archard, SphereLevel};
 pub use equation::Equation;
 pub use jackson_streator::JacksonStreator;
-pub use majumdar_bhushan::{MajumdarBhushan, critical_area};
+pub use majumdar_bhushan::MajumdarBhushan;
 pub use persson::{
     AreaLaw, Persson, PerssonWithYield, PressureDistribution, SelfAffineSpectrum, YieldShares,
 };

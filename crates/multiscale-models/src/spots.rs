@@ -9,34 +9,114 @@
 //! \qquad \varepsilon = t - s
 //! ```
 
+use crate::answer::{beyond, outside, underflow};
 use crate::wide::Wide;
-use contact_types::{Caveat, ContactState};
+use contact_types::{ContactState, ModelError, require};
 
-/// The answer at a load, with what must be known of it: `largest_fraction` is the largest spot over
-/// the nominal area.
-pub(crate) fn state(mean_pressure: f64, area_fraction: f64, largest_fraction: f64) -> ContactState {
-    let beyond = |quantity: &'static str, value, reason: &'static str| {
-        Some(Caveat::BeyondModel {
-            quantity: quantity.into(),
-            value,
-            limit: 1.0,
-            reason: reason.into(),
+/// The spots of a fractal surface on a nominal area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FractalContact {
+    /// The model in errors.
+    pub(crate) model: &'static str,
+    /// Dimension D.
+    pub(crate) dimension: f64,
+    /// D from which on the load of ever smaller elastic spots diverges.
+    pub(crate) divergence: f64,
+    pub(crate) spots: Spots,
+    /// \[m²\].
+    pub(crate) nominal_area: f64,
+    /// `None` if every spot is elastic.
+    pub(crate) critical: Option<Critical>,
+}
+
+impl FractalContact {
+    /// With plastic spots below an area, which carry nothing.
+    pub(crate) fn with_critical_area(self, critical_area: f64) -> Result<Self, ModelError> {
+        let area = Wide::from(require::positive(self.model, "critical area", critical_area)?);
+        Ok(Self { critical: Some(Critical { area, hardness: Wide::from(0.0) }), ..self })
+    }
+
+    /// With plastic spots below an area, which carry the hardness; `reason` says when no double holds that area.
+    pub(crate) fn with_hardness(
+        self,
+        hardness: f64,
+        critical_area: Wide,
+        reason: &'static str,
+    ) -> Result<Self, ModelError> {
+        let area = critical_area.value();
+        if !(area > 0.0 && area.is_finite()) {
+            let domain = f64::MIN_POSITIVE..=f64::MAX;
+            return Err(outside(self.model, "critical area", area.min(f64::MAX), domain, reason));
+        }
+        let critical = Critical { area: Wide::from(area), hardness: Wide::from(hardness) };
+        Ok(Self { critical: Some(critical), ..self })
+    }
+
+    /// The nominal pressure \[Pa\] at which the largest spot has an area.
+    pub(crate) fn pressure(&self, largest: Wide) -> Result<f64, ModelError> {
+        self.check_convergence()?;
+        if largest.is_zero() {
+            return Ok(0.0);
+        }
+        let load = match self.critical {
+            Some(critical) => self.spots.load_with(critical, largest),
+            None => self.spots.load(largest),
+        };
+        require::representable(self.model, "mean pressure", (load / self.nominal_area).value())
+    }
+
+    /// The answer at a nominal pressure \[Pa\], from the real area that belongs to a largest spot.
+    pub(crate) fn at_pressure(
+        &self,
+        mean_pressure: f64,
+        real_area: impl Fn(Wide) -> Wide,
+    ) -> Result<ContactState, ModelError> {
+        require::pressure(self.model, mean_pressure)?;
+        self.check_convergence()?;
+        let load = Wide::from(mean_pressure) * self.nominal_area;
+        let largest = match self.critical {
+            _ if load.is_zero() => load,
+            Some(critical) => self.spots.largest_with(critical, load),
+            None => self.spots.largest(load),
+        };
+        let area = if load.is_zero() { load } else { real_area(largest) };
+        let area_fraction = (area / self.nominal_area).value();
+        require::representable(self.model, "area fraction", area_fraction)?;
+        let largest_fraction = (largest / self.nominal_area).value().min(f64::MAX);
+        let caveat = underflow(mean_pressure, area_fraction).or_else(|| {
+            if area_fraction > 1.0 {
+                let reason = "the spots cover more than the nominal area";
+                return Some(beyond("area fraction", area_fraction, 1.0, reason));
+            }
+            let reason = "one spot is larger than the nominal area";
+            let is_larger = largest_fraction > 1.0;
+            is_larger.then(|| beyond("largest spot", largest_fraction, 1.0, reason))
+        });
+        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+    }
+
+    /// Refuses a load integral that has no value.
+    fn check_convergence(&self) -> Result<(), ModelError> {
+        if self.critical.is_some() || self.dimension < self.divergence {
+            return Ok(());
+        }
+        Err(ModelError::OutsideDomain {
+            model: self.model.into(),
+            quantity: "D".into(),
+            value: self.dimension,
+            domain: self.divergence - 0.5..=self.divergence,
+            reason: format!(
+                "the load of ever smaller elastic spots diverges for D >= {}; give a critical \
+                 area, below which spots are plastic",
+                self.divergence
+            )
+            .into(),
         })
-    };
-    let caveat = if area_fraction <= 0.0 && mean_pressure > 0.0 {
-        Some(Caveat::Underflow { quantity: "area fraction".into() })
-    } else if area_fraction > 1.0 {
-        beyond("area fraction", area_fraction, "the spots cover more than the nominal area")
-    } else if largest_fraction > 1.0 {
-        beyond("largest spot", largest_fraction, "one spot is larger than the nominal area")
-    } else {
-        None
-    };
-    ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat }
+    }
 }
 
 /// A population of spots.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Spots {
     /// Exponent of the size distribution, 0 < s < 1.
     pub(crate) size_exponent: f64,
@@ -49,7 +129,7 @@ pub(crate) struct Spots {
 }
 
 /// Below `area` a spot is plastic; `hardness` (Pa) is what it then carries, 0 to leave it out.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Critical {
     pub(crate) area: Wide,
     pub(crate) hardness: Wide,
@@ -75,23 +155,23 @@ impl Spots {
     }
 
     /// Elastic load of one spot.
-    pub(crate) fn spot_load(&self, area: Wide) -> Wide {
+    fn spot_load(&self, area: Wide) -> Wide {
         self.coefficient * area.powf(self.load_exponent)
     }
 
     /// Load of all spots without critical area, `F(a_l) s / epsilon`; needs `epsilon > 0`.
-    pub(crate) fn load(&self, largest: Wide) -> Wide {
+    fn load(&self, largest: Wide) -> Wide {
         self.spot_load(largest) * (self.size_exponent / self.epsilon)
     }
 
     /// Largest spot that carries `load` without critical area: the inverse of [`Self::load`].
-    pub(crate) fn largest(&self, load: Wide) -> Wide {
+    fn largest(&self, load: Wide) -> Wide {
         (load * (self.epsilon / self.size_exponent) / self.coefficient)
             .powf(1.0 / self.load_exponent)
     }
 
     /// Load of all spots with a critical area.
-    pub(crate) fn load_with(&self, critical: Critical, largest: Wide) -> Wide {
+    fn load_with(&self, critical: Critical, largest: Wide) -> Wide {
         self.split_load(critical, largest).total()
     }
 
@@ -119,7 +199,7 @@ impl Spots {
 
     /// Largest spot that carries `load` with a critical area: Newton for `ln F` in
     /// `v = ln ln(a_l/a_c)`, kept inside a bracket.
-    pub(crate) fn largest_with(&self, critical: Critical, load: Wide) -> Wide {
+    fn largest_with(&self, critical: Critical, load: Wide) -> Wide {
         let threshold = self.load_with(critical, critical.area);
         if !threshold.is_zero() && (load / threshold).value() <= 1.0 {
             // All spots plastic: load is hardness times area.

@@ -1,9 +1,9 @@
 //! The stacked multiscale model: complete contact at the steepest scale decides.
 
+use crate::answer::{citation, saturated, underflow};
 use crate::wide::Wide;
-use contact_types::require;
 use contact_types::{
-    AmplitudeSpectrum, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
+    AmplitudeSpectrum, Citation, ContactModel, ContactModulus, ContactState, ModelError, require,
 };
 use std::f64::consts::PI;
 
@@ -65,31 +65,6 @@ impl Stacked {
     ) -> Result<Self, ModelError> {
         Self::new(amplitudes.max_amplitude_ratio(), modulus)
     }
-
-    /// `p_r = sqrt(2) pi E* B_max` beyond the range of a double.
-    fn plateau(&self) -> Wide {
-        complete_contact_pressure(self.modulus, Wide::from(self.max_amplitude_ratio))
-    }
-
-    /// Real pressure `p_r = sqrt(2) pi E* B_max` \[Pa\], the same at every load below complete
-    /// contact.
-    ///
-    /// # Errors
-    /// [`ModelError::OutsideDomain`] if it exceeds the largest double.
-    pub fn real_pressure(&self) -> Result<f64, ModelError> {
-        require::representable(MODEL, "real pressure", self.plateau().value())
-    }
-
-    /// The nominal pressure \[Pa\] at which the area fraction is `area_fraction`; the smallest
-    /// such pressure for an area of 1.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless `0 <= area_fraction <= 1`;
-    /// [`ModelError::OutsideDomain`] if the pressure exceeds the largest double.
-    pub fn pressure_at_area(&self, area_fraction: f64) -> Result<f64, ModelError> {
-        require::fraction(MODEL, "area fraction", area_fraction)?;
-        require::representable(MODEL, "mean pressure", (self.plateau() * area_fraction).value())
-    }
 }
 
 /// Mean pressure that flattens a bi-sinusoid of amplitude over wavelength `ratio`.
@@ -99,33 +74,25 @@ pub(crate) fn complete_contact_pressure(modulus: ContactModulus, ratio: Wide) ->
 
 impl ContactModel for Stacked {
     fn citation(&self) -> Citation {
-        Citation {
-            authors: "Jackson, Wilson & Angadi".into(),
-            year: 2008,
-            title: "A study of the average real contact pressure between rough surfaces".into(),
-            journal: "STLE/ASME International Joint Tribology Conference, Miami".into(),
-            doi: "".into(),
-        }
+        let title = "A study of the average real contact pressure between rough surfaces";
+        let journal = "STLE/ASME International Joint Tribology Conference, Miami";
+        citation("Jackson, Wilson & Angadi", 2008, title, journal, "")
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
-        let plateau = self.plateau();
+        let real_pressure =
+            complete_contact_pressure(self.modulus, Wide::from(self.max_amplitude_ratio));
         let ratio = if mean_pressure <= 0.0 {
             0.0
-        } else if plateau.is_zero() {
+        } else if real_pressure.is_zero() {
             f64::INFINITY // flat
         } else {
-            (Wide::from(mean_pressure) / plateau).value()
-        };
-        let caveat = if ratio >= 1.0 {
-            Some(Caveat::Saturated { quantity: "area fraction".into() })
-        } else if ratio <= 0.0 && mean_pressure > 0.0 {
-            Some(Caveat::Underflow { quantity: "area fraction".into() })
-        } else {
-            None
+            (Wide::from(mean_pressure) / real_pressure).value()
         };
         let area_fraction = ratio.min(1.0);
+        let caveat =
+            if ratio >= 1.0 { Some(saturated()) } else { underflow(mean_pressure, area_fraction) };
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
     }
 }

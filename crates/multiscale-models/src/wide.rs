@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul};
 ///
 /// A formula such as `p / (E* g)` is written with it as on paper; its value is rounded a few
 /// times like any other, but no intermediate result overflows or loses digits to underflow.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Wide {
     mantissa: f64,
     exponent: i64,

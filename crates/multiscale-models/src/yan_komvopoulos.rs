@@ -1,9 +1,9 @@
 //! Yan and Komvopoulos' fractal surface in three dimensions.
 
-use crate::spots::{self, Critical, Spots};
+use crate::answer::{citation, outside};
+use crate::spots::{FractalContact, Spots};
 use crate::wide::Wide;
-use contact_types::require;
-use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError};
+use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
 
 const MODEL: &str = "Yan-Komvopoulos";
@@ -37,14 +37,7 @@ const FREQUENCY_RATIO: f64 = 1.5;
 /// # Source
 /// Yan & Komvopoulos (1998), doi:10.1063/1.368536.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct YanKomvopoulos {
-    dimension: f64,
-    roughness: f64,
-    nominal_area: f64,
-    modulus: ContactModulus,
-    critical_area: f64,
-    hardness: Option<f64>,
-}
+pub struct YanKomvopoulos(FractalContact);
 
 impl YanKomvopoulos {
     /// A surface of dimension `2 < dimension < 3` and roughness `G` (m) on a nominal area (m²),
@@ -59,20 +52,24 @@ impl YanKomvopoulos {
         nominal_area: f64,
         modulus: ContactModulus,
     ) -> Result<Self, ModelError> {
-        if !(dimension > 2.0 && dimension < 3.0) {
-            return Err(ModelError::OutsideDomain {
-                model: MODEL.into(),
-                quantity: "D".into(),
-                value: dimension,
-                domain: 2.0..=3.0,
-                reason: "the dimension of a fractal surface lies strictly between 2 and 3".into(),
-            });
+        let d = dimension;
+        if !(d > 2.0 && d < 3.0) {
+            let reason = "the dimension of a fractal surface lies strictly between 2 and 3";
+            return Err(outside(MODEL, "D", d, 2.0..=3.0, reason));
         }
         require::positive(MODEL, "fractal roughness", roughness)?;
         require::positive(MODEL, "nominal area", nominal_area)?;
-        let (critical_area, hardness) = (0.0, None);
-        let model = Self { dimension, roughness, nominal_area, modulus, critical_area, hardness };
-        Ok(model)
+        let spots = Spots {
+            size_exponent: (d - 1.0) / 2.0,
+            load_exponent: (4.0 - d) / 2.0,
+            epsilon: 2.5 - d, // exact for every double near D = 5/2
+            coefficient: Wide::from(roughness).powf(d - 2.0)
+                * modulus.pascals()
+                * (((11.0 - 2.0 * d) / 2.0).exp2() / (3.0 * PI.powf((4.0 - d) / 2.0)))
+                * FREQUENCY_RATIO.ln().sqrt(),
+        };
+        let (model, divergence, critical) = (MODEL, 2.5, None);
+        Ok(Self(FractalContact { model, dimension, divergence, spots, nominal_area, critical }))
     }
 
     /// Counts as elastic only spots of truncated area above `critical_area` (m²). Load is the
@@ -80,10 +77,8 @@ impl YanKomvopoulos {
     ///
     /// # Errors
     /// [`ModelError::InvalidInput`] unless it is finite and positive.
-    pub fn with_critical_area(mut self, critical_area: f64) -> Result<Self, ModelError> {
-        self.critical_area = require::positive(MODEL, "critical area", critical_area)?;
-        self.hardness = None;
-        Ok(self)
+    pub fn with_critical_area(self, critical_area: f64) -> Result<Self, ModelError> {
+        self.0.with_critical_area(critical_area).map(Self)
     }
 
     /// Takes the critical area from the hardness `H` (Pa), where `Delta F = H a'`,
@@ -98,23 +93,13 @@ impl YanKomvopoulos {
     /// # Errors
     /// [`ModelError::InvalidInput`] for a hardness that is not finite and positive;
     /// [`ModelError::OutsideDomain`] if `a'_c` is beyond the range of a double.
-    pub fn with_hardness(mut self, hardness: f64) -> Result<Self, ModelError> {
-        let hardness = require::positive(MODEL, "hardness", hardness)?;
+    pub fn with_hardness(self, hardness: f64) -> Result<Self, ModelError> {
+        require::positive(MODEL, "hardness", hardness)?;
         // c a^((4-D)/2) = H a  =>  a = (c/H)^(2/(D-2))
-        let ratio = self.spots().coefficient / hardness;
-        let area = ratio.powf(2.0 / (self.dimension - 2.0)).value();
-        if !(area > 0.0 && area.is_finite()) {
-            return Err(ModelError::OutsideDomain {
-                model: MODEL.into(),
-                quantity: "critical area".into(),
-                value: area.min(f64::MAX),
-                domain: f64::MIN_POSITIVE..=f64::MAX,
-                reason: "it is beyond the range of a double: D is too close to 2".into(),
-            });
-        }
-        self.critical_area = area;
-        self.hardness = Some(hardness);
-        Ok(self)
+        let ratio = self.0.spots.coefficient / hardness;
+        let area = ratio.powf(2.0 / (self.0.dimension - 2.0));
+        let reason = "it is beyond the range of a double: D is too close to 2";
+        self.0.with_hardness(hardness, area, reason).map(Self)
     }
 
     /// The nominal pressure \[Pa\] at which the largest truncated spot is `largest` (m²).
@@ -124,42 +109,14 @@ impl YanKomvopoulos {
     /// [`ModelError::OutsideDomain`] without a critical area for D >= 2.5, and where the pressure
     /// exceeds the largest double.
     pub fn pressure_at_largest_spot(&self, largest: f64) -> Result<f64, ModelError> {
-        let largest = Wide::from(require::not_negative(MODEL, "largest spot", largest)?);
-        self.check_convergence()?;
-        if largest.is_zero() {
-            return Ok(0.0);
-        }
-        let load = match self.critical() {
-            Some(critical) => self.spots().load_with(critical, largest),
-            None => self.spots().load(largest),
-        };
-        require::representable(MODEL, "mean pressure", (load / self.nominal_area).value())
-    }
-
-    fn spots(&self) -> Spots {
-        let d = self.dimension;
-        Spots {
-            size_exponent: (d - 1.0) / 2.0,
-            load_exponent: (4.0 - d) / 2.0,
-            epsilon: 2.5 - d, // exact for every double near D = 5/2
-            coefficient: Wide::from(self.roughness).powf(d - 2.0)
-                * self.modulus.pascals()
-                * (((11.0 - 2.0 * d) / 2.0).exp2() / (3.0 * PI.powf((4.0 - d) / 2.0)))
-                * FREQUENCY_RATIO.ln().sqrt(),
-        }
-    }
-
-    fn critical(&self) -> Option<Critical> {
-        (self.critical_area > 0.0).then(|| Critical {
-            area: Wide::from(self.critical_area),
-            hardness: Wide::from(self.hardness.unwrap_or(0.0)),
-        })
+        self.0.pressure(Wide::from(require::not_negative(MODEL, "largest spot", largest)?))
     }
 
     /// Real area of all spots: half the truncated area of the elastic ones, all of the plastic.
     fn real_area(&self, largest: Wide) -> Wide {
-        let truncated = largest * self.spots().area_share();
-        let Some(critical) = self.critical() else {
+        let Self(FractalContact { spots, critical, .. }) = self;
+        let truncated = largest * spots.area_share();
+        let Some(critical) = critical else {
             return truncated / 2.0;
         };
         let ratio = largest / critical.area;
@@ -167,50 +124,19 @@ impl YanKomvopoulos {
             return truncated;
         }
         // int_0^{a_c} n a' da' = s/(1-s) a_L (a_c/a_L)^(1-s)
-        let plastic = truncated / ratio.powf(1.0 - self.spots().size_exponent);
+        let plastic = truncated / ratio.powf(1.0 - spots.size_exponent);
         (truncated + plastic) / 2.0
-    }
-
-    fn check_convergence(&self) -> Result<(), ModelError> {
-        if self.critical_area > 0.0 || self.dimension < 2.5 {
-            return Ok(());
-        }
-        Err(ModelError::OutsideDomain {
-            model: MODEL.into(),
-            quantity: "D".into(),
-            value: self.dimension,
-            domain: 2.0..=2.5,
-            reason: "the load of ever smaller elastic spots diverges for D >= 2.5; give a \
-                     critical area, below which spots are plastic"
-                .into(),
-        })
     }
 }
 
 impl ContactModel for YanKomvopoulos {
     fn citation(&self) -> Citation {
-        Citation {
-            authors: "Yan & Komvopoulos".into(),
-            year: 1998,
-            title: "Contact analysis of elastic-plastic fractal surfaces".into(),
-            journal: "J. Appl. Phys. 84, 3617".into(),
-            doi: "10.1063/1.368536".into(),
-        }
+        let title = "Contact analysis of elastic-plastic fractal surfaces";
+        let (journal, doi) = ("J. Appl. Phys. 84, 3617", "10.1063/1.368536");
+        citation("Yan & Komvopoulos", 1998, title, journal, doi)
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        require::pressure(MODEL, mean_pressure)?;
-        self.check_convergence()?;
-        let load = Wide::from(mean_pressure) * self.nominal_area;
-        let largest = match self.critical() {
-            _ if load.is_zero() => load,
-            Some(critical) => self.spots().largest_with(critical, load),
-            None => self.spots().largest(load),
-        };
-        let area = if load.is_zero() { load } else { self.real_area(largest) };
-        let area_fraction = (area / self.nominal_area).value();
-        require::representable(MODEL, "area fraction", area_fraction)?;
-        let largest_fraction = (largest / self.nominal_area).value().min(f64::MAX);
-        Ok(spots::state(mean_pressure, area_fraction, largest_fraction))
+        self.0.at_pressure(mean_pressure, |largest| self.real_area(largest))
     }
 }

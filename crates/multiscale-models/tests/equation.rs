@@ -1,8 +1,9 @@
 //! The fitted equation: limits, monotony, inverse, its definition at 60 digits.
 
+#[path = "../../gw-closed-form/tests/common/mod.rs"]
 mod common;
 
-use common::Table;
+use common::ReferenceTable;
 use multiscale_models::{ContactModel, ContactModulus, Equation, ModelError, SpectralMoments};
 use std::f64::consts::PI;
 
@@ -26,7 +27,7 @@ fn area_rises_strictly_and_pressure_follows_from_it() {
         let law = Equation::from_moments(moments(bandwidth), one()).unwrap();
         let mut before = 0.0;
         for x in loads() {
-            let area = law.area_fraction(x).unwrap();
+            let area = law.at_pressure(x).unwrap().area_fraction;
             assert!(area > before || before > 1.0 - 1e-13, "{x}: {area} after {before}");
             assert!(area <= 1.0);
             before = area;
@@ -74,7 +75,7 @@ fn the_printed_formula_is_the_law() {
         let t = libm::erf(2f64.sqrt() * x);
         let w = c0 + c1 * t.sqrt() + c2 * t * t + (c3 + c4 * t) * 10f64.ln();
         let area = libm::erf(2f64.sqrt() * x * w.exp());
-        assert!((law.area_fraction(x).unwrap() / area - 1.0).abs() < 1e-12, "{line}");
+        assert!((law.at_pressure(x).unwrap().area_fraction / area - 1.0).abs() < 1e-12, "{line}");
     }
     let citation = law.citation();
     assert!(citation.doi.is_empty() && citation.authors.contains("rough-contact"));
@@ -98,10 +99,10 @@ fn a_caveat_outside_the_range() {
 #[test]
 fn evaluation_is_exact_to_rounding() {
     let mut worst = 0.0f64;
-    for row in Table::read("equation.csv").rows() {
-        let [x, bandwidth, wanted] = ["x", "alpha", "area"].map(|column| row.number(column));
+    for row in ReferenceTable::read("equation.csv").rows() {
+        let [x, bandwidth, wanted] = row.numbers(["x", "alpha", "area"]);
         let law = Equation::from_moments(moments(bandwidth), one()).expect("a law");
-        let error = (law.area_fraction(x).expect("an area") / wanted - 1.0).abs();
+        let error = (law.at_pressure(x).expect("an area").area_fraction / wanted - 1.0).abs();
         assert!(error <= 1e-14, "x = {x}, α = {bandwidth}: {error:e}");
         worst = worst.max(error);
     }

@@ -23,13 +23,6 @@ pub(super) struct Function {
     pub(super) unity: Option<Node>,
 }
 
-pub(super) static MINUS_HALF: Function = Function {
-    n: -0.5,
-    nodes: &nodes::MINUS_HALF,
-    far: &far_field::MINUS_HALF,
-    factor: core::f64::consts::FRAC_1_SQRT_2,
-    unity: None,
-};
 pub(super) static ZERO: Function = Function {
     n: 0.0,
     nodes: &nodes::ZERO,
@@ -73,11 +66,33 @@ impl Function {
         } else if alpha <= NEAR {
             self.overlap(-alpha)
         } else {
-            let k = libm::rint(PER_UNIT * alpha);
-            let [value, low, slope] = self.nodes[(k - PER_UNIT * NEAR) as usize];
-            let at = k / PER_UNIT;
+            let (at, [value, low, slope]) = self.node(alpha);
             value + (low + self.taylor(at, value, slope, alpha - at))
         }
+    }
+
+    /// The node next to α, between the far ends.
+    fn node(&self, alpha: f64) -> (f64, Node) {
+        let k = libm::rint(PER_UNIT * alpha);
+        (k / PER_UNIT, self.nodes[(k - PER_UNIT * NEAR) as usize])
+    }
+
+    /// dJ_n/dα between the far ends: the Taylor series, term by term.
+    pub(super) fn slope(&self, alpha: f64) -> f64 {
+        let (at, [value, _, slope]) = self.node(alpha);
+        let delta = alpha - at;
+        let (x, y) = (-at * delta, delta * delta);
+        // u_k/delta and the index of its successor; u_0 = value
+        let mut last = slope;
+        let mut next = 0.5 * (x * slope + delta * self.n * value);
+        let mut terms = [0.0; 18];
+        for (k, term) in (2..).zip(&mut terms) {
+            let m = f64::from(k);
+            *term = m * next;
+            let after = (x * next + y * (self.n - (m - 1.0)) / m * last) / (m + 1.0);
+            (last, next) = (next, after);
+        }
+        slope + terms.iter().rev().sum::<f64>()
     }
 
     /// J(at + delta) - J(at) from value and slope at `at`: the terms u_k of the Taylor series
@@ -104,27 +119,8 @@ impl Function {
             return if self.n > 0.0 { f64::MAX } else { 1.0 };
         }
         let (power, low, exponent) = half_power((2.0 * self.n) as i32, x);
-        let sum = power + (low + power * self.overlap_correction(x));
+        let sum = power + (low + power * overlap_correction(self.n, x));
         clamp_to_finite(libm::scalbn(sum, exponent))
-    }
-
-    /// c = Σ_{k>0} (-n)_{2k} / (k! (2x²)^k); ends by itself for integer n.
-    pub(super) fn overlap_correction(&self, x: f64) -> f64 {
-        if x > 1e9 {
-            return 0.0;
-        }
-        let inverse = 0.5 / (x * x);
-        let mut term = 1.0;
-        let mut terms = [0.0; 16];
-        for (k, slot) in terms.iter_mut().enumerate() {
-            let m = 2.0 * k as f64 - self.n;
-            term *= m * (m + 1.0) * inverse / (k as f64 + 1.0);
-            *slot = term;
-            if term.abs() < 1e-20 {
-                break;
-            }
-        }
-        terms.iter().rev().sum()
     }
 
     /// exp(α²/2) J_n(α) √(2π) α^{n+1} / Γ(n+1) for α ≥ 8; tends to 1.
@@ -150,6 +146,25 @@ impl Function {
     pub(super) fn far_ln_scaled(&self, alpha: f64) -> f64 {
         libm::log(self.factor * self.far_series(alpha)) - (self.n + 1.0) * libm::log(alpha)
     }
+}
+
+/// What α -> -∞ leaves, J_n = x^n (1 + c): c = Σ_{k>0} (-n)_{2k} / (k! (2x²)^k); ends by itself for integer n.
+pub(super) fn overlap_correction(n: f64, x: f64) -> f64 {
+    if x > 1e9 {
+        return 0.0;
+    }
+    let inverse = 0.5 / (x * x);
+    let mut term = 1.0;
+    let mut terms = [0.0; 16];
+    for (k, slot) in terms.iter_mut().enumerate() {
+        let m = 2.0 * k as f64 - n;
+        term *= m * (m + 1.0) * inverse / (k as f64 + 1.0);
+        *slot = term;
+        if term.abs() < 1e-20 {
+            break;
+        }
+    }
+    terms.iter().rev().sum()
 }
 
 /// Σ c_k T_k(x) by Clenshaw's recurrence.

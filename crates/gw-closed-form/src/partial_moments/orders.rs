@@ -1,7 +1,7 @@
 //! The moments by order.
 
 use super::function::{
-    FAR, FIVE_HALVES, Function, HALF, MINUS_HALF, NEAR, ONE, THREE_HALVES, ZERO,
+    FAR, FIVE_HALVES, Function, HALF, NEAR, ONE, THREE_HALVES, ZERO, overlap_correction,
 };
 use super::gaussian::density;
 use crate::arithmetic::{clamp_to_finite, exp_half_square};
@@ -85,7 +85,7 @@ pub fn ln(order: Order, alpha: f64) -> f64 {
         return libm::log1p(-f.value(-alpha)); // J_0(-x) = 1 - J_0(x)
     }
     if alpha <= NEAR {
-        return f.n * libm::log(-alpha) + libm::log1p(f.overlap_correction(-alpha));
+        return f.n * libm::log(-alpha) + libm::log1p(overlap_correction(f.n, -alpha));
     }
     if let Some([at, low, slope]) = f.unity {
         let delta = (alpha - at) - low;
@@ -101,7 +101,7 @@ pub fn derivative(order: Order, alpha: f64) -> f64 {
     let f = order.function();
     match order {
         Order::Zero => -density(alpha),
-        Order::Half => -f.n * MINUS_HALF.value(alpha),
+        Order::Half => half_derivative(alpha),
         Order::One => -f.n * ZERO.value(alpha),
         Order::ThreeHalves => -f.n * HALF.value(alpha),
         Order::FiveHalves => clamp_to_finite(-f.n * THREE_HALVES.value(alpha)),
@@ -112,22 +112,36 @@ pub fn derivative(order: Order, alpha: f64) -> f64 {
 /// -n/|α| for large negative α.
 pub fn ln_derivative(order: Order, alpha: f64) -> f64 {
     let f = order.function();
-    let below = match order {
-        Order::Zero => None,
-        Order::Half => Some(&MINUS_HALF),
-        Order::One => Some(&ZERO),
-        Order::ThreeHalves => Some(&HALF),
-        Order::FiveHalves => Some(&THREE_HALVES),
-    };
     if alpha >= FAR {
         // n Gamma(n) / Gamma(n+1) = 1: only the two slowly varying factors remain.
-        return -alpha * below.map_or(1.0, |b| b.far_series(alpha)) / f.far_series(alpha);
+        let below = match order {
+            Order::Zero => 1.0,
+            // J_{-1/2} = 2 (J_{3/2} + alpha J_{1/2})
+            Order::Half => {
+                f.far_series(alpha) + 1.5 * THREE_HALVES.far_series(alpha) / alpha / alpha
+            }
+            Order::One => ZERO.far_series(alpha),
+            Order::ThreeHalves => HALF.far_series(alpha),
+            Order::FiveHalves => THREE_HALVES.far_series(alpha),
+        };
+        return -alpha * below / f.far_series(alpha);
     }
-    match below {
-        Some(below) if alpha <= NEAR => {
-            let x = -alpha;
-            -f.n * (1.0 + below.overlap_correction(x)) / (1.0 + f.overlap_correction(x)) / x
-        }
-        _ => derivative(order, alpha) / f.value(alpha),
+    if alpha <= NEAR && order != Order::Zero {
+        let x = -alpha;
+        let below = overlap_correction(f.n - 1.0, x);
+        return -f.n * (1.0 + below) / (1.0 + overlap_correction(f.n, x)) / x;
+    }
+    derivative(order, alpha) / f.value(alpha)
+}
+
+/// dJ_1/2/dα = -J_{-1/2}/2. There is no table of J_{-1/2}.
+fn half_derivative(alpha: f64) -> f64 {
+    if alpha >= FAR {
+        let alpha = alpha.min(40.0); // where all moments are 0
+        -(THREE_HALVES.value(alpha) + alpha * HALF.value(alpha))
+    } else if alpha <= NEAR {
+        -0.5 * (1.0 + overlap_correction(-0.5, -alpha)) / libm::sqrt(-alpha)
+    } else {
+        HALF.slope(alpha)
     }
 }

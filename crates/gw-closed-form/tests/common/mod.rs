@@ -1,20 +1,64 @@
-//! Reading the high-precision tables.
-#![allow(dead_code, reason = "each test binary uses its part")]
-#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests: a panic is the report")]
+//! Reading the tables of `fixtures/reference`, and the worst error met.
+#![allow(
+    dead_code,
+    clippy::float_cmp,
+    clippy::print_stdout,
+    reason = "each test program uses its part; a reference of exactly 0 is compared absolutely; \
+              the worst errors are printed for the report"
+)]
 
-/// Rows of a table in `fixtures/reference`; the first line says where it came from, the second
-/// names the columns.
-pub(crate) fn rows(text: &str) -> Vec<Vec<&str>> {
-    let mut lines = text.lines();
-    assert!(lines.next().unwrap().starts_with("# "), "a table opens with its origin");
-    lines.next();
-    lines.map(|line| line.split(',').collect()).collect()
+use std::path::PathBuf;
+
+/// A table: comma separated, first line an origin, second the names of the columns.
+pub(crate) struct ReferenceTable {
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
 }
 
-/// The number in a cell; more digits than a double holds are rounded, beyond its range it
-/// becomes 0 or infinity.
-pub(crate) fn number(cell: &str) -> f64 {
-    cell.parse().unwrap()
+impl ReferenceTable {
+    /// Reads `fixtures/reference/<name>`.
+    pub(crate) fn read(name: &str) -> Self {
+        let path =
+            PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/reference").join(name);
+        let text =
+            std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        assert!(text.starts_with("# "), "{name} opens with its origin");
+        let mut lines = text.lines().filter(|l| !l.starts_with('#'));
+        let split = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
+        let columns = split(lines.next().expect("a reference table has a header"));
+        let rows: Vec<_> = lines.map(split).collect();
+        assert!(!rows.is_empty(), "{name} has no rows");
+        Self { columns, rows }
+    }
+
+    /// Rows, each a look-up by column name.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = ReferenceRow<'_>> {
+        self.rows.iter().map(|cells| ReferenceRow { table: self, cells })
+    }
+}
+
+/// One row of a [`ReferenceTable`].
+pub(crate) struct ReferenceRow<'a> {
+    table: &'a ReferenceTable,
+    cells: &'a [String],
+}
+
+impl ReferenceRow<'_> {
+    /// The cell as text.
+    pub(crate) fn text(&self, column: &str) -> &str {
+        let index = self.table.columns.iter().position(|c| c == column);
+        &self.cells[index.unwrap_or_else(|| panic!("no column {column}"))]
+    }
+
+    /// The cell as the nearest double; beyond their range 0 or infinity.
+    pub(crate) fn number(&self, column: &str) -> f64 {
+        self.text(column).parse().unwrap_or_else(|e| panic!("{column}: {e}"))
+    }
+
+    /// Several cells.
+    pub(crate) fn numbers<const N: usize>(&self, columns: [&str; N]) -> [f64; N] {
+        columns.map(|column| self.number(column))
+    }
 }
 
 /// |x / reference - 1|; 0 where the reference is 0, subnormal or infinite and no relative error
@@ -23,22 +67,38 @@ pub(crate) fn relative_error(x: f64, reference: f64) -> f64 {
     if reference.is_normal() { (x / reference - 1.0).abs() } else { 0.0 }
 }
 
-/// The largest error seen, and where.
-#[derive(Default)]
+/// The largest error met, and where; prints itself, so that a report can quote it.
 pub(crate) struct Worst {
+    what: String,
     pub(crate) error: f64,
-    pub(crate) at: String,
+    place: String,
 }
 
 impl Worst {
-    pub(crate) fn see(&mut self, error: f64, at: impl Fn() -> String) {
+    /// Nothing met yet.
+    pub(crate) fn of(what: impl Into<String>) -> Self {
+        Self { what: what.into(), error: 0.0, place: String::new() }
+    }
+
+    /// Takes an error in.
+    pub(crate) fn see(&mut self, error: f64, place: impl FnOnce() -> String) {
         if error > self.error || error.is_nan() {
-            *self = Self { error, at: at() };
+            (self.error, self.place) = (error, place());
         }
     }
 
-    pub(crate) fn check(&self, what: &str, limit: f64) {
-        println!("{what}: worst error {:.1e} at {}", self.error, self.at);
-        assert!(self.error <= limit, "{what}: error {:e} > {limit:e} at {}", self.error, self.at);
+    /// Takes a relative error in; an absolute one where 0 is expected.
+    pub(crate) fn compare(&mut self, found: f64, expected: f64, place: impl FnOnce() -> String) {
+        let error =
+            if expected == 0.0 { found.abs() } else { ((found - expected) / expected).abs() };
+        assert!(error.is_finite(), "{}: {found} instead of {expected} at {}", self.what, place());
+        self.see(error, place);
+    }
+
+    /// Fails if the worst exceeds `limit`.
+    pub(crate) fn at_most(&self, limit: f64) {
+        let Self { what, error, place } = self;
+        println!("worst {what}: {error:.2e} at {place}");
+        assert!(*error <= limit, "{what}: {error:.2e} > {limit:.0e} at {place}");
     }
 }

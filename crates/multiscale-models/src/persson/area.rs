@@ -3,10 +3,10 @@
 use super::reduced_diffusion;
 use super::span::MODEL;
 use super::theory::{AreaLaw, Persson};
+use crate::answer::outside;
 use crate::special::{erf, erf_inv, erfc, erfc_inv};
 use crate::wide::Wide;
-use contact_types::ModelError;
-use contact_types::require;
+use contact_types::{ModelError, require};
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 impl Persson {
@@ -80,21 +80,6 @@ impl Persson {
         Ok(erf(self.argument_for(pressure, self.slope * part)))
     }
 
-    /// Area fraction at magnification `zeta = q / q_0`, where `q_0` is the smallest wavenumber
-    /// of the spectrum.
-    ///
-    /// # Errors
-    /// As [`area_fraction_up_to`](Self::area_fraction_up_to).
-    pub fn area_fraction_at_magnification(
-        &self,
-        pressure: f64,
-        zeta: f64,
-    ) -> Result<f64, ModelError> {
-        require::not_negative(MODEL, "magnification", zeta)?;
-        let longest = self.spectrum()?.smallest_wavenumber();
-        self.area_fraction_up_to(pressure, (longest * zeta).min(f64::MAX))
-    }
-
     fn area_argument(&self, pressure: f64) -> Result<f64, ModelError> {
         require::pressure(MODEL, pressure)?;
         Ok(self.argument_for(pressure, self.slope))
@@ -114,23 +99,18 @@ impl Persson {
     }
 
     fn pressure_at_argument(&self, argument: f64, area_fraction: f64) -> Result<f64, ModelError> {
-        let unreachable = |reason: &'static str| ModelError::OutsideDomain {
-            model: MODEL.into(),
-            quantity: "area fraction".into(),
-            value: area_fraction,
-            domain: 0.0..=1.0 - f64::EPSILON / 2.0,
-            reason: reason.into(),
+        let unreachable = |reason| {
+            let domain = 0.0..=1.0 - f64::EPSILON / 2.0;
+            Err(outside(MODEL, "area fraction", area_fraction, domain, reason))
         };
         if argument <= 0.0 {
             return Ok(0.0);
         }
         if self.slope.is_zero() {
-            return Err(unreachable("a flat surface touches everywhere under any pressure"));
+            return unreachable("a flat surface touches everywhere under any pressure");
         }
         if argument.is_infinite() {
-            return Err(unreachable(
-                "full contact is reached only as the pressure grows to infinity",
-            ));
+            return unreachable("full contact is reached only as the pressure grows to infinity");
         }
         let x = match self.area_law {
             AreaLaw::Diffusion => Wide::from(argument),

@@ -3,10 +3,10 @@
 use super::scales::Scales;
 use super::span::{Decay, MODEL};
 use super::theory::Persson;
+use crate::answer::outside;
 use crate::special::{erf, half_e1_of_square, squared_erf_tail};
 use crate::wide::Wide;
-use contact_types::ModelError;
-use contact_types::require;
+use contact_types::{ModelError, require};
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Below this load `x = p / (E* sqrt(m2))` the limits of light load are exact to rounding.
@@ -139,13 +139,8 @@ impl Persson {
     pub fn light_load(&self) -> Result<[f64; 2], ModelError> {
         let scales = self.spectrum()?;
         if self.slope.is_zero() {
-            return Err(ModelError::OutsideDomain {
-                model: MODEL.into(),
-                quantity: "rms gradient".into(),
-                value: 0.0,
-                domain: f64::MIN_POSITIVE..=f64::MAX,
-                reason: "a flat surface has no gap at any load".into(),
-            });
+            let reason = "a flat surface has no gap at any load";
+            return Err(outside(MODEL, "rms gradient", 0.0, f64::MIN_POSITIVE..=f64::MAX, reason));
         }
         let share = scales.integrate(LIGHT, Decay::Gaussian, |_| 1.0);
         let at_light =
@@ -158,13 +153,10 @@ impl Persson {
 
     /// The spectrum, or a refusal that says how to give one.
     pub(super) fn spectrum(&self) -> Result<&Scales, ModelError> {
-        self.scales.as_deref().ok_or(ModelError::InvalidInput {
-            model: MODEL.into(),
-            quantity: "number of shells of the spectrum".into(),
-            value: 0.0,
-            requirement: "the mean gap and all that depends on wavenumber need more than moments: \
-                          use Persson::from_spectrum or Persson::from_self_affine"
-                .into(),
+        let requirement = "the mean gap and all that depends on wavenumber need more than moments: \
+                           use Persson::from_spectrum or Persson::from_self_affine";
+        self.scales.as_deref().ok_or_else(|| {
+            require::refused(MODEL, "number of shells of the spectrum", 0.0, requirement)
         })
     }
 }

@@ -2,10 +2,11 @@
 
 use super::span::MODEL;
 use super::theory::Persson;
+use crate::answer::outside;
 use crate::special::{erf, erfc};
-use contact_types::ModelError;
-use contact_types::require;
-use std::f64::consts::PI;
+use crate::wide::Wide;
+use contact_types::{ModelError, require};
+use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
 /// Distribution of the local pressure over the nominal area: a continuous part for `sigma > 0`
 /// and a delta at 0 for what is out of contact.
@@ -35,21 +36,16 @@ impl Persson {
     /// the deviation `E* g_rms / 2` or its inverse exceeds the range of a double.
     pub fn pressure_distribution(&self, pressure: f64) -> Result<PressureDistribution, ModelError> {
         require::pressure(MODEL, pressure)?;
-        let deviation = self.slope * std::f64::consts::FRAC_1_SQRT_2 * self.modulus.pascals();
+        let deviation = self.slope * FRAC_1_SQRT_2 * self.modulus.pascals();
         let domain = 1e-300..=1e300;
         if !domain.contains(&deviation.value()) {
-            return Err(ModelError::OutsideDomain {
-                model: MODEL.into(),
-                quantity: "pressure deviation".into(),
-                value: deviation.value().min(f64::MAX),
-                domain,
-                reason: "the pressure on a surface this flat is uniform".into(),
-            });
+            let value = deviation.value().min(f64::MAX);
+            let reason = "the pressure on a surface this flat is uniform";
+            return Err(outside(MODEL, "pressure deviation", value, domain, reason));
         }
-        let mean = (crate::wide::Wide::from(pressure) / deviation).value();
+        let mean = (Wide::from(pressure) / deviation).value();
         // Beyond 1e150 deviations the square of the mean overflows; the area is 1 long before.
-        let mean = require::representable(MODEL, "pressure over its deviation", mean * mean)
-            .map(|_| mean)?;
+        require::representable(MODEL, "pressure over its deviation", mean * mean)?;
         Ok(PressureDistribution { mean, deviation: deviation.value() })
     }
 }
@@ -71,12 +67,7 @@ impl PressureDistribution {
 
     /// Weight of the delta at zero pressure, `1 - A/A_0` \[-\].
     pub fn open_fraction(&self) -> f64 {
-        erfc(self.mean / std::f64::consts::SQRT_2)
-    }
-
-    /// Weight of the continuous part, `A/A_0` \[-\].
-    pub(crate) fn area_fraction(&self) -> f64 {
-        erf(self.mean / std::f64::consts::SQRT_2)
+        erfc(self.mean / SQRT_2)
     }
 
     /// Mean square pressure over the nominal area \[Pa²\],
@@ -89,8 +80,8 @@ impl PressureDistribution {
     /// `None` if it exceeds the largest double.
     pub fn mean_square(&self) -> Option<f64> {
         let m = self.mean;
-        let square =
-            (m * m + 1.0) * self.area_fraction() + m * (2.0 / PI).sqrt() * (-0.5 * m * m).exp();
+        let area_fraction = erf(m / SQRT_2);
+        let square = (m * m + 1.0) * area_fraction + m * (2.0 / PI).sqrt() * (-0.5 * m * m).exp();
         let pascals = square * self.deviation * self.deviation;
         pascals.is_finite().then_some(pascals)
     }

@@ -1,12 +1,10 @@
 //! Amplitudes of the profiles of a self-affine surface: what the stacked models take.
 
-use super::self_affine::SelfAffineSpectrum;
+use super::self_affine::{MODEL, SelfAffineSpectrum};
+use crate::answer::outside;
 use crate::special::gauss_legendre;
-use contact_types::require;
-use contact_types::{AmplitudeSpectrum, ModelError, Wave};
+use contact_types::{AmplitudeSpectrum, ModelError, Wave, require};
 use std::f64::consts::{PI, SQRT_2, TAU};
-
-const MODEL: &str = "self-affine spectrum";
 
 /// More waves than this on one record are refused: nobody measures such a profile.
 const MOST_WAVES: f64 = 1e6;
@@ -33,13 +31,9 @@ impl SelfAffineSpectrum {
         let [_, rolloff, cutoff] = self.wavenumbers();
         let count = length * (cutoff / TAU) * (1.0 + 1e-12);
         if !(1.0..=MOST_WAVES).contains(&count) {
-            return Err(ModelError::OutsideDomain {
-                model: MODEL.into(),
-                quantity: "record length over shortest wavelength".into(),
-                value: count,
-                domain: 1.0..=MOST_WAVES,
-                reason: "a record needs at least one wave, and not more than a million".into(),
-            });
+            let quantity = "record length over shortest wavelength";
+            let reason = "a record needs at least one wave, and not more than a million";
+            return Err(outside(MODEL, quantity, count, 1.0..=MOST_WAVES, reason));
         }
         let step = TAU / length / rolloff; // wavenumbers in units of the roll-off
         let waves = (1..=count as usize).map(|k| {
@@ -50,12 +44,9 @@ impl SelfAffineSpectrum {
                 amplitude: 0.5 * SQRT_2 * PI.sqrt() * variance.sqrt(),
             }
         });
-        AmplitudeSpectrum::new(waves.collect(), length).map_err(|_| ModelError::InvalidInput {
-            model: MODEL.into(),
-            quantity: "record length".into(),
-            value: record_length,
-            requirement: "its amplitudes must be within the range of a double".into(),
-        })
+        let requirement = "its amplitudes must be within the range of a double";
+        AmplitudeSpectrum::new(waves.collect(), length)
+            .map_err(|_| require::refused(MODEL, "record length", record_length, requirement))
     }
 
     /// `C_1(q) q_r / m0` at `x = q/q_r`.
@@ -75,10 +66,7 @@ impl SelfAffineSpectrum {
         for i in 0..panels as usize {
             let start = from + i as f64 * panel;
             // x cosh(s) directly, so that a small x to a high power cannot overflow
-            power += gauss_legendre(start, start + panel, 0.4, |s| {
-                let r = x * s.cosh();
-                r.powf(exponent)
-            });
+            power += gauss_legendre(start, start + panel, 0.4, |s| (x * s.cosh()).powf(exponent));
         }
         2.0 / PI * (plateau + power) / self.integral(0)
     }

@@ -1,12 +1,13 @@
 //! A continuous self-affine spectrum with a plateau.
 
 use super::span::{Range, check_span};
+use crate::answer::outside;
 use crate::special::gauss_legendre;
 use crate::wide::Wide;
-use contact_types::require;
-use contact_types::{ModelError, SpectralMoments};
+use contact_types::{ModelError, SpectralMoments, require};
 
-const MODEL: &str = "self-affine spectrum";
+/// Name of the spectrum in errors.
+pub(super) const MODEL: &str = "self-affine spectrum";
 
 /// Two-dimensional isotropic PSD of a self-affine surface:
 ///
@@ -53,18 +54,9 @@ impl SelfAffineSpectrum {
         wavenumbers: [f64; 3],
         m0: f64,
     ) -> Result<Self, ModelError> {
-        let outside = |quantity: &'static str, value, domain, reason: &'static str| {
-            ModelError::OutsideDomain {
-                model: MODEL.into(),
-                quantity: quantity.into(),
-                value,
-                domain,
-                reason: reason.into(),
-            }
-        };
         if !(0.0..=1.0).contains(&hurst) {
             let reason = "a self-affine surface has a Hurst exponent between 0 and 1";
-            return Err(outside("Hurst exponent", hurst, 0.0..=1.0, reason));
+            return Err(outside(MODEL, "Hurst exponent", hurst, 0.0..=1.0, reason));
         }
         let [lower, rolloff, cutoff] = wavenumbers;
         require::positive(MODEL, "lower wavenumber", lower)?;
@@ -73,13 +65,13 @@ impl SelfAffineSpectrum {
         require::not_negative(MODEL, "m0", m0)?;
         if rolloff < lower || rolloff > cutoff {
             let reason = "the roll-off lies between the lower end and the cut-off";
-            return Err(outside("roll-off wavenumber", rolloff, lower..=cutoff, reason));
+            return Err(outside(MODEL, "roll-off wavenumber", rolloff, lower..=cutoff, reason));
         }
         let span = (Wide::from(cutoff) / Wide::from(lower)).value().min(f64::MAX);
         if cutoff <= lower {
             let reason = "a continuous spectrum needs a band; a single wavenumber is a \
                           RoughnessSpectrum of one shell";
-            return Err(outside("cut-off over lower end", span, 1.0..=1e18, reason));
+            return Err(outside(MODEL, "cut-off over lower end", span, 1.0..=1e18, reason));
         }
         check_span(MODEL, "cut-off over lower end", span)?;
         Ok(Self {

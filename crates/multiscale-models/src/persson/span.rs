@@ -1,5 +1,6 @@
 //! How far a spectrum reaches, and integrals over the part of it that matters.
 
+use crate::answer::outside;
 use crate::special::gauss_legendre;
 use contact_types::ModelError;
 
@@ -78,11 +79,5 @@ pub(super) fn check_span(
         return Ok(());
     }
     let reason = "a spectrum of more than 18 decades is none of a surface";
-    Err(ModelError::OutsideDomain {
-        model: model.into(),
-        quantity: quantity.into(),
-        value: span,
-        domain,
-        reason: reason.into(),
-    })
+    Err(outside(model, quantity, span, domain, reason))
 }

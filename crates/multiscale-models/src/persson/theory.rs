@@ -3,17 +3,14 @@
 use super::scales::Scales;
 use super::self_affine::SelfAffineSpectrum;
 use super::span::MODEL;
+use crate::answer::{citation, outside, saturated, steep, underflow};
 use crate::wide::Wide;
-use contact_types::require;
 use contact_types::{
-    Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, RoughnessSpectrum,
-    SpectralMoments,
+    Citation, ContactModel, ContactModulus, ContactState, ModelError, RoughnessSpectrum,
+    SpectralMoments, require,
 };
 use std::borrow::Borrow;
 use std::sync::Arc;
-
-/// Above this rms gradient a half-space with small slopes is no longer meant.
-const STEEP: f64 = 1.0;
 
 /// How the area follows from the spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -43,7 +40,7 @@ pub enum AreaLaw {
 /// - `V`: variance of the pressure in full contact \[Pa²\].
 ///
 /// Made from moments it knows the area only; made from a spectrum also the mean gap, its
-/// stiffness, the elastic energy and the area seen at a given magnification.
+/// stiffness, the elastic energy and the area seen at a given resolution.
 ///
 /// ```
 /// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
@@ -142,14 +139,7 @@ impl Persson {
         if !domain.contains(&gamma) {
             let reason = "gamma weighs the energy of partial contact; published values are 0.42 \
                           to 1";
-            let (model, quantity, value) = (MODEL, "gamma", gamma);
-            return Err(ModelError::OutsideDomain {
-                model: model.into(),
-                quantity: quantity.into(),
-                value,
-                domain,
-                reason: reason.into(),
-            });
+            return Err(outside(MODEL, "gamma", gamma, domain, reason));
         }
         self.gamma = gamma;
         Ok(self)
@@ -162,11 +152,6 @@ impl Persson {
         self
     }
 
-    /// The factor gamma in use.
-    pub fn gamma(&self) -> f64 {
-        self.gamma
-    }
-
     /// `x = p / (E* sqrt(m2))`, the argument of the error function, beyond the range of a
     /// double; `None` for a flat surface.
     pub(super) fn load(&self, pressure: f64) -> Option<Wide> {
@@ -177,13 +162,8 @@ impl Persson {
 
 impl ContactModel for Persson {
     fn citation(&self) -> Citation {
-        Citation {
-            authors: "Persson".into(),
-            year: 2001,
-            title: "Theory of rubber friction and contact mechanics".into(),
-            journal: "J. Chem. Phys. 115, 3840".into(),
-            doi: "10.1063/1.1388626".into(),
-        }
+        let title = "Theory of rubber friction and contact mechanics";
+        citation("Persson", 2001, title, "J. Chem. Phys. 115, 3840", "10.1063/1.1388626")
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
@@ -192,21 +172,10 @@ impl ContactModel for Persson {
             Some(_) if mean_pressure > 0.0 => Some(self.mean_gap(mean_pressure)?),
             _ => None,
         };
-        let steep = (self.slope * std::f64::consts::SQRT_2).value();
-        let caveat = if mean_pressure > 0.0 && area_fraction <= 0.0 {
-            Some(Caveat::Underflow { quantity: "area fraction".into() })
-        } else if self.slope.is_zero() && mean_pressure > 0.0 {
-            Some(Caveat::Saturated { quantity: "area fraction".into() })
-        } else if steep > STEEP {
-            Some(Caveat::BeyondModel {
-                quantity: "rms gradient".into(),
-                value: steep.min(f64::MAX),
-                limit: STEEP,
-                reason: "a half-space deforms like this only under small slopes".into(),
-            })
-        } else {
-            None
-        };
+        let is_flat = self.slope.is_zero() && mean_pressure > 0.0;
+        let gradient = (self.slope * std::f64::consts::SQRT_2).value();
+        let caveat = underflow(mean_pressure, area_fraction)
+            .or_else(|| if is_flat { Some(saturated()) } else { steep(gradient) });
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap, caveat })
     }
 }

@@ -1,9 +1,8 @@
 //! Persson's theory with a hardness: the pressure distribution diffuses between two walls.
 
+use crate::answer::{citation, outside, underflow};
 use crate::special::{erf, erfc};
-use contact_types::{
-    Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, require,
-};
+use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
 
 const MODEL: &str = "Persson with yield";
@@ -80,12 +79,6 @@ impl PerssonWithYield {
         Ok(Self { deviation, hardness })
     }
 
-    /// `E* g / (2 H)`: rms of the pressure of full contact over the hardness \[-\]. Below 0.3 hardly anything
-    /// yields, above 1 the area is hardly more than p/H.
-    pub(crate) fn plasticity_index(&self) -> f64 {
-        self.deviation / self.hardness
-    }
-
     /// How the nominal area is shared at a mean pressure \[Pa\]: each part right to 1e-15, absolutely.
     ///
     /// # Errors
@@ -95,19 +88,16 @@ impl PerssonWithYield {
     pub fn shares(&self, mean_pressure: f64) -> Result<YieldShares, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
         if mean_pressure >= self.hardness {
-            return Err(ModelError::OutsideDomain {
-                model: MODEL.into(),
-                quantity: "mean pressure".into(),
-                value: mean_pressure,
-                domain: 0.0..=self.hardness,
-                reason: "the hardness is the most that any contact carries".into(),
-            });
+            let reason = "the hardness is the most that any contact carries";
+            let domain = 0.0..=self.hardness;
+            return Err(outside(MODEL, "mean pressure", mean_pressure, domain, reason));
         }
         if mean_pressure <= 0.0 {
             return Ok(YieldShares { open: 1.0, elastic: 0.0, plastic: 0.0 });
         }
         let p = mean_pressure / self.hardness;
-        let index = self.plasticity_index();
+        // Below 0.3 hardly anything yields, above 1 the area is hardly more than p/H.
+        let index = self.deviation / self.hardness;
         Ok(if index * index <= FEW_IMAGES { by_images(p, index) } else { by_waves(p, index) })
     }
 }
@@ -145,21 +135,17 @@ fn by_waves(p: f64, index: f64) -> YieldShares {
 
 impl ContactModel for PerssonWithYield {
     fn citation(&self) -> Citation {
-        Citation {
-            authors: "Persson".into(),
-            year: 2001,
-            title: "Elastoplastic contact between randomly rough surfaces".into(),
-            journal: "Physical Review Letters 87, 116101".into(),
-            doi: "10.1103/PhysRevLett.87.116101".into(),
-        }
+        let title = "Elastoplastic contact between randomly rough surfaces";
+        let (journal, doi) =
+            ("Physical Review Letters 87, 116101", "10.1103/PhysRevLett.87.116101");
+        citation("Persson", 2001, title, journal, doi)
     }
 
     /// The area is the elastic and the plastic part.
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         let YieldShares { elastic, plastic, .. } = self.shares(mean_pressure)?;
         let area_fraction = (elastic + plastic).min(1.0);
-        let is_lost = mean_pressure > 0.0 && area_fraction <= 0.0;
-        let caveat = is_lost.then(|| Caveat::Underflow { quantity: "area fraction".into() });
+        let caveat = underflow(mean_pressure, area_fraction);
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
     }
 }

@@ -4,14 +4,12 @@
 //! random arguments against 40-digit values: 0.7 and 1.5 units in the last place). What no small
 //! crate has with that accuracy is here: inverses, and the integrals of Persson's mean gap.
 
-mod chebyshev;
 mod coefficients;
 mod erf_inverse;
 mod gap_integrals;
 mod gauss;
 
-pub use erf_inverse::{erf_inv, erfc_inv};
-pub use gap_integrals::half_e1_of_square;
-pub(crate) use gap_integrals::squared_erf_tail;
+pub(crate) use erf_inverse::{erf_inv, erfc_inv};
+pub(crate) use gap_integrals::{half_e1_of_square, squared_erf_tail};
 pub(crate) use gauss::gauss_legendre;
-pub use libm::{erf, erfc};
+pub(crate) use libm::{erf, erfc};

@@ -1,7 +1,6 @@
 //! Identities of the theories, each against quadrature done here and not by the crate.
 
 mod archard_and_fractals;
-mod error_functions;
 mod jackson_streator;
 mod persson_area;
 mod persson_gap;

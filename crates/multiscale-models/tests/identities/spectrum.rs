@@ -1,7 +1,7 @@
 //! The self-affine spectrum as it is defined.
 
 use crate::quadrature::geometric_integral;
-use multiscale_models::special::erf;
+use libm::erf;
 use std::f64::consts::PI;
 
 /// A self-affine spectrum written out as in the definition.

@@ -1,0 +1,69 @@
+//! What the answers of all models share: citations, refusals and caveats.
+
+use contact_types::{Caveat, Citation, ModelError};
+use std::ops::RangeInclusive;
+
+/// The paper of a model; an empty `doi` if it has none.
+pub(crate) fn citation(
+    authors: &'static str,
+    year: u16,
+    title: &'static str,
+    journal: &'static str,
+    doi: &'static str,
+) -> Citation {
+    Citation {
+        authors: authors.into(),
+        year,
+        title: title.into(),
+        journal: journal.into(),
+        doi: doi.into(),
+    }
+}
+
+/// The refusal of a number at which the theory has no meaning.
+pub(crate) fn outside(
+    model: &'static str,
+    quantity: &'static str,
+    value: f64,
+    domain: RangeInclusive<f64>,
+    reason: &'static str,
+) -> ModelError {
+    ModelError::OutsideDomain {
+        model: model.into(),
+        quantity: quantity.into(),
+        value,
+        domain,
+        reason: reason.into(),
+    }
+}
+
+/// Above this rms gradient a half-space with small slopes is no longer meant.
+const STEEP: f64 = 1.0;
+
+/// The caveat of a surface that is too steep.
+pub(crate) fn steep(rms_gradient: f64) -> Option<Caveat> {
+    let reason = "a half-space deforms like this only under small slopes";
+    (rms_gradient > STEEP)
+        .then(|| beyond("rms gradient", rms_gradient.min(f64::MAX), STEEP, reason))
+}
+
+/// The caveat of a strained assumption.
+pub(crate) fn beyond(
+    quantity: &'static str,
+    value: f64,
+    limit: f64,
+    reason: &'static str,
+) -> Caveat {
+    Caveat::BeyondModel { quantity: quantity.into(), value, limit, reason: reason.into() }
+}
+
+/// The caveat of an area fraction that is 0 in doubles under a load.
+pub(crate) fn underflow(mean_pressure: f64, area_fraction: f64) -> Option<Caveat> {
+    let is_lost = mean_pressure > 0.0 && area_fraction <= 0.0;
+    is_lost.then(|| Caveat::Underflow { quantity: "area fraction".into() })
+}
+
+/// The caveat of complete contact.
+pub(crate) fn saturated() -> Caveat {
+    Caveat::Saturated { quantity: "area fraction".into() }
+}
