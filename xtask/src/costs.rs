@@ -41,7 +41,7 @@ fn dependencies() -> Result<String, String> {
     table.push_str("|---|---:|---:|---:|\n");
     for package in packages() {
         let along = brought_along(package)?;
-        let limit = LAYERS.iter().find(|row| row.0 == package).map_or(0, |row| row.3);
+        let limit = LAYERS.iter().find(|row| row.0 == package).map_or(0, |row| row.2);
         let (own, others) = (along.own.len(), along.from_registry.len());
         let names: usize = sources(package).iter().map(|text| public_names(text)).sum();
         let _ = writeln!(table, "| `{package}` | {own} | {others} ({limit}) | {names} |");

@@ -3,110 +3,65 @@
 use crate::shell::{cargo, output};
 use std::collections::BTreeSet;
 
-/// The layer picture: which crate of ours may depend on which, and how many crates from the
-/// registry it may pull in with its default features.
-pub(crate) const LAYERS: &[(&str, u8, &[&str], usize)] = &[
-    ("contact-types", 0, &[], 10),
-    ("grid-fft", 0, &["contact-types"], 20),
-    ("surface-io", 1, &["contact-types"], 40),
-    ("surface-stats", 1, &["contact-types", "grid-fft"], 20),
-    ("gw-closed-form", 1, &["contact-types"], 10),
+/// The layer picture: each crate of ours, its layer, how many crates from the registry it may pull in with its
+/// default features, and which of ours it may depend on.
+pub(crate) const LAYERS: &[(&str, u8, usize, &str)] = &[
+    ("contact-types", 0, 10, ""),
+    ("grid-fft", 0, 20, "contact-types"),
+    ("surface-io", 1, 40, "contact-types"),
+    ("surface-stats", 1, 20, "contact-types grid-fft"),
+    ("gw-closed-form", 1, 10, "contact-types"),
     // Bush-Gibson-Thomas is the Greenwood-Williamson integral averaged over curvatures.
-    ("asperity-models", 1, &["contact-types", "gw-closed-form"], 10),
-    ("multiscale-models", 1, &["contact-types"], 10),
-    ("fft-bem-solver", 1, &["contact-types", "grid-fft"], 30),
-    ("gap-flow", 1, &["contact-types"], 50),
-    (
-        "contact-accuracy",
-        2,
-        &["contact-types", "grid-fft", "surface-stats", "fft-bem-solver", "gap-flow"],
-        30,
-    ),
+    ("asperity-models", 1, 10, "contact-types gw-closed-form"),
+    ("multiscale-models", 1, 10, "contact-types"),
+    ("fft-bem-solver", 1, 30, "contact-types grid-fft"),
+    ("gap-flow", 1, 50, "contact-types"),
+    ("contact-accuracy", 2, 30, "contact-types grid-fft surface-stats fft-bem-solver gap-flow"),
     (
         "contact-compare",
         3,
-        &[
-            "contact-accuracy",
-            "contact-types",
-            "grid-fft",
-            "surface-stats",
-            "gw-closed-form",
-            "asperity-models",
-            "multiscale-models",
-            "fft-bem-solver",
-        ],
         50,
+        "contact-accuracy contact-types grid-fft surface-stats gw-closed-form asperity-models \
+         multiscale-models fft-bem-solver",
     ),
     // Types of results only: nothing is computed there.
     (
         "contact-report",
         4,
-        &["contact-accuracy", "contact-types", "grid-fft", "surface-stats", "contact-compare"],
         65,
+        "contact-accuracy contact-types grid-fft surface-stats contact-compare",
     ),
     // What a front end answers, without its words for options, its tables and its files.
     (
         "contact-front-end",
         5,
-        &[
-            "contact-accuracy",
-            "contact-types",
-            "grid-fft",
-            "surface-io",
-            "surface-stats",
-            "multiscale-models",
-            "fft-bem-solver",
-            "contact-compare",
-            "contact-report",
-        ],
         75,
+        "contact-accuracy contact-types grid-fft surface-io surface-stats multiscale-models \
+         fft-bem-solver contact-compare contact-report",
     ),
     // The page in a browser: the engine and what it shows.
     (
         "contact-web",
         6,
-        &[
-            "contact-front-end",
-            "contact-types",
-            "surface-io",
-            "surface-stats",
-            "contact-compare",
-            "contact-report",
-        ],
         75,
+        "contact-front-end contact-types surface-io surface-stats contact-compare contact-report",
     ),
     // The research programs: their tests and examples reach for every crate.
     (
         "studies",
         6,
-        &[
-            "contact-types",
-            "surface-stats",
-            "contact-accuracy",
-            "contact-compare",
-            "contact-report",
-        ],
         65,
+        "contact-types surface-stats contact-accuracy contact-compare contact-report",
     ),
     // The command, which serves the page of `contact-web`.
     (
         "rough-contact",
         7,
-        &[
-            "contact-front-end",
-            "contact-accuracy",
-            "contact-types",
-            "surface-io",
-            "surface-stats",
-            "multiscale-models",
-            "fft-bem-solver",
-            "contact-compare",
-            "contact-report",
-            "contact-web",
-        ],
         130,
+        "contact-front-end contact-accuracy contact-types surface-io surface-stats multiscale-models \
+         fft-bem-solver contact-compare contact-report contact-web",
     ),
-    ("xtask", 8, &[], 10),
+    ("xtask", 8, 10, ""),
 ];
 
 /// The crates that come with one of ours, with default features, without tests.

@@ -1,17 +1,11 @@
 //! Every library crate builds without its default features and with each feature alone.
 
-use crate::shell::{self, TaskResult, cargo, output};
-use serde_json::Value;
+use crate::shell::{self, TaskResult, cargo, packages};
 
 /// Checks each crate of the workspace that has features, one combination after the other.
 pub(crate) fn run() -> TaskResult {
-    let text =
-        output(cargo().args(["metadata", "--no-deps", "--locked", "--format-version", "1"]))?;
-    let metadata: Value =
-        serde_json::from_str(&text).map_err(|e| format!("cargo metadata is not JSON: {e}"))?;
-    let packages = metadata["packages"].as_array().ok_or("cargo metadata names no packages")?;
     let mut checked = 0;
-    for package in packages {
+    for package in packages(&["--no-deps"])? {
         let features: Vec<&String> =
             package["features"].as_object().into_iter().flat_map(|all| all.keys()).collect();
         let mut targets = package["targets"].as_array().into_iter().flatten();
@@ -24,16 +18,10 @@ pub(crate) fn run() -> TaskResult {
             features.iter().filter(|feature| **feature != "default").map(|f| Some(f.as_str()));
         for feature in std::iter::once(None).chain(alone) {
             let mut check = cargo();
-            check.args([
-                "check",
-                "--quiet",
-                "--locked",
-                "--lib",
-                "--no-default-features",
-                "-p",
-                name,
-            ]);
-            check.args(feature.iter().flat_map(|feature| ["--features", feature]));
+            check.args(["check", "--quiet", "--locked", "--lib", "--no-default-features"]);
+            check
+                .args(["-p", name])
+                .args(feature.iter().flat_map(|feature| ["--features", feature]));
             shell::run(&mut check)?;
             checked += 1;
         }

@@ -1,6 +1,6 @@
 //! The licences of what a program of ours is linked with: most ask that their text goes with it.
 
-use crate::shell::{TaskResult, cargo, output, read};
+use crate::shell::{TaskResult, cargo, output, packages, read};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -67,15 +67,11 @@ fn linked(package: &str, target: &str) -> Result<Vec<(String, String, String)>, 
 
 /// Where the source of each crate lies.
 fn folders() -> Result<BTreeMap<String, PathBuf>, String> {
-    let text = output(cargo().args(["metadata", "--locked", "--format-version", "1"]))?;
-    let metadata: Value =
-        serde_json::from_str(&text).map_err(|e| format!("cargo metadata is not JSON: {e}"))?;
-    let packages = metadata["packages"].as_array().ok_or("cargo metadata names no packages")?;
     let of = |p: &Value| {
         let key = format!("{} {}", p["name"].as_str()?, p["version"].as_str()?);
         Some((key, Path::new(p["manifest_path"].as_str()?).parent()?.to_owned()))
     };
-    Ok(packages.iter().filter_map(of).collect())
+    Ok(packages(&[])?.iter().filter_map(of).collect())
 }
 
 /// The texts of licences and notices in a folder.

@@ -52,19 +52,6 @@ const USAGE: &str = "
 
 --check, also of each study, compares with what is committed instead of writing it.";
 
-/// Former names and what they are called now.
-const FORMER: [(&str, &str); 9] = [
-    ("costs", "study costs"),
-    ("coverage", "study coverage"),
-    ("docs", "study tables"),
-    ("extremes", "study extremes"),
-    ("features", "check features"),
-    ("licences", "release --licences"),
-    ("strangers", "check strangers"),
-    ("tidy", "check tidy"),
-    ("tradeoff", "study tradeoff"),
-];
-
 fn run(args: &[String]) -> TaskResult {
     match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => help(""),
@@ -89,10 +76,7 @@ fn run(args: &[String]) -> TaskResult {
         ["release", "--notes"] => release::print_notes(),
         ["release", ..] => release::run(&args[1..]),
         ["ci", ..] => ci::run(&args[1..]),
-        [task, ..] => match FORMER.iter().find(|(former, _)| *former == task) {
-            Some((_, now)) => Err(format!("'{task}' is now 'cargo xtask {now}'")),
-            None => Err(format!("there is no task '{}'\n{USAGE}", args.join(" "))),
-        },
+        _ => Err(format!("there is no task '{}'\n{USAGE}", args.join(" "))),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Starting other programs from the repository root.
 
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -77,6 +78,18 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
         return Err(format!("{} ended with {}", shown(command), output.status));
     }
     String::from_utf8(output.stdout).map_err(|_| format!("{} did not write UTF-8", shown(command)))
+}
+
+/// What `cargo metadata ARGS` says of packages: those of this workspace with `--no-deps`.
+pub(crate) fn packages(args: &[&str]) -> Result<Vec<Value>, String> {
+    let mut metadata = cargo();
+    let text = output(metadata.args(["metadata", "--locked", "--format-version", "1"]).args(args))?;
+    let mut found: Value =
+        serde_json::from_str(&text).map_err(|e| format!("cargo metadata is not JSON: {e}"))?;
+    match found["packages"].take() {
+        Value::Array(packages) => Ok(packages),
+        _ => Err("cargo metadata names no packages".to_owned()),
+    }
 }
 
 /// The command as a person would type it.

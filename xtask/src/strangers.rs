@@ -1,7 +1,7 @@
 //! What a stranger meets who takes one crate of ours: it can be packaged with all files it needs, and the example on
 //! its front page takes that crate alone.
 
-use crate::shell::{self, TaskResult, cargo, output, read, root};
+use crate::shell::{self, TaskResult, cargo, packages, read, root};
 use serde_json::Value;
 use std::path::Path;
 
@@ -48,11 +48,7 @@ fn run_external() -> TaskResult {
 }
 
 fn published() -> Result<Vec<Published>, String> {
-    let text =
-        output(cargo().args(["metadata", "--no-deps", "--locked", "--format-version", "1"]))?;
-    let metadata: Value =
-        serde_json::from_str(&text).map_err(|e| format!("cargo metadata is not JSON: {e}"))?;
-    let packages = metadata["packages"].as_array().ok_or("cargo metadata names no packages")?;
+    let packages = packages(&["--no-deps"])?;
     let is_published = |p: &&Value| p["publish"].as_array().is_none_or(|r| !r.is_empty());
     let of = |p: &Value| {
         let targets = p["targets"].as_array().into_iter().flatten();

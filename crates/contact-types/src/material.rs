@@ -16,14 +16,7 @@ impl Elastic {
     /// # Errors
     /// [`SurfaceError::Material`].
     pub fn new(young: f64, poisson: f64) -> Result<Self, SurfaceError> {
-        if !young.is_normal() || young < 0.0 {
-            return Err(SurfaceError::Material {
-                quantity: "Young's modulus",
-                value: young,
-                unit: "Pa",
-                domain: f64::MIN_POSITIVE..=f64::MAX,
-            });
-        }
+        let young = positive_modulus("Young's modulus", young)?;
         if !(poisson > -1.0 && poisson <= 0.5) {
             return Err(SurfaceError::Material {
                 quantity: "Poisson's ratio",
@@ -39,6 +32,15 @@ impl Elastic {
     pub(crate) fn plane_strain_modulus(&self) -> f64 {
         self.young / (1.0 - self.poisson * self.poisson)
     }
+}
+
+/// A modulus in Pa: a positive normal number.
+fn positive_modulus(quantity: &'static str, value: f64) -> Result<f64, SurfaceError> {
+    if value.is_normal() && value > 0.0 {
+        return Ok(value);
+    }
+    let domain = f64::MIN_POSITIVE..=f64::MAX;
+    Err(SurfaceError::Material { quantity, value, unit: "Pa", domain })
 }
 
 /// Contact modulus E* in Pa. Never a bare `f64`, so it cannot be confused with Young's modulus.
@@ -62,15 +64,7 @@ impl ContactModulus {
     /// # Errors
     /// [`SurfaceError::Material`] unless it is a positive normal number.
     pub fn from_pascals(pascals: f64) -> Result<Self, SurfaceError> {
-        if !pascals.is_normal() || pascals < 0.0 {
-            return Err(SurfaceError::Material {
-                quantity: "contact modulus",
-                value: pascals,
-                unit: "Pa",
-                domain: f64::MIN_POSITIVE..=f64::MAX,
-            });
-        }
-        Ok(Self(pascals))
+        positive_modulus("contact modulus", pascals).map(Self)
     }
 
     /// E* of an elastic body against a rigid one.

@@ -1,6 +1,6 @@
 //! A rough surface reduced to a few numbers.
 
-use crate::ModelError;
+use crate::{ModelError, require};
 use std::f64::consts::PI;
 
 /// Profile spectral moments of the equivalent rough surface (Nayak 1971, doi:10.1115/1.3451608). Of a surface with
@@ -77,14 +77,8 @@ impl AsperityStatistics {
     /// doi:10.1016/0043-1648(86)90045-1.
     pub fn from_moments(moments: SpectralMoments) -> Result<Self, ModelError> {
         let SpectralMoments { m0, m2, m4 } = moments;
-        let invalid = |quantity: &'static str, value: f64, requirement: &'static str| {
-            let (model, quantity) = (SUMMITS.into(), quantity.into());
-            ModelError::InvalidInput { model, quantity, value, requirement: requirement.into() }
-        };
         for (quantity, value) in [("m0", m0), ("m2", m2), ("m4", m4)] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(invalid(quantity, value, "must be finite and greater than 0"));
-            }
+            require::positive(SUMMITS, quantity, value)?;
         }
         let bandwidth = moments.bandwidth().min(f64::MAX);
         if bandwidth <= LEAST_BANDWIDTH {
@@ -109,7 +103,7 @@ impl AsperityStatistics {
         ] {
             if !value.is_normal() {
                 let requirement = "must be a normal number; scale the moments to metres";
-                return Err(invalid(quantity, value, requirement));
+                return Err(require::refused(SUMMITS, quantity, value, requirement));
             }
         }
         Ok(summits)
@@ -176,18 +170,14 @@ mod tests {
         for exponent in [-500, -100, -20, 20, 100, 500] {
             let unit = 2f64.powi(exponent);
             let found = of(unit);
-            assert_relative_eq!(
-                found.density * unit * unit,
-                expected.density,
-                max_relative = 1e-15
-            );
-            assert_relative_eq!(found.radius / unit, expected.radius, max_relative = 1e-15);
-            assert_relative_eq!(found.height_std / unit, expected.height_std, max_relative = 1e-15);
-            assert_relative_eq!(
-                found.mean_offset / unit,
-                expected.mean_offset,
-                max_relative = 1e-15
-            );
+            for (found, expected) in [
+                (found.density * unit * unit, expected.density),
+                (found.radius / unit, expected.radius),
+                (found.height_std / unit, expected.height_std),
+                (found.mean_offset / unit, expected.mean_offset),
+            ] {
+                assert_relative_eq!(found, expected, max_relative = 1e-15);
+            }
         }
         // Here m0/m2 overflows, and the bandwidth is only 2^200.
         let [m0, m2, m4] = [1000, -100, -1000].map(|e| 2f64.powi(e));

@@ -27,18 +27,8 @@ impl RoughnessSpectrum {
     /// [`SurfaceError::Spectrum`] for a wavenumber that is not finite, positive and rising, or a
     /// variance that is negative or not finite.
     pub fn new(shells: Vec<Shell>) -> Result<Self, SurfaceError> {
-        let mut last = 0.0;
-        for (index, shell) in shells.iter().enumerate() {
-            let fault = |what, value, limit| SurfaceError::Spectrum { index, what, value, limit };
-            if !(shell.wavenumber.is_finite() && shell.wavenumber > last) {
-                let limit = "must be finite, positive and rising";
-                return Err(fault("wavenumber", shell.wavenumber, limit));
-            }
-            if !(shell.variance.is_finite() && shell.variance >= 0.0) {
-                return Err(fault("variance", shell.variance, "must be finite and not negative"));
-            }
-            last = shell.wavenumber;
-        }
+        let entries = shells.iter().map(|shell| [shell.wavenumber, shell.variance]);
+        check(["wavenumber", "variance"], entries)?;
         Ok(Self { shells })
     }
 
@@ -92,21 +82,8 @@ impl AmplitudeSpectrum {
     /// [`SurfaceError::Spectrum`] for a frequency that is not finite, positive and rising, an
     /// amplitude that is negative or not finite, or a record length that is not positive.
     pub fn new(waves: Vec<Wave>, record_length: f64) -> Result<Self, SurfaceError> {
-        let mut last = 0.0;
-        for (index, wave) in waves.iter().enumerate() {
-            let fault = |what, value, limit| SurfaceError::Spectrum { index, what, value, limit };
-            if !(wave.frequency.is_finite() && wave.frequency > last) {
-                return Err(fault(
-                    "frequency",
-                    wave.frequency,
-                    "must be finite, positive and rising",
-                ));
-            }
-            if !(wave.amplitude.is_finite() && wave.amplitude >= 0.0) {
-                return Err(fault("amplitude", wave.amplitude, "must be finite and not negative"));
-            }
-            last = wave.frequency;
-        }
+        let entries = waves.iter().map(|wave| [wave.frequency, wave.amplitude]);
+        check(["frequency", "amplitude"], entries)?;
         if !(record_length.is_finite() && record_length > 0.0) {
             return Err(SurfaceError::Spectrum {
                 index: 0,
@@ -132,6 +109,25 @@ impl AmplitudeSpectrum {
     pub fn max_amplitude_ratio(&self) -> f64 {
         self.waves.iter().map(|w| w.amplitude * w.frequency).fold(0.0, f64::max)
     }
+}
+
+/// Each entry is finite, its first number rises from above 0, and its second is not negative.
+fn check(
+    names: [&'static str; 2],
+    entries: impl Iterator<Item = [f64; 2]>,
+) -> Result<(), SurfaceError> {
+    let mut last = 0.0;
+    for (index, [place, amount]) in entries.enumerate() {
+        let fault = |what, value, limit| SurfaceError::Spectrum { index, what, value, limit };
+        if !(place.is_finite() && place > last) {
+            return Err(fault(names[0], place, "must be finite, positive and rising"));
+        }
+        if !(amount.is_finite() && amount >= 0.0) {
+            return Err(fault(names[1], amount, "must be finite and not negative"));
+        }
+        last = place;
+    }
+    Ok(())
 }
 
 #[cfg(test)]

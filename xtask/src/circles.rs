@@ -1,0 +1,416 @@
+//! Circles of files: inside a crate, files import each other downwards only.
+//!
+//! Each name that a file imports is followed through re-exports to the file that defines it; a
+//! re-export alone is a face and no arrow. What is not seen: a method of an `impl` that stands in
+//! another file than its type, and names that a macro makes.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// A path of names: where a file stands in its crate, the root being empty, or a path as written, so
+/// that `crate::a::B` has three.
+type ModulePath = Vec<String>;
+
+/// For each file the files it takes something from, and what.
+type Arrows = BTreeMap<ModulePath, BTreeMap<ModulePath, BTreeSet<String>>>;
+
+/// The files of one crate.
+#[derive(Default)]
+struct CrateFiles(BTreeMap<ModulePath, (PathBuf, FileNames)>);
+
+/// What one file defines, imports and names, tests aside.
+#[derive(Default)]
+struct FileNames {
+    /// Child modules that are files of their own.
+    children: Vec<String>,
+    defined: BTreeSet<String>,
+    /// The path of each imported name, and whether it is `pub`.
+    imported: BTreeMap<String, (bool, ModulePath)>,
+    /// Names that the code itself uses, outside `use`.
+    used: BTreeSet<String>,
+    /// Paths in the code itself, of two parts and more.
+    paths: BTreeSet<ModulePath>,
+}
+
+const DEFINES: [&str; 8] = ["fn", "struct", "enum", "trait", "type", "const", "static", "union"];
+
+/// One sentence for each circle of files below the crate root `main` (`src/lib.rs`).
+pub(crate) fn circles(main: &Path) -> Vec<String> {
+    let krate = CrateFiles::read(main);
+    let arrows = krate.arrows();
+    let shown = |place: &ModulePath| krate.0[place].0.display().to_string();
+    let describe = |circle: &BTreeSet<ModulePath>| {
+        let mut text = String::new();
+        for from in circle {
+            for (to, names) in arrows[from].iter().filter(|(to, _)| circle.contains(*to)) {
+                let names: Vec<&str> = names.iter().map(String::as_str).collect();
+                let (from, to) = (shown(from), shown(to));
+                let _ = write!(text, "\n    {from} takes {} from {to}", names.join(", "));
+            }
+        }
+        format!("a circle of {} files{text}", circle.len())
+    };
+    strongly_connected(&arrows).iter().map(describe).collect()
+}
+
+/// One sentence for each `lib.rs` or `mod.rs` below `main` that defines something.
+pub(crate) fn faces(main: &Path) -> Vec<String> {
+    let mut found = Vec::new();
+    for (path, _) in CrateFiles::read(main).0.values() {
+        let is_face = path.file_name().is_some_and(|name| name == "lib.rs" || name == "mod.rs");
+        let text = std::fs::read_to_string(path).unwrap_or_default();
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+        // Items begin their line, as rustfmt leaves them.
+        let is_item = |line: &&str| {
+            let line = line.strip_prefix("pub(crate) ").unwrap_or(line);
+            let kind = line.strip_prefix("pub ").unwrap_or(line).split([' ', '<']).next();
+            kind.is_some_and(|kind| kind == "impl" || DEFINES.contains(&kind))
+        };
+        if let Some(item) = code.lines().find(is_item).filter(|_| is_face) {
+            found.push(format!("{} only declares and re-exports, but has {item}", path.display()));
+        }
+    }
+    found
+}
+
+impl CrateFiles {
+    fn read(main: &Path) -> Self {
+        let mut krate = Self::default();
+        krate.walk(main, &[], main.parent().unwrap_or(Path::new(".")));
+        krate
+    }
+
+    fn walk(&mut self, file: &Path, place: &[String], folder: &Path) {
+        let names = FileNames::of(&std::fs::read_to_string(file).unwrap_or_default());
+        for child in &names.children {
+            let below = folder.join(child);
+            let candidates = [below.with_extension("rs"), below.join("mod.rs")];
+            if let Some(path) = candidates.iter().find(|path| path.is_file()) {
+                self.walk(path, &[place, &[child.clone()]].concat(), &below);
+            }
+        }
+        self.0.insert(place.to_vec(), (file.to_path_buf(), names));
+    }
+
+    fn has(&self, place: &[String], child: &str) -> bool {
+        self.0.contains_key(&[place, &[child.to_owned()]].concat())
+    }
+
+    /// The file that defines what `parts` names as seen from `from`, and the name; the name is
+    /// absent if it is the file itself. `None` for what lies outside the crate.
+    fn resolve(
+        &self,
+        from: &ModulePath,
+        parts: &[String],
+        depth: usize,
+    ) -> Option<(ModulePath, Option<String>)> {
+        let (first, mut rest) = parts.split_first()?;
+        let mut here = match first.as_str() {
+            _ if depth > 12 => return None,
+            "crate" => ModulePath::new(),
+            "self" => from.clone(),
+            "super" => {
+                let ups = parts.iter().take_while(|part| *part == "super").count();
+                rest = &parts[ups..];
+                from[..from.len().checked_sub(ups)?].to_vec()
+            }
+            _ => {
+                rest = parts;
+                let is_imported = self.0[from].1.imported.contains_key(first);
+                let is_named = depth > 0 || parts.len() > 1;
+                if !self.has(from, first) && !(is_imported && is_named) {
+                    return None;
+                }
+                from.clone()
+            }
+        };
+        while let Some((name, tail)) = rest.split_first() {
+            let names = &self.0[&here].1;
+            if self.has(&here, name) {
+                here.push(name.clone());
+            } else if !names.defined.contains(name)
+                && let Some((_, target)) = names.imported.get(name)
+                && *target != *parts
+            {
+                match self.resolve(&here, target, depth + 1)? {
+                    (place, None) if !tail.is_empty() => here = place,
+                    found => return Some(found),
+                }
+            } else {
+                return Some((here, Some(name.clone())));
+            }
+            rest = tail;
+        }
+        Some((here, None))
+    }
+
+    fn arrows(&self) -> Arrows {
+        let mut all = Arrows::new();
+        for (place, (_, names)) in &self.0 {
+            let arrows = all.entry(place.clone()).or_default();
+            let is_arrow = |(name, (is_public, _)): &(&String, &(bool, ModulePath))| {
+                !is_public || names.used.contains(*name)
+            };
+            let imports = names.imported.iter().filter(is_arrow).map(|(_, (_, parts))| (parts, 1));
+            for (parts, depth) in imports.chain(names.paths.iter().map(|parts| (parts, 0))) {
+                if let Some((to, Some(name))) = self.resolve(place, parts, depth)
+                    && to != *place
+                {
+                    arrows.entry(to).or_default().insert(name);
+                }
+            }
+        }
+        all
+    }
+}
+
+/// The sets of two and more nodes in which each reaches each: few nodes, so by reachability.
+fn strongly_connected(arrows: &Arrows) -> Vec<BTreeSet<ModulePath>> {
+    let reached: BTreeMap<&ModulePath, BTreeSet<&ModulePath>> = arrows
+        .keys()
+        .map(|start| {
+            let (mut seen, mut open) = (BTreeSet::new(), vec![start]);
+            while let Some(next) = open.pop() {
+                open.extend(arrows[next].keys().filter(|to| seen.insert(*to)));
+            }
+            (start, seen)
+        })
+        .collect();
+    let mut found: Vec<BTreeSet<ModulePath>> = Vec::new();
+    for (start, seen) in &reached {
+        if seen.contains(start) && !found.iter().any(|circle| circle.contains(*start)) {
+            let back = seen.iter().filter(|other| reached[*other].contains(start));
+            found.push(back.map(|place| (*place).clone()).collect());
+        }
+    }
+    found
+}
+
+impl FileNames {
+    fn of(text: &str) -> Self {
+        let all = without_tests(&tokens(text));
+        let at = |i: usize| all.get(i).copied().unwrap_or_default();
+        let mut found = Self::default();
+        let mut i = 0;
+        while i < all.len() {
+            let start = i;
+            i += 1;
+            if at(start) == "use" {
+                i += all[i..].iter().take_while(|token| **token != ";").count();
+                let before = if at(start.wrapping_sub(1)) == ")" { 4 } else { 1 }; // pub(crate)
+                found.import(&all[start + 1..i], at(start.wrapping_sub(before)) == "pub");
+            } else if at(start) == "mod" && at(start + 2) == ";" {
+                found.children.push(at(i).to_owned());
+                i += 2;
+            } else if at(start) == "macro_rules" {
+                found.defined.insert(at(start + 2).to_owned());
+            } else if at(start).starts_with(is_word) {
+                if DEFINES.contains(&at(start)) && at(i).starts_with(is_word) {
+                    found.defined.insert(at(i).to_owned());
+                }
+                while at(i) == "::" && at(i + 1).starts_with(is_word) {
+                    i += 2;
+                }
+                found.used.insert(at(start).to_owned());
+                if i > start + 1 {
+                    let parts = all[start..i].iter().filter(|token| **token != "::");
+                    found.paths.insert(parts.map(|&part| part.to_owned()).collect());
+                }
+            }
+        }
+        found
+    }
+
+    /// Takes a `use` tree apart.
+    fn import(&mut self, tree: &[&str], is_public: bool) {
+        let mut path = ModulePath::new();
+        // Length of the path before each open brace.
+        let mut stems = vec![0];
+        let mut alias = None;
+        for (i, &token) in tree.iter().chain(&[";"]).enumerate() {
+            match token {
+                "{" => stems.push(path.len()),
+                "," | "}" | ";" => {
+                    if path.len() > stems[stems.len() - 1] {
+                        if path.len() > 1 && path.ends_with(&["self".to_owned()]) {
+                            path.pop(); // a::b::self is a::b
+                        }
+                        let name = alias.take().unwrap_or(path[path.len() - 1].clone());
+                        self.imported.insert(name, (is_public, path.clone()));
+                    }
+                    if token == "}" {
+                        stems.pop();
+                    }
+                    path.truncate(stems[stems.len() - 1]);
+                }
+                "::" | "as" => {}
+                word if i > 0 && tree[i - 1] == "as" => alias = Some(word.to_owned()),
+                word => path.push(word.to_owned()),
+            }
+        }
+    }
+}
+
+fn is_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// The names and signs of Rust source; comments, strings, characters and lifetimes are gone.
+fn tokens(source: &str) -> Vec<&str> {
+    let (mut found, mut rest) = (Vec::new(), source);
+    while let Some(first) = rest.chars().next() {
+        let word = rest.find(|c| !is_word(c)).unwrap_or(rest.len());
+        let (length, is_token) = match text_length(rest) {
+            Some(length) => (length, false),
+            None if word > 0 => (word, true),
+            None if rest.starts_with("::") => (2, true),
+            None => (first.len_utf8(), !first.is_whitespace()),
+        };
+        found.extend(is_token.then(|| &rest[..length]));
+        rest = &rest[length..];
+    }
+    found
+}
+
+/// Length of the comment, string, character or lifetime that a text begins with.
+fn text_length(text: &str) -> Option<usize> {
+    let end = |from: usize, mark: &str| {
+        text[from..].find(mark).map_or(text.len(), |i| from + i + mark.len())
+    };
+    if text.starts_with("//") {
+        return Some(end(2, "\n"));
+    }
+    if text.starts_with("/*") {
+        return Some(end(2, "*/"));
+    }
+    if let Some(raw) = text.strip_prefix('r') {
+        let marks = raw.len() - raw.trim_start_matches('#').len();
+        if raw[marks..].starts_with('"') {
+            return Some(end(marks + 2, &format!("\"{}", "#".repeat(marks))));
+        }
+    }
+    if text.starts_with('"') {
+        let mut is_escaped = false;
+        let closes = |c: char| {
+            let is_end = c == '"' && !is_escaped;
+            is_escaped = c == '\\' && !is_escaped;
+            is_end
+        };
+        return Some(text[1..].find(closes).map_or(text.len(), |i| i + 2));
+    }
+    let inside = text.strip_prefix('\'')?;
+    let mut chars = inside.char_indices();
+    match (chars.next()?.1, chars.next()) {
+        ('\\', _) => Some(end(3, "'")),
+        (_, Some((i, '\''))) => Some(i + 2),
+        _ => Some(1 + inside.find(|c| !is_word(c)).unwrap_or(inside.len())),
+    }
+}
+
+/// The tokens without the items under `#[cfg(test)]` or `#[cfg(all(test, ..))]`.
+fn without_tests<'a>(all: &[&'a str]) -> Vec<&'a str> {
+    let (mut kept, mut i) = (Vec::new(), 0);
+    while i < all.len() {
+        let (cfg, rest) = (["#", "[", "cfg", "("], &all[i..]);
+        let condition = rest.strip_prefix(&cfg).unwrap_or_default();
+        if condition.starts_with(&["test"]) || condition.starts_with(&["all", "(", "test"]) {
+            i += item_length(rest);
+        } else {
+            kept.push(all[i]);
+            i += 1;
+        }
+    }
+    kept
+}
+
+/// Up to the closing brace of the first item, or its `;`.
+fn item_length(tokens: &[&str]) -> usize {
+    let mut depth = 0_i32;
+    let ends = |token: &&str| {
+        match *token {
+            "(" | "[" | "{" => depth += 1,
+            ")" | "]" | "}" => depth -= 1,
+            _ => {}
+        }
+        depth == 0 && matches!(*token, "}" | ";")
+    };
+    tokens.iter().position(ends).map_or(tokens.len(), |i| i + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn krate(name: &str, files: &[(&str, &str)]) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("xtask-{name}-{}", std::process::id()));
+        for (file, text) in files {
+            let path = folder.join(file);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        }
+        folder.join("lib.rs")
+    }
+
+    #[test]
+    fn a_circle_through_a_face_is_found_and_a_tree_is_none() {
+        let circle = krate(
+            "circle",
+            &[
+                ("lib.rs", "mod a;\nmod b;\npub use a::A;\npub use b::B;"),
+                ("a.rs", "use crate::B;\npub struct A(B);"),
+                ("b/mod.rs", "mod c;\npub use c::B;"),
+                ("b/c.rs", "pub struct B; fn f() { let _ = crate::a::A; }"),
+            ],
+        );
+        let found = circles(&circle);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(found[0].starts_with("a circle of 2 files"), "{found:?}");
+        assert!(found[0].contains("takes B from") && found[0].contains("takes A from"));
+        assert!(faces(&circle).is_empty());
+
+        let tree = krate(
+            "tree",
+            &[
+                ("lib.rs", "mod a;\nmod b;\npub use a::A;\nfn defined() {}"),
+                ("a.rs", "use crate::b::{self, B};\npub struct A(B);\nfn f() { b::g(); }"),
+                ("b.rs", "pub struct B;\npub fn g() {}\n#[cfg(test)]\nmod tests { use crate::A; }"),
+            ],
+        );
+        assert!(circles(&tree).is_empty());
+        assert_eq!(faces(&tree).len(), 1);
+        for main in [circle, tree] {
+            std::fs::remove_dir_all(main.parent().unwrap()).unwrap();
+        }
+    }
+
+    #[test]
+    fn text_comments_and_tests_are_no_names() {
+        let source = r##"
+            use a::b; // use c::d
+            /* e f */ const X: &str = "https://h \" i"; let r = r#"j " k"#;
+            fn l<'m>(n: &'m u8) -> char { '\''; 'p' }
+            #[cfg(test)] mod tests { use super::q; fn s() { {} } }
+            #[cfg(test)] use t::u;
+            fn after() {}
+        "##;
+        let mut names = without_tests(&tokens(source));
+        names.retain(|token| token.starts_with(is_word));
+        assert_eq!(names.join(" "), "use a b const X str let r fn l n u8 char fn after");
+    }
+
+    #[test]
+    fn a_use_tree_is_taken_apart() {
+        let names = FileNames::of(
+            "pub(crate) use a::{self, b::{C, D as E}, f};\nmod g;\nfn h() { g::i::<u8>(); }",
+        );
+        let shown = |(name, (is_public, parts)): (&String, &(bool, ModulePath))| {
+            format!("{name}={}:{is_public}", parts.join("::"))
+        };
+        let imported: Vec<String> = names.imported.iter().map(shown).collect();
+        assert_eq!(imported, ["C=a::b::C:true", "E=a::b::D:true", "a=a:true", "f=a::f:true"]);
+        assert_eq!(names.children, ["g"]);
+        assert!(names.defined.contains("h"));
+        assert!(names.paths.contains(&vec!["g".to_owned(), "i".to_owned()]));
+    }
+}
