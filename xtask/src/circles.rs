@@ -87,14 +87,14 @@ impl CrateFiles {
             let below = folder.join(child);
             let candidates = [below.with_extension("rs"), below.join("mod.rs")];
             if let Some(path) = candidates.iter().find(|path| path.is_file()) {
-                self.walk(path, &[place, &[child.clone()]].concat(), &below);
+                self.walk(path, &inside(place, child), &below);
             }
         }
         self.0.insert(place.to_vec(), (file.to_path_buf(), names));
     }
 
     fn has(&self, place: &[String], child: &str) -> bool {
-        self.0.contains_key(&[place, &[child.to_owned()]].concat())
+        self.0.contains_key(&inside(place, child))
     }
 
     /// The file that defines what `parts` names as seen from `from`, and the name; the name is
@@ -119,7 +119,7 @@ impl CrateFiles {
                 rest = parts;
                 let is_imported = self.0[from].1.imported.contains_key(first);
                 let is_named = depth > 0 || parts.len() > 1;
-                if !self.has(from, first) && !(is_imported && is_named) {
+                if !(self.has(from, first) || is_imported && is_named) {
                     return None;
                 }
                 from.clone()
@@ -163,6 +163,12 @@ impl CrateFiles {
         }
         all
     }
+}
+
+fn inside(place: &[String], child: &str) -> ModulePath {
+    let mut path = place.to_vec();
+    path.push(child.to_owned());
+    path
 }
 
 /// The sets of two and more nodes in which each reaches each: few nodes, so by reachability.
@@ -290,14 +296,14 @@ fn text_length(text: &str) -> Option<usize> {
             return Some(end(marks + 2, &format!("\"{}", "#".repeat(marks))));
         }
     }
-    if text.starts_with('"') {
+    if let Some(string) = text.strip_prefix('"') {
         let mut is_escaped = false;
         let closes = |c: char| {
             let is_end = c == '"' && !is_escaped;
             is_escaped = c == '\\' && !is_escaped;
             is_end
         };
-        return Some(text[1..].find(closes).map_or(text.len(), |i| i + 2));
+        return Some(string.find(closes).map_or(text.len(), |i| i + 2));
     }
     let inside = text.strip_prefix('\'')?;
     let mut chars = inside.char_indices();

@@ -59,16 +59,6 @@ fn summit_models(c: &mut Criterion) {
         c.bench_function(&format!("{name}/at_pressure, error 4e-15"), |b| {
             b.iter(|| model.at_pressure(black_box(0.01)));
         });
-        let loads: Vec<f64> = (0..24).map(|k| 1e-6 * 1.7f64.powi(k)).collect();
-        c.bench_function(&format!("{name}/curve of 24 pressures"), |b| {
-            b.iter(|| {
-                loads
-                    .iter()
-                    .filter_map(|&p| model.at_pressure(black_box(p)).ok())
-                    .map(|state| state.area_fraction)
-                    .sum::<f64>()
-            });
-        });
     }
     let exact = models[1].1.at_separation(1.0).expect("finite").area_fraction;
     for n in [50, 200, 800] {

@@ -63,10 +63,8 @@ impl Attraction {
     /// # Errors
     /// [`ModelError::InvalidInput`] unless both are finite and positive.
     pub fn pastewka_robbins(&self, gradient: f64, curvature: f64) -> Result<f64, ModelError> {
-        require::positive(MODEL, "rms gradient", gradient)?;
-        require::positive(MODEL, "rms curvature", curvature)?;
+        let diameter = diameter(gradient, curvature)?;
         let Self { modulus, work, range } = *self;
-        let diameter = 4.0 * gradient / curvature;
         let strength = gradient * range * modulus / (KAPPA * work);
         Ok(strength * (gradient * diameter / (4.0 * range)).powf(2.0 / 3.0))
     }
@@ -77,12 +75,17 @@ impl Attraction {
     /// # Errors
     /// As [`pastewka_robbins`](Self::pastewka_robbins).
     pub fn attracting_area(&self, gradient: f64, curvature: f64) -> Result<f64, ModelError> {
-        require::positive(MODEL, "rms gradient", gradient)?;
-        require::positive(MODEL, "rms curvature", curvature)?;
-        let diameter = 4.0 * gradient / curvature;
+        let diameter = diameter(gradient, curvature)?;
         let rim = (3.0 * self.range * diameter.sqrt() / (4.0 * gradient)).powf(2.0 / 3.0);
         Ok(PI * rim / diameter)
     }
+}
+
+/// `d = 4 g/h″` (m): of a spot, by rms gradient and rms curvature.
+fn diameter(gradient: f64, curvature: f64) -> Result<f64, ModelError> {
+    require::positive(MODEL, "rms gradient", gradient)?;
+    require::positive(MODEL, "rms curvature", curvature)?;
+    Ok(4.0 * gradient / curvature)
 }
 
 /// `π (3/16)^(2/3)`: where attraction and repulsion of light contact are equal.

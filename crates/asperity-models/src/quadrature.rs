@@ -70,7 +70,7 @@ const REACH: f64 = 10.0;
 const WIDEST: f64 = 2.5;
 
 /// Where t is measured from, so that z and u come without cancellation.
-enum Frame {
+enum CurvatureFrame {
     /// From ρh, in units of s: few summits reach the flat.
     Tail { h: f64 },
     /// From c = h/ρ, where the mean summit of that curvature touches the flat.
@@ -88,11 +88,11 @@ impl Correlation {
     ) -> [f64; N] {
         let Self { rho, s } = self;
         let frame = if h > 0.0 && h * s >= REACH * rho {
-            Frame::Tail { h }
+            CurvatureFrame::Tail { h }
         } else if h > 0.0 && rho >= 0.5 {
-            Frame::Touch { h, c: h / rho }
+            CurvatureFrame::Touch { h, c: h / rho }
         } else {
-            Frame::Plain { h }
+            CurvatureFrame::Plain { h }
         };
         let mut sum = [0.0; N];
         for [from, to] in self.breaks(&frame).panels() {
@@ -116,43 +116,43 @@ impl Correlation {
     }
 
     /// Whether to substitute a square about `from`, and the limits of the variable.
-    fn substitution(self, frame: &Frame, from: f64, to: f64) -> (bool, f64, f64) {
+    fn substitution(self, frame: &CurvatureFrame, from: f64, to: f64) -> (bool, f64, f64) {
         let origin = match *frame {
-            Frame::Tail { h } => -self.rho * h / self.s,
-            Frame::Touch { c, .. } => {
+            CurvatureFrame::Tail { h } => -self.rho * h / self.s,
+            CurvatureFrame::Touch { c, .. } => {
                 if self.s > 0.0 {
                     -c
                 } else {
                     0.0 // one height per curvature: contact begins at c
                 }
             }
-            Frame::Plain { .. } => 0.0,
+            CurvatureFrame::Plain { .. } => 0.0,
         };
         if from <= origin { (true, 0.0, (to - from).sqrt()) } else { (false, from, to) }
     }
 
     /// Node at frame coordinate `y`, with its Gaussian weight.
-    fn summit(self, frame: &Frame, y: f64) -> (Summit, f64) {
+    fn summit(self, frame: &CurvatureFrame, y: f64) -> (Summit, f64) {
         let Self { rho, s } = self;
         let (t, z, u, depth, above, step) = match *frame {
-            Frame::Tail { h } => {
+            CurvatureFrame::Tail { h } => {
                 let t = (rho * h + s * y).max(0.0);
                 (t, h * s - rho * y, y, 0.0, 0.0, s)
             }
-            Frame::Touch { h, c } => {
+            CurvatureFrame::Touch { h, c } => {
                 let t = (c + y).max(0.0);
                 // t - h without cancellation: c - h = h (1 - ρ)/ρ and 1 - ρ = s²/(1 + ρ)
                 let above = h * (s / rho) * (s / (1.0 + rho)) + y;
                 (t, -rho * y / s, h * s / rho + y / s, rho * y, above, 1.0)
             }
-            Frame::Plain { h } => {
+            CurvatureFrame::Plain { h } => {
                 let depth = rho * y - h;
                 (y, -depth / s, (y - rho * h) / s, depth, y - h, 1.0)
             }
         };
         let (h, tail) = match *frame {
-            Frame::Tail { h } => (h, true),
-            Frame::Touch { h, .. } | Frame::Plain { h } => (h, false),
+            CurvatureFrame::Tail { h } => (h, true),
+            CurvatureFrame::Touch { h, .. } | CurvatureFrame::Plain { h } => (h, false),
         };
         let scaled = tail || h > 0.0 && z >= 8.0;
         let exponent = if scaled {
@@ -167,21 +167,21 @@ impl Correlation {
     }
 
     /// Where panels must end, in frame coordinates.
-    fn breaks(self, frame: &Frame) -> Breaks {
+    fn breaks(self, frame: &CurvatureFrame) -> Breaks {
         let Self { rho, s } = self;
         let (low, high, touch) = match *frame {
-            Frame::Tail { h } => ((-rho * h / s).max(-REACH), REACH, None),
-            Frame::Touch { h, c } => {
+            CurvatureFrame::Tail { h } => ((-rho * h / s).max(-REACH), REACH, None),
+            CurvatureFrame::Touch { h, c } => {
                 let low = if s > 0.0 { (-h * s * s / rho - REACH * s).max(-c) } else { 0.0 };
                 let lag = h * s / rho;
                 let to_tail = (REACH * REACH - lag * lag) / ((h * h + REACH * REACH).sqrt() + c);
                 (low, to_tail.max(REACH * s - h * s * s / rho), Some(0.0))
             }
-            Frame::Plain { h } if h > 0.0 => {
+            CurvatureFrame::Plain { h } if h > 0.0 => {
                 let low = (rho * h - REACH * s).max(0.0);
                 (low, (h * h + REACH * REACH).sqrt(), Some(h / rho))
             }
-            Frame::Plain { .. } => (0.0, REACH, None),
+            CurvatureFrame::Plain { .. } => (0.0, REACH, None),
         };
         let mut breaks = Breaks::between(low, high);
         if let Some(touch) = touch {

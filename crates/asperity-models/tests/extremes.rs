@@ -28,10 +28,10 @@ impl Case {
 }
 
 pub(crate) fn cases() -> Vec<Case> {
-    ReferenceTable::read("extremes_summit_models.csv").rows().map(case).collect()
+    ReferenceTable::read("extremes_summit_models.csv").rows().map(|row| case(&row)).collect()
 }
 
-fn case(row: ReferenceRow<'_>) -> Case {
+fn case(row: &ReferenceRow<'_>) -> Case {
     // m0 = m2 = E* = 1: separation and pressure are dimensionless.
     let moments = SpectralMoments { m0: 1.0, m2: 1.0, m4: row.number("bandwidth") };
     let modulus = ContactModulus::from_pascals(1.0).expect("positive");

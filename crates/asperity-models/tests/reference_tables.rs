@@ -41,7 +41,9 @@ fn all_models(table: &str, limit: f64) {
         check::<asperity_models::GeometricMeanSphere>(&row, models[1], &mut worst[1]);
         check::<asperity_models::ArithmeticMeanSphere>(&row, models[2], &mut worst[2]);
     }
-    worst.iter().flatten().for_each(|worst| worst.at_most(limit));
+    for worst in worst.iter().flatten() {
+        worst.at_most(limit);
+    }
 }
 
 #[test]

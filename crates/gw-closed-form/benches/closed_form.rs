@@ -1,6 +1,5 @@
-//! What an answer costs and what it is worth: the load integral J_3/2 (and F_5/2, for which the
-//! curve fits were made) by every route. The largest relative error over the arguments timed is
-//! part of each name.
+//! What an answer costs and what it is worth: the load integral J_3/2 by every route. The largest
+//! relative error over the arguments timed is part of each name.
 //!
 //! ```console
 //! $ cargo bench -p gw-closed-form
@@ -9,7 +8,7 @@
 
 use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMoments};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use gw_closed_form::partial_moments::{Order, ln, scaled, value};
+use gw_closed_form::partial_moments::{Order, value};
 use gw_closed_form::{GreenwoodWilliamson, appendix, inverse};
 use std::f64::consts::TAU;
 use std::hint::black_box;
@@ -33,66 +32,26 @@ fn simpson(n: f64, alpha: f64, intervals: u32) -> f64 {
 /// A name and a way to the answer.
 type Route = (&'static str, fn(f64) -> f64);
 
-fn compare(c: &mut Criterion, group: &str, order: Order, arguments: &[f64], routes: &[Route]) {
-    let mut group = c.benchmark_group(group);
+fn load_integral(c: &mut Criterion) {
+    // Separations of practical contacts, α = -1 to 4.
+    let arguments: Vec<f64> = (0..100).map(|k| -1.0 + 0.05 * f64::from(k) + 1e-3).collect();
+    let exact = |alpha: f64| value(Order::ThreeHalves, alpha);
+    let routes: [Route; 4] = [
+        ("closed form, stable", |a| value(Order::ThreeHalves, a)),
+        ("closed form, literal (A1)", |a| appendix::load_a1(a, 1.0)),
+        ("Simpson, 40 intervals", |a| simpson(1.5, a, 40)),
+        ("Simpson, 200 intervals", |a| simpson(1.5, a, 200)),
+    ];
+    let mut group = c.benchmark_group("J_3div2 per point, alpha -1 to 4");
     group.throughput(Throughput::Elements(arguments.len() as u64));
     for (name, route) in routes {
-        let error = arguments
-            .iter()
-            .map(|&a| (route(a) / value(order, a) - 1.0).abs())
-            .fold(0.0, f64::max)
-            .max(f64::EPSILON); // the yardstick itself
-        group.bench_function(BenchmarkId::new(*name, format!("error {error:.0e}")), |b| {
+        let error = arguments.iter().map(|&a| (route(a) / exact(a) - 1.0).abs());
+        let error = error.fold(f64::EPSILON, f64::max); // the yardstick itself
+        group.bench_function(BenchmarkId::new(name, format!("error {error:.0e}")), |b| {
             b.iter(|| arguments.iter().map(|&a| route(black_box(a))).sum::<f64>());
         });
     }
     group.finish();
-}
-
-fn load_integral(c: &mut Criterion) {
-    // Separations of practical contacts, α = -1 to 4.
-    let arguments: Vec<f64> = (0..100).map(|k| -1.0 + 0.05 * f64::from(k) + 1e-3).collect();
-    compare(
-        c,
-        "J_3div2 per point, alpha -1 to 4",
-        Order::ThreeHalves,
-        &arguments,
-        &[
-            ("closed form, stable", |a| value(Order::ThreeHalves, a)),
-            ("closed form, literal (A1)", |a| appendix::load_a1(a, 1.0)),
-            ("Simpson, 40 intervals", |a| simpson(1.5, a, 40)),
-            ("Simpson, 200 intervals", |a| simpson(1.5, a, 200)),
-        ],
-    );
-    let arguments: Vec<f64> = (0..100).map(|k| 0.035 * f64::from(k) + 1e-3).collect();
-    compare(
-        c,
-        "F_5div2 per point, h 0 to 3.5",
-        Order::FiveHalves,
-        &arguments,
-        &[
-            ("closed form, stable", |a| value(Order::FiveHalves, a)),
-            ("Simpson, 40 intervals", |a| simpson(2.5, a, 40)),
-        ],
-    );
-    let arguments: Vec<f64> = (0..100).map(|k| 8.0 + 0.29 * f64::from(k)).collect();
-    compare(
-        c,
-        "J_3div2 per point, alpha 8 to 37",
-        Order::ThreeHalves,
-        &arguments,
-        &[
-            ("closed form, stable", |a| value(Order::ThreeHalves, a)),
-            ("closed form, literal (A1)", |a| appendix::load_a1(a, 1.0)),
-            ("Simpson, 200 intervals", |a| simpson(1.5, a, 200)),
-        ],
-    );
-    c.bench_function("scaled J_3div2 at 2.3, error 4e-16", |b| {
-        b.iter(|| scaled(Order::ThreeHalves, black_box(2.3)));
-    });
-    c.bench_function("ln J_3div2 at 2.3, error 3e-16", |b| {
-        b.iter(|| ln(Order::ThreeHalves, black_box(2.3)));
-    });
     c.bench_function("inverse from load 1e-3, error 4e-15", |b| {
         b.iter(|| inverse::from_load(black_box(1e-3)));
     });
@@ -107,16 +66,6 @@ fn model(c: &mut Criterion) {
     });
     c.bench_function("model/at_pressure, error 2e-15", |b| {
         b.iter(|| model.at_pressure(black_box(1e8)));
-    });
-    let loads: Vec<f64> = (0..24).map(|k| 1e5 * 1.7f64.powi(k)).collect();
-    c.bench_function("model/curve of 24 pressures", |b| {
-        b.iter(|| {
-            loads
-                .iter()
-                .filter_map(|&p| model.at_pressure(black_box(p)).ok())
-                .map(|state| state.area_fraction)
-                .sum::<f64>()
-        });
     });
 }
 

@@ -11,13 +11,13 @@
 use core::f64::consts::PI;
 
 /// Order ν of I, and Γ(ν+1).
-pub(crate) struct Order(f64, f64);
+pub(crate) struct BesselOrder(f64, f64);
 
-pub(crate) const MINUS_QUARTER: Order = Order(-0.25, GAMMA_3_4);
-pub(crate) const QUARTER: Order = Order(0.25, GAMMA_5_4);
-const MINUS_THREE_QUARTERS: Order = Order(-0.75, 4.0 * GAMMA_5_4);
-pub(crate) const THREE_QUARTERS: Order = Order(0.75, 0.75 * GAMMA_3_4);
-pub(crate) const FIVE_QUARTERS: Order = Order(1.25, 1.25 * GAMMA_5_4);
+pub(crate) const MINUS_QUARTER: BesselOrder = BesselOrder(-0.25, GAMMA_3_4);
+pub(crate) const QUARTER: BesselOrder = BesselOrder(0.25, GAMMA_5_4);
+const MINUS_THREE_QUARTERS: BesselOrder = BesselOrder(-0.75, 4.0 * GAMMA_5_4);
+pub(crate) const THREE_QUARTERS: BesselOrder = BesselOrder(0.75, 0.75 * GAMMA_3_4);
+pub(crate) const FIVE_QUARTERS: BesselOrder = BesselOrder(1.25, 1.25 * GAMMA_5_4);
 
 const GAMMA_5_4: f64 = 0.906_402_477_055_477_1;
 const GAMMA_3_4: f64 = 1.225_416_702_465_177_6;
@@ -25,7 +25,7 @@ const GAMMA_3_4: f64 = 1.225_416_702_465_177_6;
 const LARGE: f64 = 20.0;
 
 /// exp(-x) I_ν(x), x > 0.
-pub(crate) fn i_scaled(Order(nu, gamma): Order, x: f64) -> f64 {
+pub(crate) fn i_scaled(BesselOrder(nu, gamma): BesselOrder, x: f64) -> f64 {
     if x >= LARGE {
         return large(nu, x, -1.0) / libm::sqrt(2.0 * PI * x);
     }
@@ -53,7 +53,7 @@ pub(crate) fn k_three_quarters_scaled(x: f64) -> f64 {
     k_scaled([MINUS_THREE_QUARTERS, THREE_QUARTERS], x)
 }
 
-fn k_scaled([minus, plus]: [Order; 2], x: f64) -> f64 {
+fn k_scaled([minus, plus]: [BesselOrder; 2], x: f64) -> f64 {
     let nu = plus.0;
     if x < 0.1 {
         // K = (pi/2) (I_{-nu} - I_nu) / sin(nu pi); sin(pi/4) = sin(3 pi/4)

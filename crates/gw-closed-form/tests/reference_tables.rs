@@ -26,7 +26,9 @@ fn partial_moments() {
             worst.see(error, || format!("n = {n}, alpha = {alpha:e}"));
         }
     }
-    worst.iter().for_each(|worst| worst.at_most(1e-15));
+    for worst in worst {
+        worst.at_most(1e-15);
+    }
 }
 
 #[test]
@@ -98,5 +100,7 @@ fn model_in_si_units() {
         let back = (at_pressure.separation.unwrap() - separation).abs();
         assert!(back <= 1e-14 * (separation.abs() + 40.0 * height_std), "{back:e}");
     }
-    worst.iter().chain([&area_at_pressure]).for_each(|worst| worst.at_most(1e-14));
+    for worst in worst.iter().chain([&area_at_pressure]) {
+        worst.at_most(1e-14);
+    }
 }

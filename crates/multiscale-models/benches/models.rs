@@ -1,27 +1,18 @@
-//! What an answer costs, per point and per curve, beside what it is worth: every evaluation is
+//! What an answer costs beside what it is worth: every evaluation is
 //! compared with 20-digit values before it is timed, and its worst relative error printed.
 #![allow(clippy::print_stderr, reason = "the errors belong beside the times")]
 
 use contact_types::{
-    AmplitudeSpectrum, ContactModel, ContactModulus, FractalParameters, RoughnessSpectrum, Shell,
-    SpectralMoments, Wave,
+    ContactModel, ContactModulus, FractalParameters, RoughnessSpectrum, Shell, SpectralMoments,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 use libm::erf;
-use multiscale_models::{
-    Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SinusoidLaw,
-    SphereLevel, Stacked,
-};
+use multiscale_models::{MajumdarBhushan, Persson, SelfAffineSpectrum, SinusoidLaw};
 use std::f64::consts::PI;
 use std::hint::black_box;
 
 fn unit() -> ContactModulus {
     ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus")
-}
-
-/// Sixteen loads from 0.001 to 1 times `scale`.
-fn loads(scale: f64) -> Vec<f64> {
-    (0..16).map(|i| scale * 10.0_f64.powf(-3.0 + 0.2 * f64::from(i))).collect()
 }
 
 /// Times one evaluation at one argument and prints its worst error over `exact`.
@@ -32,18 +23,6 @@ fn point(c: &mut Criterion, group: &str, name: &str, exact: &[(f64, f64)], f: im
     eprintln!("{group}/{name}: worst relative error {worst:.1e}");
     let x = exact[exact.len() / 2].0;
     c.benchmark_group(group).bench_function(name, |b| b.iter(|| f(black_box(x))));
-}
-
-fn curve(c: &mut Criterion, name: &str, model: &dyn ContactModel, scale: f64) {
-    let loads = loads(scale);
-    c.benchmark_group("curve of 16 loads").bench_function(name, |b| {
-        b.iter(|| {
-            loads
-                .iter()
-                .map(|&p| model.at_pressure(black_box(p)).map_or(0.0, |s| s.area_fraction))
-                .sum::<f64>()
-        });
-    });
 }
 
 /// erf by Abramowitz & Stegun 7.1.26.
@@ -68,7 +47,6 @@ fn persson_area(c: &mut Criterion) {
     point(c, group, "model", &exact, |p| model.at_pressure(p).map_or(0.0, |s| s.area_fraction));
     point(c, group, "literal erf", &exact, |p| erf(2.0_f64.sqrt() * p));
     point(c, group, "fit of erf", &exact, |p| erf_fit(2.0_f64.sqrt() * p));
-    curve(c, "Persson area", &model, 1.0);
 }
 
 fn persson_gap(c: &mut Criterion) {
@@ -96,7 +74,6 @@ fn persson_gap(c: &mut Criterion) {
     point(c, group, "model, gamma 0.45", &half, |p| with_gamma.mean_gap(p).unwrap_or(0.0));
     let [u0, b] = model.light_load().expect("a rough surface");
     point(c, group, "light-load logarithm", &exact, |p| u0 * (b / p).ln());
-    curve(c, "Persson area and gap, self-affine", &model, 4.6);
 
     for shells in [64, 512, 8192] {
         let shell = |i: i32| {
@@ -118,21 +95,6 @@ fn sinusoids(c: &mut Criterion) {
     let group = "sinusoid";
     point(c, group, "published fit", &exact, |x| SinusoidLaw::PublishedFit.area_fraction(x));
     point(c, group, "numerical table", &exact, |x| SinusoidLaw::NumericalTable.area_fraction(x));
-
-    let stacked = Stacked::new(0.01, unit()).expect("a ratio");
-    curve(c, "stacked", &stacked, 0.04);
-    let wave = |k: i32| Wave { frequency: f64::from(k), amplitude: 0.01 * f64::from(k).powf(-1.3) };
-    let waves = AmplitudeSpectrum::new((1..=500).map(wave).collect(), 1.0).expect("waves");
-    let model = JacksonStreator::new(waves, unit()).expect("a model");
-    curve(c, "Jackson-Streator, fit, 500 waves", &model, 0.04);
-    let model = model.with_law(SinusoidLaw::NumericalTable);
-    curve(c, "Jackson-Streator, table, 500 waves", &model, 0.04);
-    let levels = [
-        SphereLevel { radius: 1e-3, density: 1e5 },
-        SphereLevel { radius: 1e-6, density: 1e11 },
-        SphereLevel { radius: 1e-9, density: 1e17 },
-    ];
-    curve(c, "Archard, 3 levels", &Archard::new(&levels, unit()).expect("levels"), 1e-3);
 }
 
 fn fractals(c: &mut Criterion) {
@@ -161,11 +123,6 @@ fn fractals(c: &mut Criterion) {
     let group = "Majumdar-Bhushan load";
     point(c, group, "literal bracket", &exact, literal);
     point(c, group, "expm1", &exact, stable);
-    let surface = FractalParameters { dimension: 1.4, roughness: g };
-    let model = MajumdarBhushan::new(surface, 1.0, unit()).expect("a surface");
-    curve(c, "Majumdar-Bhushan", &model, 0.1);
-    let model = model.with_critical_area(critical).expect("an area");
-    curve(c, "Majumdar-Bhushan, critical area", &model, 0.1);
 }
 
 criterion_group! {

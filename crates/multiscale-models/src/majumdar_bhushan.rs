@@ -1,7 +1,7 @@
 //! Majumdar and Bhushan's fractal model, elastic part.
 
 use crate::answer::{citation, outside};
-use crate::spots::{FractalContact, Spots};
+use crate::spots::{FractalContact, SpotPopulation};
 use crate::wide::Wide;
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError, require,
@@ -77,7 +77,7 @@ impl MajumdarBhushan {
         require::positive(MODEL, "fractal roughness", roughness)?;
         require::positive(MODEL, "nominal area", nominal_area)?;
         // n(a) = (D/2) a_l^(D/2) a^(-D/2-1), F(a) = (4 sqrt(pi)/3) E* G^(D-1) a^((3-D)/2)
-        let spots = Spots {
+        let spots = SpotPopulation {
             size_exponent: d / 2.0,
             load_exponent: (3.0 - d) / 2.0,
             epsilon: 1.5 - d, // exact for every double near D = 3/2

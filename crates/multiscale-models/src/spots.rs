@@ -22,7 +22,7 @@ pub(crate) struct FractalContact {
     pub(crate) dimension: f64,
     /// D from which on the load of ever smaller elastic spots diverges.
     pub(crate) divergence: f64,
-    pub(crate) spots: Spots,
+    pub(crate) spots: SpotPopulation,
     /// \[m²\].
     pub(crate) nominal_area: f64,
     /// `None` if every spot is elastic.
@@ -117,7 +117,7 @@ impl FractalContact {
 
 /// A population of spots.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Spots {
+pub(crate) struct SpotPopulation {
     /// Exponent of the size distribution, 0 < s < 1.
     pub(crate) size_exponent: f64,
     /// Exponent of the elastic load of a spot.
@@ -135,20 +135,7 @@ pub(crate) struct Critical {
     pub(crate) hardness: Wide,
 }
 
-/// Load by kind, and `d ln F / d ln a_l` of their sum.
-struct SplitLoad {
-    elastic: Wide,
-    plastic: Wide,
-    slope: f64,
-}
-
-impl SplitLoad {
-    fn total(&self) -> Wide {
-        self.elastic + self.plastic
-    }
-}
-
-impl Spots {
+impl SpotPopulation {
     /// Area of all spots over that of the largest, `s/(1 - s)`.
     pub(crate) fn area_share(&self) -> f64 {
         self.size_exponent / (1.0 - self.size_exponent)
@@ -172,18 +159,18 @@ impl Spots {
 
     /// Load of all spots with a critical area.
     fn load_with(&self, critical: Critical, largest: Wide) -> Wide {
-        self.split_load(critical, largest).total()
+        self.load_and_slope(critical, largest).0
     }
 
-    fn split_load(&self, critical: Critical, largest: Wide) -> SplitLoad {
+    /// Load of all spots with a critical area, and its `d ln F / d ln a_l`.
+    fn load_and_slope(&self, critical: Critical, largest: Wide) -> (Wide, f64) {
         let (s, epsilon) = (self.size_exponent, self.epsilon);
         let ratio = largest / critical.area;
         let log_ratio = ratio.ln();
         let share = self.area_share();
         if log_ratio <= 0.0 {
             // Every spot is plastic; without a hardness those carry nothing here.
-            let plastic = critical.hardness * share * largest;
-            return SplitLoad { elastic: Wide::from(0.0), plastic, slope: 1.0 };
+            return (critical.hardness * share * largest, 1.0);
         }
         // (1 - e^{-|eps| L}) / |eps|, L = ln(a_l/a_c); -> L as epsilon -> 0
         let decay = epsilon.abs() * log_ratio;
@@ -193,8 +180,7 @@ impl Spots {
         let plastic = critical.hardness * share * critical.area * ratio.powf(s);
         let elastic_slope = s + 1.0 / bracket + epsilon.min(0.0);
         let elastic_weight = 1.0 / (1.0 + (plastic / elastic).value());
-        let slope = s + elastic_weight * (elastic_slope - s);
-        SplitLoad { elastic, plastic, slope }
+        (elastic + plastic, s + elastic_weight * (elastic_slope - s))
     }
 
     /// Largest spot that carries `load` with a critical area: Newton for `ln F` in
@@ -210,13 +196,10 @@ impl Spots {
         let mut v = 1.0_f64;
         while hi - lo > 1e-12 {
             let log_ratio = v.exp();
-            let split = self.split_load(critical, critical.area * Wide::exp(log_ratio));
-            let mismatch = if split.total().is_zero() {
-                f64::NEG_INFINITY
-            } else {
-                (split.total() / load).ln()
-            };
-            let step = mismatch / (split.slope * log_ratio);
+            let (found, slope) =
+                self.load_and_slope(critical, critical.area * Wide::exp(log_ratio));
+            let mismatch = if found.is_zero() { f64::NEG_INFINITY } else { (found / load).ln() };
+            let step = mismatch / (slope * log_ratio);
             // Quadratic: after a step of 1e-9 the rest is rounding.
             if step.abs() <= 1e-9 * v.abs().max(1.0) {
                 v -= step;
@@ -234,9 +217,8 @@ impl Spots {
         // Two more steps on the spot itself, whose logarithm has lost digits.
         if v > 0.0 {
             for _ in 0..2 {
-                let split = self.split_load(critical, spot);
-                let mismatch = (split.total() / load).ln();
-                spot = spot * Wide::exp(-mismatch / split.slope);
+                let (found, slope) = self.load_and_slope(critical, spot);
+                spot = spot * Wide::exp(-(found / load).ln() / slope);
             }
         }
         spot
@@ -254,7 +236,7 @@ mod tests {
         let mut seen = 0;
         for d in [1.0 + f64::EPSILON, 1.2, 1.5, 1.8, 2.0 - f64::EPSILON] {
             for coefficient in [tiny * tiny, Wide::from(1.0), huge * huge] {
-                let spots = Spots {
+                let spots = SpotPopulation {
                     size_exponent: d / 2.0,
                     load_exponent: (3.0 - d) / 2.0,
                     epsilon: 1.5 - d,

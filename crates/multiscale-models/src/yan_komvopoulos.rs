@@ -1,7 +1,7 @@
 //! Yan and Komvopoulos' fractal surface in three dimensions.
 
 use crate::answer::{citation, outside};
-use crate::spots::{FractalContact, Spots};
+use crate::spots::{FractalContact, SpotPopulation};
 use crate::wide::Wide;
 use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
@@ -59,7 +59,7 @@ impl YanKomvopoulos {
         }
         require::positive(MODEL, "fractal roughness", roughness)?;
         require::positive(MODEL, "nominal area", nominal_area)?;
-        let spots = Spots {
+        let spots = SpotPopulation {
             size_exponent: (d - 1.0) / 2.0,
             load_exponent: (4.0 - d) / 2.0,
             epsilon: 2.5 - d, // exact for every double near D = 5/2

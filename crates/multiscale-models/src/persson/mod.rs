@@ -4,7 +4,6 @@ mod area;
 mod gap;
 mod pressure_distribution;
 mod profile_amplitudes;
-mod reduced_diffusion;
 mod scales;
 mod self_affine;
 mod span;

@@ -17,14 +17,14 @@ use contact_types::{ModelError, Shell};
 #[derive(Debug)]
 pub(super) enum Scales {
     /// Shells of a measured spectrum, without those that carry nothing.
-    Shells(Vec<Step>),
+    Shells(Vec<SlopeStep>),
     /// A continuous spectrum.
     SelfAffine(SelfAffineSpectrum),
 }
 
 /// One shell: `rho` rises to `rho` at wavenumber `wavenumber`.
 #[derive(Debug)]
-pub(super) struct Step {
+pub(super) struct SlopeStep {
     wavenumber: f64,
     rho: f64,
 }
@@ -49,12 +49,12 @@ impl Scales {
             return Ok((Wide::from(0.0), Self::Shells(Vec::new())));
         };
         let mut total = CompensatedSum::default();
-        let mut steps: Vec<Step> = Vec::new();
+        let mut steps: Vec<SlopeStep> = Vec::new();
         for (shell, slope) in shells.iter().zip(&slopes) {
             let ratio = (*slope / largest).value();
             if ratio > 0.0 {
                 total.add(ratio * ratio);
-                steps.push(Step { wavenumber: shell.wavenumber, rho: total.value().sqrt() });
+                steps.push(SlopeStep { wavenumber: shell.wavenumber, rho: total.value().sqrt() });
             }
         }
         let all = total.value().sqrt();

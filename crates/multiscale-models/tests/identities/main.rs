@@ -9,7 +9,13 @@ mod quadrature;
 mod spectrum;
 
 use contact_types::ContactModulus;
+use multiscale_models::{Persson, SelfAffineSpectrum};
 
 fn pascals(e: f64) -> ContactModulus {
     ContactModulus::from_pascals(e).expect("a modulus")
+}
+
+fn persson(spectrum: SelfAffineSpectrum, e: f64, gamma: f64) -> Persson {
+    let model = Persson::from_self_affine(spectrum, pascals(e)).expect("a band");
+    model.with_gamma(gamma).expect("a published gamma")
 }

@@ -1,8 +1,8 @@
 //! Persson's mean gap and the moments below it: continuous spectra and shells.
 
-use crate::pascals;
 use crate::quadrature::geometric_integral;
 use crate::spectrum::{Definition, SPECTRA};
+use crate::{pascals, persson};
 use approx::assert_relative_eq;
 use contact_types::{RoughnessSpectrum, Shell};
 use libm::{erf, erfc};
@@ -28,10 +28,7 @@ fn mean_gap_is_the_printed_integral() {
         let spectrum = SelfAffineSpectrum::from_wavenumbers(hurst, q, 1.0).unwrap();
         let slope = spectrum.moments().m2.sqrt();
         for gamma in [1.0, 0.45] {
-            let model = Persson::from_self_affine(spectrum, pascals(1.0))
-                .unwrap()
-                .with_gamma(gamma)
-                .unwrap();
+            let model = persson(spectrum, 1.0, gamma);
             for x in [0.01, 0.3, 1.7] {
                 let expected = definition.mean_gap(x * slope, gamma);
                 let found = model.mean_gap(x * slope).unwrap();
@@ -94,7 +91,7 @@ fn shells_converge_to_the_continuous_spectrum() {
     let spectrum = SelfAffineSpectrum::from_wavenumbers(0.7, q, 1.0).unwrap();
     let definition = Definition::new(0.7, q, 1.0);
     let p = 0.1 * spectrum.moments().m2.sqrt();
-    let exact = Persson::from_self_affine(spectrum, pascals(1.0)).unwrap().mean_gap(p).unwrap();
+    let exact = persson(spectrum, 1.0, Persson::GAMMA).mean_gap(p).unwrap();
     let error = |n: i32| {
         let edge = |i: i32| (f64::from(i) / f64::from(n) * (40.0_f64).ln()).exp();
         let shells = (0..n)

@@ -1,6 +1,6 @@
 //! Persson's stiffness, stored energy and light load: what follows from the gap.
 
-use crate::pascals;
+use crate::persson;
 use crate::quadrature::geometric_integral;
 use crate::spectrum::Definition;
 use approx::assert_relative_eq;
@@ -13,8 +13,7 @@ fn energy_balances_the_work_of_the_load() {
     let e = 7e10;
     let scale = e * spectrum.moments().m2.sqrt();
     for gamma in [1.0, 0.45] {
-        let model =
-            Persson::from_self_affine(spectrum, pascals(e)).unwrap().with_gamma(gamma).unwrap();
+        let model = persson(spectrum, e, gamma);
         for x in [0.05, 0.6, 2.5] {
             let p = x * scale;
             // int_0^p u dp' with dp' = p' d ln p'; u grows only as ln(1/p).
@@ -31,7 +30,7 @@ fn energy_of_full_contact() {
     let q = [1e4, 3e4, 1e6];
     let definition = Definition::new(0.8, q, 1e-13);
     let spectrum = SelfAffineSpectrum::from_wavenumbers(0.8, q, 1e-13).unwrap();
-    let model = Persson::from_self_affine(spectrum, pascals(7e10)).unwrap();
+    let model = persson(spectrum, 7e10, Persson::GAMMA);
     let full = model.elastic_energy(1e3 * 7e10).unwrap();
     let expected = 0.5 * PI * 7e10 * definition.moment(2, q[2]);
     assert_relative_eq!(full, expected, max_relative = 1e-13);
@@ -42,8 +41,7 @@ fn stiffness_is_the_slope_of_the_gap() {
     let spectrum = SelfAffineSpectrum::from_wavenumbers(0.6, [1.0, 2.0, 200.0], 1.0).unwrap();
     let scale = spectrum.moments().m2.sqrt();
     for gamma in [1.0, 0.45] {
-        let model =
-            Persson::from_self_affine(spectrum, pascals(1.0)).unwrap().with_gamma(gamma).unwrap();
+        let model = persson(spectrum, 1.0, gamma);
         for x in [1e-6, 0.02, 0.5, 2.0] {
             let p = x * scale;
             // Five-point difference in ln p: error of order h^4, rounding eps/h.
@@ -59,8 +57,7 @@ fn stiffness_is_the_slope_of_the_gap() {
 fn light_load_constants_are_the_limit() {
     let spectrum = SelfAffineSpectrum::from_wavenumbers(0.8, [1.0, 1.0, 100.0], 1.0).unwrap();
     for gamma in [1.0, 0.45] {
-        let model =
-            Persson::from_self_affine(spectrum, pascals(3.0)).unwrap().with_gamma(gamma).unwrap();
+        let model = persson(spectrum, 3.0, gamma);
         let [u0, b] = model.light_load().unwrap();
         for p in [1e-12, 1e-100, 1e-306] {
             let limit = u0 * ((3.0 * b).ln() - f64::ln(p));
@@ -69,7 +66,6 @@ fn light_load_constants_are_the_limit() {
         }
     }
     // u0 = sqrt(pi) int q^2 C w dq, a number found independently: MODELS table of the theory.
-    let model = Persson::from_self_affine(spectrum, pascals(1.0)).unwrap();
-    let model = model.with_gamma(1.0).unwrap();
+    let model = persson(spectrum, 1.0, 1.0);
     assert_relative_eq!(model.light_load().unwrap()[0], 1.05357529, max_relative = 1e-8);
 }
