@@ -7,7 +7,7 @@ use crate::release;
 use crate::shell::{self, TaskResult, files, root};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A file longer than this is about more than one thing.
 const LONG_FILE: usize = 500;
@@ -27,14 +27,15 @@ pub(crate) fn run() -> TaskResult {
     let packages = shell::packages(&["--no-deps"])?.into_iter().filter_map(by_name).collect();
     layers(&packages, &mut faults);
     dependency_counts(&packages, &mut faults)?;
-    sources(&mut faults);
-    rooms(&mut faults);
-    models(&mut faults);
+    let all = read_sources();
+    sources(&all, &mut faults);
+    rooms(&all, &mut faults);
+    models(&all, &mut faults);
     book(&mut faults);
     release::versions(&mut faults);
     paper(&mut faults);
     terms(&mut faults);
-    counters::check(&read_sources(), &mut faults);
+    counters::check(&all, &mut faults);
     if faults.is_empty() {
         println!("tidy: no faults");
         return Ok(());
@@ -93,11 +94,9 @@ fn dependency_counts(packages: &BTreeMap<String, Value>, faults: &mut Vec<String
 }
 
 /// Lengths of files, printing and file access in libraries, unfinished work.
-fn sources(faults: &mut Vec<String>) {
+fn sources(all: &[SourceText], faults: &mut Vec<String>) {
     let mut lengths = Vec::new();
-    for path in &source_files() {
-        let Ok(text) = std::fs::read_to_string(path) else { continue };
-        let shown = relative(path);
+    for (shown, text) in all {
         let lines = text.lines().count();
         lengths.push(lines);
         if lines > LONG_FILE {
@@ -109,8 +108,8 @@ fn sources(faults: &mut Vec<String>) {
                 faults.push(format!("{at}: unfinished work belongs in an issue"));
             }
         }
-        if is_library(&shown) && !is_test_module(path) {
-            library_source(&shown, &text, faults);
+        if is_library(shown) && !is_test_module(shown) {
+            library_source(shown, text, faults);
         }
     }
     lengths.sort_unstable();
@@ -122,55 +121,47 @@ fn sources(faults: &mut Vec<String>) {
     }
 }
 
+/// A source with its path below the root.
+type SourceText = (String, String);
+
 /// The sources of crates and tasks; workspaces of their own below `crates` count, what was built
 /// there does not.
-fn source_files() -> Vec<PathBuf> {
+fn read_sources() -> Vec<SourceText> {
     let mut found = files(&root().join("crates"), "rs");
     found.extend(files(&root().join("xtask"), "rs"));
     found.retain(|path| !path.components().any(|part| part.as_os_str() == "target"));
-    found
+    let text = |path: &Path| std::fs::read_to_string(path).unwrap_or_default();
+    found.iter().map(|path| (relative(path), text(path))).collect()
 }
 
-/// The sources with their paths below the root.
-fn read_sources() -> Vec<(String, String)> {
-    let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap_or_default();
-    source_files().iter().map(|path| (relative(path), text(path))).collect()
-}
-
-/// The files from which the modules of a crate, an example or a test are reached.
-fn crate_roots() -> Vec<PathBuf> {
-    let is_root = |path: &PathBuf| {
-        let shown = relative(path);
-        let place: Vec<&str> = shown.split('/').rev().take(3).collect();
-        match place[..] {
-            ["lib.rs" | "main.rs", "src", ..] => true,
-            ["main.rs", _, kind] => matches!(kind, "bin" | "examples" | "tests"),
-            _ => false,
-        }
-    };
-    source_files().into_iter().filter(is_root).collect()
+/// True for a file from which the modules of a crate, an example or a test are reached.
+fn is_root(shown: &str) -> bool {
+    let place: Vec<&str> = shown.split('/').rev().take(3).collect();
+    match place[..] {
+        ["lib.rs" | "main.rs", "src", ..] => true,
+        ["main.rs", _, kind] => matches!(kind, "bin" | "examples" | "tests"),
+        _ => false,
+    }
 }
 
 /// Files import each other downwards only, faces define nothing, and no crate reads a file outside
 /// its folder when it is compiled.
-fn rooms(faults: &mut Vec<String>) {
-    let roots = crate_roots();
-    for main in &roots {
-        let shown = relative(main);
-        let mut found = circles::circles(main);
+fn rooms(all: &[SourceText], faults: &mut Vec<String>) {
+    let roots: Vec<&str> = all.iter().map(|(shown, _)| &**shown).filter(|s| is_root(s)).collect();
+    for shown in &roots {
+        let main = root().join(shown);
+        let mut found = circles::circles(&main);
         if shown.ends_with("src/lib.rs") {
-            found.extend(circles::faces(main));
+            found.extend(circles::faces(&main));
         }
         let here = format!("{}/", root().display());
         faults.extend(found.iter().map(|fault| format!("{shown}: {}", fault.replace(&here, ""))));
     }
     println!("crates, examples and tests looked through for circles of files: {}", roots.len());
-    for path in source_files() {
-        let shown = relative(&path);
-        if !shown.contains("/src/") || shown.starts_with("xtask/") || is_test_module(&path) {
+    for (shown, text) in all {
+        if !shown.contains("/src/") || shown.starts_with("xtask/") || is_test_module(shown) {
             continue;
         }
-        let text = std::fs::read_to_string(&path).unwrap_or_default();
         let code = text.split("#[cfg(test)]").next().unwrap_or_default();
         for included in ["include_str!(\"", "include_bytes!(\"", "include!(\""]
             .iter()
@@ -207,7 +198,8 @@ fn library_source(shown: &str, text: &str, faults: &mut Vec<String>) {
 }
 
 /// True for a file that its folder declares under `#[cfg(test)]`.
-fn is_test_module(path: &Path) -> bool {
+fn is_test_module(shown: &str) -> bool {
+    let path = root().join(shown);
     let (Some(folder), Some(name)) = (path.parent(), path.file_stem()) else { return false };
     let declaration = format!("#[cfg(test)]\nmod {};", name.to_string_lossy());
     ["mod.rs", "lib.rs"].iter().any(|parent| {
@@ -222,28 +214,26 @@ fn is_library(shown: &str) -> bool {
 
 /// Every type that implements `ContactModel` has a DOI in its file and a page in the book that
 /// names it.
-fn models(faults: &mut Vec<String>) {
+fn models(all: &[SourceText], faults: &mut Vec<String>) {
     let pages: String = files(&root().join("docs/src/models"), "md")
         .iter()
         .filter_map(|page| std::fs::read_to_string(page).ok())
         .collect();
+    let places = ["gw-closed-form", "asperity-models", "multiscale-models"]
+        .map(|krate| format!("crates/{krate}/src/"));
     let mut found = 0;
-    for krate in ["gw-closed-form", "asperity-models", "multiscale-models"] {
-        for path in files(&root().join("crates").join(krate).join("src"), "rs") {
-            let text = std::fs::read_to_string(&path).unwrap_or_default();
-            let shown = relative(&path);
-            for line in text.lines() {
-                let Some(rest) = line.trim().strip_prefix("impl ContactModel for ") else {
-                    continue;
-                };
-                let name = rest.trim_end_matches('{').trim();
-                found += 1;
-                if !text.contains("10.") || !text.to_lowercase().contains("doi") {
-                    faults.push(format!("{shown}: {name} gives no DOI"));
-                }
-                if !pages.contains(name) {
-                    faults.push(format!("{name} has no page in docs/src/models"));
-                }
+    for (shown, text) in all.iter().filter(|(shown, _)| places.iter().any(|p| shown.starts_with(p)))
+    {
+        for rest in
+            text.lines().filter_map(|line| line.trim().strip_prefix("impl ContactModel for "))
+        {
+            let name = rest.trim_end_matches('{').trim();
+            found += 1;
+            if !text.contains("10.") || !text.to_lowercase().contains("doi") {
+                faults.push(format!("{shown}: {name} gives no DOI"));
+            }
+            if !pages.contains(name) {
+                faults.push(format!("{name} has no page in docs/src/models"));
             }
         }
     }
