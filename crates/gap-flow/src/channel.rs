@@ -17,7 +17,7 @@ pub struct Bottleneck {
 }
 
 /// The points that carry a flow.
-pub(crate) struct Channel {
+pub(crate) struct OpenChannel {
     /// True for each point of a cluster of open points (four neighbours) that reaches both ends.
     pub(crate) open: Vec<bool>,
     pub(crate) bottleneck: Bottleneck,
@@ -51,7 +51,7 @@ impl Clusters {
 
 impl Gap<'_> {
     /// The channels along an axis; `None` where no cluster reaches both ends.
-    pub(crate) fn channel(&self, axis: Axis) -> Option<Channel> {
+    pub(crate) fn channel(&self, axis: Axis) -> Option<OpenChannel> {
         let nx = self.grid.shape()[1];
         let mut order: Vec<usize> =
             (0..self.heights.len()).filter(|&i| self.heights[i] > 0.0).collect();
@@ -82,7 +82,7 @@ impl Gap<'_> {
         }
         let (place, height) = ([last / nx, last % nx], self.heights[last]);
         let bottleneck = Bottleneck { place, height, width: self.width(place, axis) };
-        Some(Channel { open: filled, bottleneck })
+        Some(OpenChannel { open: filled, bottleneck })
     }
 
     /// Whether a point lies at the inlet, and at the outlet.

@@ -105,11 +105,7 @@ fn solve(order: Order, target: f64, overlap: f64) -> f64 {
     let n = order.exponent();
     let mut alpha = if target > 0.0 {
         // J_n = x^n (1 + n (n-1) / (2 x^2) + ...)
-        let start = -(overlap - 0.5 * (n - 1.0) / overlap);
-        if target > 24.0 {
-            return start; // the next term is below rounding
-        }
-        start
+        -(overlap - 0.5 * (n - 1.0) / overlap)
     } else if target > -2.0 {
         -0.67 - 0.69 * target
     } else {
@@ -120,7 +116,9 @@ fn solve(order: Order, target: f64, overlap: f64) -> f64 {
         let square = exponent - (n + 1.0) * libm::log(b + 0.9);
         libm::sqrt(2.0) * libm::sqrt(square.max(0.125))
     };
-    for _ in 0..MAX_STEPS {
+    // Above 24 the next term of the series is below rounding.
+    let steps = if target > 24.0 { 0 } else { MAX_STEPS };
+    for _ in 0..steps {
         let step = (ln(order, alpha) - target) / ln_derivative(order, alpha);
         alpha -= step;
         // Quadratic: a step of 1e-9 leaves only rounding behind.
